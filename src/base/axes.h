@@ -1,0 +1,31 @@
+/* axes.h - the nine axis letters of a controller, in their canonical order. */
+#ifndef FIVECHECK_BASE_AXES_H
+#define FIVECHECK_BASE_AXES_H
+
+#include <stdbool.h>
+#include <string.h>
+
+/* X Y Z and U V W are linear (mm), A B C rotary (radians inside, degrees in files). */
+enum axis_slot { SLOT_X, SLOT_Y, SLOT_Z, SLOT_A, SLOT_B, SLOT_C, SLOT_U, SLOT_V, SLOT_W, SLOT_COUNT };
+
+#define AXIS_LETTERS "XYZABCUVW"
+
+/* One value a slot; the slots that a machine lacks stay 0. */
+typedef struct axis_values {
+	double v[SLOT_COUNT];
+} axis_values;
+
+static inline bool slot_is_rotary(int slot)
+{
+	return slot >= SLOT_A && slot <= SLOT_C;
+}
+
+/* The slot of an upper-case letter, or -1. */
+static inline int slot_of_letter(char letter)
+{
+	const char *at = letter ? strchr(AXIS_LETTERS, letter) : NULL;
+
+	return at ? (int)(at - AXIS_LETTERS) : -1;
+}
+
+#endif

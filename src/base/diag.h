@@ -1,0 +1,51 @@
+/* diag.h - what is wrong with the input, and where: every layer reports here, only cli prints. */
+#ifndef FIVECHECK_BASE_DIAG_H
+#define FIVECHECK_BASE_DIAG_H
+
+#include <stdarg.h>
+#include <stddef.h>
+
+#include "base/strbuf.h"
+
+/* A place in a file. Lines and columns count from 1; 0 means that only the rest is known. */
+struct srcloc {
+	const char *file;	/* as the user named it; NULL: no file is to blame */
+	long line;
+	int column;	/* in bytes */
+};
+
+enum diag_severity { DIAG_NOTE, DIAG_WARNING, DIAG_ERROR };
+
+struct diag_entry {
+	enum diag_severity severity;
+	struct srcloc loc;
+	const char *text;	/* one line, no final newline */
+	const char *excerpt;	/* the faulty line, for a caret under loc.column; or NULL */
+};
+
+/*
+ * Counts what is reported and hands each entry on at once, so that nothing
+ * piles up while a long program streams. The entry lives during the call only.
+ */
+struct diag {
+	void (*handle)(void *context, const struct diag_entry *entry);	/* NULL: only count */
+	void *context;
+	size_t errors;
+	size_t warnings;
+};
+
+void diag_error(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void diag_warning(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void diag_note(struct diag *diag, struct srcloc loc, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The general form; excerpt may be NULL. */
+void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc loc, const char *excerpt,
+		 const char *format, va_list args) __attribute__((format(printf, 5, 0)));
+
+/*
+ * Appends the entry in the GNU form, one line and then the excerpt with its
+ * caret:  file:line:column: error: text
+ */
+void diag_format(struct strbuf *out, const struct diag_entry *entry);
+
+#endif

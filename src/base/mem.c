@@ -1,0 +1,64 @@
+#include "base/mem.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static _Noreturn void out_of_memory(void)
+{
+	fputs("fivecheck: out of memory\n", stderr);
+	_Exit(3);
+}
+
+void *mem_alloc(size_t size)
+{
+	void *block = malloc(size ? size : 1);
+
+	if (!block)
+		out_of_memory();
+	return block;
+}
+
+void *mem_zalloc(size_t count, size_t size)
+{
+	void *block = calloc(count ? count : 1, size ? size : 1);
+
+	if (!block)
+		out_of_memory();
+	return block;
+}
+
+void *mem_realloc(void *block, size_t count, size_t size)
+{
+	if (size && count > SIZE_MAX / size)
+		out_of_memory();
+	block = realloc(block, count && size ? count * size : 1);
+	if (!block)
+		out_of_memory();
+	return block;
+}
+
+char *mem_strndup(const char *text, size_t length)
+{
+	char *copy = mem_alloc(length + 1);
+
+	memcpy(copy, text, length);
+	copy[length] = '\0';
+	return copy;
+}
+
+void *mem_grow(void *array, size_t *capacity, size_t need, size_t size)
+{
+	size_t more = *capacity + *capacity / 2;
+
+	if (need <= *capacity)
+		return array;
+	if (more < need)
+		more = need;
+	if (more < 16)
+		more = 16;
+	array = mem_realloc(array, more, size);
+	*capacity = more;
+	return array;
+}

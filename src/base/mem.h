@@ -1,0 +1,23 @@
+/* mem.h - allocation that cannot fail: out of memory ends the program, here and nowhere else. */
+#ifndef FIVECHECK_BASE_MEM_H
+#define FIVECHECK_BASE_MEM_H
+
+#include <stddef.h>
+
+/*
+ * Like malloc, calloc, realloc and strndup, but never NULL: on exhaustion, or
+ * when count * size overflows, they say so on standard error and leave with
+ * exit status 3. Free with free().
+ */
+void *mem_alloc(size_t size);
+void *mem_zalloc(size_t count, size_t size);
+void *mem_realloc(void *block, size_t count, size_t size);
+char *mem_strndup(const char *text, size_t length);
+
+/*
+ * Makes room for at least `need` elements of `size` bytes in a growing array:
+ * returns the array (perhaps moved) and raises *capacity at least by half.
+ */
+void *mem_grow(void *array, size_t *capacity, size_t need, size_t size);
+
+#endif

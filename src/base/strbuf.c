@@ -1,0 +1,57 @@
+#include "base/strbuf.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+void strbuf_add(struct strbuf *buf, const char *bytes, size_t count)
+{
+	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + count + 1, 1);
+	memcpy(buf->text + buf->length, bytes, count);
+	buf->length += count;
+	buf->text[buf->length] = '\0';
+}
+
+void strbuf_addf(struct strbuf *buf, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	strbuf_addv(buf, format, args);
+	va_end(args);
+}
+
+void strbuf_addv(struct strbuf *buf, const char *format, va_list args)
+{
+	va_list again;
+	int length;
+
+	va_copy(again, args);
+	length = vsnprintf(NULL, 0, format, again);
+	va_end(again);
+	assert(length >= 0);
+	buf->text = mem_grow(buf->text, &buf->capacity, buf->length + (size_t)length + 1, 1);
+	vsnprintf(buf->text + buf->length, (size_t)length + 1, format, args);
+	buf->length += (size_t)length;
+}
+
+void strbuf_clear(struct strbuf *buf)
+{
+	buf->length = 0;
+	if (buf->text)
+		buf->text[0] = '\0';
+}
+
+void strbuf_release(struct strbuf *buf)
+{
+	free(buf->text);
+	*buf = (struct strbuf){0};
+}
+
+const char *strbuf_text(const struct strbuf *buf)
+{
+	return buf->text ? buf->text : "";
+}

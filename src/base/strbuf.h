@@ -1,0 +1,26 @@
+/* strbuf.h - a string that grows. */
+#ifndef FIVECHECK_BASE_STRBUF_H
+#define FIVECHECK_BASE_STRBUF_H
+
+#include <stdarg.h>
+#include <stddef.h>
+
+/* All zero is the empty string. `text` is NULL or ends in a NUL that `length` does not count. */
+struct strbuf {
+	char *text;
+	size_t length;
+	size_t capacity;
+};
+
+void strbuf_add(struct strbuf *buf, const char *bytes, size_t count);
+void strbuf_addf(struct strbuf *buf, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void strbuf_addv(struct strbuf *buf, const char *format, va_list args) __attribute__((format(printf, 2, 0)));
+
+/* Empties the string and keeps its storage. */
+void strbuf_clear(struct strbuf *buf);
+void strbuf_release(struct strbuf *buf);
+
+/* Never NULL. */
+const char *strbuf_text(const struct strbuf *buf);
+
+#endif
