@@ -1,0 +1,62 @@
+/* boxes.h - four boxes of one body against one box of another that moves: how far apart are they at least. */
+#ifndef FIVECHECK_GEOM_BOXES_H
+#define FIVECHECK_GEOM_BOXES_H
+
+#include "geom/bvh.h"
+#include "geom/xform.h"
+
+/* A rotation matrix with its absolute values, and a translation. Rows first: r[i] gives coordinate i. */
+struct box_map {
+	float r[3][3];
+	float abs_r[3][3];
+	float t[3];
+};
+
+/*
+ * How body b stands to body a at the two ends of a motion, as boxes see it, and
+ * how far it may be away from the hull of the two. View 0 maps b's boxes into
+ * a's frame, view 1 maps a's into b's; both frames have their body's origin.
+ */
+struct box_view {
+	struct box_map ends[2];
+	float play[3];	/* mm along each axis of the frame, beyond the hull */
+	float stray;	/* mm in any direction, beyond that; rounding is in it */
+};
+
+struct box_motion {
+	struct box_view views[2];
+};
+
+struct box {
+	float centre[3];
+	float half[3];
+};
+
+/*
+ * poses: b's mesh coordinates in a's, at both ends. play and stray, one a view,
+ * are as above but exact; a stray is raised by the rounding of the box tests.
+ */
+void box_motion_init(struct box_motion *motion, const struct bvh *a, const struct bvh *b, const xform *poses,
+		     const vec3 *play, const double *stray);
+
+static inline struct box box_of(const struct bvh_node *node, int lane)
+{
+	return (struct box){{node->centre[0][lane], node->centre[1][lane], node->centre[2][lane]},
+			    {node->half[0][lane], node->half[1][lane], node->half[2][lane]}};
+}
+
+struct box box_whole(const struct bvh *bvh);
+
+/*
+ * For each child of `node` a lower bound, in mm, of its distance to `other`
+ * throughout the motion; 0 where they may touch. `side` is 0 when the node is
+ * a's and the box b's, 1 the other way round. `loose` receives, for each
+ * child, about how much of the bound is lost because the boxes move (mm).
+ */
+void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,
+		 float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
+
+/* The same for one box of a and one of b. */
+float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *loose);
+
+#endif

@@ -1,0 +1,39 @@
+/* bvh.h - a mesh with a tree of axis-aligned boxes over it, four children a node. */
+#ifndef FIVECHECK_GEOM_BVH_H
+#define FIVECHECK_GEOM_BVH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "geom/mesh.h"
+#include "geom/vec3.h"
+
+enum { BVH_WIDTH = 4, BVH_LEAF_SIZE = 4 };
+
+/*
+ * The boxes of up to four children side by side, relative to the tree's origin
+ * and rounded outward. `count` > 0 is a leaf whose triangles begin at `first`;
+ * `count` 0 is the inner node nodes[first].
+ */
+struct bvh_node {
+	float centre[3][BVH_WIDTH];	/* mm */
+	float half[3][BVH_WIDTH];
+	uint32_t first[BVH_WIDTH];
+	uint8_t count[BVH_WIDTH];
+	uint8_t used;	/* children in use; the boxes of the others are copies of the first */
+};
+
+struct bvh {
+	struct mesh mesh;	/* owned; triangles in the order of the leaves */
+	struct bvh_node *nodes;	/* nodes[0] is the root */
+	size_t node_count;
+	vec3 origin;	/* middle of the bounds, mm */
+	vec3 half;	/* half the size of the bounds */
+	double radius;	/* mm: no vertex is farther from the origin */
+};
+
+/* Takes over the mesh (which is then empty); it holds at least one triangle. */
+struct bvh *bvh_new(struct mesh *mesh);
+void bvh_free(struct bvh *bvh);
+
+#endif

@@ -1,0 +1,96 @@
+#include "geom/decimal.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* As an integer and a power of ten. */
+struct decimal {
+	bool negative;
+	bool exact;	/* the integer holds all digits */
+	uint64_t digits;
+	int exponent;
+};
+
+static bool is_digit(char c)
+{
+	return c >= '0' && c <= '9';
+}
+
+static const char *scan_digits(struct decimal *d, const char *at, int shift)
+{
+	for (; is_digit(*at); at++) {
+		if (d->digits > (UINT64_MAX - 9) / 10) {
+			d->exact = false;
+			continue;
+		}
+		d->digits = 10 * d->digits + (uint64_t)(*at - '0');
+		d->exponent -= shift;
+	}
+	return at;
+}
+
+/* False unless the word is [+-]digits[.digits][e[+-]digits] with a digit before the exponent. */
+static bool scan_decimal(struct decimal *d, const char *word, size_t length)
+{
+	const char *at = word, *whole, *point;
+	int exponent = 0;
+
+	*d = (struct decimal){.exact = true, .negative = *at == '-'};
+	whole = at += *at == '-' || *at == '+';
+	at = point = scan_digits(d, at, 0);
+	if (*at == '.')
+		at = scan_digits(d, at + 1, 1);
+	if (at == whole || (at == point + 1 && point == whole))
+		return false;
+	if (*at == 'e' || *at == 'E') {
+		bool negative = at[1] == '-';
+		const char *first = at + 1 + (at[1] == '-' || at[1] == '+');
+
+		for (at = first; is_digit(*at); at++)
+			exponent = exponent < 10000 ? 10 * exponent + (*at - '0') : exponent;
+		if (at == first)
+			return false;
+		d->exponent += negative ? -exponent : exponent;
+	}
+	return at == word + length;
+}
+
+/*
+ * The nearest double, if it is cheap to have (both factors are exact, so that
+ * one rounding is made) and rounding it once more gives the nearest float: it
+ * does unless the double lies half-way between two floats.
+ */
+static bool quick_value(const struct decimal *d, double *value)
+{
+	static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+				      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+	const uint64_t below_float = ((uint64_t)1 << 29) - 1, half_way = (uint64_t)1 << 28;
+	uint64_t bits;
+	double v = (double)d->digits;
+
+	if (!d->exact || d->digits > (uint64_t)1 << 53 || abs(d->exponent) > 22)
+		return false;
+	v = d->exponent < 0 ? v / tens[-d->exponent] : v * tens[d->exponent];
+	memcpy(&bits, &v, sizeof(bits));
+	/* Between 1e-22 and 1e38 floats are neither subnormal nor infinite. */
+	if ((bits & below_float) == half_way)
+		return false;
+	*value = d->negative ? -v : v;
+	return true;
+}
+
+bool decimal_read(const char *word, size_t length, float *nearest, double *value)
+{
+	struct decimal d;
+
+	if (!scan_decimal(&d, word, length))
+		return false;
+	if (quick_value(&d, value)) {
+		*nearest = (float)*value;
+	} else {
+		*nearest = strtof(word, NULL);
+		*value = strtod(word, NULL);
+	}
+	return true;
+}

@@ -1,0 +1,412 @@
+#include "geom/stl.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <float.h>
+#include <locale.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/mem.h"
+#include "geom/decimal.h"
+
+/*
+ * Binary: 80 bytes of anything, a 32-bit count, then 50 bytes a triangle: the
+ * normal and three corners of three floats each, and 2 bytes of attributes; all
+ * little-endian.
+ */
+#define HEADER_SIZE 84
+#define COUNT_AT 80
+#define RECORD_SIZE 50
+#define CORNERS_AT 12
+
+#define BUFFER_SIZE ((size_t)256 * 1024)
+#define SHOWN_MAX 40	/* bytes of a faulty word in a message */
+
+/* A window on the file: bytes [at, end) of the buffer are unread, and a NUL follows them. */
+struct reader {
+	int fd;
+	uint64_t file_size;
+	struct diag *diag;
+	char *buffer;
+	size_t at, end;
+	uint64_t buffer_start;	/* where in the file buffer[0] was */
+	bool failed;	/* reported already */
+	struct srcloc loc;	/* of the current word */
+	uint64_t line_start;	/* where in the file the line begins */
+	const char *word;
+	size_t word_length;
+};
+
+/* What has been read so far. */
+struct soup {
+	struct mesh mesh;
+	size_t capacity;
+	double rounding;	/* the most by which a coordinate differs from its text */
+	double largest;
+};
+
+static bool fail(struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static bool fail(struct reader *r, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	diag_report(r->diag, DIAG_ERROR, r->loc, NULL, format, args);
+	va_end(args);
+	r->failed = true;
+	return false;
+}
+
+/* Moves what is unread to the front and reads more behind it. False at the end, on failure, or with a full buffer. */
+static bool fill(struct reader *r)
+{
+	ssize_t got;
+
+	memmove(r->buffer, r->buffer + r->at, r->end - r->at);
+	r->buffer_start += r->at;
+	r->end -= r->at;
+	r->at = 0;
+	do
+		got = read(r->fd, r->buffer + r->end, BUFFER_SIZE - r->end);
+	while (got < 0 && errno == EINTR);
+	if (got < 0)
+		return fail(r, "cannot be read: %s", strerror(errno));
+	r->end += (size_t)got;
+	r->buffer[r->end] = '\0';
+	return got > 0;
+}
+
+static uint32_t little_endian(const char *bytes)
+{
+	const unsigned char *b = (const unsigned char *)bytes;
+
+	return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+/* ---- binary ---- */
+
+/* The corners of one record; false where a coordinate is not finite. */
+static bool decode_record(mesh_triangle *t, const char *record)
+{
+	bool finite = true;
+
+	for (int k = 0; k < 9; k++) {
+		uint32_t bits = little_endian(record + CORNERS_AT + 4 * k);
+
+		memcpy(&t->v[k / 3][k % 3], &bits, sizeof(bits));
+		finite &= (bits & 0x7f800000) != 0x7f800000;
+	}
+	return finite;
+}
+
+static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
+{
+	if (count == 0)
+		return fail(r, "has no triangles");
+	if (count > STL_TRIANGLES_MAX)
+		return fail(r, "has more than %d triangles", STL_TRIANGLES_MAX);
+	mesh->triangles = mem_alloc(count * sizeof(*mesh->triangles));
+	r->at = HEADER_SIZE;
+	while (mesh->count < count) {
+		if (r->end - r->at < RECORD_SIZE) {
+			if (!fill(r))
+				return r->failed ? false : fail(r, "became shorter while it was read");
+			continue;
+		}
+		if (!decode_record(&mesh->triangles[mesh->count], r->buffer + r->at))
+			return fail(r, "triangle %zu, byte %llu: a coordinate is not a finite number", mesh->count + 1,
+				    (unsigned long long)(r->buffer_start + r->at + CORNERS_AT));
+		mesh->count++;
+		r->at += RECORD_SIZE;
+	}
+	return true;
+}
+
+/* ---- ASCII ---- */
+
+static bool is_space(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/* False at the end of the file, or on failure. */
+static bool skip_space(struct reader *r)
+{
+	for (;;) {
+		for (; r->at < r->end; r->at++) {
+			if (!is_space(r->buffer[r->at]))
+				return true;
+			if (r->buffer[r->at] == '\n') {
+				r->loc.line++;
+				r->line_start = r->buffer_start + r->at + 1;
+			}
+		}
+		if (!fill(r))
+			return false;
+	}
+}
+
+/* The next word, which the character after it ends; it lives until the next call. False at the end, or on failure. */
+static bool next_word(struct reader *r)
+{
+	size_t length = 0;
+	uint64_t column;
+
+	if (!skip_space(r))
+		return false;
+	for (;;) {
+		while (r->at + length < r->end && !is_space(r->buffer[r->at + length]))
+			length++;
+		if (r->at + length < r->end || !fill(r))
+			break;
+	}
+	if (r->failed)
+		return false;
+	column = r->buffer_start + r->at - r->line_start + 1;
+	r->loc.column = column < INT32_MAX ? (int)column : 0;
+	if (length == BUFFER_SIZE)
+		return fail(r, "a word of more than %zu bytes", BUFFER_SIZE - 1);
+	r->word = r->buffer + r->at;
+	r->word_length = length;
+	r->at += length;
+	return true;
+}
+
+/* The name after "solid" or "endsolid" may be anything. */
+static void skip_line(struct reader *r)
+{
+	do {
+		for (; r->at < r->end; r->at++) {
+			if (r->buffer[r->at] == '\n' || r->buffer[r->at] == '\r')
+				return;
+		}
+	} while (fill(r));
+}
+
+static bool word_is(const struct reader *r, const char *keyword)
+{
+	return r->word_length == strlen(keyword) && strncasecmp(r->word, keyword, r->word_length) == 0;
+}
+
+/* After next_word has found none. */
+static bool truncated(struct reader *r, const char *expected)
+{
+	r->loc.column = 0;
+	return r->failed ? false : fail(r, "the file ends where %s is expected: it is truncated", expected);
+}
+
+static bool unexpected(struct reader *r, const char *expected)
+{
+	char shown[SHOWN_MAX + 1];
+	size_t length = r->word_length < SHOWN_MAX ? r->word_length : SHOWN_MAX;
+
+	for (size_t i = 0; i < length; i++)
+		shown[i] = r->word[i] >= ' ' && r->word[i] <= '~' ? r->word[i] : '?';
+	shown[length] = '\0';
+	return fail(r, "\"%s%s\" where %s is expected", shown, length < r->word_length ? "..." : "", expected);
+}
+
+static bool expect(struct reader *r, const char *keyword)
+{
+	if (!next_word(r))
+		return truncated(r, keyword);
+	return word_is(r, keyword) || unexpected(r, keyword);
+}
+
+static bool is_not_a_number(const struct reader *r)
+{
+	size_t sign = *r->word == '-' || *r->word == '+';
+
+	return r->word_length >= sign + 3 &&
+	       (strncasecmp(r->word + sign, "nan", 3) == 0 || strncasecmp(r->word + sign, "inf", 3) == 0);
+}
+
+static bool read_coordinate(struct reader *r, struct soup *soup, float *out)
+{
+	double value;
+
+	if (!next_word(r))
+		return truncated(r, "a coordinate");
+	if (!decimal_read(r->word, r->word_length, out, &value)) {
+		if (!is_not_a_number(r))
+			return unexpected(r, "a coordinate");
+		*out = NAN;
+	}
+	if (!isfinite(*out))
+		return fail(r, "triangle %zu: a coordinate is not a finite 32-bit number", soup->mesh.count + 1);
+	soup->rounding = fmax(soup->rounding, fabs(value - (double)*out));
+	soup->largest = fmax(soup->largest, fabs(value));
+	return true;
+}
+
+/* What follows "facet". The normal is not used, and bad ones are common in degenerate facets: any three words do. */
+static bool read_facet(struct reader *r, struct soup *soup)
+{
+	mesh_triangle t;
+
+	if (!expect(r, "normal"))
+		return false;
+	for (int k = 0; k < 3; k++) {
+		if (!next_word(r))
+			return truncated(r, "the normal");
+		if (word_is(r, "outer"))
+			return unexpected(r, "the normal");
+	}
+	if (!expect(r, "outer") || !expect(r, "loop"))
+		return false;
+	for (int k = 0; k < 9; k++) {
+		if (k % 3 == 0 && !expect(r, "vertex"))
+			return false;
+		if (!read_coordinate(r, soup, &t.v[k / 3][k % 3]))
+			return false;
+	}
+	if (!expect(r, "endloop") || !expect(r, "endfacet"))
+		return false;
+	if (soup->mesh.count == STL_TRIANGLES_MAX)
+		return fail(r, "has more than %d triangles", STL_TRIANGLES_MAX);
+	soup->mesh.triangles = mem_grow(soup->mesh.triangles, &soup->capacity, soup->mesh.count + 1, sizeof(t));
+	soup->mesh.triangles[soup->mesh.count++] = t;
+	return true;
+}
+
+/* From the name after "solid" to the one after "endsolid". */
+static bool read_solid(struct reader *r, struct soup *soup)
+{
+	for (skip_line(r); next_word(r);) {
+		if (word_is(r, "endsolid")) {
+			skip_line(r);
+			return !r->failed;
+		}
+		if (!word_is(r, "facet"))
+			return unexpected(r, "facet or endsolid");
+		if (!read_facet(r, soup))
+			return false;
+	}
+	return truncated(r, "facet or endsolid");
+}
+
+/* Any number of solids, one after the other. */
+static bool read_solids(struct reader *r, struct soup *soup)
+{
+	r->loc.line = 1;
+	while (next_word(r)) {
+		if (!word_is(r, "solid"))
+			return unexpected(r, "solid");
+		if (!read_solid(r, soup))
+			return false;
+	}
+	r->loc = (struct srcloc){.file = r->loc.file};
+	if (r->failed || soup->mesh.count == 0)
+		return r->failed ? false : fail(r, "has no triangles");
+	/* Each coordinate is off by its rounding, to float and, of less weight, to double; a point by sqrt(3) of it. */
+	soup->mesh.slop = 1.8 * (soup->rounding + DBL_EPSILON * soup->largest);
+	soup->mesh.triangles = mem_realloc(soup->mesh.triangles, soup->mesh.count, sizeof(mesh_triangle));
+	return true;
+}
+
+/* decimal_read and strncasecmp follow the locale, the format does not. */
+static bool read_ascii(struct reader *r, struct soup *soup)
+{
+	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+	locale_t previous = uselocale(c);
+	bool ok = read_solids(r, soup);
+
+	uselocale(previous);
+	if (c)
+		freelocale(c);
+	return ok;
+}
+
+/* ---- which of the two ---- */
+
+static bool is_text(const struct reader *r)
+{
+	return !memchr(r->buffer, '\0', r->end);
+}
+
+static bool starts_with_solid(const struct reader *r)
+{
+	const char *at = r->buffer;
+
+	while (is_space(*at))
+		at++;
+	return strncasecmp(at, "solid", 5) == 0 && (at[5] == '\0' || is_space(at[5]));
+}
+
+/* Says what is wrong with a file whose size does not fit its header and that is not ASCII either. */
+static bool fail_unfitting(struct reader *r)
+{
+	uint64_t expected, size = r->file_size;
+	uint32_t count;
+
+	if (size == 0)
+		return fail(r, "is empty");
+	if (size < HEADER_SIZE || is_text(r))
+		return fail(r, "is no STL file: neither ASCII (text that starts with \"solid\") nor binary "
+			       "(84 bytes of header, whose last 4 tell how many triangles of 50 bytes follow)");
+	count = little_endian(r->buffer + COUNT_AT);
+	expected = HEADER_SIZE + (uint64_t)count * RECORD_SIZE;
+	if (size < expected)
+		return fail(r, "truncated binary STL: the header announces %lu triangles, %llu bytes are missing",
+			    (unsigned long)count, (unsigned long long)(expected - size));
+	return fail(r, "binary STL: the header announces %lu triangles, %llu bytes follow the last triangle",
+		    (unsigned long)count, (unsigned long long)(size - expected));
+}
+
+static bool read_either(struct reader *r, struct soup *soup)
+{
+	/* As much as the buffer holds: the whole of a small file. */
+	while (fill(r))
+		continue;
+	if (r->failed)
+		return false;
+	if (r->end >= HEADER_SIZE) {
+		uint32_t count = little_endian(r->buffer + COUNT_AT);
+
+		/* A text would have to be some gigabytes long to pass for this. */
+		if (r->file_size == HEADER_SIZE + (uint64_t)count * RECORD_SIZE)
+			return read_binary(r, &soup->mesh, count);
+	}
+	return starts_with_solid(r) && is_text(r) ? read_ascii(r, soup) : fail_unfitting(r);
+}
+
+/* A FIFO must not make us wait for its writer, nor a device hang. */
+static bool open_regular(struct reader *r)
+{
+	struct stat status;
+
+	r->fd = open(r->loc.file, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+	if (r->fd < 0)
+		return fail(r, "cannot be opened: %s", strerror(errno));
+	if (fstat(r->fd, &status) != 0)
+		return fail(r, "cannot be read: %s", strerror(errno));
+	if (!S_ISREG(status.st_mode))
+		return fail(r, S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
+	r->file_size = (uint64_t)status.st_size;
+	return true;
+}
+
+bool stl_read(struct mesh *out, const char *path, struct diag *diag)
+{
+	struct reader r = {.fd = -1, .diag = diag, .loc = {.file = path}};
+	struct soup soup = {0};
+	bool ok;
+
+	r.buffer = mem_alloc(BUFFER_SIZE + 1);
+	ok = open_regular(&r) && read_either(&r, &soup);
+	if (ok)
+		*out = soup.mesh;
+	else
+		mesh_release(&soup.mesh);
+	free(r.buffer);
+	if (r.fd >= 0)
+		close(r.fd);
+	return ok;
+}

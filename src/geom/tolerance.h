@@ -1,0 +1,23 @@
+/* tolerance.h - every tolerance of the program, with its unit and its reason. */
+#ifndef FIVECHECK_GEOM_TOLERANCE_H
+#define FIVECHECK_GEOM_TOLERANCE_H
+
+/*
+ * Box tests run in float. A box's centre and half size pass through a rotation
+ * (each entry off by 2^-24), three products and four sums, a difference and a
+ * square: below 32 roundings of 2^-24 of the largest number that occurs, the
+ * sum of both bodies' radii and their distance. 2^-18 leaves a factor of two.
+ */
+#define BOX_ROUNDING 0x1p-18
+
+/*
+ * Poses and projections run in double: nine joints of a dozen operations each,
+ * and a projection of six. 2^-44 of the largest length that occurs is 256 units
+ * in the last place; 5 m give 0.3 nm.
+ */
+#define POSE_ROUNDING 0x1p-44
+
+/* mm: a coordinate in a mesh beyond this is no machine; its float granularity is 64 mm. */
+#define COORDINATE_MAX 1e9
+
+#endif

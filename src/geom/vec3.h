@@ -1,0 +1,69 @@
+/* vec3.h - a point or a direction in space. */
+#ifndef FIVECHECK_GEOM_VEC3_H
+#define FIVECHECK_GEOM_VEC3_H
+
+#include <math.h>
+
+typedef struct vec3 {
+	double x, y, z;
+} vec3;
+
+static inline vec3 vec3_add(vec3 a, vec3 b)
+{
+	return (vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline vec3 vec3_sub(vec3 a, vec3 b)
+{
+	return (vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline vec3 vec3_scale(double s, vec3 a)
+{
+	return (vec3){s * a.x, s * a.y, s * a.z};
+}
+
+/* a + s b */
+static inline vec3 vec3_mad(vec3 a, double s, vec3 b)
+{
+	return (vec3){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+
+static inline double vec3_dot(vec3 a, vec3 b)
+{
+	return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline vec3 vec3_cross(vec3 a, vec3 b)
+{
+	return (vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double vec3_norm2(vec3 a)
+{
+	return vec3_dot(a, a);
+}
+
+static inline double vec3_norm(vec3 a)
+{
+	return sqrt(vec3_norm2(a));
+}
+
+/* (1-s) a + s b */
+static inline vec3 vec3_lerp(vec3 a, vec3 b, double s)
+{
+	return vec3_mad(a, s, vec3_sub(b, a));
+}
+
+/* Coordinate by coordinate; of finite numbers, so that a comparison will do. */
+static inline vec3 vec3_min(vec3 a, vec3 b)
+{
+	return (vec3){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
+}
+
+static inline vec3 vec3_max(vec3 a, vec3 b)
+{
+	return (vec3){a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
+}
+
+#endif

@@ -1,0 +1,27 @@
+/* witness.h - separating axes as proofs that two moving triangles stay apart over an interval. */
+#ifndef FIVECHECK_GEOM_WITNESS_H
+#define FIVECHECK_GEOM_WITNESS_H
+
+#include <stdbool.h>
+
+#include "geom/tri.h"
+
+/*
+ * Triangle a stands still; b's corners go from b0 to b1, each on its chord to
+ * within a stray that is the caller's (he adds it to `apart`). DESIGN.md,
+ * section 7.
+ */
+
+/* One axis: a fixed unit direction along which the gap exceeds `apart` at both ends does so all the way. */
+bool witness_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart);
+
+/*
+ * Interpolated axis: n(s) = (1-s) n0 + s n1 with unit ends. For any two corners
+ * n(s).(q(s) - p) is a quadratic in s whose Bernstein coefficients are
+ *     n0.(q0 - p),  (n0.(q1 - p) + n1.(q0 - p)) / 2,  n1.(q1 - p);
+ * if the least of each over all corners exceeds `apart` then so does the
+ * distance, since |n(s)| <= 1.
+ */
+bool witness_interpolated(const tri *a, const tri *b0, const tri *b1, vec3 n0, vec3 n1, double apart);
+
+#endif
