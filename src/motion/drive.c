@@ -1,0 +1,380 @@
+#include "motion/drive.h"
+
+#include <assert.h>
+#include <math.h>
+
+#include "base/units.h"
+#include "motion/limits.h"
+#include "motion/timing.h"
+
+/*
+ * Where an axis is sent this near to where it stands (mm, radians), it stays:
+ * the difference is what offsets added and taken away again leave of a number.
+ */
+#define DUST 1e-10
+
+/* mm, radians: no machine goes there, and the rounding of what lies beyond would show. */
+#define FARTHEST 1e7
+
+/* A move of more pieces than this would seem to hang; one that deviates by less than CURVED mm has far fewer. */
+#define MOST_PIECES 1e8
+#define CURVED 1.0
+
+/* Seconds: with moves that take decades the clock would lose its decimals. */
+#define LONGEST 1e9
+
+void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
+		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
+		const char *name)
+{
+	*drive = (struct drive){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
+				.position = machine_home(machine)};
+	drive->controller = drive->position;
+	drive->tool = setup ? setup->initial_tool : 0;
+}
+
+static struct srcloc place(const struct drive *drive, const struct canon_move *move)
+{
+	return (struct srcloc){drive->name, move->line, 0};
+}
+
+static bool is_in_reach(struct drive *drive, const struct canon_move *move)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (fabs(move->end.v[slot]) <= FARTHEST)
+			continue;
+		diag_error(drive->diag, place(drive, move), "axis %c is sent to %g, farther than can be computed",
+			   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
+		return false;
+	}
+	if (move->kind != CANON_ARC ||
+	    (vec3_norm(move->arc.centre) <= FARTHEST && fabs(move->arc.sweep) <= FARTHEST))
+		return true;
+	diag_error(drive->diag, place(drive, move), "the arc is larger than can be computed");
+	return false;
+}
+
+static bool is_bearable(const struct drive *drive, const struct canon_move *move, double seconds)
+{
+	if (seconds <= LONGEST)
+		return true;
+	diag_error(drive->diag, place(drive, move), "this takes %g s: the feed or the dwell cannot be meant", seconds);
+	return false;
+}
+
+/* ------------------------------------------------------------------ paths */
+
+/* The move's end, without the dust. An arc keeps its X Y Z: they belong to its centre and sweep. */
+static axis_values clean_end(const struct canon_move *move, const axis_values *start)
+{
+	axis_values end = move->end;
+
+	for (int slot = move->kind == CANON_ARC ? SLOT_A : SLOT_X; slot < SLOT_COUNT; slot++)
+		if (fabs(end.v[slot] - start->v[slot]) <= DUST)
+			end.v[slot] = start->v[slot];
+	return end;
+}
+
+static int moving_axes(const struct path *path)
+{
+	int count = 0;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (fabs(path->end.v[slot] - path->start.v[slot]) > 0)
+			count++;
+	return count;
+}
+
+static enum path_kind kind_of(const struct drive *drive, const struct canon_move *move, const struct path *path)
+{
+	if (move->tcp)
+		return PATH_TCP;
+	if (move->kind == CANON_ARC)
+		return PATH_ARC;
+	if (move->kind == CANON_RAPID && drive->machine->controller.rapid == RAPID_ANY && moving_axes(path) > 1)
+		return PATH_BOX;
+	return PATH_STRAIGHT;
+}
+
+static struct path whole_path(const struct drive *drive, const struct canon_move *move)
+{
+	struct path path = {.circular = move->kind == CANON_ARC};
+
+	if (!move->tcp)
+		path.start = drive->position;
+	else if (drive->controller_guided)
+		path.start = drive->controller;
+	else
+		path.start = tcp_from_machine(&drive->tcp, &drive->position);
+	path.end = clean_end(move, &path.start);
+	if (path.circular)
+		path.arc = move->arc;
+	path.kind = kind_of(drive, move, &path);
+	if (move->tcp)
+		path.tcp = &drive->tcp;
+	return path;
+}
+
+/* When each axis of a dogleg arrives, and the next arrival after `time`; INFINITY if there is none. */
+static double next_arrival(const struct machine *machine, const struct path *path, double time,
+			   double arrivals[SLOT_COUNT])
+{
+	double next = INFINITY;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		double at = fabs(path->end.v[axis->slot] - path->start.v[axis->slot]) / axis->rate_max;
+
+		arrivals[axis->slot] = at;
+		/* Axes that arrive together but for rounding arrive together. */
+		if (at > time * (1 + 1e-12))
+			next = fmin(next, at);
+	}
+	return next;
+}
+
+/* A path of a move, and the span that is the whole of it. */
+struct leg {
+	struct path path;
+	struct span span;
+};
+
+/* Each axis goes at its own rate until it is there: a straight leg from arrival to arrival. */
+static size_t split_dogleg(const struct machine *machine, const struct path *path, struct leg legs[SLOT_COUNT])
+{
+	double arrivals[SLOT_COUNT] = {0}, time = 0, next;
+	axis_values at = path->start;
+	size_t count = 0;
+
+	while ((next = next_arrival(machine, path, time, arrivals)) < INFINITY) {
+		struct leg *leg = &legs[count++];
+
+		leg->path = *path;
+		leg->path.start = at;
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			double way = path->end.v[slot] - path->start.v[slot];
+
+			at.v[slot] = path->end.v[slot];
+			if (arrivals[slot] > next * (1 + 1e-12))
+				at.v[slot] = path->start.v[slot] + way * (next / arrivals[slot]);
+		}
+		leg->path.end = at;
+		leg->path.seconds = next - time;
+		span_init(&leg->span, &leg->path);
+		time = next;
+	}
+	return count;
+}
+
+/* -------------------------------------------------------------- one move */
+
+/* A move under way: what is the same for all of its steps. */
+struct run {
+	struct drive *drive;
+	const struct canon_move *move;
+	axis_values tolerance;
+	bool outside;
+	size_t count;	/* of legs; 0: nothing moves */
+	struct leg legs[SLOT_COUNT];
+};
+
+/* False: the move is so long and so curved that its pieces could not be counted out in reasonable time. */
+static bool is_countable(const struct drive *drive, const struct canon_move *move, const struct path *path)
+{
+	axis_values bend = path_bend(path, 0, 1);
+	double most = 0;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		most = fmax(most, bend.v[slot]);
+	if (sqrt(most / (8 * drive->options->flatness)) <= MOST_PIECES)
+		return true;
+	diag_error(drive->diag, place(drive, move),
+		   "this move would take more than %g straight pieces; give it fewer turns", MOST_PIECES);
+	return false;
+}
+
+static bool set_legs(struct run *run)
+{
+	const struct drive *drive = run->drive;
+	const struct machine *machine = drive->machine;
+	const struct canon_move *move = run->move;
+	struct leg *leg = &run->legs[0];
+	struct path path = whole_path(drive, move);
+	double seconds = 0;
+
+	run->count = 0;
+	if (!moving_axes(&path) && !(path.circular && path_length(&path) > 0))
+		return true;
+	if (path.kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
+		run->count = split_dogleg(machine, &path, run->legs);
+		return true;
+	}
+	leg->path = path;
+	span_init(&leg->span, &leg->path);
+	/* Under TCP the same place has been computed twice, by way of the controller's position: keep the first. */
+	leg->span.q0 = drive->position;
+	if (!span_is_flat(&leg->span, CURVED) && !is_countable(drive, move, &path))
+		return false;
+	if (move->kind != CANON_RAPID)
+		seconds = timing_programmed(&path, &move->feed);
+	leg->path.seconds = timing_held(machine, &leg->span, drive->options->flatness, seconds);
+	run->count = 1;
+	return is_bearable(drive, move, leg->path.seconds);
+}
+
+/*
+ * How far the control may leave the path. The P of G64 counts if there is one;
+ * else the machine file's path_tolerance, with or without a G64: controls blend
+ * from the start, until G61, and a move that is not marked as blended may just
+ * not have been preceded by either. P is a length: rotary axes take the machine
+ * file's degrees, or in want of them P as degrees.
+ */
+static axis_values blend_tolerance(const struct drive *drive, const struct canon_move *move)
+{
+	double own = drive->machine->controller.path_tolerance;
+	double programmed = move->blend ? move->blend_tolerance : 0;
+	double linear = programmed > 0 ? programmed : own, rotary = radians(own > 0 ? own : programmed);
+	axis_values tolerance = {{0}};
+
+	for (size_t i = 0; i < drive->machine->axis_count; i++) {
+		const struct axis *axis = &drive->machine->axes[i];
+
+		tolerance.v[axis->slot] = axis->rotary ? rotary : linear;
+	}
+	return tolerance;
+}
+
+static bool report_crossing(struct run *run, const struct path *path, double before,
+			    const struct limit_crossing *crossing)
+{
+	const struct drive *drive = run->drive;
+	double since = before + crossing->u * path->seconds;
+	struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
+				     .position = path_position(path, crossing->u), .time = drive->time + since,
+				     .block_time = drive->block_time + since, .line = run->move->line,
+				     .move = run->move->number, .tool = drive->tool};
+
+	run->outside = true;
+	return drive->sink->limit(drive->sink->context, &limit);
+}
+
+static bool report_limits(struct run *run)
+{
+	bool reported[SLOT_COUNT] = {false};
+	double before = 0;
+
+	for (size_t i = 0; i < run->count; i++) {
+		const struct leg *leg = &run->legs[i];
+		struct limit_crossing crossings[SLOT_COUNT];
+		size_t count = limits_crossed(run->drive->machine, &leg->span, crossings);
+
+		for (size_t k = 0; k < count; k++) {
+			if (reported[crossings[k].slot])
+				continue;
+			reported[crossings[k].slot] = true;
+			if (!report_crossing(run, &leg->path, before, &crossings[k]))
+				return false;
+		}
+		before += leg->path.seconds;
+	}
+	return true;
+}
+
+/* Sends the leg's steps, then has the clock and the axes stand at its end. */
+static bool send_leg(const struct run *run, const struct leg *leg)
+{
+	struct drive *drive = run->drive;
+	double seconds = leg->path.seconds;
+	struct motion_step step = {.line = run->move->line, .move = run->move->number, .tool = drive->tool,
+				   .tolerance = run->tolerance, .outside = run->outside};
+	struct span_walk walk;
+
+	span_walk_init(&walk, &leg->span, drive->options->flatness);
+	while (span_walk_next(&walk, &step.span)) {
+		step.time = drive->time + step.span.u0 * seconds;
+		step.block_time = drive->block_time + step.span.u0 * seconds;
+		step.seconds = (step.span.u1 - step.span.u0) * seconds;
+		drive->summary.spans++;
+		if (!drive->sink->step(drive->sink->context, &step))
+			return false;
+	}
+	drive->time += seconds;
+	drive->block_time += seconds;
+	drive->position = leg->span.q1;
+	drive->controller = leg->path.end;
+	drive->controller_guided = run->move->tcp;
+	return true;
+}
+
+static bool carry_out(struct drive *drive, const struct canon_move *move)
+{
+	struct run run;
+
+	assert(!move->tcp || drive->tcp.state.on);
+	run.drive = drive;
+	run.move = move;
+	run.outside = false;
+	if (!is_in_reach(drive, move) || !set_legs(&run))
+		return false;
+	if (!run.count)
+		return true;
+	run.tolerance = blend_tolerance(drive, move);
+	if (move->blend && !(move->blend_tolerance > 0) && !(drive->machine->controller.path_tolerance > 0))
+		drive->summary.blend_unbounded = true;
+	drive->summary.moves++;
+	if (!report_limits(&run))
+		return false;
+	for (size_t i = 0; i < run.count; i++)
+		if (!send_leg(&run, &run.legs[i]))
+			return false;
+	return true;
+}
+
+/* ------------------------------------------------------------- canon_sink */
+
+bool drive_move(void *context, const struct canon_move *move)
+{
+	struct drive *drive = context;
+	bool ok = true;
+
+	switch (move->kind) {
+	case CANON_RAPID:
+	case CANON_FEED:
+	case CANON_ARC:
+		ok = carry_out(drive, move);
+		break;
+	case CANON_DWELL:
+		ok = is_bearable(drive, move, move->seconds);
+		drive->time += ok ? move->seconds : 0;
+		break;
+	case CANON_TOOL_CHANGE:
+		drive->tool = move->tool;
+		ok = drive->sink->tool(drive->sink->context, move->tool, &drive->position);
+		break;
+	}
+	drive->summary.seconds = drive->time;
+	return ok;
+}
+
+bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, axis_values *position)
+{
+	struct drive *drive = context;
+
+	if (state->on && !tcp_init(&drive->tcp, drive->machine, state, loc, drive->diag))
+		return false;
+	drive->tcp.state.on = state->on;
+	drive->controller = state->on ? tcp_from_machine(&drive->tcp, &drive->position) : drive->position;
+	drive->controller_guided = state->on;
+	*position = drive->controller;
+	return true;
+}
+
+bool drive_block(void *context, long line, const char *text, int moves)
+{
+	struct drive *drive = context;
+	double seconds = drive->block_time;
+
+	drive->summary.blocks++;
+	drive->block_time = 0;
+	return drive->sink->block(drive->sink->context, line, text, seconds, moves);
+}

@@ -1,0 +1,117 @@
+#include "motion/limits.h"
+
+#include <math.h>
+
+#include "base/units.h"
+
+/* mm or degrees: what the machine file's format counts as inside. */
+#define TOLERANCE 1e-6
+
+/* The chord's deviation at which it is believed, as a part of the tolerance. */
+#define BELIEVED 0.01
+
+/* One limit of one axis, seen so that `outside` is upwards. */
+struct side {
+	int slot;
+	double sign;
+	double bound;
+	double tolerance;
+	double believed;	/* deviation */
+};
+
+static double height(const struct side *side, const axis_values *q)
+{
+	return side->sign * q->v[side->slot] - side->bound;
+}
+
+static bool stays_inside(const struct side *side, const struct span *span)
+{
+	double most = fmax(height(side, &span->q0), height(side, &span->q1));
+
+	return most + span->deviation.v[side->slot] <= side->tolerance;
+}
+
+/* Where the span, which was not proved inside and is short enough to believe its chord, passes the limit. */
+static double passes_at(const struct side *side, const struct span *span)
+{
+	double h0 = height(side, &span->q0), h1 = height(side, &span->q1);
+
+	if (h0 >= 0 || h1 <= h0)
+		return span->u0;
+	return span->u0 + fmin(1, -h0 / (h1 - h0)) * (span->u1 - span->u0);
+}
+
+/* The earliest instant past the limit: halves of the span are looked at only where they may cross. */
+static bool first_past(const struct side *side, const struct span *whole, double *u)
+{
+	struct span ahead[SPAN_DEPTH + 1];
+	size_t count = 1;
+
+	ahead[0] = *whole;
+	while (count) {
+		struct span span = ahead[--count];
+
+		if (stays_inside(side, &span))
+			continue;
+		if (height(side, &span.q0) > side->tolerance || span.deviation.v[side->slot] <= side->believed ||
+		    span_is_shortest(&span)) {
+			*u = passes_at(side, &span);
+			return true;
+		}
+		span_halve(&span, &ahead[count + 1], &ahead[count]);
+		count += 2;
+	}
+	return false;
+}
+
+static bool axis_crosses(const struct axis *axis, const struct span *whole, struct limit_crossing *crossing)
+{
+	double tolerance = axis->rotary ? radians(TOLERANCE) : TOLERANCE;
+	/* Bound in sight of rounding: what no halving improves must be believed. */
+	double rounding = path_deviation(whole->path, 0, 0).v[axis->slot];
+	double believed = fmax(BELIEVED * tolerance, 2 * rounding), u;
+	bool found = false;
+
+	for (int i = 0; i < 2; i++) {
+		double limit = i ? axis->limit_max : axis->limit_min, sign = i ? 1 : -1;
+		struct side side = {axis->slot, sign, sign * limit, tolerance, believed};
+
+		if (!first_past(&side, whole, &u) || (found && crossing->u <= u))
+			continue;
+		*crossing = (struct limit_crossing){axis->slot, limit, u};
+		found = true;
+	}
+	return found;
+}
+
+static bool comes_before(const struct limit_crossing *a, const struct limit_crossing *b)
+{
+	return a->u < b->u || (a->u <= b->u && a->slot < b->slot);
+}
+
+/* Nearly every move is inside as a whole; no side needs to be looked at then. */
+static bool is_inside(const struct axis *axis, const struct span *whole)
+{
+	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->deviation.v[axis->slot];
+
+	return fmin(a, b) - d >= axis->limit_min && fmax(a, b) + d <= axis->limit_max;
+}
+
+size_t limits_crossed(const struct machine *machine, const struct span *whole,
+		      struct limit_crossing crossings[SLOT_COUNT])
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		struct limit_crossing crossing;
+		size_t at = count;
+
+		if (is_inside(&machine->axes[i], whole) || !axis_crosses(&machine->axes[i], whole, &crossing))
+			continue;
+		for (; at > 0 && comes_before(&crossing, &crossings[at - 1]); at--)
+			crossings[at] = crossings[at - 1];
+		crossings[at] = crossing;
+		count++;
+	}
+	return count;
+}

@@ -1,0 +1,131 @@
+#include "motion/motion.h"
+
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "gcode/interp.h"
+#include "motion/drive.h"
+
+static enum gcode_dialect dialect_of(enum dialect dialect)
+{
+	switch (dialect) {
+	case DIALECT_FANUC:
+		return GCODE_FANUC;
+	case DIALECT_HAAS:
+		return GCODE_HAAS;
+	case DIALECT_LINUXCNC:
+		break;
+	}
+	return GCODE_LINUXCNC;
+}
+
+static enum gcode_wrap wrap_of(enum wrap wrap)
+{
+	switch (wrap) {
+	case WRAP_SHORTEST:
+		return GCODE_WRAP_SHORTEST;
+	case WRAP_SIGN:
+		return GCODE_WRAP_SIGN;
+	case WRAP_NONE:
+		break;
+	}
+	return GCODE_WRAP_NONE;
+}
+
+static enum gcode_mcode mcode_of(enum mcode_action action)
+{
+	switch (action) {
+	case MCODE_TCP_ON:
+		return GCODE_TCP_ON;
+	case MCODE_TCP_OFF:
+		return GCODE_TCP_OFF;
+	case MCODE_IGNORE:
+		break;
+	}
+	return GCODE_IGNORE;
+}
+
+/* The interpreter's config, and the tables that it borrows. */
+struct glue {
+	struct gcode_config config;
+	struct gcode_mcode_meaning *mcodes;
+	struct gcode_work_offset *offsets;
+	struct gcode_tool *tools;
+	struct gcode_length *lengths;
+};
+
+static void glue_machine(struct glue *glue, const struct machine *machine)
+{
+	const struct controller *controller = &machine->controller;
+	struct gcode_config *config = &glue->config;
+
+	config->dialect = dialect_of(controller->dialect);
+	config->tcp_zero_offset = controller->tcp_zero_offset;
+	config->home = machine_home(machine);
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		config->has_axis[machine->axes[i].slot] = true;
+		config->wrap[machine->axes[i].slot] = wrap_of(machine->axes[i].wrap);
+	}
+	glue->mcodes = mem_zalloc(controller->mcode_count, sizeof(*glue->mcodes));
+	for (size_t i = 0; i < controller->mcode_count; i++)
+		glue->mcodes[i] = (struct gcode_mcode_meaning){controller->mcodes[i].number,
+							       mcode_of(controller->mcodes[i].action)};
+	config->mcodes = glue->mcodes;
+	config->mcode_count = controller->mcode_count;
+}
+
+static void glue_setup(struct glue *glue, const struct setup *setup)
+{
+	struct gcode_config *config = &glue->config;
+
+	config->has_setup = true;
+	config->initial_tool = setup->initial_tool;
+	glue->offsets = mem_zalloc(setup->offset_count, sizeof(*glue->offsets));
+	for (size_t i = 0; i < setup->offset_count; i++)
+		glue->offsets[i] = (struct gcode_work_offset){setup->offsets[i].name, setup->offsets[i].value};
+	config->work_offsets = glue->offsets;
+	config->work_offset_count = setup->offset_count;
+	glue->tools = mem_zalloc(setup->tool_count, sizeof(*glue->tools));
+	for (size_t i = 0; i < setup->tool_count; i++)
+		glue->tools[i] = (struct gcode_tool){setup->tools[i].number, setup->tools[i].length_offset,
+						     setup->tools[i].diameter};
+	config->tools = glue->tools;
+	config->tool_count = setup->tool_count;
+	glue->lengths = mem_zalloc(setup->length_count, sizeof(*glue->lengths));
+	for (size_t i = 0; i < setup->length_count; i++)
+		glue->lengths[i] = (struct gcode_length){setup->lengths[i].number, setup->lengths[i].length};
+	config->lengths = glue->lengths;
+	config->length_count = setup->length_count;
+}
+
+static void glue_release(struct glue *glue)
+{
+	free(glue->mcodes);
+	free(glue->offsets);
+	free(glue->tools);
+	free(glue->lengths);
+}
+
+bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
+		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
+		struct motion_summary *summary)
+{
+	struct glue glue = {.config = {.block_delete = options->block_delete,
+				       .last_duplicate_wins = options->last_duplicate_wins}};
+	struct drive drive;
+	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block};
+	struct interp *interp;
+	bool ok;
+
+	glue_machine(&glue, machine);
+	if (setup)
+		glue_setup(&glue, setup);
+	drive_init(&drive, machine, setup, options, sink, diag, name);
+	interp = interp_new(&glue.config, &canon, diag);
+	ok = interp_run(interp, in, name);
+	*summary = drive.summary;
+	summary->lines = interp_lines(interp);
+	interp_free(interp);
+	glue_release(&glue);
+	return ok;
+}

@@ -1,0 +1,255 @@
+#include "motion/path.h"
+
+#include <float.h>
+#include <math.h>
+
+/* A few operations, each good to a unit in the last place of its largest number. */
+#define ROUNDING (16 * DBL_EPSILON)
+
+/* Bounds are themselves computed: some hundred roundings, relative to the bound. */
+#define BOUND_SLACK (1 + 1e-13)
+
+/* An arc in its plane: foot + rise u normal + (r0 + growth u) (cos(sweep u) e1 + sin(sweep u) e2). */
+struct turn {
+	vec3 foot, e1, e2, normal;
+	double r0, growth, rise, sweep;
+};
+
+static vec3 linear_part(const axis_values *q)
+{
+	return (vec3){q->v[SLOT_X], q->v[SLOT_Y], q->v[SLOT_Z]};
+}
+
+static void set_linear_part(axis_values *q, vec3 p)
+{
+	q->v[SLOT_X] = p.x;
+	q->v[SLOT_Y] = p.y;
+	q->v[SLOT_Z] = p.z;
+}
+
+static vec3 across(vec3 a, vec3 unit)
+{
+	return vec3_mad(a, -vec3_dot(a, unit), unit);
+}
+
+static struct turn turn_of(const struct path *path)
+{
+	const struct canon_arc *arc = &path->arc;
+	vec3 start = linear_part(&path->start), end = linear_part(&path->end);
+	vec3 from = across(vec3_sub(start, arc->centre), arc->normal);
+	vec3 to = across(vec3_sub(end, arc->centre), arc->normal);
+	double r0 = vec3_norm(from), r1 = vec3_norm(to);
+	struct turn turn = {.foot = vec3_sub(start, from), .normal = arc->normal, .r0 = r0, .growth = r1 - r0,
+			    .rise = vec3_dot(vec3_sub(end, start), arc->normal), .sweep = arc->sweep};
+
+	if (r0 > 0) {
+		turn.e1 = vec3_scale(1 / r0, from);
+	} else if (r1 > 0) {
+		/* A spiral out of its centre: only its end has a direction. */
+		mat3 back = mat3_turn(arc->normal, -arc->sweep);
+
+		turn.e1 = vec3_scale(1 / r1, mat3_apply(&back, to));
+	}
+	turn.e2 = vec3_cross(arc->normal, turn.e1);
+	return turn;
+}
+
+static double turn_radius(const struct turn *turn, double u)
+{
+	return turn->r0 + turn->growth * u;
+}
+
+static vec3 turn_position(const struct turn *turn, double u)
+{
+	double radius = turn_radius(turn, u), angle = turn->sweep * u;
+	vec3 axis = vec3_mad(turn->foot, turn->rise * u, turn->normal);
+
+	return vec3_mad(vec3_mad(axis, radius * cos(angle), turn->e1), radius * sin(angle), turn->e2);
+}
+
+static vec3 turn_velocity(const struct turn *turn, double u)
+{
+	double radius = turn_radius(turn, u), angle = turn->sweep * u, c = cos(angle), s = sin(angle);
+	vec3 out = vec3_scale(turn->rise, turn->normal);
+
+	out = vec3_mad(out, turn->growth * c - turn->sweep * radius * s, turn->e1);
+	return vec3_mad(out, turn->growth * s + turn->sweep * radius * c, turn->e2);
+}
+
+/* The length of the second derivative, which lies in the plane: inwards sweep^2 r, along 2 sweep growth. */
+static double turn_bend(const struct turn *turn, double u0, double u1)
+{
+	double radius = fmax(turn_radius(turn, u0), turn_radius(turn, u1));
+	double inwards = turn->sweep * turn->sweep * radius, along = 2 * turn->sweep * turn->growth;
+
+	return sqrt(inwards * inwards + along * along);
+}
+
+static axis_values controller_position(const struct path *path, double u)
+{
+	axis_values at;
+
+	/* Neighbours meet in the same bits. */
+	if (u <= 0)
+		return path->start;
+	if (u >= 1)
+		return path->end;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		at.v[slot] = path->start.v[slot] + u * (path->end.v[slot] - path->start.v[slot]);
+	if (path->circular) {
+		struct turn turn = turn_of(path);
+
+		set_linear_part(&at, turn_position(&turn, u));
+	}
+	return at;
+}
+
+axis_values path_position(const struct path *path, double u)
+{
+	axis_values at = controller_position(path, u);
+
+	return path->kind == PATH_TCP ? tcp_to_machine(path->tcp, &at) : at;
+}
+
+/* The largest part of a unit vector across `unit` that each of X Y Z can have. */
+static vec3 shares(vec3 unit)
+{
+	return (vec3){hypot(unit.y, unit.z), hypot(unit.z, unit.x), hypot(unit.x, unit.y)};
+}
+
+static axis_values arc_bend(const struct path *path, double u0, double u1)
+{
+	struct turn turn = turn_of(path);
+	axis_values bend = {{0}};
+
+	set_linear_part(&bend, vec3_scale(turn_bend(&turn, u0, u1), shares(turn.normal)));
+	return bend;
+}
+
+/* The most that the matrix stretches a unit vector of the plane of e1 and e2: the larger singular value. */
+static double stretch(const mat3 *matrix, vec3 e1, vec3 e2)
+{
+	vec3 a = mat3_apply(matrix, e1), b = mat3_apply(matrix, e2);
+	double mean = (vec3_norm2(a) + vec3_norm2(b)) / 2, half = (vec3_norm2(a) - vec3_norm2(b)) / 2;
+
+	return sqrt(mean + hypot(half, vec3_dot(a, b)));
+}
+
+static axis_values guided_bend(const struct path *path, double u0, double u1)
+{
+	double u = 0.5 * (u0 + u1), acceleration = 0;
+	axis_values middle = controller_position(path, u), rate;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		rate.v[slot] = path->end.v[slot] - path->start.v[slot];
+	if (path->circular) {
+		struct turn turn = turn_of(path);
+
+		set_linear_part(&rate, turn_velocity(&turn, u));
+		acceleration = turn_bend(&turn, u0, u1) * stretch(&path->tcp->matrix, turn.e1, turn.e2);
+	}
+	return tcp_bend(path->tcp, &middle, &rate, acceleration, 0.5 * (u1 - u0));
+}
+
+axis_values path_bend(const struct path *path, double u0, double u1)
+{
+	switch (path->kind) {
+	case PATH_ARC:
+		return arc_bend(path, u0, u1);
+	case PATH_TCP:
+		return guided_bend(path, u0, u1);
+	case PATH_STRAIGHT:
+	case PATH_BOX:
+		break;
+	}
+	return (axis_values){{0}};
+}
+
+/* The largest value that each axis can have along the path, and what rounding does to the arc. */
+static axis_values reach_of(const struct path *path, double *arc_rounding)
+{
+	axis_values reach;
+	double radius;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		reach.v[slot] = fmax(fabs(path->start.v[slot]), fabs(path->end.v[slot]));
+	*arc_rounding = 0;
+	if (!path->circular)
+		return reach;
+	radius = fmax(vec3_norm(vec3_sub(linear_part(&path->start), path->arc.centre)),
+		      vec3_norm(vec3_sub(linear_part(&path->end), path->arc.centre)));
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		reach.v[slot] += 2 * radius;
+	*arc_rounding = ROUNDING * (vec3_norm(path->arc.centre) + radius * (2 + fabs(path->arc.sweep)));
+	return reach;
+}
+
+/* By how much the arc's formula misses the end that the interpreter gave with it: rounding, when all is well. */
+static double arc_miss(const struct path *path)
+{
+	struct turn turn = turn_of(path);
+
+	return vec3_norm(vec3_sub(turn_position(&turn, 1), linear_part(&path->end)));
+}
+
+static axis_values arc_deviation(const struct path *path, double u0, double u1)
+{
+	struct turn turn = turn_of(path);
+	axis_values deviation = {{0}};
+	double h = u1 - u0, rounding, radius = fmax(turn_radius(&turn, u0), turn_radius(&turn, u1));
+	/* A long way round, arc and chord are still both within the circle. */
+	double bound = fmin(h * h / 8 * turn_bend(&turn, u0, u1), 2 * radius) * BOUND_SLACK;
+	vec3 share = shares(turn.normal);
+
+	reach_of(path, &rounding);
+	if (u1 >= 1)
+		rounding += arc_miss(path);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		deviation.v[slot] = rounding;
+	set_linear_part(&deviation, vec3_mad(linear_part(&deviation), bound, share));
+	return deviation;
+}
+
+static axis_values guided_deviation(const struct path *path, double u0, double u1)
+{
+	double h = u1 - u0, arc_rounding;
+	axis_values reach = reach_of(path, &arc_rounding);
+	axis_values rounding = tcp_rounding(path->tcp, &reach);
+	axis_values deviation = guided_bend(path, u0, u1);
+
+	if (path->circular && u1 >= 1)
+		arc_rounding += arc_miss(path);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		/* An error of the arc goes through M (at most sqrt(3) long) and a row of its inverse. */
+		rounding.v[slot] += 2 * arc_rounding * vec3_norm(path->tcp->rows[slot]);
+		deviation.v[slot] = h * h / 8 * deviation.v[slot] * BOUND_SLACK + rounding.v[slot];
+	}
+	return deviation;
+}
+
+axis_values path_deviation(const struct path *path, double u0, double u1)
+{
+	switch (path->kind) {
+	case PATH_ARC:
+		return arc_deviation(path, u0, u1);
+	case PATH_TCP:
+		return guided_deviation(path, u0, u1);
+	case PATH_STRAIGHT:
+	case PATH_BOX:
+		break;
+	}
+	return (axis_values){{0}};
+}
+
+double path_length(const struct path *path)
+{
+	struct turn turn;
+	vec3 way = vec3_sub(linear_part(&path->end), linear_part(&path->start));
+
+	if (!path->circular)
+		return vec3_norm(way);
+	turn = turn_of(path);
+	/* Simpson's rule: exact for a helix; a spiral's radii differ by no more than the controller's tolerance. */
+	return (vec3_norm(turn_velocity(&turn, 0)) + 4 * vec3_norm(turn_velocity(&turn, 0.5)) +
+		vec3_norm(turn_velocity(&turn, 1))) / 6;
+}

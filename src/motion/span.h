@@ -1,0 +1,49 @@
+/* span.h - a piece of a move along which every axis position is linear, with a bound on the error of that. */
+#ifndef FIVECHECK_MOTION_SPAN_H
+#define FIVECHECK_MOTION_SPAN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/axes.h"
+#include "motion/path.h"
+
+/*
+ * For every s in [0,1] and every axis, the true position differs from
+ * (1-s) q0 + s q1 by at most deviation (mm, radians). A span borrows its path.
+ */
+struct span {
+	axis_values q0, q1;
+	axis_values deviation;	/* of the chord from the true path; 0 for straight moves */
+	const struct path *path;	/* the move that it is a piece of */
+	double u0, u1;	/* where in the path, 0 to 1 */
+};
+
+/* The whole path as one span. */
+void span_init(struct span *whole, const struct path *path);
+
+/* The earlier and the later half; the deviations of a curved path shrink to about a quarter. */
+void span_halve(const struct span *span, struct span *first, struct span *second);
+
+/* True if no axis' chord deviates by more than `linear` mm. */
+bool span_is_flat(const struct span *span, double linear);
+
+/* Halvings of a whole path after which a span is as short as it gets, whatever its deviation. */
+#define SPAN_DEPTH 48
+
+bool span_is_shortest(const struct span *span);
+
+/* Walks over a span in flat pieces, in the order of time. Plain data. */
+struct span_walk {
+	double linear;	/* mm */
+	size_t count;
+	struct span ahead[SPAN_DEPTH + 1];	/* the next on top */
+};
+
+/* Pieces deviate by at most `linear` mm, or by hardly more than what rounding makes of any piece. */
+void span_walk_init(struct span_walk *walk, const struct span *whole, double linear);
+
+/* The next piece; false at the end. */
+bool span_walk_next(struct span_walk *walk, struct span *piece);
+
+#endif

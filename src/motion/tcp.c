@@ -1,0 +1,272 @@
+#include "motion/tcp.h"
+
+#include <float.h>
+#include <math.h>
+
+/*
+ * Rounding: a position is a chain of some dozen rotations and sums, each good
+ * to a few units in the last place of the largest number in it. The tests
+ * compare with long double; the largest ratio found is a hundredth.
+ */
+#define ROUNDING (16 * DBL_EPSILON)
+
+/* |det M| of unit directions below this: X Y Z lie in a plane for all that a machine can tell. */
+#define LEAST_DETERMINANT 1e-6
+
+/* The deepest link that carries both; a link's number is higher than its carrier's. */
+static int common_link(const struct machine *machine, int a, int b)
+{
+	while (a != b) {
+		int *higher = a > b ? &a : &b;
+
+		*higher = machine->axes[*higher - 1].parent;
+	}
+	return a;
+}
+
+/* Takes the linear joints out of the chain, into the columns of M and N; they must come first. */
+static bool take_linear(struct tcp *tcp, struct chain *chain, double sense, bool found[SLOT_COUNT], struct srcloc loc,
+			struct diag *diag)
+{
+	vec3 *columns[3] = {&tcp->matrix.x, &tcp->matrix.y, &tcp->matrix.z};
+	size_t kept = 0;
+
+	for (size_t i = 0; i < chain->count; i++) {
+		struct joint joint = chain->joints[i];
+
+		if (joint.rotary) {
+			chain->joints[kept++] = joint;
+			continue;
+		}
+		if (kept) {
+			diag_error(diag, loc,
+				   "tool centre point control cannot be computed for this machine: "
+				   "linear axis %c is carried by rotary axis %c; it needs every linear axis nearer "
+				   "the base than the rotary ones",
+				   AXIS_LETTERS[joint.slot], AXIS_LETTERS[chain->joints[kept - 1].slot]);
+			return false;
+		}
+		found[joint.slot] = true;
+		if (joint.slot <= SLOT_Z)
+			*columns[joint.slot] = vec3_scale(sense, joint.direction);
+		else
+			tcp->others[joint.slot] = vec3_scale(sense, joint.direction);
+	}
+	chain->count = kept;
+	return true;
+}
+
+static bool invert(struct tcp *tcp, struct srcloc loc, struct diag *diag)
+{
+	const mat3 *m = &tcp->matrix;
+	vec3 yz = vec3_cross(m->y, m->z);
+	double determinant = vec3_dot(m->x, yz);
+
+	if (!(fabs(determinant) > LEAST_DETERMINANT)) {
+		diag_error(diag, loc, "tool centre point control needs axes X, Y and Z that span space; "
+				      "on this machine their directions lie in one plane");
+		return false;
+	}
+	tcp->rows[0] = vec3_scale(1 / determinant, yz);
+	tcp->rows[1] = vec3_scale(1 / determinant, vec3_cross(m->z, m->x));
+	tcp->rows[2] = vec3_scale(1 / determinant, vec3_cross(m->x, m->y));
+	return true;
+}
+
+static bool derive_axes(struct tcp *tcp, const struct machine *machine, struct srcloc loc, struct diag *diag)
+{
+	int base = common_link(machine, machine->workholding.link, machine->spindle.link);
+	bool found[SLOT_COUNT] = {false};
+
+	chain_init(&tcp->table, machine, base, machine->workholding.link);
+	chain_init(&tcp->head, machine, base, machine->spindle.link);
+	if (!take_linear(tcp, &tcp->table, -1, found, loc, diag) || !take_linear(tcp, &tcp->head, 1, found, loc, diag))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (found[slot])
+			continue;
+		diag_error(diag, loc, "tool centre point control needs linear axes X, Y and Z between the workpiece "
+				      "and the tool; this machine has no such axis %c", AXIS_LETTERS[slot]);
+		return false;
+	}
+	return invert(tcp, loc, diag);
+}
+
+bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct canon_tcp *state, struct srcloc loc,
+	      struct diag *diag)
+{
+	struct tcp made = {.state = *state};
+	vec3 gauge = machine->spindle.location;
+	xform head, table;
+
+	if (!machine->spindle.present || !machine->workholding.present) {
+		diag_error(diag, loc, "tool centre point control needs a <%s> in the machine file",
+			   machine->spindle.present ? "workholding" : "spindle");
+		return false;
+	}
+	if (!derive_axes(&made, machine, loc, diag))
+		return false;
+	table = chain_pose(&made.table, &state->rotary_zero);
+	head = chain_pose(&made.head, &state->rotary_zero);
+	made.table_zero_inverse = xform_inverse(&table);
+	made.gauge_zero = xform_apply(&head, gauge);
+	made.tip = vec3_mad(gauge, state->length, machine->spindle.direction);
+	*tcp = made;
+	return true;
+}
+
+/* N u, or its derivative. */
+static vec3 other_axes(const struct tcp *tcp, const axis_values *q)
+{
+	vec3 sum = {0, 0, 0};
+
+	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
+		sum = vec3_mad(sum, q->v[slot], tcp->others[slot]);
+	return sum;
+}
+
+static vec3 linear_axes(const struct tcp *tcp, const axis_values *q)
+{
+	return mat3_apply(&tcp->matrix, (vec3){q->v[SLOT_X], q->v[SLOT_Y], q->v[SLOT_Z]});
+}
+
+static axis_values with_linear_axes(const struct tcp *tcp, const axis_values *q, vec3 offset)
+{
+	axis_values out = *q;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		out.v[slot] = vec3_dot(tcp->rows[slot], offset);
+	return out;
+}
+
+axis_values tcp_to_machine(const struct tcp *tcp, const axis_values *position)
+{
+	vec3 others = other_axes(tcp, position);
+	vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, position), others), tcp->gauge_zero);
+	xform table = chain_pose(&tcp->table, position);
+	xform head = chain_pose(&tcp->head, position);
+	vec3 wanted = xform_apply(&table, xform_apply(&tcp->table_zero_inverse, at_zero));
+	vec3 tip = xform_apply(&head, tcp->tip);
+
+	return with_linear_axes(tcp, position, vec3_sub(vec3_sub(wanted, tip), others));
+}
+
+axis_values tcp_from_machine(const struct tcp *tcp, const axis_values *machine)
+{
+	vec3 others = other_axes(tcp, machine);
+	xform table = chain_pose(&tcp->table, machine);
+	xform head = chain_pose(&tcp->head, machine);
+	xform table_inverse = xform_inverse(&table);
+	xform table_zero = xform_inverse(&tcp->table_zero_inverse);
+	vec3 tip = vec3_add(vec3_add(linear_axes(tcp, machine), others), xform_apply(&head, tcp->tip));
+	vec3 at_zero = xform_apply(&table_zero, xform_apply(&table_inverse, tip));
+
+	return with_linear_axes(tcp, machine, vec3_sub(vec3_sub(at_zero, tcp->gauge_zero), others));
+}
+
+/* A point as the innermost joint of a chain carries it, in the middle of the interval. */
+struct carried {
+	vec3 point;
+	vec3 velocity;
+	double acceleration;	/* bound over the interval */
+};
+
+/*
+ * How much of a unit vector across `axis` the row can see, when the axis leans
+ * from where it is in the middle by at most `lean` radians.
+ */
+static double share(vec3 row, vec3 axis, double lean)
+{
+	double whole = vec3_norm(row);
+
+	return fmin(whole, vec3_norm(vec3_cross(axis, row)) + whole * lean);
+}
+
+/*
+ * Adds what turning about the chain's joints contributes. From the innermost
+ * joint out, x' and x'' of the carried point follow from
+ *     x -> E(theta) x:   x'' -> R (omega^2 d x (d x r) + 2 omega d x x' + x'')
+ * and a bound over the interval is its value in the middle plus half the
+ * interval times the bound on the next derivative. The first two terms are
+ * across the joint's axis: a row of M^-1 along it does not see them.
+ */
+static void add_chain_bend(const struct tcp *tcp, const struct chain *chain, struct carried carried,
+			   const axis_values *middle, const axis_values *rate, double half, axis_values *bend)
+{
+	mat3 turns[SLOT_COUNT], outer = mat3_identity();
+	vec3 axes[SLOT_COUNT];
+	double leans[SLOT_COUNT], lean = 0;
+
+	for (size_t k = 0; k < chain->count; k++) {
+		const struct joint *joint = &chain->joints[k];
+
+		turns[k] = mat3_turn(joint->direction, middle->v[joint->slot]);
+		axes[k] = mat3_apply(&outer, joint->direction);
+		leans[k] = lean;
+		outer = mat3_mul(&outer, &turns[k]);
+		lean += half * fabs(rate->v[joint->slot]);
+	}
+	for (size_t k = chain->count; k-- > 0;) {
+		const struct joint *joint = &chain->joints[k];
+		vec3 d = joint->direction, r = vec3_sub(carried.point, joint->location);
+		double omega = rate->v[joint->slot], turn = fabs(omega);
+		double across = vec3_norm(vec3_cross(d, carried.velocity)) + half * carried.acceleration;
+		double cancelled = ROUNDING * (vec3_norm(carried.point) + vec3_norm(joint->location));
+		double rho = vec3_norm(vec3_cross(d, r)) + half * across + cancelled;
+		double own = turn * (turn * rho + 2 * across);
+
+		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+			bend->v[slot] += own * share(tcp->rows[slot], axes[k], leans[k]);
+		carried.velocity = mat3_apply(&turns[k], vec3_mad(carried.velocity, omega, vec3_cross(d, r)));
+		carried.point = vec3_add(joint->location, mat3_apply(&turns[k], r));
+		carried.acceleration += own;
+	}
+}
+
+axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axis_values *rate, double acceleration,
+		     double half)
+{
+	vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, middle), other_axes(tcp, middle)), tcp->gauge_zero);
+	vec3 velocity = vec3_add(linear_axes(tcp, rate), other_axes(tcp, rate));
+	struct carried workpiece = {xform_apply(&tcp->table_zero_inverse, at_zero),
+				    mat3_apply(&tcp->table_zero_inverse.rotation, velocity), acceleration};
+	struct carried tip = {tcp->tip, {0, 0, 0}, 0};
+	axis_values bend = {{0}};
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		bend.v[slot] = vec3_norm(tcp->rows[slot]) * acceleration;
+	add_chain_bend(tcp, &tcp->table, workpiece, middle, rate, half, &bend);
+	add_chain_bend(tcp, &tcp->head, tip, middle, rate, half, &bend);
+	return bend;
+}
+
+/* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */
+static void add_chain_scale(const struct tcp *tcp, const struct chain *chain, const axis_values *reach, double *scale,
+			    double *angles)
+{
+	for (size_t k = 0; k < chain->count; k++) {
+		const struct joint *joint = &chain->joints[k];
+
+		*scale += 2 * vec3_norm(joint->location);
+		*angles += reach->v[joint->slot] + fabs(tcp->state.rotary_zero.v[joint->slot]);
+	}
+}
+
+axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach)
+{
+	const vec3 columns[3] = {tcp->matrix.x, tcp->matrix.y, tcp->matrix.z};
+	double scale = vec3_norm(tcp->gauge_zero) + vec3_norm(tcp->tip), angles = 1, condition = 0;
+	axis_values rounding = {{0}};
+
+	add_chain_scale(tcp, &tcp->table, reach, &scale, &angles);
+	add_chain_scale(tcp, &tcp->head, reach, &scale, &angles);
+	for (int i = 0; i < 3; i++) {
+		scale += vec3_norm(columns[i]) * reach->v[i];
+		condition += vec3_norm(tcp->rows[i]);
+	}
+	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
+		scale += 2 * vec3_norm(tcp->others[slot]) * reach->v[slot];
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		rounding.v[slot] = ROUNDING * vec3_norm(tcp->rows[slot]) * scale * (angles + condition);
+	return rounding;
+}

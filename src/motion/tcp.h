@@ -1,0 +1,59 @@
+/* tcp.h - tool centre point control (TCP): where X Y Z must stand for the tip to keep its place. */
+#ifndef FIVECHECK_MOTION_TCP_H
+#define FIVECHECK_MOTION_TCP_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "base/diag.h"
+#include "gcode/canon.h"
+#include "geom/xform.h"
+#include "machine/chain.h"
+#include "machine/machine.h"
+
+/*
+ * With M the directions of X Y Z and N those of the other linear axes u (head
+ * minus table), T(theta) and H(theta) the pose maps of the table's and the
+ * head's rotary axes, t the tip (gauge point + compensated length along the
+ * spindle) at the zero pose, and theta0 "rotary zero", a controller position p
+ * means the workpiece point
+ *     w = T(theta0)^-1 (M p' + N u + H(theta0) t),   M p' = M p - length H(theta0) direction
+ * and the linear axes q solve  M q = T(theta) w - H(theta) t - N u.
+ * The length cancels in w: w = T(theta0)^-1 (M p + N u + H(theta0) gauge).
+ */
+struct tcp {
+	struct chain table, head;	/* rotary joints only, the outermost first */
+	mat3 matrix;	/* M */
+	vec3 rows[3];	/* of its inverse */
+	vec3 others[SLOT_COUNT];	/* N: directions on the slots of U V W, else 0 */
+	xform table_zero_inverse;	/* T(theta0)^-1 */
+	vec3 gauge_zero;	/* H(theta0) gauge */
+	vec3 tip;	/* t */
+	struct canon_tcp state;
+};
+
+/*
+ * Derives the chains from the machine. False, with an error at loc that says
+ * why: a linear axis hangs on a rotary one, X Y Z do not span space, no
+ * spindle, no workholding.
+ */
+bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct canon_tcp *state, struct srcloc loc,
+	      struct diag *diag);
+
+/* Controller position -> machine axes, and back. Slots other than X Y Z are the same in both. */
+axis_values tcp_to_machine(const struct tcp *tcp, const axis_values *position);
+axis_values tcp_from_machine(const struct tcp *tcp, const axis_values *machine);
+
+/*
+ * A bound on the second derivative of X Y Z for a move that passes through the
+ * controller position `middle` at the velocity `rate` (per unit of its
+ * parameter), holds for `half` units to either side. The rotary and the other
+ * linear axes are linear; |M p''| <= acceleration. Slots other than X Y Z are 0.
+ */
+axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axis_values *rate, double acceleration,
+		     double half);
+
+/* How far rounding takes X Y Z of tcp_to_machine, for positions whose values are at most `reach`. */
+axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach);
+
+#endif

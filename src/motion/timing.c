@@ -1,0 +1,66 @@
+#include "motion/timing.h"
+
+#include <math.h>
+
+static double way(const struct path *path, int first, int last)
+{
+	double sum = 0;
+
+	for (int slot = first; slot <= last; slot++) {
+		double d = path->end.v[slot] - path->start.v[slot];
+
+		sum += d * d;
+	}
+	return sqrt(sum);
+}
+
+double timing_programmed(const struct path *path, const struct canon_feed *feed)
+{
+	double length;
+
+	if (feed->inverse_time)
+		return feed->seconds;
+	length = path_length(path);
+	if (!(length > 0))
+		length = way(path, SLOT_U, SLOT_W);
+	if (length > 0)
+		return length / feed->linear;
+	return way(path, SLOT_A, SLOT_C) / feed->angular;
+}
+
+/* Seconds that the axes need for the whole path if they go over its chord like over `span`, and `extra` more. */
+static double needed(const struct machine *machine, const struct span *span, const axis_values *extra)
+{
+	double part = span->u1 - span->u0, most = 0;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		double d = fabs(span->q1.v[axis->slot] - span->q0.v[axis->slot]) + extra->v[axis->slot];
+
+		most = fmax(most, d / (axis->rate_max * part));
+	}
+	return most;
+}
+
+double timing_held(const struct machine *machine, const struct span *whole, double flatness, double seconds)
+{
+	const axis_values none = {{0}};
+	axis_values bend;
+	struct span_walk walk;
+	struct span piece;
+
+	/* No axis is slower on every piece than on the whole. */
+	seconds = fmax(seconds, needed(machine, whole, &none));
+	if (span_is_flat(whole, flatness))
+		return seconds;
+	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
+	bend = path_bend(whole->path, 0, 1);
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		bend.v[slot] *= 0.5;
+	if (needed(machine, whole, &bend) <= seconds)
+		return seconds;
+	span_walk_init(&walk, whole, flatness);
+	while (span_walk_next(&walk, &piece))
+		seconds = fmax(seconds, needed(machine, &piece, &none));
+	return seconds;
+}

@@ -1,0 +1,129 @@
+/* motion_record.h - for the tests of motion: a drive on a machine, and everything that it sends. */
+#ifndef FIVECHECK_TESTS_MOTION_RECORD_H
+#define FIVECHECK_TESTS_MOTION_RECORD_H
+
+#include <check.h>
+
+#include "motion/drive.h"
+#include "motion_rig.h"
+
+#define EVENTS 64
+
+/* Everything that a run sent. Steps beyond the array are counted, not kept. */
+struct record {
+	struct rig_messages messages;
+	struct motion_options options;
+	struct motion_sink sink;
+	struct drive drive;
+	struct motion_step steps[EVENTS];
+	struct path paths[EVENTS];	/* of the steps: theirs are borrowed */
+	int step_count;
+	struct motion_limit limits[EVENTS];
+	int limit_count, steps_before_limit;
+	int tool, tool_changes, blocks, block_moves;
+	axis_values tool_position;
+	double block_seconds;
+	char block_text[64];
+	axis_values last;	/* where the steps have come to */
+	double clock, travelled, worst_rate;	/* times of the rates, on a step's average */
+	int stop_at;	/* the step that returns false; 0: none */
+	long line;
+};
+
+static inline bool on_limit(void *context, const struct motion_limit *limit)
+{
+	struct record *record = context;
+
+	ck_assert_int_lt(record->limit_count, EVENTS);
+	record->limits[record->limit_count++] = *limit;
+	record->steps_before_limit = record->step_count;
+	return true;
+}
+
+static inline bool on_step(void *context, const struct motion_step *step)
+{
+	struct record *record = context;
+	const struct machine *machine = record->drive.machine;
+
+	/* Steps join without a gap, in place and in time. */
+	if (machine) {
+		if (memcmp(&step->span.q0, &record->last, sizeof(record->last)) != 0 ||
+		    !(fabs(step->time - record->clock) <= 1e-9))
+			ck_abort_msg("the step at %.17g s does not join the last, at %.17g", step->time,
+				     record->clock);
+		for (size_t i = 0; i < machine->axis_count; i++) {
+			int slot = machine->axes[i].slot;
+			double rate = fabs(step->span.q1.v[slot] - step->span.q0.v[slot]) / step->seconds;
+
+			record->worst_rate = fmax(record->worst_rate, rate / machine->axes[i].rate_max);
+		}
+	}
+	record->last = step->span.q1;
+	record->clock = step->time + step->seconds;
+	record->travelled += step->seconds;
+	if (record->step_count < EVENTS) {
+		record->steps[record->step_count] = *step;
+		record->paths[record->step_count] = *step->span.path;
+		record->steps[record->step_count].span.path = &record->paths[record->step_count];
+	}
+	record->step_count++;
+	return record->step_count != record->stop_at;
+}
+
+static inline bool on_tool(void *context, int tool, const axis_values *position)
+{
+	struct record *record = context;
+
+	record->tool = tool;
+	record->tool_changes++;
+	record->tool_position = *position;
+	return true;
+}
+
+static inline bool on_block(void *context, long line, const char *text, double seconds, int moves)
+{
+	struct record *record = context;
+
+	record->blocks++;
+	record->block_seconds = seconds;
+	record->block_moves = moves;
+	record->line = line;
+	snprintf(record->block_text, sizeof(record->block_text), "%s", text);
+	return true;
+}
+
+static inline void listen(struct record *record)
+{
+	memset(record, 0, sizeof(*record));
+	rig_listen(&record->messages);
+	record->options.flatness = 0.001;
+	record->sink = (struct motion_sink){record, on_limit, on_step, on_tool, on_block};
+}
+
+static inline void start(struct record *record, const struct machine *machine)
+{
+	listen(record);
+	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
+	record->last = record->drive.position;
+}
+
+static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
+{
+	return (struct canon_move){.kind = kind, .line = 12, .number = 1, .end = end,
+				   .feed = {.linear = 20, .angular = radians(30)}};
+}
+
+static inline void go(struct record *record, struct canon_move move)
+{
+	ck_assert_msg(drive_move(&record->drive, &move), "%s", record->messages.text);
+}
+
+static inline void guide(struct record *record, double length)
+{
+	struct canon_tcp state = {.on = true, .length = length};
+	axis_values position = record->drive.position;
+
+	ck_assert(drive_tcp(&record->drive, &state, (struct srcloc){"part.nc", 1, 1}, &position));
+}
+
+#endif

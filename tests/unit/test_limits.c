@@ -1,0 +1,180 @@
+/* Where moves leave the axes' travel: against closed forms and dense samples. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "motion_record.h"
+
+START_TEST(straight_moves_past_a_limit)
+{
+	struct machine machine = rig_three_axes();
+	struct record record;
+
+	rig_find(&machine, SLOT_X)->limit_max = 250;
+	rig_find(&machine, SLOT_Z)->limit_min = -100;
+	start(&record, &machine);
+	go(&record, move_to(CANON_FEED, (axis_values){{250 + 0.9e-6, 0, -100}}));
+	ck_assert_int_eq(record.limit_count, 0);
+	ck_assert(!record.steps[0].outside);
+	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
+	/* X goes out at 5/6 of the way, Z at 1/2: in the order of time. */
+	record.clock = record.drive.time = 100;
+	go(&record, move_to(CANON_FEED, (axis_values){{300, 0, -200}}));
+	ck_assert_int_eq(record.limit_count, 2);
+	ck_assert_int_eq(record.steps_before_limit, 2);
+	ck_assert_int_eq(record.limits[0].slot, SLOT_Z);
+	ck_assert_double_eq(record.limits[0].bound, -100);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Z], -100, 1e-6);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 150, 1e-6);
+	ck_assert_int_eq(record.limits[1].slot, SLOT_X);
+	ck_assert_double_eq_tol(record.limits[1].position.v[SLOT_X], 250, 1e-6);
+	ck_assert_double_eq_tol(record.limits[1].time, 100 + 5 / 6.0 * record.steps[2].seconds, 1e-6);
+	ck_assert_int_eq((int)record.limits[1].line, 12);
+	ck_assert(record.steps[2].outside);
+	/* On the way back it starts outside. */
+	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
+	ck_assert_int_eq(record.limit_count, 4);
+	ck_assert_int_eq(record.limits[2].slot, SLOT_X);
+	ck_assert_int_eq(record.limits[3].slot, SLOT_Z);
+	ck_assert_double_eq_tol(record.limits[3].time, record.steps[3].time, 1e-12);
+	/* And then all is well again. */
+	go(&record, move_to(CANON_FEED, (axis_values){{1, 0, 0}}));
+	ck_assert_int_eq(record.limit_count, 4);
+	ck_assert(!record.steps[4].outside);
+}
+END_TEST
+
+/* Ends inside, bulge out: x = 100 sin(a) passes 99 at a = asin 0.99 of the half circle. */
+START_TEST(an_arc_bulges_past_a_limit)
+{
+	struct machine machine = rig_three_axes();
+	struct record record;
+	struct canon_move move = move_to(CANON_ARC, (axis_values){{0, 200, 0}});
+
+	move.arc = (struct canon_arc){{0, 100, 0}, {0, 0, 1}, PI};
+	rig_find(&machine, SLOT_X)->limit_max = 99;
+	start(&record, &machine);
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 99, 3e-6);
+	ck_assert_double_eq_tol(record.limits[0].time, asin(0.99) / PI * record.travelled, 1e-6);
+	ck_assert(record.steps[0].outside);
+	/* Grazing: half a micrometre within the tolerance is inside, twice it is not. */
+	for (int i = 0; i < 2; i++) {
+		rig_find(&machine, SLOT_X)->limit_max = 100 - (i ? 2e-6 : 0.5e-6);
+		start(&record, &machine);
+		go(&record, move);
+		ck_assert_int_eq(record.limit_count, i);
+	}
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 100, 3e-6);
+}
+END_TEST
+
+/* C turns by half, the tip at radius 100: Y swings to 100 and back, with both ends at 0. */
+START_TEST(a_guided_move_bulges_past_a_limit)
+{
+	struct machine machine = rig_trunnion();
+	struct record record;
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{100, 0, 0, 0, 0, -PI}});
+
+	rig_find(&machine, SLOT_Y)->limit_max = 50;
+	rig_find(&machine, SLOT_Y)->limit_min = -50;
+	start(&record, &machine);
+	go(&record, move_to(CANON_RAPID, (axis_values){{100, 0, 0}}));
+	guide(&record, 50);
+	move.tcp = true;
+	record.travelled = 0;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
+	ck_assert_double_eq(record.limits[0].bound, 50);
+	/* 100 sin(angle) = 50 at 30 of 180 degrees. */
+	ck_assert_double_eq_tol(record.limits[0].block_time - 0.2, record.travelled / 6, 1e-6);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Y], 50, 3e-6);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_C], radians(-30), 1e-7);
+}
+END_TEST
+
+START_TEST(a_dogleg_reports_an_axis_once)
+{
+	struct machine machine = rig_three_axes();
+	struct record record;
+
+	machine.controller.rapid = RAPID_DOGLEG;
+	rig_find(&machine, SLOT_X)->limit_max = 10;
+	rig_find(&machine, SLOT_Y)->limit_max = 150;
+	start(&record, &machine);
+	go(&record, move_to(CANON_RAPID, (axis_values){{300, 200, 50}}));
+	ck_assert_int_eq(record.limit_count, 2);
+	ck_assert_int_eq(record.limits[0].slot, SLOT_X);
+	ck_assert_double_eq_tol(record.limits[0].time, 10 / 500.0, 1e-9);
+	ck_assert_int_eq(record.limits[1].slot, SLOT_Y);
+	ck_assert_double_eq_tol(record.limits[1].time, 150 / 500.0, 1e-9);
+	ck_assert_int_eq(record.step_count, 3);
+	ck_assert(record.steps[0].outside && record.steps[2].outside);
+}
+END_TEST
+
+/* Against the densest of samples: the bisection finds an excursion exactly when there is one. */
+START_TEST(limits_agree_with_samples)
+{
+	uint64_t random = 12;
+	int crossed = 0;
+
+	for (int i = 0; i < 1500; i++) {
+		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
+		struct canon_move move = move_to(CANON_FEED, (axis_values){{0}});
+		int slot = rig_pick(&random, 3);
+		double bound = rig_random(&random, 0, 400), first = 2;
+		struct record record;
+		struct path path;
+
+		start(&record, &machine);
+		guide(&record, 100);
+		move.tcp = true;
+		for (size_t k = 0; k < machine.axis_count; k++) {
+			double size = machine.axes[k].rotary ? 3 : 100;
+
+			move.end.v[machine.axes[k].slot] = rig_random(&random, -size, size);
+		}
+		path = (struct path){.kind = PATH_TCP, .start = record.drive.controller, .end = move.end,
+				     .tcp = &record.drive.tcp};
+		for (int k = 0; k <= 2000 && first > 1; k++)
+			if (path_position(&path, k / 2000.0).v[slot] > bound)
+				first = k / 2000.0;
+		rig_find(&machine, slot)->limit_max = bound;
+		go(&record, move);
+		if (first <= 1) {
+			ck_assert_int_eq(record.limit_count, 1);
+			ck_assert_double_le(record.limits[0].time, first * record.travelled + 1e-9);
+			ck_assert_double_ge(record.limits[0].time, (first - 1 / 2000.0) * record.travelled - 1e-9);
+			ck_assert_double_eq_tol(record.limits[0].position.v[slot], bound, 3e-6);
+			crossed++;
+		} else if (record.limit_count) {
+			/* A sliver between samples. */
+			ck_assert_double_eq_tol(record.limits[0].position.v[slot], bound, 3e-6);
+		}
+	}
+	ck_assert_int_gt(crossed, 200);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("limits");
+	TCase *tests = tcase_create("limits");
+	SRunner *runner;
+	int failed;
+
+	tcase_set_timeout(tests, 120);
+	tcase_add_test(tests, straight_moves_past_a_limit);
+	tcase_add_test(tests, an_arc_bulges_past_a_limit);
+	tcase_add_test(tests, a_guided_move_bulges_past_a_limit);
+	tcase_add_test(tests, a_dogleg_reports_an_axis_once);
+	tcase_add_test(tests, limits_agree_with_samples);
+	suite_add_tcase(suite, tests);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,130 @@
+/* Whole programs through interpreter and drive, against hand computation. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "machine/chain.h"
+#include "motion_record.h"
+
+static bool run(struct record *record, const struct machine *machine, const struct setup *setup, const char *program,
+		struct motion_summary *summary)
+{
+	FILE *in = fmemopen((void *)(uintptr_t)program, strlen(program), "r");
+	bool ok;
+
+	ck_assert_ptr_nonnull(in);
+	listen(record);
+	ok = motion_run(machine, setup, &record->options, in, "part.nc", &record->sink, &record->messages.diag,
+			summary);
+	fclose(in);
+	return ok;
+}
+
+/* Millimetres a minute, an offset, a tool with its length, a dwell, and G53 home again. */
+START_TEST(a_program)
+{
+	static const char program[] = "G21 G90 G54\n"
+				      "T3 M6\n"
+				      "G43 H3\n"
+				      "G0 X10 Y0 Z5\n"
+				      "G1 Z-5 F600\n"
+				      "G4 P2\n"
+				      "G2 X20 I5\n"
+				      "G53 G0 Z0\n"
+				      "M30\n";
+	struct machine machine = rig_three_axes();
+	struct work_offset offset = {.name = "G54", .value = {{100, 0, -300}}};
+	struct tool tool = {.number = 3, .name = "", .length = 80, .diameter = 6, .length_offset = 80};
+	struct length_offset length = {3, 80};
+	struct setup setup = {.offsets = &offset, .offset_count = 1, .tools = &tool, .tool_count = 1,
+			      .lengths = &length, .length_count = 1};
+	struct motion_summary summary;
+	struct record record;
+
+	machine.controller.mcodes = &(const struct mcode){428, MCODE_IGNORE};
+	machine.controller.mcode_count = 1;
+	ck_assert_msg(run(&record, &machine, &setup, program, &summary), "%ld: %s", record.messages.loc.line,
+		      record.messages.text);
+	ck_assert_int_eq((int)summary.moves, 4);
+	ck_assert_int_eq((int)summary.blocks, record.blocks);
+	ck_assert_int_eq((int)summary.spans, record.step_count);
+	ck_assert_int_ge((int)summary.lines, 9);
+	ck_assert_int_eq(record.tool, 3);
+	/* G0 to the offset's (10, 0, 5), 80 higher for the tool. */
+	ck_assert_double_eq_tol(record.steps[0].span.q1.v[SLOT_X], 110, 1e-12);
+	ck_assert_double_eq_tol(record.steps[0].span.q1.v[SLOT_Z], -300 + 5 + 80, 1e-12);
+	ck_assert_int_eq(record.steps[0].tool, 3);
+	ck_assert_int_eq((int)record.steps[0].line, 4);
+	ck_assert_double_eq_tol(record.steps[0].seconds, 215 / 500.0, 1e-12);
+	ck_assert_double_eq_tol(record.steps[1].seconds, 1, 1e-12);
+	ck_assert_double_eq_tol(record.steps[2].time, 0.43 + 1 + 2, 1e-12);
+	ck_assert_double_eq_tol(summary.seconds, 0.43 + 1 + 2 + 5 * PI / 10 + 225 / 500.0, 1e-9);
+	ck_assert_double_eq(record.last.v[SLOT_Z], 0);
+	ck_assert_double_eq_tol(record.last.v[SLOT_X], 120, 1e-12);
+}
+END_TEST
+
+/* The impeller's way of speaking: G43.4, then rotary words beside the linear ones. */
+START_TEST(a_guided_program)
+{
+	static const char program[] = "G21 G90 G54\n"
+				      "G43.4 H3\n"
+				      "G1 X30 Y0 Z0 A0 C0 F1000\n"
+				      "G1 X30 Y0 Z0 A-20 C90\n"
+				      "G49\n"
+				      "M2\n";
+	struct machine machine = rig_trunnion();
+	struct tool tool = {.number = 3, .name = "", .length = 80, .length_offset = 80};
+	struct length_offset length = {3, 80};
+	struct work_offset offset = {.name = "G54", .value = {{0, 0, -400}}};
+	struct setup setup = {.offsets = &offset, .offset_count = 1, .tools = &tool, .tool_count = 1,
+			      .lengths = &length, .length_count = 1, .initial_tool = 3};
+	struct motion_summary summary;
+	struct record record;
+	xform table, head, inverse;
+	vec3 tip = {0, 0, 520 - 80};
+
+	ck_assert_msg(run(&record, &machine, &setup, program, &summary), "%ld: %s", record.messages.loc.line,
+		      record.messages.text);
+	ck_assert_int_eq((int)summary.moves, 2);
+	ck_assert_int_eq(record.steps[0].tool, 3);
+	/* The workpiece point (30, 0, 120) is the table's centre plus 30 in X; the tip is still there. */
+	table = machine_pose(&machine, machine.workholding.link, &record.last);
+	head = machine_pose(&machine, machine.spindle.link, &record.last);
+	inverse = xform_inverse(&table);
+	tip = xform_apply(&inverse, xform_apply(&head, tip));
+	ck_assert_double_lt(vec3_norm(vec3_sub(tip, (vec3){30, 0, 120})), 1e-9);
+	ck_assert_double_eq_tol(record.last.v[SLOT_C], PI / 2, 1e-12);
+}
+END_TEST
+
+START_TEST(a_faulty_program)
+{
+	struct machine machine = rig_three_axes();
+	struct motion_summary summary;
+	struct record record;
+
+	ck_assert(!run(&record, &machine, NULL, "G0 X1\nG0 A5\n", &summary));
+	ck_assert_uint_ge(record.messages.diag.errors, 1);
+	ck_assert_int_eq((int)record.messages.loc.line, 2);
+	ck_assert_int_eq((int)summary.moves, 1);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("motion");
+	TCase *tests = tcase_create("motion");
+	SRunner *runner;
+	int failed;
+
+	tcase_set_timeout(tests, 120);
+	tcase_add_test(tests, a_program);
+	tcase_add_test(tests, a_guided_program);
+	tcase_add_test(tests, a_faulty_program);
+	suite_add_tcase(suite, tests);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
