@@ -1,0 +1,159 @@
+#include <math.h>
+
+#include "gcode/block.h"
+
+/* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
+static bool takes_axis_words(int code)
+{
+	return code == G10 || code == G28 || code == G30 || code == G52 || code == G92;
+}
+
+static bool is_arc(int code)
+{
+	return code == G2 || code == G3;
+}
+
+static int first_column(const struct block *block, const char *letters)
+{
+	int first = 0;
+
+	for (; *letters; letters++) {
+		if (block_has(block, *letters) && (first == 0 || block_column(block, *letters) < first))
+			first = block_column(block, *letters);
+	}
+	return first;
+}
+
+int block_motion_column(const struct block *block)
+{
+	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_LETTERS "IJKR");
+}
+
+/* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
+static bool find_motion(struct block *block, const struct line_place *at, const struct block_modes *modes)
+{
+	bool axes = block->letters & AXIS_BITS;
+	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
+	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
+
+	block->motion = given;
+	if (takes_axis_words(other)) {
+		if (given != CODE_NONE && given != G80)
+			return fault(at, block->g_column[G_MOTION],
+				     "G%d and G%d both need the axis words of the block; write two blocks", given / 10,
+				     other / 10);
+		if (!axes && (other == G52 || other == G92))
+			return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
+		return true;
+	}
+	if (given == G80 && axes)
+		return fault(at, first_column(block, AXIS_LETTERS), "axis words with G80, which cancels motion");
+	if (given != CODE_NONE)
+		return true;
+	if (axes && modes->motion == CODE_NONE)
+		return fault(at, first_column(block, AXIS_LETTERS),
+			     "axis words, but no motion code is in force (G0, G1, G2, G3)");
+	if (axes || (offsets && is_arc(modes->motion)))
+		block->motion = modes->motion;
+	return true;
+}
+
+/* Fanuc and Haas: the time of a dwell stands in X, U or P, and nothing moves. */
+static bool check_dwell(struct block *block, const struct line_place *at)
+{
+	const uint32_t times = letter_bit('X') | letter_bit('U') | letter_bit('P');
+	uint32_t given = block->letters & (times | AXIS_BITS);
+
+	block->motion = CODE_NONE;
+	if (block->g[G_MOTION] != CODE_NONE)
+		return fault(at, block->g_column[G_MOTION], "G4 needs a block without motion");
+	if (given == 0 || (given & ~times) || (given & (given - 1)))
+		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in one word, X, U or P");
+	return true;
+}
+
+static bool check_machine_coordinates(const struct block *block, const struct line_place *at,
+				      enum gcode_dialect dialect, const struct block_modes *modes)
+{
+	bool incremental = block->g[G_DISTANCE] == CODE_NONE ? modes->incremental : block->g[G_DISTANCE] == G91;
+	bool axes = block->letters & AXIS_BITS;
+
+	if (dialect != GCODE_LINUXCNC && !axes && block->motion == CODE_NONE)
+		return true;
+	if (block->motion != G0 && block->motion != G1)
+		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
+	if (incremental)
+		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91)");
+	return true;
+}
+
+static bool check_nonmodal(struct block *block, const struct line_place *at, enum gcode_dialect dialect,
+			   const struct block_modes *modes)
+{
+	int code = block->g[G_NONMODAL];
+
+	if (code == G4 && dialect != GCODE_LINUXCNC)
+		return check_dwell(block, at);
+	if (code == G4 && !block_has(block, 'P'))
+		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in P");
+	if (code == G4 && is_arc(block->motion))
+		return fault(at, block->g_column[G_NONMODAL], "G4 cannot stand with G2 or G3; both use P");
+	if (code == G53)
+		return check_machine_coordinates(block, at, dialect, modes);
+	/* Fanuc gives an alarm, the others send every axis home. */
+	if ((code == G28 || code == G30) && dialect == GCODE_FANUC && !(block->letters & AXIS_BITS))
+		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", code / 10);
+	return true;
+}
+
+/* The letters that some code of the block uses. */
+static uint32_t used_letters(const struct block *block, enum gcode_dialect dialect)
+{
+	uint32_t used = AXIS_BITS | letter_bit('F') | letter_bit('S') | letter_bit('T');
+
+	if (is_arc(block->motion)) {
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
+		used |= dialect == GCODE_LINUXCNC ? letter_bit('P') : 0;
+	}
+	if (block->g[G_NONMODAL] == G4)
+		used |= letter_bit('P');
+	if (block->g[G_NONMODAL] == G10)
+		used |= letter_bit('L') | letter_bit('P') | letter_bit('R');
+	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4)
+		used |= letter_bit('H');
+	if (block->g[G_PATH] == G64 && dialect == GCODE_LINUXCNC)
+		used |= letter_bit('P') | letter_bit('Q');
+	if (block->m_ignored)
+		used |= letter_bit('P') | letter_bit('Q');
+	return used;
+}
+
+bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
+		 const struct block_modes *modes)
+{
+	uint32_t unused;
+
+	if (!(config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
+		return false;
+	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
+		return false;
+	unused = block->letters & ~used_letters(block, config->dialect);
+	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
+		if (unused & letter_bit(letter))
+			return fault(at, block_column(block, letter), "no code in the block uses the word %c", letter);
+	}
+	return true;
+}
+
+bool block_integer(const struct block *block, const struct line_place *at, char letter, int least, int greatest,
+		   int *value)
+{
+	double number = block_value(block, letter), nearest = round(number);
+
+	/* LinuxCNC's tolerance for "close to an integer". */
+	if (fabs(number - nearest) > 0.0001 || nearest < least || nearest > greatest)
+		return fault(at, block_column(block, letter), "%c%.15g: a whole number from %d to %d is needed", letter,
+			     number, least, greatest);
+	*value = (int)nearest;
+	return true;
+}

@@ -1,0 +1,84 @@
+/* canon.h - the canonical moves that an interpreter makes of a program, whatever its dialect. */
+#ifndef FIVECHECK_GCODE_CANON_H
+#define FIVECHECK_GCODE_CANON_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "base/diag.h"
+#include "geom/vec3.h"
+
+/*
+ * Positions are of the controller's axes with every offset applied, in mm and
+ * radians. Without TCP they are machine axis positions. Under TCP (tool centre
+ * point control) they are the positions that the linear axes would have at
+ * rotary zero with no tool; the tool's length then acts along the spindle and
+ * is the sink's business (struct canon_tcp).
+ */
+
+enum canon_kind {
+	CANON_RAPID,	/* straight, at the axes' rates */
+	CANON_FEED,	/* straight, at the programmed feed */
+	CANON_ARC,	/* circular or helical, at the programmed feed */
+	CANON_DWELL,	/* stands still for `seconds` */
+	CANON_TOOL_CHANGE	/* `tool` is in the spindle from here on; 0: empty */
+};
+
+struct canon_feed {
+	bool inverse_time;	/* G93: the move takes `seconds` */
+	double seconds;
+	double linear;	/* mm/s along the path of X Y Z, or else U V W */
+	double angular;	/* rad/s, for moves of rotary axes alone */
+};
+
+/*
+ * X Y Z turn about the line through `centre` along `normal` (unit) while every
+ * axis, X Y Z included, goes linearly from start to end in what is left of it:
+ * with r0 and r1 the radii of start and end, the point at s is centre + the
+ * start's radius vector turned by s * sweep and brought to length
+ * (1-s) r0 + s r1, + the rise along the normal times s.
+ */
+struct canon_arc {
+	vec3 centre;	/* at the height of the start */
+	vec3 normal;
+	double sweep;	/* radians about the normal, right-handed; |sweep| may exceed 2 pi */
+};
+
+struct canon_move {
+	enum canon_kind kind;
+	long line;	/* of the block */
+	int number;	/* of this move in its block, from 1 */
+	bool tcp;
+	bool blend;	/* G64: the control may leave the path (canon_move.blend_tolerance) */
+	double blend_tolerance;	/* mm; 0: G64 without P */
+	axis_values end;	/* RAPID, FEED, ARC */
+	struct canon_arc arc;
+	struct canon_feed feed;	/* FEED, ARC */
+	double seconds;	/* DWELL */
+	int tool;	/* TOOL_CHANGE */
+};
+
+/* What holds from now on under TCP. */
+struct canon_tcp {
+	bool on;
+	double length;	/* mm: the length compensation in force */
+	axis_values rotary_zero;	/* where "rotary zero" is; linear slots 0 */
+};
+
+/* Where an interpreter sends its moves. */
+struct canon_sink {
+	void *context;
+	/* False: stop interpreting; the sink knows why. */
+	bool (*move)(void *context, const struct canon_move *move);
+	/*
+	 * TCP goes on, off, or changes its length: no axis moves, but positions mean
+	 * something else. *position holds the current position under the old meaning
+	 * and receives it under the new one. False: reported at loc (not every
+	 * machine has TCP).
+	 */
+	bool (*tcp)(void *context, const struct canon_tcp *tcp, struct srcloc loc, axis_values *position);
+	/* A block has been carried out, with `moves` moves. False: stop. */
+	bool (*block)(void *context, long line, const char *text, int moves);
+};
+
+#endif

@@ -1,0 +1,261 @@
+#include "gcode/codes.h"
+
+#include <stddef.h>
+
+enum {
+	L = 1 << GCODE_LINUXCNC,
+	F = 1 << GCODE_FANUC,
+	H = 1 << GCODE_HAAS,
+	ALL = L | F | H,
+	NO = GROUP_UNSUPPORTED
+};
+
+/*
+ * Sorted by number. LinuxCNC's manual, "G-Codes"; Fanuc 30i-B operator's
+ * manual (B-64484EN), "Preparatory function"; Haas mill operator's manual, "G-codes".
+ */
+static const struct code g_codes[] = {
+	{G0, ALL, G_MOTION, NULL},
+	{G1, ALL, G_MOTION, NULL},
+	{G2, ALL, G_MOTION, NULL},
+	{G3, ALL, G_MOTION, NULL},
+	{G4, ALL, G_NONMODAL, NULL},
+	{50, L, NO, "cubic spline"},
+	{50, F, NO, "high-speed cycle cutting"},
+	{51, L, NO, "quadratic spline"},
+	{51, F, NO, "AI contour control"},
+	{52, L, NO, "NURBS block"},
+	{53, L, NO, "NURBS block"},
+	{60, L, NO, "NURBS block"},
+	{61, L, NO, "NURBS block"},
+	{62, L, NO, "NURBS block"},
+	{62, F, NO, "NURBS interpolation"},
+	{63, L, NO, "NURBS block"},
+	{70, L, NO, "lathe diameter mode"},
+	{71, F, NO, "cylindrical interpolation"},
+	{80, L, NO, "lathe radius mode"},
+	{80, F, NO, "look-ahead control"},
+	{90, F | H, NO, "exact stop in one block"},
+	{G10, ALL, G_NONMODAL, NULL},
+	{120, H, NO, "circular pocket milling"},
+	{130, H, NO, "circular pocket milling"},
+	{150, F, NO, "polar coordinate command"},
+	{160, F, NO, "polar coordinate command"},
+	{G17, ALL, G_PLANE, NULL},
+	{171, L, NO, "arc plane of U V W"},
+	{G18, ALL, G_PLANE, NULL},
+	{181, L, NO, "arc plane of U V W"},
+	{G19, ALL, G_PLANE, NULL},
+	{191, L, NO, "arc plane of U V W"},
+	{G20, ALL, G_UNITS, NULL},
+	{G21, ALL, G_UNITS, NULL},
+	{270, F, NO, "reference position check"},
+	{G28, ALL, G_NONMODAL, NULL},
+	{G28_1, L, G_NONMODAL, NULL},
+	{290, F | H, NO, "return from the reference position"},
+	{G30, ALL, G_NONMODAL, NULL},
+	{G30_1, L, G_NONMODAL, NULL},
+	{310, F | H, NO, "skip function"},
+	{330, L | F, NO, "spindle-synchronised motion"},
+	{331, L, NO, "rigid tapping"},
+	{350, H, NO, "tool diameter measurement"},
+	{360, H, NO, "work offset measurement"},
+	{370, F | H, NO, "tool offset measurement"},
+	{382, L, NO, "straight probe"},
+	{383, L, NO, "straight probe"},
+	{384, L, NO, "straight probe"},
+	{385, L, NO, "straight probe"},
+	{400, ALL, G_CUTTER, NULL},
+	{410, ALL, NO, "cutter compensation"},
+	{411, L, NO, "cutter compensation"},
+	{420, ALL, NO, "cutter compensation"},
+	{421, L, NO, "cutter compensation"},
+	{G43, ALL, G_LENGTH, NULL},
+	{431, L, NO, "dynamic tool length offset"},
+	{431, F, NO, "tool length compensation in the tool axis direction"},
+	{432, L, NO, "additional tool length offset"},
+	{G43_4, ALL, G_LENGTH, NULL},
+	{435, ALL, NO, "tool centre point control with tool vectors"},
+	{440, F | H, NO, "negative tool length compensation"},
+	{470, H, NO, "text engraving"},
+	{G49, ALL, G_LENGTH, NULL},
+	{500, F | H, NO, "cancelling of scaling"},
+	{501, F, NO, "cancelling of the mirror image"},
+	{510, F | H, NO, "scaling"},
+	{511, F, NO, "mirror image"},
+	{G52, ALL, G_NONMODAL, NULL},
+	{G53, ALL, G_NONMODAL, NULL},
+	{531, F | H, NO, "tool axis direction control"},
+	{G54, ALL, G_SYSTEM, NULL},
+	{541, F | H, NO, "additional work offset"},
+	{542, F, NO, "rotary table dynamic fixture offset"},
+	{544, F, NO, "work setting error compensation"},
+	{550, ALL, G_SYSTEM, NULL},
+	{560, ALL, G_SYSTEM, NULL},
+	{570, ALL, G_SYSTEM, NULL},
+	{580, ALL, G_SYSTEM, NULL},
+	{G59, ALL, G_SYSTEM, NULL},
+	{591, L, G_SYSTEM, NULL},
+	{592, L, G_SYSTEM, NULL},
+	{593, L, G_SYSTEM, NULL},
+	{600, F | H, NO, "unidirectional positioning"},
+	{G61, ALL, G_PATH, NULL},
+	{G61_1, L, G_PATH, NULL},
+	{620, F, NO, "automatic corner override"},
+	{630, F, NO, "tapping mode"},
+	{G64, ALL, G_PATH, NULL},
+	{650, F | H, NO, "macro call"},
+	{660, F, NO, "modal macro call"},
+	{670, F, NO, "cancelling of the modal macro call"},
+	{680, F | H, NO, "coordinate rotation"},
+	{682, F | H, NO, "tilted working plane"},
+	{690, F | H, NO, "cancelling of the coordinate rotation"},
+	{700, L | H, NO, "lathe finishing or bolt circle cycle"},
+	{710, L | H, NO, "lathe roughing or bolt arc cycle"},
+	{711, L, NO, "lathe roughing cycle"},
+	{712, L, NO, "lathe roughing cycle"},
+	{720, L | H, NO, "lathe facing or bolt line cycle"},
+	{721, L, NO, "lathe facing cycle"},
+	{722, L, NO, "lathe facing cycle"},
+	{730, ALL, NO, "canned cycle"},
+	{740, ALL, NO, "canned cycle"},
+	{760, ALL, NO, "canned cycle"},
+	{770, H, NO, "canned cycle"},
+	{G80, ALL, G_MOTION, NULL},
+	{810, ALL, NO, "canned cycle"},
+	{820, ALL, NO, "canned cycle"},
+	{830, ALL, NO, "canned cycle"},
+	{840, ALL, NO, "canned cycle"},
+	{850, ALL, NO, "canned cycle"},
+	{860, ALL, NO, "canned cycle"},
+	{870, ALL, NO, "canned cycle"},
+	{880, ALL, NO, "canned cycle"},
+	{890, ALL, NO, "canned cycle"},
+	{G90, ALL, G_DISTANCE, NULL},
+	{G90_1, L, G_ARC_DISTANCE, NULL},
+	{G91, ALL, G_DISTANCE, NULL},
+	{911, L, G_ARC_DISTANCE, NULL},
+	{G92, ALL, G_NONMODAL, NULL},
+	{G92_1, L, G_NONMODAL, NULL},
+	{G92_1, F, NO, "workpiece coordinate system preset"},
+	{G92_2, L, G_NONMODAL, NULL},
+	{G92_3, L, G_NONMODAL, NULL},
+	{G93, ALL, G_FEED_MODE, NULL},
+	{G94, ALL, G_FEED_MODE, NULL},
+	{G95, ALL, G_FEED_MODE, NULL},
+	{960, L | F, NO, "constant surface speed"},
+	{970, L | F, G_SPINDLE, NULL},	/* the mode that is always in force here */
+	{980, ALL, G_RETRACT, NULL},	/* matters to canned cycles only */
+	{990, ALL, G_RETRACT, NULL},
+	{1000, H, NO, "cancelling of the mirror image"},
+	{1010, H, NO, "mirror image"},
+	{1030, H, NO, "block look-ahead limit"},
+	{1100, H, NO, "additional work offset"},
+	{1110, H, NO, "additional work offset"},
+	{1120, H, NO, "additional work offset"},
+	{1130, H, NO, "additional work offset"},
+	{1140, H, NO, "additional work offset"},
+	{1150, H, NO, "additional work offset"},
+	{1160, H, NO, "additional work offset"},
+	{1170, H, NO, "additional work offset"},
+	{1180, H, NO, "additional work offset"},
+	{1190, H, NO, "additional work offset"},
+	{1200, H, NO, "additional work offset"},
+	{1210, H, NO, "additional work offset"},
+	{1220, H, NO, "additional work offset"},
+	{1230, H, NO, "additional work offset"},
+	{1240, H, NO, "additional work offset"},
+	{1250, H, NO, "additional work offset"},
+	{1260, H, NO, "additional work offset"},
+	{1270, H, NO, "additional work offset"},
+	{1280, H, NO, "additional work offset"},
+	{1290, H, NO, "additional work offset"},
+	{1360, H, NO, "work offset centre measurement"},
+	{1410, H, NO, "3D cutter compensation"},
+	{1430, H, NO, "5-axis tool length compensation"},
+	{1500, H, NO, "pocket milling"},
+	{1540, H, NO, "additional work offset"},
+	{1870, H, NO, "accuracy control"},
+	{2340, H, NO, "tool centre point control"},
+	{2530, H, NO, "spindle orientation to the feature coordinates"},
+	{2540, H, NO, "dynamic work offset"},
+	{2550, H, NO, "cancelling of the dynamic work offset"},
+	{2680, H, NO, "feature coordinate system"},
+	{2690, H, NO, "cancelling of the feature coordinate system"},
+};
+
+static const struct code m_codes[] = {
+	{0, ALL, M_STOP, NULL},
+	{1, ALL, M_STOP, NULL},
+	{2, ALL, M_STOP, NULL},
+	{3, ALL, M_SPINDLE, NULL},
+	{4, ALL, M_SPINDLE, NULL},
+	{5, ALL, M_SPINDLE, NULL},
+	{6, ALL, M_TOOL, NULL},
+	{7, ALL, M_COOLANT, NULL},
+	{8, ALL, M_COOLANT, NULL},
+	{9, ALL, M_COOLANT, NULL},
+	{19, ALL, NO, "spindle orientation"},
+	{30, ALL, M_STOP, NULL},
+	{48, L, NO, "override control"},
+	{49, L, NO, "override control"},
+	{50, L, NO, "override control"},
+	{50, H, NO, "pallet change"},
+	{51, L, NO, "override control"},
+	{52, L, NO, "adaptive feed control"},
+	{53, L, NO, "feed stop control"},
+	{60, ALL, NO, "pallet change"},
+	{61, L, NO, "setting of the current tool number"},
+	{62, L, NO, "output control"},
+	{63, L, NO, "output control"},
+	{64, L, NO, "output control"},
+	{65, L, NO, "output control"},
+	{66, L, NO, "waiting for an input"},
+	{67, L, NO, "output control"},
+	{68, L, NO, "output control"},
+	{70, L, NO, "saving of the modal state"},
+	{71, L, NO, "saving of the modal state"},
+	{72, L, NO, "restoring of the modal state"},
+	{73, L, NO, "saving of the modal state"},
+	{96, H, NO, "jump on an input"},
+	{97, H, NO, "local subprogram call"},
+	{98, ALL, NO, "subprogram call"},
+	{99, ALL, NO, "return from a subprogram"},
+};
+
+/* Binary search for the number, then the row of the dialect among its few rows. */
+static const struct code *find(const struct code *codes, size_t count, int number, enum gcode_dialect dialect)
+{
+	size_t low = 0, high = count;
+
+	while (low < high) {
+		size_t middle = (low + high) / 2;
+
+		if (codes[middle].number < number)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	for (; low < count && codes[low].number == number; low++) {
+		if (codes[low].dialects & (1 << dialect))
+			return &codes[low];
+	}
+	return NULL;
+}
+
+const struct code *code_find_g(int number, enum gcode_dialect dialect)
+{
+	return find(g_codes, sizeof(g_codes) / sizeof(*g_codes), number, dialect);
+}
+
+const struct code *code_find_m(int number, enum gcode_dialect dialect)
+{
+	return find(m_codes, sizeof(m_codes) / sizeof(*m_codes), number, dialect);
+}
+
+const char *dialect_name(enum gcode_dialect dialect)
+{
+	static const char *const names[] = {"linuxcnc", "fanuc", "haas"};
+
+	return names[dialect];
+}

@@ -1,0 +1,26 @@
+/* fault.h - reports what is wrong with a block, with the block's text below for the caret. */
+#ifndef FIVECHECK_GCODE_FAULT_H
+#define FIVECHECK_GCODE_FAULT_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+
+/* A line of the program and who is to be told about it. Borrows everything. */
+struct line_place {
+	struct diag *diag;
+	const char *file;
+	long line;
+	const char *text;	/* as read, without its line end */
+};
+
+/* Reports an error at a column (from 1) of the line; false, so that a check can end in `return fault(...)`. */
+bool fault(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The same as a warning. */
+void caution(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The place itself, for those who report on their own. */
+struct srcloc line_loc(const struct line_place *at, int column);
+
+#endif

@@ -1,0 +1,153 @@
+#include "gcode/lexer.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "gcode/number.h"
+
+void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)
+{
+	*lexer = (struct lexer){.at = at, .semicolon_ends_block = semicolon_ends_block};
+}
+
+int lexer_column(const struct lexer *lexer)
+{
+	return (int)lexer->position + 1;
+}
+
+char lexer_peek(struct lexer *lexer)
+{
+	const char *text = lexer->at->text;
+
+	while (text[lexer->position] == ' ' || text[lexer->position] == '\t')
+		lexer->position++;
+	return text[lexer->position];
+}
+
+void lexer_take(struct lexer *lexer)
+{
+	lexer->position++;
+}
+
+/* Comments that a control obeys; LinuxCNC's manual, "Comments" (messages and the log move nothing). */
+static bool check_active_comment(const struct lexer *lexer, const char *text)
+{
+	text += strspn(text, " \t");
+	if (!strncasecmp(text, "py,", 3))
+		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python is not supported");
+	if (!strncasecmp(text, "abort,", 6))
+		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
+	return true;
+}
+
+/* Steps over "(...)"; nested comments are faults as in LinuxCNC. */
+static bool skip_comment(struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position + 1;
+	size_t length = strcspn(text, "()");
+
+	if (text[length] == '\0')
+		return fault(lexer->at, lexer_column(lexer), "this comment is not closed");
+	if (text[length] == '(')
+		return fault(lexer->at, lexer_column(lexer) + 1 + (int)length, "a comment inside a comment");
+	if (!check_active_comment(lexer, text))
+		return false;
+	lexer->position += length + 2;
+	return true;
+}
+
+static bool skip_rest(struct lexer *lexer)
+{
+	const char *rest = lexer->at->text + lexer->position + 1;
+
+	if (lexer->semicolon_ends_block && rest[strspn(rest, " \t;")] != '\0')
+		return fault(lexer->at, lexer_column(lexer),
+			     "';' ends a block on this control; write what follows on a line of its own, "
+			     "or in parentheses if it is a comment");
+	if (!check_active_comment(lexer, rest))
+		return false;
+	lexer->position += strlen(rest) + 1;
+	return true;
+}
+
+static bool fault_at_byte(const struct lexer *lexer, char byte)
+{
+	int column = lexer_column(lexer);
+
+	switch (byte) {
+	case '#':
+		return fault(lexer->at, column, "#: parameters are not supported yet");
+	case '[':
+		return fault(lexer->at, column, "[: expressions are not supported yet");
+	case '$':
+		return fault(lexer->at, column, "$: spindle numbers are not supported yet");
+	case '@':
+	case '^':
+		return fault(lexer->at, column, "%c: polar coordinates are not supported yet", byte);
+	case '/':
+		return fault(lexer->at, column, "'/' stands at the start of a block only");
+	case '%':
+		return fault(lexer->at, column, "'%%' stands alone on its line");
+	default:
+		break;
+	}
+	if (byte > ' ' && byte <= '~')
+		return fault(lexer->at, column, "unexpected '%c'", byte);
+	return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
+}
+
+static bool fault_without_number(struct lexer *lexer, char letter, int column)
+{
+	const char *text = lexer->at->text;
+
+	while (strchr("+- \t", text[lexer->position]) && text[lexer->position])
+		lexer->position++;
+	if (text[lexer->position] == '#' || text[lexer->position] == '[')
+		return fault_at_byte(lexer, text[lexer->position]);
+	return fault(lexer->at, column, "%c without a number", letter);
+}
+
+static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)
+{
+	size_t position = lexer->position + 1;
+
+	word->letter = letter;
+	word->column = lexer_column(lexer);
+	switch (number_read(lexer->at->text, &position, &word->value, &word->point)) {
+	case NUMBER_OK:
+		lexer->position = position;
+		return LEXER_WORD;
+	case NUMBER_TOO_LONG:
+		fault(lexer->at, word->column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
+		return LEXER_FAULT;
+	case NUMBER_MISSING:
+		break;
+	}
+	lexer->position++;
+	fault_without_number(lexer, letter, word->column);
+	return LEXER_FAULT;
+}
+
+enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
+{
+	for (;;) {
+		char byte = lexer_peek(lexer);
+
+		if (byte >= 'A' && byte <= 'Z')
+			return read_word(lexer, byte, word);
+		if (byte >= 'a' && byte <= 'z')
+			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
+		if (byte == '\0')
+			return LEXER_END;
+		if (byte == '(') {
+			if (!skip_comment(lexer))
+				return LEXER_FAULT;
+		} else if (byte == ';') {
+			if (!skip_rest(lexer))
+				return LEXER_FAULT;
+		} else {
+			fault_at_byte(lexer, byte);
+			return LEXER_FAULT;
+		}
+	}
+}

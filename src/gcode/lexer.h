@@ -1,0 +1,44 @@
+/* lexer.h - the words of one line: a letter and its number, comments and blanks left out. */
+#ifndef FIVECHECK_GCODE_LEXER_H
+#define FIVECHECK_GCODE_LEXER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "gcode/fault.h"
+
+struct word {
+	char letter;	/* upper case */
+	bool point;	/* the number has a decimal point */
+	int column;	/* of the letter, from 1 */
+	double value;
+};
+
+enum lexer_result { LEXER_WORD, LEXER_END, LEXER_FAULT };
+
+struct lexer {
+	const struct line_place *at;	/* borrowed */
+	size_t position;
+	bool semicolon_ends_block;	/* else it starts a comment */
+};
+
+void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block);
+
+/* The next byte that is no blank, without taking it; '\0' at the end of the line. */
+char lexer_peek(struct lexer *lexer);
+
+/* Takes the byte that lexer_peek showed. */
+void lexer_take(struct lexer *lexer);
+
+/* Column of the next byte. */
+int lexer_column(const struct lexer *lexer);
+
+/*
+ * The next word. Faults are reported: an unclosed or nested comment, a letter
+ * without a number, a byte that starts no word, and what is known but not
+ * supported (expressions, parameters, O-words). On LEXER_END the whole line
+ * has been looked at.
+ */
+enum lexer_result lexer_next(struct lexer *lexer, struct word *word);
+
+#endif

@@ -1,0 +1,161 @@
+#include "gcode/offsets.h"
+
+#include <string.h>
+
+#include "gcode/tooling.h"
+
+static const char *const system_names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
+						       "G59", "G59.1", "G59.2", "G59.3"};
+
+/* The block's word for a slot in mm or degrees. */
+static bool slot_word(const struct interp *interp, int slot, double *value)
+{
+	char letter = AXIS_LETTERS[slot];
+
+	if (!block_has(&interp->block, letter))
+		return false;
+	*value = block_value(&interp->block, letter) * (slot_is_rotary(slot) ? 1 : interp->state.scale);
+	return true;
+}
+
+bool offsets_select(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM];
+
+	if (code == CODE_NONE)
+		return true;
+	state->system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
+	if (interp->config->has_setup && !state->work_known[state->system]) {
+		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
+			system_names[state->system]);
+		state->work_known[state->system] = true;
+	}
+	return tooling_offsets_changed(interp, column);
+}
+
+/* Where the manuals disagree on G91 with these codes, nothing is guessed. */
+static bool refuse_incremental(struct interp *interp)
+{
+	int code = interp->block.g[G_NONMODAL];
+
+	if (interp->config->dialect == GCODE_LINUXCNC || !interp->state.incremental)
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
+		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);
+}
+
+/*
+ * The two passes of a change: rotary slots first, because under TCP with
+ * rotary zero at the work offset they change what the linear position is.
+ */
+typedef void change_slot(struct interp *interp, int system, int slot, double word);
+
+static bool change_slots(struct interp *interp, int system, change_slot *change)
+{
+	int column = interp->block.g_column[G_NONMODAL];
+
+	for (int rotary = 1; rotary >= 0; rotary--) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			double word;
+
+			if (slot_is_rotary(slot) == rotary && slot_word(interp, slot, &word))
+				change(interp, system, slot, word);
+		}
+		if (!tooling_offsets_changed(interp, column))
+			return false;
+	}
+	return true;
+}
+
+static void change_work(struct interp *interp, int system, int slot, double word)
+{
+	interp->state.work[system].v[slot] = word;
+}
+
+/* What the other offsets leave of the position. */
+static double position_without(const struct state *state, int slot, double offset)
+{
+	return state->position.v[slot] - (state->offset.v[slot] - offset);
+}
+
+/* The system is the one in force or not: in either case the present point gets the coordinate `word` in it. */
+static void change_work_here(struct interp *interp, int system, int slot, double word)
+{
+	struct state *state = &interp->state;
+
+	state->work[system].v[slot] = position_without(state, slot, state->work[state->system].v[slot]) - word;
+}
+
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same. */
+bool offsets_set(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
+	int column = block->g_column[G_NONMODAL], mode, system;
+
+	if (!block_has(block, 'L') || !block_has(block, 'P'))
+		return fault(&interp->at, column, "G10 needs L and P");
+	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
+		return false;
+	if (mode != 2 && !(mode == 20 && linuxcnc))
+		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
+	if (block_has(block, 'R'))
+		return fault(&interp->at, block_column(block, 'R'),
+			     "G10 with R: rotation of a coordinate system is not supported yet");
+	if (!block_integer(block, &interp->at, 'P', linuxcnc ? 0 : 1, linuxcnc ? SYSTEM_COUNT : 6, &system))
+		return false;
+	if (!refuse_incremental(interp))
+		return false;
+	system = system == 0 ? interp->state.system : system - 1;
+	interp->state.work_known[system] = true;
+	return change_slots(interp, system, mode == 2 ? change_work : change_work_here);
+}
+
+static void change_shift(struct interp *interp, int system, int slot, double word)
+{
+	(void)system;
+	interp->state.shift.v[slot] = word;
+}
+
+static void change_shift_here(struct interp *interp, int system, int slot, double word)
+{
+	struct state *state = &interp->state;
+
+	(void)system;
+	state->shift.v[slot] = position_without(state, slot, state->shift.v[slot]) - word;
+}
+
+static bool is_shifted(const struct state *state)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (state->shift.v[slot] < 0 || state->shift.v[slot] > 0)
+			return true;
+	}
+	return false;
+}
+
+/* LinuxCNC's manual, "G52", "G92": one shift for all nine systems, which both codes write. */
+bool offsets_shift(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_NONMODAL], column = interp->block.g_column[G_NONMODAL];
+
+	if (code == G92_1 || code == G92_2 || code == G92_3) {
+		state->shift = code == G92_3 ? state->saved_shift : (slot_values){{0}};
+		if (code == G92_1)
+			state->saved_shift = state->shift;
+		return tooling_offsets_changed(interp, column);
+	}
+	if (!refuse_incremental(interp))
+		return false;
+	/* Fanuc and Haas keep a shift for each. */
+	if (interp->config->dialect != GCODE_LINUXCNC && state->shift_code != code && is_shifted(state))
+		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
+			     state->shift_code / 10);
+	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))
+		return false;
+	state->shift_code = code;
+	state->saved_shift = state->shift;
+	return true;
+}

@@ -1,0 +1,77 @@
+#include "gcode/target.h"
+
+#include <math.h>
+
+/* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
+#define WRAP_TOLERANCE 1e-9
+
+/* The shortest way to value + origin, whole turns apart (Fanuc 30i-B: rotary axis roll-over). */
+static double shortest(struct interp *interp, int slot, double aim, int column)
+{
+	double here = interp->state.position.v[slot];
+	double way = remainder(aim - here, 360);
+
+	if (fabs(way) >= 180 - WRAP_TOLERANCE) {
+		if (!interp->cautioned_half_turn)
+			caution(&interp->at, column,
+				"half a turn of %c has no shorter way; the positive one is taken, here and further on",
+				AXIS_LETTERS[slot]);
+		interp->cautioned_half_turn = true;
+		way = fabs(way);
+	}
+	return aim + 360 * round((here + way - aim) / 360);
+}
+
+/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the aim is reached within one turn. */
+static double directed(const struct interp *interp, int slot, double aim, bool negative)
+{
+	double turns = (interp->state.position.v[slot] - aim) / 360;
+
+	if (negative)
+		return aim + 360 * floor(turns + WRAP_TOLERANCE / 360);
+	return aim + 360 * ceil(turns - WRAP_TOLERANCE / 360);
+}
+
+bool target_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target)
+{
+	const struct gcode_config *config = interp->config;
+
+	if (!slot_is_rotary(slot) || config->wrap[slot] == GCODE_WRAP_NONE) {
+		*target = value + origin;
+		return true;
+	}
+	if (config->wrap[slot] == GCODE_WRAP_SHORTEST) {
+		*target = shortest(interp, slot, value + origin, column);
+		return true;
+	}
+	if (config->dialect == GCODE_LINUXCNC && fabs(value) >= 360)
+		return fault(&interp->at, column,
+			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
+			     AXIS_LETTERS[slot], value);
+	*target = directed(interp, slot, fabs(value) + origin, signbit(value));
+	return true;
+}
+
+bool target_find(struct interp *interp, bool machine, slot_values *target)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+
+	*target = state->position;
+	if (!(block->letters & AXIS_BITS))
+		return true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		char letter = AXIS_LETTERS[slot];
+		double value;
+
+		if (!block_has(block, letter))
+			continue;
+		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (state->incremental)
+			target->v[slot] += value;
+		else if (!target_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
+					  block_column(block, letter), &target->v[slot]))
+			return false;
+	}
+	return true;
+}

@@ -1,0 +1,21 @@
+/* target.h - where the axis words of a block lead. */
+#ifndef FIVECHECK_GCODE_TARGET_H
+#define FIVECHECK_GCODE_TARGET_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/*
+ * Positions at the end of the block's motion, in program coordinates or, with
+ * `machine`, in the machine's; axes without a word stay. False: reported.
+ */
+bool target_find(struct interp *interp, bool machine, slot_values *target);
+
+/*
+ * The position for an absolute value of one axis, in coordinates that start at
+ * `origin`: rotary axes turn as the machine's wrap says.
+ */
+bool target_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target);
+
+#endif

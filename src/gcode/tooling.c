@@ -1,0 +1,199 @@
+#include "gcode/tooling.h"
+
+#include <limits.h>
+
+#include "base/units.h"
+#include "gcode/travel.h"
+
+/* Rotary zero under the offsets in force. */
+static axis_values rotary_zero(const struct interp *interp)
+{
+	axis_values zero = {{0}};
+
+	if (!interp->config->tcp_zero_offset)
+		return zero;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		zero.v[slot] = radians(interp->state.offset.v[slot]);
+	return zero;
+}
+
+/* Switches to the source and length and takes over what the sink makes of the position. */
+static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
+{
+	struct state *state = &interp->state;
+	struct canon_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = rotary_zero(interp)};
+	axis_values position = state->canonical;
+
+	if (!interp->sink->tcp(interp->sink->context, &tcp, line_loc(&interp->at, column), &position))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!slot_is_rotary(slot))
+			state_set_position(state, slot, position.v[slot]);
+	}
+	state->tcp = source;
+	state->length = length;
+	state->rotary_zero = tcp.rotary_zero;
+	state_update_offset(state);
+	return true;
+}
+
+bool tooling_suspend_tcp(struct interp *interp, int column, enum tcp_source *source)
+{
+	*source = interp->state.tcp;
+	/* Its interpreter knows no machine axes: there G53 is a place of the tool point while kinematics are switched. */
+	if (*source == TCP_BY_MCODE && interp->config->dialect == GCODE_LINUXCNC)
+		return fault(&interp->at, column,
+			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
+			     "tool point; switch TCP off first");
+	return *source == TCP_OFF || switch_tcp(interp, column, TCP_OFF, interp->state.length);
+}
+
+bool tooling_resume_tcp(struct interp *interp, int column, enum tcp_source source)
+{
+	return source == TCP_OFF || switch_tcp(interp, column, source, interp->state.length);
+}
+
+bool tooling_offsets_changed(struct interp *interp, int column)
+{
+	struct state *state = &interp->state;
+	axis_values zero;
+	bool same = true;
+
+	state_update_offset(state);
+	if (state->tcp == TCP_OFF)
+		return true;
+	zero = rotary_zero(interp);
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		same = same && !(zero.v[slot] < state->rotary_zero.v[slot] || zero.v[slot] > state->rotary_zero.v[slot]);
+	return same || switch_tcp(interp, column, state->tcp, state->length);
+}
+
+bool tooling_select(struct interp *interp)
+{
+	return !block_has(&interp->block, 'T') ||
+	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
+}
+
+static const struct gcode_tool *find_tool(const struct gcode_config *config, int number)
+{
+	for (size_t i = 0; i < config->tool_count; i++) {
+		if (config->tools[i].number == number)
+			return &config->tools[i];
+	}
+	return NULL;
+}
+
+bool tooling_change(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int column = block_has(block, 'T') ? block_column(block, 'T') : block->m_column[M_TOOL];
+
+	if (block->m[M_TOOL] == CODE_NONE)
+		return true;
+	if (state->selected < 0)
+		return fault(&interp->at, column, "M6, but no T has selected a tool");
+	if (interp->config->has_setup && state->selected != 0 && !find_tool(interp->config, state->selected))
+		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
+	state->tool = state->selected;
+	return travel_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
+}
+
+static bool find_spindle_length(struct interp *interp, int column, double *length)
+{
+	int number = interp->state.tool;
+	const struct gcode_tool *tool = find_tool(interp->config, number);
+
+	if (number != 0 && !tool)
+		return fault(&interp->at, column,
+			     "the length of the tool in the spindle, T%d, is not known; a setup defines it", number);
+	*length = tool ? tool->length_offset : 0;
+	return true;
+}
+
+/* Hn is an entry of the table; without H, and in LinuxCNC with H0, it is the tool in the spindle. */
+static bool find_length(struct interp *interp, double *length)
+{
+	const struct block *block = &interp->block;
+	const struct gcode_config *config = interp->config;
+	bool linuxcnc = config->dialect == GCODE_LINUXCNC;
+	int column = block->g_column[G_LENGTH], number = 0;
+
+	if (block_has(block, 'H')) {
+		column = block_column(block, 'H');
+		if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
+			return false;
+	} else if (!linuxcnc) {
+		return fault(&interp->at, column, "G%s needs H", block->g[G_LENGTH] == G43 ? "43" : "43.4");
+	}
+	if (number == 0 && linuxcnc)
+		return find_spindle_length(interp, column, length);
+	*length = 0;
+	if (number == 0)
+		return true;
+	for (size_t i = 0; i < config->length_count; i++) {
+		if (config->lengths[i].number == number) {
+			*length = config->lengths[i].length;
+			return true;
+		}
+	}
+	if (!config->has_setup)
+		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
+	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
+}
+
+/* Fanuc 30i-B operator's manual, "Tool length compensation": without an axis word the shift may itself be a motion. */
+static void caution_length(struct interp *interp, double length)
+{
+	const struct block *block = &interp->block;
+	double change = length - interp->state.length;
+
+	if (interp->config->dialect == GCODE_LINUXCNC || interp->cautioned_length || block_has(block, 'Z') ||
+	    !(change < 0 || change > 0))
+		return;
+	caution(&interp->at, block->g_column[G_LENGTH],
+		"a change of the length compensation without a Z word: some controls move Z at once; no motion is checked "
+		"here and further on");
+	interp->cautioned_length = true;
+}
+
+bool tooling_length(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int code = block->g[G_LENGTH], column = block->g_column[G_LENGTH];
+	enum tcp_source source = state->tcp;
+	double length = 0;
+
+	if (code == CODE_NONE)
+		return true;
+	if (code != G49 && !find_length(interp, &length))
+		return false;
+	if (code == G43 && source == TCP_BY_LENGTH)
+		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");
+	if (code == G43_4 && source == TCP_BY_MCODE)
+		return fault(&interp->at, column, "G43.4 while an M-code has switched TCP on; switch that off first");
+	if (code == G43_4)
+		source = TCP_BY_LENGTH;
+	else if (source == TCP_BY_LENGTH)
+		source = TCP_OFF;
+	if (source != TCP_OFF || state->tcp != TCP_OFF)
+		return switch_tcp(interp, column, source, length);
+	caution_length(interp, length);
+	state->length = length;
+	state_update_offset(state);
+	return true;
+}
+
+bool tooling_mcode(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int column = block->m_column[M_TCP];
+
+	if (block->m[M_TCP] == GCODE_TCP_ON && state->tcp == TCP_OFF)
+		return switch_tcp(interp, column, TCP_BY_MCODE, state->length);
+	if (block->m[M_TCP] == GCODE_TCP_OFF && state->tcp != TCP_OFF)
+		return switch_tcp(interp, column, TCP_OFF, state->length);
+	return true;
+}

@@ -1,0 +1,33 @@
+/* tooling.h - tool change, tool length compensation, and tool centre point control on and off. */
+#ifndef FIVECHECK_GCODE_TOOLING_H
+#define FIVECHECK_GCODE_TOOLING_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* T and M6 of the block. */
+bool tooling_select(struct interp *interp);
+bool tooling_change(struct interp *interp);
+
+/* G43, G43.4 and G49 of the block; nothing without one. */
+bool tooling_length(struct interp *interp);
+
+/* The machine's own M-codes of the block that switch TCP. */
+bool tooling_mcode(struct interp *interp);
+
+/*
+ * Under TCP, tells the sink about work offsets that have changed, when rotary
+ * zero depends on them; `column` is to blame if the sink objects.
+ */
+bool tooling_offsets_changed(struct interp *interp, int column);
+
+/*
+ * Between these two positions are those of the machine's axes, TCP or not, for
+ * the codes that move the axes themselves (G28, G30, G53). suspend returns what
+ * resume needs in *source.
+ */
+bool tooling_suspend_tcp(struct interp *interp, int column, enum tcp_source *source);
+bool tooling_resume_tcp(struct interp *interp, int column, enum tcp_source source);
+
+#endif

@@ -1,0 +1,201 @@
+/* gcode_case.h - runs a program text through the interpreter and writes down what it makes of it. */
+#ifndef GCODE_CASE_H
+#define GCODE_CASE_H
+
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/strbuf.h"
+#include "base/units.h"
+#include "gcode/interp.h"
+
+struct gcode_case {
+	struct gcode_config config;
+	bool show_feed, show_blend;
+	int stop_at;	/* the sink wants no more after so many moves; 0: never */
+	bool refuse_tcp;
+	/* What came of it. */
+	struct strbuf moves;	/* a line a move, of the machine's axes, in mm and degrees */
+	struct strbuf blocks;	/* "line:moves:text" */
+	struct strbuf messages;
+	struct diag diag;
+	int count;
+	long lines;
+	struct canon_tcp tcp;
+};
+
+static inline void case_note(void *context, const struct diag_entry *entry)
+{
+	diag_format(&((struct gcode_case *)context)->messages, entry);
+}
+
+/* A linear machine in X Y Z with rotary A and C. */
+static inline void case_init(struct gcode_case *c)
+{
+	*c = (struct gcode_case){.diag = {.handle = case_note}};
+	for (int slot = SLOT_X; slot <= SLOT_C; slot++)
+		c->config.has_axis[slot] = slot != SLOT_B;
+}
+
+static inline void case_release(struct gcode_case *c)
+{
+	strbuf_release(&c->moves);
+	strbuf_release(&c->blocks);
+	strbuf_release(&c->messages);
+}
+
+static inline double tidy(double value)
+{
+	return fabs(value) < 5e-10 ? 0 : value;
+}
+
+static inline void case_write_arc(struct gcode_case *c, const struct canon_arc *arc)
+{
+	strbuf_addf(&c->moves, " centre %.9g %.9g %.9g normal %g %g %g sweep %.9g", tidy(arc->centre.x),
+		    tidy(arc->centre.y), tidy(arc->centre.z), arc->normal.x, arc->normal.y, arc->normal.z,
+		    degrees(arc->sweep));
+}
+
+static inline bool case_move(void *context, const struct canon_move *move)
+{
+	static const char *const names[] = {"rapid", "feed", "arc", "dwell", "tool"};
+	struct gcode_case *c = context;
+
+	strbuf_addf(&c->moves, "%s", names[move->kind]);
+	if (move->kind == CANON_DWELL)
+		strbuf_addf(&c->moves, " %.9g", move->seconds);
+	if (move->kind == CANON_TOOL_CHANGE)
+		strbuf_addf(&c->moves, " %d", move->tool);
+	for (int slot = 0; slot < SLOT_COUNT && move->kind <= CANON_ARC; slot++) {
+		double v = move->end.v[slot];
+
+		if (c->config.has_axis[slot])
+			strbuf_addf(&c->moves, " %.9g", tidy(slot_is_rotary(slot) ? degrees(v) : v));
+	}
+	if (move->kind == CANON_ARC)
+		case_write_arc(c, &move->arc);
+	if (c->show_feed && move->feed.inverse_time)
+		strbuf_addf(&c->moves, " in %.9g s", move->feed.seconds);
+	else if (c->show_feed && move->kind != CANON_RAPID)
+		strbuf_addf(&c->moves, " at %.9g %.9g", move->feed.linear, degrees(move->feed.angular));
+	if (c->show_blend)
+		strbuf_addf(&c->moves, move->blend ? " blend %.9g" : " exact", move->blend_tolerance);
+	strbuf_addf(&c->moves, "%s\n", move->tcp ? " tcp" : "");
+	return ++c->count != c->stop_at;
+}
+
+/*
+ * The control of a table that turns with C about the machine's Z, tool along
+ * Z: the machine stands at R(C - C0) p + length, where p is the position under TCP.
+ */
+static inline void case_turn(axis_values *position, double angle, double rise)
+{
+	double x = position->v[SLOT_X], y = position->v[SLOT_Y];
+
+	position->v[SLOT_X] = cos(angle) * x - sin(angle) * y;
+	position->v[SLOT_Y] = sin(angle) * x + cos(angle) * y;
+	position->v[SLOT_Z] += rise;
+}
+
+static inline bool case_tcp(void *context, const struct canon_tcp *tcp, struct srcloc loc, axis_values *position)
+{
+	struct gcode_case *c = context;
+
+	if (c->refuse_tcp) {
+		diag_error(&c->diag, loc, "no TCP here");
+		return false;
+	}
+	if (c->tcp.on)
+		case_turn(position, position->v[SLOT_C] - c->tcp.rotary_zero.v[SLOT_C], c->tcp.length);
+	if (tcp->on)
+		case_turn(position, tcp->rotary_zero.v[SLOT_C] - position->v[SLOT_C], -tcp->length);
+	c->tcp = *tcp;
+	strbuf_addf(&c->moves, "tcp %s length %.9g zero A%.9g C%.9g\n", tcp->on ? "on" : "off", tcp->length,
+		    degrees(tcp->rotary_zero.v[SLOT_A]), degrees(tcp->rotary_zero.v[SLOT_C]));
+	return true;
+}
+
+static inline bool case_block(void *context, long line, const char *text, int moves)
+{
+	struct gcode_case *c = context;
+
+	strbuf_addf(&c->blocks, "%ld:%d:%s\n", line, moves, text);
+	return true;
+}
+
+static inline bool case_run_stream(struct gcode_case *c, FILE *in)
+{
+	struct canon_sink sink = {c, case_move, case_tcp, case_block};
+	struct interp *interp;
+	bool good;
+
+	c->diag.context = c;
+	interp = interp_new(&c->config, &sink, &c->diag);
+	good = interp_run(interp, in, "p.nc");
+	c->lines = interp_lines(interp);
+	interp_free(interp);
+	return good;
+}
+
+static inline bool case_run_bytes(struct gcode_case *c, const char *bytes, size_t length)
+{
+	FILE *in = tmpfile();
+	bool good;
+
+	ck_assert_ptr_nonnull(in);
+	ck_assert_uint_eq(fwrite(bytes, 1, length, in), length);
+	rewind(in);
+	good = case_run_stream(c, in);
+	fclose(in);
+	return good;
+}
+
+static inline bool case_run(struct gcode_case *c, const char *program)
+{
+	return case_run_bytes(c, program, strlen(program));
+}
+
+/* The program must run to its end, make these moves, and say nothing. */
+static inline void case_expect(struct gcode_case *c, const char *program, const char *moves)
+{
+	bool good = case_run(c, program);
+
+	ck_assert_str_eq(strbuf_text(&c->messages), "");
+	ck_assert_str_eq(strbuf_text(&c->moves), moves);
+	ck_assert(good);
+	case_release(c);
+}
+
+/* The same on a fresh machine. */
+static inline void expect_moves(const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	case_expect(&c, program, moves);
+}
+
+/* Runs the one suite of a test program. */
+static inline int run_tests(const char *name, const TTest *const tests[], size_t count)
+{
+	Suite *suite = suite_create(name);
+	TCase *tcase = tcase_create(name);
+	SRunner *runner;
+	int failed;
+
+	for (size_t i = 0; i < count; i++)
+		tcase_add_test(tcase, tests[i]);
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+#define RUN_TESTS(name, tests) run_tests(name, tests, sizeof(tests) / sizeof((tests)[0]))
+
+#endif

@@ -1,0 +1,311 @@
+/* test_gcode_bad.c - programs that must be refused, each with its message, its place and its caret. */
+#include "gcode_case.h"
+
+struct bad {
+	const char *program;
+	int line, column;
+	const char *message;
+};
+
+/* The message is the only one, and the caret stands below the column of the line that it names. */
+static void expect_bad(const struct bad *bad, enum gcode_dialect dialect, bool has_setup)
+{
+	struct strbuf expected = {0};
+	const char *line = bad->program;
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = dialect;
+	c.config.has_setup = has_setup;
+	ck_assert_msg(!case_run(&c, bad->program), "accepted: %s", bad->program);
+	for (int i = 1; i < bad->line; i++)
+		line = strchr(line, '\n') + 1;
+	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %.*s\n    %*s\n", bad->line, bad->column, bad->message,
+		    (int)strcspn(line, "\r\n"), line, bad->column, "^");
+	ck_assert_str_eq(strbuf_text(&c.messages), expected.text);
+	strbuf_release(&expected);
+	case_release(&c);
+}
+
+static const struct bad texts[] = {
+	{"G0 X1 (open\n", 1, 7, "this comment is not closed"},
+	{"G0 X1 (a (b) c)\n", 1, 10, "a comment inside a comment"},
+	{"G0 X1 (x))\n", 1, 10, "unexpected ')'"},
+	{"G0 X\n", 1, 4, "X without a number"},
+	{"G0 X-\n", 1, 4, "X without a number"},
+	{"G0 X.\n", 1, 4, "X without a number"},
+	{"G0 X--1\n", 1, 4, "X without a number"},
+	{"G0 X1.2.3\n", 1, 8, "unexpected '.'"},
+	{"G0 X1e3\n", 1, 6, "no code in the block uses the word E"},
+	{"G0 X1 ! Y2\n", 1, 7, "unexpected '!'"},
+	{"G0 X\xc2\xb5" "1\n", 1, 4, "X without a number"},
+	{"G0 X1\xc3\n", 1, 6, "unexpected byte 0xC3"},
+	{"G0 X1 /Y2\n", 1, 7, "'/' stands at the start of a block only"},
+	{"G0 X1 % \n", 1, 7, "'%' stands alone on its line"},
+	{"% part 7\n", 1, 1, "'%' stands alone on its line"},
+	{"G0 X1\n%\n", 2, 1, "'%' ends a program only if one opens it"},
+	{"(header)\n%\nG0 X1\n", 2, 1, "'%' ends a program only if one opens it"},
+	{"G0 N10 X1\n", 1, 4, "N stands at the start of a block only"},
+	{"N1.5 X1\n", 1, 1, "a line number must be a whole number that is not negative"},
+	{"N-1 X1\n", 1, 1, "a line number must be a whole number that is not negative"},
+	{"N1 N2 G0\n", 1, 4, "N stands at the start of a block only"},
+	{"#1=5\n", 1, 1, "#: parameters are not supported yet"},
+	{"G0 X #1\n", 1, 6, "#: parameters are not supported yet"},
+	{"G0 X-[1+2]\n", 1, 6, "[: expressions are not supported yet"},
+	{"o100 sub\n", 1, 1, "O: subprograms, branches and loops are not supported yet"},
+	{"O<x> call\n", 1, 1, "O: subprograms, branches and loops are not supported yet"},
+	{"G0 @10 ^45\n", 1, 4, "@: polar coordinates are not supported yet"},
+	{"M3 $1 S5\n", 1, 4, "$: spindle numbers are not supported yet"},
+	{"(py,emccanon.MESSAGE)\n", 1, 1, "a comment that runs Python is not supported"},
+	{";py,emccanon.STRAIGHT_FEED(0)\n", 1, 1, "a comment that runs Python is not supported"},
+	{"( ABORT, no tool)\n", 1, 1, "the comment (ABORT, ...) stops the program here"},
+};
+
+static const struct bad codes[] = {
+	{"G12.5\n", 1, 1, "G12.5 is no G-code that is known in the linuxcnc dialect"},
+	{"G12\n", 1, 1, "G12 is no G-code that is known in the linuxcnc dialect"},
+	{"G1.05 X1\n", 1, 1, "1.05 is no G-code"},
+	{"G99999\n", 1, 1, "99999 is no G-code"},
+	{"G-1\n", 1, 1, "a G-code cannot be negative"},
+	{"M-1\n", 1, 1, "an M-code cannot be negative"},
+	{"M3.5\n", 1, 1, "3.5 is no M-code"},
+	{"G0 X1\nG41 D1 X2\n", 2, 1, "G41: cutter compensation is not supported yet"},
+	{"G42.1 D1\n", 1, 1, "G42.1: cutter compensation is not supported yet"},
+	{"G43.1 Z1\n", 1, 1, "G43.1: dynamic tool length offset is not supported yet"},
+	{"G43.2 H1\n", 1, 1, "G43.2: additional tool length offset is not supported yet"},
+	{"G81 X1 Z-1 R2\n", 1, 1, "G81: canned cycle is not supported yet"},
+	{"G5.1 X1 I1 J1\n", 1, 1, "G5.1: quadratic spline is not supported yet"},
+	{"G33 K1 Z-5\n", 1, 1, "G33: spindle-synchronised motion is not supported yet"},
+	{"G38.2 Z-5 F10\n", 1, 1, "G38.2: straight probe is not supported yet"},
+	{"G96 S100\n", 1, 1, "G96: constant surface speed is not supported yet"},
+	{"M98 P100\n", 1, 1, "M98: subprogram call is not supported yet"},
+	{"M66 P0 L0\n", 1, 1, "M66: waiting for an input is not supported yet"},
+	{"M19\n", 1, 1, "M19: spindle orientation is not supported yet"},
+	{"M428\n", 1, 1,
+	 "M428 is not known; if it moves no axis, <mcode number=\"428\" action=\"ignore\"/> in the machine's <controller> "
+	 "says so"},
+	{"G0 G1 X1\n", 1, 4, "G1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+	{"G1 G1 X1\n", 1, 4, "G1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+	{"G80 G80\n", 1, 5, "G80 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+	{"G54 G59.1\n", 1, 5, "G59.1 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+	{"G4 P1 G53\n", 1, 7, "G53 and the G-code at column 1 are of one modal group; a block can have only one of them"},
+	{"M3 M4\n", 1, 4, "M4 and the M-code at column 1 are of one modal group; a block can have only one of them"},
+	{"M0 M30\n", 1, 4, "M30 and the M-code at column 1 are of one modal group; a block can have only one of them"},
+	{"M3 M8 M6 M0 M9\n", 1, 13, "a block can have at most 4 M-codes"},
+	{"G0 X1 Y2 X3\n", 1, 10, "the word X stands twice in the block, at columns 4 and 10"},
+	{"F1 F1\n", 1, 4, "the word F stands twice in the block, at columns 1 and 4"},
+};
+
+static const struct bad blocks[] = {
+	{"X1\n", 1, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+	{"G0 X1\nG80\nY1\n", 3, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+	{"G80 X1\n", 1, 5, "axis words with G80, which cancels motion"},
+	{"G0 B1\n", 1, 4, "the machine has no B axis"},
+	{"G10 L2 P1 V1\n", 1, 11, "the machine has no V axis"},
+	{"G0 G92 X1\n", 1, 1, "G0 and G92 both need the axis words of the block; write two blocks"},
+	{"G28 G1 X1\n", 1, 5, "G1 and G28 both need the axis words of the block; write two blocks"},
+	{"G92\n", 1, 1, "G92 without an axis word"},
+	{"G52\n", 1, 1, "G52 without an axis word"},
+	{"G53 X1\n", 1, 5, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+	{"G53\n", 1, 1, "G53 needs G0 or G1"},
+	{"G0\nG53 G2 X1 I1\n", 2, 1, "G53 needs G0 or G1"},
+	{"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91)"},
+	{"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91)"},
+	{"G4\n", 1, 1, "G4 needs its time in P"},
+	{"G4 P-1\n", 1, 4, "a dwell cannot be negative"},
+	{"G4 P1 G2 X1 I1\n", 1, 1, "G4 cannot stand with G2 or G3; both use P"},
+	{"G0 X1 I1\n", 1, 7, "no code in the block uses the word I"},
+	{"G0 X1 P1\n", 1, 7, "no code in the block uses the word P"},
+	{"G0 X1 R1\n", 1, 7, "no code in the block uses the word R"},
+	{"H1\n", 1, 1, "no code in the block uses the word H"},
+	{"D1\n", 1, 1, "no code in the block uses the word D"},
+	{"G0 X1 L2\n", 1, 7, "no code in the block uses the word L"},
+	{"G61 P.1\n", 1, 5, "no code in the block uses the word P"},
+	{"G64 P-.1\n", 1, 5, "a path tolerance cannot be negative"},
+	{"F-1\n", 1, 1, "a feed rate cannot be negative"},
+	{"M3 S-1\n", 1, 4, "a spindle speed cannot be negative"},
+	{"M6\n", 1, 1, "M6, but no T has selected a tool"},
+	{"T1.5 M6\n", 1, 1, "T1.5: a whole number from 0 to 2147483647 is needed"},
+	{"T-1\n", 1, 1, "T-1: a whole number from 0 to 2147483647 is needed"},
+	{"G43 H5\n", 1, 5, "H5: no setup was given that defines length offsets"},
+	{"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of the tool in the spindle, T3, is not known; a setup defines it"},
+	{"G10 L2 X1\n", 1, 1, "G10 needs L and P"},
+	{"G10 L1 P1 Z1\n", 1, 5, "G10 L1 is not supported yet"},
+	{"G10 L2 P10 X1\n", 1, 8, "P10: a whole number from 0 to 9 is needed"},
+	{"G10 L2 P1.5 X1\n", 1, 8, "P1.5: a whole number from 0 to 9 is needed"},
+	{"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported yet"},
+	{"G43.4 H0\nG43\n", 2, 1, "G43 while G43.4 is in force; cancel that with G49 first"},
+};
+
+static const struct bad motions[] = {
+	{"G1 X1\n", 1, 1, "G1 without a feed rate (F)"},
+	{"G1 F10 X1\nG94 X2\n", 2, 5, "G1 without a feed rate (F)"},
+	{"G95 G1 F.1 X1\n", 1, 5, "G1 in feed per revolution (G95) without a spindle speed (S)"},
+	{"G93 G1 X1 F1\nX2\n", 2, 1, "G1 without F in inverse time mode (G93)"},
+	{"G93 G1 X1 F0\n", 1, 11, "F must be greater than 0 in inverse time mode (G93)"},
+	{"F9 G2 X1\n", 1, 4, "an arc needs a centre (I, J, K) or a radius (R)"},
+	{"F9 G2 I1 R1 X1\n", 1, 10, "an arc has a radius (R) or a centre (I, J, K), not both"},
+	{"F9 G2 Z1 R1\n", 1, 10, "an arc by its radius needs X or Y"},
+	{"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts"},
+	{"F9 G2 X10 R4.99\n", 1, 11, "a radius of 4.99 mm does not reach from the start of the arc to its end"},
+	{"F9 G2 X1 I0\n", 1, 4, "an arc of radius 0: 0 mm at its start, 1 mm at its end"},
+	{"F9 G2 X10.03 I5\n", 1, 4, "the radius of the arc is 5 mm at its start and 5.03 mm at its end"},
+	{"F9 G2 X200.2 I100\n", 1, 4, "the radius of the arc is 100 mm at its start and 100.2 mm at its end"},
+	{"F9 G2 X20002.9 I10000\n", 1, 4, "the radius of the arc is 10000 mm at its start and 10002.9 mm at its end"},
+	{"F9 G2 X1 I.5 K1\n", 1, 14, "K does not belong to the centre of an arc in the plane of G17"},
+	{"G18 F9 G2 X1 I.5 J1\n", 1, 18, "J does not belong to the centre of an arc in the plane of G18"},
+	{"G90.1 F9 G2 X10 I5\n", 1, 10, "an arc with an absolute centre (G90.1) needs both its words; J is missing"},
+	{"F9 G2 X1 I.5 P0\n", 1, 14, "P0: a whole number from 1 to 2147483647 is needed"},
+	{"F9 G2 X1 I.5 P1.2\n", 1, 14, "P1.2: a whole number from 1 to 2147483647 is needed"},
+};
+
+static const struct bad with_setup[] = {
+	{"T3 M6\n", 1, 1, "the setup defines no tool T3"},
+	{"T3\nM6\n", 2, 1, "the setup defines no tool T3"},
+	{"G43 H7\n", 1, 5, "the setup defines no length offset H7"},
+};
+
+static const struct bad fanuc[] = {
+	{"O PART\n", 1, 1, "O without a number"},
+	{"O1.5\n", 1, 1, "a program number must be a whole number that is not negative"},
+	{":X1\n", 1, 1, "':' without a number"},
+	{"G0 O1\n", 1, 4, "O stands at the start of a block only"},
+	{"G0 X1. ; X5.\n", 1, 8,
+	 "';' ends a block on this control; write what follows on a line of its own, or in parentheses if it is a comment"},
+	{"G54.1 P3\n", 1, 1, "G54.1: additional work offset is not supported yet"},
+	{"G54 P3\n", 1, 5, "no code in the block uses the word P"},
+	{"G05.1 Q1\n", 1, 1, "G5.1: AI contour control is not supported yet"},
+	{"G68.2 X0 Y0 Z0 I0 J0 K0\n", 1, 1, "G68.2: tilted working plane is not supported yet"},
+	{"G59.1\n", 1, 1, "G59.1 is no G-code that is known in the fanuc dialect"},
+	{"G92.1 X0\n", 1, 1, "G92.1: workpiece coordinate system preset is not supported yet"},
+	{"G28\n", 1, 1, "G28 without an axis word"},
+	{"G30 P3 X0.\n", 1, 5, "no code in the block uses the word P"},
+	{"G0 G43 Z1.\n", 1, 4, "G43 needs H"},
+	{"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
+	{"G10 L20 P1 X1.\n", 1, 5, "G10 L20 is not supported yet"},
+	{"G91 G10 L2 P1 X1.\n", 1, 5, "G10 in incremental distance mode (G91) is not supported yet"},
+	{"G91 G52 X1.\n", 1, 5, "G52 in incremental distance mode (G91) is not supported yet"},
+	{"G92 X1.\nG52 X1.\n", 2, 1, "G52 while G92 is in force is not supported yet"},
+	{"G4 X1. P5\n", 1, 1, "G4 needs its time in one word, X, U or P"},
+	{"G4 Y1.\n", 1, 1, "G4 needs its time in one word, X, U or P"},
+	{"G4 X1. G0\n", 1, 8, "G4 needs a block without motion"},
+	{"F9. G2 X1. I.5 P2\n", 1, 16, "no code in the block uses the word P"},
+	{"G65 P9010\n", 1, 1, "G65: macro call is not supported yet"},
+};
+
+START_TEST(text)
+{
+	expect_bad(&texts[_i], GCODE_LINUXCNC, false);
+}
+END_TEST
+
+START_TEST(code)
+{
+	expect_bad(&codes[_i], GCODE_LINUXCNC, false);
+}
+END_TEST
+
+START_TEST(block)
+{
+	expect_bad(&blocks[_i], GCODE_LINUXCNC, false);
+}
+END_TEST
+
+START_TEST(motion)
+{
+	expect_bad(&motions[_i], GCODE_LINUXCNC, false);
+}
+END_TEST
+
+START_TEST(setup)
+{
+	expect_bad(&with_setup[_i], GCODE_LINUXCNC, true);
+}
+END_TEST
+
+START_TEST(in_fanuc)
+{
+	expect_bad(&fanuc[_i], GCODE_FANUC, false);
+}
+END_TEST
+
+START_TEST(in_haas)
+{
+	static const struct bad bad[] = {
+		{"G154 P1\n", 1, 1, "G154: additional work offset is not supported yet"},
+		{"G234 H1\n", 1, 1, "G234: tool centre point control is not supported yet"},
+		{"G254\n", 1, 1, "G254: dynamic work offset is not supported yet"},
+		{"M97 P10\n", 1, 1, "M97: local subprogram call is not supported yet"},
+	};
+
+	for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++)
+		expect_bad(&bad[i], GCODE_HAAS, false);
+}
+END_TEST
+
+START_TEST(wrapped_position_beyond_a_turn)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
+	ck_assert(!case_run(&c, "G0 A360\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc:1:4: error: A360: the absolute position of a wrapped axis must lie "
+						   "between -360 and 360 degrees\n    G0 A360\n       ^\n");
+	case_release(&c);
+	case_init(&c);
+	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
+	c.config.dialect = GCODE_FANUC;
+	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");
+}
+END_TEST
+
+/* In LinuxCNC they would move the tool point. */
+START_TEST(machine_axes_under_switched_kinematics)
+{
+	static const char *const blocks_of_axes[] = {"G53 G0 X1", "G28", "G30 X1", "G28.1"};
+	const struct gcode_mcode_meaning mcode = {428, GCODE_TCP_ON};
+
+	for (size_t i = 0; i < sizeof(blocks_of_axes) / sizeof(blocks_of_axes[0]); i++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		case_init(&c);
+		c.config.mcodes = &mcode;
+		c.config.mcode_count = 1;
+		strbuf_addf(&program, "M428\n%s\n", blocks_of_axes[i]);
+		ck_assert(!case_run(&c, program.text));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
+					     "p.nc:2:1: error: while an M-code has switched TCP on, LinuxCNC takes machine "
+					     "coordinates for those of the tool point; switch TCP off first\n"));
+		strbuf_release(&program);
+		case_release(&c);
+	}
+}
+END_TEST
+
+#define LOOP(test, cases) tcase_add_loop_test(tcase, test, 0, (int)(sizeof(cases) / sizeof((cases)[0])))
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_bad");
+	TCase *tcase = tcase_create("gcode_bad");
+	SRunner *runner;
+	int failed;
+
+	LOOP(text, texts);
+	LOOP(code, codes);
+	LOOP(block, blocks);
+	LOOP(motion, motions);
+	LOOP(setup, with_setup);
+	LOOP(in_fanuc, fanuc);
+	tcase_add_test(tcase, in_haas);
+	tcase_add_test(tcase, wrapped_position_beyond_a_turn);
+	tcase_add_test(tcase, machine_axes_under_switched_kinematics);
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

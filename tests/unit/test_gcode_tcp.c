@@ -1,0 +1,177 @@
+/* test_gcode_tcp.c - TCP on and off, against a table that turns with C: closed forms in gcode_case.h. */
+#include "gcode_case.h"
+
+static const struct gcode_length lengths[] = {{1, 100}, {2, 40}};
+static const struct gcode_mcode_meaning mcodes[] = {
+	{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}, {10, GCODE_IGNORE}, {11, GCODE_IGNORE}};
+
+static void tcp_case(struct gcode_case *c)
+{
+	case_init(c);
+	c->config.lengths = lengths;
+	c->config.length_count = 2;
+	c->config.mcodes = mcodes;
+	c->config.mcode_count = sizeof(mcodes) / sizeof(mcodes[0]);
+}
+
+START_TEST(on_and_off)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	/* At C90 the machine's (10, 0) is (0, -10) on the table; the length leaves Z. */
+	case_expect(&c, "G0 X10 Z200 C90\nG43.4 H1\nZ50\nX5\nG49\nZ200\nG91 X1\nM2\n",
+		    "rapid 10 0 200 0 90\n"
+		    "tcp on length 100 zero A0 C0\n"
+		    "rapid 0 -10 50 0 90 tcp\nrapid 5 -10 50 0 90 tcp\n"
+		    "tcp off length 0 zero A0 C0\n"
+		    "rapid 10 5 200 0 90\nrapid 11 5 200 0 90\n");
+}
+END_TEST
+
+START_TEST(motion_in_the_same_block)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	case_expect(&c, "G10 L2 P1 X1 Z10\nG0 G43.4 H1 X0 Z0\nM2\n",
+		    "tcp on length 100 zero A0 C0\nrapid 1 0 10 0 0 tcp\n");
+}
+END_TEST
+
+START_TEST(length_changes)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	/* The axes stand still: 60 mm less of tool bring the tool point 60 mm up. */
+	case_expect(&c, "G43.4 H1\nG0 Z0\nG43.4 H2\nG91 Z0\nM2\n",
+		    "tcp on length 100 zero A0 C0\nrapid 0 0 0 0 0 tcp\n"
+		    "tcp on length 40 zero A0 C0\nrapid 0 0 60 0 0 tcp\n");
+}
+END_TEST
+
+START_TEST(by_mcode)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	/* G49 takes the length back, not the kinematics that the M-code has switched. */
+	case_expect(&c, "G43 H1 G0 Z0\nM428\nX1 Z0 M428\nG49 Z0\nG43 H2\nZ0\nM429 X0\nM429 Z0\nM2\n",
+		    "rapid 0 0 100 0 0\n"
+		    "tcp on length 100 zero A0 C0\nrapid 1 0 0 0 0 tcp\n"
+		    "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 0 tcp\n"
+		    "tcp on length 40 zero A0 C0\nrapid 1 0 0 0 0 tcp\n"
+		    "tcp off length 40 zero A0 C0\nrapid 0 0 40 0 0\nrapid 0 0 40 0 0\n");
+}
+END_TEST
+
+START_TEST(ignored_mcodes)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	case_expect(&c, "M10 M11 P5 Q2\nG0 X1 M10\nM2\n", "rapid 1 0 0 0 0\n");
+}
+END_TEST
+
+START_TEST(machine_axes)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	/* At C90 tool point (20, 0) is machine (0, 20); G53 X5 leaves Y there: back on the table (20, -5). */
+	case_expect(&c, "G43.4 H1\nG0 X20 Z0 C90\nG53 X5\nG91 X1\nG28 Z10\nG90 X0 Y0 Z0\nM2\n",
+		    "tcp on length 100 zero A0 C0\nrapid 20 0 0 0 90 tcp\n"
+		    "tcp off length 100 zero A0 C0\nrapid 5 20 100 0 90\ntcp on length 100 zero A0 C0\n"
+		    "rapid 21 -5 0 0 90 tcp\n"
+		    "rapid 21 -5 10 0 90 tcp\n"
+		    "tcp off length 100 zero A0 C0\nrapid 5 21 0 0 90\ntcp on length 100 zero A0 C0\n"
+		    "rapid 0 0 0 0 90 tcp\n");
+	tcp_case(&c);
+	c.config.dialect = GCODE_HAAS;
+	case_expect(&c, "M428\nG0 X1. C90.\nG53 Y5.\nM30\n",
+		    "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 90 tcp\n"
+		    "tcp off length 0 zero A0 C0\nrapid 0 5 0 0 90\ntcp on length 0 zero A0 C0\n");
+}
+END_TEST
+
+START_TEST(remembered_reference)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	case_expect(&c, "G43.4 H1\nG0 X20 Z0 C90\nG28.1\nG49 G0 X0\nG28\nM2\n",
+		    "tcp on length 100 zero A0 C0\nrapid 20 0 0 0 90 tcp\n"
+		    "tcp off length 100 zero A0 C0\ntcp on length 100 zero A0 C0\n"
+		    "tcp off length 0 zero A0 C0\nrapid 0 20 100 0 90\nrapid 0 20 100 0 90\n");
+}
+END_TEST
+
+START_TEST(zero_at_the_offset)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	c.config.tcp_zero_offset = true;
+	/* With C's offset at 90 the table is not turned there: (10, 0) stays; at offset 0 it is (0, -10). */
+	case_expect(&c, "G10 L2 P1 C90\nG0 X10 C0\nG43.4 H1\nG91 X0\nG10 L2 P1 C0\nX0\nG55\nG10 L2 P1 A5\nG54\nG52 Y3\nM2\n",
+		    "rapid 10 0 0 0 90\n"
+		    "tcp on length 100 zero A0 C90\nrapid 10 0 -100 0 90 tcp\n"
+		    "tcp on length 100 zero A0 C0\nrapid 0 -10 -100 0 90 tcp\n"
+		    "tcp on length 100 zero A5 C0\n");
+}
+END_TEST
+
+START_TEST(shift_of_rotary_and_linear_axes_at_once)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	c.config.tcp_zero_offset = true;
+	/*
+	 * G92 C0 at C90 turns the meaning of X and Y by a quarter, from (0, -10) to
+	 * (10, 0): X0 Y0 of the same block are of the point after that.
+	 */
+	case_expect(&c, "G0 X10 C90\nG43.4 H0\nG92 X0 Y0 C0\nG0 X1 Y0\nM2\n",
+		    "rapid 10 0 0 0 90\ntcp on length 0 zero A0 C0\ntcp on length 0 zero A0 C90\nrapid 11 0 0 0 90 tcp\n");
+}
+END_TEST
+
+START_TEST(refused)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	c.refuse_tcp = true;
+	ck_assert(!case_run(&c, "G0 X1\nX2 G43.4 H1\nM2\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc:2:4: error: no TCP here\n");
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(fanuc_length_without_z)
+{
+	struct gcode_case c;
+
+	tcp_case(&c);
+	c.config.dialect = GCODE_FANUC;
+	ck_assert(case_run(&c, "G49 G40\nG43 H1 G0 Z5.\nG43 H2 X1.\nG49\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:3:1: warning: a change of the length compensation without a Z word: some controls move Z at "
+			 "once; no motion is checked here and further on\n    G43 H2 X1.\n    ^\n");
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {
+		on_and_off, motion_in_the_same_block, length_changes, by_mcode, ignored_mcodes, machine_axes,
+		remembered_reference, zero_at_the_offset, shift_of_rotary_and_linear_axes_at_once, refused,
+		fanuc_length_without_z,
+	};
+
+	return RUN_TESTS("gcode_tcp", tests);
+}

@@ -1,0 +1,270 @@
+/* test_gcode_text.c - bytes to lines to words: numbers, line ends, faulty files, long programs on a pipe. */
+#define _GNU_SOURCE	/* fopencookie: a file whose reading fails */
+#include "gcode_case.h"
+
+#include <errno.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "gcode/number.h"
+#include "gcode/reader.h"
+#include "random.h"
+
+static double read_number(const char *text, size_t *length)
+{
+	double value = NAN;
+	bool point;
+
+	*length = 0;
+	require(number_read(text, length, &value, &point) == NUMBER_OK, "%s", text);
+	require(point == (strchr(text, '.') != NULL), "%s", text);
+	return value;
+}
+
+/* The bits of strtod, on decimals of every length. */
+START_TEST(numbers_are_correctly_rounded)
+{
+	struct random random = random_case(1, 0);
+
+	for (int i = 0; i < 200000; i++) {
+		char text[64];
+		size_t length = 0, used;
+		int whole = (int)(random_bits(&random) % 12), fraction = (int)(random_bits(&random) % 28);
+		double expected, value;
+
+		if (random_bits(&random) % 2)
+			text[length++] = '-';
+		for (int k = 0; k < whole; k++)
+			text[length++] = (char)('0' + random_bits(&random) % 10);
+		if (fraction || random_bits(&random) % 2 || whole == 0)
+			text[length++] = '.';
+		for (int k = 0; k < fraction + (whole == 0); k++)
+			text[length++] = (char)('0' + random_bits(&random) % 10);
+		text[length] = '\0';
+		expected = strtod(text, NULL);
+		value = read_number(text, &used);
+		require(!memcmp(&expected, &value, sizeof(value)) && used == length, "%s", text);
+	}
+}
+END_TEST
+
+START_TEST(numbers_beyond_the_mantissa)
+{
+	size_t used;
+
+	/* 2^53 + 1 lies between two doubles and rounds to even; so do the halfway cases with a digit far behind. */
+	ck_assert(read_number("9007199254740993", &used) == 9007199254740992.0);
+	ck_assert(read_number("9007199254740993.00000000000000000000000000001", &used) == 9007199254740994.0);
+	ck_assert(read_number("0000000000000000000000000000001.5", &used) == 1.5);
+	ck_assert(read_number("0.000000000000000000000000000000000000000001", &used) == 1e-42);
+	ck_assert(signbit(read_number("-0.0", &used)));
+}
+END_TEST
+
+START_TEST(number_forms)
+{
+	char digits[NUMBER_LENGTH_MAX + 3];
+	size_t used;
+	double value;
+	bool point;
+
+	ck_assert(read_number(" + 1 2 . 5 0 X", &used) == 12.5);
+	ck_assert_uint_eq(used, 13);
+	ck_assert(read_number("5.", &used) == 5);
+	ck_assert(read_number("1.5.5", &used) == 1.5);
+	ck_assert_uint_eq(used, 3);
+	ck_assert_int_eq(number_read("-.", &(size_t){0}, &value, &point), NUMBER_MISSING);
+	ck_assert_int_eq(number_read("1e5", &(size_t){1}, &value, &point), NUMBER_MISSING);
+	memset(digits, '9', sizeof(digits));
+	digits[NUMBER_LENGTH_MAX] = '\0';
+	ck_assert(read_number(digits, &used) == 1e255);
+	digits[NUMBER_LENGTH_MAX] = '9';
+	digits[NUMBER_LENGTH_MAX + 1] = '\0';
+	ck_assert_int_eq(number_read(digits, &(size_t){0}, &value, &point), NUMBER_TOO_LONG);
+}
+END_TEST
+
+START_TEST(line_ends)
+{
+	const char *moves = "rapid 1 0 0 0 0\nrapid 1 2 0 0 0\n";
+
+	expect_moves("G0 X1\nY2\nM2\n", moves);
+	expect_moves("G0 X1\r\nY2\r\nM2", moves);
+	expect_moves("G0 X1\rY2\rM2\r", moves);
+	expect_moves("\xef\xbb\xbfG0 X1\nY2", moves);
+	expect_moves("\xef\xbb\xbf%\nG0 X1\nY2\n%", moves);
+}
+END_TEST
+
+static void expect_message(const char *bytes, size_t length, const char *message)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	ck_assert(!case_run_bytes(&c, bytes, length));
+	ck_assert_str_eq(strbuf_text(&c.messages), message);
+	case_release(&c);
+}
+
+START_TEST(faulty_files)
+{
+	expect_message("G0 X1\nX2\0\nX3\n", 13, "p.nc:2:3: error: a NUL byte; is this an NC program?\n");
+	expect_message("\xff\xfeG\0", 4, "p.nc:1: error: the file is UTF-16; save it as plain text\n");
+	expect_message("\xfe\xff\0G", 4, "p.nc:1: error: the file is UTF-16; save it as plain text\n");
+	expect_message("G0 X1\nX2\rY3\n", 12,
+		       "p.nc:2:3: error: line ends are mixed: a carriage return alone, and line feeds\n");
+	expect_message("G0 X1\rX2\nY3\n", 12,
+		       "p.nc:2:3: error: line ends are mixed: a carriage return alone, and line feeds\n");
+}
+END_TEST
+
+START_TEST(long_lines)
+{
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	strbuf_addf(&program, "G0 X1\n(");
+	while (program.length < 6 + LINE_LENGTH_MAX - 1)
+		strbuf_add(&program, "x", 1);
+	strbuf_addf(&program, ")\nX2\n");
+	expect_moves(program.text, "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
+	program.text[program.length - 5] = 'x';
+	strbuf_addf(&program, ")\nX3\n");
+	program.text[program.length - 9] = ')';
+	program.text[program.length - 8] = ' ';
+	case_init(&c);
+	ck_assert(!case_run(&c, program.text));
+	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc:2: error: a line of more than 65536 bytes is no NC block\n");
+	case_release(&c);
+	/* Without an end at all. */
+	strbuf_clear(&program);
+	for (int i = 0; i < 100000; i++)
+		strbuf_add(&program, "G0 X1 ", 6);
+	expect_message(program.text, program.length, "p.nc:1: error: a line of more than 65536 bytes is no NC block\n");
+	strbuf_release(&program);
+}
+END_TEST
+
+static ssize_t read_and_fail(void *cookie, char *buffer, size_t size)
+{
+	int *calls = cookie;
+
+	(void)size;
+	if ((*calls)++) {
+		errno = EIO;
+		return -1;
+	}
+	memcpy(buffer, "G0 X1\n", 6);
+	return 6;
+}
+
+START_TEST(read_error)
+{
+	cookie_io_functions_t functions = {.read = read_and_fail};
+	int calls = 0;
+	FILE *in = fopencookie(&calls, "r", functions);
+	struct gcode_case c;
+
+	case_init(&c);
+	ck_assert(!case_run_stream(&c, in));
+	ck_assert_str_eq(strbuf_text(&c.messages), "p.nc: error: cannot read the program: Input/output error\n");
+	fclose(in);
+	case_release(&c);
+}
+END_TEST
+
+#define STREAM_BLOCKS 200000
+
+static void *write_program(void *stream)
+{
+	for (int i = 1; i <= STREAM_BLOCKS; i++)
+		fprintf(stream, "N%d G1 X%d.%03d Y-%d F1000 (block %d)\r\n", i, i % 500, i % 1000, i % 77, i);
+	fprintf(stream, "M30\r\nthis is not read\r\n");
+	fclose(stream);
+	return NULL;
+}
+
+static bool check_stream_move(void *context, const struct canon_move *move)
+{
+	int *count = context, i = ++*count;
+
+	require(move->line == i, "line %ld", move->line);
+	require(fabs(move->end.v[SLOT_X] - (i % 500 + (i % 1000) / 1000.0)) < 1e-12, "line %d", i);
+	require(move->end.v[SLOT_Y] == -(i % 77), "line %d", i);
+	return true;
+}
+
+static bool skip_block(void *context, long line, const char *text, int moves)
+{
+	(void)context;
+	(void)line;
+	return text[0] == 'N' ? moves == 1 : moves == 0;
+}
+
+/* 8 MB through a pipe: every line whole, wherever the buffer ends. */
+START_TEST(streaming)
+{
+	struct gcode_config config = {.has_axis = {true, true, true}};
+	int count = 0, ends[2];
+	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block};
+	struct diag diag = {0};
+	struct interp *interp;
+	pthread_t writer;
+	FILE *in;
+
+	ck_assert_int_eq(pipe(ends), 0);
+	in = fdopen(ends[0], "r");
+	ck_assert_int_eq(pthread_create(&writer, NULL, write_program, fdopen(ends[1], "w")), 0);
+	interp = interp_new(&config, &sink, &diag);
+	ck_assert(interp_run(interp, in, "pipe"));
+	ck_assert_int_eq(interp_lines(interp), STREAM_BLOCKS + 1);
+	interp_free(interp);
+	pthread_join(writer, NULL);
+	fclose(in);
+	ck_assert_int_eq(count, STREAM_BLOCKS);
+	ck_assert_uint_eq(diag.errors + diag.warnings, 0);
+}
+END_TEST
+
+static const char sample[] =
+	"%\nG21 G90 G17\nG10 L2 P2 X5 A10\nG43 G0 X1 Y2. Z-3 A45 F100\nG1 X2\nG2 X4 Y2 I1 P2\nG18 G3 X0 Z1 R50\n"
+	"G92 X1\nG53 G0 Z0\nG28 Z5\nT1 M6\nG55 G91 G64 P.1\nG4 P1\nG93 G1 X1 F2\nG20 C-90\nG43.4 H0 X1\nG49\nM30\n%\n";
+
+/* Any bytes: an error or a result, never a crash (the sanitizers watch), and never an error without a message. */
+START_TEST(noise)
+{
+	static const char alphabet[] = "GGGGMMXYZACFIJKRPLTSHN0123456789..--  (\n\n\n);%/#[]\r\t*@";
+
+	for (int i = 0; i < 20000; i++) {
+		struct random random = random_case(2, i);
+		char bytes[sizeof(sample) - 1];
+		struct gcode_case c;
+		bool good;
+
+		memcpy(bytes, sample, sizeof(bytes));
+		for (uint64_t k = random_bits(&random) % (i % 10 ? 5 : 500); k > 0; k--) {
+			char other = random_bits(&random) % 50 ? alphabet[random_bits(&random) % (sizeof(alphabet) - 1)]
+							       : (char)random_bits(&random);
+
+			bytes[random_bits(&random) % sizeof(bytes)] = other;
+		}
+		case_init(&c);
+		c.config.dialect = (enum gcode_dialect)(i % 3);
+		c.config.wrap[SLOT_A] = (enum gcode_wrap)(i % 3);
+		c.config.last_duplicate_wins = i % 2;
+		good = case_run_bytes(&c, bytes, sizeof(bytes));
+		require(good == (c.diag.errors == 0), "case %d", i);
+		case_release(&c);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {
+		numbers_are_correctly_rounded, numbers_beyond_the_mantissa, number_forms, line_ends, faulty_files,
+		long_lines, read_error, streaming, noise,
+	};
+
+	return RUN_TESTS("gcode_text", tests);
+}
