@@ -1,0 +1,39 @@
+/* batch.h - some thousand steps of a program with all that is needed to check them later, pair by pair. */
+#ifndef FIVECHECK_CHECK_BATCH_H
+#define FIVECHECK_CHECK_BATCH_H
+
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "motion/motion.h"
+#include "motion/tcp.h"
+
+/* Where a step stands: `block` numbers the program's blocks from 0. */
+struct batch_step {
+	struct motion_step motion;	/* its path is the batch's once batch_close was called */
+	size_t path;	/* index into paths */
+	long block;
+};
+
+struct batch {
+	struct batch_step *steps;
+	size_t step_count, step_capacity;
+	struct path *paths;
+	size_t path_count, path_capacity;
+	size_t *path_tcp;	/* of each path: index into tcps */
+	size_t path_tcp_capacity;
+	struct tcp *tcps;
+	size_t tcp_count, tcp_capacity;
+};
+
+void batch_release(struct batch *batch);
+void batch_clear(struct batch *batch);
+
+/* Copies a step and, if it is curved, its path. */
+void batch_add(struct batch *batch, const struct motion_step *step, long block);
+
+/* Points the steps to the batch's own paths; call it before using them. */
+void batch_close(struct batch *batch);
+
+#endif

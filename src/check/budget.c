@@ -1,0 +1,133 @@
+#include "check/budget.h"
+
+#include <math.h>
+
+void budget_init(struct budget *budget, const struct chain *chain)
+{
+	*budget = (struct budget){.chain = chain};
+}
+
+void budget_set(struct budget *budget, const axis_values *q, const struct chain_state *state, double room)
+{
+	budget->known = room > 0;
+	budget->at = *q;
+	budget->room = room;
+	for (int v = 0; v < VIEWS; v++) {
+		budget->used[v] = 0;
+		for (size_t i = 0; i < budget->chain->count; i++)
+			budget->weight[v][i] = state->rho[v][i] + room;
+	}
+}
+
+/* The way of a run of linear joints when each is off its place by exactly the given amounts. */
+static double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *at,
+			 const axis_values *q)
+{
+	vec3 way = {0, 0, 0};
+
+	for (size_t i = first; i < last; i++) {
+		const struct joint *joint = &chain->joints[i];
+
+		way = vec3_mad(way, q->v[joint->slot] - at->v[joint->slot], joint->direction);
+	}
+	return vec3_norm(way);
+}
+
+static void use_at(const struct budget *budget, const axis_values *q, double used[VIEWS])
+{
+	const struct chain *chain = budget->chain;
+
+	used[0] = used[1] = 0;
+	for (size_t i = 0; i < chain->count;) {
+		const struct joint *joint = &chain->joints[i];
+
+		if (joint->rotary) {
+			double turn = fabs(q->v[joint->slot] - budget->at.v[joint->slot]);
+
+			used[0] += budget->weight[0][i] * turn;
+			used[1] += budget->weight[1][i] * turn;
+			i++;
+		} else {
+			size_t end = linear_run_end(chain, i);
+			double way = linear_way(chain, i, end, &budget->at, q);
+
+			used[0] += way;
+			used[1] += way;
+			i = end;
+		}
+	}
+}
+
+/* As use_at, when each joint is off by up to the given amount in either direction. */
+static void use_within(const struct budget *budget, const axis_values *amount, double used[VIEWS])
+{
+	const struct chain *chain = budget->chain;
+
+	used[0] = used[1] = 0;
+	for (size_t i = 0; i < chain->count;) {
+		double off = amount->v[chain->joints[i].slot];
+
+		if (chain->joints[i].rotary) {
+			used[0] += budget->weight[0][i] * off;
+			used[1] += budget->weight[1][i] * off;
+			i++;
+		} else {
+			size_t end = linear_run_end(chain, i);
+			double way = linear_play(chain, i, end, amount);
+
+			used[0] += way;
+			used[1] += way;
+			i = end;
+		}
+	}
+}
+
+void budget_resume(struct budget *budget, const axis_values *q)
+{
+	if (budget->known)
+		use_at(budget, q, budget->used);
+}
+
+bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off, double *left)
+{
+	double used[VIEWS], play[VIEWS] = {0, 0};
+
+	if (!budget->known)
+		return false;
+	use_at(budget, q1, used);
+	if (off)
+		use_within(budget, off, play);
+	for (int v = 0; v < VIEWS; v++) {
+		double most = fmax(used[v], budget->used[v]) + play[v];
+
+		if (most < budget->room) {
+			*left = budget->room - most;
+			budget->used[0] = used[0];
+			budget->used[1] = used[1];
+			return true;
+		}
+	}
+	return false;
+}
+
+bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
+		       const axis_values *q1, const axis_values *off, double *left)
+{
+	axis_values amount;
+	double used[VIEWS];
+
+	if (!budget->known)
+		return false;
+	for (int i = 0; i < SLOT_COUNT; i++)
+		amount.v[i] = fmax(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i])) +
+			      (off ? off->v[i] : 0);
+	use_within(budget, &amount, used);
+	for (int v = 0; v < VIEWS; v++) {
+		if (used[v] < budget->room) {
+			*left = budget->room - used[v];
+			use_at(budget, q1, budget->used);
+			return true;
+		}
+	}
+	return false;
+}

@@ -1,0 +1,49 @@
+/* budget.h - a distance proven once, and how much of it the axes have used up since. */
+#ifndef FIVECHECK_CHECK_BUDGET_H
+#define FIVECHECK_CHECK_BUDGET_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "machine/motion_bound.h"
+#include "scene/region.h"
+
+/*
+ * At the position `at` two bodies were proven to be farther apart than their
+ * clearance by `room`. While joint k is within x_k of that position no point
+ * moves by more than sum w_k x_k, runs of linear joints by their vector norm,
+ * and as long as that is below `room` they stay apart. The later joints, which
+ * set a point's distance rho_k to axis k, move it by less than `room` meanwhile:
+ * w_k = rho_k(at) + room. The sum is convex in the axes, so a straight motion
+ * is covered when both its ends are. Two views as in motion_bound.h: one of
+ * them must cover both ends.
+ */
+struct budget {
+	const struct chain *chain;
+	bool known;
+	axis_values at;
+	double room;	/* mm */
+	double weight[VIEWS][SLOT_COUNT];	/* mm per radian, by joint */
+	double used[VIEWS];	/* mm, at the end of the last motion that was covered or at `at` */
+};
+
+void budget_init(struct budget *budget, const struct chain *chain);
+
+/* Starts anew at q with the state of the chain there; room may be 0 or less: then it covers nothing. */
+void budget_set(struct budget *budget, const axis_values *q, const struct chain_state *state, double room);
+
+/* The axes stand at q again without having been followed from `at`. */
+void budget_resume(struct budget *budget, const axis_values *q);
+
+/*
+ * Is the motion from where the budget was last used to q1 covered, when each
+ * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used. left: the room
+ * that remains at the worse end, mm.
+ */
+bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off, double *left);
+
+/* The same for every position between low and high, after which the axes stand at q1. */
+bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
+		       const axis_values *q1, const axis_values *off, double *left);
+
+#endif

@@ -1,0 +1,205 @@
+#include "check/certified.h"
+
+#include <math.h>
+
+#include "motion/path.h"
+#include "motion/span.h"
+
+/* Steps that a follower at most sweeps before it asks for the distance again. */
+#define PATIENCE_MAX 64
+
+/* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
+#define BOX_VISITS 50000000L
+
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance)
+{
+	*follower = (struct follower){.bodies = *bodies, .clearance = clearance, .proven = INFINITY};
+	follower->bodies.memory = &follower->memory;
+	budget_init(&follower->budget, bodies->chain);
+}
+
+void follower_lose(struct follower *follower)
+{
+	follower->lost = true;
+	follower->settled = false;
+}
+
+static bool moves(const struct chain *chain, const struct span *span)
+{
+	for (size_t i = 0; i < chain->count; i++) {
+		int slot = chain->joints[i].slot;
+
+		if (span->q1.v[slot] < span->q0.v[slot] || span->q1.v[slot] > span->q0.v[slot] ||
+		    span->deviation.v[slot] > 0)
+			return true;
+	}
+	return false;
+}
+
+/* By how much each axis may be off the straight line; false: by nothing. */
+static bool off_the_line(const struct chain *chain, const struct motion_step *step, axis_values *off)
+{
+	bool any = false;
+
+	for (size_t i = 0; i < chain->count; i++) {
+		int slot = chain->joints[i].slot;
+
+		off->v[slot] = step->span.deviation.v[slot] + step->tolerance.v[slot];
+		any |= off->v[slot] > 0;
+	}
+	return any;
+}
+
+static bool is_box(const struct motion_step *step)
+{
+	return step->span.path->kind == PATH_BOX;
+}
+
+static void box_of_span(const struct span *span, axis_values *low, axis_values *high)
+{
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		low->v[i] = fmin(span->q0.v[i], span->q1.v[i]);
+		high->v[i] = fmax(span->q0.v[i], span->q1.v[i]);
+	}
+}
+
+static bool covered(struct follower *follower, const struct motion_step *step, const axis_values *off)
+{
+	const struct span *span = &step->span;
+	axis_values low, high;
+	double left;
+	bool good;
+
+	if (is_box(step)) {
+		box_of_span(span, &low, &high);
+		good = budget_covers_box(&follower->budget, &low, &high, &span->q1, off, &left);
+	} else {
+		good = budget_covers(&follower->budget, &span->q1, off, &left);
+	}
+	if (good) {
+		follower->budgets++;
+		follower->proven = fmin(follower->proven, follower->clearance + left);
+		follower->settled = true;
+	}
+	return good;
+}
+
+/* mm that the step moves the pair, roughly: below that a distance does not help. */
+static double way_of(const struct follower *follower, const struct chain_state *state, const struct span *span)
+{
+	const struct chain *chain = follower->bodies.chain;
+	double way = 0;
+
+	for (size_t i = 0; i < chain->count; i++) {
+		double dq = fabs(span->q1.v[chain->joints[i].slot] - span->q0.v[chain->joints[i].slot]);
+
+		way += chain->joints[i].rotary ? dq * fmin(state->rho[0][i], state->rho[1][i]) : dq;
+	}
+	return way;
+}
+
+/* Asks for the distance where the step ends and starts a new budget with it. */
+static void renew(struct follower *follower, struct sweep *sweep, const struct motion_step *step)
+{
+	const struct body_pair *bodies = &follower->bodies;
+	const struct span *span = &step->span;
+	struct chain_state state;
+	double way, distance;
+
+	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
+	way = way_of(follower, &state, span);
+	distance = sweep_distance(sweep, bodies, &span->q1, follower->clearance + way);
+	follower->queries++;
+	budget_set(&follower->budget, &span->q1, &state, distance - follower->clearance);
+	budget_resume(&follower->budget, &span->q0);
+	if (distance - follower->clearance > 4 * way) {
+		follower->patience = 1;
+	} else {
+		follower->wait = follower->patience;
+		follower->patience = follower->patience < PATIENCE_MAX ? 2 * follower->patience + 1 : PATIENCE_MAX;
+	}
+}
+
+static void halve(const struct chord *whole, struct chord *first, struct chord *second)
+{
+	const struct span span = {whole->q0, whole->q1, whole->deviation, whole->curve, whole->u0, whole->u1};
+	struct span halves[2];
+	struct chord *out[2] = {first, second};
+
+	span_halve(&span, &halves[0], &halves[1]);
+	for (int i = 0; i < 2; i++)
+		*out[i] = (struct chord){halves[i].q0, halves[i].q1, halves[i].deviation, whole->curve,
+					 halves[i].u0, halves[i].u1, whole->halve};
+}
+
+/* mm: how far the control may carry a point off the programmed path. */
+static double freedom(const struct follower *follower, const struct motion_step *step)
+{
+	const struct body_pair *bodies = &follower->bodies;
+	struct chain_state start, end;
+	struct chord_bound both, path;
+	axis_values off;
+
+	off_the_line(bodies->chain, step, &off);
+	chain_state_init(&start, bodies->chain, &step->span.q0, &bodies->ball_a, &bodies->ball_b);
+	chain_state_init(&end, bodies->chain, &step->span.q1, &bodies->ball_a, &bodies->ball_b);
+	chord_bound_init(&both, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &off);
+	chord_bound_init(&path, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &step->span.deviation);
+	/* The sweep accounts for the path's own deviation, which shrinks as it bisects. */
+	return fmax(both.drift[0] - path.drift[0], both.drift[1] - path.drift[1]);
+}
+
+static bool has_tolerance(const struct chain *chain, const struct motion_step *step)
+{
+	for (size_t i = 0; i < chain->count; i++)
+		if (step->tolerance.v[chain->joints[i].slot] > 0)
+			return true;
+	return false;
+}
+
+static enum sweep_answer sweep_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+				    double tolerance, struct contact *contact)
+{
+	const struct span *span = &step->span;
+	double clearance = follower->clearance;
+	struct chord chord = {span->q0, span->q1, span->deviation, span->path, span->u0, span->u1, halve};
+	axis_values low, high;
+
+	if (has_tolerance(follower->bodies.chain, step))
+		clearance += freedom(follower, step);
+	if (!is_box(step))
+		return sweep_chord(sweep, &follower->bodies, &chord, clearance, tolerance, contact);
+	box_of_span(span, &low, &high);
+	return sweep_box(sweep, &follower->bodies, &low, &high, clearance, tolerance, BOX_VISITS, contact);
+}
+
+enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+			   double tolerance, struct contact *contact)
+{
+	const struct chain *chain = follower->bodies.chain;
+	enum sweep_answer answer;
+	axis_values off;
+	bool any_off;
+
+	if (follower->lost)
+		budget_resume(&follower->budget, &step->span.q0);
+	follower->lost = false;
+	if (follower->settled && !moves(chain, &step->span) && !has_tolerance(chain, step))
+		return PASSAGE_CLEAR;
+	any_off = off_the_line(chain, step, &off);
+	if (covered(follower, step, any_off ? &off : NULL))
+		return PASSAGE_CLEAR;
+	if (follower->wait > 0) {
+		follower->wait--;
+	} else {
+		renew(follower, sweep, step);
+		if (covered(follower, step, any_off ? &off : NULL))
+			return PASSAGE_CLEAR;
+	}
+	answer = sweep_step(follower, sweep, step, tolerance, contact);
+	budget_resume(&follower->budget, &step->span.q1);
+	follower->settled = answer == SWEEP_APART;
+	if (answer == SWEEP_APART)
+		follower->proven = fmin(follower->proven, follower->clearance);
+	return answer == SWEEP_APART ? PASSAGE_CLEAR : answer == SWEEP_CONTACT ? PASSAGE_CONTACT : PASSAGE_UNDECIDED;
+}

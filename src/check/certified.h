@@ -1,0 +1,42 @@
+/* certified.h - follows one pair of bodies through a program's steps and proves that it stays apart. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_H
+#define FIVECHECK_CHECK_CERTIFIED_H
+
+#include <stdbool.h>
+
+#include "check/budget.h"
+#include "motion/motion.h"
+#include "scene/memory.h"
+#include "scene/scene.h"
+
+/* How a pair came through one step. */
+enum passage {
+	PASSAGE_CLEAR,
+	PASSAGE_CONTACT,	/* *contact: its s is the step's */
+	PASSAGE_UNDECIDED
+};
+
+/* What is known of a pair from step to step. */
+struct follower {
+	struct body_pair bodies;
+	double clearance;
+	struct memory memory;
+	struct budget budget;
+	bool settled;	/* the pair is apart where the last step ended */
+	bool lost;	/* steps were left out since the last one */
+	int wait;	/* steps before the next distance query is worth its time */
+	int patience;	/* how long to wait after the next query that does not pay */
+	double proven;	/* mm: the smallest clearance proven so far */
+	long budgets, queries;
+};
+
+/* The follower must stay where it is from here on. */
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance);
+
+/* The next step does not begin where the last one ended, or the pair is not apart there. */
+void follower_lose(struct follower *follower);
+
+enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+			   double tolerance, struct contact *contact);
+
+#endif

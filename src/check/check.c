@@ -1,0 +1,346 @@
+#include "check/check.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/mem.h"
+#include "check/batch.h"
+#include "check/held.h"
+#include "check/ledger.h"
+#include "check/runner.h"
+#include "scene/overlap.h"
+
+/* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
+#define BATCH_STEPS 4096
+#define MID_BLOCK (8 * BATCH_STEPS)
+
+/*
+ * How much coarser than the tolerance the chords of curved moves may be to
+ * begin with: near contact they are refined, elsewhere fewer of them cost less.
+ */
+#define FLATNESS 16
+
+struct checker {
+	struct scene *scene;
+	const struct check_options *options;
+	const struct check_sink *sink;
+	struct diag *diag;
+	struct check_stats *stats;
+	struct held held;
+	struct runners runners;
+	struct batch batch;
+	struct ledger ledger;
+	struct sweep sweep;	/* for poses that stand still */
+	const char *file;
+	long block;	/* number of the block that is being read */
+	int tool;
+	bool moved;
+	bool failed;	/* something could not be decided: reported */
+	bool found;	/* two bodies; without `all`, nothing later needs to be looked at */
+	bool limit_found;
+	bool stopped;	/* by us or by the sink */
+	axis_values position;
+	double time, block_time;	/* where the last step ended */
+	long line;	/* of the last step's block */
+};
+
+static double now(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static bool enough(const struct checker *c)
+{
+	return c->found && !c->options->all;
+}
+
+static const char *link_of(const struct checker *c, int body)
+{
+	return machine_link_name(c->scene->machine, c->scene->bodies[body].body->link);
+}
+
+/* A finding between the bodies of a pair; contact->point goes from a's mesh to machine coordinates. */
+static struct finding pair_finding(const struct checker *c, const struct scene_pair *pair, enum finding_kind kind,
+				   const struct contact *contact)
+{
+	const struct body *a = c->scene->bodies[pair->a].body, *b = c->scene->bodies[pair->b].body;
+	xform pose = machine_pose(c->scene->machine, a->link, &contact->q);
+
+	return (struct finding){
+		.kind = kind,
+		.file = c->file,
+		.axes = contact->q,
+		.tool = c->tool,
+		.a = a->name,
+		.b = b->name,
+		.link_a = link_of(c, pair->a),
+		.link_b = link_of(c, pair->b),
+		.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
+		.clearance = contact->distance,
+		.required = pair->clearance,
+	};
+}
+
+static void add_passage(struct checker *c, const struct runner_result *result)
+{
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+	const struct batch_step *step = &c->batch.steps[result->step];
+	const struct motion_step *motion = &step->motion;
+	struct ledger_entry entry = {.block = step->block, .rank = (int)result->pair};
+
+	entry.finding = pair_finding(c, pair, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION,
+				     &result->contact);
+	entry.finding.move = motion->move;
+	entry.finding.time = motion->time + result->contact.s * motion->seconds;
+	entry.block_time = motion->block_time + result->contact.s * motion->seconds;
+	ledger_add(&c->ledger, &entry);
+	c->found = true;
+}
+
+/* Hands on the findings whose blocks are complete. */
+static void emit(struct checker *c)
+{
+	size_t done = 0;
+	struct finding finding;
+
+	ledger_sort(&c->ledger);
+	while (!c->stopped && done < c->ledger.entry_count && ledger_finding(&c->ledger, done, &finding)) {
+		held_deliver(&c->held, c->diag, c->options->all ? c->block : c->ledger.entries[done].block);
+		c->stats->findings++;
+		done++;
+		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all)
+			c->stopped = true;
+	}
+	ledger_drop(&c->ledger, done);
+	if (!c->found || c->options->all)
+		held_deliver(&c->held, c->diag, c->block);
+}
+
+/* The contacts go to the ledger; what is undecided behind the first of them does not matter without `all`. */
+static void take_results(struct checker *c)
+{
+	size_t first_contact = c->batch.step_count;
+
+	for (size_t i = 0; i < c->runners.result_count; i++) {
+		const struct runner_result *result = &c->runners.results[i];
+
+		if (result->passage != PASSAGE_CONTACT)
+			continue;
+		add_passage(c, result);
+		if (!c->options->all && result->step < first_contact)
+			first_contact = result->step;
+	}
+	for (size_t i = 0; i < c->runners.result_count; i++) {
+		const struct runner_result *result = &c->runners.results[i];
+
+		if (result->passage != PASSAGE_UNDECIDED || result->step > first_contact)
+			continue;
+		scene_undecided(c->scene, &c->scene->pairs[result->pair], c->options->tolerance, c->diag);
+		c->failed = true;
+	}
+}
+
+/* Checks what has gathered. */
+static void process(struct checker *c)
+{
+	double start = now();
+
+	if (!enough(c) && c->batch.step_count) {
+		batch_close(&c->batch);
+		runners_run(&c->runners, &c->batch, c->tool, c->options);
+		take_results(c);
+	}
+	batch_clear(&c->batch);
+	emit(c);
+	c->stats->seconds_check += now() - start;
+	if (c->sink->progress)
+		c->sink->progress(c->sink->context, c->stats->motion.lines);
+}
+
+/* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
+static void check_stance(struct checker *c, bool tool_only, int move)
+{
+	double start = now();
+
+	for (size_t i = 0; i < c->runners.count && !enough(c); i++) {
+		const struct runner *runner = &c->runners.runners[i];
+		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
+		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
+		struct contact contact;
+		enum stance stance;
+
+		if (runner->past_limits_only || !runner_is_active(runner, c->tool) || (tool_only && !runner->tool))
+			continue;
+		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
+				      &c->held.diag);
+		c->failed |= stance == STANCE_FAILED;
+		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
+			continue;
+		entry.finding = pair_finding(c, pair,
+					     stance == STANCE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE,
+					     &contact);
+		entry.finding.move = move;
+		entry.finding.time = c->time;
+		entry.block_time = c->block_time;
+		ledger_add(&c->ledger, &entry);
+		c->found = true;
+		runners_found(&c->runners, i, c->block);
+	}
+	c->stats->seconds_check += now() - start;
+}
+
+static bool on_limit(void *context, const struct motion_limit *limit)
+{
+	struct checker *c = context;
+	struct ledger_entry entry = {.block = c->block, .rank = -1};
+
+	if (enough(c))
+		return !c->stopped;
+	entry.finding = (struct finding){
+		.kind = FINDING_LIMIT,
+		.file = c->file,
+		.move = limit->move,
+		.time = limit->time,
+		.axes = limit->position,
+		.tool = limit->tool,
+		.slot = limit->slot,
+		.bound = limit->bound,
+	};
+	entry.block_time = limit->block_time;
+	ledger_add(&c->ledger, &entry);
+	c->limit_found = true;
+	return !c->stopped;
+}
+
+static bool on_step(void *context, const struct motion_step *step)
+{
+	struct checker *c = context;
+
+	if (!c->moved) {
+		c->moved = true;
+		c->position = step->span.q0;
+		c->tool = step->tool;
+		c->time = step->time;
+		check_stance(c, false, step->move);
+	}
+	if (!enough(c) && c->options->method != CHECK_NOTHING)
+		batch_add(&c->batch, step, c->block);
+	c->line = step->line;
+	c->position = step->span.q1;
+	c->time = step->time + step->seconds;
+	c->block_time = step->block_time + step->seconds;
+	if (c->batch.step_count >= MID_BLOCK)
+		process(c);
+	return !c->stopped;
+}
+
+static bool on_tool(void *context, int tool, const axis_values *position)
+{
+	struct checker *c = context;
+
+	process(c);
+	c->tool = tool;
+	c->position = *position;
+	runners_change_tool(&c->runners);
+	if (c->moved)
+		check_stance(c, true, 0);
+	return !c->stopped;
+}
+
+static bool on_block(void *context, long line, const char *text, double seconds, int moves)
+{
+	struct checker *c = context;
+
+	ledger_close_block(&c->ledger, c->block, line, text, seconds, moves);
+	c->block_time = 0;
+	if (c->batch.step_count >= BATCH_STEPS || enough(c) || c->limit_found)
+		process(c);
+	c->block++;
+	c->held.block = c->block;
+	return !c->stopped;
+}
+
+/* What is left when the program has ended, or stopped at a fault in the middle of a block. */
+static void finish(struct checker *c, bool complete)
+{
+	if (!c->moved && !c->stopped && complete) {
+		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
+			     "the program moves no axis; only the start pose was checked");
+		check_stance(c, false, 0);
+	}
+	if (!c->stopped) {
+		ledger_close_block(&c->ledger, c->block, c->line ? c->line : 1, "", c->block_time, 1);
+		process(c);
+	}
+}
+
+static void count_pairs(const struct scene *scene, struct check_stats *stats)
+{
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		switch (scene->pairs[i].status) {
+		case PAIR_CHECKED:
+			stats->pairs_required++;
+			break;
+		case PAIR_ADJACENT:
+			stats->pairs_excused++;
+			break;
+		case PAIR_RIGID:
+		case PAIR_OUT_OF_REACH:
+		case PAIR_WAIVED:
+			stats->pairs_skipped++;
+			break;
+		}
+	}
+}
+
+static bool run_program(struct checker *c, FILE *in)
+{
+	const struct motion_options options = {
+		.flatness = FLATNESS * c->options->tolerance,
+		.block_delete = c->options->block_delete,
+		.last_duplicate_wins = c->options->last_duplicate_wins,
+	};
+	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};
+
+	return motion_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink, &c->held.diag,
+			  &c->stats->motion);
+}
+
+enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
+			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,
+			    double *proven)
+{
+	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats, .file = name};
+	const size_t errors = diag->errors;
+	double start = now();
+	bool complete = false;
+
+	*stats = (struct check_stats){0};
+	for (size_t i = 0; proven && i < scene->pair_count; i++)
+		proven[i] = INFINITY;
+	count_pairs(scene, stats);
+	held_init(&c.held);
+	c.position = machine_home(scene->machine);
+	c.tool = scene->setup ? scene->setup->initial_tool : 0;
+	if (options->method == CHECK_NOTHING || runners_init(&c.runners, scene, options, diag)) {
+		complete = run_program(&c, in) || c.stopped;
+		finish(&c, complete);
+		runners_collect(&c.runners, stats, proven);
+	}
+	stats->certificates += c.sweep.certificates;
+	stats->bisections += c.sweep.bisections;
+	stats->seconds_interpret = now() - start - stats->seconds_check;
+	runners_release(&c.runners);
+	batch_release(&c.batch);
+	ledger_release(&c.ledger);
+	held_release(&c.held);
+	sweep_release(&c.sweep);
+	if (c.failed || diag->errors > errors || (!complete && !stats->findings))
+		return CHECK_INCOMPLETE;
+	return stats->findings ? CHECK_FOUND : CHECK_CLEAR;
+}

@@ -1,0 +1,66 @@
+/* check.h - runs a program on a scene and finds what comes too close, first in time. */
+#ifndef FIVECHECK_CHECK_CHECK_H
+#define FIVECHECK_CHECK_CHECK_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/diag.h"
+#include "check/finding.h"
+#include "motion/motion.h"
+#include "scene/scene.h"
+
+enum check_method {
+	CHECK_CERTIFIED,	/* proof in continuous time */
+	CHECK_INTERPOLATED,	/* the paper's method: samples, axes interpolated between a motion's ends; unsafe between samples */
+	CHECK_CONVENTIONAL,	/* samples, axes computed anew at each; unsafe between samples */
+	CHECK_NOTHING	/* interpret and watch the limits only (--parse-only) */
+};
+
+struct check_options {
+	enum check_method method;
+	double step;	/* s between samples of the two sampled methods */
+	double tolerance;	/* mm: e of the verdict contract */
+	bool all;	/* go on after the first finding: the first per block and pair */
+	bool block_delete;
+	bool last_duplicate_wins;
+	int threads;	/* >= 1 */
+};
+
+struct check_stats {
+	struct motion_summary motion;
+	long findings;
+	size_t pairs_required, pairs_excused, pairs_skipped;	/* checked; adjacent; rigid, out of reach, waived */
+	long budgets;	/* steps of pairs passed on a proven distance alone */
+	long queries;	/* distance queries */
+	long certificates;	/* node and triangle pairs certified over an interval */
+	long bisections;	/* intervals halved */
+	long samples;	/* poses evaluated by the sampled methods */
+	double seconds_interpret, seconds_check;	/* wall time */
+};
+
+struct check_sink {
+	void *context;
+	/* False: stop. Findings come in the order of time. */
+	bool (*finding)(void *context, const struct finding *finding);
+	/* Now and then: how far the program is; may be NULL. */
+	void (*progress)(void *context, long lines);
+};
+
+enum check_result {
+	CHECK_CLEAR,	/* everything was checked, nothing found */
+	CHECK_FOUND,	/* at least one finding */
+	CHECK_INCOMPLETE	/* a fault was reported to diag: not everything was checked */
+};
+
+/*
+ * Checks one program. Without `all` it stops at the first finding. Statistics
+ * are filled in whatever the result. proven[i], if not NULL, receives for
+ * each of the scene's pairs the smallest clearance in mm that was proven over
+ * the program (INFINITY: never looked at).
+ */
+enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
+			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,
+			    double *proven);
+
+#endif

@@ -1,0 +1,38 @@
+/* finding.h - one violation, as it will be reported. */
+#ifndef FIVECHECK_CHECK_FINDING_H
+#define FIVECHECK_CHECK_FINDING_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "geom/vec3.h"
+
+enum finding_kind { FINDING_COLLISION, FINDING_CLEARANCE, FINDING_LIMIT, FINDING_START_OVERLAP };
+
+/* Lives during the call that hands it over. */
+struct finding {
+	enum finding_kind kind;
+	const char *file;
+	long line;
+	int column;	/* 1 */
+	const char *text;	/* of the block */
+	int move, moves;	/* which of the block's moves, from 1 */
+	double fraction;	/* of the block's motion, by time, 0 to 1 */
+	double time;	/* s since the start of the program */
+	axis_values axes;	/* machine axis positions, mm and radians */
+	int tool;	/* in the spindle; 0: none */
+	/* All but LIMIT: */
+	const char *a, *b;	/* names of the bodies */
+	const char *link_a, *link_b;	/* and of their links */
+	vec3 point;	/* machine coordinates, mm */
+	double clearance;	/* measured distance at that instant, mm; 0 when they meet */
+	double required;	/* c */
+	/* LIMIT: */
+	int slot;
+	double bound;	/* mm or radians */
+};
+
+/* "collision", "clearance", "limit", "start-overlap" */
+const char *finding_kind_name(enum finding_kind kind);
+
+#endif

@@ -1,0 +1,159 @@
+#include "scene/sweep.h"
+
+#include <math.h>
+
+#include "geom/moved_tri.h"
+#include "scene/memory.h"
+
+/* One search. */
+struct search {
+	struct sweep *sweep;
+	const struct body_pair *pair;
+	xform pose;
+	struct box_motion boxes;
+	double found;	/* two triangles are this close */
+	double proven;	/* and everything dismissed so far is farther than this */
+	size_t depth;
+};
+
+static void push(struct search *search, const struct branch *a, const struct branch *b, float least)
+{
+	sweep_queue_reserve(search->sweep, search->depth + 1)[search->depth] = (struct branch_pair){*a, *b, least};
+	search->depth++;
+}
+
+/* Is what is at least this far away of no more interest? Then it counts as proven to be there. */
+static bool dismiss(struct search *search, double least)
+{
+	if (least < DISTANCE_SHARE * search->found)
+		return false;
+	search->proven = fmin(search->proven, least);
+	return true;
+}
+
+/* What an axis that helped before says of two branches: mm. */
+static double gap_of(const struct search *search, const struct branch *a, const struct branch *b)
+{
+	if (!search->pair->memory)
+		return 0;
+	return memory_gap(search->pair->memory, &search->pose, search->pair, &a->box, &b->box);
+}
+
+/* Opens the larger branch; of its children the nearest comes onto the stack last and is looked at first. */
+static void push_children(struct search *search, const struct branch_pair *entry)
+{
+	bool open_a = branch_opens_first(&entry->a, &entry->b);
+	const struct bvh *bvh = open_a ? search->pair->a : search->pair->b;
+	const struct branch *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
+	const struct bvh_node *node = &bvh->nodes[opened->leaf.first];
+	float apart[BVH_WIDTH], loose[BVH_WIDTH];
+	int order[BVH_WIDTH];
+
+	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, apart, loose);
+	search->sweep->visits += node->used;
+	for (int i = 0; i < node->used; i++) {
+		int at = i;
+
+		for (; at > 0 && apart[order[at - 1]] < apart[i]; at--)
+			order[at] = order[at - 1];
+		order[at] = i;
+	}
+	for (int i = 0; i < node->used; i++) {
+		int lane = order[i];
+		struct branch child;
+
+		if (dismiss(search, apart[lane]))
+			continue;
+		child = branch_child(node, lane);
+		if (dismiss(search, gap_of(search, open_a ? &child : kept, open_a ? kept : &child)))
+			continue;
+		push(search, open_a ? &child : kept, open_a ? kept : &child, apart[lane]);
+	}
+}
+
+static void remember(const struct search *search, size_t i, size_t j, vec3 direction)
+{
+	struct memory *memory = search->pair->memory;
+
+	if (!memory)
+		return;
+	memory->near_a = (uint32_t)i;
+	memory->near_b = (uint32_t)j;
+	memory_learn(memory, direction, &search->pose);
+}
+
+/* The triangles that were near last time bound the distance from above before the search begins. */
+static void recall(struct search *search)
+{
+	const struct memory *memory = search->pair->memory;
+	vec3 on_a, on_b;
+	tri a, b;
+
+	if (!memory)
+		return;
+	a = tri_of(&search->pair->a->mesh, memory->near_a);
+	b = tri_of(&search->pair->b->mesh, memory->near_b);
+	b = tri_transform(&b, &search->pose);
+	search->found = tri_distance(&a, &b, &on_a, &on_b);
+}
+
+static void measure_triangles(struct search *search, size_t i, size_t j, const tri *a, const tri *b)
+{
+	vec3 on_a, on_b, way;
+	double distance = tri_distance(a, b, &on_a, &on_b);
+	double length;
+
+	way = vec3_sub(on_b, on_a);
+	length = vec3_norm(way);
+	if (distance < search->found) {
+		search->found = distance;
+		remember(search, i, j, vec3_scale(length > 0 ? 1 / length : 0, way));
+	}
+	/* What is proven is the gap along an axis, not the distance that some algorithm found. */
+	search->proven = fmin(search->proven, length > 0 ? tri_gap(a, b, way) / length : 0);
+}
+
+static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
+{
+	tri of_b[BVH_LEAF_SIZE];
+
+	for (int j = 0; j < b.count; j++) {
+		tri t = tri_of(&search->pair->b->mesh, b.first + (size_t)j);
+
+		of_b[j] = tri_transform(&t, &search->pose);
+	}
+	for (int i = 0; i < a.count; i++) {
+		tri of_a = tri_of(&search->pair->a->mesh, a.first + (size_t)i);
+
+		for (int j = 0; j < b.count; j++)
+			if (!dismiss(search, tri_box_gap(&of_a, &of_b[j], &of_b[j])))
+				measure_triangles(search, a.first + (size_t)i, b.first + (size_t)j, &of_a, &of_b[j]);
+	}
+}
+
+double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double enough)
+{
+	struct search search = {.sweep = sweep, .pair = pair, .found = INFINITY, .proven = INFINITY};
+	struct branch a = branch_root(pair->a), b = branch_root(pair->b);
+	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_stray[VIEWS] = {0, 0};
+	double rounding;
+	xform ends[2];
+
+	search.pose = ends[0] = ends[1] = body_pair_pose(pair, q);
+	rounding = body_pair_rounding(pair, search.pose.translation);
+	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_play, no_stray);
+	push(&search, &a, &b, 0);
+	recall(&search);
+	while (search.depth && search.found > enough) {
+		struct branch_pair entry = sweep->queue[--search.depth];
+
+		if (dismiss(&search, entry.least))
+			continue;
+		if (entry.a.leaf.count && entry.b.leaf.count)
+			measure_leaves(&search, entry.a.leaf, entry.b.leaf);
+		else
+			push_children(&search, &entry);
+	}
+	return search.depth ? 0 : fmax(search.proven - rounding, 0);
+}

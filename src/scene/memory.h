@@ -1,0 +1,49 @@
+/* memory.h - what helped to prove a pair apart a moment ago will probably help again. */
+#ifndef FIVECHECK_SCENE_MEMORY_H
+#define FIVECHECK_SCENE_MEMORY_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "geom/boxes.h"
+#include "geom/tri.h"
+#include "scene/region.h"
+
+enum { MEMORY_AXES = 4 };
+
+/* A unit vector in the mesh coordinates of a (frame 0) or b (frame 1): it moves with that body. */
+struct memory_axis {
+	vec3 n;
+	int frame;
+};
+
+/*
+ * The axes that separated last, the newest first, and two triangles that were
+ * close. A memory changes how fast an answer comes, never the answer's truth.
+ * All zero is empty.
+ */
+struct memory {
+	struct memory_axis axes[MEMORY_AXES];
+	int axis_count;
+	uint32_t near_a, near_b;	/* triangles of the trees */
+};
+
+/* Learns that n, a unit vector of a's mesh coordinates, separates at the pose: kept as it is, and as b sees it. */
+void memory_learn(struct memory *memory, vec3 n, const xform *pose);
+
+/* The axis was of use: it comes first from now on. */
+void memory_prefer(struct memory *memory, int axis);
+
+/*
+ * Does an axis keep two triangles more than `clearance` apart throughout the
+ * region, which is a chord? b0 and b1 are b's at its ends, in a's mesh coordinates. The
+ * axis is fixed in its frame, so the gap must exceed the stray of that view at both ends.
+ */
+bool memory_parts_triangles(struct memory *memory, const struct region *region, const tri *a, const tri *b0,
+			    const tri *b1, double clearance);
+
+/* The largest gap that an axis shows between two boxes at one pose, mm; negative: none does. */
+double memory_gap(struct memory *memory, const xform *pose, const struct body_pair *pair, const struct box *a,
+		  const struct box *b);
+
+#endif

@@ -1,0 +1,118 @@
+#include "scene/overlap.h"
+
+#include <math.h>
+
+#include "geom/topology.h"
+#include "scene/branch.h"
+
+static bool in_box(vec3 p, const struct bvh *bvh)
+{
+	vec3 off = vec3_sub(p, bvh->origin);
+
+	return fabs(off.x) <= bvh->half.x && fabs(off.y) <= bvh->half.y && fabs(off.z) <= bvh->half.z;
+}
+
+/* Is a component of `inner` inside `outer`? pose takes inner's coordinates to outer's. */
+static bool holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
+{
+	const struct bvh *solid = scene_body_bvh(scene, outer, diag);
+	const struct topology *parts;
+
+	parts = scene_body_topology(scene, inner, diag);
+	for (size_t i = 0; i < parts->component_count; i++) {
+		vec3 p = xform_apply(pose, parts->witness[i]);
+
+		if (in_box(p, solid) && scene_body_topology(scene, outer, diag)->closed &&
+		    mesh_winding_number(&solid->mesh, p) != 0) {
+			*point = p;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Do the boxes around the whole bodies overlap, so that one may hold the other? */
+static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
+{
+	xform a_in_b = xform_inverse(b_in_a);
+	vec3 to_b = vec3_sub(xform_apply(b_in_a, bodies->b->origin), bodies->a->origin);
+	vec3 to_a = vec3_sub(xform_apply(&a_in_b, bodies->a->origin), bodies->b->origin);
+	double reach_b = bodies->b->radius, reach_a = bodies->a->radius;
+	vec3 ha = bodies->a->half, hb = bodies->b->half;
+
+	return fabs(to_b.x) <= ha.x + reach_b && fabs(to_b.y) <= ha.y + reach_b && fabs(to_b.z) <= ha.z + reach_b &&
+	       fabs(to_a.x) <= hb.x + reach_a && fabs(to_a.y) <= hb.y + reach_a && fabs(to_a.z) <= hb.z + reach_a;
+}
+
+bool scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
+		     struct diag *diag)
+{
+	struct body_pair bodies;
+	xform b_in_a, a_in_b;
+	vec3 in_b;
+
+	if (!scene_pair_bodies(scene, pair, &bodies, diag))
+		return false;
+	b_in_a = body_pair_pose(&bodies, q);
+	if (!boxes_overlap(&bodies, &b_in_a))
+		return false;
+	a_in_b = xform_inverse(&b_in_a);
+	if (holds(scene, pair->a, pair->b, &b_in_a, point, diag))
+		return true;
+	if (!holds(scene, pair->b, pair->a, &a_in_b, &in_b, diag))
+		return false;
+	*point = xform_apply(&b_in_a, in_b);
+	return true;
+}
+
+static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodies, const axis_values *q,
+			       double clearance, double tolerance, struct contact *contact)
+{
+	struct chord chord = {.q0 = *q, .q1 = *q};
+
+	return sweep_chord(sweep, bodies, &chord, clearance, tolerance, contact);
+}
+
+enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
+			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
+{
+	struct body_pair bodies;
+	enum sweep_answer answer;
+	vec3 point;
+
+	if (!scene_pair_bodies(scene, pair, &bodies, diag))
+		return STANCE_FAILED;
+	answer = still(sweep, &bodies, q, 0, tolerance, contact);
+	if (answer == SWEEP_CONTACT) {
+		contact->distance = 0;
+		return STANCE_OVERLAP;
+	}
+	if (answer == SWEEP_APART && scene_contained(scene, pair, q, &point, diag)) {
+		*contact = (struct contact){0, *q, 0, point};
+		return STANCE_OVERLAP;
+	}
+	if (answer == SWEEP_APART && pair->clearance > 0)
+		answer = still(sweep, &bodies, q, pair->clearance, tolerance, contact);
+	if (answer == SWEEP_UNDECIDED)
+		scene_undecided(scene, pair, tolerance, diag);
+	return answer == SWEEP_UNDECIDED ? STANCE_FAILED : answer == SWEEP_CONTACT ? STANCE_NEAR : STANCE_CLEAR;
+}
+
+bool scene_overlap(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
+		   vec3 *point, struct diag *diag)
+{
+	struct contact contact;
+
+	if (scene_stance(scene, &scene->sweep, pair, q, tolerance, &contact, diag) != STANCE_OVERLAP)
+		return false;
+	*point = contact.point;
+	return true;
+}
+
+void scene_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag)
+{
+	diag_error(diag, scene->bodies[pair->b].body->loc,
+		   "'%s' and '%s' cannot be decided to within %g mm: their coordinates are too large for that; "
+		   "give a larger --tolerance or move the drawing nearer to the origin",
+		   scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name, tolerance);
+}

@@ -1,0 +1,28 @@
+/* overlap.h - two bodies that stand still: apart, too close, or one in the other. */
+#ifndef FIVECHECK_SCENE_OVERLAP_H
+#define FIVECHECK_SCENE_OVERLAP_H
+
+#include <stdbool.h>
+
+#include "scene/scene.h"
+
+enum stance {
+	STANCE_CLEAR,	/* farther apart than the clearance */
+	STANCE_NEAR,	/* apart, but within the clearance */
+	STANCE_OVERLAP,	/* the surfaces meet, or one solid is inside the other */
+	STANCE_FAILED	/* a mesh could not be read, or rounding exceeds the tolerance: reported */
+};
+
+/*
+ * How the pair stands when the axes are at q; tolerance (mm) as in sweep_chord.
+ * contact is filled for NEAR and OVERLAP; its distance is 0 for OVERLAP, its
+ * point is in a's mesh coordinates.
+ */
+enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
+			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
+
+/* Is a component of one body inside the other, surfaces apart? Open meshes have no inside. */
+bool scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
+		     struct diag *diag);
+
+#endif

@@ -1,0 +1,142 @@
+#include "scene/pairs.h"
+
+#include <math.h>
+
+#include "base/mem.h"
+#include "base/strbuf.h"
+#include "base/units.h"
+#include "scene/overlap.h"
+#include "scene/rules.h"
+
+/* Node pairs that a proof of "out of reach" may look at, some milliseconds in all: not proved means checked. */
+#define REACH_VISITS 30000
+
+/* mm: regions of travel smaller than this are not halved further by such a proof. */
+#define REACH_GRAIN 1.0
+
+static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
+{
+	struct strbuf text = {0};
+	va_list args;
+
+	va_start(args, format);
+	strbuf_addv(&text, format, args);
+	va_end(args);
+	pair->status = status;
+	pair->reason = text.text;
+}
+
+/* The whole travel of the pair's joints; false: a linear one has no end. */
+static bool travel_of(const struct scene *scene, const struct chain *chain, axis_values *low, axis_values *high)
+{
+	*low = *high = (axis_values){{0}};
+	for (size_t i = 0; i < chain->count; i++) {
+		const struct axis *axis = machine_axis(scene->machine, chain->joints[i].slot);
+		bool full_turn = axis->rotary && !(axis->limit_max - axis->limit_min <= 2 * PI);
+
+		low->v[axis->slot] = full_turn ? -PI : axis->limit_min - REACH_MARGIN;
+		high->v[axis->slot] = full_turn ? PI : axis->limit_max + REACH_MARGIN;
+		if (!isfinite(low->v[axis->slot]) || !isfinite(high->v[axis->slot]))
+			return false;
+	}
+	return true;
+}
+
+/* Proves, or does not prove, that the pair stays apart over the whole travel. */
+static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
+			 struct diag *diag)
+{
+	axis_values low, high, home = machine_home(scene->machine);
+	struct contact contact;
+	vec3 point;
+
+	if (!travel_of(scene, &pair->chain, &low, &high))
+		return false;
+	return sweep_box(&scene->sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact) ==
+		       SWEEP_APART &&
+	       !scene_contained(scene, pair, &home, &point, diag);
+}
+
+static bool is_cutting(const struct body *a, const struct body *b)
+{
+	return (a->role == ROLE_CUTTER && b->role == ROLE_PART) || (a->role == ROLE_PART && b->role == ROLE_CUTTER);
+}
+
+/* What the joints and the meshes say; reads the meshes. */
+static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct diag *diag)
+{
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	const axis_values home = machine_home(scene->machine);
+	const double within = scene->machine->adjacent_within;
+	struct body_pair bodies;
+	bool neighbours = pair->chain.count == 1 && a->role == ROLE_MACHINE && b->role == ROLE_MACHINE;
+
+	if (!scene_pair_bodies(scene, pair, &bodies, diag))
+		return false;
+	if (neighbours && !(sweep_distance(&scene->sweep, &bodies, &home, within) > within)) {
+		struct chord still = {.q0 = home, .q1 = home};
+		struct contact contact;
+		vec3 point;
+
+		/* The lower bound may be lax: ask for the distance itself. */
+		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_GRAIN * 1e-3, &contact) != SWEEP_APART ||
+		    scene_contained(scene, pair, &home, &point, diag)) {
+			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
+			       AXIS_LETTERS[pair->chain.joints[0].slot], within);
+			return true;
+		}
+	}
+	if (out_of_reach(scene, pair, &bodies, diag))
+		decide(pair, PAIR_OUT_OF_REACH, "proved apart over the whole travel");
+	else
+		decide(pair, PAIR_CHECKED, "within reach of each other");
+	return true;
+}
+
+static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct diag *diag)
+{
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	struct ruling ruling = rules_apply(scene->machine, a, b);
+
+	chain_init(&pair->chain, scene->machine, a->link, b->link);
+	pair->clearance = ruling.clearance >= 0 ? ruling.clearance : clearance;
+	if (chain_is_rigid(&pair->chain))
+		decide(pair, PAIR_RIGID, "no joint between them");
+	else if (is_cutting(a, b))
+		decide(pair, PAIR_WAIVED, "the cutter cuts the part");
+	else if (ruling.check == PAIR_NEVER)
+		decide(pair, PAIR_WAIVED, "%s", ruling.reason);
+	else if (ruling.check == PAIR_ALWAYS)
+		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
+	else
+		return derive_from_geometry(scene, pair, diag);
+	return true;
+}
+
+bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
+{
+	size_t n = scene->body_count;
+	bool good = true;
+
+	scene->pairs = mem_zalloc(n * (n - (n > 0)) / 2, sizeof(*scene->pairs));
+	for (size_t a = 0; a < n; a++) {
+		for (size_t b = a + 1; b < n; b++) {
+			struct scene_pair *pair = &scene->pairs[scene->pair_count++];
+
+			pair->a = (int)a;
+			pair->b = (int)b;
+			good &= derive(scene, pair, clearance, diag);
+		}
+	}
+	return good;
+}
+
+const char *pair_status_name(enum pair_status status)
+{
+	static const char *const names[] = {"checked", "rigid", "adjacent", "out of reach", "waived"};
+
+	return names[status];
+}

@@ -1,0 +1,224 @@
+#include "scene/region.h"
+
+#include <math.h>
+
+#include "geom/tolerance.h"
+
+static struct ball ball_around(const struct bvh *bvh, const xform *place)
+{
+	return (struct ball){xform_apply(place, bvh->origin), bvh->radius};
+}
+
+void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bvh *b, const xform *place_a,
+		    const xform *place_b, const struct chain *chain)
+{
+	*pair = (struct body_pair){
+		.a = a,
+		.b = b,
+		.place_a = *place_a,
+		.place_b = *place_b,
+		.chain = chain,
+		.ball_a = ball_around(a, place_a),
+		.ball_b = ball_around(b, place_b),
+		.slop = a->mesh.slop + b->mesh.slop,
+	};
+}
+
+static xform mesh_pose(const struct body_pair *pair, const xform *pose)
+{
+	xform to_a = xform_inverse(&pair->place_a), of_b = xform_mul(pose, &pair->place_b);
+
+	return xform_mul(&to_a, &of_b);
+}
+
+xform body_pair_pose(const struct body_pair *pair, const axis_values *q)
+{
+	xform pose = chain_pose(pair->chain, q);
+
+	return mesh_pose(pair, &pose);
+}
+
+double body_pair_rounding(const struct body_pair *pair, vec3 t)
+{
+	double size = vec3_norm(t) + pair->a->radius + pair->b->radius + vec3_norm(pair->a->origin) +
+		      vec3_norm(pair->b->origin) + vec3_norm(pair->place_a.translation) +
+		      vec3_norm(pair->place_b.translation);
+
+	for (size_t i = 0; i < pair->chain->count; i++)
+		size += vec3_norm(pair->chain->joints[i].location);
+	return POSE_ROUNDING * size + pair->slop;
+}
+
+static void state_at(struct chain_state *state, xform *pose, const struct body_pair *pair, const axis_values *q)
+{
+	chain_state_init(state, pair->chain, q, &pair->ball_a, &pair->ball_b);
+	*pose = mesh_pose(pair, &state->pose);
+}
+
+/* What follows from states and chord. */
+static void finish_chord(struct region *region, const struct body_pair *pair)
+{
+	double rounding = fmax(body_pair_rounding(pair, region->poses[0].translation),
+			       body_pair_rounding(pair, region->poses[1].translation));
+	struct chord_bound bound;
+
+	chord_bound_init(&bound, pair->chain, &region->states[0], &region->states[1], &region->chord.q0,
+			 &region->chord.q1, &region->chord.deviation);
+	for (int v = 0; v < VIEWS; v++) {
+		region->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
+		region->play[v] = (vec3){0, 0, 0};
+	}
+	region->reach = 0.5 * bound.length + fmin(bound.drift[0], bound.drift[1]) + rounding;
+	box_motion_init(&region->boxes, pair->a, pair->b, region->poses, region->play, region->stray);
+}
+
+static axis_values half_sizes(const struct chord *box)
+{
+	axis_values half;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		half.v[i] = 0.5 * (box->q1.v[i] - box->q0.v[i]);
+	return half;
+}
+
+static axis_values middle_of(const struct chord *box)
+{
+	axis_values middle;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		middle.v[i] = 0.5 * box->q0.v[i] + 0.5 * box->q1.v[i];
+	return middle;
+}
+
+/* How far a joint moves points along a unit vector at `cosine` to its direction: mm. */
+static double play_of(const struct region *region, int view, size_t joint, double half, bool rotary, double cosine)
+{
+	if (!rotary)
+		return half * fabs(cosine);
+	/* The share at right angles to the axis; 1e-15 is the rounding of a cosine near 1. */
+	return region->bound.turn[view][joint] * sqrt(fmax(1 - cosine * cosine, 0) + 1e-15);
+}
+
+static void finish_box(struct region *region, const struct body_pair *pair)
+{
+	const struct chain *chain = pair->chain;
+	axis_values middle = middle_of(&region->chord), half = half_sizes(&region->chord);
+	double rounding;
+
+	state_at(&region->states[0], &region->poses[0], pair, &middle);
+	region->poses[1] = region->poses[0];
+	rounding = body_pair_rounding(pair, region->poses[0].translation);
+	box_bound_init(&region->bound, chain, &region->states[0], &half);
+	region->play[0] = region->play[1] = (vec3){0, 0, 0};
+	region->stray[0] = region->stray[1] = rounding;
+	for (size_t i = 0; i < chain->count; i++) {
+		vec3 in_a = mat3_apply_transposed(&pair->place_a.rotation, region->states[0].direction[i]);
+		vec3 in_b = mat3_apply_transposed(&region->poses[0].rotation, in_a);
+		double h = half.v[chain->joints[i].slot];
+		bool rotary = chain->joints[i].rotary;
+
+		region->play[0] = vec3_add(region->play[0], (vec3){play_of(region, 0, i, h, rotary, in_a.x),
+								   play_of(region, 0, i, h, rotary, in_a.y),
+								   play_of(region, 0, i, h, rotary, in_a.z)});
+		region->play[1] = vec3_add(region->play[1], (vec3){play_of(region, 1, i, h, rotary, in_b.x),
+								   play_of(region, 1, i, h, rotary, in_b.y),
+								   play_of(region, 1, i, h, rotary, in_b.z)});
+	}
+	region->reach = fmin(region->bound.reach[0], region->bound.reach[1]) + rounding;
+	box_motion_init(&region->boxes, pair->a, pair->b, region->poses, region->play, region->stray);
+}
+
+void region_init(struct region *region, const struct body_pair *pair, enum region_kind kind,
+		 const struct chord *chord)
+{
+	region->kind = kind;
+	region->chord = *chord;
+	region->s0 = 0;
+	region->s1 = 1;
+	region->depth = 0;
+	region->halved = false;
+	if (kind == REGION_BOX) {
+		finish_box(region, pair);
+		return;
+	}
+	state_at(&region->states[0], &region->poses[0], pair, &chord->q0);
+	state_at(&region->states[1], &region->poses[1], pair, &chord->q1);
+	finish_chord(region, pair);
+}
+
+static void halve_straight(const struct chord *whole, struct chord *first, struct chord *second)
+{
+	axis_values middle = middle_of(whole);
+
+	*first = *second = *whole;
+	first->q1 = second->q0 = middle;
+	first->u1 = second->u0 = 0.5 * (whole->u0 + whole->u1);
+}
+
+/* Across the joint that moves the bodies most. */
+static void halve_box(const struct region *region, const struct body_pair *pair, struct chord *first,
+		      struct chord *second)
+{
+	axis_values half = half_sizes(&region->chord), middle = middle_of(&region->chord);
+	double most = -1;
+	int slot = 0;
+
+	for (size_t i = 0; i < pair->chain->count; i++) {
+		const struct joint *joint = &pair->chain->joints[i];
+		double way = half.v[joint->slot];
+
+		if (joint->rotary)
+			way *= fmin(region->states[0].rho[0][i], region->states[0].rho[1][i]);
+		if (way > most) {
+			most = way;
+			slot = joint->slot;
+		}
+	}
+	*first = *second = region->chord;
+	first->q1.v[slot] = second->q0.v[slot] = middle.v[slot];
+}
+
+void region_halve(struct region *region, const struct body_pair *pair, struct region *first, struct region *second)
+{
+	double middle = 0.5 * (region->s0 + region->s1);
+
+	region->halves[0] = first;
+	region->halves[1] = second;
+	region->halved = true;
+	first->kind = second->kind = region->kind;
+	first->depth = second->depth = region->depth + 1;
+	first->halved = second->halved = false;
+	first->s0 = region->s0;
+	second->s1 = region->s1;
+	if (region->kind == REGION_BOX) {
+		first->s1 = region->s1;
+		second->s0 = region->s0;
+		halve_box(region, pair, &first->chord, &second->chord);
+		finish_box(first, pair);
+		finish_box(second, pair);
+		return;
+	}
+	first->s1 = second->s0 = middle;
+	(region->chord.halve ? region->chord.halve : halve_straight)(&region->chord, &first->chord, &second->chord);
+	first->states[0] = region->states[0];
+	first->poses[0] = region->poses[0];
+	state_at(&first->states[1], &first->poses[1], pair, &first->chord.q1);
+	second->states[0] = first->states[1];
+	second->poses[0] = first->poses[1];
+	second->states[1] = region->states[1];
+	second->poses[1] = region->poses[1];
+	finish_chord(first, pair);
+	finish_chord(second, pair);
+}
+
+double region_play_along(const struct region *region, const struct body_pair *pair, vec3 n)
+{
+	vec3 in_a_link = mat3_apply(&pair->place_a.rotation, n);
+	axis_values half = half_sizes(&region->chord);
+	double play = 0;
+
+	for (size_t i = 0; i < pair->chain->count; i++)
+		play += play_of(region, 0, i, half.v[pair->chain->joints[i].slot], pair->chain->joints[i].rotary,
+				vec3_dot(in_a_link, region->states[0].direction[i]));
+	return play;
+}

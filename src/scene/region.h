@@ -1,0 +1,82 @@
+/* region.h - a stretch of relative motion of two bodies, with all that a proof over it needs; it can be halved. */
+#ifndef FIVECHECK_SCENE_REGION_H
+#define FIVECHECK_SCENE_REGION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/axes.h"
+#include "geom/boxes.h"
+#include "geom/bvh.h"
+#include "geom/xform.h"
+#include "machine/chain.h"
+#include "machine/motion_bound.h"
+
+struct memory;
+
+/* Two bodies and the joints between them. Borrows everything. */
+struct body_pair {
+	const struct bvh *a, *b;
+	xform place_a, place_b;	/* mesh -> machine coordinates at the zero pose */
+	const struct chain *chain;	/* b as a sees it */
+	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
+	double slop;	/* mm: both meshes' together */
+	struct memory *memory;	/* what helped last time; NULL: none is kept */
+};
+
+void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bvh *b, const xform *place_a,
+		    const xform *place_b, const struct chain *chain);
+
+/* b's mesh coordinates in a's when the axes stand at q. */
+xform body_pair_pose(const struct body_pair *pair, const axis_values *q);
+
+/* mm: what rounding can hide at a pose whose translation is t. */
+double body_pair_rounding(const struct body_pair *pair, vec3 t);
+
+/*
+ * Axis positions over a piece of a move: within `deviation` of the straight
+ * line from q0 to q1. The two halves of a curve deviate less than the whole:
+ * `halve` knows the curve; NULL: the piece is straight and deviation stays.
+ */
+struct chord {
+	axis_values q0, q1;
+	axis_values deviation;	/* mm, radians */
+	const void *curve;
+	double u0, u1;	/* where on the curve */
+	void (*halve)(const struct chord *whole, struct chord *first, struct chord *second);
+};
+
+/*
+ * CHORD: one motion, with a time s from 0 to 1 over the whole sweep.
+ * BOX: every position between the chord's q0 (least) and q1 (greatest), axis by
+ * axis; it has no time.
+ */
+enum region_kind { REGION_CHORD, REGION_BOX };
+
+struct region {
+	enum region_kind kind;
+	struct chord chord;
+	double s0, s1;
+	int depth;	/* how often it was halved */
+	struct chain_state states[2];	/* CHORD: at its ends; BOX: [0] in its middle */
+	xform poses[2];	/* of meshes, at the states; BOX: both the same */
+	double stray[VIEWS];	/* mm: CHORD: what a point may be off its chord; BOX: rounding, which is in both */
+	vec3 play[VIEWS];	/* mm: BOX: what a point may be off its place, along each axis of the fixed body's mesh */
+	struct box_bound bound;	/* BOX */
+	double reach;	/* mm: CHORD: L/2 + d + rounding; BOX: from the middle to any place; rounding is in both */
+	struct box_motion boxes;
+	bool halved;
+	struct region *halves[2];	/* the earlier first; valid once halved */
+};
+
+/* Fills a region that covers the whole of the chord or box. */
+void region_init(struct region *region, const struct body_pair *pair, enum region_kind kind,
+		 const struct chord *chord);
+
+/* Fills the halves, which the caller provides. */
+void region_halve(struct region *region, const struct body_pair *pair, struct region *first, struct region *second);
+
+/* BOX: how far b's points may be off their places along the unit vector n of a's mesh coordinates, mm. */
+double region_play_along(const struct region *region, const struct body_pair *pair, vec3 n);
+
+#endif

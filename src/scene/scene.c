@@ -1,0 +1,132 @@
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "geom/stl.h"
+#include "geom/tolerance.h"
+#include "geom/topology.h"
+#include "scene/pairs.h"
+
+static void add_bodies(struct scene *scene, const struct body *bodies, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		scene->bodies[scene->body_count++] = (struct scene_body){.body = &bodies[i]};
+}
+
+struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
+			struct diag *diag)
+{
+	struct scene *scene = mem_zalloc(1, sizeof(*scene));
+
+	scene->machine = machine;
+	scene->setup = setup;
+	scene->bodies = mem_zalloc(machine->body_count + (setup ? setup->body_count : 0), sizeof(*scene->bodies));
+	add_bodies(scene, machine->bodies, machine->body_count);
+	if (setup)
+		add_bodies(scene, setup->bodies, setup->body_count);
+	if (!pairs_derive(scene, clearance, diag)) {
+		scene_free(scene);
+		return NULL;
+	}
+	return scene;
+}
+
+void scene_free(struct scene *scene)
+{
+	if (!scene)
+		return;
+	for (size_t i = 0; i < scene->body_count; i++) {
+		bvh_free(scene->bodies[i].bvh);
+		if (scene->bodies[i].topology)
+			topology_release(scene->bodies[i].topology);
+		free(scene->bodies[i].topology);
+	}
+	for (size_t i = 0; i < scene->pair_count; i++)
+		free(scene->pairs[i].reason);
+	sweep_release(&scene->sweep);
+	free(scene->bodies);
+	free(scene->pairs);
+	free(scene);
+}
+
+static bool within_bounds(const struct mesh *mesh)
+{
+	vec3 least, greatest;
+
+	mesh_bounds(mesh, &least, &greatest);
+	return fmin(least.x, fmin(least.y, least.z)) >= -COORDINATE_MAX &&
+	       fmax(greatest.x, fmax(greatest.y, greatest.z)) <= COORDINATE_MAX;
+}
+
+/* The body's triangles in mm, in a mesh that the caller owns. */
+static bool read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
+{
+	struct mesh mesh = {0};
+
+	if (body->solid) {
+		mesh = *body->solid;
+		mesh.triangles = mem_realloc(NULL, mesh.count, sizeof(*mesh.triangles));
+		memcpy(mesh.triangles, body->solid->triangles, mesh.count * sizeof(*mesh.triangles));
+	} else {
+		if (!stl_read(&mesh, body->mesh_path, diag)) {
+			diag_note(diag, body->loc, "body '%s' names that mesh", body->name);
+			return false;
+		}
+		if (body->scale > 1 || body->scale < 1)
+			mesh_scale(&mesh, body->scale);
+		if (!within_bounds(&mesh)) {
+			diag_error(diag, (struct srcloc){body->mesh_path, 0, 0},
+				   "coordinates beyond %g mm: body '%s' cannot be that large; check its units",
+				   COORDINATE_MAX, body->name);
+			mesh_release(&mesh);
+			return false;
+		}
+	}
+	*out = mesh;
+	return true;
+}
+
+const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag)
+{
+	struct scene_body *b = &scene->bodies[body];
+	struct mesh mesh;
+
+	if (b->bvh || b->failed)
+		return b->bvh;
+	if (!read_mesh(b->body, &mesh, diag)) {
+		b->failed = true;
+		return NULL;
+	}
+	b->bvh = bvh_new(&mesh);
+	scene->meshes_read++;
+	return b->bvh;
+}
+
+const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag)
+{
+	struct scene_body *b = &scene->bodies[body];
+	const struct bvh *bvh = scene_body_bvh(scene, body, diag);
+
+	if (!bvh)
+		return NULL;
+	if (!b->topology) {
+		b->topology = mem_zalloc(1, sizeof(*b->topology));
+		topology_init(b->topology, &bvh->mesh);
+	}
+	return b->topology;
+}
+
+bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag)
+{
+	const struct bvh *a = scene_body_bvh(scene, pair->a, diag);
+	const struct bvh *b = scene_body_bvh(scene, pair->b, diag);
+
+	if (!a || !b)
+		return false;
+	body_pair_init(out, a, b, &scene->bodies[pair->a].body->placement, &scene->bodies[pair->b].body->placement,
+		       &pair->chain);
+	return true;
+}

@@ -1,0 +1,82 @@
+/* scene.h - all bodies of machine and setup with their meshes, and the pairs of them that must be kept apart. */
+#ifndef FIVECHECK_SCENE_SCENE_H
+#define FIVECHECK_SCENE_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "geom/bvh.h"
+#include "machine/chain.h"
+#include "machine/machine.h"
+#include "machine/setup.h"
+#include "scene/sweep.h"
+
+/* Why a pair is or is not checked. */
+enum pair_status {
+	PAIR_CHECKED,
+	PAIR_RIGID,	/* no joint between them */
+	PAIR_ADJACENT,	/* neighbours of the machine's structure, close together by design: excused, not proved */
+	PAIR_OUT_OF_REACH,	/* proved apart over the whole travel */
+	PAIR_WAIVED	/* by the user, or a cutter against the part: cutting */
+};
+
+struct scene_body {
+	const struct body *body;
+	struct bvh *bvh;	/* NULL until scene_body_bvh builds it */
+	struct topology *topology;	/* NULL until asked for */
+	bool failed;	/* its mesh could not be read, and that was reported */
+};
+
+struct scene_pair {
+	int a, b;	/* bodies, a before b */
+	enum pair_status status;
+	double clearance;	/* mm that must remain */
+	char *reason;	/* one line, for people */
+	struct chain chain;	/* b as a sees it */
+};
+
+struct scene {
+	const struct machine *machine;	/* borrowed */
+	const struct setup *setup;	/* borrowed, or NULL */
+	struct scene_body *bodies;	/* machine's, fixtures and parts, tools'; in the order of the XML */
+	size_t body_count;
+	struct scene_pair *pairs;	/* every pair of bodies: (0,1) (0,2) ... */
+	size_t pair_count;
+	size_t meshes_read;
+	struct sweep sweep;	/* working storage for the derivation */
+};
+
+/*
+ * Collects the bodies, reads the meshes that the derivation of the required
+ * pairs needs, and derives them. `clearance` (mm) holds for pairs to which no
+ * rule gives one. NULL if a fault was reported.
+ */
+struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
+			struct diag *diag);
+void scene_free(struct scene *scene);
+
+/* The body's tree, read and built at the first call; NULL if its mesh is faulty (reported once). */
+const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);
+
+/* What the body's mesh encloses; NULL as above. */
+const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag);
+
+/* The pair as a sweep takes it; false: a mesh is faulty, reported. Valid as long as the scene. */
+bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
+
+/* Reports that rounding alone exceeds the tolerance for this pair. */
+void scene_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag);
+
+/* "checked", "rigid", "adjacent", "out of reach", "waived" */
+const char *pair_status_name(enum pair_status status);
+
+/*
+ * Do two bodies overlap when the axes stand at q: do their surfaces meet, or
+ * is one inside the other? Touching within `tolerance` mm counts. *point is in
+ * a's mesh coordinates.
+ */
+bool scene_overlap(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
+		   vec3 *point, struct diag *diag);
+
+#endif

@@ -1,0 +1,61 @@
+/* sweep.h - walks two bodies' trees and a stretch of motion together: they stay apart, or here they do not. */
+#ifndef FIVECHECK_SCENE_SWEEP_H
+#define FIVECHECK_SCENE_SWEEP_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "scene/branch.h"
+#include "scene/leaf.h"
+#include "scene/region.h"
+
+struct sweep_entry;
+
+/* Working storage and counters, reused from sweep to sweep; one a thread. All zero is ready. */
+struct sweep {
+	struct sweep_entry *stack;
+	size_t stack_capacity;
+	struct branch_pair *queue;
+	size_t queue_capacity;
+	struct region **regions;
+	size_t region_count, region_capacity;	/* in use, allocated */
+	size_t region_slots;
+	long certificates;	/* node and triangle pairs proved apart over a region */
+	long bisections;	/* regions halved */
+	long visits;	/* node pairs looked at */
+};
+
+/* Room for `count` entries of the queue, which is for the walks that look at one pose. */
+struct branch_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
+
+void sweep_release(struct sweep *sweep);
+
+enum sweep_answer {
+	SWEEP_APART,	/* proved: farther apart than the clearance all the way */
+	SWEEP_CONTACT,	/* *contact is the first instant, to within the tolerance */
+	SWEEP_UNDECIDED	/* the limit of work is reached, or rounding alone exceeds the tolerance */
+};
+
+/*
+ * A region whose motion is at most tolerance (mm) is one instant: what is not
+ * proved apart by then touches, and is at most clearance + tolerance apart.
+ *
+ * The motion along a chord:
+ */
+enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
+			      double clearance, double tolerance, struct contact *contact);
+
+/* Every position in the box between low and high; looks at no more than max_visits node pairs (0: no limit). */
+enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
+			    const axis_values *high, double clearance, double tolerance, long max_visits,
+			    struct contact *contact);
+
+/*
+ * A lower bound on the distance (mm) when the axes stand at q: at least
+ * DISTANCE_SHARE of it, less rounding. As soon as the distance turns out to be
+ * below `enough` the search ends and the result is just some lower bound.
+ */
+#define DISTANCE_SHARE 0.7
+double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double enough);
+
+#endif
