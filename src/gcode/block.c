@@ -73,7 +73,8 @@ static bool set_m(struct block *block, const struct line_place *at, const struct
 {
 	if (block->m[group] != CODE_NONE)
 		return fault(at, word->column,
-			     "M%g and the M-code at column %d are of one modal group; a block can have only one of them",
+			     "M%g and the M-code at column %d are of one modal group; "
+			     "a block can have only one of them",
 			     word->value, block->m_column[group]);
 	block->m[group] = code;
 	block->m_column[group] = word->column;

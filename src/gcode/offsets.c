@@ -1,11 +1,6 @@
 #include "gcode/offsets.h"
 
-#include <string.h>
-
 #include "gcode/tooling.h"
-
-static const char *const system_names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
-						       "G59", "G59.1", "G59.2", "G59.3"};
 
 /* The block's word for a slot in mm or degrees. */
 static bool slot_word(const struct interp *interp, int slot, double *value)
@@ -28,7 +23,7 @@ bool offsets_select(struct interp *interp)
 	state->system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
 	if (interp->config->has_setup && !state->work_known[state->system]) {
 		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
-			system_names[state->system]);
+			state_system_name(state->system));
 		state->work_known[state->system] = true;
 	}
 	return tooling_offsets_changed(interp, column);

@@ -28,13 +28,19 @@ static slot_values from_canonical(const axis_values *values)
 	return result;
 }
 
+const char *state_system_name(int system)
+{
+	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
+							"G59", "G59.1", "G59.2", "G59.3"};
+
+	return names[system];
+}
+
 /* "G54" ... "G59.3" to 0 ... 8, or -1. */
 static int system_of_name(const char *name)
 {
-	static const char *const names[SYSTEM_COUNT] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-
 	for (int i = 0; i < SYSTEM_COUNT; i++) {
-		if (!strcmp(name, names[i]))
+		if (!strcmp(name, state_system_name(i)))
 			return i;
 	}
 	return -1;
@@ -57,7 +63,8 @@ void state_update_offset(struct state *state)
 
 void state_init(struct state *state, const struct gcode_config *config)
 {
-	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .tool = config->initial_tool, .selected = -1};
+	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .selected = -1};
+	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {
 		int system = system_of_name(config->work_offsets[i].name);
 

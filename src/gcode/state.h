@@ -77,6 +77,9 @@ void state_update_offset(struct state *state);
 /* Puts the axes elsewhere. */
 void state_set_position(struct state *state, int slot, double value);
 
+/* "G54" for 0 ... "G59.3" for 8. */
+const char *state_system_name(int system);
+
 /* Degrees (or mm) of a value of the configuration: the short decimal that its file had, where there is one. */
 double state_from_canonical(int slot, double value);
 

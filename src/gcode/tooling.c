@@ -1,6 +1,7 @@
 #include "gcode/tooling.h"
 
 #include <limits.h>
+#include <math.h>
 
 #include "base/units.h"
 #include "gcode/travel.h"
@@ -40,7 +41,7 @@ static bool switch_tcp(struct interp *interp, int column, enum tcp_source source
 bool tooling_suspend_tcp(struct interp *interp, int column, enum tcp_source *source)
 {
 	*source = interp->state.tcp;
-	/* Its interpreter knows no machine axes: there G53 is a place of the tool point while kinematics are switched. */
+	/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
 	if (*source == TCP_BY_MCODE && interp->config->dialect == GCODE_LINUXCNC)
 		return fault(&interp->at, column,
 			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
@@ -57,15 +58,15 @@ bool tooling_offsets_changed(struct interp *interp, int column)
 {
 	struct state *state = &interp->state;
 	axis_values zero;
-	bool same = true;
+	bool changed = false;
 
 	state_update_offset(state);
 	if (state->tcp == TCP_OFF)
 		return true;
 	zero = rotary_zero(interp);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
-		same = same && !(zero.v[slot] < state->rotary_zero.v[slot] || zero.v[slot] > state->rotary_zero.v[slot]);
-	return same || switch_tcp(interp, column, state->tcp, state->length);
+		changed = changed || fabs(zero.v[slot] - state->rotary_zero.v[slot]) > 0;
+	return !changed || switch_tcp(interp, column, state->tcp, state->length);
 }
 
 bool tooling_select(struct interp *interp)
@@ -152,8 +153,8 @@ static void caution_length(struct interp *interp, double length)
 	    !(change < 0 || change > 0))
 		return;
 	caution(&interp->at, block->g_column[G_LENGTH],
-		"a change of the length compensation without a Z word: some controls move Z at once; no motion is checked "
-		"here and further on");
+		"a change of the length compensation without a Z word: some controls move Z at once; no motion is "
+		"checked here and further on");
 	interp->cautioned_length = true;
 }
 

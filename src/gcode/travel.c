@@ -139,8 +139,8 @@ static bool find_feed(struct interp *interp, struct canon_feed *feed)
 		return fault(&interp->at, column, "G%d without a feed rate (F)", code);
 	if (state->feed_mode == FEED_PER_REVOLUTION) {
 		if (!(state->speed > 0))
-			return fault(&interp->at, column, "G%d in feed per revolution (G95) without a spindle speed (S)",
-				     code);
+			return fault(&interp->at, column,
+				     "G%d in feed per revolution (G95) without a spindle speed (S)", code);
 		per_second *= state->speed;
 	}
 	feed->linear = state->feed_linear * per_second;
@@ -220,7 +220,8 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 		return false;
 	switch (arc_check_centre(start, end, *centre, tolerance, &r0, &r1)) {
 	case ARC_ZERO_RADIUS:
-		return fault(&interp->at, column, "an arc of radius 0: %.6g mm at its start, %.6g mm at its end", r0, r1);
+		return fault(&interp->at, column, "an arc of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
+			     r1);
 	case ARC_RADII_DIFFER:
 		return fault(&interp->at, column,
 			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end", r0, r1);
@@ -246,8 +247,8 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 	case ARC_NO_CHORD:
 		return fault(&interp->at, column, "an arc by its radius (R) cannot end where it starts");
 	case ARC_RADIUS_TOO_SMALL:
-		return fault(&interp->at, column, "a radius of %.6g mm does not reach from the start of the arc to its end",
-			     fabs(radius));
+		return fault(&interp->at, column,
+			     "a radius of %.6g mm does not reach from the start of the arc to its end", fabs(radius));
 	default:
 		return true;
 	}
@@ -275,7 +276,8 @@ static bool go_arc(struct interp *interp)
 	int turns = 1;
 
 	if (!block_has(block, 'R') && !(block->letters & offsets))
-		return fault(&interp->at, block_motion_column(block), "an arc needs a centre (I, J, K) or a radius (R)");
+		return fault(&interp->at, block_motion_column(block),
+			     "an arc needs a centre (I, J, K) or a radius (R)");
 	if (!find_feed(interp, &move.feed) || !target_find(interp, false, &target))
 		return false;
 	/* A G64 in the block claims P as well; LinuxCNC gives it to both. */

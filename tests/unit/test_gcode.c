@@ -16,7 +16,8 @@ START_TEST(other_axes)
 
 	case_init(&c);
 	c.config.has_axis[SLOT_B] = c.config.has_axis[SLOT_W] = true;
-	case_expect(&c, "G20 G52 W1\nG0 W1 B10\nG91 W-1 B5\nM2\n", "rapid 0 0 0 0 10 0 50.8\nrapid 0 0 0 0 15 0 25.4\n");
+	case_expect(&c, "G20 G52 W1\nG0 W1 B10\nG91 W-1 B5\nM2\n",
+		    "rapid 0 0 0 0 10 0 50.8\nrapid 0 0 0 0 15 0 25.4\n");
 }
 END_TEST
 
@@ -116,15 +117,15 @@ START_TEST(reference_moves)
 
 	case_init(&c);
 	c.config.home = (axis_values){{1, 2, 3, 0, 0, radians(-90)}};
-	case_expect(&c,
-		    "G10 L2 P1 X100\nG0 X0\nG28 Z10\nG28\nG91 G30 X1 Y1\nG90 G0 X5\nG28.1\nG28 C0\nG0 X0\nG28\nG30\nM2\n",
-		    "rapid 100 2 3 0 -90\n"
-		    "rapid 100 2 10 0 -90\nrapid 100 2 3 0 -90\n"
-		    "rapid 1 2 3 0 -90\n"
-		    "rapid 2 3 3 0 -90\nrapid 1 2 3 0 -90\n"
-		    "rapid 105 2 3 0 -90\n"
-		    "rapid 105 2 3 0 0\nrapid 105 2 3 0 -90\n"
-		    "rapid 100 2 3 0 -90\nrapid 105 2 3 0 -90\nrapid 1 2 3 0 -90\n");
+	case_expect(
+	    &c, "G10 L2 P1 X100\nG0 X0\nG28 Z10\nG28\nG91 G30 X1 Y1\nG90 G0 X5\nG28.1\nG28 C0\nG0 X0\nG28\nG30\nM2\n",
+	    "rapid 100 2 3 0 -90\n"
+	    "rapid 100 2 10 0 -90\nrapid 100 2 3 0 -90\n"
+	    "rapid 1 2 3 0 -90\n"
+	    "rapid 2 3 3 0 -90\nrapid 1 2 3 0 -90\n"
+	    "rapid 105 2 3 0 -90\n"
+	    "rapid 105 2 3 0 0\nrapid 105 2 3 0 -90\n"
+	    "rapid 100 2 3 0 -90\nrapid 105 2 3 0 -90\nrapid 1 2 3 0 -90\n");
 }
 END_TEST
 
@@ -142,11 +143,12 @@ START_TEST(tool_length)
 	c.config.lengths = lengths;
 	c.config.length_count = 3;
 	/* H0 stands for the tool in the spindle, as rs274 has it. */
-	case_expect(&c,
-		    "G43 G0 Z0\nT1 M6\nZ0\nG43 Z1\nG43 H7 Z1\nG43 H0 Z1\nG49 Z1\nG43 H1 G53 Z-5\nG91 Z1\nG90 Z0\n"
-		    "T0 M6 G43 Z0\nM2\n",
-		    "rapid 0 0 50 0 0\ntool 1\nrapid 0 0 50 0 0\nrapid 0 0 101 0 0\nrapid 0 0 34 0 0\nrapid 0 0 101 0 0\n"
-		    "rapid 0 0 1 0 0\nrapid 0 0 -5 0 0\nrapid 0 0 -4 0 0\nrapid 0 0 100 0 0\ntool 0\nrapid 0 0 0 0 0\n");
+	case_expect(
+	    &c,
+	    "G43 G0 Z0\nT1 M6\nZ0\nG43 Z1\nG43 H7 Z1\nG43 H0 Z1\nG49 Z1\nG43 H1 G53 Z-5\nG91 Z1\nG90 Z0\n"
+	    "T0 M6 G43 Z0\nM2\n",
+	    "rapid 0 0 50 0 0\ntool 1\nrapid 0 0 50 0 0\nrapid 0 0 101 0 0\nrapid 0 0 34 0 0\nrapid 0 0 101 0 0\n"
+	    "rapid 0 0 1 0 0\nrapid 0 0 -5 0 0\nrapid 0 0 -4 0 0\nrapid 0 0 100 0 0\ntool 0\nrapid 0 0 0 0 0\n");
 }
 END_TEST
 
@@ -170,16 +172,18 @@ END_TEST
 
 START_TEST(arcs_with_absolute_centre)
 {
-	expect_moves("G10 L2 P1 X100 Z10\nG52 Y1\nG0 X0 Y0 Z0\nF60 G90.1 G2 X10 I5 J0\nG20 G91.1 G91 G3 X-.2 I-.1 A2\nM2\n",
-		     "rapid 100 1 10 0 0\narc 110 1 10 0 0 centre 105 1 10 normal 0 0 1 sweep -180\n"
-		     "arc 104.92 1 10 2 0 centre 107.46 1 10 normal 0 0 1 sweep 180\n");
+	expect_moves(
+	    "G10 L2 P1 X100 Z10\nG52 Y1\nG0 X0 Y0 Z0\nF60 G90.1 G2 X10 I5 J0\nG20 G91.1 G91 G3 X-.2 I-.1 A2\nM2\n",
+	    "rapid 100 1 10 0 0\narc 110 1 10 0 0 centre 105 1 10 normal 0 0 1 sweep -180\n"
+	    "arc 104.92 1 10 2 0 centre 107.46 1 10 normal 0 0 1 sweep 180\n");
 }
 END_TEST
 
 START_TEST(arcs_by_radius)
 {
-	/* Chord 2, radius sqrt 2: a quarter by the short way, its centre 1 beside the chord; the rest by the long way. */
-	expect_moves("F60 G2 X2 R1.414213562373095\nX0 R-1.414213562373095\nG3 X2 R1.414213562373095\nX0 R-1.414213562373095\nM2\n",
+	/* Chord 2, radius sqrt 2: a quarter by the short way, its centre 1 off the chord; the rest by the long way. */
+	expect_moves("F60 G2 X2 R1.414213562373095\nX0 R-1.414213562373095\nG3 X2 R1.414213562373095\nX0 "
+		     "R-1.414213562373095\nM2\n",
 		     "arc 2 0 0 0 0 centre 1 -1 0 normal 0 0 1 sweep -90\n"
 		     "arc 0 0 0 0 0 centre 1 -1 0 normal 0 0 1 sweep -270\n"
 		     "arc 2 0 0 0 0 centre 1 1 0 normal 0 0 1 sweep 90\n"
@@ -205,8 +209,10 @@ START_TEST(full_circle_in_spite_of_rounding)
 	struct gcode_case c;
 
 	case_init(&c);
-	ck_assert(case_run(&c, "G91 G0 X.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nG90 F9 G2 X1 I1\nG3 X1 I1\nM2\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.moves), "sweep -360\narc 1 0 0 0 0 centre 2 0 0 normal 0 0 1 sweep 360\n"));
+	ck_assert(
+	    case_run(&c, "G91 G0 X.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nX.1\nG90 F9 G2 X1 I1\nG3 X1 I1\nM2\n"));
+	ck_assert_ptr_nonnull(
+	    strstr(strbuf_text(&c.moves), "sweep -360\narc 1 0 0 0 0 centre 2 0 0 normal 0 0 1 sweep 360\n"));
 	case_release(&c);
 }
 END_TEST
@@ -263,11 +269,13 @@ START_TEST(wrapped_axes)
 	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
 	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
 	/* A: the sign is the direction; -0 turns back to 0. C: the shorter way round, beyond one turn too. */
-	case_expect(&c, "G0 A90\nA-80\nA-80\nA-0\nA350\nA10\nG91 A-720\nG90 A-350\nC350\nC200\nC100\nG91 C300\nG90 C0\nC725\nM2\n",
-		    "rapid 0 0 0 90 0\nrapid 0 0 0 80 0\nrapid 0 0 0 80 0\nrapid 0 0 0 0 0\nrapid 0 0 0 350 0\n"
-		    "rapid 0 0 0 370 0\nrapid 0 0 0 -350 0\nrapid 0 0 0 -370 0\nrapid 0 0 0 -370 -10\n"
-		    "rapid 0 0 0 -370 -160\nrapid 0 0 0 -370 -260\nrapid 0 0 0 -370 40\nrapid 0 0 0 -370 0\n"
-		    "rapid 0 0 0 -370 5\n");
+	case_expect(
+	    &c,
+	    "G0 A90\nA-80\nA-80\nA-0\nA350\nA10\nG91 A-720\nG90 A-350\nC350\nC200\nC100\nG91 C300\nG90 C0\nC725\nM2\n",
+	    "rapid 0 0 0 90 0\nrapid 0 0 0 80 0\nrapid 0 0 0 80 0\nrapid 0 0 0 0 0\nrapid 0 0 0 350 0\n"
+	    "rapid 0 0 0 370 0\nrapid 0 0 0 -350 0\nrapid 0 0 0 -370 0\nrapid 0 0 0 -370 -10\n"
+	    "rapid 0 0 0 -370 -160\nrapid 0 0 0 -370 -260\nrapid 0 0 0 -370 40\nrapid 0 0 0 -370 0\n"
+	    "rapid 0 0 0 -370 5\n");
 	case_init(&c);
 	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
 	ck_assert(case_run(&c, "G0 C-180\nC0\nM2\n"));
@@ -339,11 +347,12 @@ START_TEST(fanuc_programs)
 
 	case_init(&c);
 	c.config.dialect = GCODE_FANUC;
-	case_expect(&c,
-		    "%\nO1234 (PART)\nN1 G90 G21 G53\n/2 G00 X1.\nG04 P500\nG04 X2.5\nG4 U1 ;\nG53 G01 X-5. F100\nX2.\n"
-		    "G28 X3. Y0.\nM6 T2\nM30\n%\n",
-		    "rapid 1 0 0 0 0\ndwell 0.5\ndwell 2.5\ndwell 1\nrapid -5 0 0 0 0\nfeed 2 0 0 0 0\nrapid 3 0 0 0 0\n"
-		    "rapid 0 0 0 0 0\ntool 2\n");
+	case_expect(
+	    &c,
+	    "%\nO1234 (PART)\nN1 G90 G21 G53\n/2 G00 X1.\nG04 P500\nG04 X2.5\nG4 U1 ;\nG53 G01 X-5. F100\nX2.\n"
+	    "G28 X3. Y0.\nM6 T2\nM30\n%\n",
+	    "rapid 1 0 0 0 0\ndwell 0.5\ndwell 2.5\ndwell 1\nrapid -5 0 0 0 0\nfeed 2 0 0 0 0\nrapid 3 0 0 0 0\n"
+	    "rapid 0 0 0 0 0\ntool 2\n");
 	case_init(&c);
 	c.config.dialect = GCODE_HAAS;
 	ck_assert(case_run(&c, ":0002\nG0 X10 Y20\nZ30\nM30\n"));
@@ -373,11 +382,34 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {
-		straight_moves, other_axes, words_are_free_in_form, block_delete, incremental_and_units, order_of_execution,
-		group_zero_suspends_motion, work_offsets, setup_offsets, shifts, machine_coordinates, reference_moves,
-		tool_length, arcs_by_centre, arcs_with_absolute_centre, arcs_by_radius, arc_tolerances,
-		full_circle_in_spite_of_rounding, no_drift, feeds, path_control, wrapped_axes, blocks_and_numbers,
-		sink_stops, paper_block, last_duplicate_wins, fanuc_programs, program_without_end,
+	    straight_moves,
+	    other_axes,
+	    words_are_free_in_form,
+	    block_delete,
+	    incremental_and_units,
+	    order_of_execution,
+	    group_zero_suspends_motion,
+	    work_offsets,
+	    setup_offsets,
+	    shifts,
+	    machine_coordinates,
+	    reference_moves,
+	    tool_length,
+	    arcs_by_centre,
+	    arcs_with_absolute_centre,
+	    arcs_by_radius,
+	    arc_tolerances,
+	    full_circle_in_spite_of_rounding,
+	    no_drift,
+	    feeds,
+	    path_control,
+	    wrapped_axes,
+	    blocks_and_numbers,
+	    sink_stops,
+	    paper_block,
+	    last_duplicate_wins,
+	    fanuc_programs,
+	    program_without_end,
 	};
 
 	return RUN_TESTS("gcode", tests);

@@ -3,7 +3,7 @@
 
 static const struct gcode_length lengths[] = {{1, 100}, {2, 40}};
 static const struct gcode_mcode_meaning mcodes[] = {
-	{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}, {10, GCODE_IGNORE}, {11, GCODE_IGNORE}};
+    {428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}, {10, GCODE_IGNORE}, {11, GCODE_IGNORE}};
 
 static void tcp_case(struct gcode_case *c)
 {
@@ -115,11 +115,12 @@ START_TEST(zero_at_the_offset)
 	tcp_case(&c);
 	c.config.tcp_zero_offset = true;
 	/* With C's offset at 90 the table is not turned there: (10, 0) stays; at offset 0 it is (0, -10). */
-	case_expect(&c, "G10 L2 P1 C90\nG0 X10 C0\nG43.4 H1\nG91 X0\nG10 L2 P1 C0\nX0\nG55\nG10 L2 P1 A5\nG54\nG52 Y3\nM2\n",
-		    "rapid 10 0 0 0 90\n"
-		    "tcp on length 100 zero A0 C90\nrapid 10 0 -100 0 90 tcp\n"
-		    "tcp on length 100 zero A0 C0\nrapid 0 -10 -100 0 90 tcp\n"
-		    "tcp on length 100 zero A5 C0\n");
+	case_expect(
+	    &c, "G10 L2 P1 C90\nG0 X10 C0\nG43.4 H1\nG91 X0\nG10 L2 P1 C0\nX0\nG55\nG10 L2 P1 A5\nG54\nG52 Y3\nM2\n",
+	    "rapid 10 0 0 0 90\n"
+	    "tcp on length 100 zero A0 C90\nrapid 10 0 -100 0 90 tcp\n"
+	    "tcp on length 100 zero A0 C0\nrapid 0 -10 -100 0 90 tcp\n"
+	    "tcp on length 100 zero A5 C0\n");
 }
 END_TEST
 
@@ -133,8 +134,9 @@ START_TEST(shift_of_rotary_and_linear_axes_at_once)
 	 * G92 C0 at C90 turns the meaning of X and Y by a quarter, from (0, -10) to
 	 * (10, 0): X0 Y0 of the same block are of the point after that.
 	 */
-	case_expect(&c, "G0 X10 C90\nG43.4 H0\nG92 X0 Y0 C0\nG0 X1 Y0\nM2\n",
-		    "rapid 10 0 0 0 90\ntcp on length 0 zero A0 C0\ntcp on length 0 zero A0 C90\nrapid 11 0 0 0 90 tcp\n");
+	case_expect(
+	    &c, "G0 X10 C90\nG43.4 H0\nG92 X0 Y0 C0\nG0 X1 Y0\nM2\n",
+	    "rapid 10 0 0 0 90\ntcp on length 0 zero A0 C0\ntcp on length 0 zero A0 C90\nrapid 11 0 0 0 90 tcp\n");
 }
 END_TEST
 
@@ -158,9 +160,10 @@ START_TEST(fanuc_length_without_z)
 	tcp_case(&c);
 	c.config.dialect = GCODE_FANUC;
 	ck_assert(case_run(&c, "G49 G40\nG43 H1 G0 Z5.\nG43 H2 X1.\nG49\nM30\n"));
-	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:3:1: warning: a change of the length compensation without a Z word: some controls move Z at "
-			 "once; no motion is checked here and further on\n    G43 H2 X1.\n    ^\n");
+	ck_assert_str_eq(
+	    strbuf_text(&c.messages),
+	    "p.nc:3:1: warning: a change of the length compensation without a Z word: some controls move Z at "
+	    "once; no motion is checked here and further on\n    G43 H2 X1.\n    ^\n");
 	case_release(&c);
 }
 END_TEST
@@ -168,9 +171,17 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {
-		on_and_off, motion_in_the_same_block, length_changes, by_mcode, ignored_mcodes, machine_axes,
-		remembered_reference, zero_at_the_offset, shift_of_rotary_and_linear_axes_at_once, refused,
-		fanuc_length_without_z,
+	    on_and_off,
+	    motion_in_the_same_block,
+	    length_changes,
+	    by_mcode,
+	    ignored_mcodes,
+	    machine_axes,
+	    remembered_reference,
+	    zero_at_the_offset,
+	    shift_of_rotary_and_linear_axes_at_once,
+	    refused,
+	    fanuc_length_without_z,
 	};
 
 	return RUN_TESTS("gcode_tcp", tests);

@@ -1,5 +1,5 @@
 /* test_gcode_text.c - bytes to lines to words: numbers, line ends, faulty files, long programs on a pipe. */
-#define _GNU_SOURCE	/* fopencookie: a file whose reading fails */
+#define _GNU_SOURCE /* fopencookie: a file whose reading fails */
 #include "gcode_case.h"
 
 #include <errno.h>
@@ -227,8 +227,8 @@ START_TEST(streaming)
 END_TEST
 
 static const char sample[] =
-	"%\nG21 G90 G17\nG10 L2 P2 X5 A10\nG43 G0 X1 Y2. Z-3 A45 F100\nG1 X2\nG2 X4 Y2 I1 P2\nG18 G3 X0 Z1 R50\n"
-	"G92 X1\nG53 G0 Z0\nG28 Z5\nT1 M6\nG55 G91 G64 P.1\nG4 P1\nG93 G1 X1 F2\nG20 C-90\nG43.4 H0 X1\nG49\nM30\n%\n";
+    "%\nG21 G90 G17\nG10 L2 P2 X5 A10\nG43 G0 X1 Y2. Z-3 A45 F100\nG1 X2\nG2 X4 Y2 I1 P2\nG18 G3 X0 Z1 R50\n"
+    "G92 X1\nG53 G0 Z0\nG28 Z5\nT1 M6\nG55 G91 G64 P.1\nG4 P1\nG93 G1 X1 F2\nG20 C-90\nG43.4 H0 X1\nG49\nM30\n%\n";
 
 /* Any bytes: an error or a result, never a crash (the sanitizers watch), and never an error without a message. */
 START_TEST(noise)
@@ -262,8 +262,15 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {
-		numbers_are_correctly_rounded, numbers_beyond_the_mantissa, number_forms, line_ends, faulty_files,
-		long_lines, read_error, streaming, noise,
+	    numbers_are_correctly_rounded,
+	    numbers_beyond_the_mantissa,
+	    number_forms,
+	    line_ends,
+	    faulty_files,
+	    long_lines,
+	    read_error,
+	    streaming,
+	    noise,
 	};
 
 	return RUN_TESTS("gcode_text", tests);
