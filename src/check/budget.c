@@ -88,7 +88,7 @@ void budget_resume(struct budget *budget, const axis_values *q)
 		use_at(budget, q, budget->used);
 }
 
-bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off, double *left)
+bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off)
 {
 	double used[VIEWS], play[VIEWS] = {0, 0};
 
@@ -101,7 +101,6 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 		double most = fmax(used[v], budget->used[v]) + play[v];
 
 		if (most < budget->room) {
-			*left = budget->room - most;
 			budget->used[0] = used[0];
 			budget->used[1] = used[1];
 			return true;
@@ -111,7 +110,7 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 }
 
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off, double *left)
+		       const axis_values *q1, const axis_values *off)
 {
 	axis_values amount;
 	double used[VIEWS];
@@ -124,7 +123,6 @@ bool budget_covers_box(struct budget *budget, const axis_values *low, const axis
 	use_within(budget, &amount, used);
 	for (int v = 0; v < VIEWS; v++) {
 		if (used[v] < budget->room) {
-			*left = budget->room - used[v];
 			use_at(budget, q1, budget->used);
 			return true;
 		}

@@ -37,13 +37,12 @@ void budget_resume(struct budget *budget, const axis_values *q);
 
 /*
  * Is the motion from where the budget was last used to q1 covered, when each
- * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used. left: the room
- * that remains at the worse end, mm.
+ * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used.
  */
-bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off, double *left);
+bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off);
 
 /* The same for every position between low and high, after which the axes stand at q1. */
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off, double *left);
+		       const axis_values *q1, const axis_values *off);
 
 #endif

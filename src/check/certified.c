@@ -5,17 +5,29 @@
 #include "motion/path.h"
 #include "motion/span.h"
 
+/* How much of a distance that turned out to be too small is tried next when the smallest clearance is measured. */
+#define MEASURE_SHARE 0.8
+
+/* And how sharply: where exactly the target is missed does not matter. */
+#define MEASURE_GRAIN 0.1
+
 /* Steps that a follower at most sweeps before it asks for the distance again. */
 #define PATIENCE_MAX 64
 
 /* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
 #define BOX_VISITS 50000000L
 
-void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance)
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure)
 {
-	*follower = (struct follower){.bodies = *bodies, .clearance = clearance, .proven = INFINITY};
+	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
+	follower->target = measure ? INFINITY : clearance;
 	follower->bodies.memory = &follower->memory;
 	budget_init(&follower->budget, bodies->chain);
+}
+
+double follower_proven(const struct follower *follower)
+{
+	return follower->target;
 }
 
 void follower_lose(struct follower *follower)
@@ -67,18 +79,16 @@ static bool covered(struct follower *follower, const struct motion_step *step, c
 {
 	const struct span *span = &step->span;
 	axis_values low, high;
-	double left;
 	bool good;
 
 	if (is_box(step)) {
 		box_of_span(span, &low, &high);
-		good = budget_covers_box(&follower->budget, &low, &high, &span->q1, off, &left);
+		good = budget_covers_box(&follower->budget, &low, &high, &span->q1, off);
 	} else {
-		good = budget_covers(&follower->budget, &span->q1, off, &left);
+		good = budget_covers(&follower->budget, &span->q1, off);
 	}
 	if (good) {
 		follower->budgets++;
-		follower->proven = fmin(follower->proven, follower->clearance + left);
 		follower->settled = true;
 	}
 	return good;
@@ -104,15 +114,21 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 	const struct body_pair *bodies = &follower->bodies;
 	const struct span *span = &step->span;
 	struct chain_state state;
-	double way, distance;
+	double way, distance, room;
+	bool unmeasured;
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(follower, &state, span);
-	distance = sweep_distance(sweep, bodies, &span->q1, follower->clearance + way);
+	unmeasured = isinf(follower->target);
+	distance = sweep_distance(sweep, bodies, &span->q1,
+				  unmeasured ? follower->clearance : follower->target + way);
 	follower->queries++;
-	budget_set(&follower->budget, &span->q1, &state, distance - follower->clearance);
+	if (unmeasured)
+		follower->target = fmax(follower->clearance, MEASURE_SHARE * distance);
+	room = distance - follower->target;
+	budget_set(&follower->budget, &span->q1, &state, room);
 	budget_resume(&follower->budget, &span->q0);
-	if (distance - follower->clearance > 4 * way) {
+	if (room > 4 * way) {
 		follower->patience = 1;
 	} else {
 		follower->wait = follower->patience;
@@ -161,35 +177,36 @@ static enum sweep_answer sweep_step(struct follower *follower, struct sweep *swe
 				    double tolerance, struct contact *contact)
 {
 	const struct span *span = &step->span;
-	double clearance = follower->clearance;
+	double clearance = follower->target;
 	struct chord chord = {span->q0, span->q1, span->deviation, span->path, span->u0, span->u1, halve};
 	axis_values low, high;
 
 	if (has_tolerance(follower->bodies.chain, step))
 		clearance += freedom(follower, step);
+	if (!is_box(step) && follower->target > follower->clearance)
+		return sweep_chord_any(sweep, &follower->bodies, &chord, clearance,
+				       fmax(tolerance, MEASURE_GRAIN * follower->target), contact);
 	if (!is_box(step))
 		return sweep_chord(sweep, &follower->bodies, &chord, clearance, tolerance, contact);
 	box_of_span(span, &low, &high);
 	return sweep_box(sweep, &follower->bodies, &low, &high, clearance, tolerance, BOX_VISITS, contact);
 }
 
-enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-			   double tolerance, struct contact *contact)
+/* The step with the target as it stands. */
+static enum passage attempt(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+			    double tolerance, struct contact *contact)
 {
 	const struct chain *chain = follower->bodies.chain;
 	enum sweep_answer answer;
 	axis_values off;
 	bool any_off;
 
-	if (follower->lost)
-		budget_resume(&follower->budget, &step->span.q0);
-	follower->lost = false;
 	if (follower->settled && !moves(chain, &step->span) && !has_tolerance(chain, step))
 		return PASSAGE_CLEAR;
 	any_off = off_the_line(chain, step, &off);
 	if (covered(follower, step, any_off ? &off : NULL))
 		return PASSAGE_CLEAR;
-	if (follower->wait > 0) {
+	if (follower->wait > 0 && !isinf(follower->target)) {
 		follower->wait--;
 	} else {
 		renew(follower, sweep, step);
@@ -199,7 +216,24 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 	answer = sweep_step(follower, sweep, step, tolerance, contact);
 	budget_resume(&follower->budget, &step->span.q1);
 	follower->settled = answer == SWEEP_APART;
-	if (answer == SWEEP_APART)
-		follower->proven = fmin(follower->proven, follower->clearance);
 	return answer == SWEEP_APART ? PASSAGE_CLEAR : answer == SWEEP_CONTACT ? PASSAGE_CONTACT : PASSAGE_UNDECIDED;
+}
+
+enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+			   double tolerance, struct contact *contact)
+{
+	enum passage passage;
+
+	if (follower->lost)
+		budget_resume(&follower->budget, &step->span.q0);
+	follower->lost = false;
+	while ((passage = attempt(follower, sweep, step, tolerance, contact)) == PASSAGE_CONTACT &&
+	       follower->target > follower->clearance) {
+		double less = MEASURE_SHARE * fmin(contact->distance, follower->target);
+
+		/* Not a finding yet: less than was hoped for remains. */
+		follower->target = less > follower->clearance + tolerance ? less : follower->clearance;
+		budget_resume(&follower->budget, &step->span.q0);
+	}
+	return passage;
 }

@@ -19,19 +19,25 @@ enum passage {
 /* What is known of a pair from step to step. */
 struct follower {
 	struct body_pair bodies;
-	double clearance;
+	double clearance;	/* mm: what must remain */
+	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
 	struct memory memory;
 	struct budget budget;
 	bool settled;	/* the pair is apart where the last step ended */
 	bool lost;	/* steps were left out since the last one */
 	int wait;	/* steps before the next distance query is worth its time */
 	int patience;	/* how long to wait after the next query that does not pay */
-	double proven;	/* mm: the smallest clearance proven so far */
 	long budgets, queries;
 };
 
-/* The follower must stay where it is from here on. */
-void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance);
+/*
+ * measure: prove not just the clearance but as much as there is, to within
+ * MEASURE_SHARE; it takes more time. The follower must stay where it is from here on.
+ */
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure);
+
+/* mm: more than this remained in every step so far; INFINITY: it was never measured. */
+double follower_proven(const struct follower *follower);
 
 /* The next step does not begin where the last one ended, or the pair is not apart there. */
 void follower_lose(struct follower *follower);

@@ -159,7 +159,7 @@ static void process(struct checker *c)
 	emit(c);
 	c->stats->seconds_check += now() - start;
 	if (c->sink->progress)
-		c->sink->progress(c->sink->context, c->stats->motion.lines);
+		c->sink->progress(c->sink->context, c->line);
 }
 
 /* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
@@ -327,7 +327,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	held_init(&c.held);
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
-	if (options->method == CHECK_NOTHING || runners_init(&c.runners, scene, options, diag)) {
+	if (options->method == CHECK_NOTHING || runners_init(&c.runners, scene, options, proven != NULL, diag)) {
 		complete = run_program(&c, in) || c.stopped;
 		finish(&c, complete);
 		runners_collect(&c.runners, stats, proven);

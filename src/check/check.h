@@ -55,7 +55,7 @@ enum check_result {
 
 /*
  * Checks one program. Without `all` it stops at the first finding. Statistics
- * are filled in whatever the result. proven[i], if not NULL, receives for
+ * are filled in whatever the result. proven[i], if not NULL (it takes more time), receives for
  * each of the scene's pairs the smallest clearance in mm that was proven over
  * the program (INFINITY: never looked at).
  */

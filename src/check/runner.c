@@ -16,7 +16,7 @@ static int tool_of(const struct scene *scene, const struct scene_pair *pair)
 }
 
 static bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const struct check_options *options,
-			struct diag *diag)
+			bool measure, struct diag *diag)
 {
 	const struct scene_pair *p = &scene->pairs[pair];
 	struct body_pair bodies;
@@ -29,12 +29,12 @@ static bool runner_init(struct runner *runner, struct scene *scene, size_t pair,
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
 		.found_block = -1,
 	};
-	follower_init(&runner->follower, &bodies, p->clearance);
+	follower_init(&runner->follower, &bodies, p->clearance, measure);
 	sampler_init(&runner->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
 	return true;
 }
 
-bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options,
+bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options, bool measure,
 		  struct diag *diag)
 {
 	*runners = (struct runners){.threads = options->threads > 1 ? options->threads : 1};
@@ -45,7 +45,7 @@ bool runners_init(struct runners *runners, struct scene *scene, const struct che
 
 		if (status != PAIR_CHECKED && status != PAIR_OUT_OF_REACH)
 			continue;
-		if (!runner_init(&runners->runners[runners->count], scene, i, options, diag))
+		if (!runner_init(&runners->runners[runners->count], scene, i, options, measure, diag))
 			return false;
 		runners->count++;
 	}
@@ -205,6 +205,6 @@ void runners_collect(const struct runners *runners, struct check_stats *stats, d
 		stats->queries += runner->follower.queries;
 		stats->samples += runner->sampler.samples;
 		if (proven)
-			proven[runner->pair] = runner->follower.proven;
+			proven[runner->pair] = follower_proven(&runner->follower);
 	}
 }

@@ -39,8 +39,8 @@ struct runners {
 	size_t result_count, result_capacity;
 };
 
-/* False: a mesh is faulty, reported. */
-bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options,
+/* measure: find the smallest clearances (follower_init). False: a mesh is faulty, reported. */
+bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options, bool measure,
 		  struct diag *diag);
 void runners_release(struct runners *runners);
 

@@ -33,6 +33,7 @@ struct walk {
 	double clearance, tolerance;
 	struct contact *contact;
 	size_t depth;	/* of the stack */
+	bool any;	/* one contact is enough, early or late */
 	long visits_end;	/* stop when the sweep has made so many visits; 0: never */
 };
 
@@ -160,7 +161,7 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 	switch (leaf_prove(entry->region, walk->pair, entry->a.leaf, entry->b.leaf, walk->clearance, final,
 			   walk->contact, &walk->sweep->certificates)) {
 	case LEAF_TOUCHES:
-		return entry->region->kind == REGION_BOX ? FINISHED : GOES_ON;
+		return walk->any ? FINISHED : GOES_ON;
 	case LEAF_OPEN:
 		return push_halves(walk, entry);
 	case LEAF_APART:
@@ -217,9 +218,20 @@ static enum sweep_answer sweep_region(struct walk *walk, const struct region *pa
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact)
 {
-	struct walk walk = {sweep, pair, clearance, tolerance, contact, 0, 0};
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
 	struct region whole;
 
+	region_init(&whole, pair, REGION_CHORD, chord);
+	return sweep_region(&walk, &whole);
+}
+
+enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
+				  double clearance, double tolerance, struct contact *contact)
+{
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
+	struct region whole;
+
+	walk.any = true;
 	region_init(&whole, pair, REGION_CHORD, chord);
 	return sweep_region(&walk, &whole);
 }
@@ -228,10 +240,11 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 			    const axis_values *high, double clearance, double tolerance, long max_visits,
 			    struct contact *contact)
 {
-	struct walk walk = {sweep, pair, clearance, tolerance, contact, 0, 0};
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
 	struct chord box = {.q0 = *low, .q1 = *high};
 	struct region whole;
 
+	walk.any = true;
 	if (max_visits)
 		walk.visits_end = sweep->visits + max_visits;
 	region_init(&whole, pair, REGION_BOX, &box);

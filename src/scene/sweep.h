@@ -45,6 +45,10 @@ enum sweep_answer {
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact);
 
+/* The same, but any contact will do, not just the first: for asking whether a clearance holds. */
+enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
+				  double clearance, double tolerance, struct contact *contact);
+
 /* Every position in the box between low and high; looks at no more than max_visits node pairs (0: no limit). */
 enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
 			    const axis_values *high, double clearance, double tolerance, long max_visits,
