@@ -1,0 +1,39 @@
+#include "cli/files.h"
+
+#include <string.h>
+#include <sys/stat.h>
+
+/* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
+static bool is_same(const char *a, const char *b)
+{
+	struct stat sa, sb;
+
+	if (stat(a, &sa) || stat(b, &sb))
+		return !strcmp(a, b);
+	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+static bool is_free(const char *option, const char *path, const char *other, struct diag *diag)
+{
+	if (!path || !other || !is_same(path, other))
+		return true;
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s", option, other);
+	return false;
+}
+
+bool files_differ(const struct options *options, struct diag *diag)
+{
+	const char *names[] = {"output", "pose"};
+	const char *paths[] = {options->output, options->pose};
+
+	for (int i = 0; i < 2; i++) {
+		if (!is_free(names[i], paths[i], options->machine, diag) ||
+		    !is_free(names[i], paths[i], options->setup, diag))
+			return false;
+		for (size_t k = 0; k < options->program_count; k++) {
+			if (!is_free(names[i], paths[i], options->programs[k], diag))
+				return false;
+		}
+	}
+	return is_free("pose", options->pose, options->output, diag);
+}

@@ -1,0 +1,236 @@
+#include "cli/options.h"
+
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "cli/table.h"
+#include "cli/value.h"
+
+struct parser {
+	struct options *options;
+	struct diag *diag;
+	size_t operands, capacity;
+	char **operand;	/* owned */
+	bool seen[OPTION_COUNT];
+	const struct option_row *mode;	/* the option that chose the mode, or NULL */
+};
+
+static const struct srcloc nowhere;
+
+/* getopt's two forms of the table. */
+struct getopt_tables {
+	char letters[3 + 2 * OPTION_COUNT];
+	struct option names[OPTION_COUNT + 1];
+};
+
+static void getopt_tables_init(struct getopt_tables *tables)
+{
+	char *letter = tables->letters;
+
+	*tables = (struct getopt_tables){0};
+	/* Operands come in turn, whatever POSIXLY_CORRECT says; a missing argument is told apart. */
+	*letter++ = '-';
+	*letter++ = ':';
+	for (int i = 0; i < OPTION_COUNT; i++) {
+		const struct option_row *row = &option_table[i];
+
+		tables->names[i].name = row->name;
+		tables->names[i].has_arg = row->argument ? required_argument : no_argument;
+		tables->names[i].val = row->key;
+		if (row->key > 255)
+			continue;
+		*letter++ = (char)row->key;
+		if (row->argument)
+			*letter++ = ':';
+	}
+}
+
+static bool set_mode(struct parser *parser, const struct option_row *row)
+{
+	if (parser->mode && parser->mode != row) {
+		diag_error(parser->diag, nowhere, "--%s and --%s cannot go together", parser->mode->name, row->name);
+		return false;
+	}
+	parser->mode = row;
+	parser->options->mode = row->mode;
+	return true;
+}
+
+/* What getopt_long could not make sense of. */
+static bool refuse(struct parser *parser, int result, char **argv)
+{
+	const struct option_row *row = option_of(optopt);
+	const char *word = argv[optind - 1];
+
+	if (result == ':')
+		diag_error(parser->diag, nowhere, "--%s needs its argument: %s", row->name, row->argument);
+	else if (row && !row->argument && strchr(word, '='))
+		diag_error(parser->diag, nowhere, "--%s takes no argument", row->name);
+	else if (optopt)
+		diag_error(parser->diag, nowhere, "unknown option -%c", optopt);
+	else
+		diag_error(parser->diag, nowhere, "unknown or ambiguous option %s", word);
+	return false;
+}
+
+static void add_operand(struct parser *parser, char *word)
+{
+	parser->operand = mem_grow(parser->operand, &parser->capacity, parser->operands + 1, sizeof(*parser->operand));
+	parser->operand[parser->operands++] = word;
+}
+
+static bool is_final(enum run_mode mode)
+{
+	return mode == RUN_HELP || mode == RUN_VERSION;
+}
+
+static bool parse_words(struct parser *parser, int argc, char **argv)
+{
+	struct getopt_tables tables;
+	int result;
+
+	getopt_tables_init(&tables);
+	opterr = 0;
+	while ((result = getopt_long(argc, argv, tables.letters, tables.names, NULL)) != -1) {
+		const struct option_row *row;
+
+		if (result == 1) {
+			add_operand(parser, optarg);
+			continue;
+		}
+		if (result == '?' || result == ':')
+			return refuse(parser, result, argv);
+		row = option_of(result);
+		parser->seen[row - option_table] = true;
+		if (row->kind == VALUE_MODE && is_final(row->mode)) {
+			parser->options->mode = row->mode;
+			return true;
+		}
+		if (row->kind == VALUE_MODE ? !set_mode(parser, row)
+					    : !value_set(parser->options, row, optarg, parser->diag))
+			return false;
+	}
+	while (optind < argc)
+		add_operand(parser, argv[optind++]);
+	return true;
+}
+
+static bool check_modes(const struct parser *parser)
+{
+	for (int i = 0; i < OPTION_COUNT; i++) {
+		const struct option_row *row = &option_table[i];
+
+		if (!parser->seen[i] || row->modes & 1U << parser->options->mode)
+			continue;
+		if (parser->mode)
+			diag_error(parser->diag, nowhere, "--%s means nothing with --%s", row->name,
+				   parser->mode->name);
+		else
+			diag_error(parser->diag, nowhere, "--%s means nothing in a check", row->name);
+		return false;
+	}
+	return true;
+}
+
+static bool check_combinations(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+	const char *fault = NULL;
+
+	if (o->quiet && o->verbose)
+		fault = "--quiet and --verbose cannot go together";
+	else if (o->check.step > 0 && o->check.method == CHECK_CERTIFIED)
+		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
+	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
+		fault = "--verbose tells proven clearances, and the sampled methods prove none";
+	else if (o->verbose && o->format != FORMAT_TEXT)
+		fault = "--verbose is for --format=text";
+	if (fault)
+		diag_error(parser->diag, nowhere, "%s", fault);
+	return !fault;
+}
+
+static bool check_operands(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+	bool runs = o->mode == RUN_CHECK || o->mode == RUN_PARSE_ONLY || o->mode == RUN_DUMP_PATH;
+	size_t inputs = 0;
+
+	for (size_t i = 0; i < o->program_count; i++)
+		inputs += !strcmp(o->programs[i], "-");
+	if (!o->machine)
+		diag_error(parser->diag, nowhere, "no machine file was named");
+	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
+		diag_error(parser->diag, nowhere,
+			   "machine and setup cannot come from standard input; only a program can");
+	else if (runs && !o->program_count)
+		diag_error(parser->diag, nowhere, "no program was named (- is standard input)");
+	else if (!runs && o->program_count)
+		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was named", parser->mode->name,
+			   o->programs[0]);
+	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
+		diag_error(parser->diag, nowhere, "--dump-path takes one program");
+	else if (inputs > 1)
+		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
+	else
+		return true;
+	return false;
+}
+
+bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
+{
+	struct parser parser = {.options = options, .diag = diag};
+	bool good;
+
+	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
+	good = parse_words(&parser, argc, argv);
+	options->programs = parser.operand;
+	if (parser.operands) {
+		options->machine = parser.operand[0];
+		options->program_count = parser.operands - 1;
+		memmove(parser.operand, parser.operand + 1, options->program_count * sizeof(*parser.operand));
+	}
+	if (!good || is_final(options->mode))
+		return good;
+	if (!check_modes(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+		return false;
+	if (!(options->check.step > 0))
+		options->check.step = 0.01;
+	if (options->mode == RUN_PARSE_ONLY)
+		options->check.method = CHECK_NOTHING;
+	options->check.last_duplicate_wins = options->duplicates == 1;
+	return true;
+}
+
+void options_release(struct options *options)
+{
+	free(options->programs);
+	*options = (struct options){0};
+}
+
+void options_help(struct strbuf *out)
+{
+	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n"
+			 "Proves that a machine does not hit itself while it runs the programs, or names the\n"
+			 "first block in which it does. A program named - is standard input.\n\n");
+	for (int i = 0; i < OPTION_COUNT; i++) {
+		const struct option_row *row = &option_table[i];
+		struct strbuf name = {0};
+
+		if (row->key > 255)
+			strbuf_addf(&name, "      --%s", row->name);
+		else
+			strbuf_addf(&name, "  -%c, --%s", row->key, row->name);
+		if (row->argument)
+			strbuf_addf(&name, "=%s", row->argument);
+		strbuf_addf(out, "%-30s", name.text);
+		for (const char *c = row->help; *c; c++)
+			strbuf_addf(out, *c == '\n' ? "\n%31s" : "%.1s", *c == '\n' ? " " : c);
+		strbuf_addf(out, "\n");
+		strbuf_release(&name);
+	}
+	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is incomplete\n"
+			 "(usage, unreadable or unsupported input), 3 internal error.\n");
+}

@@ -1,0 +1,53 @@
+/* options.h - the command line: one table makes the parser, the help and the usage errors. */
+#ifndef FIVECHECK_CLI_OPTIONS_H
+#define FIVECHECK_CLI_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "machine/machine.h"
+
+enum run_mode {
+	RUN_CHECK,
+	RUN_PARSE_ONLY,
+	RUN_DUMP_PATH,
+	RUN_LIST_PAIRS,
+	RUN_CHECK_MACHINE,
+	RUN_HELP,
+	RUN_VERSION
+};
+
+enum output_format { FORMAT_TEXT, FORMAT_NDJSON };
+
+/* Strings are borrowed from argv. */
+struct options {
+	enum run_mode mode;
+	const char *machine;
+	const char *setup;	/* NULL: the machine's own, if it has one */
+	char **programs;	/* "-" is standard input, once at most; owned array */
+	size_t program_count;
+	struct check_options check;
+	double clearance;	/* mm */
+	enum output_format format;
+	const char *output;	/* NULL: standard output */
+	const char *pose;	/* or NULL */
+	bool quiet, verbose;
+	int dialect;	/* enum dialect; -1: the machine's */
+	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
+};
+
+/*
+ * Reads the command line; options and operands in any order. Whatever is
+ * unknown, malformed, out of range or makes no sense together is reported, and
+ * the result false. Release the options in either case.
+ */
+bool options_parse(struct options *options, int argc, char **argv, struct diag *diag);
+void options_release(struct options *options);
+
+/* What --help prints. */
+void options_help(struct strbuf *out);
+
+#endif

@@ -1,0 +1,84 @@
+#include "cli/table.h"
+
+#include <stddef.h>
+
+enum {
+	IN_CHECK = 1 << RUN_CHECK,
+	IN_PARSE = 1 << RUN_PARSE_ONLY,
+	IN_DUMP = 1 << RUN_DUMP_PATH,
+	IN_PAIRS = 1 << RUN_LIST_PAIRS,
+	WITH_PROGRAM = IN_CHECK | IN_PARSE | IN_DUMP,
+	ANYWHERE = WITH_PROGRAM | IN_PAIRS | 1 << RUN_CHECK_MACHINE
+};
+
+/* Options without a letter. */
+enum {
+	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
+	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_VERSION, KEY_HELP
+};
+
+static const char *const methods[] = {
+	[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
+	[CHECK_CONVENTIONAL] = "conventional", NULL,
+};
+static const char *const dialects[] = {
+	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
+};
+static const char *const formats[] = {[FORMAT_TEXT] = "text", [FORMAT_NDJSON] = "ndjson", NULL};
+static const char *const duplicates[] = {"error", "last", NULL};
+
+#define FIELD(member) .field = offsetof(struct options, member)
+#define FLAG(member) .kind = VALUE_FLAG, FIELD(member)
+#define TEXT(member) .kind = VALUE_TEXT, FIELD(member)
+#define NUMBER(member, from, to, of) \
+	.kind = VALUE_NUMBER, FIELD(member), .least = (from), .greatest = (to), .unit = (of)
+#define CHOICE(member, names) .kind = VALUE_CHOICE, FIELD(member), .choices = (names)
+#define MODE(which) .modes = ANYWHERE, .kind = VALUE_MODE, .mode = (which)
+
+const struct option_row option_table[OPTION_COUNT] = {
+	{'s', "setup", "FILE", ANYWHERE, TEXT(setup), .help = "the job's work offsets, fixtures, part and tools"},
+	{KEY_METHOD, "method", "METHOD", IN_CHECK, CHOICE(check.method, methods),
+	 .help = "certified: a proof, the default; or sampled and\nunsafe between samples: interpolated, conventional"},
+	{KEY_STEP, "step", "SECONDS", IN_CHECK, NUMBER(check.step, 1e-6, 1000, "s"),
+	 .help = "time between samples of the sampled methods (0.01)"},
+	{KEY_TOLERANCE, "tolerance", "MM", IN_CHECK | IN_DUMP, NUMBER(check.tolerance, 1e-6, 100, "mm"),
+	 .help = "how exactly contact is decided, or --dump-path\nflattens curves (0.001)"},
+	{KEY_CLEARANCE, "clearance", "MM", IN_CHECK | IN_PAIRS, NUMBER(clearance, 0, 1e5, "mm"),
+	 .help = "the distance that bodies must keep (0)"},
+	{'a', "all", NULL, IN_CHECK | IN_PARSE, FLAG(check.all),
+	 .help = "go on after the first finding: the first of each\nblock and pair"},
+	{KEY_POSE, "pose", "FILE.stl", IN_CHECK, TEXT(pose),
+	 .help = "write all bodies as they stand at the first finding"},
+	{KEY_PARSE_ONLY, "parse-only", NULL, MODE(RUN_PARSE_ONLY),
+	 .help = "interpret everything and check the axis limits,\nbut no collision"},
+	{KEY_DUMP_PATH, "dump-path", NULL, MODE(RUN_DUMP_PATH), .help = "print the path of the axes, one span a row"},
+	{KEY_LIST_PAIRS, "list-pairs", NULL, MODE(RUN_LIST_PAIRS),
+	 .help = "print every pair of bodies and whether it is checked"},
+	{KEY_CHECK_MACHINE, "check-machine", NULL, MODE(RUN_CHECK_MACHINE),
+	 .help = "print the machine as it was understood, and what is\nodd about it"},
+	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM, CHOICE(dialect, dialects),
+	 .help = "linuxcnc, fanuc or haas, instead of the machine's"},
+	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),
+	 .help = "a word that stands twice in a block is an error\n(the default), or the last one counts"},
+	{KEY_BLOCK_DELETE, "block-delete", NULL, WITH_PROGRAM, FLAG(check.block_delete),
+	 .help = "skip the blocks that begin with /"},
+	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
+	 .help = "use N threads (1)"},
+	{'f', "format", "FORMAT", IN_CHECK | IN_PARSE, CHOICE(format, formats),
+	 .help = "text (the default), or ndjson: a JSON object a finding"},
+	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete"},
+	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
+	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
+	 .help = "the smallest proven clearance of each pair as well"},
+	{KEY_VERSION, "version", NULL, MODE(RUN_VERSION), .help = "print the version"},
+	{KEY_HELP, "help", NULL, MODE(RUN_HELP), .help = "print this help"},
+};
+
+const struct option_row *option_of(int key)
+{
+	for (int i = 0; i < OPTION_COUNT; i++) {
+		if (option_table[i].key == key)
+			return &option_table[i];
+	}
+	return NULL;
+}

@@ -1,0 +1,102 @@
+#include "cli/value.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct srcloc nowhere;
+
+/* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
+static bool parse_number(double *out, const char *text)
+{
+	char *end;
+	double value;
+
+	if (!*text || strspn(text, "0123456789+-.eE") != strlen(text))
+		return false;
+	value = strtod(text, &end);
+	if (*end || !isfinite(value))
+		return false;
+	*out = value;
+	return true;
+}
+
+static bool read_number(double *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	double value;
+
+	if (!parse_number(&value, text)) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s", row->name, text, row->unit ? " of " : "",
+			   row->unit ? row->unit : "");
+		return false;
+	}
+	if (value < row->least || value > row->greatest) {
+		diag_error(diag, nowhere, "--%s: %s is not between %.10g and %.10g%s%s", row->name, text, row->least,
+			   row->greatest, row->unit ? " " : "", row->unit ? row->unit : "");
+		return false;
+	}
+	*out = value;
+	return true;
+}
+
+static bool read_count(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	double value;
+
+	if (!*text || strspn(text, "0123456789") != strlen(text)) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a whole number", row->name, text);
+		return false;
+	}
+	if (!read_number(&value, row, text, diag))
+		return false;
+	*out = (int)value;
+	return true;
+}
+
+static bool read_choice(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	struct strbuf names = {0};
+
+	for (int i = 0; row->choices[i]; i++) {
+		if (!strcmp(text, row->choices[i])) {
+			*out = i;
+			strbuf_release(&names);
+			return true;
+		}
+		strbuf_addf(&names, "%s%s", i ? ", " : "", row->choices[i]);
+	}
+	diag_error(diag, nowhere, "--%s: '%s' is none of: %s", row->name, text, strbuf_text(&names));
+	strbuf_release(&names);
+	return false;
+}
+
+bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
+{
+	void *field = (char *)options + row->field;
+	int index;
+
+	_Static_assert(sizeof(enum check_method) == sizeof(int) && sizeof(enum output_format) == sizeof(int),
+		       "choices are stored as int");
+	switch (row->kind) {
+	case VALUE_FLAG:
+		*(bool *)field = true;
+		return true;
+	case VALUE_TEXT:
+		if (!*text)
+			diag_error(diag, nowhere, "--%s: the name is empty", row->name);
+		*(const char **)field = text;
+		return *text != '\0';
+	case VALUE_NUMBER:
+		return read_number(field, row, text, diag);
+	case VALUE_COUNT:
+		return read_count(field, row, text, diag);
+	case VALUE_CHOICE:
+		if (!read_choice(&index, row, text, diag))
+			return false;
+		memcpy(field, &index, sizeof(index));
+		return true;
+	case VALUE_MODE:
+		break;
+	}
+	return false;
+}

@@ -1,0 +1,48 @@
+/* main.c - starts a process that can rely on its three files, runs the command line, cleans up. */
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "cli/console.h"
+#include "cli/options.h"
+#include "cli/run.h"
+#include "report/ndjson.h"
+
+/* A failed assertion is our mistake and has its own exit status. */
+static void on_abort(int signal_number)
+{
+	(void)signal_number;
+	_exit(RUN_INTERNAL);
+}
+
+/*
+ * Where a shell closed one of the three, the next file to be opened would take
+ * its place and receive the report. The opposite access makes every use fail.
+ */
+static void hold_standard_files(void)
+{
+	for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+		if (fcntl(fd, F_GETFD) == -1)
+			open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+	}
+}
+
+int main(int argc, char **argv)
+{
+	struct options options;
+	struct console console;
+	enum run_status status = RUN_INCOMPLETE;
+
+	hold_standard_files();
+	/* A reader that left is an error of a write, not the end of the process. */
+	signal(SIGPIPE, SIG_IGN);
+	signal(SIGABRT, on_abort);
+	ndjson_init();
+	console_init(&console);
+	if (options_parse(&options, argc, argv, &console.diag))
+		status = run_options(&options, &console);
+	else
+		diag_note(&console.diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
+	options_release(&options);
+	return (int)status;
+}

@@ -1,0 +1,141 @@
+#include "report/text.h"
+
+#include <math.h>
+
+#include "report/quantity.h"
+
+static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
+{
+	quantity_add_plain(out, f->a);
+	strbuf_addf(out, " (%s) %s ", f->link_a, verb);
+	quantity_add_plain(out, f->b);
+	strbuf_addf(out, " (%s)", f->link_b);
+}
+
+static void add_message(struct strbuf *out, const struct finding *f)
+{
+	switch (f->kind) {
+	case FINDING_COLLISION:
+		add_bodies(out, f, "meets");
+		break;
+	case FINDING_CLEARANCE:
+		add_bodies(out, f, "comes too close to");
+		break;
+	case FINDING_START_OVERLAP:
+		add_bodies(out, f, "overlaps");
+		strbuf_addf(out, " before the block moves");
+		break;
+	case FINDING_LIMIT:
+		strbuf_addf(out, "axis %c leaves its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
+			    quantity_value(f->slot, f->bound), quantity_unit(f->slot));
+		break;
+	}
+}
+
+/* Attribute values may hold anything but these; bodies' names come from XML. */
+static void add_attribute(struct strbuf *out, const char *name, const char *value)
+{
+	strbuf_addf(out, " %s=\"", name);
+	for (; *value; value++) {
+		switch (*value) {
+		case '&':
+			strbuf_addf(out, "&amp;");
+			break;
+		case '<':
+			strbuf_addf(out, "&lt;");
+			break;
+		case '"':
+			strbuf_addf(out, "&quot;");
+			break;
+		default:
+			strbuf_add(out, value, 1);
+		}
+	}
+	strbuf_addf(out, "\"");
+}
+
+static void add_place(struct strbuf *out, const struct finding *f)
+{
+	strbuf_addf(out, "    at       ");
+	quantity_add(out, 100 * f->fraction);
+	strbuf_addf(out, " %% of the block");
+	if (f->moves > 1)
+		strbuf_addf(out, ", in its move %d of %d", f->move, f->moves);
+	strbuf_addf(out, "\n    time     ");
+	quantity_add_duration(out, f->time);
+	strbuf_addf(out, "\n");
+}
+
+static void add_contact(struct strbuf *out, const struct finding *f)
+{
+	const double point[3] = {f->point.x, f->point.y, f->point.z};
+
+	strbuf_addf(out, "    contact ");
+	for (int i = 0; i < 3; i++) {
+		strbuf_addf(out, " %c ", "XYZ"[i]);
+		quantity_add(out, point[i]);
+	}
+	strbuf_addf(out, " mm in machine coordinates\n");
+	if (f->required > 0) {
+		strbuf_addf(out, "    distance ");
+		quantity_add(out, f->clearance);
+		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
+	}
+}
+
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, bool colour)
+{
+	const char *kind = finding_kind_name(f->kind);
+
+	strbuf_addf(out, "%s:%ld:%d: %serror:%s %s: ", f->file, f->line, f->column, colour ? "\033[1;31m" : "",
+		    colour ? "\033[0m" : "", kind);
+	add_message(out, f);
+	strbuf_addf(out, " [%s]\n    block    ", kind);
+	quantity_add_plain(out, f->text ? f->text : "");
+	strbuf_addf(out, "\n");
+	add_place(out, f);
+	strbuf_addf(out, "    axes     ");
+	quantity_add_axes(out, machine, &f->axes);
+	strbuf_addf(out, "\n");
+	if (f->kind != FINDING_LIMIT)
+		add_contact(out, f);
+	if (f->kind == FINDING_START_OVERLAP) {
+		strbuf_addf(out, "    to waive <pair");
+		add_attribute(out, "a", f->a);
+		add_attribute(out, "b", f->b);
+		strbuf_addf(out, " check=\"never\" reason=\"\"/>\n");
+	}
+}
+
+void text_verdict(struct strbuf *out, const struct verdict *verdict)
+{
+	struct strbuf caution = {0};
+
+	strbuf_addf(out, "%s: ", verdict->file);
+	verdict_add_sentence(out, verdict);
+	strbuf_addf(out, "\n");
+	for (int i = 0; i < VERDICT_CAUTIONS; i++) {
+		if (verdict_add_caution(&caution, verdict, i))
+			strbuf_addf(out, "    %s\n", caution.text);
+		strbuf_clear(&caution);
+	}
+	strbuf_release(&caution);
+}
+
+void text_proven(struct strbuf *out, const struct scene *scene, const double *proven)
+{
+	strbuf_addf(out, "    smallest proven clearance, each more than (mm):\n");
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (pair->status != PAIR_CHECKED && isinf(proven[i]))
+			continue;
+		strbuf_addf(out, "    ");
+		if (isinf(proven[i]))
+			strbuf_addf(out, "%12s", "not met");
+		else
+			/* Rounded down: what is printed must be proven too. */
+			strbuf_addf(out, "%12.4f", floor(proven[i] * 1e4) / 1e4);
+		strbuf_addf(out, "  %s - %s\n", scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name);
+	}
+}

@@ -1,0 +1,148 @@
+#include "report/verdict.h"
+
+#include "report/quantity.h"
+
+static bool is_cutting(const struct scene *scene, const struct scene_pair *pair)
+{
+	enum body_role a = scene->bodies[pair->a].body->role;
+	enum body_role b = scene->bodies[pair->b].body->role;
+
+	return (a == ROLE_PART && b == ROLE_CUTTER) || (a == ROLE_CUTTER && b == ROLE_PART);
+}
+
+size_t verdict_pairs(const struct scene *scene, enum pair_status status)
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < scene->pair_count; i++)
+		count += scene->pairs[i].status == status && !is_cutting(scene, &scene->pairs[i]);
+	return count;
+}
+
+static void add_findings(struct strbuf *out, const struct verdict *v)
+{
+	size_t findings = (size_t)v->stats->findings;
+
+	quantity_add_count(out, findings, "finding");
+	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
+	if (!v->options->all)
+		strbuf_addf(out, "; stopped there (--all goes on)");
+}
+
+static void add_clear(struct strbuf *out, const struct verdict *v)
+{
+	const struct check_stats *stats = v->stats;
+	size_t blocks = (size_t)stats->motion.blocks;
+
+	switch (v->options->method) {
+	case CHECK_CERTIFIED:
+		strbuf_addf(out, "clear: ");
+		quantity_add_count(out, blocks, "block");
+		strbuf_addf(out, " proved, ");
+		quantity_add_count(out, stats->pairs_required, "pair");
+		strbuf_addf(out, " of bodies kept apart at every instant");
+		break;
+	case CHECK_INTERPOLATED:
+	case CHECK_CONVENTIONAL:
+		strbuf_addf(out, "no contact at the samples (not a proof): ");
+		quantity_add_count(out, blocks, "block");
+		strbuf_addf(out, ", ");
+		quantity_add_count(out, stats->pairs_required, "pair");
+		strbuf_addf(out, " of bodies, a sample every %.10g s", v->options->step);
+		break;
+	case CHECK_NOTHING:
+		strbuf_addf(out, "within the axis limits: ");
+		quantity_add_count(out, blocks, "block");
+		strbuf_addf(out, " interpreted; no collision was checked (--parse-only)");
+		break;
+	}
+}
+
+void verdict_add_sentence(struct strbuf *out, const struct verdict *v)
+{
+	switch (v->result) {
+	case CHECK_CLEAR:
+		add_clear(out, v);
+		break;
+	case CHECK_FOUND:
+		add_findings(out, v);
+		break;
+	case CHECK_INCOMPLETE:
+		strbuf_addf(out, "incomplete: not everything was checked, see the errors");
+		if (v->stats->findings) {
+			strbuf_addf(out, "; ");
+			quantity_add_count(out, (size_t)v->stats->findings, "finding");
+			strbuf_addf(out, " before them");
+		}
+		break;
+	}
+}
+
+/* Where nothing was found the sentence itself says it. */
+static bool caution_sampled(struct strbuf *out, const struct verdict *v)
+{
+	enum check_method method = v->options->method;
+
+	if ((method != CHECK_INTERPOLATED && method != CHECK_CONVENTIONAL) || v->result == CHECK_CLEAR)
+		return false;
+	strbuf_addf(out, "a sample every %.10g s (not a proof): contact between samples may have come earlier",
+		    v->options->step);
+	return true;
+}
+
+static bool caution_nothing(struct strbuf *out, const struct verdict *v)
+{
+	if (v->stats->pairs_required)
+		return false;
+	strbuf_addf(out, "no pair of bodies had to be checked (--list-pairs says why)");
+	return true;
+}
+
+static bool caution_setup(struct strbuf *out, const struct verdict *v)
+{
+	if (v->scene->setup)
+		return false;
+	strbuf_addf(out, "no setup was given: only the machine's own bodies were checked, no tool, fixture or part");
+	return true;
+}
+
+static bool caution_excused(struct strbuf *out, const struct verdict *v)
+{
+	if (!v->stats->pairs_excused)
+		return false;
+	quantity_add_count(out, v->stats->pairs_excused, "pair");
+	strbuf_addf(out, " of neighbours excused, not proved (adjacent in --list-pairs)");
+	return true;
+}
+
+static bool caution_waived(struct strbuf *out, const struct verdict *v)
+{
+	size_t waived = verdict_pairs(v->scene, PAIR_WAIVED);
+
+	if (!waived)
+		return false;
+	quantity_add_count(out, waived, "pair");
+	strbuf_addf(out, " waived by the machine file, not proved (waived in --list-pairs)");
+	return true;
+}
+
+static bool caution_blend(struct strbuf *out, const struct verdict *v)
+{
+	if (!v->stats->motion.blend_unbounded)
+		return false;
+	strbuf_addf(out, "G64 without a tolerance: the control may leave the programmed path, and only that path was "
+			 "checked; give P or <controller path_tolerance=\"\">");
+	return true;
+}
+
+bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
+{
+	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
+		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
+	};
+
+	/* Without a check of bodies, what is said of them would be said of nothing. */
+	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend)
+		return false;
+	return cautions[i](out, v);
+}

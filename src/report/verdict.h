@@ -1,0 +1,38 @@
+/* verdict.h - what may be said of a checked program: the one sentence, and what must be said beside it. */
+#ifndef FIVECHECK_REPORT_VERDICT_H
+#define FIVECHECK_REPORT_VERDICT_H
+
+#include <stdbool.h>
+
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "scene/scene.h"
+
+/* Borrows everything. */
+struct verdict {
+	const char *file;
+	enum check_result result;
+	const struct check_options *options;
+	const struct check_stats *stats;
+	const struct scene *scene;
+	long first_line;	/* of the first finding */
+};
+
+/*
+ * "clear" stands in the sentence only where every instant was proved. The
+ * sampled methods, --parse-only, findings and faults each say what they are.
+ */
+void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
+
+enum { VERDICT_CAUTIONS = 6 };
+
+/*
+ * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;
+ * false if it does not apply.
+ */
+bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
+
+/* How many pairs of the scene have this status, pairs of cutter and part apart: those are cutting, not waived. */
+size_t verdict_pairs(const struct scene *scene, enum pair_status status);
+
+#endif

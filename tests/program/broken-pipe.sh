@@ -1,0 +1,7 @@
+# A reader that leaves ends the run early and quietly, but not with success.
+small_machine
+awk 'BEGIN { for (i = 0; i < 100000; i++) printf "G0 X%d\n", i % 100 }' >long.nc
+{
+	fivecheck --dump-path m.xml long.nc
+	echo "status $?" >&2
+} | head -n 1

@@ -1,0 +1,9 @@
+small_machine
+# An open mesh, and one that stands in the head at home.
+grep -v '^endsolid' table.stl | head -n 78 >open.stl
+echo 'endsolid' >>open.stl
+box post 10 10 0 30 30 150
+sed -e 's/mesh="table.stl"/mesh="open.stl"/' \
+	-e '/<body name="table"/a <body name="post" mesh="post.stl" location="0 0 -10"/>' m.xml >odd.xml
+fivecheck --check-machine m.xml
+fivecheck --check-machine odd.xml | sed -n '/^oddities/,$p'

@@ -1,0 +1,14 @@
+# What cannot be written is never a success.
+[ -e /dev/full ] || exit 0
+small_machine
+program a.nc <<'NC'
+G0 X10
+NC
+for arguments in '--help' '--version' 'm.xml a.nc' '--dump-path m.xml a.nc' '--list-pairs m.xml' \
+	'--check-machine m.xml' '--parse-only m.xml a.nc'; do
+	# shellcheck disable=SC2086 # words, on purpose
+	fivecheck -q $arguments >/dev/full
+	echo "status $?" >&2
+done
+fivecheck -q -o /dev/full m.xml a.nc
+echo "status $?" >&2

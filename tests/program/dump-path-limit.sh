@@ -1,0 +1,8 @@
+# A path is no check: it is printed past a limit too, with a warning at the first such place.
+small_machine
+program a.nc <<'NC'
+G0 X100
+G0 X300
+G0 X310
+NC
+fivecheck --dump-path m.xml a.nc

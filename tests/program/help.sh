@@ -1,0 +1,3 @@
+fivecheck --help
+# Nothing else is needed, and nothing else is looked at.
+fivecheck --list-pairs --help nowhere.xml | head -n 1

@@ -1,0 +1,83 @@
+# lib.sh - what the program tests have in common: small bodies and machines, made on the spot.
+# shellcheck shell=sh
+
+# box NAME X0 Y0 Z0 X1 Y1 Z1 - writes NAME.stl: a closed box between two corners, twelve triangles facing outward
+box() {
+	awk -v name="$1" -v c0="$2 $3 $4" -v c1="$5 $6 $7" '
+	function corner(bits) {
+		return sprintf("%s %s %s", bits % 2 ? hi[1] : lo[1], int(bits / 2) % 2 ? hi[2] : lo[2],
+			       int(bits / 4) ? hi[3] : lo[3])
+	}
+	BEGIN {
+		split(c0, lo, " ")
+		split(c1, hi, " ")
+		# Corner bits: 1 for X, 2 for Y, 4 for Z; six faces, counter-clockwise from outside.
+		count = split("0 2 3 1  4 5 7 6  0 1 5 4  2 6 7 3  0 4 6 2  1 3 7 5", f, " ")
+		print "solid " name
+		for (i = 1; i <= count; i += 4) {
+			for (half = 0; half < 2; half++) {
+				print "facet normal 0 0 0\nouter loop"
+				print "vertex " corner(f[i])
+				print "vertex " corner(f[i + 1 + half])
+				print "vertex " corner(f[i + 2 + half])
+				print "endloop\nendfacet"
+			}
+		}
+		print "endsolid " name
+	}' >"$1.stl"
+}
+
+# machine FILE - wraps standard input, the content of <base> and what follows it, into a machine file.
+# A line that is just "--" ends the base.
+machine() {
+	{
+		echo '<machine version="1" name="test machine" units="mm">'
+		echo '<base>'
+		awk '$0 == "--" { print "</base>"; ended = 1; next } { print } END { if (!ended) print "</base>" }'
+		echo '</machine>'
+	} >"$1"
+}
+
+# setup FILE - wraps standard input into a setup file
+setup() {
+	{
+		echo '<setup version="1" units="mm">'
+		cat
+		echo '</setup>'
+	} >"$1"
+}
+
+# small_machine - m.xml: X carries Z, which carries the head (its face at z=100 when Z=0) with the
+# spindle; the table (top at z=0) turns about C, which stands at the origin. X +-200, Z -150..50.
+small_machine() {
+	box head -20 -20 100 20 20 200
+	box table -50 -50 -20 50 50 0
+	machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-200" limit_max="200" rate_max="6000">
+    <axis name="Z" type="linear" direction="0 0 1" limit_min="-150" limit_max="50" rate_max="6000">
+      <body name="head" mesh="head.stl"/>
+      <spindle location="0 0 100" direction="0 0 -1"/>
+    </axis>
+  </axis>
+  <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" rate_max="3600">
+    <body name="table" mesh="table.stl"/>
+    <workholding location="0 0 0"/>
+  </axis>
+XML
+}
+
+# program FILE - standard input, as it is
+program() {
+	cat >"$1"
+}
+
+# fivecheck ARGUMENT... - the program under test
+fivecheck() {
+	"$FIVECHECK" "$@"
+}
+
+# status COMMAND... - runs it and prints its exit status after its output
+status() {
+	"$@"
+	echo "status $?"
+}

@@ -1,0 +1,14 @@
+small_machine
+program a.nc <<'NC'
+G0 X10
+NC
+mkdir folder
+status fivecheck -q nowhere.xml a.nc
+status fivecheck -q -s nowhere.xml m.xml a.nc
+status fivecheck -q m.xml nowhere.nc
+status fivecheck -q m.xml folder
+status fivecheck -q folder a.nc
+rm head.stl
+status fivecheck -q m.xml a.nc
+# No body is looked at, so its mesh is not missed.
+status fivecheck -q --parse-only m.xml a.nc

@@ -1,0 +1,19 @@
+small_machine
+program a.nc <<'NC'
+G0 X10
+NC
+echo before >report
+chmod 640 report
+status fivecheck -q -o report m.xml a.nc
+cat report
+ls -l report | cut -c 1-10
+# A run that breaks off leaves the file as it was, and nothing beside it.
+echo before >pairs
+status fivecheck -q -o pairs --list-pairs nowhere.xml 2>/dev/null
+cat pairs
+ls
+# Through a link, the file that it leads to is written.
+ln -s report link
+status fivecheck -o link --list-pairs m.xml
+test -h link && head -n 1 report
+status fivecheck -q -o nowhere/report m.xml a.nc

@@ -1,0 +1,23 @@
+# All bodies as they stand at the first finding: head down, table turned by 45 degrees; 24 triangles.
+small_machine
+program a.nc <<'NC'
+G0 C45
+G1 Z-120 F600
+NC
+program clear.nc <<'NC'
+G0 C45
+NC
+fivecheck -q --pose pose.stl m.xml clear.nc a.nc >/dev/null
+echo "status $?"
+wc -c <pose.stl
+# Bounds: skip the header, then 50 bytes a triangle: 12 floats and two bytes.
+od -An -v -tu1 -w1 -j 80 -N 4 pose.stl | tr -d ' \n'
+echo
+for i in $(seq 0 23); do
+	od -An -v -tf4 -w12 -j $((84 + 50 * i + 12)) -N 36 pose.stl
+done | awk '
+	{ for (k = 1; k <= 3; k++) { if (NR == 1 || $k < lo[k]) lo[k] = $k; if (NR == 1 || $k > hi[k]) hi[k] = $k } }
+	END { printf "X %.2f %.2f Y %.2f %.2f Z %.2f %.2f\n", lo[1], hi[1], lo[2], hi[2], lo[3], hi[3] }'
+status fivecheck --pose none.stl -f ndjson m.xml clear.nc 2>&1 | grep none.stl
+ls none.stl 2>/dev/null
+status fivecheck -q --pose nowhere/pose.stl m.xml a.nc | tail -n 1

@@ -1,0 +1,60 @@
+# Every slip is named, ends with status 2, and prints nothing on standard output.
+bad() {
+	echo "\$ $*"
+	"$FIVECHECK" "$@" 2>message >result
+	result=$?
+	grep -v "lists the options" message
+	if [ -s result ]; then
+		echo "printed on standard output"
+	fi
+	[ $result = 2 ] || echo "status $result"
+}
+bad
+bad m.xml
+bad --parse-only m.xml
+bad --nonsense m.xml a.nc
+bad -x m.xml a.nc
+bad --d m.xml a.nc
+bad m.xml a.nc --tolerance
+bad m.xml a.nc -s
+bad m.xml a.nc --all=yes
+bad m.xml a.nc --setup ''
+bad m.xml a.nc --tolerance 0
+bad m.xml a.nc --tolerance -1
+bad m.xml a.nc --tolerance 1mm
+bad m.xml a.nc --tolerance ''
+bad m.xml a.nc --tolerance ' 1'
+bad m.xml a.nc --tolerance 0x1
+bad m.xml a.nc --tolerance inf
+bad m.xml a.nc --tolerance nan
+bad m.xml a.nc --tolerance 1e999
+bad m.xml a.nc --clearance -0.1
+bad m.xml a.nc --step 0 --method conventional
+bad m.xml a.nc -j 0
+bad m.xml a.nc -j 1.5
+bad m.xml a.nc -j -1
+bad m.xml a.nc -j 99999999999999999999
+bad m.xml a.nc --method fast
+bad m.xml a.nc --method cert
+bad m.xml a.nc -f xml
+bad m.xml a.nc --duplicates first
+bad m.xml a.nc --dialect siemens
+bad m.xml a.nc --step 0.1
+bad m.xml a.nc -q -v
+bad m.xml a.nc -v --method interpolated
+bad m.xml a.nc -v -f ndjson
+bad m.xml a.nc --dump-path --parse-only
+bad m.xml --list-pairs --check-machine
+bad m.xml a.nc --list-pairs
+bad m.xml a.nc --check-machine
+bad m.xml a.nc b.nc --dump-path
+bad m.xml a.nc --parse-only --clearance 1
+bad m.xml a.nc --parse-only --method certified
+bad m.xml a.nc --parse-only --pose p.stl
+bad m.xml a.nc --dump-path -f ndjson
+bad m.xml a.nc --dump-path -a
+bad m.xml --list-pairs --tolerance 1
+bad m.xml --check-machine --clearance 1
+bad m.xml - -
+bad - a.nc
+bad m.xml a.nc -s -
