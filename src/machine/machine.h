@@ -1,0 +1,142 @@
+/* machine.h - a machine tool as its XML file describes it: axes, links, bodies, and who need not be checked. */
+#ifndef FIVECHECK_MACHINE_MACHINE_H
+#define FIVECHECK_MACHINE_MACHINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/axes.h"
+#include "base/diag.h"
+#include "geom/mesh.h"
+#include "geom/xform.h"
+
+/*
+ * Everything is in machine coordinates at the zero pose (every axis at 0), in
+ * mm, radians and seconds. A link is what one axis carries: link 0 is the
+ * base, link i + 1 hangs on axes[i].
+ */
+
+enum dialect { DIALECT_LINUXCNC, DIALECT_FANUC, DIALECT_HAAS };
+enum rapid { RAPID_LINEAR, RAPID_DOGLEG, RAPID_ANY };
+enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
+enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE };
+
+struct mcode {
+	int number;
+	enum mcode_action action;
+};
+
+struct controller {
+	enum dialect dialect;
+	enum rapid rapid;
+	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
+	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
+	const struct mcode *mcodes;
+	size_t mcode_count;
+};
+
+struct axis {
+	const char *name;	/* one of AXIS_LETTERS */
+	const char *title;	/* or NULL */
+	int slot;	/* where its value stands in an axis_values */
+	bool rotary;
+	int parent;	/* the link that carries it */
+	vec3 direction;	/* unit: how the carried link moves for a positive programmed value; rotary: right-handed */
+	vec3 location;	/* a point on a rotary axis */
+	double limit_min, limit_max;	/* mm or radians; -INFINITY, INFINITY: unlimited */
+	double rate_max;	/* mm/s or radians/s; > 0 */
+	double home;
+	enum wrap wrap;
+	long line;	/* in the XML file */
+};
+
+enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
+
+struct body {
+	const char *name;	/* unique among all bodies of machine and setup */
+	enum body_role role;
+	int link;
+	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
+	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
+	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
+	double scale;	/* mm per unit of the mesh file */
+	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
+	struct srcloc loc;	/* of the element that names it */
+};
+
+/* <pair>: what the user says of two bodies, roles or links. */
+enum pair_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
+enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
+
+struct pair_name {
+	enum pair_name_kind kind;
+	int link;	/* NAME_LINK: the machine's own bodies on it */
+	enum body_role role;	/* NAME_ROLE */
+	const char *body;	/* NAME_BODY */
+};
+
+struct pair_rule {
+	struct pair_name a, b;
+	enum pair_check check;
+	double clearance;	/* mm; negative: not given */
+	const char *reason;	/* or NULL */
+	long line;
+};
+
+struct spindle {
+	bool present;
+	int link;
+	vec3 location;	/* the gauge point */
+	vec3 direction;	/* unit, from the gauge point to the tool tip */
+};
+
+struct workholding {
+	bool present;
+	int link;
+	xform frame;
+};
+
+struct setup;
+
+struct machine {
+	struct arena arena;	/* owns all that is below */
+	const char *path;	/* as the user named it */
+	const char *name;	/* title of the machine; may be empty */
+	struct controller controller;
+	struct axis axes[SLOT_COUNT];	/* in file order: a carrying axis before what it carries */
+	size_t axis_count;
+	struct body *bodies;	/* in file order */
+	size_t body_count;
+	struct pair_rule *rules;	/* in file order, bodies resolved against machine and setup by scene */
+	size_t rule_count;
+	double adjacent_within;	/* mm */
+	struct spindle spindle;
+	struct workholding workholding;
+	struct setup *setup;	/* the <setup> inside <machine>, or NULL; owned */
+};
+
+/*
+ * Reads, validates (RELAX NG, then for meaning) and resolves a machine file.
+ * Every fault is reported with file and line; NULL if there was one.
+ */
+struct machine *machine_load(const char *path, struct diag *diag);
+void machine_free(struct machine *machine);
+
+/*
+ * Names in <pair> that are no body of the machine, of its own setup or of
+ * `setup` (may be NULL) are errors; warnings while there is no setup at all,
+ * since they may be a setup's.
+ */
+bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
+
+/* The axis on a slot, or NULL. */
+const struct axis *machine_axis(const struct machine *machine, int slot);
+
+/* "base" or the axis' name. */
+const char *machine_link_name(const struct machine *machine, int link);
+
+/* Home position of every axis, by slot. */
+axis_values machine_home(const struct machine *machine);
+
+#endif

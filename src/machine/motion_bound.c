@@ -1,0 +1,210 @@
+#include "machine/motion_bound.h"
+
+#include <assert.h>
+#include <math.h>
+
+#include "base/units.h"
+
+/* A joint's value with its sine and cosine taken once for all uses. */
+static xform joint_motion(const struct joint *joint, double value)
+{
+	if (joint->rotary)
+		return xform_turn(joint->location, joint->direction, value);
+	return (xform){mat3_identity(), vec3_scale(value, joint->direction)};
+}
+
+static double distance_to_axis(const struct joint *joint, vec3 point)
+{
+	vec3 to = vec3_sub(point, joint->location);
+
+	return vec3_norm(vec3_cross(joint->direction, to));
+}
+
+void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
+		      const struct ball *fixed, const struct ball *moved)
+{
+	xform motions[SLOT_COUNT];
+	vec3 at;
+
+	state->pose = xform_identity();
+	at = fixed->centre;
+	for (size_t i = 0; i < chain->count; i++) {
+		const struct joint *joint = &chain->joints[i];
+		xform back;
+
+		motions[i] = joint_motion(joint, q->v[joint->slot]);
+		state->direction[i] = mat3_apply(&state->pose.rotation, joint->direction);
+		state->pose = xform_mul(&state->pose, &motions[i]);
+		state->rho[1][i] = joint->rotary ? distance_to_axis(joint, at) + fixed->radius : 0;
+		back = xform_inverse(&motions[i]);
+		at = xform_apply(&back, at);
+	}
+	at = moved->centre;
+	for (size_t i = chain->count; i-- > 0;) {
+		const struct joint *joint = &chain->joints[i];
+
+		state->rho[0][i] = joint->rotary ? distance_to_axis(joint, at) + moved->radius : 0;
+		at = xform_apply(&motions[i], at);
+	}
+}
+
+size_t linear_run_end(const struct chain *chain, size_t first)
+{
+	while (first < chain->count && !chain->joints[first].rotary)
+		first++;
+	return first;
+}
+
+double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount)
+{
+	double square = 0;
+
+	for (size_t i = first; i < last; i++) {
+		for (size_t j = first; j < last; j++) {
+			const struct joint *a = &chain->joints[i], *b = &chain->joints[j];
+
+			square += amount->v[a->slot] * amount->v[b->slot] * fabs(vec3_dot(a->direction, b->direction));
+		}
+	}
+	return sqrt(square);
+}
+
+static double linear_step(const struct chain *chain, size_t first, size_t last, const axis_values *q0,
+			  const axis_values *q1)
+{
+	vec3 step = {0, 0, 0};
+
+	for (size_t i = first; i < last; i++) {
+		const struct joint *joint = &chain->joints[i];
+
+		step = vec3_mad(step, q1->v[joint->slot] - q0->v[joint->slot], joint->direction);
+	}
+	return vec3_norm(step);
+}
+
+/*
+ * The chain as a view walks it, the view's fixed body first: each rotary joint
+ * and each run of linear joints is one stage.
+ */
+struct stage {
+	size_t first, last;	/* joints of the chain */
+	bool rotary;
+};
+
+static size_t stages_of(const struct chain *chain, int view, struct stage out[SLOT_COUNT])
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < chain->count;) {
+		bool rotary = chain->joints[i].rotary;
+		size_t end = rotary ? i + 1 : linear_run_end(chain, i);
+
+		out[count++] = (struct stage){i, end, rotary};
+		i = end;
+	}
+	for (size_t i = 0; view == 1 && i < count / 2; i++) {
+		struct stage keep = out[i];
+
+		out[i] = out[count - 1 - i];
+		out[count - 1 - i] = keep;
+	}
+	return count;
+}
+
+/* What one stage does to the points that it moves. */
+struct share {
+	double angle;	/* |dq| of a rotary joint, radians */
+	double way;	/* u, mm */
+	double drift;	/* mm, by the deviation */
+	double rho;
+};
+
+/*
+ * Fills the shares from the moving body inwards: a point's distance to an axis
+ * changes by what the later stages do to it. Every instant is within half of
+ * the motion of one of the two ends, at which rho is known.
+ */
+static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
+			 const struct chain *chain, const struct chain_state *start, const struct chain_state *end,
+			 const axis_values *q0, const axis_values *q1, const axis_values *deviation)
+{
+	double later = 0;
+
+	for (size_t n = count; n-- > 0;) {
+		size_t i = stages[n].first;
+		struct share *share = &shares[n];
+
+		*share = (struct share){0};
+		if (stages[n].rotary) {
+			int slot = chain->joints[i].slot;
+
+			share->angle = fabs(q1->v[slot] - q0->v[slot]);
+			share->rho = fmax(start->rho[view][i], end->rho[view][i]) + later;
+			share->way = share->angle * share->rho;
+			share->drift = deviation->v[slot] * share->rho;
+		} else {
+			share->way = linear_step(chain, i, stages[n].last, q0, q1);
+			share->drift = linear_play(chain, i, stages[n].last, deviation);
+		}
+		later += 0.5 * share->way + share->drift;
+	}
+}
+
+void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
+		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
+		      const axis_values *deviation)
+{
+	double lengths[VIEWS];
+
+	for (int view = 0; view < VIEWS; view++) {
+		struct stage stages[SLOT_COUNT];
+		struct share shares[SLOT_COUNT];
+		size_t count = stages_of(chain, view, stages);
+		double turned = 0, acceleration = 0;
+
+		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, deviation);
+		lengths[view] = bound->drift[view] = 0;
+		for (size_t n = 0; n < count; n++) {
+			const struct share *share = &shares[n];
+
+			acceleration += 2 * turned * share->way + share->angle * share->way;
+			turned += share->angle;
+			lengths[view] += share->way;
+			bound->drift[view] += share->drift;
+		}
+		bound->bend[view] = acceleration / 8;
+	}
+	bound->length = fmin(lengths[0], lengths[1]);
+}
+
+/* Turning by at most `angle` moves a point at distance rho by at most a chord of the circle. */
+static double turn_of(double angle, double rho)
+{
+	return angle >= PI ? 2 * rho : 2 * sin(angle / 2) * rho;
+}
+
+void box_bound_init(struct box_bound *bound, const struct chain *chain, const struct chain_state *state,
+		    const axis_values *half)
+{
+	for (int view = 0; view < VIEWS; view++) {
+		struct stage stages[SLOT_COUNT];
+		size_t count = stages_of(chain, view, stages);
+		double later = 0;
+
+		for (size_t n = count; n-- > 0;) {
+			size_t i = stages[n].first;
+			double way;
+
+			if (stages[n].rotary) {
+				way = turn_of(half->v[chain->joints[i].slot], state->rho[view][i] + later);
+				bound->turn[view][i] = way;
+			} else {
+				way = linear_play(chain, i, stages[n].last, half);
+				for (size_t k = i; k < stages[n].last; k++)
+					bound->turn[view][k] = 0;
+			}
+			later += way;
+		}
+		bound->reach[view] = later;
+	}
+}

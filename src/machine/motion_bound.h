@@ -1,0 +1,69 @@
+/* motion_bound.h - how far the joints between two links can move one body as the other sees it. */
+#ifndef FIVECHECK_MACHINE_MOTION_BOUND_H
+#define FIVECHECK_MACHINE_MOTION_BOUND_H
+
+#include "base/axes.h"
+#include "machine/chain.h"
+
+/*
+ * Two views of one relative motion: in view 0 the chain's fixed link stands
+ * still and the moved link's body moves, in view 1 the other way round. Each
+ * gives bounds of its own; a distance between the bodies obeys both.
+ */
+enum { VIEWS = 2 };
+
+/* Around a body at the zero pose, in machine coordinates, mm. */
+struct ball {
+	vec3 centre;
+	double radius;
+};
+
+/* The chain at one position of the axes. */
+struct chain_state {
+	xform pose;	/* the moved link's zero-pose geometry in the fixed link's */
+	double rho[VIEWS][SLOT_COUNT];	/* mm: farthest any point of the view's moving body is from the joint's axis; 0: linear */
+	vec3 direction[SLOT_COUNT];	/* of each joint in the fixed link's zero-pose coordinates */
+};
+
+void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
+		      const struct ball *fixed, const struct ball *moved);
+
+/*
+ * Over a motion along which every joint goes linearly from q0 to q1 and strays
+ * by at most `deviation` from that (DESIGN.md, section 7):
+ */
+struct chord_bound {
+	double length;	/* L: no point moves farther, deviations apart (the better of both views) */
+	double bend[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
+	double drift[VIEWS];	/* d: the deviations move no point by more */
+};
+
+void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
+		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
+		      const axis_values *deviation);
+
+/*
+ * When every joint may be anywhere within `half` of the state's position (mm,
+ * radians): a point is at its place at the state, plus for each linear joint at
+ * most half of its direction either way, plus for each rotary one at most `turn`
+ * at right angles to its axis, the directions being the state's.
+ */
+struct box_bound {
+	double turn[VIEWS][SLOT_COUNT];	/* mm, by joint; 0: linear */
+	double reach[VIEWS];	/* mm, by all of them */
+};
+
+void box_bound_init(struct box_bound *bound, const struct chain *chain, const struct chain_state *state,
+		    const axis_values *half);
+
+/*
+ * The farthest that the linear joints first..last-1 can carry a point when
+ * each moves by at most amount[slot]: with signs s, |sum s a d|^2 <= sum over
+ * pairs of a_i a_j |d_i . d_j|, the vector norm where directions are orthogonal.
+ */
+double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
+
+/* The end of the run of linear joints, with no rotary one between them, that begins at `first`. */
+size_t linear_run_end(const struct chain *chain, size_t first);
+
+#endif

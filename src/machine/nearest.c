@@ -1,0 +1,65 @@
+#include "machine/nearest.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <string.h>
+
+/* Longer names are not guessed at. */
+#define LONGEST ((size_t)64)
+
+static size_t least(size_t a, size_t b)
+{
+	return a < b ? a : b;
+}
+
+static bool same_letter(char a, char b)
+{
+	return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* Levenshtein's distance with exchanged neighbours as one slip; capitals do not matter. */
+static size_t distance(const char *a, size_t na, const char *b, size_t nb)
+{
+	size_t rows[3][LONGEST + 1];
+	size_t *before = rows[0], *last = rows[1], *row = rows[2];
+
+	for (size_t j = 0; j <= nb; j++)
+		last[j] = j;
+	for (size_t i = 1; i <= na; i++) {
+		size_t *spare = before;
+
+		row[0] = i;
+		for (size_t j = 1; j <= nb; j++) {
+			size_t wrong = last[j - 1] + !same_letter(a[i - 1], b[j - 1]);
+
+			row[j] = least(wrong, least(last[j], row[j - 1]) + 1);
+			if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1]))
+				row[j] = least(row[j], before[j - 2] + 1);
+		}
+		before = last;
+		last = row;
+		row = spare;
+	}
+	return last[nb];
+}
+
+void nearest_init(struct nearest *nearest, const char *wanted)
+{
+	*nearest = (struct nearest){.wanted = wanted};
+}
+
+void nearest_offer(struct nearest *nearest, const char *known)
+{
+	size_t wanted_length = strlen(nearest->wanted), known_length = strlen(known);
+	size_t slips;
+
+	if (wanted_length > LONGEST || known_length > LONGEST)
+		return;
+	slips = distance(nearest->wanted, wanted_length, known, known_length);
+	if (slips > (wanted_length + 2) / 3 || slips >= known_length)
+		return;
+	if (!nearest->best || slips < nearest->distance) {
+		nearest->best = known;
+		nearest->distance = slips;
+	}
+}

@@ -1,0 +1,54 @@
+/* setup.h - what stands on a machine for one job: work offsets, fixtures, the part, tools. */
+#ifndef FIVECHECK_MACHINE_SETUP_H
+#define FIVECHECK_MACHINE_SETUP_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/axes.h"
+#include "base/diag.h"
+#include "machine/machine.h"
+
+/* Lengths in mm, angles in radians. */
+struct work_offset {
+	const char *name;	/* "G54" ... "G59.3" */
+	axis_values value;
+	long line;
+};
+
+struct tool {
+	int number;	/* > 0 */
+	const char *name;	/* or "" */
+	double length;	/* from the gauge point to the tip */
+	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
+	double length_offset;	/* H of the same number, unless an <offset> says otherwise */
+	long line;
+};
+
+struct length_offset {
+	int number;	/* H */
+	double length;
+};
+
+struct setup {
+	struct arena arena;
+	const char *path;
+	struct work_offset *offsets;
+	size_t offset_count;
+	struct tool *tools;
+	size_t tool_count;
+	struct length_offset *lengths;	/* every H that is defined, by tools or by <offset>; each number once */
+	size_t length_count;
+	struct body *bodies;	/* fixtures and parts in file order, then each tool's holder, shank, cutter */
+	size_t body_count;
+	int initial_tool;	/* 0: the spindle is empty */
+};
+
+/* As machine_load; the bodies are placed on the machine's workholding and spindle. */
+struct setup *setup_load(const char *path, const struct machine *machine, struct diag *diag);
+void setup_free(struct setup *setup);
+
+const struct tool *setup_tool(const struct setup *setup, int number);
+
+#endif

@@ -1,0 +1,54 @@
+/* tool_solid.h - turns a holder, shank or cutter described by sections into triangles that enclose it. */
+#ifndef FIVECHECK_MACHINE_TOOL_SOLID_H
+#define FIVECHECK_MACHINE_TOOL_SOLID_H
+
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "geom/mesh.h"
+
+/* How far the triangles may leave the true solid, mm. */
+#define TOOL_SOLID_DEVIATION 0.01
+
+/*
+ * What keeps the arithmetic honest, mm: a section is at least this long, which
+ * is many times the float rounding of the longest tool, and no tool is longer
+ * or thicker than that, or rounding would eat up the allowed deviation.
+ */
+#define TOOL_SECTION_MIN 0.01
+#define TOOL_DIAMETER_MIN 0.001
+#define TOOL_SIZE_MAX 5000.0
+
+/* A cylinder or a frustum, mm; diameter_end (the end nearer the tip) may be 0. */
+struct tool_section {
+	double length;
+	double diameter, diameter_end;
+};
+
+enum tool_tip { TIP_FLAT, TIP_BALL, TIP_CONE, TIP_BULL };
+
+/* Sections stacked from z = top downwards; other tips than flat are cut from the last one, a cylinder. */
+struct tool_solid {
+	const struct tool_section *sections;
+	size_t count;	/* at least 1 */
+	double top;
+	enum tool_tip tip;
+	double angle;	/* CONE: included angle, radians, inside (0, pi) */
+	double corner;	/* BULL: radius of the rounded edge, mm, at most the section's radius */
+};
+
+/* Height of what the tip takes from the last section, mm; the section must be at least that long. */
+double tool_solid_tip_height(const struct tool_solid *solid);
+
+/* An upper bound on the triangles that tool_solid_mesh makes. */
+size_t tool_solid_triangles(const struct tool_solid *solid);
+
+/*
+ * One closed surface, counter-clockwise seen from outside, about the Z axis.
+ * It encloses the true solid as it is stored, in floats (so its slop is 0),
+ * and no point of it is farther than TOOL_SOLID_DEVIATION from the solid.
+ * The triangles live in the arena.
+ */
+void tool_solid_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out);
+
+#endif

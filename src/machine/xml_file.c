@@ -1,0 +1,176 @@
+#include "machine/xml_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libxml/parser.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/mem.h"
+#include "machine/xml_scan.h"
+
+/* A machine takes kilobytes; what is larger is not one, and checks that look at all pairs of names stay quick. */
+#define FILE_SIZE_MAX ((size_t)4 * 1024 * 1024)
+
+#if LIBXML_VERSION >= 21200
+typedef const xmlError *xml_fault;
+#else
+typedef xmlError *xml_fault;
+#endif
+
+static void on_fault(void *context, xml_fault fault)
+{
+	struct xml_capture *capture = context;
+	const char *message = fault->message ? fault->message : "unknown fault";
+	size_t length = strcspn(message, "\n");
+	long line = fault->line > 0 ? fault->line : 0;
+	char *text;
+
+	if (fault->level < XML_ERR_ERROR || capture->reported)
+		return;
+	capture->reported = true;
+	/* Parser faults count lines in an int; of a node the document knows better than 65535. */
+	if (fault->domain != XML_FROM_PARSER && fault->node)
+		line = xmlGetLineNo(fault->node);
+	text = mem_strndup(message, length);
+	for (size_t i = 0; i < length; i++)
+		if ((unsigned char)text[i] < 0x20 || text[i] == 0x7f)
+			text[i] = '?';
+	xml_error_at(capture->xml, line, "%s: %s", capture->prefix, text);
+	free(text);
+}
+
+static void __attribute__((format(printf, 2, 3))) drop_message(void *context, const char *format, ...)
+{
+	(void)context;
+	(void)format;
+}
+
+void xml_capture_begin(struct xml_capture *capture, struct xml_reader *xml, const char *prefix)
+{
+	*capture = (struct xml_capture){
+		.xml = xml,
+		.prefix = prefix,
+		.old_context = xmlStructuredErrorContext,
+		.old_generic_context = xmlGenericErrorContext,
+		.old_handler = xmlStructuredError,
+		.old_generic = xmlGenericError,
+	};
+	xmlSetStructuredErrorFunc(capture, on_fault);
+	xmlSetGenericErrorFunc(NULL, drop_message);
+}
+
+void xml_capture_end(struct xml_capture *capture)
+{
+	xmlSetStructuredErrorFunc(capture->old_context, capture->old_handler);
+	xmlSetGenericErrorFunc(capture->old_generic_context, capture->old_generic);
+}
+
+/* Reads a descriptor to its end; the caller frees. NULL: reported. */
+static char *read_all(struct xml_reader *xml, int fd, size_t *length)
+{
+	char *bytes = mem_alloc(FILE_SIZE_MAX + 1);
+	size_t have = 0;
+	ssize_t got;
+
+	while (have <= FILE_SIZE_MAX) {
+		got = read(fd, bytes + have, FILE_SIZE_MAX + 1 - have);
+		if (got < 0 && errno == EINTR)
+			continue;
+		if (got < 0) {
+			xml_error_at(xml, 0, "cannot read: %s", strerror(errno));
+			free(bytes);
+			return NULL;
+		}
+		if (got == 0)
+			break;
+		have += (size_t)got;
+	}
+	if (have > FILE_SIZE_MAX) {
+		xml_error_at(xml, 0, "larger than %zu MiB: this is no machine or setup file",
+			     FILE_SIZE_MAX / 1024 / 1024);
+		free(bytes);
+		return NULL;
+	}
+	*length = have;
+	return bytes;
+}
+
+static char *read_file(struct xml_reader *xml, size_t *length)
+{
+	struct stat status;
+	char *bytes = NULL;
+	int fd;
+
+	if (strcmp(xml->path, "-") == 0) {
+		xml_error_at(xml, 0, "machine and setup files are not read from standard input: name a file");
+		return NULL;
+	}
+	/* O_NONBLOCK: opening a FIFO must not wait for its writer. */
+	fd = open(xml->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+	if (fd < 0) {
+		xml_error_at(xml, 0, "cannot open: %s", strerror(errno));
+		return NULL;
+	}
+	if (fstat(fd, &status) != 0)
+		xml_error_at(xml, 0, "cannot read: %s", strerror(errno));
+	else if (S_ISDIR(status.st_mode))
+		xml_error_at(xml, 0, "is a directory, not an XML file");
+	else if (!S_ISREG(status.st_mode))
+		xml_error_at(xml, 0, "is not a regular file");
+	else
+		bytes = read_all(xml, fd, length);
+	close(fd);
+	return bytes;
+}
+
+/* Called at the declaration, before any entity of it is defined. */
+static void refuse_doctype(void *context, const xmlChar *name, const xmlChar *public_id, const xmlChar *system_id)
+{
+	xmlParserCtxt *parser = context;
+	struct xml_capture *capture = parser->_private;
+
+	(void)name;
+	(void)public_id;
+	(void)system_id;
+	if (!capture->reported)
+		xml_error_at(capture->xml, parser->input ? parser->input->line : 0,
+			     "document type declarations (<!DOCTYPE ...>) are not allowed; remove it");
+	capture->reported = true;
+	xmlStopParser(parser);
+}
+
+bool xml_parse_file(struct xml_reader *xml)
+{
+	const int options = XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES;
+	struct xml_capture capture;
+	xmlParserCtxt *parser;
+	size_t length = 0;
+	char *bytes = read_file(xml, &length);
+
+	if (!bytes)
+		return false;
+	if (!xml_scan(xml, bytes, length)) {
+		free(bytes);
+		return false;
+	}
+	xml_capture_begin(&capture, xml, "this is not well-formed XML");
+	parser = xmlNewParserCtxt();
+	if (parser) {
+		parser->_private = &capture;
+		parser->sax->internalSubset = refuse_doctype;
+		xml->doc = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL, options);
+		xmlFreeParserCtxt(parser);
+	}
+	xml_capture_end(&capture);
+	free(bytes);
+	if (!xml->doc && !xml->errors)
+		xml_error_at(xml, 0, "the XML parser gave up");
+	if (xml->errors && xml->doc) {
+		xmlFreeDoc(xml->doc);
+		xml->doc = NULL;
+	}
+	return xml->doc != NULL;
+}
