@@ -80,6 +80,7 @@ check-program: $(BUILD)/fivecheck
 	@FIVECHECK=$(abspath $(BUILD)/fivecheck) sh scripts/run-program-tests $(TESTS)
 
 check-machines: $(BUILD)/fivecheck
+	@sh scripts/check-machines
 	@for m in $(MACHINES); do echo "$$m"; $(BUILD)/fivecheck --check-machine -o /dev/null $$m || exit 1; done
 
 demo:

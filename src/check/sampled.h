@@ -15,8 +15,9 @@ struct axis_cache;
  * Chen, Lin and Chang, "Efficient Web-Learning Collision Detection Tool on
  * Five-Axis Machine": at every sampling step the triangles are tested by the
  * separating axes of their pose (conventional), or by the axes of a motion's two
- * ends, interpolated linearly (interpolated). The boxes of the trees only spare
- * triangle tests; they change no answer.
+ * ends, interpolated linearly (interpolated). The trees' boxes spare the
+ * triangle tests of what is plainly apart, and with them some of the false alarms
+ * that interpolated axes raise.
  */
 struct sampler {
 	struct body_pair bodies;

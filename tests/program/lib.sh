@@ -27,6 +27,21 @@ box() {
 	}' >"$1.stl"
 }
 
+# tetrahedron NAME X Y Z ... - writes NAME.stl from four corners, the first three clockwise as the fourth sees them
+tetrahedron() {
+	echo "$@" | awk '{
+		print "solid " $1
+		count = split("0 1 2  0 3 1  1 3 2  2 3 0", f, " ")
+		for (i = 1; i <= count; i += 3) {
+			print "facet normal 0 0 0\nouter loop"
+			for (k = 0; k < 3; k++)
+				print "vertex " $(2 + 3 * f[i + k]) " " $(3 + 3 * f[i + k]) " " $(4 + 3 * f[i + k])
+			print "endloop\nendfacet"
+		}
+		print "endsolid " $1
+	}' >"$1.stl"
+}
+
 # machine FILE - wraps standard input, the content of <base> and what follows it, into a machine file.
 # A line that is just "--" ends the base.
 machine() {
@@ -80,4 +95,29 @@ fivecheck() {
 status() {
 	"$@"
 	echo "status $?"
+}
+
+# findings ARGUMENT... - runs the program and prints a row a finding: kind line a b fraction(5 digits) distance(4 digits)
+findings() {
+	"$FIVECHECK" -q -f ndjson "$@" | awk '
+	function value(key,    rest) {
+		if (!match($0, "\"" key "\": *"))
+			return "-"
+		rest = substr($0, RSTART + RLENGTH)
+		if (match(rest, /^"[^"]*"/))
+			return substr(rest, 2, RLENGTH - 2)
+		match(rest, /^[^,}]*/)
+		return substr(rest, 1, RLENGTH)
+	}
+	{ printf "%s %s %s/%s %.5f %.4f\n", value("kind"), value("line"), value("a"), value("b"), value("fraction"),
+	         value("clearance") }'
+}
+
+# rectangle NAME HALF_X HALF_Y HALF_Z [X Y Z] - a box about a middle point
+rectangle() {
+	# shellcheck disable=SC2046 # six words are wanted
+	box "$1" $(awk -v h="$2 $3 $4" -v m="${5:-0} ${6:-0} ${7:-0}" 'BEGIN {
+		split(h, s, " "); split(m, c, " ")
+		printf "%.9g %.9g %.9g %.9g %.9g %.9g", c[1] - s[1], c[2] - s[2], c[3] - s[3], c[1] + s[1], c[2] + s[2], c[3] + s[3]
+	}')
 }

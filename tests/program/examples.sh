@@ -1,0 +1,15 @@
+# The committed examples: clear ones are clear, the others collide in the middle of the intended block.
+root=$(dirname "$LIB")/../..
+for machine in ac-trunnion cb-head b-head-c-table; do
+	for program in clear collision; do
+		status fivecheck -q -s "$root/examples/$machine/setup.xml" "$root/machines/$machine/machine.xml" - \
+			<"$root/examples/$machine/$program.nc" | grep -E 'error|clear|block  |status'
+	done
+done
+paper=$root/machines/ac-trunnion/machine.xml
+# The paper's own block says Z twice; corrected, it is clear.
+status fivecheck -q "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'error|status'
+status fivecheck --duplicates last "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'warning|clear|status'
+status fivecheck -q "$paper" - <"$root/examples/paper-block-corrected.nc" | grep -E 'clear|status'
+# Of the ten pairs of the paper's links, Z-A and Z-C are left.
+fivecheck --list-pairs "$paper" | grep -E '^(bridge|carriage|head|cradle|table)	(bridge|carriage|head|cradle|table)	' | cut -f 1-3

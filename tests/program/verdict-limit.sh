@@ -1,0 +1,25 @@
+# Pairs out of reach count again past a limit, and a limit itself is a finding at the instant it is passed.
+box head -5 -5 -5 5 5 5
+box wall 100 -50 -50 110 50 50
+machine m.xml <<'XML'
+  <body name="wall" mesh="wall.stl"/>
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-50" limit_max="50" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" limit_min="-50" limit_max="50" rate_max="6000">
+      <body name="head" mesh="head.stl"/>
+    </axis>
+  </axis>
+XML
+fivecheck --list-pairs m.xml | cut -f 1-3
+echo 'G1 X200 F600' >past.nc
+findings m.xml past.nc
+findings -a m.xml past.nc
+# To the limit, and a hair's breadth past it, is inside.
+status fivecheck -q m.xml - <<'NC'
+G1 X50 F600
+G1 X50.0000009
+NC
+# An arc that bulges past the limit although its ends are inside: from (40,0) about (40,20) to (40,40), X up to 60.
+findings m.xml - <<'NC'
+G1 X40 F600
+G3 Y40 J20
+NC
