@@ -11,6 +11,7 @@ void batch_release(struct batch *batch)
 	free(batch->paths);
 	free(batch->path_tcp);
 	free(batch->tcps);
+	free(batch->chunks);
 	*batch = (struct batch){0};
 }
 
@@ -46,8 +47,39 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block)
 	copy->block = block;
 }
 
+static void widen(struct batch_chunk *chunk, const struct motion_step *step)
+{
+	const struct span *span = &step->span;
+
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		double off = span->deviation.v[i] + step->tolerance.v[i];
+		double least = span->q0.v[i] < span->q1.v[i] ? span->q0.v[i] : span->q1.v[i];
+		double most = span->q0.v[i] < span->q1.v[i] ? span->q1.v[i] : span->q0.v[i];
+
+		if (least - off < chunk->low.v[i])
+			chunk->low.v[i] = least - off;
+		if (most + off > chunk->high.v[i])
+			chunk->high.v[i] = most + off;
+	}
+}
+
+static void sum_up_chunks(struct batch *batch)
+{
+	size_t count = (batch->step_count + CHUNK_STEPS - 1) / CHUNK_STEPS;
+
+	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count, sizeof(*batch->chunks));
+	for (size_t i = 0; i < batch->step_count; i++) {
+		struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+		if (i % CHUNK_STEPS == 0)
+			chunk->low = chunk->high = batch->steps[i].motion.span.q0;
+		widen(chunk, &batch->steps[i].motion);
+	}
+}
+
 void batch_close(struct batch *batch)
 {
+	sum_up_chunks(batch);
 	for (size_t i = 0; i < batch->path_count; i++)
 		if (batch->paths[i].tcp)
 			batch->paths[i].tcp = &batch->tcps[batch->path_tcp[i]];

@@ -16,6 +16,14 @@ struct batch_step {
 	long block;
 };
 
+/* Steps to a chunk. */
+enum { CHUNK_STEPS = 64 };
+
+/* All positions that the axes take in a chunk, deviations and tolerances included. */
+struct batch_chunk {
+	axis_values low, high;
+};
+
 struct batch {
 	struct batch_step *steps;
 	size_t step_count, step_capacity;
@@ -25,6 +33,8 @@ struct batch {
 	size_t path_tcp_capacity;
 	struct tcp *tcps;
 	size_t tcp_count, tcp_capacity;
+	struct batch_chunk *chunks;	/* chunk i: the CHUNK_STEPS steps, or what is left, from i * CHUNK_STEPS on */
+	size_t chunk_capacity;
 };
 
 void batch_release(struct batch *batch);
@@ -33,7 +43,7 @@ void batch_clear(struct batch *batch);
 /* Copies a step and, if it is curved, its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block);
 
-/* Points the steps to the batch's own paths; call it before using them. */
+/* Points the steps to the batch's own paths and sums up the chunks; call it before using them. */
 void batch_close(struct batch *batch);
 
 #endif

@@ -108,13 +108,33 @@ static enum passage pass(struct runner *runner, struct sweep *sweep, const struc
 	return sampler_step(&runner->sampler, sweep, step, contact) ? PASSAGE_CONTACT : PASSAGE_CLEAR;
 }
 
+/* Steps from i on that the pair passes as one chunk; 0: it must take them one by one. */
+static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_t i,
+			 const struct check_options *options)
+{
+	size_t count = batch->step_count - i < CHUNK_STEPS ? batch->step_count - i : CHUNK_STEPS;
+	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+	if (options->method != CHECK_CERTIFIED || i % CHUNK_STEPS ||
+	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
+			   count))
+		return 0;
+	return count;
+}
+
 static void run_one(struct runner *runner, struct sweep *sweep, const struct batch *batch,
 		    const struct check_options *options)
 {
-	for (size_t i = 0; i < batch->step_count; i++) {
+	size_t skipped;
+
+	for (size_t i = 0; i < batch->step_count; i += skipped ? skipped : 1) {
 		const struct batch_step *step = &batch->steps[i];
 		struct contact contact = {0};
 		enum passage passage;
+
+		skipped = skip_chunk(runner, batch, i, options);
+		if (skipped)
+			continue;
 
 		if (step->block == runner->found_block ||
 		    (runner->past_limits_only && !is_beyond_travel(&step->motion))) {
@@ -125,10 +145,10 @@ static void run_one(struct runner *runner, struct sweep *sweep, const struct bat
 		if (passage == PASSAGE_CLEAR)
 			continue;
 		add_result(runner, i, passage, &contact);
+		follower_lose(&runner->follower);
 		if (!options->all || passage == PASSAGE_UNDECIDED)
 			return;
 		runner->found_block = step->block;
-		follower_lose(&runner->follower);
 	}
 }
 

@@ -1,6 +1,7 @@
 #include "geom/boxes.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "geom/tolerance.h"
 
@@ -31,6 +32,7 @@ void box_motion_init(struct box_motion *motion, const struct bvh *a, const struc
 {
 	const struct bvh *own[2] = {a, b}, *other[2] = {b, a};
 
+	motion->still = !memcmp(&poses[0], &poses[1], sizeof(poses[0]));
 	for (int v = 0; v < 2; v++) {
 		struct box_view *view = &motion->views[v];
 		double size = a->radius + b->radius;
@@ -59,23 +61,37 @@ struct box box_whole(const struct bvh *bvh)
 	return box;
 }
 
-/* The hull, in a frame, of a box of the other body at both ends of the motion. */
-static inline void hull_of(const struct box_view *view, const struct box *box, float low[3], float high[3],
-			   float shift[3])
+/* Where a box of the other body stands in a frame at one end: middle and half sizes. */
+static inline void place(const struct box_map *map, const struct box *box, float c[3], float h[3])
 {
 	for (int i = 0; i < 3; i++) {
-		float c[2], h[2];
+		const float *r = map->r[i], *s = map->abs_r[i];
 
-		for (int e = 0; e < 2; e++) {
-			const float *r = view->ends[e].r[i], *s = view->ends[e].abs_r[i];
+		c[i] = r[0] * box->centre[0] + r[1] * box->centre[1] + r[2] * box->centre[2] + map->t[i];
+		h[i] = s[0] * box->half[0] + s[1] * box->half[1] + s[2] * box->half[2];
+	}
+}
 
-			c[e] = r[0] * box->centre[0] + r[1] * box->centre[1] + r[2] * box->centre[2] +
-			       view->ends[e].t[i];
-			h[e] = s[0] * box->half[0] + s[1] * box->half[1] + s[2] * box->half[2];
+/* The hull, in a frame, of a box of the other body at both ends of the motion. */
+static inline void hull_of(const struct box_view *view, bool still, const struct box *box, float low[3], float high[3],
+			   float shift[3])
+{
+	float c0[3], h0[3], c1[3], h1[3];
+
+	place(&view->ends[0], box, c0, h0);
+	if (still) {
+		for (int i = 0; i < 3; i++) {
+			low[i] = c0[i] - h0[i] - view->play[i];
+			high[i] = c0[i] + h0[i] + view->play[i];
+			shift[i] = 2 * view->play[i];
 		}
-		low[i] = (c[0] - h[0] < c[1] - h[1] ? c[0] - h[0] : c[1] - h[1]) - view->play[i];
-		high[i] = (c[0] + h[0] > c[1] + h[1] ? c[0] + h[0] : c[1] + h[1]) + view->play[i];
-		shift[i] = fabsf(c[1] - c[0]) + 2 * view->play[i];
+		return;
+	}
+	place(&view->ends[1], box, c1, h1);
+	for (int i = 0; i < 3; i++) {
+		low[i] = (c0[i] - h0[i] < c1[i] - h1[i] ? c0[i] - h0[i] : c1[i] - h1[i]) - view->play[i];
+		high[i] = (c0[i] + h0[i] > c1[i] + h1[i] ? c0[i] + h0[i] : c1[i] + h1[i]) + view->play[i];
+		shift[i] = fabsf(c1[i] - c0[i]) + 2 * view->play[i];
 	}
 }
 
@@ -90,12 +106,12 @@ static inline float second_largest(const float shift[3])
 }
 
 /* In the node's frame: the moving box has one hull, the children stand still. */
-static void apart_in_own(const struct box_view *view, const struct bvh_node *node, const struct box *other,
+static void apart_in_own(const struct box_view *view, bool still, const struct bvh_node *node, const struct box *other,
 			 float square[BVH_WIDTH], float *loose)
 {
 	float low[3], high[3], shift[3];
 
-	hull_of(view, other, low, high, shift);
+	hull_of(view, still, other, low, high, shift);
 	for (int l = 0; l < BVH_WIDTH; l++)
 		square[l] = 0;
 	for (int i = 0; i < 3; i++) {
@@ -111,33 +127,54 @@ static void apart_in_own(const struct box_view *view, const struct bvh_node *nod
 	*loose = second_largest(shift) + view->stray;
 }
 
+/* One axis of the box's frame: where each child stands on it at one end. */
+static inline void place_children(const struct box_map *map, int axis, const struct bvh_node *node,
+				  float low[BVH_WIDTH], float high[BVH_WIDTH], float centre[BVH_WIDTH])
+{
+	const float *r = map->r[axis], *s = map->abs_r[axis];
+
+	for (int l = 0; l < BVH_WIDTH; l++) {
+		float c = r[0] * node->centre[0][l] + r[1] * node->centre[1][l] + r[2] * node->centre[2][l] + map->t[axis];
+		float h = s[0] * node->half[0][l] + s[1] * node->half[1][l] + s[2] * node->half[2][l];
+
+		centre[l] = c;
+		low[l] = c - h;
+		high[l] = c + h;
+	}
+}
+
 /* In the box's frame: every child has a hull of its own. */
-static void apart_in_other(const struct box_view *view, const struct bvh_node *node, const struct box *other,
-			   float square[BVH_WIDTH], float loose[BVH_WIDTH])
+static void apart_in_other(const struct box_view *view, bool still, const struct bvh_node *node,
+			   const struct box *other, float square[BVH_WIDTH], float loose[BVH_WIDTH])
 {
 	float shift[3][BVH_WIDTH];
 
 	for (int l = 0; l < BVH_WIDTH; l++)
 		square[l] = 0;
 	for (int i = 0; i < 3; i++) {
-		const float *r0 = view->ends[0].r[i], *s0 = view->ends[0].abs_r[i], t0 = view->ends[0].t[i];
-		const float *r1 = view->ends[1].r[i], *s1 = view->ends[1].abs_r[i], t1 = view->ends[1].t[i];
+		float low[BVH_WIDTH], high[BVH_WIDTH], c0[BVH_WIDTH];
 		float least = other->centre[i] - other->half[i] - view->play[i];
 		float most = other->centre[i] + other->half[i] + view->play[i];
 
+		place_children(&view->ends[0], i, node, low, high, c0);
+		for (int l = 0; l < BVH_WIDTH; l++)
+			shift[i][l] = 2 * view->play[i];
+		if (!still) {
+			float low1[BVH_WIDTH], high1[BVH_WIDTH], c1[BVH_WIDTH];
+
+			place_children(&view->ends[1], i, node, low1, high1, c1);
+			for (int l = 0; l < BVH_WIDTH; l++) {
+				low[l] = low[l] < low1[l] ? low[l] : low1[l];
+				high[l] = high[l] > high1[l] ? high[l] : high1[l];
+				shift[i][l] += fabsf(c1[l] - c0[l]);
+			}
+		}
 		for (int l = 0; l < BVH_WIDTH; l++) {
-			float x = node->centre[0][l], y = node->centre[1][l], z = node->centre[2][l];
-			float u = node->half[0][l], v = node->half[1][l], w = node->half[2][l];
-			float c0 = r0[0] * x + r0[1] * y + r0[2] * z + t0, h0 = s0[0] * u + s0[1] * v + s0[2] * w;
-			float c1 = r1[0] * x + r1[1] * y + r1[2] * z + t1, h1 = s1[0] * u + s1[1] * v + s1[2] * w;
-			float low = c0 - h0 < c1 - h1 ? c0 - h0 : c1 - h1;
-			float high = c0 + h0 > c1 + h1 ? c0 + h0 : c1 + h1;
-			float below = least - high, above = low - most;
+			float below = least - high[l], above = low[l] - most;
 			float gap = below > above ? below : above;
 
 			gap = gap > 0 ? gap : 0;
 			square[l] += gap * gap;
-			shift[i][l] = fabsf(c1 - c0) + 2 * view->play[i];
 		}
 	}
 	for (int l = 0; l < BVH_WIDTH; l++)
@@ -149,8 +186,8 @@ void boxes_apart(const struct box_motion *motion, int side, const struct bvh_nod
 {
 	float own[BVH_WIDTH], others[BVH_WIDTH], own_loose;
 
-	apart_in_own(&motion->views[side], node, other, own, &own_loose);
-	apart_in_other(&motion->views[1 - side], node, other, others, loose);
+	apart_in_own(&motion->views[side], motion->still, node, other, own, &own_loose);
+	apart_in_other(&motion->views[1 - side], motion->still, node, other, others, loose);
 	for (int l = 0; l < BVH_WIDTH; l++) {
 		float in_own = sqrtf(own[l]) * (1 - 0x1p-20f) - motion->views[side].stray;
 		float in_other = sqrtf(others[l]) * (1 - 0x1p-20f) - motion->views[1 - side].stray;

@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_GEOM_BOXES_H
 #define FIVECHECK_GEOM_BOXES_H
 
+#include <stdbool.h>
+
 #include "geom/bvh.h"
 #include "geom/xform.h"
 
@@ -25,6 +27,7 @@ struct box_view {
 
 struct box_motion {
 	struct box_view views[2];
+	bool still;	/* both ends are the same */
 };
 
 struct box {
