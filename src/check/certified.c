@@ -154,13 +154,13 @@ static double freedom(const struct follower *follower, const struct motion_step 
 	const struct body_pair *bodies = &follower->bodies;
 	struct chain_state start, end;
 	struct chord_bound both, path;
-	axis_values off;
 
-	off_the_line(bodies->chain, step, &off);
 	chain_state_init(&start, bodies->chain, &step->span.q0, &bodies->ball_a, &bodies->ball_b);
 	chain_state_init(&end, bodies->chain, &step->span.q1, &bodies->ball_a, &bodies->ball_b);
-	chord_bound_init(&both, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &off);
-	chord_bound_init(&path, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &step->span.deviation);
+	chord_bound_init(&both, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &step->span.deviation,
+			 &step->tolerance);
+	chord_bound_init(&path, bodies->chain, &start, &end, &step->span.q0, &step->span.q1, &step->span.deviation,
+			 NULL);
 	/* The sweep accounts for the path's own deviation, which shrinks as it bisects. */
 	return fmax(both.drift[0] - path.drift[0], both.drift[1] - path.drift[1]);
 }
@@ -173,23 +173,34 @@ static bool has_tolerance(const struct chain *chain, const struct motion_step *s
 	return false;
 }
 
+static enum sweep_answer sweep_positions(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
+					 double tolerance, struct contact *contact)
+{
+	axis_values low, high;
+
+	box_of_span(&step->span, &low, &high);
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		low.v[i] -= step->tolerance.v[i];
+		high.v[i] += step->tolerance.v[i];
+	}
+	return sweep_box(sweep, &follower->bodies, &low, &high, follower->target, tolerance, BOX_VISITS, contact);
+}
+
 static enum sweep_answer sweep_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
 				    double tolerance, struct contact *contact)
 {
 	const struct span *span = &step->span;
 	double clearance = follower->target;
 	struct chord chord = {span->q0, span->q1, span->deviation, span->path, span->u0, span->u1, halve};
-	axis_values low, high;
 
+	if (is_box(step))
+		return sweep_positions(follower, sweep, step, tolerance, contact);
 	if (has_tolerance(follower->bodies.chain, step))
 		clearance += freedom(follower, step);
-	if (!is_box(step) && follower->target > follower->clearance)
+	if (follower->target > follower->clearance)
 		return sweep_chord_any(sweep, &follower->bodies, &chord, clearance,
 				       fmax(tolerance, MEASURE_GRAIN * follower->target), contact);
-	if (!is_box(step))
-		return sweep_chord(sweep, &follower->bodies, &chord, clearance, tolerance, contact);
-	box_of_span(span, &low, &high);
-	return sweep_box(sweep, &follower->bodies, &low, &high, clearance, tolerance, BOX_VISITS, contact);
+	return sweep_chord(sweep, &follower->bodies, &chord, clearance, tolerance, contact);
 }
 
 /* The step with the target as it stands. */
@@ -227,13 +238,26 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 	if (follower->lost)
 		budget_resume(&follower->budget, &step->span.q0);
 	follower->lost = false;
-	while ((passage = attempt(follower, sweep, step, tolerance, contact)) == PASSAGE_CONTACT &&
+	while ((passage = attempt(follower, sweep, step, tolerance, contact)) != PASSAGE_CLEAR &&
 	       follower->target > follower->clearance) {
-		double less = MEASURE_SHARE * fmin(contact->distance, follower->target);
+		double less = 0;
 
-		/* Not a finding yet: less than was hoped for remains. */
+		/* Neither a finding nor undecided yet: less than was hoped for may remain. */
+		if (passage == PASSAGE_CONTACT)
+			less = MEASURE_SHARE * fmin(contact->distance, follower->target);
 		follower->target = less > follower->clearance + tolerance ? less : follower->clearance;
 		budget_resume(&follower->budget, &step->span.q0);
 	}
 	return passage;
+}
+
+bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
+		   const axis_values *end, size_t steps)
+{
+	if (!budget_covers_box(&follower->budget, low, high, end, NULL))
+		return false;
+	follower->budgets += (long)steps;
+	follower->settled = true;
+	follower->lost = false;
+	return true;
 }

@@ -42,6 +42,13 @@ double follower_proven(const struct follower *follower);
 /* The next step does not begin where the last one ended, or the pair is not apart there. */
 void follower_lose(struct follower *follower);
 
+/*
+ * Takes many steps at once, of which all positions are between low and high
+ * and the last is `end`, if the budget covers them all; else false, and nothing is taken.
+ */
+bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
+		   const axis_values *end, size_t steps);
+
 enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
 			   double tolerance, struct contact *contact);
 

@@ -258,7 +258,8 @@ static bool on_block(void *context, long line, const char *text, double seconds,
 
 	ledger_close_block(&c->ledger, c->block, line, text, seconds, moves);
 	c->block_time = 0;
-	if (c->batch.step_count >= BATCH_STEPS || enough(c) || c->limit_found)
+	/* Blocks without steps gather too. */
+	if (c->batch.step_count >= BATCH_STEPS || c->ledger.block_count >= BATCH_STEPS || enough(c) || c->limit_found)
 		process(c);
 	c->block++;
 	c->held.block = c->block;

@@ -126,7 +126,8 @@ struct share {
  */
 static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
 			 const struct chain *chain, const struct chain_state *start, const struct chain_state *end,
-			 const axis_values *q0, const axis_values *q1, const axis_values *deviation)
+			 const axis_values *q0, const axis_values *q1, const axis_values *deviation,
+			 const axis_values *tolerance)
 {
 	double later = 0;
 
@@ -141,10 +142,13 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 			share->angle = fabs(q1->v[slot] - q0->v[slot]);
 			share->rho = fmax(start->rho[view][i], end->rho[view][i]) + later;
 			share->way = share->angle * share->rho;
-			share->drift = deviation->v[slot] * share->rho;
+			share->drift = (deviation->v[slot] + (tolerance ? tolerance->v[slot] : 0)) * share->rho;
 		} else {
 			share->way = linear_step(chain, i, stages[n].last, q0, q1);
 			share->drift = linear_play(chain, i, stages[n].last, deviation);
+			/* Not the norm of the sums: what the tolerance adds must not depend on the deviation. */
+			if (tolerance)
+				share->drift += linear_play(chain, i, stages[n].last, tolerance);
 		}
 		later += 0.5 * share->way + share->drift;
 	}
@@ -152,7 +156,7 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 
 void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *deviation)
+		      const axis_values *deviation, const axis_values *tolerance)
 {
 	double lengths[VIEWS];
 
@@ -162,7 +166,7 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 		size_t count = stages_of(chain, view, stages);
 		double turned = 0, acceleration = 0;
 
-		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, deviation);
+		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, deviation, tolerance);
 		lengths[view] = bound->drift[view] = 0;
 		for (size_t n = 0; n < count; n++) {
 			const struct share *share = &shares[n];

@@ -30,7 +30,8 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 
 /*
  * Over a motion along which every joint goes linearly from q0 to q1 and strays
- * by at most `deviation` from that (DESIGN.md, section 7):
+ * by at most `deviation` from that, and by at most `tolerance` (NULL: not at all)
+ * besides (DESIGN.md, section 7):
  */
 struct chord_bound {
 	double length;	/* L: no point moves farther, deviations apart (the better of both views) */
@@ -40,7 +41,7 @@ struct chord_bound {
 
 void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *deviation);
+		      const axis_values *deviation, const axis_values *tolerance);
 
 /*
  * When every joint may be anywhere within `half` of the state's position (mm,

@@ -141,7 +141,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	xform ends[2];
 
 	search.pose = ends[0] = ends[1] = body_pair_pose(pair, q);
-	rounding = body_pair_rounding(pair, search.pose.translation);
+	rounding = body_pair_rounding(pair, q, search.pose.translation);
 	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_play, no_stray);
 	push(&search, &a, &b, 0);
 	recall(&search);

@@ -38,15 +38,20 @@ xform body_pair_pose(const struct body_pair *pair, const axis_values *q)
 	return mesh_pose(pair, &pose);
 }
 
-double body_pair_rounding(const struct body_pair *pair, vec3 t)
+double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t)
 {
-	double size = vec3_norm(t) + pair->a->radius + pair->b->radius + vec3_norm(pair->a->origin) +
+	double turned = 0, size = vec3_norm(t) + pair->a->radius + pair->b->radius + vec3_norm(pair->a->origin) +
 		      vec3_norm(pair->b->origin) + vec3_norm(pair->place_a.translation) +
 		      vec3_norm(pair->place_b.translation);
 
-	for (size_t i = 0; i < pair->chain->count; i++)
-		size += vec3_norm(pair->chain->joints[i].location);
-	return POSE_ROUNDING * size + pair->slop;
+	for (size_t i = 0; i < pair->chain->count; i++) {
+		const struct joint *joint = &pair->chain->joints[i];
+
+		size += vec3_norm(joint->location) + (joint->rotary ? 0 : fabs(q->v[joint->slot]));
+		turned += joint->rotary ? fabs(q->v[joint->slot]) : 0;
+	}
+	/* The 256 units of POSE_ROUNDING are for a few turns; an angle of many is itself off by some of its own. */
+	return POSE_ROUNDING * size * (1 + turned / 64) + pair->slop;
 }
 
 static void state_at(struct chain_state *state, xform *pose, const struct body_pair *pair, const axis_values *q)
@@ -58,12 +63,12 @@ static void state_at(struct chain_state *state, xform *pose, const struct body_p
 /* What follows from states and chord. */
 static void finish_chord(struct region *region, const struct body_pair *pair)
 {
-	double rounding = fmax(body_pair_rounding(pair, region->poses[0].translation),
-			       body_pair_rounding(pair, region->poses[1].translation));
+	double rounding = fmax(body_pair_rounding(pair, &region->chord.q0, region->poses[0].translation),
+			       body_pair_rounding(pair, &region->chord.q1, region->poses[1].translation));
 	struct chord_bound bound;
 
 	chord_bound_init(&bound, pair->chain, &region->states[0], &region->states[1], &region->chord.q0,
-			 &region->chord.q1, &region->chord.deviation);
+			 &region->chord.q1, &region->chord.deviation, NULL);
 	for (int v = 0; v < VIEWS; v++) {
 		region->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
 		region->play[v] = (vec3){0, 0, 0};
@@ -90,13 +95,17 @@ static axis_values middle_of(const struct chord *box)
 	return middle;
 }
 
-/* How far a joint moves points along a unit vector at `cosine` to its direction: mm. */
-static double play_of(const struct region *region, int view, size_t joint, double half, bool rotary, double cosine)
+/*
+ * How far a joint moves points along each axis of a frame in which its direction
+ * is d, mm: a linear one by `half` along d, a rotary one by `turn` across it.
+ */
+static vec3 play_of(double half, double turn, bool rotary, vec3 d)
 {
 	if (!rotary)
-		return half * fabs(cosine);
-	/* The share at right angles to the axis; 1e-15 is the rounding of a cosine near 1. */
-	return region->bound.turn[view][joint] * sqrt(fmax(1 - cosine * cosine, 0) + 1e-15);
+		return (vec3){half * fabs(d.x), half * fabs(d.y), half * fabs(d.z)};
+	/* Sines as lengths: from the cosines they would lose half of their digits. */
+	return (vec3){turn * sqrt(d.y * d.y + d.z * d.z), turn * sqrt(d.z * d.z + d.x * d.x),
+		      turn * sqrt(d.x * d.x + d.y * d.y)};
 }
 
 static void finish_box(struct region *region, const struct body_pair *pair)
@@ -107,7 +116,7 @@ static void finish_box(struct region *region, const struct body_pair *pair)
 
 	state_at(&region->states[0], &region->poses[0], pair, &middle);
 	region->poses[1] = region->poses[0];
-	rounding = body_pair_rounding(pair, region->poses[0].translation);
+	rounding = body_pair_rounding(pair, &middle, region->poses[0].translation);
 	box_bound_init(&region->bound, chain, &region->states[0], &half);
 	region->play[0] = region->play[1] = (vec3){0, 0, 0};
 	region->stray[0] = region->stray[1] = rounding;
@@ -117,12 +126,8 @@ static void finish_box(struct region *region, const struct body_pair *pair)
 		double h = half.v[chain->joints[i].slot];
 		bool rotary = chain->joints[i].rotary;
 
-		region->play[0] = vec3_add(region->play[0], (vec3){play_of(region, 0, i, h, rotary, in_a.x),
-								   play_of(region, 0, i, h, rotary, in_a.y),
-								   play_of(region, 0, i, h, rotary, in_a.z)});
-		region->play[1] = vec3_add(region->play[1], (vec3){play_of(region, 1, i, h, rotary, in_b.x),
-								   play_of(region, 1, i, h, rotary, in_b.y),
-								   play_of(region, 1, i, h, rotary, in_b.z)});
+		region->play[0] = vec3_add(region->play[0], play_of(h, region->bound.turn[0][i], rotary, in_a));
+		region->play[1] = vec3_add(region->play[1], play_of(h, region->bound.turn[1][i], rotary, in_b));
 	}
 	region->reach = fmin(region->bound.reach[0], region->bound.reach[1]) + rounding;
 	box_motion_init(&region->boxes, pair->a, pair->b, region->poses, region->play, region->stray);
@@ -217,8 +222,13 @@ double region_play_along(const struct region *region, const struct body_pair *pa
 	axis_values half = half_sizes(&region->chord);
 	double play = 0;
 
-	for (size_t i = 0; i < pair->chain->count; i++)
-		play += play_of(region, 0, i, half.v[pair->chain->joints[i].slot], pair->chain->joints[i].rotary,
-				vec3_dot(in_a_link, region->states[0].direction[i]));
+	for (size_t i = 0; i < pair->chain->count; i++) {
+		vec3 d = region->states[0].direction[i];
+
+		if (pair->chain->joints[i].rotary)
+			play += region->bound.turn[0][i] * vec3_norm(vec3_cross(in_a_link, d));
+		else
+			play += half.v[pair->chain->joints[i].slot] * fabs(vec3_dot(in_a_link, d));
+	}
 	return play;
 }

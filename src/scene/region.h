@@ -30,8 +30,8 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 /* b's mesh coordinates in a's when the axes stand at q. */
 xform body_pair_pose(const struct body_pair *pair, const axis_values *q);
 
-/* mm: what rounding can hide at a pose whose translation is t. */
-double body_pair_rounding(const struct body_pair *pair, vec3 t);
+/* mm: what rounding can hide at q, where the pose's translation is t. */
+double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t);
 
 /*
  * Axis positions over a piece of a move: within `deviation` of the straight
