@@ -1,0 +1,211 @@
+#include "check/budget.h"
+
+#include <stdlib.h>
+
+#include "scene/sweep.h"
+#include "solids.h"
+
+enum { SAMPLES = 6 };
+
+/* Two solids on a chain whose axes wander in short steps about a place where the solids are near each other. */
+struct walk {
+	struct random random;
+	long number;
+	struct duo duo;
+	struct budget budget;
+	double clearance;
+	axis_values centre, at;
+	double step;	/* mm, and hundredths of a radian */
+	long covered, boxes;
+};
+
+static void walk_init(struct walk *w, uint64_t test, long number)
+{
+	struct random *random = &w->random;
+	struct chain chain;
+	struct mesh a, b;
+	xform place_a, place_b;
+	double size;
+
+	*w = (struct walk){.random = random_case(test, number), .number = number};
+	chain = random_chain(random, 1 + random_below(random, 5), 200);
+	random_move(random, &chain, 0.001, &w->centre, &w->at);
+	size = random_size(random, 2, 60);
+	a = random_solid(random, size);
+	b = random_solid(random, size);
+	place_a = random_place(random, 200);
+	place_b = place_near(random, &chain, &w->centre, &place_a,
+			     vec3_scale(size * random_in(random, 1, 4), random_unit(random)));
+	duo_init(&w->duo, &chain, &a, &b, &place_a, &place_b);
+	budget_init(&w->budget, &w->duo.chain);
+	w->at = w->centre;
+	w->clearance = random_below(random, 2) ? 0 : random_size(random, 1e-3, 5);
+	w->step = random_size(random, 1e-2, 20);
+}
+
+static axis_values next_place(struct walk *w)
+{
+	axis_values q = w->at;
+
+	for (size_t i = 0; i < w->duo.chain.count; i++) {
+		const struct joint *joint = &w->duo.chain.joints[i];
+		double unit = joint->rotary ? 0.01 : 1;
+
+		if (random_below(&w->random, 3))
+			q.v[joint->slot] += w->step * unit * random_in(&w->random, -1, 1) -
+					    0.02 * (q.v[joint->slot] - w->centre.v[joint->slot]);
+	}
+	return q;
+}
+
+static double distance_at(const struct walk *w, const axis_values *q0, const axis_values *q1, double s,
+			  const axis_values *off, double most)
+{
+	xform pose = duo_pose(&w->duo, q0, q1, s, off);
+
+	return brute_distance(w->duo.a, w->duo.b, &pose, most);
+}
+
+static axis_values random_off(struct random *random, const axis_values *amount)
+{
+	axis_values off;
+
+	for (int k = 0; k < SLOT_COUNT; k++)
+		off.v[k] = amount->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
+	return off;
+}
+
+static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, const axis_values *from)
+{
+	struct chain_state state;
+	double distance = sweep_distance(sweep, &w->duo.pair, at, 0);
+
+	chain_state_init(&state, &w->duo.chain, at, &w->duo.pair.ball_a, &w->duo.pair.ball_b);
+	budget_set(&w->budget, at, &state, distance - w->clearance);
+	budget_resume(&w->budget, from);
+}
+
+static void step_straight(struct walk *w, struct sweep *sweep)
+{
+	axis_values q1 = next_place(w), amount = {{0}};
+	bool strays = random_below(&w->random, 3) == 0;
+
+	for (size_t i = 0; i < w->duo.chain.count && strays; i++)
+		amount.v[w->duo.chain.joints[i].slot] =
+			random_size(&w->random, 1e-3, 1) * (w->duo.chain.joints[i].rotary ? 0.01 : 1);
+	if (budget_covers(&w->budget, &q1, strays ? &amount : NULL)) {
+		w->covered++;
+		for (int i = 0; i < SAMPLES; i++) {
+			axis_values off = random_off(&w->random, &amount);
+			double d = distance_at(w, &w->at, &q1, i / (SAMPLES - 1.0), &off, w->clearance + 1);
+
+			require(d > w->clearance - 1e-9, "case %ld: %.12g proved, %.12g is", w->number,
+				w->clearance, d);
+		}
+	} else {
+		renew(w, sweep, random_below(&w->random, 2) ? &q1 : &w->at, &q1);
+	}
+	w->at = q1;
+}
+
+static void step_box(struct walk *w, struct sweep *sweep)
+{
+	axis_values q1 = next_place(w), low, high, amount = {{0}};
+	bool strays = random_below(&w->random, 3) == 0;
+
+	for (int k = 0; k < SLOT_COUNT; k++) {
+		low.v[k] = fmin(w->at.v[k], q1.v[k]);
+		high.v[k] = fmax(w->at.v[k], q1.v[k]);
+		amount.v[k] = strays ? 1e-3 : 0;
+	}
+	if (budget_covers_box(&w->budget, &low, &high, &q1, strays ? &amount : NULL)) {
+		w->boxes++;
+		for (int i = 0; i < SAMPLES; i++) {
+			axis_values q, off = random_off(&w->random, &amount);
+			double d;
+
+			for (int k = 0; k < SLOT_COUNT; k++)
+				q.v[k] = random_below(&w->random, 2) ? low.v[k] : random_in(&w->random, low.v[k], high.v[k]);
+			d = distance_at(w, &q, &q, 0, &off, w->clearance + 1);
+			require(d > w->clearance - 1e-9, "case %ld: %.12g proved, %.12g is", w->number,
+				w->clearance, d);
+		}
+	} else {
+		renew(w, sweep, &q1, &q1);
+	}
+	w->at = q1;
+}
+
+START_TEST(what_is_covered_is_apart)
+{
+	struct sweep sweep = {0};
+	long covered = 0, boxes = 0, cases = random_cases(120);
+
+	for (long n = 0; n < cases; n++) {
+		struct walk w;
+
+		walk_init(&w, 1, n);
+		for (int i = 0; i < 200; i++) {
+			if (random_below(&w.random, 5))
+				step_straight(&w, &sweep);
+			else
+				step_box(&w, &sweep);
+			/* Now and then the axes go elsewhere unwatched. */
+			if (!random_below(&w.random, 20)) {
+				w.at = next_place(&w);
+				budget_resume(&w.budget, &w.at);
+			}
+		}
+		covered += w.covered;
+		boxes += w.boxes;
+		duo_release(&w.duo);
+	}
+	sweep_release(&sweep);
+	require(covered > 40 * cases && boxes > 5 * cases, "covered %ld, boxes %ld", covered, boxes);
+}
+END_TEST
+
+/* Along one linear axis straight at the other body the budget is worth all of its room. */
+START_TEST(budget_is_not_slack)
+{
+	const struct chain chain = {.count = 1, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}}}};
+	struct ball ball = {{0, 0, 0}, 10};
+	struct chain_state state;
+	struct budget budget;
+	axis_values q = {{0}};
+
+	chain_state_init(&state, &chain, &q, &ball, &ball);
+	budget_init(&budget, &chain);
+	ck_assert(!budget_covers(&budget, &q, NULL));
+	budget_set(&budget, &q, &state, 5);
+	q.v[SLOT_X] = 4.999;
+	ck_assert(budget_covers(&budget, &q, NULL));
+	q.v[SLOT_X] = 0;
+	ck_assert(budget_covers(&budget, &q, NULL));
+	q.v[SLOT_X] = -4.999;
+	ck_assert(budget_covers(&budget, &q, NULL));
+	q.v[SLOT_X] = -5;
+	ck_assert(!budget_covers(&budget, &q, NULL));
+	budget_set(&budget, &q, &state, 0);
+	ck_assert(!budget_covers(&budget, &q, NULL));
+	budget_set(&budget, &q, &state, -1);
+	ck_assert(!budget_covers(&budget, &q, NULL));
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("budget");
+	TCase *tcase = tcase_create("budgets");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_set_timeout(tcase, 0);
+	tcase_add_test(tcase, what_is_covered_is_apart);
+	tcase_add_test(tcase, budget_is_not_slack);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

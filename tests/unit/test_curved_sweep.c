@@ -1,0 +1,272 @@
+#include <stdlib.h>
+
+#include "check/certified.h"
+#include "motion/path.h"
+#include "motion_rig.h"
+#include "solids.h"
+
+enum { INSTANTS = 400 };
+
+/* A curved move of a machine with one solid on the table side and one on the head side, in the move's way or near it. */
+struct curve {
+	struct random random;
+	uint64_t rig;
+	struct machine machine;
+	struct tcp tcp;
+	struct path path;
+	struct duo duo;
+	double clearance, tolerance;
+};
+
+static axis_values random_position(struct random *random, const struct machine *machine, double linear, double rotary)
+{
+	axis_values q = {{0}};
+
+	for (size_t i = 0; i < machine->axis_count; i++)
+		q.v[machine->axes[i].slot] = random_in(random, -1, 1) * (machine->axes[i].rotary ? rotary : linear);
+	return q;
+}
+
+/* The end of the arc follows from its start, centre, sweep and rise. */
+static void make_circular(struct curve *c, double radius)
+{
+	struct path *path = &c->path;
+	vec3 start = {path->start.v[SLOT_X], path->start.v[SLOT_Y], path->start.v[SLOT_Z]}, end, arm;
+	struct canon_arc *arc = &path->arc;
+	xform turn;
+
+	path->circular = true;
+	arc->normal = random_below(&c->random, 2) ? (vec3){0, 0, 1} : random_unit(&c->random);
+	arc->sweep = random_sign(&c->random) * random_size(&c->random, 0.05, 8);
+	arm = vec3_cross(arc->normal, random_unit(&c->random));
+	arc->centre = vec3_mad(start, radius / vec3_norm(arm), arm);
+	turn = xform_turn(arc->centre, arc->normal, arc->sweep);
+	end = vec3_mad(xform_apply(&turn, start), random_in(&c->random, -10, 10), arc->normal);
+	path->end.v[SLOT_X] = end.x;
+	path->end.v[SLOT_Y] = end.y;
+	path->end.v[SLOT_Z] = end.z;
+}
+
+static void curve_init(struct curve *c, uint64_t test, long number, bool tcp)
+{
+	struct random *random = &c->random;
+	struct chain chain;
+	struct mesh a, b;
+	xform place_a = xform_identity(), place_b;
+	axis_values near;
+	double size;
+
+	*c = (struct curve){.random = random_case(test, number)};
+	c->rig = random_bits(random) | 1;
+	c->machine = rig_random_machine(&c->rig, (enum rig_family)(number % RIG_FAMILIES));
+	c->path.start = random_position(random, &c->machine, 100, 1);
+	c->path.end = random_position(random, &c->machine, 100, 1);
+	c->path.kind = tcp ? PATH_TCP : PATH_ARC;
+	c->path.seconds = 1;
+	if (!tcp || random_below(random, 3) == 0)
+		make_circular(c, random_size(random, 1, 100));
+	if (tcp) {
+		struct canon_tcp state = {.on = true, .length = random_in(random, 0, 100)};
+		struct rig_messages messages;
+
+		rig_listen(&messages);
+		require(tcp_init(&c->tcp, &c->machine, &state, (struct srcloc){0}, &messages.diag), "%s", messages.text);
+		c->path.tcp = &c->tcp;
+	}
+	chain_init(&chain, &c->machine, c->machine.workholding.link, c->machine.spindle.link);
+	near = path_position(&c->path, random_in(random, 0, 1));
+	size = random_size(random, 2, 50);
+	a = random_solid(random, size);
+	b = random_solid(random, size);
+	place_a = random_place(random, 100);
+	place_b = place_near(random, &chain, &near, &place_a,
+			     vec3_scale(size * random_in(random, 0.3, 4), random_unit(random)));
+	duo_init(&c->duo, &chain, &a, &b, &place_a, &place_b);
+	c->tolerance = random_below(random, 3) ? 1e-3 : random_size(random, 1e-4, 0.1);
+	c->clearance = random_below(random, 2) ? 0 : random_size(random, 1e-2, 5);
+}
+
+static xform true_place(const struct curve *c, double u)
+{
+	axis_values q = path_position(&c->path, u);
+
+	return duo_pose(&c->duo, &q, &q, 0, NULL);
+}
+
+static double moved_between(const struct curve *c, double u, double v)
+{
+	xform p = true_place(c, u), q = true_place(c, v);
+	double most[2] = {0, 0};
+
+	for (int view = 0; view < 2; view++) {
+		const struct mesh *mesh = view ? &c->duo.a->mesh : &c->duo.b->mesh;
+
+		for (size_t i = 0; i < mesh->count; i++) {
+			for (int k = 0; k < 3; k++) {
+				vec3 x = mesh_corner(&mesh->triangles[i], k);
+
+				most[view] = fmax(most[view], vec3_norm(vec3_sub(xform_apply(&p, x), xform_apply(&q, x))));
+			}
+		}
+		p = xform_inverse(&p);
+		q = xform_inverse(&q);
+	}
+	return fmin(most[0], most[1]);
+}
+
+/* All steps of the curve; what is said of each stretch against true positions. 1: contact. */
+static int follow_curve(struct curve *c, struct sweep *sweep, long number)
+{
+	struct follower follower;
+	struct span_walk walk;
+	struct motion_step step = {.line = 1, .move = 1};
+	struct contact contact = {0};
+	struct span whole;
+	enum passage passage = PASSAGE_CLEAR;
+	double until = 1;
+
+	span_init(&whole, &c->path);
+	span_walk_init(&walk, &whole, 16 * c->tolerance);
+	follower_init(&follower, &c->duo.pair, c->clearance, number % 4 == 0);
+	while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
+		passage = follower_step(&follower, sweep, &step, c->tolerance, &contact);
+	require(passage != PASSAGE_UNDECIDED, "case %ld: undecided", number);
+	if (passage == PASSAGE_CONTACT) {
+		xform pose;
+		double d;
+
+		until = step.span.u0 + contact.s * (step.span.u1 - step.span.u0);
+		pose = true_place(c, until);
+		d = brute_distance(c->duo.a, c->duo.b, &pose, INFINITY);
+		require(d <= c->clearance + c->tolerance + 1e-9, "case %ld: false alarm at %g: %g, clearance %g", number, until,
+			d, c->clearance);
+	}
+	for (int i = 0; i <= INSTANTS; i++) {
+		double u = until * i / INSTANTS, d;
+		xform pose = true_place(c, u);
+
+		d = brute_distance(c->duo.a, c->duo.b, &pose, c->clearance + 1);
+		if (d > c->clearance)
+			continue;
+		require(passage == PASSAGE_CONTACT, "case %ld: called clear, %g apart at %.9g", number, d, u);
+		require(moved_between(c, u, until) <= c->tolerance + 1e-9, "case %ld: contact at %.9g, but %g apart at %.9g",
+			number, until, d, u);
+	}
+	return passage == PASSAGE_CONTACT;
+}
+
+START_TEST(arcs)
+{
+	struct sweep sweep = {0};
+	long touched = 0, cases = random_cases(150);
+
+	for (long n = 0; n < cases; n++) {
+		struct curve c;
+
+		curve_init(&c, 1, n, false);
+		touched += follow_curve(&c, &sweep, n);
+		duo_release(&c.duo);
+	}
+	sweep_release(&sweep);
+	require(touched > cases / 10 && touched < cases, "%ld of %ld touch", touched, cases);
+}
+END_TEST
+
+START_TEST(guided_moves)
+{
+	struct sweep sweep = {0};
+	long touched = 0, cases = random_cases(150);
+
+	for (long n = 0; n < cases; n++) {
+		struct curve c;
+
+		curve_init(&c, 2, n, true);
+		touched += follow_curve(&c, &sweep, n);
+		duo_release(&c.duo);
+	}
+	sweep_release(&sweep);
+	require(touched > cases / 10 && touched < cases, "%ld of %ld touch", touched, cases);
+}
+END_TEST
+
+/*
+ * The control may leave an arc by a tolerance in each axis. A point at the top of an XY arc passes a wall; it reaches
+ * the wall when its nearest place is less than |n| . tolerance from it.
+ */
+START_TEST(arcs_with_a_path_tolerance)
+{
+	struct sweep sweep = {0};
+	long clear = 0;
+
+	for (long n = 0; n < random_cases(400); n++) {
+		struct random random = random_case(3, n);
+		struct machine machine = rig_three_axes();
+		double allowed = 0.02, radius = random_size(&random, 5, 500), leap;
+		vec3 normal = n % 2 ? random_unit(&random) : vec3_scale(1 / sqrt(3), (vec3){1, 1, 1}), across, tip, reach;
+		struct path path = {.kind = PATH_ARC, .circular = true, .seconds = 1};
+		struct motion_step step = {.line = 1, .move = 1};
+		struct mesh wall = {0}, cone = {0};
+		xform identity = xform_identity();
+		struct follower follower;
+		struct span_walk walk;
+		struct contact contact;
+		struct chain chain;
+		struct span whole;
+		struct duo duo;
+		enum passage passage = PASSAGE_CLEAR;
+		double gap = 0;
+
+		/* A half circle whose top lies towards the normal. */
+		leap = hypot(normal.x, normal.y);
+		if (leap < 0.1)
+			continue;
+		across = (vec3){-normal.y / leap, normal.x / leap, 0};
+		path.arc = (struct canon_arc){{0, 0, 0}, {0, 0, 1}, PI};
+		path.start.v[SLOT_X] = -radius * across.x;
+		path.start.v[SLOT_Y] = -radius * across.y;
+		path.end.v[SLOT_X] = radius * across.x;
+		path.end.v[SLOT_Y] = radius * across.y;
+		/* A needle's tip, at the origin, and the wall; the gap is what the control can cross, nearly or just not. */
+		tip = vec3_scale(-1, normal);
+		solid_add(&cone, (vec3){0, 0, 0}, vec3_mad(tip, 0.1, across), vec3_mad(tip, -0.1, across));
+		gap = allowed * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z)) * random_in(&random, 0.9, 0.999);
+		reach = vec3_scale(radius * leap + gap, normal);
+		across = vec3_scale(2000, across);
+		tip = vec3_cross(normal, across);
+		solid_add(&wall, vec3_sub(vec3_sub(reach, across), tip), vec3_add(vec3_sub(reach, tip), across),
+			  vec3_add(reach, tip));
+		chain_init(&chain, &machine, 0, machine.spindle.link);
+		duo_init(&duo, &chain, &wall, &cone, &identity, &identity);
+		follower_init(&follower, &duo.pair, 0, false);
+		span_init(&whole, &path);
+		span_walk_init(&walk, &whole, 16e-3);
+		for (int k = 0; k < SLOT_COUNT; k++)
+			step.tolerance.v[k] = allowed;
+		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
+			passage = follower_step(&follower, &sweep, &step, 1e-3, &contact);
+		clear += passage == PASSAGE_CLEAR;
+		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g", n, gap,
+			allowed * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z)));
+		duo_release(&duo);
+	}
+	sweep_release(&sweep);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("curved_sweep");
+	TCase *tcase = tcase_create("true motion");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_set_timeout(tcase, 0);
+	tcase_add_test(tcase, arcs);
+	tcase_add_test(tcase, guided_moves);
+	tcase_add_test(tcase, arcs_with_a_path_tolerance);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,210 @@
+#include "check/certified.h"
+
+#include <stdlib.h>
+
+#include "first_contact.h"
+
+enum { STEPS = 40 };
+
+/* Two solids and a program of short straight steps. */
+struct program {
+	struct random random;
+	struct duo duo;
+	double clearance, tolerance;
+	axis_values corners[STEPS + 1];
+};
+
+static void program_init(struct program *p, uint64_t test, long number)
+{
+	struct random *random = &p->random;
+	struct chain chain;
+	struct mesh a, b;
+	xform place_a, place_b;
+	double size, step;
+
+	*p = (struct program){.random = random_case(test, number)};
+	chain = random_chain(random, 1 + random_below(random, 5), 200);
+	random_move(random, &chain, 0.001, &p->corners[0], &p->corners[1]);
+	size = random_size(random, 2, 60);
+	a = random_solid(random, size);
+	b = random_solid(random, size);
+	place_a = random_place(random, 200);
+	place_b = place_near(random, &chain, &p->corners[0], &place_a,
+			     vec3_scale(size * random_in(random, 1.5, 3), random_unit(random)));
+	duo_init(&p->duo, &chain, &a, &b, &place_a, &place_b);
+	p->clearance = random_below(random, 2) ? 0 : random_size(random, 1e-3, 5);
+	p->tolerance = random_below(random, 3) ? 1e-3 : random_size(random, 1e-5, 0.1);
+	step = random_size(random, 1e-2, 20);
+	for (int i = 1; i <= STEPS; i++) {
+		p->corners[i] = p->corners[i - 1];
+		for (size_t k = 0; k < chain.count; k++)
+			if (random_below(random, 3))
+				p->corners[i].v[chain.joints[k].slot] +=
+					step * (chain.joints[k].rotary ? 0.01 : 1) * random_in(random, -1, 1);
+	}
+}
+
+static struct path path_between(const axis_values *q0, const axis_values *q1, enum path_kind kind)
+{
+	return (struct path){.kind = kind, .start = *q0, .end = *q1, .seconds = 1};
+}
+
+static struct motion_step step_on(const struct path *path)
+{
+	struct motion_step step = {.line = 1, .move = 1, .seconds = 1};
+
+	span_init(&step.span, path);
+	return step;
+}
+
+/* Follows the program as far as its first contact; every passage is judged. */
+static bool follow(struct program *p, struct sweep *sweep, bool measure, long number)
+{
+	struct follower follower;
+	double proven;
+
+	follower_init(&follower, &p->duo.pair, p->clearance, measure);
+	for (int i = 0; i < STEPS; i++) {
+		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
+		struct path path = path_between(q0, q1, PATH_STRAIGHT);
+		struct motion_step step = step_on(&path);
+		struct contact contact = {0};
+		enum passage passage;
+
+		if (i && !random_below(&p->random, 10)) {
+			follower_lose(&follower);
+			continue;
+		}
+		passage = follower_step(&follower, sweep, &step, p->tolerance, &contact);
+		require(passage != PASSAGE_UNDECIDED, "case %ld, step %d: undecided", number, i);
+		oracle_judge(&p->duo, q0, q1, p->clearance, p->tolerance,
+			     passage == PASSAGE_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
+		if (passage == PASSAGE_CONTACT)
+			return true;
+		proven = follower_proven(&follower);
+		if (measure && proven > p->clearance)
+			require(!(oracle_first(&p->duo, q0, q1, proven * (1 - 1e-9), p->tolerance) < INFINITY),
+				"case %ld, step %d: clearance of %g measured, it is less", number, i, proven);
+	}
+	return false;
+}
+
+START_TEST(first_contact_of_many_steps)
+{
+	struct sweep sweep = {0};
+	long touched = 0, cases = random_cases(150);
+
+	for (long n = 0; n < cases; n++) {
+		struct program p;
+
+		program_init(&p, 1, n);
+		touched += follow(&p, &sweep, n % 3 == 0, n);
+		duo_release(&p.duo);
+	}
+	sweep_release(&sweep);
+	require(touched > cases / 20 && touched < cases, "%ld of %ld touch", touched, cases);
+}
+END_TEST
+
+/* Bodies that move together, or apart from each other not at all, cost one query. */
+START_TEST(standing_still_costs_nothing)
+{
+	struct sweep sweep = {0};
+	struct program p;
+	struct follower follower;
+	struct contact contact;
+
+	do {
+		static long number;
+
+		program_init(&p, 2, number++);
+		follower_init(&follower, &p.duo.pair, p.clearance, false);
+		for (int i = 0; i < 100; i++) {
+			struct path path = path_between(&p.corners[0], &p.corners[0], PATH_STRAIGHT);
+			struct motion_step step = step_on(&path);
+
+			if (follower_step(&follower, &sweep, &step, p.tolerance, &contact) != PASSAGE_CLEAR)
+				break;
+		}
+		duo_release(&p.duo);
+	} while (!follower.settled);
+	ck_assert_int_eq(follower.queries, 1);
+	sweep_release(&sweep);
+}
+END_TEST
+
+static axis_values random_off(struct random *random, const axis_values *amount)
+{
+	axis_values off;
+
+	for (int k = 0; k < SLOT_COUNT; k++)
+		off.v[k] = amount->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
+	return off;
+}
+
+/* Where the control may leave the path, and where a rapid goes anywhere: what is clear is so all over. */
+START_TEST(clear_wherever_the_control_may_go)
+{
+	struct sweep sweep = {0};
+	long clear = 0, boxes = 0, cases = random_cases(150);
+
+	for (long n = 0; n < cases; n++) {
+		struct program p;
+		struct follower follower;
+		axis_values tolerance = {{0}};
+		double allowed;
+
+		program_init(&p, 3, n);
+		allowed = random_size(&p.random, 1e-3, 1);
+		for (size_t k = 0; k < p.duo.chain.count; k++)
+			tolerance.v[p.duo.chain.joints[k].slot] = allowed * (p.duo.chain.joints[k].rotary ? 0.017 : 1);
+		follower_init(&follower, &p.duo.pair, p.clearance, n % 3 == 0);
+		for (int i = 0; i < STEPS; i++) {
+			const axis_values *q0 = &p.corners[i], *q1 = &p.corners[i + 1];
+			enum path_kind kind = random_below(&p.random, 3) ? PATH_STRAIGHT : PATH_BOX;
+			struct path path = path_between(q0, q1, kind);
+			struct motion_step step = step_on(&path);
+			struct contact contact;
+
+			if (random_below(&p.random, 3))
+				step.tolerance = tolerance;
+			if (follower_step(&follower, &sweep, &step, fmax(p.tolerance, 0.01), &contact) != PASSAGE_CLEAR)
+				break;
+			clear++;
+			boxes += kind == PATH_BOX;
+			for (int k = 0; k < 10; k++) {
+				axis_values off = random_off(&p.random, &step.tolerance), at = *q0;
+				double s = random_in(&p.random, 0, 1), d;
+				xform pose;
+
+				for (int j = 0; j < SLOT_COUNT; j++)
+					at.v[j] += (q1->v[j] - q0->v[j]) * (kind == PATH_BOX ? random_in(&p.random, 0, 1) : s);
+				pose = duo_pose(&p.duo, &at, &at, 0, &off);
+				d = brute_distance(p.duo.a, p.duo.b, &pose, p.clearance + 1);
+				require(d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);
+			}
+		}
+		duo_release(&p.duo);
+	}
+	sweep_release(&sweep);
+	require(clear > 10 * cases && boxes > 2 * cases, "%ld clear, %ld boxes", clear, boxes);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("follower");
+	TCase *tcase = tcase_create("programs");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_set_timeout(tcase, 0);
+	tcase_add_test(tcase, first_contact_of_many_steps);
+	tcase_add_test(tcase, standing_still_costs_nothing);
+	tcase_add_test(tcase, clear_wherever_the_control_may_go);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
