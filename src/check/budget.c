@@ -19,20 +19,6 @@ void budget_set(struct budget *budget, const axis_values *q, const struct chain_
 	}
 }
 
-/* The way of a run of linear joints when each is off its place by exactly the given amounts. */
-static double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *at,
-			 const axis_values *q)
-{
-	vec3 way = {0, 0, 0};
-
-	for (size_t i = first; i < last; i++) {
-		const struct joint *joint = &chain->joints[i];
-
-		way = vec3_mad(way, q->v[joint->slot] - at->v[joint->slot], joint->direction);
-	}
-	return vec3_norm(way);
-}
-
 static void use_at(const struct budget *budget, const axis_values *q, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;

@@ -69,8 +69,7 @@ double linear_play(const struct chain *chain, size_t first, size_t last, const a
 	return sqrt(square);
 }
 
-static double linear_step(const struct chain *chain, size_t first, size_t last, const axis_values *q0,
-			  const axis_values *q1)
+double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *q0, const axis_values *q1)
 {
 	vec3 step = {0, 0, 0};
 
@@ -144,7 +143,7 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 			share->way = share->angle * share->rho;
 			share->drift = (deviation->v[slot] + (tolerance ? tolerance->v[slot] : 0)) * share->rho;
 		} else {
-			share->way = linear_step(chain, i, stages[n].last, q0, q1);
+			share->way = linear_way(chain, i, stages[n].last, q0, q1);
 			share->drift = linear_play(chain, i, stages[n].last, deviation);
 			/* Not the norm of the sums: what the tolerance adds must not depend on the deviation. */
 			if (tolerance)

@@ -64,6 +64,9 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
  */
 double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
 
+/* How far the linear joints first..last-1 carry a point from q0 to q1: mm. */
+double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *q0, const axis_values *q1);
+
 /* The end of the run of linear joints, with no rotary one between them, that begins at `first`. */
 size_t linear_run_end(const struct chain *chain, size_t first);
 
