@@ -34,8 +34,9 @@ int main(int argc, char **argv)
 	enum run_status status = RUN_INCOMPLETE;
 
 	hold_standard_files();
-	/* A reader that left is an error of a write, not the end of the process. */
+	/* A reader that left, or a file at its limit, is an error of a write, not the end of the process. */
 	signal(SIGPIPE, SIG_IGN);
+	signal(SIGXFSZ, SIG_IGN);
 	signal(SIGABRT, on_abort);
 	ndjson_init();
 	console_init(&console);

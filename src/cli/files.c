@@ -37,3 +37,20 @@ bool files_differ(const struct options *options, struct diag *diag)
 	}
 	return is_free("pose", options->pose, options->output, diag);
 }
+
+static bool spares(const struct options *options, const struct body *bodies, size_t count, struct diag *diag)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (!is_free("output", options->output, bodies[i].mesh_path, diag) ||
+		    !is_free("pose", options->pose, bodies[i].mesh_path, diag))
+			return false;
+	}
+	return true;
+}
+
+bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
+			struct diag *diag)
+{
+	return spares(options, machine->bodies, machine->body_count, diag) &&
+	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
+}

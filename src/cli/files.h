@@ -6,8 +6,14 @@
 
 #include "base/diag.h"
 #include "cli/options.h"
+#include "machine/machine.h"
+#include "machine/setup.h"
 
 /* False, reported, if --output or --pose names the machine, the setup, a program, or each other. */
 bool files_differ(const struct options *options, struct diag *diag);
+
+/* The same of the meshes of the machine and the setup, which may be NULL. */
+bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
+			struct diag *diag);
 
 #endif

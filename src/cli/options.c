@@ -147,6 +147,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--verbose tells proven clearances, and the sampled methods prove none";
 	else if (o->verbose && o->format != FORMAT_TEXT)
 		fault = "--verbose is for --format=text";
+	else if (o->pose && !strcmp(o->pose, "-"))
+		fault = "--pose needs the name of a file: standard output has the report";
 	if (fault)
 		diag_error(parser->diag, nowhere, "%s", fault);
 	return !fault;
@@ -196,6 +198,8 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		return good;
 	if (!check_modes(&parser) || !check_combinations(&parser) || !check_operands(&parser))
 		return false;
+	if (options->output && !strcmp(options->output, "-"))
+		options->output = NULL;
 	if (!(options->check.step > 0))
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include "base/mem.h"
@@ -113,6 +114,25 @@ static void report(struct program *program, const struct verdict *verdict, const
 	output_flush(run->out);
 }
 
+/* A list of verdicts without it would look complete. */
+static void report_unread(struct program *program, const char *path)
+{
+	if (program->run->options->format != FORMAT_TEXT)
+		return;
+	strbuf_addf(&program->text, "%s: incomplete: the program could not be opened\n", path);
+	output_text(program->run->out, &program->text);
+	output_flush(program->run->out);
+	strbuf_release(&program->text);
+}
+
+/* Likely a setup that lacks its option. */
+static bool is_xml_name(const char *path)
+{
+	size_t length = strlen(path);
+
+	return length > 4 && !strcasecmp(path + length - 4, ".xml");
+}
+
 static enum run_status status_of(enum check_result result)
 {
 	switch (result) {
@@ -137,8 +157,11 @@ enum run_status program_check(struct program_run *run, const char *path)
 	enum check_result result;
 	double *proven = NULL;
 
-	if (!program_open(&file, path, diag))
+	if (!program_open(&file, path, diag)) {
+		stats_sum(&run->stats, &stats, CHECK_INCOMPLETE);
+		report_unread(&program, path);
 		return RUN_INCOMPLETE;
+	}
 	program.name = file.name;
 	if (run->options->verbose)
 		proven = mem_zalloc(run->scene->pair_count, sizeof(*proven));
@@ -147,6 +170,8 @@ enum run_status program_check(struct program_run *run, const char *path)
 	if ((!program_close(&file, diag) || diag->errors > errors) && result != CHECK_INCOMPLETE)
 		result = CHECK_INCOMPLETE;
 	stats_sum(&run->stats, &stats, result);
+	if (result == CHECK_INCOMPLETE && is_xml_name(path))
+		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
 	report(&program,
 	       &(struct verdict){file.name, result, &run->options->check, &stats, run->scene, program.first_line},
 	       proven);

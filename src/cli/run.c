@@ -199,7 +199,8 @@ enum run_status run_options(const struct options *options, struct console *conso
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
 		return print_text(&text, diag);
 	}
-	if (files_differ(options, diag) && output_open(&out, options->output, diag) && job_load(&job, options, diag)) {
+	if (files_differ(options, diag) && output_open(&out, options->output, diag) &&
+	    job_load(&job, options, diag) && files_spare_meshes(options, job.machine, job.setup, diag)) {
 		status = run_mode(&job, options, console, &out);
 		/* What went to a stream is out; it must be whole all the same. */
 		if ((!options->output || is_worth_keeping(options, status)) && !output_commit(&out, diag))

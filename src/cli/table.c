@@ -66,7 +66,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "use N threads (1)"},
 	{'f', "format", "FORMAT", IN_CHECK | IN_PARSE, CHOICE(format, formats),
 	 .help = "text (the default), or ndjson: a JSON object a finding"},
-	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete"},
+	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "the smallest proven clearance of each pair as well"},

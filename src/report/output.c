@@ -1,5 +1,5 @@
-/* For realpath. */
-#define _XOPEN_SOURCE 700
+/* For realpath, and for files without a name where the system has them. */
+#define _GNU_SOURCE
 
 #include "report/output.h"
 
@@ -10,27 +10,71 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A new file beside the target, with the permissions that a file written in place would have. */
-static FILE *open_beside(struct output *out, mode_t mode)
+/*
+ * A file in the folder of `target` that has no name yet, so that an interrupted
+ * run leaves nothing behind. -1: neither the system nor the file system offers that.
+ */
+static int open_nameless(const char *target, mode_t mode)
+{
+#ifdef O_TMPFILE
+	const char *slash = strrchr(target, '/');
+	struct strbuf folder = {0};
+	int fd;
+
+	if (slash)
+		strbuf_add(&folder, target, (size_t)(slash - target) + 1);
+	else
+		strbuf_add(&folder, ".", 1);
+	fd = open(folder.text, O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+	strbuf_release(&folder);
+	return fd;
+#else
+	(void)target;
+	(void)mode;
+	return -1;
+#endif
+}
+
+/* Gives the nameless file `fd` a name, or makes a new file of that name. -1: errno says why not. */
+static int make_named(const char *name, int fd, mode_t mode)
+{
+	char link[32];
+
+	if (fd < 0)
+		return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+	snprintf(link, sizeof(link), "/proc/self/fd/%d", fd);
+	return linkat(AT_FDCWD, link, AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+}
+
+/* Sets out->temporary, a name beside the target that no file has had; as make_named. */
+static int name_beside(struct output *out, int fd, mode_t mode)
 {
 	struct strbuf name = {0};
-	FILE *file = NULL;
-	int fd = -1;
+	int result = -1;
 
-	for (int attempt = 0; fd < 0 && attempt < 100; attempt++) {
+	for (int attempt = 0; result < 0 && attempt < 100; attempt++) {
 		strbuf_clear(&name);
 		strbuf_addf(&name, "%s.new-%ld-%d", out->target, (long)getpid(), attempt);
-		fd = open(name.text, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-		if (fd < 0 && errno != EEXIST)
+		result = make_named(name.text, fd, mode);
+		if (result < 0 && errno != EEXIST)
 			break;
 	}
-	if (fd >= 0)
-		file = fdopen(fd, "wb");
-	if (file)
+	if (result >= 0)
 		out->temporary = name.text;
 	else
 		strbuf_release(&name);
-	return file;
+	return result;
+}
+
+/* A new file beside the target, with the permissions that a file written in place would have. */
+static FILE *open_beside(struct output *out, mode_t mode)
+{
+	/* Without /proc it could not be given its name later. */
+	int fd = access("/proc/self/fd", X_OK) ? -1 : open_nameless(out->target, mode);
+
+	if (fd < 0)
+		fd = name_beside(out, -1, mode);
+	return fd < 0 ? NULL : fdopen(fd, "wb");
 }
 
 static bool open_file(struct output *out, const char *path)
@@ -113,6 +157,8 @@ bool output_commit(struct output *out, struct diag *diag)
 	bool good = output_flush(out);
 
 	errno = 0;
+	if (out->target && !out->temporary && good)
+		good = succeeded(out, name_beside(out, fileno(out->file), 0) >= 0);
 	good = succeeded(out, fclose(out->file) == 0) && good;
 	if (out->temporary && good)
 		good = succeeded(out, rename(out->temporary, out->target) == 0);

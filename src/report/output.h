@@ -14,7 +14,7 @@ struct output {
 	FILE *file;
 	const char *name;	/* for messages; borrowed */
 	char *target;	/* the file that is replaced at the end; NULL: `file` is what the user named */
-	char *temporary;	/* beside it, until then */
+	char *temporary;	/* its name beside it until then; NULL: it has none yet */
 	int error;	/* errno of the first write that failed; 0: none */
 };
 

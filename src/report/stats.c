@@ -9,15 +9,13 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 
 	sums->programs++;
 	sums->clear += result == CHECK_CLEAR;
+	sums->incomplete += result == CHECK_INCOMPLETE;
 	to->motion.lines += stats->motion.lines;
 	to->motion.blocks += stats->motion.blocks;
 	to->motion.moves += stats->motion.moves;
 	to->motion.spans += stats->motion.spans;
 	to->motion.seconds += stats->motion.seconds;
 	to->findings += stats->findings;
-	to->pairs_required = stats->pairs_required;
-	to->pairs_excused = stats->pairs_excused;
-	to->pairs_skipped = stats->pairs_skipped;
 	to->budgets += stats->budgets;
 	to->queries += stats->queries;
 	to->certificates += stats->certificates;
@@ -31,22 +29,31 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 {
 	const struct motion_summary *motion = &sums->check.motion;
 
-	strbuf_addf(out, "  programs      %zu, %zu without a finding\n", sums->programs, sums->clear);
-	strbuf_addf(out, "  blocks        %ld in %ld lines\n", motion->blocks, motion->lines);
-	strbuf_addf(out, "  moves         %ld in %ld spans, ", motion->moves, motion->spans);
+	strbuf_addf(out, "  programs      %zu, %zu without a finding", sums->programs, sums->clear);
+	if (sums->incomplete)
+		strbuf_addf(out, ", %zu incomplete", sums->incomplete);
+	strbuf_addf(out, "\n  blocks        %ld in ", motion->blocks);
+	quantity_add_count(out, (size_t)motion->lines, "line");
+	strbuf_addf(out, "\n  moves         %ld in ", motion->moves);
+	quantity_add_count(out, (size_t)motion->spans, "span");
+	strbuf_addf(out, ", ");
 	quantity_add_duration(out, motion->seconds);
 	strbuf_addf(out, " of machining\n");
 }
 
-static void add_pairs(struct strbuf *out, const struct check_stats *stats, const struct scene *scene)
+static void add_pairs(struct strbuf *out, const struct scene *scene)
 {
 	size_t waived = verdict_pairs(scene, PAIR_WAIVED);
-	size_t unbuilt = 0;
+	size_t required = 0, excused = 0, unbuilt = 0;
 
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		required += scene->pairs[i].status == PAIR_CHECKED;
+		excused += scene->pairs[i].status == PAIR_ADJACENT;
+	}
 	for (size_t i = 0; i < scene->body_count; i++)
 		unbuilt += !scene->bodies[i].bvh;
-	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", stats->pairs_required,
-		    stats->pairs_excused, stats->pairs_skipped);
+	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", required, excused,
+		    scene->pair_count - required - excused);
 	strbuf_addf(out, " (%zu rigid, %zu out of reach, %zu waived, %zu cutting)\n",
 		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH), waived,
 		    scene->pair_count - verdict_pairs(scene, PAIR_CHECKED) - verdict_pairs(scene, PAIR_RIGID) -
@@ -73,7 +80,7 @@ void stats_add(struct strbuf *out, const struct run_stats *sums, const struct sc
 	strbuf_addf(out, "statistics\n");
 	add_program(out, sums);
 	if (method != CHECK_NOTHING) {
-		add_pairs(out, stats, scene);
+		add_pairs(out, scene);
 		add_work(out, stats, method);
 	}
 	strbuf_addf(out, "  time          %.3f s load, %.3f s interpret, %.3f s check", sums->seconds_load,

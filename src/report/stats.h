@@ -11,12 +11,12 @@
 /* Sums over the programs of a run; all zero to begin with. */
 struct run_stats {
 	size_t programs;
-	size_t clear;	/* of them */
+	size_t clear, incomplete;	/* of them */
 	struct check_stats check;
 	double seconds_load;	/* machine, setup, meshes, pairs */
 };
 
-/* Adds a program: counts and times are summed, the pairs are the scene's and stay. */
+/* Adds a program: counts and times are summed; the pairs are the scene's. */
 void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result);
 
 void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method);

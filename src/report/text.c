@@ -70,7 +70,7 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 {
 	const double point[3] = {f->point.x, f->point.y, f->point.z};
 
-	strbuf_addf(out, "    contact ");
+	strbuf_addf(out, f->kind == FINDING_CLEARANCE ? "    near    " : "    contact ");
 	for (int i = 0; i < 3; i++) {
 		strbuf_addf(out, " %c ", "XYZ"[i]);
 		quantity_add(out, point[i]);

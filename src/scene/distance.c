@@ -101,7 +101,7 @@ static void measure_triangles(struct search *search, size_t i, size_t j, const t
 {
 	vec3 on_a, on_b, way;
 	double distance = tri_distance(a, b, &on_a, &on_b);
-	double length;
+	double length, gap;
 
 	way = vec3_sub(on_b, on_a);
 	length = vec3_norm(way);
@@ -110,7 +110,9 @@ static void measure_triangles(struct search *search, size_t i, size_t j, const t
 		remember(search, i, j, vec3_scale(length > 0 ? 1 / length : 0, way));
 	}
 	/* What is proven is the gap along an axis, not the distance that some algorithm found. */
-	search->proven = fmin(search->proven, length > 0 ? tri_gap(a, b, way) / length : 0);
+	gap = length > 0 ? tri_gap(a, b, way) / length : 0;
+	if (!(gap >= search->proven))
+		search->proven = gap > 0 ? gap : 0;
 }
 
 static void measure_leaves(struct search *search, struct leaf a, struct leaf b)

@@ -74,7 +74,10 @@ static inline double random_sign(struct random *random)
 
 static inline vec3 random_point(struct random *random, double size)
 {
-	return (vec3){random_in(random, -size, size), random_in(random, -size, size), random_in(random, -size, size)};
+	/* One after the other: compilers differ in the order within one expression. */
+	double x = random_in(random, -size, size), y = random_in(random, -size, size);
+
+	return (vec3){x, y, random_in(random, -size, size)};
 }
 
 static inline vec3 random_unit(struct random *random)

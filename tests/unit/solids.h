@@ -20,7 +20,9 @@ static inline void solid_add(struct mesh *mesh, vec3 a, vec3 b, vec3 c)
 		t.v[k][1] = (float)corners[k].y;
 		t.v[k][2] = (float)corners[k].z;
 	}
-	mesh->triangles = mem_realloc(mesh->triangles, mesh->count + 1, sizeof(t));
+	/* Room for the next power of two. */
+	if (!(mesh->count & (mesh->count - 1)))
+		mesh->triangles = mem_realloc(mesh->triangles, mesh->count ? 2 * mesh->count : 1, sizeof(t));
 	mesh->triangles[mesh->count++] = t;
 }
 

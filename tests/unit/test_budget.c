@@ -139,7 +139,7 @@ static void step_box(struct walk *w, struct sweep *sweep)
 START_TEST(what_is_covered_is_apart)
 {
 	struct sweep sweep = {0};
-	long covered = 0, boxes = 0, cases = random_cases(120);
+	long covered = 0, boxes = 0, cases = random_cases(70);
 
 	for (long n = 0; n < cases; n++) {
 		struct walk w;

@@ -196,7 +196,6 @@ END_TEST
 START_TEST(arcs_with_a_path_tolerance)
 {
 	struct sweep sweep = {0};
-	long clear = 0;
 
 	for (long n = 0; n < random_cases(400); n++) {
 		struct random random = random_case(3, n);
@@ -244,7 +243,6 @@ START_TEST(arcs_with_a_path_tolerance)
 			step.tolerance.v[k] = allowed;
 		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
 			passage = follower_step(&follower, &sweep, &step, 1e-3, &contact);
-		clear += passage == PASSAGE_CLEAR;
 		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g", n, gap,
 			allowed * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z)));
 		duo_release(&duo);

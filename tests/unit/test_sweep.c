@@ -43,7 +43,7 @@ static void encounter_init(struct encounter *e, uint64_t test, long number)
 START_TEST(chords_agree_with_brute_force)
 {
 	struct sweep sweep = {0};
-	long touched = 0, apart = 0, cases = random_cases(1500);
+	long touched = 0, apart = 0, cases = random_cases(800);
 
 	for (long n = 0; n < cases; n++) {
 		struct encounter e;
@@ -81,7 +81,7 @@ START_TEST(order_does_not_matter)
 {
 	struct sweep sweep = {0};
 
-	for (long n = 0; n < random_cases(1500); n++) {
+	for (long n = 0; n < random_cases(800); n++) {
 		struct encounter e;
 		struct chain chain;
 		struct body_pair other;
@@ -161,7 +161,7 @@ START_TEST(boxes_of_positions)
 		duo_release(&e.duo);
 	}
 	sweep_release(&sweep);
-	require(touched > cases / 4 && apart > cases / 20 && undecided < cases / 3, "%ld contacts, %ld apart, %ld undecided",
+	require(touched > cases / 8 && apart > cases / 20 && undecided < cases / 10, "%ld contacts, %ld apart, %ld undecided",
 		touched, apart, undecided);
 }
 END_TEST
@@ -169,9 +169,9 @@ END_TEST
 START_TEST(distance_is_a_good_lower_bound)
 {
 	struct sweep sweep = {0};
-	long enough_counted = 0;
+	long counted = 0, cases = random_cases(3000);
 
-	for (long n = 0; n < random_cases(3000); n++) {
+	for (long n = 0; n < cases; n++) {
 		struct encounter e;
 		struct memory memory = {0};
 		axis_values *q;
@@ -189,13 +189,13 @@ START_TEST(distance_is_a_good_lower_bound)
 			require(bound >= 0 && bound <= truth, "case %ld: %.12g is no lower bound of %.12g", n, bound, truth);
 			if (truth > enough + 1e-9) {
 				require(bound >= DISTANCE_SHARE * truth - 1e-8, "case %ld: %.12g of %.12g", n, bound, truth);
-				enough_counted++;
+				counted++;
 			}
 		}
 		duo_release(&e.duo);
 	}
 	sweep_release(&sweep);
-	require(enough_counted > 1000, "%ld", enough_counted);
+	require(counted > cases / 2, "%ld", counted);
 }
 END_TEST
 
