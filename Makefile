@@ -77,7 +77,7 @@ check-unit: $(UNIT_PROGRAMS)
 	@status=0; for t in $(UNIT_PROGRAMS); do $$t || status=1; done; exit $$status
 
 check-program: $(BUILD)/fivecheck
-	@FIVECHECK=$(abspath $(BUILD)/fivecheck) sh scripts/run-program-tests $(TESTS)
+	@FIVECHECK="$$(realpath $(BUILD)/fivecheck)" sh scripts/run-program-tests $(TESTS)
 
 check-machines: $(BUILD)/fivecheck
 	@sh scripts/check-machines
@@ -89,17 +89,17 @@ demo:
 	@sh scripts/demo $(BUILD)/fivecheck
 
 install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/fivecheck
-	install -m 755 $(BUILD)/fivecheck $(DESTDIR)$(PREFIX)/bin/fivecheck
-	install -m 644 $(SCHEMAS) $(DESTDIR)$(PREFIX)/share/fivecheck
-	for m in $(MANUALS); do s=$${m##*.}; install -d $(DESTDIR)$(PREFIX)/share/man/man$$s && \
-		install -m 644 $$m $(DESTDIR)$(PREFIX)/share/man/man$$s || exit 1; done
+	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/share/fivecheck"
+	install -m 755 $(BUILD)/fivecheck "$(DESTDIR)$(PREFIX)/bin/fivecheck"
+	install -m 644 $(SCHEMAS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
+	for m in $(MANUALS); do s=$${m##*.}; install -d "$(DESTDIR)$(PREFIX)/share/man/man$$s" && \
+		install -m 644 $$m "$(DESTDIR)$(PREFIX)/share/man/man$$s" || exit 1; done
 
 uninstall:
-	rm -f $(DESTDIR)$(PREFIX)/bin/fivecheck
-	rm -f $(SCHEMAS:src/machine/%=$(DESTDIR)$(PREFIX)/share/fivecheck/%)
-	-rmdir $(DESTDIR)$(PREFIX)/share/fivecheck
-	for m in $(MANUALS); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$${m##*/}; done
+	rm -f "$(DESTDIR)$(PREFIX)/bin/fivecheck"
+	rm -f $(SCHEMAS:src/machine/%="$(DESTDIR)$(PREFIX)/share/fivecheck/%")
+	-rmdir "$(DESTDIR)$(PREFIX)/share/fivecheck"
+	for m in $(MANUALS); do rm -f "$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$${m##*/}"; done
 
 clean:
 	rm -rf $(BUILD)

@@ -202,8 +202,9 @@ enum run_status run_options(const struct options *options, struct console *conso
 	if (files_differ(options, diag) && output_open(&out, options->output, diag) &&
 	    job_load(&job, options, diag) && files_spare_meshes(options, job.machine, job.setup, diag)) {
 		status = run_mode(&job, options, console, &out);
-		/* What went to a stream is out; it must be whole all the same. */
-		if ((!options->output || is_worth_keeping(options, status)) && !output_commit(&out, diag))
+		/* What went to a stream is out; it must be whole all the same. A write that failed has to be told. */
+		if ((!options->output || out.error || is_worth_keeping(options, status)) &&
+		    !output_commit(&out, diag))
 			status = worst(status, RUN_INCOMPLETE);
 	}
 	output_discard(&out);

@@ -270,11 +270,16 @@ static bool go_arc(struct interp *interp)
 	const struct state *state = &interp->state;
 	const struct arc_plane *plane = find_plane(state->plane);
 	const uint32_t offsets = letter_bit('I') | letter_bit('J') | letter_bit('K');
+	const bool *has_axis = interp->config->has_axis;
 	struct canon_move move = {.kind = CANON_ARC};
 	struct plane_point start, end, centre;
 	slot_values target;
 	int turns = 1;
 
+	if (!has_axis[plane->a] || !has_axis[plane->b])
+		return fault(&interp->at, block_motion_column(block),
+			     "the machine has no %c axis, which an arc in the plane of G%d needs",
+			     AXIS_LETTERS[has_axis[plane->a] ? plane->b : plane->a], plane->code / 10);
 	if (!block_has(block, 'R') && !(block->letters & offsets))
 		return fault(&interp->at, block_motion_column(block),
 			     "an arc needs a centre (I, J, K) or a radius (R)");

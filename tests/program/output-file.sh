@@ -17,3 +17,6 @@ ln -s report link
 status fivecheck -o link --list-pairs m.xml
 test -h link && head -n 1 report
 status fivecheck -q -o nowhere/report m.xml a.nc
+# - is no file.
+status fivecheck -q -o - --list-pairs m.xml
+ls

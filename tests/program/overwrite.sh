@@ -11,3 +11,19 @@ for arguments in '-o a.nc' '-o m.xml' '-o s.xml' '-o other.nc' '--pose a.nc' '--
 	status fivecheck -q $arguments -s s.xml m.xml a.nc
 done
 cat a.nc
+# Nor over a mesh, of whichever file.
+box vise 60 60 0 70 70 10
+setup s.xml <<'XML'
+<fixture name="vise" mesh="vise.stl"/>
+XML
+ln head.stl same.stl
+cp head.stl before.stl
+for arguments in '-o head.stl' '-o ./same.stl' '-o vise.stl' '--pose table.stl' '--parse-only -o head.stl'; do
+	# shellcheck disable=SC2086 # words, on purpose
+	status fivecheck -q $arguments -s s.xml m.xml a.nc
+done
+status fivecheck -q -o head.stl --check-machine m.xml
+cmp head.stl before.stl
+for file in *.new*; do
+	[ ! -e "$file" ] || echo "left: $file"
+done

@@ -43,6 +43,7 @@ bad m.xml a.nc --step 0.1
 bad m.xml a.nc -q -v
 bad m.xml a.nc -v --method interpolated
 bad m.xml a.nc -v -f ndjson
+bad m.xml a.nc --pose -
 bad m.xml a.nc --dump-path --parse-only
 bad m.xml --list-pairs --check-machine
 bad m.xml a.nc --list-pairs

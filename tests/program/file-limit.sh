@@ -1,0 +1,12 @@
+# A file that may grow no further is an error like a full disk: nothing half written, nothing left beside it.
+small_machine
+awk 'BEGIN { for (i = 0; i < 2000; i++) print "G0 X" i % 2 }' >a.nc
+echo before >path
+(
+	ulimit -f 8
+	status fivecheck --dump-path -o path m.xml a.nc >&2
+	fivecheck --dump-path m.xml a.nc >cut
+	echo "status $?" >&2
+)
+cat path
+ls
