@@ -5,6 +5,12 @@
 #include "motion/path.h"
 #include "motion/span.h"
 
+/*
+ * The share of a distance that a budget is content with. Measured: 0.1 to 0.3
+ * are about equally good, 0.7 takes twice as long in all for a fifth fewer queries.
+ */
+#define BUDGET_SHARE 0.2
+
 /* How much of a distance that turned out to be too small is tried next when the smallest clearance is measured. */
 #define MEASURE_SHARE 0.8
 
@@ -20,6 +26,7 @@
 void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure)
 {
 	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
+	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
 	follower->bodies.memory = &follower->memory;
 	budget_init(&follower->budget, bodies->chain);
@@ -120,7 +127,7 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(follower, &state, span);
 	unmeasured = isinf(follower->target);
-	distance = sweep_distance(sweep, bodies, &span->q1,
+	distance = sweep_distance(sweep, bodies, &span->q1, follower->measures ? MEASURE_SHARE : BUDGET_SHARE,
 				  unmeasured ? follower->clearance : follower->target + way);
 	follower->queries++;
 	if (unmeasured)

@@ -21,6 +21,7 @@ struct follower {
 	struct body_pair bodies;
 	double clearance;	/* mm: what must remain */
 	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
+	bool measures;	/* the smallest clearance */
 	struct memory memory;
 	struct budget budget;
 	bool settled;	/* the pair is apart where the last step ended */

@@ -11,6 +11,7 @@ struct search {
 	const struct body_pair *pair;
 	xform pose;
 	struct box_motion boxes;
+	double share;	/* of the distance that must be proven */
 	double found;	/* two triangles are this close */
 	double proven;	/* and everything dismissed so far is farther than this */
 	size_t depth;
@@ -25,7 +26,7 @@ static void push(struct search *search, const struct branch *a, const struct bra
 /* Is what is at least this far away of no more interest? Then it counts as proven to be there. */
 static bool dismiss(struct search *search, double least)
 {
-	if (least < DISTANCE_SHARE * search->found)
+	if (least < search->share * search->found)
 		return false;
 	search->proven = fmin(search->proven, least);
 	return true;
@@ -133,9 +134,10 @@ static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
 	}
 }
 
-double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double enough)
+double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
+		      double enough)
 {
-	struct search search = {.sweep = sweep, .pair = pair, .found = INFINITY, .proven = INFINITY};
+	struct search search = {.sweep = sweep, .pair = pair, .share = share, .found = INFINITY, .proven = INFINITY};
 	struct branch a = branch_root(pair->a), b = branch_root(pair->b);
 	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
 	const double no_stray[VIEWS] = {0, 0};

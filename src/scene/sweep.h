@@ -55,11 +55,11 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 			    struct contact *contact);
 
 /*
- * A lower bound on the distance (mm) when the axes stand at q: at least
- * DISTANCE_SHARE of it, less rounding. As soon as the distance turns out to be
- * below `enough` the search ends and the result is just some lower bound.
+ * A lower bound on the distance (mm) when the axes stand at q: at least `share`
+ * (0 to 1) of it, less rounding; a large share costs more. As soon as the distance turns out
+ * to be below `enough` the search ends and the result is just some lower bound.
  */
-#define DISTANCE_SHARE 0.7
-double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double enough);
+double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
+		      double enough);
 
 #endif

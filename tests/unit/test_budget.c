@@ -78,7 +78,7 @@ static axis_values random_off(struct random *random, const axis_values *amount)
 static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, const axis_values *from)
 {
 	struct chain_state state;
-	double distance = sweep_distance(sweep, &w->duo.pair, at, 0);
+	double distance = sweep_distance(sweep, &w->duo.pair, at, 0.7, 0);
 
 	chain_state_init(&state, &w->duo.chain, at, &w->duo.pair.ball_a, &w->duo.pair.ball_b);
 	budget_set(&w->budget, at, &state, distance - w->clearance);
@@ -165,6 +165,57 @@ START_TEST(what_is_covered_is_apart)
 }
 END_TEST
 
+/* As far as a budget reaches along a random direction, points of the balls move by no more than the room. */
+START_TEST(no_point_moves_farther_than_the_room)
+{
+	double tightest = 0;
+
+	for (long n = 0; n < random_cases(20000); n++) {
+		struct random random = random_case(2, n);
+		struct chain chain = random_chain(&random, 1 + random_below(&random, 5), 200);
+		const struct ball balls[2] = {{random_point(&random, 200), random_size(&random, 0.1, 100)},
+					      {random_point(&random, 200), random_size(&random, 0.1, 100)}};
+		double room = random_size(&random, 0.01, 300), low = 0, high = 10, moved[VIEWS] = {0, 0};
+		struct turned poses[2];
+		struct chain_state state;
+		struct budget budget;
+		axis_values at, other, q;
+
+		random_move(&random, &chain, 100, &at, &other);
+		chain_state_init(&state, &chain, &at, &balls[0], &balls[1]);
+		budget_init(&budget, &chain);
+		for (int i = 0; i < 60; i++) {
+			double middle = 0.5 * (low + high);
+
+			for (int k = 0; k < SLOT_COUNT; k++)
+				q.v[k] = at.v[k] + middle * (other.v[k] - at.v[k]);
+			budget_set(&budget, &at, &state, room);
+			*(budget_covers(&budget, &q, NULL) ? &low : &high) = middle;
+		}
+		for (int k = 0; k < SLOT_COUNT; k++)
+			q.v[k] = at.v[k] + low * (other.v[k] - at.v[k]);
+		poses[0] = true_pose(&chain, &at, &at, 0, NULL);
+		poses[1] = true_pose(&chain, &q, &q, 0, NULL);
+		for (int view = 0; view < VIEWS; view++) {
+			for (int i = 0; i < 30; i++) {
+				const struct ball *ball = &balls[1 - view];
+				real3 p = real3_of(vec3_mad(ball->centre, ball->radius, random_unit(&random)));
+				real3 way = view ? real3_sub(turned_back(&poses[1], p), turned_back(&poses[0], p))
+						 : real3_sub(turned_apply(&poses[1], p), turned_apply(&poses[0], p));
+
+				moved[view] = fmax(moved[view], (double)real3_norm(way));
+			}
+		}
+		/* One of the views stands for it. */
+		require(fmin(moved[0], moved[1]) <= room * (1 + 1e-12), "case %ld: moved %g, room %g", n,
+			fmin(moved[0], moved[1]), room);
+		if (low < 9)
+			tightest = fmax(tightest, fmin(moved[0], moved[1]) / room);
+	}
+	require(tightest > 0.99, "slack: %g", tightest);
+}
+END_TEST
+
 /* Along one linear axis straight at the other body the budget is worth all of its room. */
 START_TEST(budget_is_not_slack)
 {
@@ -202,6 +253,7 @@ int main(void)
 
 	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, what_is_covered_is_apart);
+	tcase_add_test(tcase, no_point_moves_farther_than_the_room);
 	tcase_add_test(tcase, budget_is_not_slack);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);

@@ -191,6 +191,82 @@ START_TEST(clear_wherever_the_control_may_go)
 }
 END_TEST
 
+/* A cube moved along X and Y, and a wall 10 mm from it on one side in x. */
+static void stand_by_wall(struct duo *duo, double side)
+{
+	const struct chain chain = {.count = 2, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
+							   {SLOT_Y, false, {0, 1, 0}, {0, 0, 0}}}};
+	struct mesh wall = {0}, cube = {0};
+	xform identity = xform_identity(), beside = identity;
+
+	beside.translation.x = 16 * side;
+	solid_box(&wall, (vec3){1, 500, 500});
+	solid_place(&wall, &beside);
+	solid_box(&cube, (vec3){5, 5, 5});
+	duo_init(duo, &chain, &wall, &cube, &identity, &identity);
+}
+
+static enum passage go(struct follower *follower, struct sweep *sweep, double x0, double y0, double x1, double y1,
+		       enum path_kind kind, double tolerance)
+{
+	axis_values from = {{x0, y0}}, to = {{x1, y1}};
+	struct path path = path_between(&from, &to, kind);
+	struct motion_step step = step_on(&path);
+	struct contact contact;
+
+	step.tolerance.v[SLOT_X] = step.tolerance.v[SLOT_Y] = tolerance;
+	return follower_step(follower, sweep, &step, 1e-3, &contact);
+}
+
+START_TEST(what_happened_before)
+{
+	struct sweep sweep = {0};
+	struct follower follower;
+	struct duo duo;
+
+	stand_by_wall(&duo, 1);
+	follower_init(&follower, &duo.pair, 0, false);
+	/* Gone from there unwatched, back through the wall to where there is room. */
+	ck_assert_int_eq(go(&follower, &sweep, 0, 0, 0.1, 0, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
+	follower_lose(&follower);
+	ck_assert_int_eq(go(&follower, &sweep, 40, 0, 0.2, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
+	follower_lose(&follower);
+	ck_assert_int_eq(go(&follower, &sweep, 0.2, 0, 0.1, 0, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
+	/* Into the wall, and standing there: still in contact, whether that was a finding or not. */
+	ck_assert_int_eq(go(&follower, &sweep, 0.1, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
+	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
+	follower_lose(&follower);
+	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
+	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 0, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
+	ck_assert_int_eq(go(&follower, &sweep, 0, 0, 0, 5, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
+	sweep_release(&sweep);
+	duo_release(&duo);
+}
+END_TEST
+
+START_TEST(as_far_as_the_control_may_go)
+{
+	for (int k = 0; k < 8; k++) {
+		const double side = k & 1 ? -1 : 1;
+		const enum path_kind kind = k & 2 ? PATH_BOX : PATH_STRAIGHT;
+		struct sweep sweep = {0};
+		struct follower follower;
+		struct duo duo;
+
+		stand_by_wall(&duo, side);
+		follower_init(&follower, &duo.pair, 0, k & 4);
+		/* Along the wall at 0.02 mm. */
+		ck_assert_int_eq(go(&follower, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), PASSAGE_CLEAR);
+		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), PASSAGE_CLEAR);
+		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 99, side * 9.5, 150, kind, 0.03), PASSAGE_CONTACT);
+		follower_lose(&follower);
+		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 99, side * 9.98, 99, kind, 0.03), PASSAGE_CONTACT);
+		sweep_release(&sweep);
+		duo_release(&duo);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("follower");
@@ -202,6 +278,8 @@ int main(void)
 	tcase_add_test(tcase, first_contact_of_many_steps);
 	tcase_add_test(tcase, standing_still_costs_nothing);
 	tcase_add_test(tcase, clear_wherever_the_control_may_go);
+	tcase_add_test(tcase, what_happened_before);
+	tcase_add_test(tcase, as_far_as_the_control_may_go);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);

@@ -175,7 +175,7 @@ START_TEST(distance_is_a_good_lower_bound)
 		struct encounter e;
 		struct memory memory = {0};
 		axis_values *q;
-		double enough, bound, truth;
+		double share, enough, bound, truth;
 		xform pose;
 
 		encounter_init(&e, 4, n);
@@ -185,10 +185,11 @@ START_TEST(distance_is_a_good_lower_bound)
 			pose = duo_pose(&e.duo, q, q, 0, NULL);
 			truth = brute_distance(e.duo.a, e.duo.b, &pose, INFINITY);
 			enough = random_below(&e.random, 2) ? 0 : truth * random_in(&e.random, 0, 1.2);
-			bound = sweep_distance(&sweep, &e.duo.pair, q, enough);
+			share = random_in(&e.random, 0.05, 0.95);
+			bound = sweep_distance(&sweep, &e.duo.pair, q, share, enough);
 			require(bound >= 0 && bound <= truth, "case %ld: %.12g is no lower bound of %.12g", n, bound, truth);
 			if (truth > enough + 1e-9) {
-				require(bound >= DISTANCE_SHARE * truth - 1e-8, "case %ld: %.12g of %.12g", n, bound, truth);
+				require(bound >= share * truth - 1e-8, "case %ld: %.12g of %.12g", n, bound, truth);
 				counted++;
 			}
 		}
