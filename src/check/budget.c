@@ -15,7 +15,7 @@ void budget_set(struct budget *budget, const axis_values *q, const struct chain_
 	for (int v = 0; v < VIEWS; v++) {
 		budget->used[v] = 0;
 		for (size_t i = 0; i < budget->chain->count; i++)
-			budget->weight[v][i] = state->rho[v][i] + room;
+			budget->rho[v][i] = state->rho[v][i];
 	}
 }
 
@@ -30,8 +30,8 @@ static void use_at(const struct budget *budget, const axis_values *q, double use
 		if (joint->rotary) {
 			double turn = fabs(q->v[joint->slot] - budget->at.v[joint->slot]);
 
-			used[0] += budget->weight[0][i] * turn;
-			used[1] += budget->weight[1][i] * turn;
+			used[0] += budget->rho[0][i] * turn;
+			used[1] += budget->rho[1][i] * turn;
 			i++;
 		} else {
 			size_t end = linear_run_end(chain, i);
@@ -54,8 +54,8 @@ static void use_within(const struct budget *budget, const axis_values *amount, d
 		double off = amount->v[chain->joints[i].slot];
 
 		if (chain->joints[i].rotary) {
-			used[0] += budget->weight[0][i] * off;
-			used[1] += budget->weight[1][i] * off;
+			used[0] += budget->rho[0][i] * off;
+			used[1] += budget->rho[1][i] * off;
 			i++;
 		} else {
 			size_t end = linear_run_end(chain, i);

@@ -11,11 +11,11 @@
 /*
  * At the position `at` two bodies were proven to be farther apart than their
  * clearance by `room`. While joint k is within x_k of that position no point
- * moves by more than sum w_k x_k, runs of linear joints by their vector norm,
- * and as long as that is below `room` they stay apart. The later joints, which
- * set a point's distance rho_k to axis k, move it by less than `room` meanwhile:
- * w_k = rho_k(at) + room. The sum is convex in the axes, so a straight motion
- * is covered when both its ends are. Two views as in motion_bound.h: one of
+ * moves by more than sum rho_k x_k, runs of linear joints by their vector norm,
+ * and as long as that is below `room` they stay apart. Every rho_k is the one at
+ * `at`: of |E1'E2'p - E1E2p| <= |E2'p - E2p| + |E1'x - E1x| the first term is the
+ * later joints' alone, as E1' keeps distances, and in the second x = E2p stands where it
+ * was. The sum is convex in the axes, so a straight motion is covered when both its ends are. Two views as in motion_bound.h: one of
  * them must cover both ends.
  */
 struct budget {
@@ -23,7 +23,7 @@ struct budget {
 	bool known;
 	axis_values at;
 	double room;	/* mm */
-	double weight[VIEWS][SLOT_COUNT];	/* mm per radian, by joint */
+	double rho[VIEWS][SLOT_COUNT];	/* mm, by joint, at `at` */
 	double used[VIEWS];	/* mm, at the end of the last motion that was covered or at `at` */
 };
 

@@ -64,24 +64,36 @@ static const char *link_of(const struct checker *c, int body)
 	return machine_link_name(c->scene->machine, c->scene->bodies[body].body->link);
 }
 
-/* A finding between the bodies of a pair; contact->point goes from a's mesh to machine coordinates. */
-static struct finding pair_finding(const struct checker *c, const struct scene_pair *pair, enum finding_kind kind,
-				   const struct contact *contact)
+/* What is reported beside a required clearance is the distance itself. */
+static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found)
 {
+	struct contact contact = *found;
+	struct body_pair bodies;
+
+	if (pair->clearance > 0 && contact.distance > 0 && scene_pair_bodies(c->scene, pair, &bodies, &c->held.diag))
+		sweep_nearest(&c->sweep, &bodies, &contact);
+	return contact;
+}
+
+/* A finding between the bodies of a pair; the contact's point goes from a's mesh to machine coordinates. */
+static struct finding pair_finding(struct checker *c, const struct scene_pair *pair, enum finding_kind kind,
+				   const struct contact *found)
+{
+	const struct contact contact = measured(c, pair, found);
 	const struct body *a = c->scene->bodies[pair->a].body, *b = c->scene->bodies[pair->b].body;
-	xform pose = machine_pose(c->scene->machine, a->link, &contact->q);
+	xform pose = machine_pose(c->scene->machine, a->link, &contact.q);
 
 	return (struct finding){
 		.kind = kind,
 		.file = c->file,
-		.axes = contact->q,
+		.axes = contact.q,
 		.tool = c->tool,
 		.a = a->name,
 		.b = b->name,
 		.link_a = link_of(c, pair->a),
 		.link_b = link_of(c, pair->b),
-		.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
-		.clearance = contact->distance,
+		.point = xform_apply(&pose, xform_apply(&a->placement, contact.point)),
+		.clearance = contact.distance,
 		.required = pair->clearance,
 	};
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "scene/overlap.h"
 #include "scene/pairs.h"
 
 static int tool_of(const struct scene *scene, const struct scene_pair *pair)
@@ -37,7 +38,7 @@ static bool runner_init(struct runner *runner, struct scene *scene, size_t pair,
 bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options, bool measure,
 		  struct diag *diag)
 {
-	*runners = (struct runners){.threads = options->threads > 1 ? options->threads : 1};
+	*runners = (struct runners){.scene = scene, .threads = options->threads > 1 ? options->threads : 1};
 	runners->runners = mem_zalloc(scene->pair_count, sizeof(*runners->runners));
 	runners->sweeps = mem_zalloc((size_t)runners->threads, sizeof(*runners->sweeps));
 	for (size_t i = 0; i < scene->pair_count; i++) {
@@ -74,6 +75,7 @@ bool runner_is_active(const struct runner *runner, int tool)
 void runners_found(struct runners *runners, size_t i, long block)
 {
 	runners->runners[i].found_block = block;
+	runners->runners[i].entangled = true;
 	follower_lose(&runners->runners[i].follower);
 }
 
@@ -100,12 +102,50 @@ static void add_result(struct runner *runner, size_t step, enum passage passage,
 	runner->results[runner->result_count++] = (struct runner_result){runner->pair, step, passage, *contact};
 }
 
+/* What the threads of one batch share. */
+struct crew {
+	struct runners *runners;
+	const struct batch *batch;
+	const struct check_options *options;
+	int tool;
+	atomic_size_t next;
+	pthread_mutex_t topology;	/* it is built when it is asked for */
+};
+
 static enum passage pass(struct runner *runner, struct sweep *sweep, const struct motion_step *step,
 			 const struct check_options *options, struct contact *contact)
 {
 	if (options->method == CHECK_CERTIFIED)
 		return follower_step(&runner->follower, sweep, step, options->tolerance, contact);
 	return sampler_step(&runner->sampler, sweep, step, contact) ? PASSAGE_CONTACT : PASSAGE_CLEAR;
+}
+
+static bool is_contained(struct crew *crew, const struct runner *runner, const axis_values *q, vec3 *point)
+{
+	struct scene *scene = crew->runners->scene;
+	struct diag nowhere = {0};	/* the meshes have been read: there is nothing to say */
+	bool contained;
+
+	pthread_mutex_lock(&crew->topology);
+	contained = scene_contained(scene, &scene->pairs[runner->pair], q, point, &nowhere);
+	pthread_mutex_unlock(&crew->topology);
+	return contained;
+}
+
+/* A step after a contact, which may start with one body wholly inside the other: the sweep sees surfaces only. */
+static enum passage pass_entangled(struct crew *crew, struct runner *runner, struct sweep *sweep,
+				   const struct motion_step *step, struct contact *contact)
+{
+	enum passage passage = pass(runner, sweep, step, crew->options, contact);
+	vec3 point;
+
+	if (passage == PASSAGE_UNDECIDED || (passage == PASSAGE_CONTACT && !(contact->s > 0)))
+		return passage;
+	runner->entangled = false;
+	if (!is_contained(crew, runner, &step->span.q0, &point))
+		return passage;
+	*contact = (struct contact){0, step->span.q0, 0, point};
+	return PASSAGE_CONTACT;
 }
 
 /* Steps from i on that the pair passes as one chunk; 0: it must take them one by one. */
@@ -115,16 +155,17 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 	size_t count = batch->step_count - i < CHUNK_STEPS ? batch->step_count - i : CHUNK_STEPS;
 	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
-	if (options->method != CHECK_CERTIFIED || i % CHUNK_STEPS ||
+	if (options->method != CHECK_CERTIFIED || runner->entangled || i % CHUNK_STEPS ||
 	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
 			   count))
 		return 0;
 	return count;
 }
 
-static void run_one(struct runner *runner, struct sweep *sweep, const struct batch *batch,
-		    const struct check_options *options)
+static void run_one(struct crew *crew, struct runner *runner, struct sweep *sweep)
 {
+	const struct check_options *options = crew->options;
+	const struct batch *batch = crew->batch;
 	size_t skipped;
 
 	for (size_t i = 0; i < batch->step_count; i += skipped ? skipped : 1) {
@@ -141,7 +182,9 @@ static void run_one(struct runner *runner, struct sweep *sweep, const struct bat
 			follower_lose(&runner->follower);
 			continue;
 		}
-		passage = pass(runner, sweep, &step->motion, options, &contact);
+		passage = runner->entangled && options->method == CHECK_CERTIFIED
+				  ? pass_entangled(crew, runner, sweep, &step->motion, &contact)
+				  : pass(runner, sweep, &step->motion, options, &contact);
 		if (passage == PASSAGE_CLEAR)
 			continue;
 		add_result(runner, i, passage, &contact);
@@ -149,17 +192,9 @@ static void run_one(struct runner *runner, struct sweep *sweep, const struct bat
 		if (!options->all || passage == PASSAGE_UNDECIDED)
 			return;
 		runner->found_block = step->block;
+		runner->entangled = true;
 	}
 }
-
-/* What the threads of one batch share. */
-struct crew {
-	struct runners *runners;
-	const struct batch *batch;
-	const struct check_options *options;
-	int tool;
-	atomic_size_t next;
-};
 
 struct hand {
 	struct crew *crew;
@@ -177,14 +212,18 @@ static void *work(void *context)
 
 		runner->result_count = 0;
 		if (runner_is_active(runner, crew->tool))
-			run_one(runner, hand->sweep, crew->batch, crew->options);
+			run_one(crew, runner, hand->sweep);
 	}
 	return NULL;
 }
 
 void runners_run(struct runners *runners, const struct batch *batch, int tool, const struct check_options *options)
 {
-	struct crew crew = {.runners = runners, .batch = batch, .options = options, .tool = tool};
+	struct crew crew = {.runners = runners,
+			    .batch = batch,
+			    .options = options,
+			    .tool = tool,
+			    .topology = PTHREAD_MUTEX_INITIALIZER};
 	pthread_t *threads = mem_zalloc((size_t)runners->threads, sizeof(*threads));
 	struct hand *hands = mem_zalloc((size_t)runners->threads, sizeof(*hands));
 	int started = 0;
@@ -198,6 +237,7 @@ void runners_run(struct runners *runners, const struct batch *batch, int tool, c
 	work(&hands[0]);
 	for (int i = 0; i < started; i++)
 		pthread_join(threads[i], NULL);
+	pthread_mutex_destroy(&crew.topology);
 	free(threads);
 	free(hands);
 	runners->result_count = 0;

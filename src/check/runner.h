@@ -24,6 +24,7 @@ struct runner {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
+	bool entangled;	/* it has met, and its surfaces may have parted with one body inside the other */
 	struct follower follower;	/* CERTIFIED */
 	struct sampler sampler;	/* the sampled methods */
 	struct runner_result *results;	/* of this batch */
@@ -31,6 +32,7 @@ struct runner {
 };
 
 struct runners {
+	struct scene *scene;
 	struct runner *runners;	/* in the order of the pairs */
 	size_t count;
 	struct sweep *sweeps;	/* one a thread */

@@ -161,3 +161,25 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	}
 	return search.depth ? 0 : fmax(search.proven - rounding, 0);
 }
+
+void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact)
+{
+	struct body_pair bodies = *pair;
+	struct memory memory = {0};
+	vec3 on_a, on_b;
+	double distance;
+	xform pose;
+	tri a, b;
+
+	bodies.memory = &memory;
+	sweep_distance(sweep, &bodies, &contact->q, 1, 0);
+	pose = body_pair_pose(pair, &contact->q);
+	a = tri_of(&pair->a->mesh, memory.near_a);
+	b = tri_of(&pair->b->mesh, memory.near_b);
+	b = tri_transform(&b, &pose);
+	distance = tri_distance(&a, &b, &on_a, &on_b);
+	if (distance < contact->distance) {
+		contact->distance = distance;
+		contact->point = vec3_lerp(on_a, on_b, 0.5);
+	}
+}

@@ -62,4 +62,10 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough);
 
+/*
+ * Makes the contact's distance and point those of the nearest triangles at its
+ * q: a sweep is content with the first that it finds within the clearance.
+ */
+void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact);
+
 #endif

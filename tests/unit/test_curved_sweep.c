@@ -189,62 +189,76 @@ START_TEST(guided_moves)
 }
 END_TEST
 
-/*
- * The control may leave an arc by a tolerance in each axis. A point at the top of an XY arc passes a wall; it reaches
- * the wall when its nearest place is less than |n| . tolerance from it.
- */
+/* How far the control may leave the path in each axis, mm. */
+#define ALLOWED 0.02
+
+/* The farthest that brings a point along the unit vector n. */
+static double leap_along(vec3 n)
+{
+	return ALLOWED * (fabs(n.x) + fabs(n.y) + fabs(n.z));
+}
+
+/* A half circle in XY of a needle's tip, the origin at zero pose, whose top lies towards n. */
+static struct path half_circle(vec3 n, double radius)
+{
+	double x = radius * n.y / hypot(n.x, n.y), y = -radius * n.x / hypot(n.x, n.y);
+	struct path path = {.kind = PATH_ARC, .circular = true, .seconds = 1, .arc = {{0, 0, 0}, {0, 0, 1}, PI}};
+
+	path.start.v[SLOT_X] = x;
+	path.start.v[SLOT_Y] = y;
+	path.end.v[SLOT_X] = -x;
+	path.end.v[SLOT_Y] = -y;
+	return path;
+}
+
+/* The needle, and a wall across n that is `gap` from its tip at the top of the half circle. */
+static void needle_and_wall(struct duo *duo, const struct chain *chain, vec3 n, double radius, double gap)
+{
+	double flat = hypot(n.x, n.y);
+	vec3 along = {-50 * n.y / flat, 50 * n.x / flat, 0}, up = vec3_cross(n, along);
+	vec3 at = vec3_mad((vec3){radius * n.x / flat, radius * n.y / flat, 0}, gap, n);
+	struct mesh wall = {0}, needle = {0};
+	xform identity = xform_identity();
+
+	solid_add(&needle, (vec3){0, 0, 0}, vec3_mad(along, -1, n), vec3_mad(vec3_scale(-1, along), -1, n));
+	solid_add(&wall, vec3_sub(vec3_sub(at, along), up), vec3_sub(vec3_add(at, along), up), vec3_add(at, up));
+	duo_init(duo, chain, &wall, &needle, &identity, &identity);
+}
+
 START_TEST(arcs_with_a_path_tolerance)
 {
+	struct machine machine = rig_three_axes();
 	struct sweep sweep = {0};
+	struct chain chain;
 
+	chain_init(&chain, &machine, 0, machine.spindle.link);
 	for (long n = 0; n < random_cases(400); n++) {
 		struct random random = random_case(3, n);
-		struct machine machine = rig_three_axes();
-		double allowed = 0.02, radius = random_size(&random, 5, 500), leap;
-		vec3 normal = n % 2 ? random_unit(&random) : vec3_scale(1 / sqrt(3), (vec3){1, 1, 1}), across, tip, reach;
-		struct path path = {.kind = PATH_ARC, .circular = true, .seconds = 1};
+		vec3 normal = n % 2 ? random_unit(&random) : vec3_scale(1 / sqrt(3), (vec3){1, 1, 1});
+		double radius = random_size(&random, 5, 500);
+		/* 1e-4 is for what storage in floats may do to the wall. */
+		double gap = leap_along(normal) * random_in(&random, 0.9, 0.999) - 1e-4;
+		struct path path = half_circle(normal, radius);
 		struct motion_step step = {.line = 1, .move = 1};
-		struct mesh wall = {0}, cone = {0};
-		xform identity = xform_identity();
+		enum passage passage = PASSAGE_CLEAR;
 		struct follower follower;
 		struct span_walk walk;
 		struct contact contact;
-		struct chain chain;
 		struct span whole;
 		struct duo duo;
-		enum passage passage = PASSAGE_CLEAR;
-		double gap = 0;
 
-		/* A half circle whose top lies towards the normal. */
-		leap = hypot(normal.x, normal.y);
-		if (leap < 0.1)
+		if (hypot(normal.x, normal.y) < 0.1)
 			continue;
-		across = (vec3){-normal.y / leap, normal.x / leap, 0};
-		path.arc = (struct canon_arc){{0, 0, 0}, {0, 0, 1}, PI};
-		path.start.v[SLOT_X] = -radius * across.x;
-		path.start.v[SLOT_Y] = -radius * across.y;
-		path.end.v[SLOT_X] = radius * across.x;
-		path.end.v[SLOT_Y] = radius * across.y;
-		/* A needle's tip, at the origin, and the wall; the gap is what the control can cross, nearly or just not. */
-		tip = vec3_scale(-1, normal);
-		solid_add(&cone, (vec3){0, 0, 0}, vec3_mad(tip, 0.1, across), vec3_mad(tip, -0.1, across));
-		gap = allowed * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z)) * random_in(&random, 0.9, 0.999);
-		reach = vec3_scale(radius * leap + gap, normal);
-		across = vec3_scale(2000, across);
-		tip = vec3_cross(normal, across);
-		solid_add(&wall, vec3_sub(vec3_sub(reach, across), tip), vec3_add(vec3_sub(reach, tip), across),
-			  vec3_add(reach, tip));
-		chain_init(&chain, &machine, 0, machine.spindle.link);
-		duo_init(&duo, &chain, &wall, &cone, &identity, &identity);
+		needle_and_wall(&duo, &chain, normal, radius, gap);
 		follower_init(&follower, &duo.pair, 0, false);
 		span_init(&whole, &path);
 		span_walk_init(&walk, &whole, 16e-3);
 		for (int k = 0; k < SLOT_COUNT; k++)
-			step.tolerance.v[k] = allowed;
+			step.tolerance.v[k] = ALLOWED;
 		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
 			passage = follower_step(&follower, &sweep, &step, 1e-3, &contact);
 		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g", n, gap,
-			allowed * (fabs(normal.x) + fabs(normal.y) + fabs(normal.z)));
+			leap_along(normal));
 		duo_release(&duo);
 	}
 	sweep_release(&sweep);

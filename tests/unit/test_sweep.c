@@ -60,7 +60,7 @@ START_TEST(chords_agree_with_brute_force)
 		duo_release(&e.duo);
 	}
 	sweep_release(&sweep);
-	require(touched > cases / 4 && apart > cases / 10, "%ld contacts, %ld apart", touched, apart);
+	require(touched > cases / 8 && apart > cases / 10, "%ld contacts, %ld apart", touched, apart);
 }
 END_TEST
 
