@@ -43,7 +43,9 @@ struct checker {
 	bool stopped;	/* by us or by the sink */
 	axis_values position;
 	double time, block_time;	/* where the last step ended */
-	long line;	/* of the last step's block */
+	long line;	/* of the last step's block, and its file */
+	struct strbuf line_file;
+	const char *step_file;	/* what line_file is a copy of */
 };
 
 static double now(void)
@@ -85,7 +87,6 @@ static struct finding pair_finding(struct checker *c, const struct scene_pair *p
 
 	return (struct finding){
 		.kind = kind,
-		.file = c->file,
 		.axes = contact.q,
 		.tool = c->tool,
 		.a = a->name,
@@ -215,7 +216,6 @@ static bool on_limit(void *context, const struct motion_limit *limit)
 		return !c->stopped;
 	entry.finding = (struct finding){
 		.kind = FINDING_LIMIT,
-		.file = c->file,
 		.move = limit->move,
 		.time = limit->time,
 		.axes = limit->position,
@@ -243,6 +243,11 @@ static bool on_step(void *context, const struct motion_step *step)
 	if (!enough(c) && c->options->method != CHECK_NOTHING)
 		batch_add(&c->batch, step, c->block);
 	c->line = step->line;
+	if (c->step_file != step->file) {
+		c->step_file = step->file;
+		strbuf_clear(&c->line_file);
+		strbuf_add(&c->line_file, step->file, strlen(step->file));
+	}
 	c->position = step->span.q1;
 	c->time = step->time + step->seconds;
 	c->block_time = step->block_time + step->seconds;
@@ -264,11 +269,11 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 	return !c->stopped;
 }
 
-static bool on_block(void *context, long line, const char *text, double seconds, int moves)
+static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	struct checker *c = context;
 
-	ledger_close_block(&c->ledger, c->block, line, text, seconds, moves);
+	ledger_close_block(&c->ledger, c->block, file, line, text, seconds, moves);
 	c->block_time = 0;
 	/* Blocks without steps gather too. */
 	if (c->batch.step_count >= BATCH_STEPS || c->ledger.block_count >= BATCH_STEPS || enough(c) || c->limit_found)
@@ -283,11 +288,14 @@ static void finish(struct checker *c, bool complete)
 {
 	if (!c->moved && !c->stopped && complete) {
 		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
-			     "the program moves no axis; only the start pose was checked");
+			     c->options->method == CHECK_NOTHING
+				     ? "the program moves no axis"
+				     : "the program moves no axis; only the start pose was checked");
 		check_stance(c, false, 0);
 	}
 	if (!c->stopped) {
-		ledger_close_block(&c->ledger, c->block, c->line ? c->line : 1, "", c->block_time, 1);
+		ledger_close_block(&c->ledger, c->block, c->line ? strbuf_text(&c->line_file) : c->file,
+				   c->line ? c->line : 1, "", c->block_time, 1);
 		process(c);
 	}
 }
@@ -317,6 +325,9 @@ static bool run_program(struct checker *c, FILE *in)
 		.flatness = FLATNESS * c->options->tolerance,
 		.block_delete = c->options->block_delete,
 		.last_duplicate_wins = c->options->last_duplicate_wins,
+		.includes = c->options->includes,
+		.include_count = c->options->include_count,
+		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};
 
@@ -352,6 +363,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	batch_release(&c.batch);
 	ledger_release(&c.ledger);
 	held_release(&c.held);
+	strbuf_release(&c.line_file);
 	sweep_release(&c.sweep);
 	if (c.failed || diag->errors > errors || (!complete && !stats->findings))
 		return CHECK_INCOMPLETE;

@@ -24,6 +24,9 @@ struct check_options {
 	bool all;	/* go on after the first finding: the first per block and pair */
 	bool block_delete;
 	bool last_duplicate_wins;
+	const char *const *includes;	/* folders of subprogram files, after the program's own */
+	size_t include_count;
+	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
 };
 

@@ -21,12 +21,27 @@ void ledger_add(struct ledger *ledger, const struct ledger_entry *entry)
 	ledger->entries[ledger->entry_count++] = *entry;
 }
 
-void ledger_close_block(struct ledger *ledger, long block, long line, const char *text, double seconds, int moves)
+/* Offset of the text, which is added. */
+static size_t add_text(struct ledger *ledger, const char *text)
 {
+	size_t offset = ledger->texts.length;
+
+	strbuf_add(&ledger->texts, text, strlen(text) + 1);
+	return offset;
+}
+
+void ledger_close_block(struct ledger *ledger, long block, const char *file, long line, const char *text,
+			double seconds, int moves)
+{
+	struct ledger_block new = {.block = block, .line = line, .seconds = seconds, .moves = moves};
+	const struct ledger_block *last = ledger->block_count ? &ledger->blocks[ledger->block_count - 1] : NULL;
+
+	/* Most blocks come from the same file as the one before. */
+	new.file = last && !strcmp(ledger->texts.text + last->file, file) ? last->file : add_text(ledger, file);
+	new.text = add_text(ledger, text);
 	ledger->blocks = mem_grow(ledger->blocks, &ledger->block_capacity, ledger->block_count + 1,
 				  sizeof(*ledger->blocks));
-	ledger->blocks[ledger->block_count++] = (struct ledger_block){block, line, ledger->texts.length, seconds, moves};
-	strbuf_add(&ledger->texts, text, strlen(text) + 1);
+	ledger->blocks[ledger->block_count++] = new;
 }
 
 static int by_time(const void *left, const void *right)
@@ -62,6 +77,7 @@ bool ledger_finding(const struct ledger *ledger, size_t i, struct finding *out)
 	if (!block)
 		return false;
 	*out = entry->finding;
+	out->file = strbuf_text(&ledger->texts) + block->file;
 	out->line = block->line;
 	out->column = 1;
 	out->text = strbuf_text(&ledger->texts) + block->text;

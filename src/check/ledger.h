@@ -19,7 +19,7 @@ struct ledger_entry {
 struct ledger_block {
 	long block;
 	long line;
-	size_t text;	/* offset in texts */
+	size_t file, text;	/* offsets in texts */
 	double seconds;	/* of motion */
 	int moves;
 };
@@ -34,13 +34,14 @@ struct ledger {
 
 void ledger_release(struct ledger *ledger);
 void ledger_add(struct ledger *ledger, const struct ledger_entry *entry);
-void ledger_close_block(struct ledger *ledger, long block, long line, const char *text, double seconds, int moves);
+void ledger_close_block(struct ledger *ledger, long block, const char *file, long line, const char *text,
+			double seconds, int moves);
 
 /* Orders the entries by time, then rank. */
 void ledger_sort(struct ledger *ledger);
 
 /*
- * The finding of entry i with its block's text, number of moves and the fraction filled
+ * The finding of entry i with its block's place, text, number of moves and the fraction filled
  * in; valid until the ledger changes. False: its block is not complete yet.
  */
 bool ledger_finding(const struct ledger *ledger, size_t i, struct finding *out);

@@ -204,6 +204,8 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)
 		options->check.method = CHECK_NOTHING;
+	options->check.includes = options->includes.items;
+	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;
 	return true;
 }
@@ -211,6 +213,7 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 void options_release(struct options *options)
 {
 	free(options->programs);
+	free(options->includes.items);
 	*options = (struct options){0};
 }
 

@@ -22,6 +22,12 @@ enum run_mode {
 
 enum output_format { FORMAT_TEXT, FORMAT_NDJSON };
 
+/* Texts are borrowed from argv; the array is owned. */
+struct text_list {
+	const char **items;
+	size_t count, capacity;
+};
+
 /* Strings are borrowed from argv. */
 struct options {
 	enum run_mode mode;
@@ -32,6 +38,7 @@ struct options {
 	struct check_options check;
 	double clearance;	/* mm */
 	enum output_format format;
+	struct text_list includes;	/* folders; check has them, too */
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
 	bool quiet, verbose;

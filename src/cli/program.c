@@ -50,6 +50,7 @@ struct program {
 	const char *name;
 	struct strbuf text;
 	long first_line;	/* of the first finding; 0: none yet */
+	char *first_file;	/* the same; owned */
 };
 
 static bool on_finding(void *context, const struct finding *finding)
@@ -63,8 +64,10 @@ static bool on_finding(void *context, const struct finding *finding)
 		run->first_axes = finding->axes;
 		run->first_tool = finding->tool;
 	}
-	if (!program->first_line)
+	if (!program->first_line) {
 		program->first_line = finding->line;
+		program->first_file = mem_strndup(finding->file, strlen(finding->file));
+	}
 	if (run->options->format == FORMAT_NDJSON)
 		ndjson_finding(&program->text, machine, finding);
 	else
@@ -173,9 +176,11 @@ enum run_status program_check(struct program_run *run, const char *path)
 	if (result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
 	report(&program,
-	       &(struct verdict){file.name, result, &run->options->check, &stats, run->scene, program.first_line},
+	       &(struct verdict){file.name, result, &run->options->check, &stats, run->scene, program.first_line,
+				 program.first_file},
 	       proven);
 	free(proven);
+	free(program.first_file);
 	strbuf_release(&program.text);
 	if (result == CHECK_INCOMPLETE && diag->errors == errors && !run->out->error) {
 		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file.name);

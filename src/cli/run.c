@@ -125,6 +125,9 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 		.flatness = options->check.tolerance,
 		.block_delete = options->check.block_delete,
 		.last_duplicate_wins = options->check.last_duplicate_wins,
+		.includes = options->check.includes,
+		.include_count = options->check.include_count,
+		.max_blocks = options->check.max_blocks,
 	};
 	struct program_file file;
 	bool good;

@@ -14,7 +14,8 @@ enum {
 /* Options without a letter. */
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
-	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_VERSION, KEY_HELP
+	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE,
+	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP
 };
 
 static const char *const methods[] = {
@@ -30,6 +31,7 @@ static const char *const duplicates[] = {"error", "last", NULL};
 #define FIELD(member) .field = offsetof(struct options, member)
 #define FLAG(member) .kind = VALUE_FLAG, FIELD(member)
 #define TEXT(member) .kind = VALUE_TEXT, FIELD(member)
+#define LIST(member) .kind = VALUE_LIST, FIELD(member)
 #define NUMBER(member, from, to, of) \
 	.kind = VALUE_NUMBER, FIELD(member), .least = (from), .greatest = (to), .unit = (of)
 #define CHOICE(member, names) .kind = VALUE_CHOICE, FIELD(member), .choices = (names)
@@ -62,6 +64,10 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "a word that stands twice in a block is an error\n(the default), or the last one counts"},
 	{KEY_BLOCK_DELETE, "block-delete", NULL, WITH_PROGRAM, FLAG(check.block_delete),
 	 .help = "skip the blocks that begin with /"},
+	{KEY_INCLUDE, "include", "DIR", WITH_PROGRAM, LIST(includes),
+	 .help = "look for subprograms in DIR, too, after the program's\nown folder; may be given again"},
+	{KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.max_blocks), .least = 1,
+	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
 	{'f', "format", "FORMAT", IN_CHECK | IN_PARSE, CHOICE(format, formats),

@@ -9,6 +9,7 @@
 enum value_kind {
 	VALUE_FLAG,	/* bool, set to true */
 	VALUE_TEXT,	/* const char * */
+	VALUE_LIST,	/* struct text_list, one more */
 	VALUE_NUMBER,	/* double from least to greatest */
 	VALUE_COUNT,	/* int from least to greatest */
 	VALUE_CHOICE,	/* int: which of the choices */
@@ -29,7 +30,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 21 };
+enum { OPTION_COUNT = 23 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/mem.h"
+
 static const struct srcloc nowhere;
 
 /* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
@@ -70,6 +72,17 @@ static bool read_choice(int *out, const struct option_row *row, const char *text
 	return false;
 }
 
+static bool add_text(struct text_list *list, const struct option_row *row, const char *text, struct diag *diag)
+{
+	if (!*text) {
+		diag_error(diag, nowhere, "--%s: the name is empty", row->name);
+		return false;
+	}
+	list->items = mem_grow(list->items, &list->capacity, list->count + 1, sizeof(*list->items));
+	list->items[list->count++] = text;
+	return true;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
@@ -86,6 +99,8 @@ bool value_set(struct options *options, const struct option_row *row, const char
 			diag_error(diag, nowhere, "--%s: the name is empty", row->name);
 		*(const char **)field = text;
 		return *text != '\0';
+	case VALUE_LIST:
+		return add_text(field, row, text, diag);
 	case VALUE_NUMBER:
 		return read_number(field, row, text, diag);
 	case VALUE_COUNT:

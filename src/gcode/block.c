@@ -102,6 +102,8 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 		block->m_ignored = true;
 		return true;
 	}
+	if (config->dialect == GCODE_LINUXCNC && number == 98)
+		return fault(at, word->column, "M98 stands at the start of its block");
 	code = code_find_m(number, config->dialect);
 	if (!code)
 		return fault(at, word->column,
@@ -212,10 +214,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 	}
 	if (*skipped)
 		return true;
-	if (next == 'O' || next == 'o' || (next == ':' && !linuxcnc)) {
-		if (linuxcnc)
-			return fault(lexer->at, lexer_column(lexer),
-				     "O: subprograms, branches and loops are not supported yet");
+	if (!linuxcnc && (next == 'O' || next == 'o' || next == ':')) {
 		if (!read_label(block, lexer, "a program number"))
 			return false;
 		next = lexer_peek(lexer);
@@ -229,12 +228,15 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect == GCODE_LINUXCNC || cautions->point || block->g[G_NONMODAL] == G4)
+	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point || block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKR"; *letter && !cautions->point; letter++) {
 		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
 			continue;
 		if (fpclassify(block_value(block, *letter)) == FP_ZERO)
+			continue;
+		/* K of Fanuc's cycles is a number of holes. */
+		if (*letter == 'K' && block->g[G_MOTION] != G2 && block->g[G_MOTION] != G3)
 			continue;
 		caution(at, block_column(block, *letter),
 			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "
@@ -245,7 +247,7 @@ static void caution_points(const struct block *block, const struct line_place *a
 }
 
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
-		struct block_cautions *cautions)
+		struct block_cautions *cautions, struct interp *interp)
 {
 	enum lexer_result result;
 	struct lexer lexer;
@@ -254,6 +256,7 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 
 	block_clear(block);
 	lexer_init(&lexer, at, config->dialect != GCODE_LINUXCNC);
+	lexer.interp = config->dialect == GCODE_LINUXCNC ? interp : NULL;
 	if (!read_start(block, &lexer, config, &skipped))
 		return false;
 	if (skipped)
@@ -264,6 +267,7 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	}
 	if (result == LEXER_FAULT)
 		return false;
+	block->words += lexer.assignments;
 	/* Only here is it known whether X is an axis or the time of a dwell. */
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		word.letter = AXIS_LETTERS[slot];

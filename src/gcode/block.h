@@ -60,10 +60,11 @@ static inline int block_column(const struct block *block, char letter)
 
 /*
  * Fills the block from the words of the line. False: a fault was reported.
+ * Values of parameters come from interp, assignments wait there (params.h).
  * Skips a line that starts with '/' when config says so: no words.
  */
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
-		struct block_cautions *cautions);
+		struct block_cautions *cautions, struct interp *interp);
 
 /* What the checks need of the modes in force. */
 struct block_modes {

@@ -37,6 +37,13 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
 
 	block->motion = given;
+	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2) {
+		block->motion = CODE_NONE;
+		if (given != CODE_NONE || other != CODE_NONE)
+			return fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
+				     "G68 needs a block without motion, offsets or a dwell");
+		return true;
+	}
 	if (takes_axis_words(other)) {
 		if (given != CODE_NONE && given != G80)
 			return fault(at, block->g_column[G_MOTION],
@@ -98,12 +105,29 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, enu
 		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in P");
 	if (code == G4 && is_arc(block->motion))
 		return fault(at, block->g_column[G_NONMODAL], "G4 cannot stand with G2 or G3; both use P");
+	if (code == G53_1 && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
+		return fault(at, block->g_column[G_NONMODAL], "G53.1 needs a block without motion");
 	if (code == G53)
 		return check_machine_coordinates(block, at, dialect, modes);
 	/* Fanuc gives an alarm, the others send every axis home. */
 	if ((code == G28 || code == G30) && dialect == GCODE_FANUC && !(block->letters & AXIS_BITS))
 		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", code / 10);
 	return true;
+}
+
+/* What the words of canned cycles are: cycle.c. */
+static uint32_t cycle_letters(int code, enum gcode_dialect dialect)
+{
+	uint32_t used = letter_bit('R');
+
+	used |= dialect == GCODE_FANUC ? letter_bit('K') : letter_bit('L');
+	if (code == G73 || code == G83)
+		used |= letter_bit('Q');
+	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 || dialect != GCODE_LINUXCNC)
+		used |= letter_bit('P');
+	if (code == G87)
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
+	return used;
 }
 
 /* The letters that some code of the block uses. */
@@ -115,11 +139,27 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
 		used |= dialect == GCODE_LINUXCNC ? letter_bit('P') : 0;
 	}
+	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
+		used |= cycle_letters(block->motion, dialect);
+	if (block->motion == G33 || block->motion == G33_1)
+		used |= letter_bit('K');
+	if (block->motion == G33_1)
+		used |= letter_bit('I');
 	if (block->g[G_NONMODAL] == G4)
+		used |= letter_bit('P');
+	if (block->g[G_NONMODAL] == G30 && dialect != GCODE_LINUXCNC)
 		used |= letter_bit('P');
 	if (block->g[G_NONMODAL] == G10)
 		used |= letter_bit('L') | letter_bit('P') | letter_bit('R');
-	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4)
+	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
+		used |= letter_bit('D') | letter_bit('L');
+	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
+		used |= letter_bit('P');
+	if (block->g[G_ROTATION] == G68)
+		used |= letter_bit('R');
+	if (block->g[G_ROTATION] == G68_2)
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
+	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
 	if (block->g[G_PATH] == G64 && dialect == GCODE_LINUXCNC)
 		used |= letter_bit('P') | letter_bit('Q');
@@ -135,6 +175,9 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 
 	if (!(config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
 		return false;
+	if (config->dialect == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
+	    !(block->letters & AXIS_BITS))
+		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
 		return false;
 	unused = block->letters & ~used_letters(block, config->dialect);

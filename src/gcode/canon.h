@@ -46,9 +46,11 @@ struct canon_arc {
 
 struct canon_move {
 	enum canon_kind kind;
+	const char *file;	/* of the block: the program's own, or a subprogram's; lives as long as the interpreter */
 	long line;	/* of the block */
 	int number;	/* of this move in its block, from 1 */
 	bool tcp;
+	bool plane;	/* with tcp: rotary axes stand still (G53.1), and the axes go as without it */
 	bool blend;	/* G64: the control may leave the path (canon_move.blend_tolerance) */
 	double blend_tolerance;	/* mm; 0: G64 without P */
 	axis_values end;	/* RAPID, FEED, ARC */
@@ -65,6 +67,13 @@ struct canon_tcp {
 	axis_values rotary_zero;	/* where "rotary zero" is; linear slots 0 */
 };
 
+/* How the rotary axes stand the tool on a tilted plane. */
+struct canon_orientation {
+	vec3 direction;	/* unit: from the tip to the spindle, as positions under TCP are meant */
+	axis_values rotary_zero;
+	axis_values rotary;	/* where the axes are, and then where the rotary ones go */
+};
+
 /* Where an interpreter sends its moves. */
 struct canon_sink {
 	void *context;
@@ -78,7 +87,12 @@ struct canon_sink {
 	 */
 	bool (*tcp)(void *context, const struct canon_tcp *tcp, struct srcloc loc, axis_values *position);
 	/* A block has been carried out, with `moves` moves. False: stop. */
-	bool (*block)(void *context, long line, const char *text, int moves);
+	bool (*block)(void *context, const char *file, long line, const char *text, int moves);
+	/*
+	 * Finds the rotary positions that give the tool this direction: within the
+	 * limits, the nearest to where the axes are. False: reported at loc.
+	 */
+	bool (*orient)(void *context, struct srcloc loc, struct canon_orientation *orientation);
 };
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_GCODE_CODES_H
 #define FIVECHECK_GCODE_CODES_H
 
+#include <stdbool.h>
+
 #include "gcode/interp.h"
 
 /* G codes are numbered by tenths: G43.4 is 434. */
@@ -21,17 +23,43 @@ enum {
 	G28_1 = 281,
 	G30 = 300,
 	G30_1 = 301,
+	G33 = 330,
+	G33_1 = 331,
+	G38_2 = 382,
+	G38_3 = 383,
+	G38_4 = 384,
+	G38_5 = 385,
+	G40 = 400,
+	G41 = 410,
+	G41_1 = 411,
+	G42 = 420,
+	G42_1 = 421,
 	G43 = 430,
 	G43_4 = 434,
 	G49 = 490,
 	G52 = 520,
 	G53 = 530,
+	G53_1 = 531,
 	G54 = 540,
+	G54_1 = 541,
 	G59 = 590,
 	G61 = 610,
 	G61_1 = 611,
 	G64 = 640,
+	G68 = 680,
+	G68_2 = 682,
+	G69 = 690,
+	G73 = 730,
+	G74 = 740,
 	G80 = 800,
+	G81 = 810,
+	G82 = 820,
+	G83 = 830,
+	G84 = 840,
+	G85 = 850,
+	G86 = 860,
+	G87 = 870,
+	G89 = 890,
 	G90 = 900,
 	G90_1 = 901,
 	G91 = 910,
@@ -41,7 +69,13 @@ enum {
 	G92_3 = 923,
 	G93 = 930,
 	G94 = 940,
-	G95 = 950
+	G95 = 950,
+	G98 = 980,
+	G99 = 990,
+	G110 = 1100,
+	G129 = 1290,
+	G154 = 1540,
+	G234 = 2340
 };
 
 /*
@@ -62,6 +96,7 @@ enum g_group {
 	G_SYSTEM,
 	G_PATH,
 	G_SPINDLE,
+	G_ROTATION,
 	G_GROUPS
 };
 
@@ -79,6 +114,9 @@ struct code {
 /* NULL: the dialect has no such code, or none that is known here. */
 const struct code *code_find_g(int number, enum gcode_dialect dialect);
 const struct code *code_find_m(int number, enum gcode_dialect dialect);
+
+/* A canned cycle: it drills, taps or bores where the block's axis words lead. */
+bool code_is_cycle(int number);
 
 const char *dialect_name(enum gcode_dialect dialect);
 

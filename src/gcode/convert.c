@@ -1,7 +1,10 @@
 #include "gcode/convert.h"
 
 #include "base/units.h"
+#include "gcode/comp.h"
 #include "gcode/offsets.h"
+#include "gcode/plane.h"
+#include "gcode/reference.h"
 #include "gcode/tooling.h"
 #include "gcode/travel.h"
 
@@ -45,6 +48,17 @@ static bool convert_speed(struct interp *interp)
 	return true;
 }
 
+/* Canned cycles of LinuxCNC mind which way the spindle turns. */
+static void convert_spindle(struct interp *interp)
+{
+	int code = interp->block.m[M_SPINDLE];
+
+	if (code != CODE_NONE)
+		interp->state.spindle = code == 3   ? SPINDLE_CLOCKWISE
+					: code == 4 ? SPINDLE_COUNTERCLOCKWISE
+						    : SPINDLE_STOPPED;
+}
+
 /* G61, G61.1: on the path; G64 may leave it, by P at most if P is given (LinuxCNC's manual, "G64"). */
 static bool convert_path(struct interp *interp)
 {
@@ -63,6 +77,45 @@ static bool convert_path(struct interp *interp)
 	return true;
 }
 
+/* R of G68, and I, J and K of G68.2. */
+static bool is_angle(const struct block *block, char letter)
+{
+	int code = block->g[G_ROTATION];
+
+	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
+}
+
+/* K of Fanuc's cycles is a number of holes. */
+static bool is_count(const struct block *block, char letter)
+{
+	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
+}
+
+/*
+ * Fanuc 30i-B operator's manual, "Decimal point programming"; Haas, setting
+ * 162: whole numbers count least input increments, of which an inch has ten
+ * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
+ */
+static void convert_increments(struct interp *interp)
+{
+	struct block *block = &interp->block;
+	double increment = interp->config->least_input;
+	double linear = interp->state.scale > 1 ? increment / 10 : increment;
+
+	if (!(increment > 0) || interp->config->dialect == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)
+		return;
+	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
+		int slot = slot_of_letter(*letter);
+
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
+			continue;
+		if (is_count(block, *letter))
+			continue;
+		block->value[*letter - 'A'] *=
+		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ? increment : linear;
+	}
+}
+
 static void convert_modes(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -72,6 +125,8 @@ static void convert_modes(struct interp *interp)
 		state->incremental = block->g[G_DISTANCE] == G91;
 	if (block->g[G_ARC_DISTANCE] != CODE_NONE)
 		state->arc_absolute = block->g[G_ARC_DISTANCE] == G90_1;
+	if (block->g[G_RETRACT] != CODE_NONE)
+		state->retract = block->g[G_RETRACT];
 }
 
 static bool convert_nonmodal(struct interp *interp)
@@ -81,10 +136,12 @@ static bool convert_nonmodal(struct interp *interp)
 		return offsets_set(interp);
 	case G28:
 	case G30:
-		return travel_reference(interp);
+		return reference_go(interp);
 	case G28_1:
 	case G30_1:
-		return travel_remember(interp);
+		return reference_remember(interp);
+	case G53_1:
+		return plane_orient_tool(interp);
 	case G52:
 	case G92:
 	case G92_1:
@@ -102,21 +159,33 @@ bool convert_block(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
-	if (!convert_feed(interp) || !convert_speed(interp))
+	if (!plane_start_block(interp) || !comp_start_block(interp) || !convert_feed(interp) || !convert_speed(interp))
 		return false;
 	if (!tooling_select(interp) || !tooling_change(interp) || !tooling_mcode(interp))
 		return false;
+	convert_spindle(interp);
 	if (block->g[G_NONMODAL] == G4 && !travel_dwell(interp))
 		return false;
 	if (block->g[G_PLANE] != CODE_NONE)
 		state->plane = block->g[G_PLANE];
 	if (block->g[G_UNITS] != CODE_NONE)
 		state->scale = block->g[G_UNITS] == G20 ? MM_PER_INCH : 1;
+	convert_increments(interp);
+	if (!comp_select(interp) || !comp_check_block(interp))
+		return false;
 	if (!tooling_length(interp) || !offsets_select(interp) || !convert_path(interp))
 		return false;
 	convert_modes(interp);
+	if (!plane_turn(interp))
+		return false;
 	if (!convert_nonmodal(interp) || !travel_motion(interp))
 		return false;
+	if (block->m[M_STOP] != CODE_NONE && !comp_stop(interp))
+		return false;
+	if (block->m[M_STOP] == 99 && interp->params.level > 0)
+		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");
+	if (block->m[M_STOP] == 99)
+		return flow_restart(interp);
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
 	return true;
 }

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "gcode/comp.h"
 #include "gcode/convert.h"
+#include "gcode/predefined.h"
 #include "gcode/state.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct canon_sink *sink, struct diag *diag)
@@ -16,17 +18,22 @@ struct interp *interp_new(const struct gcode_config *config, const struct canon_
 	interp->sink = sink;
 	interp->diag = diag;
 	state_init(&interp->state, config);
+	interp->params.numbered[5599] = 1;	/* LinuxCNC: DEBUG comments speak */
 	return interp;
 }
 
 void interp_free(struct interp *interp)
 {
+	sources_release(&interp->sources);
+	params_release(&interp->params);
+	comp_queue_release(&interp->comp.queue);
+	flow_release(&interp->flow);
 	free(interp);
 }
 
 long interp_lines(const struct interp *interp)
 {
-	return interp->reader.line;
+	return interp->sources.count ? interp->sources.items[0]->reader.furthest : 0;
 }
 
 /* A '%' line opens the program if it is the first that is not blank, and else closes it. */
@@ -46,15 +53,29 @@ static bool take_percent(struct interp *interp, int column)
 	return true;
 }
 
-static bool run_line(struct interp *interp)
+/* What the block has assigned takes effect before its codes do, but after all of its words were read. */
+static void assign(struct interp *interp)
+{
+	struct params *params = &interp->params;
+
+	for (size_t i = 0; i < params->pending_count; i++) {
+		const struct assignment *new = &params->pending[i];
+
+		if (new->number > 0)
+			predefined_set_number(interp, new->number, new->value);
+		else
+			params_make(params, new->name)->value = new->value;
+	}
+	params->pending_count = 0;
+}
+
+static bool run_block(struct interp *interp)
 {
 	struct block *block = &interp->block;
 	struct block_modes modes = {interp->state.motion, interp->state.incremental};
 	int blanks = (int)strspn(interp->at.text, " \t");
 
-	if (interp->at.text[blanks] == '%')
-		return take_percent(interp, blanks + 1);
-	if (!block_read(block, &interp->at, interp->config, &interp->cautions))
+	if (!block_read(block, &interp->at, interp->config, &interp->cautions, interp))
 		return false;
 	/* LinuxCNC skips nothing but blank lines before '%', the others whatever is not a block. */
 	interp->begun = interp->begun || block->words > 0 ||
@@ -62,15 +83,43 @@ static bool run_line(struct interp *interp)
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
-	if (!block_check(block, &interp->at, interp->config, &modes) || !convert_block(interp))
+	if (!block_check(block, &interp->at, interp->config, &modes))
 		return false;
-	return interp->sink->block(interp->sink->context, interp->at.line, interp->at.text, interp->moves);
+	assign(interp);
+	if (!convert_block(interp))
+		return false;
+	return comp_end_block(interp);
+}
+
+/* Fanuc's and Haas's macros (IF, WHILE, GOTO, M97 ...) would have their place beside flow_line. */
+static bool run_line(struct interp *interp)
+{
+	int blanks = (int)strspn(interp->at.text, " \t");
+	bool done = false;
+
+	if (interp->at.text[blanks] == '%' && interp->flow.skip == SKIP_NOTHING)
+		return take_percent(interp, blanks + 1);
+	if (interp->config->dialect == GCODE_LINUXCNC && !flow_line(interp, &done))
+		return false;
+	interp->begun = interp->begun || done;
+	return done || run_block(interp);
+}
+
+/* A line with its messages: in a subprogram, they are followed by the calls that led there. */
+static bool run_line_called(struct interp *interp)
+{
+	size_t said = interp->diag->errors + interp->diag->warnings;
+	bool good = flow_count(interp) && run_line(interp);
+
+	if (interp->diag->errors + interp->diag->warnings > said)
+		flow_note_callers(interp);
+	return good;
 }
 
 /* What is wrong with the bytes of the file; false. */
 static bool fault_of_reader(struct interp *interp, enum reader_status status, const char *text)
 {
-	struct srcloc loc = {interp->at.file, interp->reader.line, 0};
+	struct srcloc loc = {interp->at.file, interp->source->reader.line, 0};
 
 	switch (status) {
 	case READER_TOO_LONG:
@@ -95,26 +144,46 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 	return false;
 }
 
+/* The next line of the file in hand. False: the program has ended, or a fault was reported in *good. */
+static bool next_line(struct interp *interp, bool *good)
+{
+	struct source *source = interp->source;
+	enum reader_status status = reader_next(&source->reader, &interp->at.text);
+
+	interp->at.file = source->name;
+	interp->at.line = source->reader.line;
+	if (status == READER_LINE)
+		return true;
+	*good = status == READER_END ? flow_end_of_file(interp) : fault_of_reader(interp, status, interp->at.text);
+	if (!*good)
+		flow_note_callers(interp);
+	return false;
+}
+
 bool interp_run(struct interp *interp, FILE *in, const char *name)
 {
-	enum reader_status status;
-	const char *text = NULL;
+	struct line_reader *reader;
 	bool good = true;
 
-	interp->at = (struct line_place){.diag = interp->diag, .file = name};
-	reader_init(&interp->reader, in);
-	while (good && !interp->ended && (status = reader_next(&interp->reader, &text)) != READER_END) {
-		if (status != READER_LINE) {
-			good = fault_of_reader(interp, status, text);
-			break;
+	sources_open_main(&interp->sources, in, name);
+	interp->source = interp->sources.items[0];
+	reader = &interp->source->reader;
+	interp->at = (struct line_place){.diag = interp->diag, .file = interp->source->name};
+	while (good && !interp->ended && next_line(interp, &good)) {
+		if (!interp->first_line) {
+			interp->first_line = reader->line;
+			interp->first_offset = reader->start;
 		}
-		interp->at.line = interp->reader.line;
-		interp->at.text = text;
-		good = run_line(interp);
+		good = run_line_called(interp);
+	}
+	if (good && !interp->ended) {
+		/* The last line is no longer in the reader's buffer. */
+		interp->at.text = "";
+		good = comp_stop(interp);
 	}
 	if (good && !interp->ended && interp->percent)
-		diag_warning(interp->diag, (struct srcloc){name, interp->reader.line, 0},
+		diag_warning(interp->diag, (struct srcloc){name, reader->line, 0},
 			     "the program ends without M2, M30 or %%; is the file complete?");
-	reader_release(&interp->reader);
+	sources_close(&interp->sources);
 	return good;
 }

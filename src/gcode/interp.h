@@ -14,13 +14,28 @@ enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
 enum gcode_wrap { GCODE_WRAP_NONE, GCODE_WRAP_SHORTEST, GCODE_WRAP_SIGN };
 enum gcode_mcode { GCODE_TCP_ON, GCODE_TCP_OFF, GCODE_IGNORE };
 
+/* A place of the machine where the control sends axes by itself, in machine coordinates. */
+struct gcode_place {
+	bool given;
+	bool has[SLOT_COUNT];	/* the place says where this axis goes */
+	axis_values value;
+	int order[SLOT_COUNT];	/* slots that move one after another; what is not here moves last, together */
+	size_t order_count;
+};
+
+/* G28, and G30 P2 to P4. */
+#define REFERENCE_COUNT 4
+
 /* Borrowed, and constant while a program runs. Lengths in mm, angles in radians. */
 struct gcode_config {
 	enum gcode_dialect dialect;
 	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
 	enum gcode_wrap wrap[SLOT_COUNT];
-	axis_values home;	/* where the program starts; G28's and G30's reference position */
+	axis_values home;	/* where the program starts; the first two reference positions in want of others */
+	struct gcode_place references[REFERENCE_COUNT];
+	struct gcode_place tool_change;	/* M6 goes there first; not given: it moves nothing */
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
+	double least_input;	/* mm or degrees; what a 1 without a decimal point means; 0: a whole unit */
 	bool block_delete;	/* skip blocks that start with '/' */
 	bool last_duplicate_wins;	/* of a word that stands twice in a block; else it is an error */
 	bool has_setup;	/* tools, lengths and offsets are known; else any T is accepted, and an H is an error */
@@ -46,6 +61,9 @@ struct gcode_config {
 		double length;
 	} *lengths;
 	size_t length_count;
+	const char *const *includes;	/* folders of subprogram files, after the program's own */
+	size_t include_count;
+	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };
 
 struct interp;
@@ -56,12 +74,15 @@ void interp_free(struct interp *interp);
 
 /*
  * Carries out the program that `in` holds, to its end; `name` stands in the
- * messages. Memory does not grow with the length of the program. False: a
- * fault was reported, at its place, or the sink said stop.
+ * messages, and its folder is where subprograms in files of their own are
+ * looked for, unless it is "<stdin>". Memory does not grow with the length of
+ * the program, but with its labels and named parameters, up to a limit. False:
+ * a fault was reported, at its place and with the calls that led there, or the
+ * sink said stop.
  */
 bool interp_run(struct interp *interp, FILE *in, const char *name);
 
-/* Lines read so far. */
+/* Lines of the program itself that have been read so far. */
 long interp_lines(const struct interp *interp);
 
 #endif

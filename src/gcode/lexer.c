@@ -3,6 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "gcode/expr.h"
 #include "gcode/number.h"
 
 void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)
@@ -27,6 +28,23 @@ char lexer_peek(struct lexer *lexer)
 void lexer_take(struct lexer *lexer)
 {
 	lexer->position++;
+}
+
+bool lexer_keyword(struct lexer *lexer, const char *keyword)
+{
+	size_t position = lexer->position;
+
+	for (; *keyword; keyword++, lexer_take(lexer)) {
+		char byte = lexer_peek(lexer);
+
+		if (byte >= 'A' && byte <= 'Z')
+			byte = (char)(byte - 'A' + 'a');
+		if (byte != *keyword) {
+			lexer->position = position;
+			return false;
+		}
+	}
+	return true;
 }
 
 /* Comments that a control obeys; LinuxCNC's manual, "Comments" (messages and the log move nothing). */
@@ -68,6 +86,18 @@ static bool skip_rest(struct lexer *lexer)
 		return false;
 	lexer->position += strlen(rest) + 1;
 	return true;
+}
+
+bool lexer_skip_comments(struct lexer *lexer)
+{
+	for (;;) {
+		char byte = lexer_peek(lexer);
+
+		if (byte == '(' ? !skip_comment(lexer) : byte == ';' && !skip_rest(lexer))
+			return false;
+		if (byte != '(')
+			return true;
+	}
 }
 
 static bool fault_at_byte(const struct lexer *lexer, char byte)
@@ -124,6 +154,11 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 		break;
 	}
 	lexer->position++;
+	if (lexer->interp && expr_follows(lexer)) {
+		word->point = true;
+		lexer->depth = 0;
+		return expr_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
+	}
 	fault_without_number(lexer, letter, word->column);
 	return LEXER_FAULT;
 }
@@ -139,7 +174,12 @@ enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
 			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
 		if (byte == '\0')
 			return LEXER_END;
-		if (byte == '(') {
+		if (byte == '#' && lexer->interp) {
+			lexer->depth = 0;
+			if (!expr_assignment(lexer))
+				return LEXER_FAULT;
+			lexer->assignments++;
+		} else if (byte == '(') {
 			if (!skip_comment(lexer))
 				return LEXER_FAULT;
 		} else if (byte == ';') {

@@ -7,6 +7,8 @@
 
 #include "gcode/fault.h"
 
+struct interp;
+
 struct word {
 	char letter;	/* upper case */
 	bool point;	/* the number has a decimal point */
@@ -20,6 +22,9 @@ struct lexer {
 	const struct line_place *at;	/* borrowed */
 	size_t position;
 	bool semicolon_ends_block;	/* else it starts a comment */
+	struct interp *interp;	/* of LinuxCNC's parameters and expressions; NULL: they are faults */
+	int depth;	/* of the value that is being read */
+	int assignments;	/* of parameters, so far */
 };
 
 void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block);
@@ -30,14 +35,20 @@ char lexer_peek(struct lexer *lexer);
 /* Takes the byte that lexer_peek showed. */
 void lexer_take(struct lexer *lexer);
 
+/* Takes the word, in lower case here, if it comes next, blanks or not in between. */
+bool lexer_keyword(struct lexer *lexer, const char *keyword);
+
+/* Steps over blanks and comments. False: reported. */
+bool lexer_skip_comments(struct lexer *lexer);
+
 /* Column of the next byte. */
 int lexer_column(const struct lexer *lexer);
 
 /*
  * The next word. Faults are reported: an unclosed or nested comment, a letter
- * without a number, a byte that starts no word, and what is known but not
- * supported (expressions, parameters, O-words). On LEXER_END the whole line
- * has been looked at.
+ * without a value, a byte that starts no word, and what is known but not
+ * supported. Assignments on the way are remembered (expr.h). On LEXER_END the
+ * whole line has been looked at.
  */
 enum lexer_result lexer_next(struct lexer *lexer, struct word *word);
 

@@ -13,6 +13,27 @@ static bool slot_word(const struct interp *interp, int slot, double *value)
 	return true;
 }
 
+/* Fanuc 30i-B: G54.1 P1 to P48; Haas: G154 P1 to P99, and G110 to G129 for P1 to P20. */
+static bool find_system(struct interp *interp, int code, int *system)
+{
+	bool fanuc = interp->config->dialect == GCODE_FANUC;
+	int number = 0;
+
+	if (code == G54_1 || code == G154) {
+		if (!block_has(&interp->block, 'P'))
+			return fault(&interp->at, interp->block.g_column[G_SYSTEM], "%s needs P",
+				     code == G154 ? "G154" : "G54.1");
+		if (!block_integer(&interp->block, &interp->at, 'P', 1, fanuc ? 48 : EXTENDED_COUNT, &number))
+			return false;
+		*system = SYSTEM_COUNT + number - 1;
+	} else if (code >= G110 && code <= G129) {
+		*system = SYSTEM_COUNT + (code - G110) / 10;
+	} else {
+		*system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
+	}
+	return true;
+}
+
 bool offsets_select(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -20,7 +41,8 @@ bool offsets_select(struct interp *interp)
 
 	if (code == CODE_NONE)
 		return true;
-	state->system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
+	if (!find_system(interp, code, &state->system))
+		return false;
 	if (interp->config->has_setup && !state->work_known[state->system]) {
 		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
 			state_system_name(state->system));
@@ -82,7 +104,24 @@ static void change_work_here(struct interp *interp, int system, int slot, double
 	state->work[system].v[slot] = position_without(state, slot, state->work[state->system].v[slot]) - word;
 }
 
-/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same. */
+/* L20 of LinuxCNC is L2 by the present position; of Fanuc and Haas it writes the additional offsets of G54.1. */
+static bool find_written(struct interp *interp, int mode, int *system)
+{
+	const struct block *block = &interp->block;
+	enum gcode_dialect dialect = interp->config->dialect;
+	int least = dialect == GCODE_LINUXCNC ? 0 : 1, most = dialect == GCODE_LINUXCNC ? SYSTEM_COUNT : 6;
+
+	if (mode == 20 && dialect != GCODE_LINUXCNC)
+		most = dialect == GCODE_FANUC ? 48 : EXTENDED_COUNT;
+	if (!block_integer(block, &interp->at, 'P', least, most, system))
+		return false;
+	if (mode == 20 && dialect != GCODE_LINUXCNC)
+		*system += SYSTEM_COUNT;
+	*system = *system == 0 ? interp->state.system : *system - 1;
+	return true;
+}
+
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, "G10". */
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -93,18 +132,18 @@ bool offsets_set(struct interp *interp)
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
-	if (mode != 2 && !(mode == 20 && linuxcnc))
+	if (linuxcnc && (mode == 1 || mode == 10 || mode == 11))
+		return fault(&interp->at, block_column(block, 'L'),
+			     "G10 L%d: writing the tool table is not supported yet; the setup defines tools", mode);
+	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
 	if (block_has(block, 'R'))
 		return fault(&interp->at, block_column(block, 'R'),
 			     "G10 with R: rotation of a coordinate system is not supported yet");
-	if (!block_integer(block, &interp->at, 'P', linuxcnc ? 0 : 1, linuxcnc ? SYSTEM_COUNT : 6, &system))
+	if (!find_written(interp, mode, &system) || !refuse_incremental(interp))
 		return false;
-	if (!refuse_incremental(interp))
-		return false;
-	system = system == 0 ? interp->state.system : system - 1;
 	interp->state.work_known[system] = true;
-	return change_slots(interp, system, mode == 2 ? change_work : change_work_here);
+	return change_slots(interp, system, mode == 20 && linuxcnc ? change_work_here : change_work);
 }
 
 static void change_shift(struct interp *interp, int system, int slot, double word)
@@ -137,6 +176,7 @@ bool offsets_shift(struct interp *interp)
 	int code = interp->block.g[G_NONMODAL], column = interp->block.g_column[G_NONMODAL];
 
 	if (code == G92_1 || code == G92_2 || code == G92_3) {
+		state->shift_applied = code == G92_3;
 		state->shift = code == G92_3 ? state->saved_shift : (slot_values){{0}};
 		if (code == G92_1)
 			state->saved_shift = state->shift;
@@ -151,6 +191,7 @@ bool offsets_shift(struct interp *interp)
 	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))
 		return false;
 	state->shift_code = code;
+	state->shift_applied = true;
 	state->saved_shift = state->shift;
 	return true;
 }

@@ -5,12 +5,20 @@
 
 #include "base/mem.h"
 
-/* Several lines of the greatest length, so that the rest of a line is rarely moved. */
-#define BUFFER_SIZE ((size_t)4 * LINE_LENGTH_MAX)
+/* Read at once: several lines of the greatest length, so that the rest of a line is rarely moved. */
+#define CHUNK ((size_t)4 * LINE_LENGTH_MAX)
+
+/* Loops of so many bytes run in the buffer, without the file being read again. */
+#define FILE_KEEP (CHUNK / 2)
 
 void reader_init(struct line_reader *reader, FILE *in)
 {
-	*reader = (struct line_reader){.in = in, .buffer = mem_alloc(BUFFER_SIZE + 1)};
+	off_t base = ftello(in);
+
+	*reader = (struct line_reader){.in = in, .base = base};
+	reader->keep = base < 0 ? READER_WINDOW : FILE_KEEP;
+	reader->capacity = 2 * reader->keep + CHUNK;
+	reader->buffer = mem_alloc(reader->capacity + 1);
 }
 
 void reader_release(struct line_reader *reader)
@@ -20,18 +28,25 @@ void reader_release(struct line_reader *reader)
 	reader->begin = reader->end = 0;
 }
 
-/* Moves what is left to the front and reads on; false on a read error. */
+/* Makes room for a chunk, if there is none, and reads it; false on a read error. */
 static bool refill(struct line_reader *reader)
 {
-	size_t left = reader->end - reader->begin;
+	size_t drop = 0, want;
 
-	memmove(reader->buffer, reader->buffer + reader->begin, left);
-	reader->begin = 0;
-	reader->end = left + fread(reader->buffer + left, 1, BUFFER_SIZE - left, reader->in);
-	if (reader->end < BUFFER_SIZE) {
-		if (ferror(reader->in))
+	if (reader->capacity - reader->end < CHUNK && reader->begin > reader->keep)
+		drop = reader->begin - reader->keep;
+	memmove(reader->buffer, reader->buffer + drop, reader->end - drop);
+	reader->begin -= drop;
+	reader->end -= drop;
+	reader->origin += (long long)drop;
+	want = reader->capacity - reader->end < CHUNK ? reader->capacity - reader->end : CHUNK;
+	if (want > 0) {
+		size_t got = fread(reader->buffer + reader->end, 1, want, reader->in);
+
+		reader->end += got;
+		if (got < want && ferror(reader->in))
 			return false;
-		reader->at_end = true;
+		reader->at_end = got < want;
 	}
 	return true;
 }
@@ -84,9 +99,13 @@ static enum reader_status take_break(struct line_reader *reader, size_t at, size
 
 enum reader_status reader_next(struct line_reader *reader, const char **text)
 {
-	size_t at = find_break(reader, reader->begin), next;
 	enum reader_status status = READER_LINE;
+	size_t at, next;
 
+	reader->buffer[reader->cut] = reader->cut_byte;
+	reader->cut = reader->end;
+	reader->cut_byte = '\0';
+	at = find_break(reader, reader->begin);
 	/* A CR at the very end of what is read may be half of a CR LF. */
 	if (!reader->at_end && at + 1 >= reader->end) {
 		if (!refill(reader))
@@ -94,10 +113,13 @@ enum reader_status reader_next(struct line_reader *reader, const char **text)
 		if (reader->line == 0)
 			status = check_byte_order_mark(reader);
 		at = find_break(reader, reader->begin);
+		reader->cut = reader->end;
 	}
 	if (status == READER_LINE && at == reader->end && reader->begin == reader->end)
 		return READER_END;
-	reader->line++;
+	reader->start = reader_position(reader);
+	if (++reader->line > reader->furthest)
+		reader->furthest = reader->line;
 	*text = reader->buffer + reader->begin;
 	if (status != READER_LINE)
 		return status;
@@ -106,7 +128,33 @@ enum reader_status reader_next(struct line_reader *reader, const char **text)
 	next = at;
 	if (at < reader->end)
 		status = take_break(reader, at, &next);
+	/* The byte comes back with the next line: the program may jump back to this one. */
+	reader->cut = at;
+	reader->cut_byte = reader->buffer[at];
 	reader->buffer[at] = '\0';
 	reader->begin = next;
 	return status;
+}
+
+long long reader_position(const struct line_reader *reader)
+{
+	return reader->origin + (long long)reader->begin;
+}
+
+bool reader_seek(struct line_reader *reader, long long position, long line)
+{
+	if (position >= reader->origin && position <= reader->origin + (long long)reader->end) {
+		reader->begin = (size_t)(position - reader->origin);
+		reader->line = line - 1;
+		return true;
+	}
+	if (reader->base < 0 || fseeko(reader->in, (off_t)(reader->base + position), SEEK_SET))
+		return false;
+	reader->buffer[0] = '\0';
+	reader->begin = reader->end = reader->cut = 0;
+	reader->cut_byte = '\0';
+	reader->at_end = false;
+	reader->origin = position;
+	reader->line = line - 1;
+	return true;
 }

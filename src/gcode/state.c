@@ -28,19 +28,30 @@ static slot_values from_canonical(const axis_values *values)
 	return result;
 }
 
+#define EXTENDED_TEN(tens) \
+	"G54.1 P" tens "0", "G54.1 P" tens "1", "G54.1 P" tens "2", "G54.1 P" tens "3", "G54.1 P" tens "4", \
+	    "G54.1 P" tens "5", "G54.1 P" tens "6", "G54.1 P" tens "7", "G54.1 P" tens "8", "G54.1 P" tens "9"
+
 const char *state_system_name(int system)
 {
 	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
 							"G59", "G59.1", "G59.2", "G59.3"};
+	static const char *const extended[EXTENDED_COUNT + 1] = {
+	    EXTENDED_TEN(""),  EXTENDED_TEN("1"), EXTENDED_TEN("2"), EXTENDED_TEN("3"), EXTENDED_TEN("4"),
+	    EXTENDED_TEN("5"), EXTENDED_TEN("6"), EXTENDED_TEN("7"), EXTENDED_TEN("8"), EXTENDED_TEN("9")};
 
-	return names[system];
+	return system < SYSTEM_COUNT ? names[system] : extended[system - SYSTEM_COUNT + 1];
 }
 
-/* "G54" ... "G59.3" to 0 ... 8, or -1. */
+/* The system of a name, "G154 P1" for "G54.1 P1" included, or -1. */
 static int system_of_name(const char *name)
 {
-	for (int i = 0; i < SYSTEM_COUNT; i++) {
-		if (!strcmp(name, state_system_name(i)))
+	for (int i = 0; i < SYSTEM_COUNT + EXTENDED_COUNT; i++) {
+		const char *known = state_system_name(i);
+
+		if (!strcmp(name, known))
+			return i;
+		if (i >= SYSTEM_COUNT && !strncmp(name, "G154", 4) && !strcmp(name + 4, known + 5))
 			return i;
 	}
 	return -1;
@@ -61,9 +72,22 @@ void state_update_offset(struct state *state)
 		state->offset.v[SLOT_Z] += state->length;
 }
 
+/* What the configuration does not place is at home. */
+static void init_references(struct state *state, const struct gcode_config *config)
+{
+	for (int i = 0; i < 2; i++) {
+		state->reference[i] = from_canonical(&config->home);
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			if (config->references[i].has[slot])
+				state->reference[i].v[slot] =
+				    state_from_canonical(slot, config->references[i].value.v[slot]);
+		}
+	}
+}
+
 void state_init(struct state *state, const struct gcode_config *config)
 {
-	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .selected = -1};
+	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .retract = CODE_NONE, .selected = -1};
 	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {
 		int system = system_of_name(config->work_offsets[i].name);
@@ -73,8 +97,8 @@ void state_init(struct state *state, const struct gcode_config *config)
 		state->work[system] = from_canonical(&config->work_offsets[i].value);
 		state->work_known[system] = true;
 	}
-	state->reference[0] = state->reference[1] = from_canonical(&config->home);
+	init_references(state, config);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		state_set_position(state, slot, state->reference[0].v[slot]);
+		state_set_position(state, slot, state_from_canonical(slot, config->home.v[slot]));
 	state_update_offset(state);
 }

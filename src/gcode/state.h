@@ -6,12 +6,18 @@
 
 #include "gcode/block.h"
 #include "gcode/canon.h"
+#include "gcode/comp_queue.h"
 #include "gcode/fault.h"
+#include "gcode/flow.h"
 #include "gcode/interp.h"
-#include "gcode/reader.h"
+#include "gcode/params.h"
+#include "gcode/source.h"
+#include "geom/xform.h"
 
 /* G54 to G59.3 */
 #define SYSTEM_COUNT 9
+/* G54.1 P1 and on (Fanuc), G154 P1 to P99, of which G110 to G129 are the first (Haas); they follow G59.3 */
+#define EXTENDED_COUNT 99
 
 /* One value a slot, in mm and degrees: as programs speak, so that no position drifts by being converted. */
 typedef struct slot_values {
@@ -20,7 +26,25 @@ typedef struct slot_values {
 
 enum feed_mode { FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_INVERSE_TIME };
 
-enum tcp_source { TCP_OFF, TCP_BY_LENGTH, TCP_BY_MCODE };	/* G43.4, and the machine's own M-code */
+enum tcp_source { TCP_OFF, TCP_BY_LENGTH, TCP_BY_MCODE, TCP_BY_PLANE };	/* G43.4, a machine's own M-code, G53.1 */
+
+enum spindle_turn { SPINDLE_STOPPED, SPINDLE_CLOCKWISE, SPINDLE_COUNTERCLOCKWISE };
+
+/* A coordinate system turned by the program: frame.h. */
+struct frame {
+	bool on;
+	bool waits_for_tool;	/* G68.2 before its G53.1: where the control would move is not known here */
+	mat3 turn;
+	vec3 origin;	/* mm, from the offsets in force */
+};
+
+/* What canned cycles remember from block to block: the bare numbers, in the units of the block that gave them. */
+struct cycle_memory {
+	uint32_t known;	/* letter bits */
+	double word[26];	/* Z is the depth, whatever the plane */
+	bool has_level;
+	double level;	/* program coordinate of the drilling axis before the first cycle */
+};
 
 struct state {
 	slot_values position;	/* of the controller's axes, as canon.h has it */
@@ -35,11 +59,16 @@ struct state {
 	double feed_linear;	/* mm per minute or revolution; 0: none given */
 	double feed_angular;	/* degrees per minute or revolution */
 	double speed;	/* revolutions per minute */
+	enum spindle_turn spindle;
+	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
+	struct cycle_memory cycle;
+	struct frame frame;
 	int system;	/* 0 is G54 */
-	slot_values work[SYSTEM_COUNT];
-	bool work_known[SYSTEM_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
+	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
+	bool work_known[SYSTEM_COUNT + EXTENDED_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
 	slot_values shift;	/* of G52 and G92 */
 	slot_values saved_shift;	/* that G92.3 restores */
+	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
 	enum tcp_source tcp;
@@ -51,17 +80,34 @@ struct state {
 	double blend_tolerance;
 };
 
+/* Cutter compensation: comp.h. */
+struct comp {
+	int side;	/* 1: left of the path (G41), -1: right of it (G42), 0: off */
+	double radius;	/* mm */
+	bool entered;	/* the entry move has been programmed */
+	bool arc_refused;	/* after G40 the next move must be straight */
+	struct plane_point current;	/* where the last move ends if no inside corner follows */
+	struct comp_queue queue;
+};
+
 struct interp {
 	const struct gcode_config *config;
 	const struct canon_sink *sink;
 	struct diag *diag;
-	struct line_reader reader;
+	struct sources sources;
+	struct source *source;	/* that the block being carried out comes from */
+	long long first_offset;	/* where the program starts, behind a byte order mark */
+	long first_line;
+	struct params params;
+	struct flow flow;
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;
+	struct comp comp;
 	struct block_cautions cautions;
 	bool cautioned_length;	/* what G43 and G49 move on some controls */
 	bool cautioned_half_turn;
+	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */
 	bool ended;
@@ -77,7 +123,7 @@ void state_update_offset(struct state *state);
 /* Puts the axes elsewhere. */
 void state_set_position(struct state *state, int slot, double value);
 
-/* "G54" for 0 ... "G59.3" for 8. */
+/* "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on. */
 const char *state_system_name(int system);
 
 /* Degrees (or mm) of a value of the configuration: the short decimal that its file had, where there is one. */

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "gcode/frame.h"
+
 /* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
 #define WRAP_TOLERANCE 1e-9
 
@@ -57,9 +59,12 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 	const struct block *block = &interp->block;
 	const struct state *state = &interp->state;
 
-	*target = state->position;
+	*target = frame_straight(state);
 	if (!(block->letters & AXIS_BITS))
 		return true;
+	if (state->frame.on && state->frame.waits_for_tool)
+		return fault(&interp->at, block_motion_column(block),
+			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;

@@ -7,8 +7,8 @@
 #include "gcode/state.h"
 
 /*
- * Positions at the end of the block's motion, in program coordinates or, with
- * `machine`, in the machine's; axes without a word stay. False: reported.
+ * Straight positions (frame.h) at the end of the block's motion; with
+ * `machine`, machine coordinates. Axes without a word stay. False: reported.
  */
 bool target_find(struct interp *interp, bool machine, slot_values *target);
 

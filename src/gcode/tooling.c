@@ -4,10 +4,10 @@
 #include <math.h>
 
 #include "base/units.h"
+#include "gcode/reference.h"
 #include "gcode/travel.h"
 
-/* Rotary zero under the offsets in force. */
-static axis_values rotary_zero(const struct interp *interp)
+axis_values tooling_rotary_zero(const struct interp *interp)
 {
 	axis_values zero = {{0}};
 
@@ -22,7 +22,7 @@ static axis_values rotary_zero(const struct interp *interp)
 static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
-	struct canon_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = rotary_zero(interp)};
+	struct canon_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = tooling_rotary_zero(interp)};
 	axis_values position = state->canonical;
 
 	if (!interp->sink->tcp(interp->sink->context, &tcp, line_loc(&interp->at, column), &position))
@@ -38,20 +38,29 @@ static bool switch_tcp(struct interp *interp, int column, enum tcp_source source
 	return true;
 }
 
-bool tooling_suspend_tcp(struct interp *interp, int column, enum tcp_source *source)
+bool tooling_switch_tcp(struct interp *interp, int column, enum tcp_source source)
 {
-	*source = interp->state.tcp;
+	return switch_tcp(interp, column, source, interp->state.length);
+}
+
+bool tooling_suspend(struct interp *interp, int column, struct suspended *suspended)
+{
+	struct state *state = &interp->state;
+
+	*suspended = (struct suspended){state->tcp, state->frame.on};
 	/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
-	if (*source == TCP_BY_MCODE && interp->config->dialect == GCODE_LINUXCNC)
+	if (state->tcp == TCP_BY_MCODE && interp->config->dialect == GCODE_LINUXCNC)
 		return fault(&interp->at, column,
 			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
 			     "tool point; switch TCP off first");
-	return *source == TCP_OFF || switch_tcp(interp, column, TCP_OFF, interp->state.length);
+	state->frame.on = false;
+	return state->tcp == TCP_OFF || switch_tcp(interp, column, TCP_OFF, state->length);
 }
 
-bool tooling_resume_tcp(struct interp *interp, int column, enum tcp_source source)
+bool tooling_resume(struct interp *interp, int column, const struct suspended *suspended)
 {
-	return source == TCP_OFF || switch_tcp(interp, column, source, interp->state.length);
+	interp->state.frame.on = suspended->frame;
+	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
 }
 
 bool tooling_offsets_changed(struct interp *interp, int column)
@@ -63,7 +72,7 @@ bool tooling_offsets_changed(struct interp *interp, int column)
 	state_update_offset(state);
 	if (state->tcp == TCP_OFF)
 		return true;
-	zero = rotary_zero(interp);
+	zero = tooling_rotary_zero(interp);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		changed = changed || fabs(zero.v[slot] - state->rotary_zero.v[slot]) > 0;
 	return !changed || switch_tcp(interp, column, state->tcp, state->length);
@@ -96,7 +105,10 @@ bool tooling_change(struct interp *interp)
 		return fault(&interp->at, column, "M6, but no T has selected a tool");
 	if (interp->config->has_setup && state->selected != 0 && !find_tool(interp->config, state->selected))
 		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
+	if (!reference_change_tool(interp))
+		return false;
 	state->tool = state->selected;
+	state->spindle = SPINDLE_STOPPED;
 	return travel_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
 }
 
@@ -125,7 +137,7 @@ static bool find_length(struct interp *interp, double *length)
 		if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
 			return false;
 	} else if (!linuxcnc) {
-		return fault(&interp->at, column, "G%s needs H", block->g[G_LENGTH] == G43 ? "43" : "43.4");
+		return fault(&interp->at, column, "G%s needs H", block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4");
 	}
 	if (number == 0 && linuxcnc)
 		return find_spindle_length(interp, column, length);
@@ -168,6 +180,9 @@ bool tooling_length(struct interp *interp)
 
 	if (code == CODE_NONE)
 		return true;
+	/* Haas mill operator's manual, "G234 Tool Center Point Control". */
+	if (code == G234)
+		code = G43_4;
 	if (code != G49 && !find_length(interp, &length))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)

@@ -13,6 +13,12 @@ bool tooling_change(struct interp *interp);
 /* G43, G43.4 and G49 of the block; nothing without one. */
 bool tooling_length(struct interp *interp);
 
+/* Rotary zero under TCP with the offsets in force. */
+axis_values tooling_rotary_zero(const struct interp *interp);
+
+/* TCP on or off with the length in force; `column` is to blame if the sink objects. */
+bool tooling_switch_tcp(struct interp *interp, int column, enum tcp_source source);
+
 /* The machine's own M-codes of the block that switch TCP. */
 bool tooling_mcode(struct interp *interp);
 
@@ -23,11 +29,16 @@ bool tooling_mcode(struct interp *interp);
 bool tooling_offsets_changed(struct interp *interp, int column);
 
 /*
- * Between these two positions are those of the machine's axes, TCP or not, for
- * the codes that move the axes themselves (G28, G30, G53). suspend returns what
- * resume needs in *source.
+ * Between these two positions are those of the machine's axes, TCP and turned
+ * coordinates or not, for the codes that move the axes themselves (G28, G30,
+ * G53, M6). suspend fills in what resume needs.
  */
-bool tooling_suspend_tcp(struct interp *interp, int column, enum tcp_source *source);
-bool tooling_resume_tcp(struct interp *interp, int column, enum tcp_source source);
+struct suspended {
+	enum tcp_source tcp;
+	bool frame;
+};
+
+bool tooling_suspend(struct interp *interp, int column, struct suspended *suspended);
+bool tooling_resume(struct interp *interp, int column, const struct suspended *suspended);
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "base/units.h"
 #include "gcode/arc.h"
+#include "gcode/comp.h"
+#include "gcode/cycle.h"
+#include "gcode/frame.h"
+#include "gcode/synchronised.h"
 #include "gcode/target.h"
 #include "gcode/tooling.h"
 
@@ -13,26 +17,34 @@
 /* LinuxCNC's min_arc_angle (emccanon.cc). */
 #define SAME_ANGLE 1e-12
 
-bool travel_emit(struct interp *interp, const struct canon_move *move)
+void travel_fill(struct interp *interp, struct canon_move *move)
 {
 	const struct state *state = &interp->state;
-	struct canon_move full = *move;
 
-	full.line = interp->at.line;
-	full.number = ++interp->moves;
-	full.tcp = state->tcp != TCP_OFF;
-	full.blend = state->blend;
-	full.blend_tolerance = state->blend_tolerance;
-	return interp->sink->move(interp->sink->context, &full);
+	move->file = interp->at.file;
+	move->line = interp->at.line;
+	move->number = ++interp->moves;
+	move->tcp = state->tcp != TCP_OFF;
+	move->plane = state->tcp == TCP_BY_PLANE;
+	move->blend = state->blend;
+	move->blend_tolerance = state->blend_tolerance;
 }
 
-/* Goes there, and emits the move that its end completes. */
-static bool go(struct interp *interp, const slot_values *target, struct canon_move *move)
+bool travel_emit(struct interp *interp, const struct canon_move *move)
+{
+	struct canon_move full = *move;
+
+	travel_fill(interp, &full);
+	return comp_emit(interp, &full);
+}
+
+bool travel_go(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct state *state = &interp->state;
+	slot_values position = frame_position(state, target);
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		double here = state->position.v[slot], there = target->v[slot];
+		double here = state->position.v[slot], there = position.v[slot];
 
 		if (here < there || here > there)
 			state_set_position(state, slot, there);
@@ -41,83 +53,35 @@ static bool go(struct interp *interp, const slot_values *target, struct canon_mo
 	return travel_emit(interp, move);
 }
 
-static bool go_rapid(struct interp *interp, const slot_values *target)
-{
-	return go(interp, target, &(struct canon_move){.kind = CANON_RAPID});
-}
-
 /*
  * Milliseconds without a decimal point, in P only, on Fanuc and Haas controls
  * (Haas mill operator's manual, "G04 Dwell"); LinuxCNC's P is in seconds.
  */
+double travel_seconds(const struct interp *interp, char letter)
+{
+	const struct block *block = &interp->block;
+	double seconds = block_value(block, letter);
+
+	if (interp->config->dialect != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
+		seconds /= 1000;
+	else if (interp->config->least_input > 0 && letter != 'P' && !(block->points & letter_bit(letter)))
+		seconds *= interp->config->least_input;
+	return seconds;
+}
+
 bool travel_dwell(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	char letter = block_has(block, 'P') ? 'P' : block_has(block, 'X') ? 'X' : 'U';
-	double seconds = block_value(block, letter);
+	double seconds = travel_seconds(interp, letter);
 
 	if (seconds < 0)
 		return fault(&interp->at, block_column(block, letter), "a dwell cannot be negative");
-	if (interp->config->dialect != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
-		seconds /= 1000;
 	return travel_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
-/* To the reference position with the axes that the block names, or all. */
-static bool go_home(struct interp *interp, int index)
-{
-	const struct block *block = &interp->block;
-	struct state *state = &interp->state;
-	slot_values target = state->position;
-	bool all = !(block->letters & AXIS_BITS);
-
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!interp->config->has_axis[slot] || !(all || block_has(block, AXIS_LETTERS[slot])))
-			continue;
-		if (!target_absolute(interp, slot, state->reference[index].v[slot], 0, block->g_column[G_NONMODAL],
-				     &target.v[slot]))
-			return false;
-	}
-	return go_rapid(interp, &target);
-}
-
-/* LinuxCNC's manual, "G28, G28.1": by way of the point that the axis words name, which is a rapid of its own. */
-bool travel_reference(struct interp *interp)
-{
-	const struct block *block = &interp->block;
-	int column = block->g_column[G_NONMODAL], index = block->g[G_NONMODAL] == G30;
-	enum tcp_source source;
-	slot_values target;
-
-	if (block->letters & AXIS_BITS) {
-		if (!target_find(interp, false, &target) || !go_rapid(interp, &target))
-			return false;
-	}
-	return tooling_suspend_tcp(interp, column, &source) && go_home(interp, index) &&
-	       tooling_resume_tcp(interp, column, source);
-}
-
-bool travel_remember(struct interp *interp)
-{
-	const struct block *block = &interp->block;
-	int column = block->g_column[G_NONMODAL], index = block->g[G_NONMODAL] == G30_1;
-	enum tcp_source source;
-
-	if (!tooling_suspend_tcp(interp, column, &source))
-		return false;
-	interp->state.reference[index] = interp->state.position;
-	/* LinuxCNC keeps the reference of a wrapped axis within one turn. */
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double *angle = &interp->state.reference[index].v[slot];
-
-		if (interp->config->wrap[slot] != GCODE_WRAP_NONE)
-			*angle -= 360 * floor(*angle / 360);
-	}
-	return tooling_resume_tcp(interp, column, source);
-}
-
 /* LinuxCNC's manual, "Feed Rate" and "G93, G94, G95". */
-static bool find_feed(struct interp *interp, struct canon_feed *feed)
+bool travel_feed(struct interp *interp, struct canon_feed *feed)
 {
 	const struct block *block = &interp->block;
 	const struct state *state = &interp->state;
@@ -148,12 +112,12 @@ static bool find_feed(struct interp *interp, struct canon_feed *feed)
 	return true;
 }
 
-/* G53 suspends work offsets, length compensation and TCP for one block. */
+/* G53 suspends work offsets, turned coordinates, length compensation and TCP for one block. */
 static bool go_straight(struct interp *interp, bool machine)
 {
 	const struct block *block = &interp->block;
 	struct canon_move move = {.kind = block->motion == G0 ? CANON_RAPID : CANON_FEED};
-	enum tcp_source source = TCP_OFF;
+	struct suspended suspended;
 	slot_values target;
 	int column;
 
@@ -163,13 +127,16 @@ static bool go_straight(struct interp *interp, bool machine)
 	/* Only LinuxCNC minds a G1 without a feed that moves nothing. */
 	if (move.kind == CANON_FEED && !(block->letters & AXIS_BITS) && interp->config->dialect != GCODE_LINUXCNC)
 		return true;
-	if (move.kind == CANON_FEED && !find_feed(interp, &move.feed))
+	if (move.kind == CANON_FEED && !travel_feed(interp, &move.feed))
 		return false;
+	interp->comp.arc_refused = false;
+	if (!machine && comp_is_on(interp))
+		return target_find(interp, false, &target) && comp_line(interp, &target, &move);
 	if (!machine)
-		return target_find(interp, false, &target) && go(interp, &target, &move);
+		return target_find(interp, false, &target) && travel_go(interp, &target, &move);
 	column = block->g_column[G_NONMODAL];
-	return tooling_suspend_tcp(interp, column, &source) && target_find(interp, true, &target) &&
-	       go(interp, &target, &move) && tooling_resume_tcp(interp, column, source);
+	return tooling_suspend(interp, column, &suspended) && target_find(interp, true, &target) &&
+	       travel_go(interp, &target, &move) && tooling_resume(interp, column, &suspended);
 }
 
 /* The axes of an arc's plane, and the letters of its centre. */
@@ -190,7 +157,7 @@ static const struct arc_plane *find_plane(int code)
 }
 
 /* One coordinate of the centre: as an offset from the start (G91.1), or in program coordinates (G90.1). */
-static bool centre_word(struct interp *interp, char letter, enum axis_slot slot, double *value)
+static bool centre_word(struct interp *interp, char letter, enum axis_slot slot, double start, double *value)
 {
 	const struct block *block = &interp->block;
 	const struct state *state = &interp->state;
@@ -199,7 +166,7 @@ static bool centre_word(struct interp *interp, char letter, enum axis_slot slot,
 		return fault(&interp->at, block_motion_column(block),
 			     "an arc with an absolute centre (G90.1) needs both its words; %c is missing", letter);
 	*value = block_has(block, letter) ? block_value(block, letter) * state->scale : 0;
-	*value += state->arc_absolute ? state->offset.v[slot] : state->position.v[slot];
+	*value += state->arc_absolute ? state->offset.v[slot] : start;
 	return true;
 }
 
@@ -215,8 +182,8 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 		return fault(&interp->at, block_column(&interp->block, plane->not_used),
 			     "%c does not belong to the centre of an arc in the plane of G%d", plane->not_used,
 			     plane->code / 10);
-	if (!centre_word(interp, plane->centre_a, plane->a, &centre->a) ||
-	    !centre_word(interp, plane->centre_b, plane->b, &centre->b))
+	if (!centre_word(interp, plane->centre_a, plane->a, start.a, &centre->a) ||
+	    !centre_word(interp, plane->centre_b, plane->b, start.b, &centre->b))
 		return false;
 	switch (arc_check_centre(start, end, *centre, tolerance, &r0, &r1)) {
 	case ARC_ZERO_RADIUS:
@@ -254,13 +221,14 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 	}
 }
 
-static vec3 centre_in_space(const struct state *state, const struct arc_plane *plane, struct plane_point centre)
+static vec3 centre_in_space(const struct state *state, const slot_values *start, const struct arc_plane *plane,
+			    struct plane_point centre)
 {
-	double xyz[3] = {state->position.v[SLOT_X], state->position.v[SLOT_Y], state->position.v[SLOT_Z]};
+	double xyz[3] = {start->v[SLOT_X], start->v[SLOT_Y], start->v[SLOT_Z]};
 
 	xyz[plane->a] = centre.a;
 	xyz[plane->b] = centre.b;
-	return (vec3){xyz[0], xyz[1], xyz[2]};
+	return frame_point(state, (vec3){xyz[0], xyz[1], xyz[2]});
 }
 
 /* LinuxCNC's manual, "G2, G3 Arc Move". */
@@ -273,7 +241,7 @@ static bool go_arc(struct interp *interp)
 	const bool *has_axis = interp->config->has_axis;
 	struct canon_move move = {.kind = CANON_ARC};
 	struct plane_point start, end, centre;
-	slot_values target;
+	slot_values here = frame_straight(state), target;
 	int turns = 1;
 
 	if (!has_axis[plane->a] || !has_axis[plane->b])
@@ -283,39 +251,51 @@ static bool go_arc(struct interp *interp)
 	if (!block_has(block, 'R') && !(block->letters & offsets))
 		return fault(&interp->at, block_motion_column(block),
 			     "an arc needs a centre (I, J, K) or a radius (R)");
-	if (!find_feed(interp, &move.feed) || !target_find(interp, false, &target))
+	if (!travel_feed(interp, &move.feed) || !target_find(interp, false, &target))
 		return false;
 	/* A G64 in the block claims P as well; LinuxCNC gives it to both. */
 	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 1, INT_MAX, &turns))
 		return false;
-	start = (struct plane_point){state->position.v[plane->a], state->position.v[plane->b]};
+	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};
 	if (block_has(block, 'R') ? !find_arc_by_radius(interp, plane, start, end, &centre)
 				  : !find_arc_by_centre(interp, plane, start, end, &centre))
 		return false;
-	move.arc.centre = centre_in_space(state, plane, centre);
-	move.arc.normal = plane->normal;
+	if (interp->comp.arc_refused)
+		return fault(&interp->at, block_motion_column(block),
+			     "the move after cutter compensation (G40) must be straight, not an arc");
+	if (comp_is_on(interp))
+		return comp_arc(interp, &target, centre, turns, &move);
+	move.arc.centre = centre_in_space(state, &here, plane, centre);
+	move.arc.normal = frame_direction(state, plane->normal);
 	move.arc.sweep = arc_sweep(start, end, centre, block->motion == G2, turns,
 				   fmax(SAME_ANGLE, SAME_POINT / hypot(start.a - centre.a, start.b - centre.b)));
-	return go(interp, &target, &move);
+	return travel_go(interp, &target, &move);
 }
 
 bool travel_motion(struct interp *interp)
 {
 	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
 
-	switch (block->motion) {
-	case CODE_NONE:
+	if (block->motion == CODE_NONE)
 		return true;
+	if (code_is_cycle(block->motion))
+		return cycle_run(interp);
+	state->cycle.has_level = false;
+	switch (block->motion) {
 	case G80:
-		interp->state.motion = CODE_NONE;
+		state->motion = CODE_NONE;
 		return true;
 	case G0:
 	case G1:
-		interp->state.motion = block->motion;
+		state->motion = block->motion;
 		return go_straight(interp, block->g[G_NONMODAL] == G53);
-	default:
-		interp->state.motion = block->motion;
+	case G2:
+	case G3:
+		state->motion = block->motion;
 		return go_arc(interp);
+	default:
+		return synchronised_run(interp);
 	}
 }

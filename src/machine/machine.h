@@ -27,13 +27,28 @@ struct mcode {
 	enum mcode_action action;
 };
 
+/* Where the control sends axes by itself, in machine coordinates. */
+struct machine_place {
+	bool given;
+	bool has[SLOT_COUNT];
+	axis_values value;
+	int order[SLOT_COUNT];	/* slots that move one after another */
+	size_t order_count;
+};
+
+/* Reference positions: G28, and G30 P2 to P4. */
+#define PLACES_MAX 4
+
 struct controller {
 	enum dialect dialect;
 	enum rapid rapid;
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
+	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
 	const struct mcode *mcodes;
 	size_t mcode_count;
+	struct machine_place references[PLACES_MAX];
+	struct machine_place tool_change;
 };
 
 struct axis {

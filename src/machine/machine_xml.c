@@ -6,16 +6,18 @@
 #include "base/mem.h"
 #include "base/units.h"
 #include "machine/body_xml.h"
+#include "machine/place_xml.h"
 #include "machine/setup_xml.h"
 #include "machine/xml_read.h"
 
-/* A position this near to a limit, in mm or degrees, is inside. */
-#define LIMIT_TOLERANCE 1e-6
 /* Rates in mm or degrees a minute that are believed. */
 #define RATE_MIN 1e-6
 #define RATE_MAX 1e9
 #define ADJACENT_WITHIN 5.0
 #define MCODE_MAX 999
+/* Fanuc's increment systems are IS-A (0.01) to IS-E (0.000001). */
+#define LEAST_INPUT_MIN 1e-6
+#define LEAST_INPUT_MAX 1.0
 
 static void read_mcode(struct xml_reader *xml, const xmlNode *node, struct mcode *mcodes, size_t *count)
 {
@@ -53,8 +55,17 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, struct 
 	controller->path_tolerance = xml_length(xml, node, "path_tolerance", 0);
 	if (xml_attribute(node, "path_tolerance") && controller->path_tolerance <= 0)
 		xml_error(xml, node, "path_tolerance of <controller> must be more than 0");
-	for (const xmlNode *child = xml_first(node); child; child = xml_next(child))
-		read_mcode(xml, child, mcodes, &controller->mcode_count);
+	controller->least_input = xml_number(xml, node, "least_input", 0);
+	if (xml_attribute(node, "least_input") && !(controller->least_input >= LEAST_INPUT_MIN &&
+						    controller->least_input <= LEAST_INPUT_MAX))
+		xml_error(xml, node, "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
+			  xml_quote(xml_attribute(node, "least_input")).text);
+	if (xml_attribute(node, "least_input") && controller->dialect == DIALECT_LINUXCNC)
+		xml_error(xml, node, "least_input of <controller>: LinuxCNC has no least input increment");
+	for (const xmlNode *child = xml_first(node); child; child = xml_next(child)) {
+		if (xml_is(child, "mcode"))
+			read_mcode(xml, child, mcodes, &controller->mcode_count);
+	}
 	controller->mcodes = mcodes;
 }
 
@@ -265,7 +276,7 @@ static const xmlNode *child_of(const xmlNode *parent, const char *name)
 	return node;
 }
 
-/* Pairs name axes, and setups stand on the spindle and the table: so in this order, whatever the file's. */
+/* Pairs and places name axes, and setups stand on the spindle and the table: so in this order, whatever the file's. */
 static void read_machine(struct xml_reader *xml, struct machine *machine)
 {
 	const xmlNode *root = xml_root(xml);
@@ -279,6 +290,8 @@ static void read_machine(struct xml_reader *xml, struct machine *machine)
 	if (controller)
 		read_controller(xml, controller, machine);
 	read_base(xml, child_of(root, "base"), machine);
+	if (controller)
+		places_read(xml, controller, machine);
 	if (pairs)
 		read_pairs(xml, pairs, machine);
 	if (setup)

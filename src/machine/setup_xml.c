@@ -6,12 +6,41 @@
 #include "machine/body_xml.h"
 #include "machine/tool_xml.h"
 
+/* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
+static bool is_extended_name(const char *name)
+{
+	const char *number = NULL;
+
+	if (!strncmp(name, "G54.1 P", 7))
+		number = name + 7;
+	else if (!strncmp(name, "G154 P", 6))
+		number = name + 6;
+	return number && strlen(number) <= 2 && number[0] >= '1' && number[0] <= '9' &&
+	       (!number[1] || (number[1] >= '0' && number[1] <= '9'));
+}
+
+static bool is_work_offset_name(const char *name)
+{
+	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+		if (!strcmp(name, names[i]))
+			return true;
+	return is_extended_name(name);
+}
+
 static void read_work_offset(struct xml_reader *xml, const xmlNode *node, const struct machine *machine,
 			     struct setup *setup)
 {
 	const char *name = xml_attribute(node, "name");
 	struct work_offset offset = {.line = xmlGetLineNo(node)};
 
+	if (!is_work_offset_name(name)) {
+		xml_error(xml, node,
+			  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3 or "
+			  "G54.1 P1 to P99", xml_quote(name).text);
+		return;
+	}
 	for (size_t i = 0; i < setup->offset_count; i++) {
 		if (strcmp(setup->offsets[i].name, name) == 0) {
 			xml_error(xml, node, "work offset %s is given twice (the other in line %ld)", name,

@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "motion/limits.h"
+#include "motion/orient.h"
 #include "motion/timing.h"
 
 /*
@@ -35,7 +36,7 @@ void drive_init(struct drive *drive, const struct machine *machine, const struct
 
 static struct srcloc place(const struct drive *drive, const struct canon_move *move)
 {
-	return (struct srcloc){drive->name, move->line, 0};
+	return (struct srcloc){move->file ? move->file : drive->name, move->line, 0};
 }
 
 static bool is_in_reach(struct drive *drive, const struct canon_move *move)
@@ -64,14 +65,20 @@ static bool is_bearable(const struct drive *drive, const struct canon_move *move
 
 /* ------------------------------------------------------------------ paths */
 
+/* Takes the dust from the slots at and after `first`. */
+static void clean(axis_values *end, const axis_values *start, int first)
+{
+	for (int slot = first; slot < SLOT_COUNT; slot++)
+		if (fabs(end->v[slot] - start->v[slot]) <= DUST)
+			end->v[slot] = start->v[slot];
+}
+
 /* The move's end, without the dust. An arc keeps its X Y Z: they belong to its centre and sweep. */
 static axis_values clean_end(const struct canon_move *move, const axis_values *start)
 {
 	axis_values end = move->end;
 
-	for (int slot = move->kind == CANON_ARC ? SLOT_A : SLOT_X; slot < SLOT_COUNT; slot++)
-		if (fabs(end.v[slot] - start->v[slot]) <= DUST)
-			end.v[slot] = start->v[slot];
+	clean(&end, start, move->kind == CANON_ARC ? SLOT_A : SLOT_X);
 	return end;
 }
 
@@ -85,9 +92,16 @@ static int moving_axes(const struct path *path)
 	return count;
 }
 
+/* On a tilted plane the rotary axes stand still; a rapid that is no straight line is then made of the axes' own ways. */
+static bool goes_as_axes(const struct drive *drive, const struct canon_move *move)
+{
+	return move->tcp && move->plane && move->kind == CANON_RAPID &&
+	       drive->machine->controller.rapid != RAPID_LINEAR;
+}
+
 static enum path_kind kind_of(const struct drive *drive, const struct canon_move *move, const struct path *path)
 {
-	if (move->tcp)
+	if (move->tcp && !goes_as_axes(drive, move))
 		return PATH_TCP;
 	if (move->kind == CANON_ARC)
 		return PATH_ARC;
@@ -109,8 +123,13 @@ static struct path whole_path(const struct drive *drive, const struct canon_move
 	path.end = clean_end(move, &path.start);
 	if (path.circular)
 		path.arc = move->arc;
+	if (goes_as_axes(drive, move)) {
+		path.start = drive->position;
+		path.end = tcp_to_machine(&drive->tcp, &path.end);
+		clean(&path.end, &path.start, SLOT_X);
+	}
 	path.kind = kind_of(drive, move, &path);
-	if (move->tcp)
+	if (path.kind == PATH_TCP)
 		path.tcp = &drive->tcp;
 	return path;
 }
@@ -251,7 +270,7 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	double since = before + crossing->u * path->seconds;
 	struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
 				     .position = path_position(path, crossing->u), .time = drive->time + since,
-				     .block_time = drive->block_time + since, .line = run->move->line,
+				     .block_time = drive->block_time + since, .file = run->move->file, .line = run->move->line,
 				     .move = run->move->number, .tool = drive->tool};
 
 	run->outside = true;
@@ -285,7 +304,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct drive *drive = run->drive;
 	double seconds = leg->path.seconds;
-	struct motion_step step = {.line = run->move->line, .move = run->move->number, .tool = drive->tool,
+	struct motion_step step = {.file = run->move->file, .line = run->move->line, .move = run->move->number, .tool = drive->tool,
 				   .tolerance = run->tolerance, .outside = run->outside};
 	struct span_walk walk;
 
@@ -302,7 +321,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	drive->block_time += seconds;
 	drive->position = leg->span.q1;
 	drive->controller = leg->path.end;
-	drive->controller_guided = run->move->tcp;
+	drive->controller_guided = leg->path.kind == PATH_TCP;
 	return true;
 }
 
@@ -369,12 +388,19 @@ bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, 
 	return true;
 }
 
-bool drive_block(void *context, long line, const char *text, int moves)
+bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *orientation)
+{
+	struct drive *drive = context;
+
+	return orient_tool(drive->machine, loc, drive->diag, orientation);
+}
+
+bool drive_block(void *context, const char *file, long line, const char *text, int moves)
 {
 	struct drive *drive = context;
 	double seconds = drive->block_time;
 
 	drive->summary.blocks++;
 	drive->block_time = 0;
-	return drive->sink->block(drive->sink->context, line, text, seconds, moves);
+	return drive->sink->block(drive->sink->context, file, line, text, seconds, moves);
 }

@@ -45,6 +45,17 @@ static enum gcode_mcode mcode_of(enum mcode_action action)
 	return GCODE_IGNORE;
 }
 
+static struct gcode_place place_of(const struct machine_place *place)
+{
+	struct gcode_place made = {.given = place->given, .value = place->value, .order_count = place->order_count};
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		made.has[slot] = place->has[slot];
+		made.order[slot] = place->order[slot];
+	}
+	return made;
+}
+
 /* The interpreter's config, and the tables that it borrows. */
 struct glue {
 	struct gcode_config config;
@@ -62,6 +73,10 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	config->dialect = dialect_of(controller->dialect);
 	config->tcp_zero_offset = controller->tcp_zero_offset;
 	config->home = machine_home(machine);
+	config->least_input = controller->least_input;
+	for (int i = 0; i < REFERENCE_COUNT; i++)
+		config->references[i] = place_of(&controller->references[i]);
+	config->tool_change = place_of(&controller->tool_change);
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		config->has_axis[machine->axes[i].slot] = true;
 		config->wrap[machine->axes[i].slot] = wrap_of(machine->axes[i].wrap);
@@ -111,9 +126,12 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 		struct motion_summary *summary)
 {
 	struct glue glue = {.config = {.block_delete = options->block_delete,
-				       .last_duplicate_wins = options->last_duplicate_wins}};
+				       .last_duplicate_wins = options->last_duplicate_wins,
+				       .includes = options->includes,
+				       .include_count = options->include_count,
+				       .max_blocks = options->max_blocks}};
 	struct drive drive;
-	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block};
+	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient};
 	struct interp *interp;
 	bool ok;
 

@@ -14,6 +14,7 @@
 /* One span of the program, in the order of time. */
 struct motion_step {
 	struct span span;	/* its path is borrowed during the call */
+	const char *file;	/* of the block, the program's or a subprogram's; lives as long as the run */
 	long line;	/* of the block */
 	int move;	/* of the block, from 1 */
 	int tool;	/* in the spindle; 0: none */
@@ -31,6 +32,7 @@ struct motion_limit {
 	axis_values position;	/* where the axes are at that instant */
 	double time;
 	double block_time;
+	const char *file;
 	long line;
 	int move;
 	int tool;
@@ -44,14 +46,17 @@ struct motion_sink {
 	bool (*step)(void *context, const struct motion_step *step);
 	/* A new tool is in the spindle, with the axes at `position`. */
 	bool (*tool)(void *context, int tool, const axis_values *position);
-	/* A block is complete: its text, its motion time in s (dwells excluded), its number of moves. */
-	bool (*block)(void *context, long line, const char *text, double seconds, int moves);
+	/* A block is complete: its file, its text, its motion time in s (dwells excluded), its number of moves. */
+	bool (*block)(void *context, const char *file, long line, const char *text, double seconds, int moves);
 };
 
 struct motion_options {
 	double flatness;	/* mm: no axis of a step's chord deviates by more */
 	bool block_delete;
 	bool last_duplicate_wins;
+	const char *const *includes;	/* folders of subprogram files, after the program's own */
+	size_t include_count;
+	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };
 
 /* What a run was. */

@@ -53,7 +53,7 @@ static bool dump_limit(void *context, const struct motion_limit *limit)
 	struct dump *dump = context;
 
 	if (!dump->past_limit)
-		diag_warning(dump->diag, (struct srcloc){dump->name, limit->line, 0},
+		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
 			     "axis %c leaves its travel at the limit of %.10g %s; "
 			     "--parse-only --all lists every such place",
 			     AXIS_LETTERS[limit->slot], quantity_value(limit->slot, limit->bound),
@@ -70,9 +70,10 @@ static bool dump_tool(void *context, int tool, const axis_values *position)
 	return true;
 }
 
-static bool dump_block(void *context, long line, const char *text, double seconds, int moves)
+static bool dump_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	(void)context;
+	(void)file;
 	(void)line;
 	(void)text;
 	(void)seconds;

@@ -1,5 +1,7 @@
 #include "report/verdict.h"
 
+#include <string.h>
+
 #include "report/quantity.h"
 
 static bool is_cutting(const struct scene *scene, const struct scene_pair *pair)
@@ -25,6 +27,8 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 
 	quantity_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
+	if (v->first_file && strcmp(v->first_file, v->file))
+		strbuf_addf(out, " of %s", v->first_file);
 	if (!v->options->all)
 		strbuf_addf(out, "; stopped there (--all goes on)");
 }

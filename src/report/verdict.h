@@ -16,6 +16,7 @@ struct verdict {
 	const struct check_stats *stats;
 	const struct scene *scene;
 	long first_line;	/* of the first finding */
+	const char *first_file;	/* the same; NULL: `file` */
 };
 
 /*

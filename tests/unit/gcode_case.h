@@ -118,17 +118,33 @@ static inline bool case_tcp(void *context, const struct canon_tcp *tcp, struct s
 	return true;
 }
 
-static inline bool case_block(void *context, long line, const char *text, int moves)
+/* The control of case_turn's table, with A on it that tilts the tool's direction about X: direction = (0, sin A, cos A). */
+static inline bool case_orient(void *context, struct srcloc loc, struct canon_orientation *orientation)
 {
 	struct gcode_case *c = context;
 
+	if (fabs(orientation->direction.x) > 1e-9) {
+		diag_error(&c->diag, loc, "no such plane here");
+		return false;
+	}
+	orientation->rotary.v[SLOT_A] = atan2(orientation->direction.y, orientation->direction.z);
+	strbuf_addf(&c->moves, "orient %.9g %.9g %.9g\n", tidy(orientation->direction.x),
+		    tidy(orientation->direction.y), tidy(orientation->direction.z));
+	return true;
+}
+
+static inline bool case_block(void *context, const char *file, long line, const char *text, int moves)
+{
+	struct gcode_case *c = context;
+
+	(void)file;
 	strbuf_addf(&c->blocks, "%ld:%d:%s\n", line, moves, text);
 	return true;
 }
 
 static inline bool case_run_stream(struct gcode_case *c, FILE *in)
 {
-	struct canon_sink sink = {c, case_move, case_tcp, case_block};
+	struct canon_sink sink = {c, case_move, case_tcp, case_block, case_orient};
 	struct interp *interp;
 	bool good;
 

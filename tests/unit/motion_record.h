@@ -80,10 +80,11 @@ static inline bool on_tool(void *context, int tool, const axis_values *position)
 	return true;
 }
 
-static inline bool on_block(void *context, long line, const char *text, double seconds, int moves)
+static inline bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	struct record *record = context;
 
+	(void)file;
 	record->blocks++;
 	record->block_seconds = seconds;
 	record->block_moves = moves;
@@ -109,7 +110,7 @@ static inline void start(struct record *record, const struct machine *machine)
 
 static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
 {
-	return (struct canon_move){.kind = kind, .line = 12, .number = 1, .end = end,
+	return (struct canon_move){.kind = kind, .file = "part.nc", .line = 12, .number = 1, .end = end,
 				   .feed = {.linear = 20, .angular = radians(30)}};
 }
 

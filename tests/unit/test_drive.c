@@ -254,7 +254,7 @@ START_TEST(dwells_tools_and_blocks)
 	ck_assert_int_eq(record.steps[1].tool, 7);
 	ck_assert_double_eq_tol(record.steps[1].time, 4.5, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].block_time, 0.5, 1e-12);
-	ck_assert(drive_block(&record.drive, 12, "G1 X30", 2));
+	ck_assert(drive_block(&record.drive, "part.nc", 12, "G1 X30", 2));
 	ck_assert_double_eq_tol(record.block_seconds, 1.5, 1e-12);
 	ck_assert_int_eq(record.block_moves, 2);
 	ck_assert_str_eq(record.block_text, "G1 X30");

@@ -194,8 +194,9 @@ static bool check_stream_move(void *context, const struct canon_move *move)
 	return true;
 }
 
-static bool skip_block(void *context, long line, const char *text, int moves)
+static bool skip_block(void *context, const char *file, long line, const char *text, int moves)
 {
+	(void)file;
 	(void)context;
 	(void)line;
 	return text[0] == 'N' ? moves == 1 : moves == 0;
@@ -206,7 +207,7 @@ START_TEST(streaming)
 {
 	struct gcode_config config = {.has_axis = {true, true, true}};
 	int count = 0, ends[2];
-	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block};
+	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block, NULL};
 	struct diag diag = {0};
 	struct interp *interp;
 	pthread_t writer;

@@ -21,7 +21,10 @@ static const char trunnion[] =
 	"    <pair a='base' b='cover' check='never' reason='bellows'/>\n"
 	"    <pair a='holder' b='fixture' clearance='1'/>\n"
 	"  </pairs>\n"
-	"  <controller dialect='haas' rapid='dogleg' tcp_zero='offset' path_tolerance='0.02'>\n"
+	"  <controller dialect='haas' rapid='dogleg' tcp_zero='offset' path_tolerance='0.02' "
+	"least_input='0.001'>\n"
+	"    <tool_change Y='-10' C='90' X='3' order='Y XC'/><reference number='1' Y='11'/>\n"
+	"    <reference number='3' X='1' Y='-2' order='YX'/>\n"
 	"    <mcode number='428' action='tcp-on'/><mcode number='429' action='tcp-off'/><mcode number='10' "
 	"action='ignore'/>\n"
 	"  </controller>\n"
@@ -111,7 +114,7 @@ START_TEST(reads_bodies_and_mounts)
 	ck_assert_uint_eq(m->body_count, 4);
 	ck_assert_str_eq(m->bodies[0].name, "bed");
 	ck_assert_str_eq(m->bodies[0].mesh_path, "ac/bed.stl");
-	ck_assert_int_eq(m->bodies[0].loc.line, 12);
+	ck_assert_int_eq(m->bodies[0].loc.line, 14);
 	ck_assert_str_eq(m->bodies[0].loc.file, "m.xml");
 	ck_assert_double_eq(m->bodies[0].scale, 1);
 	ck_assert_str_eq(m->bodies[1].mesh_path, "/abs/head.stl");
@@ -131,6 +134,25 @@ START_TEST(reads_bodies_and_mounts)
 }
 END_TEST
 
+static void check_places(const struct controller *controller)
+{
+	const struct machine_place *change = &controller->tool_change, *first = &controller->references[0],
+				   *third = &controller->references[2];
+
+	ck_assert_double_eq(controller->least_input, 0.001);
+	ck_assert(change->given && change->has[SLOT_X] && change->has[SLOT_Y] && change->has[SLOT_C]);
+	ck_assert(!change->has[SLOT_Z] && !change->has[SLOT_A]);
+	ck_assert_double_eq(change->value.v[SLOT_Y], -10);
+	ck_assert_double_eq(change->value.v[SLOT_C], radians(90));
+	ck_assert_uint_eq(change->order_count, 3);
+	ck_assert(change->order[0] == SLOT_Y && change->order[1] == SLOT_X && change->order[2] == SLOT_C);
+	ck_assert(first->given && first->has[SLOT_Y] && !first->has[SLOT_X]);
+	ck_assert_double_eq(first->value.v[SLOT_Y], 11);
+	ck_assert_uint_eq(first->order_count, 0);
+	ck_assert(!controller->references[1].given && !controller->references[3].given);
+	ck_assert(third->order_count == 2 && third->order[0] == SLOT_Y && third->order[1] == SLOT_X);
+}
+
 START_TEST(reads_controller_and_pairs)
 {
 	struct machine *m;
@@ -144,6 +166,7 @@ START_TEST(reads_controller_and_pairs)
 	ck_assert_uint_eq(m->controller.mcode_count, 3);
 	ck_assert_int_eq(m->controller.mcodes[1].number, 429);
 	ck_assert_int_eq(m->controller.mcodes[1].action, MCODE_TCP_OFF);
+	check_places(&m->controller);
 	ck_assert_double_eq(m->adjacent_within, 7.5);
 	ck_assert_uint_eq(m->rule_count, 3);
 	ck_assert_int_eq(m->rules[0].a.kind, NAME_BODY);
@@ -377,6 +400,24 @@ static const struct xml_case bad[] = {
      "m.xml:3: error: the machine has a second <spindle>\n"},
     {BASE("<workholding/>" AXIS_X ">\n<workholding/></axis>"),
      "m.xml:3: error: the machine has a second <workholding>\n"},
+    {MACHINE("<controller least_input='0.001'/><base/>"),
+     "m.xml:2: error: least_input of <controller>: LinuxCNC has no least input increment\n"},
+    {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
+     "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
+    {MACHINE("<controller><tool_change X='1'/></controller><base/>"),
+     "m.xml:2: error: <tool_change> has a position for X, but the machine has no axis X\n"
+     "m.xml:2: error: <tool_change> gives no position\n"},
+    {MACHINE("<controller><reference number='5'/></controller><base/>"),
+     "m.xml:2: error: number=\"5\" of <reference> is not between 1 and 4\n"
+     "m.xml:2: error: <reference> gives no position\n"},
+    {MACHINE("<controller><tool_change X='1' order='Z'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change>: it gives no position for 'Z'\n"},
+    {MACHINE("<controller><tool_change X='1' order='XX'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change> names X twice\n"},
+    {MACHINE("<controller><tool_change X='1' order=''/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change> leaves out X\n"},
+    {MACHINE("<controller><tool_change X='1'/>\n<tool_change X='2'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:3: error: <tool_change> is given twice\n"},
     {MACHINE("<controller path_tolerance='0'/><base/>"),
      "m.xml:2: error: path_tolerance of <controller> must be more than 0\n"},
     {MACHINE(

@@ -1,0 +1,41 @@
+/* comp.h - cutter radius compensation (G40, G41, G42) of LinuxCNC: moves beside the programmed path. */
+#ifndef FIVECHECK_GCODE_COMP_H
+#define FIVECHECK_GCODE_COMP_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/*
+ * LinuxCNC's manual, "Cutter Compensation", and its 2.9 interpreter: the first
+ * move leads beside the path, outside corners are rounded, at inside ones the
+ * ways are cut off where they cross. The end of a move is known only with the
+ * next one: moves wait, and the ends of their blocks with them. While
+ * compensation is on, state.position is the programmed point.
+ */
+
+/* Before anything else of the block, and after G40 to G42: what compensation forbids. */
+bool comp_start_block(struct interp *interp);
+bool comp_check_block(struct interp *interp);
+
+/* G40, G41, G41.1, G42, G42.1 of the block; nothing without one. */
+bool comp_select(struct interp *interp);
+
+/* Moves are to be made by comp_line and comp_arc. */
+bool comp_is_on(const struct interp *interp);
+
+/* To the programmed position; of an arc the programmed centre and its turns. */
+bool comp_line(struct interp *interp, const slot_values *target, struct canon_move *move);
+bool comp_arc(struct interp *interp, const slot_values *target, struct plane_point centre, int turns,
+	      struct canon_move *move);
+
+/* Sends a complete move to the sink, after those that wait. */
+bool comp_emit(struct interp *interp, const struct canon_move *move);
+
+/* Tells the sink that the block is carried out, once its moves are. */
+bool comp_end_block(struct interp *interp);
+
+/* The program stops here: what waits ends where it stands. */
+bool comp_stop(struct interp *interp);
+
+#endif

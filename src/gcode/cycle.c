@@ -1,0 +1,418 @@
+#include "gcode/cycle.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "gcode/frame.h"
+#include "gcode/target.h"
+#include "gcode/travel.h"
+
+/* LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a parameter, and on the way in any case. */
+#define PECK_CLEARANCE 0.254
+
+/* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
+#define COUNT_MAX 1000000
+
+struct cycle {
+	struct interp *interp;
+	int code;
+	bool linuxcnc;
+	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
+	struct canon_feed feed;
+	slot_values at;	/* straight position of the tool */
+	slot_values step;	/* from hole to hole */
+	int repeats;
+	double r, bottom, clear;	/* straight positions on the drilling axis */
+	double dwell;	/* seconds */
+	bool dwells;
+	double peck;	/* mm */
+	double shift_a, shift_b, top;	/* G87: aside, and the straight position of the counterbore's top */
+};
+
+/* ------------------------------------------------------------------ words */
+
+/* The word of the block or, if an earlier block of the cycle gave it, that one; `column` is to blame for want of both. */
+static bool cycle_word(struct cycle *cycle, char letter, bool kept, double *value)
+{
+	struct interp *interp = cycle->interp;
+	struct cycle_memory *memory = &interp->state.cycle;
+	bool given = block_has(&interp->block, letter);
+
+	if (!given && !(kept && (memory->known & letter_bit(letter))))
+		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c", cycle->code / 10,
+			     letter);
+	*value = given ? block_value(&interp->block, letter) : memory->word[letter - 'A'];
+	memory->known |= letter_bit(letter);
+	memory->word[letter - 'A'] = *value;
+	return true;
+}
+
+/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: "Drilling data"). */
+static bool keeps_words(const struct cycle *cycle)
+{
+	int before = cycle->interp->state.motion;
+
+	return cycle->linuxcnc ? before == cycle->code : before != CODE_NONE && code_is_cycle(before);
+}
+
+static void find_axes(struct cycle *cycle)
+{
+	int plane = cycle->interp->state.plane;
+
+	cycle->a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
+	cycle->b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
+	cycle->depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+}
+
+/* The drilling axis' word is kept under the letter Z in every plane. */
+static bool find_bottom(struct cycle *cycle, bool kept, double *value)
+{
+	struct interp *interp = cycle->interp;
+	struct cycle_memory *memory = &interp->state.cycle;
+	char letter = AXIS_LETTERS[cycle->depth];
+
+	if (block_has(&interp->block, letter)) {
+		memory->word['Z' - 'A'] = block_value(&interp->block, letter);
+		memory->known |= letter_bit('Z');
+	} else if (!kept || !(memory->known & letter_bit('Z'))) {
+		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs its depth in %c",
+			     cycle->code / 10, letter);
+	}
+	*value = memory->word['Z' - 'A'];
+	return true;
+}
+
+/*
+ * Where the tool retracts to. LinuxCNC's interpreter starts with G99, unless
+ * the machine's RS274NGC_STARTUP_CODE changes that; the others with G98.
+ */
+static double find_clear(struct cycle *cycle, double level)
+{
+	struct interp *interp = cycle->interp;
+	int retract = interp->state.retract;
+
+	if (cycle->linuxcnc && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
+		caution(&interp->at, block_motion_column(&interp->block),
+			"a cycle before any G98 or G99: the tool retracts to R (G99), unless the machine's "
+			"RS274NGC_STARTUP_CODE says otherwise");
+		interp->cautioned_retract = true;
+	}
+	if (retract == G99 || (cycle->linuxcnc && retract == CODE_NONE))
+		return cycle->r;
+	return cycle->linuxcnc ? fmax(level, cycle->r) : level;
+}
+
+/* The height before the first of the cycles, and what R, the depth and G98 or G99 make of it. */
+static bool find_heights(struct cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	struct state *state = &interp->state;
+	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
+
+	if (!cycle_word(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
+		return false;
+	if (!state->cycle.has_level) {
+		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
+		state->cycle.has_level = true;
+	}
+	level = state->cycle.level * scale + offset;
+	cycle->r = r * scale + (state->incremental ? level : offset);
+	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
+	if (cycle->r < cycle->bottom)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10,
+			     cycle->r - offset, cycle->bottom - offset);
+	cycle->clear = find_clear(cycle, level);
+	return true;
+}
+
+static bool find_dwell(struct cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	const struct cycle_memory *memory = &interp->state.cycle;
+	bool given = block_has(&interp->block, 'P');
+	bool needed = cycle->linuxcnc && (cycle->code == G82 || cycle->code == G86 || cycle->code == G89);
+	bool optional = cycle->code != G73 && cycle->code != G81 && cycle->code != G83 && cycle->code != G85 &&
+			cycle->code != G87;
+
+	if (!needed && !optional)
+		return true;
+	/* LinuxCNC's taps take the dwell of whatever cycle was before. */
+	kept = kept || (cycle->linuxcnc && !needed);
+	cycle->dwells = cycle->linuxcnc || given || (kept && (memory->known & letter_bit('P')));
+	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
+		return true;
+	if (given && block_value(&interp->block, 'P') < 0)
+		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell cannot be negative");
+	if (given)
+		interp->block.value['P' - 'A'] = travel_seconds(interp, 'P');
+	return cycle_word(cycle, 'P', kept, &cycle->dwell);
+}
+
+static bool find_peck(struct cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	int column = block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q')
+						    : block_motion_column(&interp->block);
+	double q;
+
+	if (cycle->code != G73 && cycle->code != G83)
+		return true;
+	if (!cycle_word(cycle, 'Q', kept, &q))
+		return false;
+	/* Fanuc ignores its sign. */
+	cycle->peck = (cycle->linuxcnc ? q : fabs(q)) * interp->state.scale;
+	if (!(cycle->peck > 0))
+		return fault(&interp->at, column, "Q of G%d must be greater than 0", cycle->code / 10);
+	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
+		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
+			     COUNT_MAX);
+	return true;
+}
+
+static bool find_back_bore(struct cycle *cycle, bool kept)
+{
+	const struct state *state = &cycle->interp->state;
+	double a, b, top;
+
+	if (cycle->code != G87)
+		return true;
+	/* I, J and K go with X, Y and Z. */
+	if (!cycle_word(cycle, "IJK"[cycle->a], kept, &a) || !cycle_word(cycle, "IJK"[cycle->b], kept, &b) ||
+	    !cycle_word(cycle, "IJK"[cycle->depth], kept, &top))
+		return false;
+	cycle->shift_a = a * state->scale;
+	cycle->shift_b = b * state->scale;
+	cycle->top = top * state->scale + (state->incremental ? cycle->bottom : state->offset.v[cycle->depth]);
+	return true;
+}
+
+/* L, and on Fanuc controls K: so many holes, one step of G91 apart. */
+static bool find_repeats(struct cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	const struct block *block = &interp->block;
+	char letter = interp->config->dialect == GCODE_FANUC ? 'K' : 'L';
+
+	cycle->repeats = 1;
+	if (!block_has(block, letter))
+		return true;
+	if (!block_integer(block, &interp->at, letter, 0, COUNT_MAX, &cycle->repeats))
+		return false;
+	if (cycle->repeats == 0 && cycle->linuxcnc)
+		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
+			     cycle->code / 10);
+	/* The words are kept and nothing is drilled; whether the tool goes there is not the same everywhere. */
+	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
+		return fault(&interp->at, block_column(block, letter),
+			     "%c0 with a position: whether the tool goes there depends on the control; leave out one "
+			     "of them", letter);
+	return true;
+}
+
+/* Where the holes are: rotary axes may go there with them, but not in LinuxCNC. */
+static bool find_holes(struct cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	const struct state *state = &interp->state;
+	slot_values target;
+
+	for (int slot = 0; slot < SLOT_COUNT && cycle->linuxcnc; slot++) {
+		if (slot > SLOT_Z && block_has(&interp->block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
+				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
+	}
+	if (!target_find(interp, false, &target))
+		return false;
+	target.v[cycle->depth] = cycle->at.v[cycle->depth];
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		double way = target.v[slot] - cycle->at.v[slot];
+
+		cycle->step.v[slot] = state->incremental ? way : 0;
+		if (!state->incremental)
+			cycle->at.v[slot] = target.v[slot];
+	}
+	return true;
+}
+
+/* LinuxCNC up to 2.9 (interp_cycles.cc) puts the coordinates of its taps in order for the plane twice. */
+static bool check_tap_plane(struct cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+
+	if (!cycle->linuxcnc || interp->state.plane == G17 || (cycle->code != G74 && cycle->code != G84))
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "G%d in the plane of G%d: LinuxCNC confuses the axes and goes elsewhere; use G33.1",
+		     cycle->code / 10, interp->state.plane / 10);
+}
+
+static bool check_spindle(struct cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	enum spindle_turn turn = interp->state.spindle;
+	int column = block_motion_column(&interp->block), code = cycle->code;
+
+	/* Other controls start the spindle themselves. */
+	if (!cycle->linuxcnc || (code != G74 && code != G84 && code != G86 && code != G87))
+		return true;
+	if (turn == SPINDLE_STOPPED)
+		return fault(&interp->at, column, "G%d while the spindle stands", code / 10);
+	if (code == (turn == SPINDLE_CLOCKWISE ? G74 : G84))
+		return fault(&interp->at, column, "G%d while the spindle turns %s", code / 10,
+			     turn == SPINDLE_CLOCKWISE ? "clockwise" : "counter-clockwise");
+	return true;
+}
+
+/* ------------------------------------------------------------------ moves */
+
+static bool go(struct cycle *cycle, enum canon_kind kind, double height)
+{
+	struct canon_move move = {.kind = kind, .feed = cycle->feed};
+
+	cycle->at.v[cycle->depth] = height;
+	return travel_go(cycle->interp, &cycle->at, &move);
+}
+
+static bool rapid(struct cycle *cycle, double height)
+{
+	return go(cycle, CANON_RAPID, height);
+}
+
+static bool feed(struct cycle *cycle, double height)
+{
+	return go(cycle, CANON_FEED, height);
+}
+
+static bool rest(struct cycle *cycle)
+{
+	return !cycle->dwells || travel_emit(cycle->interp, &(struct canon_move){.kind = CANON_DWELL,
+										 .seconds = cycle->dwell});
+}
+
+static bool make_pecks(struct cycle *cycle)
+{
+	for (double depth = cycle->r - cycle->peck; depth > cycle->bottom; depth -= cycle->peck) {
+		if (!feed(cycle, depth) || (cycle->code == G83 && !rapid(cycle, cycle->r)) ||
+		    !rapid(cycle, depth + PECK_CLEARANCE))
+			return false;
+	}
+	return feed(cycle, cycle->bottom) && rapid(cycle, cycle->clear);
+}
+
+static bool step_aside(struct cycle *cycle, double sign, double height)
+{
+	cycle->at.v[cycle->a] += sign * cycle->shift_a;
+	cycle->at.v[cycle->b] += sign * cycle->shift_b;
+	return rapid(cycle, height);
+}
+
+/* Down beside the hole's axis, up on it with the tool turning, and out the same way. */
+static bool bore_back(struct cycle *cycle)
+{
+	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) &&
+	       step_aside(cycle, -1, cycle->bottom) && feed(cycle, cycle->top) && feed(cycle, cycle->bottom) &&
+	       step_aside(cycle, 1, cycle->bottom) && rapid(cycle, cycle->clear) &&
+	       step_aside(cycle, -1, cycle->clear);
+}
+
+/* Out at the feed: LinuxCNC all the way for taps and G89, the others to R, and on from there at the rapid rate. */
+static bool feed_out(struct cycle *cycle)
+{
+	if (cycle->linuxcnc && cycle->code != G85)
+		return feed(cycle, cycle->clear);
+	return feed(cycle, cycle->r) && rapid(cycle, cycle->clear);
+}
+
+static bool make_hole(struct cycle *cycle)
+{
+	switch (cycle->code) {
+	case G73:
+	case G83:
+		return make_pecks(cycle);
+	case G87:
+		return bore_back(cycle);
+	case G74:
+	case G84:
+	case G85:
+	case G89:
+		return feed(cycle, cycle->bottom) && rest(cycle) && feed_out(cycle);
+	default:
+		return feed(cycle, cycle->bottom) && rest(cycle) && rapid(cycle, cycle->clear);
+	}
+}
+
+/* LinuxCNC goes over the hole at its own height if that is above R, and else on the way to where holes are left. */
+static bool go_over(struct cycle *cycle, bool first, double height)
+{
+	double over = !cycle->linuxcnc || (first && height > cycle->r) ? height : cycle->clear;
+
+	if (!rapid(cycle, over))
+		return false;
+	if (cycle->linuxcnc && !(over > cycle->r))
+		return true;
+	return rapid(cycle, cycle->r);
+}
+
+static bool make_holes(struct cycle *cycle)
+{
+	double height = cycle->at.v[cycle->depth];
+
+	for (int i = 0; i < cycle->repeats; i++) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++)
+			cycle->at.v[slot] += cycle->step.v[slot];
+		if (!go_over(cycle, i == 0, height) || !make_hole(cycle))
+			return false;
+		height = cycle->at.v[cycle->depth];
+	}
+	return true;
+}
+
+/* LinuxCNC first leaves what lies below R, straight up. */
+static bool rise(struct cycle *cycle)
+{
+	const struct state *state = &cycle->interp->state;
+	double level = state->cycle.level * state->scale + state->offset.v[cycle->depth];
+
+	return !cycle->linuxcnc || !(level < cycle->r) || rapid(cycle, cycle->r);
+}
+
+static bool make_cycle(struct cycle *cycle)
+{
+	struct state *state = &cycle->interp->state;
+	bool blend = state->blend, good;
+
+	if (!rise(cycle) || !find_holes(cycle))
+		return false;
+	/* LinuxCNC drills in exact path mode, whatever is in force. */
+	if (cycle->linuxcnc)
+		state->blend = false;
+	good = make_holes(cycle);
+	state->blend = blend;
+	return good;
+}
+
+bool cycle_run(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	struct cycle cycle = {.interp = interp, .code = interp->block.motion,
+			      .linuxcnc = interp->config->dialect == GCODE_LINUXCNC, .at = frame_straight(state)};
+	int column = block_motion_column(&interp->block);
+	bool kept;
+
+	if (state->feed_mode == FEED_INVERSE_TIME)
+		return fault(&interp->at, column, "G%d in inverse time mode (G93)", cycle.code / 10);
+	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
+		state->cycle.known = 0;
+	find_axes(&cycle);
+	kept = keeps_words(&cycle);
+	if (!travel_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
+	    !find_dwell(&cycle, kept) || !find_peck(&cycle, kept) || !find_back_bore(&cycle, kept) ||
+	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
+		return false;
+	state->motion = cycle.code;
+	/* Fanuc and Haas drill in blocks that name an axis. */
+	if (!cycle.linuxcnc && (cycle.repeats == 0 || !(interp->block.letters & AXIS_BITS)))
+		return true;
+	return make_cycle(&cycle);
+}

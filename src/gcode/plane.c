@@ -1,0 +1,192 @@
+#include "gcode/plane.h"
+
+#include "base/units.h"
+#include "gcode/frame.h"
+#include "gcode/tooling.h"
+#include "gcode/travel.h"
+
+static double word_or(const struct interp *interp, char letter, double otherwise)
+{
+	return block_has(&interp->block, letter) ? block_value(&interp->block, letter) : otherwise;
+}
+
+static vec3 plane_normal(int plane)
+{
+	return plane == G17 ? (vec3){0, 0, 1} : plane == G18 ? (vec3){0, 1, 0} : (vec3){1, 0, 0};
+}
+
+/* The centre's words; where one is missing, the tool stands on the centre. */
+static bool find_centre(struct interp *interp, vec3 *centre)
+{
+	const struct state *state = &interp->state;
+	int across = state->plane == G17 ? SLOT_Z : state->plane == G18 ? SLOT_Y : SLOT_X;
+	double at[3];
+
+	for (int slot = SLOT_X; slot < SLOT_COUNT; slot++) {
+		bool given = block_has(&interp->block, AXIS_LETTERS[slot]);
+
+		if (given && (slot > SLOT_Z || slot == across))
+			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
+				     "%c does not belong to the centre of G68 in the plane of G%d",
+				     AXIS_LETTERS[slot], state->plane / 10);
+		if (slot <= SLOT_Z)
+			at[slot] = given ? block_value(&interp->block, AXIS_LETTERS[slot]) * state->scale
+					 : state->position.v[slot] - state->offset.v[slot];
+	}
+	*centre = (vec3){at[0], at[1], at[2]};
+	return true;
+}
+
+/*
+ * Fanuc 30i-B operator's manual (B-64484EN), "Coordinate system rotation (G68,
+ * G69)"; Haas mill operator's manual, "G68 Rotation": by R degrees about a
+ * centre in the plane, counter-clockwise.
+ */
+static bool turn_in_plane(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int column = interp->block.g_column[G_ROTATION];
+	struct frame frame = {.on = true};
+	vec3 centre = {0, 0, 0};
+
+	if (!block_has(&interp->block, 'R'))
+		return fault(&interp->at, column, "G68 needs its angle in R");
+	if (!find_centre(interp, &centre))
+		return false;
+	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
+	frame.origin = vec3_sub(centre, mat3_apply(&frame.turn, centre));
+	state->frame = frame;
+	return true;
+}
+
+/*
+ * Fanuc 30i-B operator's manual, "Tilted working plane indexing", G68.2 by
+ * Euler's angles: about Z by I, about the new X by J, about the new Z by K.
+ */
+static bool tilt(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	const vec3 x = {1, 0, 0}, z = {0, 0, 1};
+	struct frame frame = {.on = true, .waits_for_tool = true};
+	mat3 first, second, third;
+
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, block->g_column[G_ROTATION],
+			     "G68.2 under tool centre point control; cancel that first");
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c does not belong to G68.2, whose origin is in X, Y and Z", AXIS_LETTERS[slot]);
+	}
+	first = mat3_turn(z, radians(word_or(interp, 'I', 0)));
+	second = mat3_turn(x, radians(word_or(interp, 'J', 0)));
+	third = mat3_turn(z, radians(word_or(interp, 'K', 0)));
+	first = mat3_mul(&first, &second);
+	frame.turn = mat3_mul(&first, &third);
+	frame.origin = vec3_scale(state->scale, (vec3){word_or(interp, 'X', 0), word_or(interp, 'Y', 0),
+						       word_or(interp, 'Z', 0)});
+	state->frame = frame;
+	return true;
+}
+
+static bool turn_back(struct interp *interp)
+{
+	struct state *state = &interp->state;
+
+	state->frame = (struct frame){0};
+	return state->tcp != TCP_BY_PLANE ||
+	       tooling_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF);
+}
+
+bool plane_turn(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_ROTATION], column = interp->block.g_column[G_ROTATION];
+
+	if (code == CODE_NONE || code == G69)
+		return true;
+	if (state->frame.on)
+		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
+	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
+	if (state->incremental)
+		return fault(&interp->at, column, "%s in incremental distance mode (G91) is not supported yet",
+			     code == G68 ? "G68" : "G68.2");
+	return code == G68 ? turn_in_plane(interp) : tilt(interp);
+}
+
+/*
+ * The same manual, "Tool axis direction control (G53.1)": the rotary axes turn
+ * at the rapid rate and the linear ones stand still. From here on a tool
+ * point is meant on the workpiece, which may have turned with its table.
+ */
+bool plane_orient_tool(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL];
+	struct canon_orientation orientation = {.rotary = state->canonical};
+	slot_values target = state->position;
+	bool good;
+
+	if (!state->frame.on || !state->frame.waits_for_tool)
+		return fault(&interp->at, column, "G53.1 needs a plane that G68.2 has just tilted");
+	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
+	orientation.rotary_zero = tooling_rotary_zero(interp);
+	if (!interp->sink->orient(interp->sink->context, line_loc(&interp->at, column), &orientation))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (interp->config->has_axis[slot])
+			target.v[slot] = state_from_canonical(slot, orientation.rotary.v[slot]);
+	}
+	/* Machine axes, in the machine's coordinates. */
+	state->frame.on = false;
+	good = travel_go(interp, &target, &(struct canon_move){.kind = CANON_RAPID});
+	state->frame.on = true;
+	state->frame.waits_for_tool = false;
+	return good && tooling_switch_tcp(interp, column, TCP_BY_PLANE);
+}
+
+static bool changes_offsets(const struct block *block)
+{
+	int code = block->g[G_NONMODAL];
+
+	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
+}
+
+bool plane_start_block(struct interp *interp)
+{
+	const struct frame *frame = &interp->state.frame;
+	const struct block *block = &interp->block;
+	const char *name = interp->state.tcp == TCP_BY_PLANE || frame->waits_for_tool ? "G68.2" : "G68";
+	int column = block->g_column[G_NONMODAL];
+
+	if (!frame->on)
+		return true;
+	if (block->g[G_ROTATION] == G69)
+		return turn_back(interp);
+	if (changes_offsets(block))
+		return fault(&interp->at, block->g[G_SYSTEM] != CODE_NONE ? block->g_column[G_SYSTEM] : column,
+			     "a change of offsets while %s is in force is not supported; G69 first", name);
+	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+		return fault(&interp->at, block->g_column[G_LENGTH],
+			     "tool centre point control while %s is in force; G69 first", name);
+	if (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE)
+		return fault(&interp->at, block->m_column[M_TCP],
+			     "tool centre point control while %s is in force; G69 first", name);
+	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
+		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
+			return fault(&interp->at, block->g_column[G_PLANE],
+				     "a change of the plane while G68 is in force; G69 first");
+		return true;
+	}
+	if (block->g[G_NONMODAL] == G53 || block->g[G_NONMODAL] == G28 || block->g[G_NONMODAL] == G30)
+		return true;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]) && block->g[G_ROTATION] == CODE_NONE)
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c while G68.2 is in force: the tool would leave the direction of its plane",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}

@@ -1,0 +1,18 @@
+/* plane.h - coordinates turned by the program: in the plane (G68), in space (G68.2, with G53.1), and back (G69). */
+#ifndef FIVECHECK_GCODE_PLANE_H
+#define FIVECHECK_GCODE_PLANE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* Before anything else of the block: G69, and what cannot be done while coordinates are turned. */
+bool plane_start_block(struct interp *interp);
+
+/* G68 and G68.2 of the block; nothing without one. */
+bool plane_turn(struct interp *interp);
+
+/* G53.1: turns the rotary axes so that the tool stands on the tilted plane. */
+bool plane_orient_tool(struct interp *interp);
+
+#endif

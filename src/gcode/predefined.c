@@ -1,0 +1,203 @@
+#include "gcode/predefined.h"
+
+#include <math.h>
+
+#include "gcode/params.h"
+#include "gcode/state.h"
+
+/* Ranges of numbers, each of one value a slot. */
+enum {
+	MACHINE_POSITION = 5021,
+	PROBE = 5061,
+	PROBE_RESULT = 5070,
+	LENGTH_OFFSET = 5081,
+	REFERENCE_1 = 5161,
+	REFERENCE_2 = 5181,
+	SHIFT_APPLIED = 5210,
+	SHIFT = 5211,
+	SYSTEM = 5220,
+	WORK = 5221,
+	WORK_STEP = 20,
+	WORK_END = WORK + SYSTEM_COUNT * WORK_STEP,
+	INPUT = 5399,
+	TOOL = 5400,
+	TOOL_OFFSET = 5401,
+	TOOL_DIAMETER = 5410,
+	TOOL_END = 5413,
+	POSITION = 5420,
+	CHANGER_FAULT = 5600,
+	CHANGER_REASON = 5601
+};
+
+static bool in_slots(int number, int first)
+{
+	return number >= first && number < first + SLOT_COUNT;
+}
+
+/* What only the machine knows; NULL: nothing of it. */
+static const char *real_time(int number)
+{
+	if (number >= PROBE && number <= PROBE_RESULT)
+		return "what a probe has found";
+	if (number == INPUT)
+		return "what M66 has read from an input";
+	if (number == CHANGER_FAULT || number == CHANGER_REASON)
+		return "what the tool changer reports";
+	return NULL;
+}
+
+static bool differs_by_version(int number)
+{
+	return in_slots(number, MACHINE_POSITION) || in_slots(number, LENGTH_OFFSET);
+}
+
+/* -------------------------------------------------------------- the tool */
+
+static const struct gcode_tool *tool_in_spindle(const struct interp *interp)
+{
+	const struct gcode_config *config = interp->config;
+
+	for (size_t i = 0; i < config->tool_count; i++) {
+		if (config->tools[i].number == interp->state.tool)
+			return &config->tools[i];
+	}
+	return NULL;
+}
+
+static bool tool_number(struct interp *interp, int number, int column, double *value)
+{
+	const struct gcode_tool *tool = tool_in_spindle(interp);
+
+	*value = number == TOOL ? interp->state.tool : 0;
+	if (number == TOOL || interp->state.tool == 0)
+		return true;
+	if (!tool)
+		return fault(&interp->at, column, "#%d: no setup defines the tool in the spindle, T%d", number,
+			     interp->state.tool);
+	if (number > TOOL_DIAMETER)
+		return fault(&interp->at, column,
+			     "#%d: a tool's angles and orientation are the business of lathes and not known here",
+			     number);
+	if (number == TOOL_DIAMETER)
+		*value = tool->diameter;
+	else if (number == TOOL_OFFSET + SLOT_Z)
+		*value = tool->length_offset;
+	return true;
+}
+
+/* ------------------------------------------------------ offsets, position */
+
+bool predefined_position_is_plain(struct interp *interp, int column)
+{
+	if (interp->comp.side != 0)
+		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
+	if (!interp->state.frame.on)
+		return true;
+	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read");
+}
+
+static double program_position(const struct state *state, int slot)
+{
+	double value = state->position.v[slot] - state->offset.v[slot];
+
+	return slot_is_rotary(slot) ? value : value / state->scale;
+}
+
+static void work_is_used(struct interp *interp, int system, int column)
+{
+	if (interp->config->has_setup && !interp->state.work_known[system])
+		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
+			state_system_name(system));
+	interp->state.work_known[system] = true;
+}
+
+static double work_number(struct interp *interp, int number, int column)
+{
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
+
+	if (slot >= SLOT_COUNT)
+		return slot == SLOT_COUNT ? 0 : interp->params.numbered[number];
+	work_is_used(interp, system, column);
+	return interp->state.work[system].v[slot];
+}
+
+bool predefined_number(struct interp *interp, int number, int column, double *value)
+{
+	const struct state *state = &interp->state;
+	const char *who = real_time(number);
+
+	*value = interp->params.numbered[number];
+	if (number < MACHINE_POSITION)
+		return true;
+	if (who)
+		return fault(&interp->at, column, "#%d holds %s, which is not known before the program runs", number,
+			     who);
+	if (differs_by_version(number))
+		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+	if (number >= TOOL && number <= TOOL_END)
+		return tool_number(interp, number, column, value);
+	if (in_slots(number, POSITION)) {
+		*value = program_position(state, number - POSITION);
+		return predefined_position_is_plain(interp, column);
+	}
+	if (in_slots(number, REFERENCE_1))
+		*value = state->reference[0].v[number - REFERENCE_1];
+	else if (in_slots(number, REFERENCE_2))
+		*value = state->reference[1].v[number - REFERENCE_2];
+	else if (number == SHIFT_APPLIED)
+		*value = state->shift_applied;
+	else if (in_slots(number, SHIFT))
+		*value = state->saved_shift.v[number - SHIFT];
+	else if (number == SYSTEM)
+		*value = state->system + 1;
+	else if (number >= WORK && number < WORK_END)
+		*value = work_number(interp, number, column);
+	return true;
+}
+
+/* LinuxCNC takes a new value of these over at some later time, or never: nothing is guessed. */
+static bool check_work(struct interp *interp, int number, int column)
+{
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
+
+	if (slot == SLOT_COUNT)
+		return fault(&interp->at, column, "#%d: rotation of a coordinate system is not supported here", number);
+	if (slot > SLOT_COUNT || system != interp->state.system)
+		return true;
+	return fault(&interp->at, column,
+		     "#%d belongs to %s, which is in force: LinuxCNC would heed it only when %s is selected again; "
+		     "use G10 L2 P%d",
+		     number, state_system_name(system), state_system_name(system), system + 1);
+}
+
+bool predefined_check_number(struct interp *interp, int number, int column)
+{
+	if ((number >= TOOL && number <= TOOL_END) || in_slots(number, POSITION))
+		return fault(&interp->at, column, "#%d can only be read", number);
+	if (differs_by_version(number))
+		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+	if (number == SYSTEM)
+		return fault(&interp->at, column, "#%d does not select a coordinate system; use G54 to G59.3", number);
+	if (number == SHIFT_APPLIED)
+		return fault(&interp->at, column, "#%d does not apply the shift; use G92.2 and G92.3", number);
+	if (number >= WORK && number < WORK_END)
+		return check_work(interp, number, column);
+	return true;
+}
+
+void predefined_set_number(struct interp *interp, int number, double value)
+{
+	struct state *state = &interp->state;
+
+	interp->params.numbered[number] = value;
+	if (in_slots(number, REFERENCE_1))
+		state->reference[0].v[number - REFERENCE_1] = value;
+	else if (in_slots(number, REFERENCE_2))
+		state->reference[1].v[number - REFERENCE_2] = value;
+	else if (in_slots(number, SHIFT))
+		state->saved_shift.v[number - SHIFT] = value;
+	else if (number >= WORK && number < WORK_END && (number - WORK) % WORK_STEP < SLOT_COUNT) {
+		state->work[(number - WORK) / WORK_STEP].v[(number - WORK) % WORK_STEP] = value;
+		state->work_known[(number - WORK) / WORK_STEP] = true;
+	}
+}

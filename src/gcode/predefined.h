@@ -1,0 +1,38 @@
+/* predefined.h - parameters that the interpreter fills in: offsets, positions, modes, the tool. */
+#ifndef FIVECHECK_GCODE_PREDEFINED_H
+#define FIVECHECK_GCODE_PREDEFINED_H
+
+#include <stdbool.h>
+
+struct interp;
+
+/*
+ * LinuxCNC's manual, "Numbered Parameters", "Predefined Named Parameters".
+ * What depends on the machine's state in real time, or on its INI and HAL
+ * files, is a fault that says so. Lengths of offsets, references and tools are
+ * in mm, positions in the program's unit, angles in degrees.
+ */
+
+/* The value of #number. False: reported at the column. */
+bool predefined_number(struct interp *interp, int number, int column, double *value);
+
+/* Is the position one that programs can read? False: reported at the column. */
+bool predefined_position_is_plain(struct interp *interp, int column);
+
+/* Can the program write #number? False: reported at the column. */
+bool predefined_check_number(struct interp *interp, int number, int column);
+
+/* Writes it, with what that changes of offsets and reference positions. */
+void predefined_set_number(struct interp *interp, int number, double value);
+
+/* Names that are LinuxCNC's own, "_x". */
+bool predefined_name_exists(const char *name);
+bool predefined_name(struct interp *interp, const char *name, int column, double *value);
+
+/* Can the program write #<name>? False: reported at the column. */
+bool predefined_check_name(struct interp *interp, const char *name, int column);
+
+/* Reports that there is no parameter of this name; false. */
+bool predefined_fault_unknown(struct interp *interp, const char *name, int column);
+
+#endif

@@ -1,0 +1,142 @@
+#include "gcode/reference.h"
+
+#include <math.h>
+
+#include "gcode/target.h"
+#include "gcode/tooling.h"
+#include "gcode/travel.h"
+
+static bool go_rapid(struct interp *interp, const slot_values *target)
+{
+	return travel_go(interp, target, &(struct canon_move){.kind = CANON_RAPID});
+}
+
+static bool is_named(const struct interp *interp, int slot)
+{
+	bool all = !(interp->block.letters & AXIS_BITS);
+
+	return interp->config->has_axis[slot] && (all || block_has(&interp->block, AXIS_LETTERS[slot]));
+}
+
+/*
+ * To a place of the machine with the axes marked: one after another as the
+ * place orders them, then those that it does not order, together.
+ */
+static bool go_to_place(struct interp *interp, const struct gcode_place *place, const slot_values *values,
+			bool moves[SLOT_COUNT], int column)
+{
+	slot_values target = interp->state.position;
+	bool left = false;
+
+	for (size_t i = 0; i < place->order_count; i++) {
+		int slot = place->order[i];
+
+		if (!moves[slot])
+			continue;
+		moves[slot] = false;
+		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]) ||
+		    !go_rapid(interp, &target))
+			return false;
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		left = left || moves[slot];
+		if (moves[slot] &&
+		    !target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
+			return false;
+	}
+	return !(left || place->order_count == 0) || go_rapid(interp, &target);
+}
+
+/* Which of the four reference positions: G28 is the first, G30 the second, and by P on Fanuc controls the others. */
+static bool find_number(struct interp *interp, int *index)
+{
+	const struct block *block = &interp->block;
+	int number = 2;
+
+	*index = 0;
+	if (block->g[G_NONMODAL] == G28)
+		return true;
+	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCE_COUNT, &number))
+		return false;
+	*index = number - 1;
+	if (number == 2 || interp->config->references[*index].given)
+		return true;
+	return fault(&interp->at, block_column(block, 'P'),
+		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
+		     "<controller> gives it", number, number);
+}
+
+static slot_values place_values(const struct interp *interp, int index)
+{
+	slot_values values;
+
+	if (index < 2)
+		return interp->state.reference[index];
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		values.v[slot] = state_from_canonical(slot, interp->config->references[index].value.v[slot]);
+	return values;
+}
+
+/*
+ * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, "Reference
+ * position return"; Haas, "G28": by way of the point that the axis words name,
+ * which is a rapid of its own, and on with these axes, or with all.
+ */
+bool reference_go(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL], index;
+	struct suspended suspended;
+	slot_values target, values;
+	bool moves[SLOT_COUNT];
+
+	if (!find_number(interp, &index))
+		return false;
+	values = place_values(interp, index);
+	if (block->letters & AXIS_BITS) {
+		if (!target_find(interp, false, &target) || !go_rapid(interp, &target))
+			return false;
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		moves[slot] = is_named(interp, slot);
+	return tooling_suspend(interp, column, &suspended) &&
+	       go_to_place(interp, &interp->config->references[index], &values, moves, column) &&
+	       tooling_resume(interp, column, &suspended);
+}
+
+bool reference_remember(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL], index = block->g[G_NONMODAL] == G30_1;
+	struct suspended suspended;
+
+	if (!tooling_suspend(interp, column, &suspended))
+		return false;
+	interp->state.reference[index] = interp->state.position;
+	/* LinuxCNC keeps the reference of a wrapped axis within one turn. */
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		double *angle = &interp->state.reference[index].v[slot];
+
+		if (interp->config->wrap[slot] != GCODE_WRAP_NONE)
+			*angle -= 360 * floor(*angle / 360);
+	}
+	return tooling_resume(interp, column, &suspended);
+}
+
+bool reference_change_tool(struct interp *interp)
+{
+	const struct gcode_place *place = &interp->config->tool_change;
+	int column = interp->block.m_column[M_TOOL];
+	struct suspended suspended;
+	slot_values values;
+	bool moves[SLOT_COUNT];
+
+	if (!place->given)
+		return true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		values.v[slot] = state_from_canonical(slot, place->value.v[slot]);
+		moves[slot] = place->has[slot];
+	}
+	return tooling_suspend(interp, column, &suspended) &&
+	       go_to_place(interp, place, &values, moves, column) && tooling_resume(interp, column, &suspended);
+}

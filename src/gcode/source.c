@@ -1,0 +1,114 @@
+#include "gcode/source.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/mem.h"
+#include "base/strbuf.h"
+
+static struct source *add(struct sources *sources, FILE *in, const char *name)
+{
+	struct source *source = mem_zalloc(1, sizeof(*source));
+
+	source->name = mem_strndup(name, strlen(name));
+	reader_init(&source->reader, in);
+	sources->items[sources->count++] = source;
+	return source;
+}
+
+void sources_open_main(struct sources *sources, FILE *in, const char *name)
+{
+	add(sources, in, name);
+}
+
+void sources_close(struct sources *sources)
+{
+	for (size_t i = 0; i < sources->count; i++) {
+		struct source *source = sources->items[i];
+
+		reader_release(&source->reader);
+		if (source->file)
+			fclose(source->file);
+		source->file = NULL;
+	}
+}
+
+void sources_release(struct sources *sources)
+{
+	sources_close(sources);
+	for (size_t i = 0; i < sources->count; i++) {
+		free(sources->items[i]->name);
+		free(sources->items[i]);
+	}
+	sources->count = 0;
+}
+
+struct position source_here(struct source *source)
+{
+	return (struct position){source, source->reader.start, source->reader.line};
+}
+
+struct position source_next(struct source *source)
+{
+	return (struct position){source, reader_position(&source->reader), source->reader.line + 1};
+}
+
+/* A regular file; a pipe of that name must not make the program wait. */
+static FILE *open_regular(const char *path)
+{
+	int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+	struct stat status;
+	FILE *file = NULL;
+
+	if (fd < 0)
+		return NULL;
+	if (!fstat(fd, &status) && S_ISREG(status.st_mode))
+		file = fdopen(fd, "rb");
+	if (!file)
+		close(fd);
+	return file;
+}
+
+/* The file of a folder, which ends in '/' or is empty; NULL: not there. */
+static struct source *find_in(struct sources *sources, const char *folder, size_t length, const char *label)
+{
+	struct source *source = NULL;
+	struct strbuf path = {0};
+	FILE *file;
+
+	strbuf_add(&path, folder, length);
+	if (length > 0 && folder[length - 1] != '/')
+		strbuf_add(&path, "/", 1);
+	strbuf_addf(&path, "%s.ngc", label);
+	for (size_t i = 1; i < sources->count && !source; i++) {
+		if (!strcmp(sources->items[i]->name, path.text))
+			source = sources->items[i];
+	}
+	if (!source && (file = open_regular(path.text))) {
+		source = add(sources, file, path.text);
+		source->file = file;
+	}
+	strbuf_release(&path);
+	return source;
+}
+
+bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
+		  const struct line_place *at, int column, struct source **source)
+{
+	const char *name = sources->items[0]->name, *slash = strrchr(name, '/');
+
+	*source = NULL;
+	if (strpbrk(label, "/\\") || strstr(label, "..") || label[0] == '.' || label[0] == '\0')
+		return fault(at, column, "a subprogram's file has a plain name, without folders; '%s' is none", label);
+	if (sources->count == SOURCE_MAX)
+		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
+	/* Standard input has no folder. */
+	if (strcmp(name, "<stdin>"))
+		*source = find_in(sources, name, slash ? (size_t)(slash + 1 - name) : 0, label);
+	for (size_t i = 0; i < config->include_count && !*source; i++)
+		*source = find_in(sources, config->includes[i], strlen(config->includes[i]), label);
+	return true;
+}

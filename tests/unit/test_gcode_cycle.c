@@ -1,0 +1,275 @@
+/* test_gcode_cycle.c - canned cycles, tapping and probing as moves; tool change and reference moves; faults of each. */
+#include "gcode_case.h"
+
+static void run(enum gcode_dialect dialect, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = dialect;
+	case_expect(&c, program, moves);
+}
+
+/* LinuxCNC's manual, "G81 Drilling Cycle", its examples 1 to 3. */
+START_TEST(drilling)
+{
+	run(GCODE_LINUXCNC, "F9 G0 X1 Y2 Z3\nG90 G81 G98 X4 Y5 Z1.5 R2.8\nM2\n",
+	    "rapid 1 2 3 0 0\nrapid 4 5 3 0 0\nrapid 4 5 2.8 0 0\nfeed 4 5 1.5 0 0\nrapid 4 5 3 0 0\n");
+	run(GCODE_LINUXCNC, "F9 G0 X1 Y2 Z3\nG91 G81 G98 X4 Y5 Z-0.6 R1.8 L3\nM2\n",
+	    "rapid 1 2 3 0 0\n"
+	    "rapid 1 2 4.8 0 0\nrapid 5 7 4.8 0 0\nfeed 5 7 4.2 0 0\nrapid 5 7 4.8 0 0\n"
+	    "rapid 9 12 4.8 0 0\nfeed 9 12 4.2 0 0\nrapid 9 12 4.8 0 0\n"
+	    "rapid 13 17 4.8 0 0\nfeed 13 17 4.2 0 0\nrapid 13 17 4.8 0 0\n");
+	run(GCODE_LINUXCNC, "F9\nG90 G98 G81 X4 Y5 Z1.5 R2.8\nM2\n",
+	    "rapid 0 0 2.8 0 0\nrapid 4 5 2.8 0 0\nfeed 4 5 1.5 0 0\nrapid 4 5 2.8 0 0\n");
+}
+END_TEST
+
+/* G99 stays at R; the level of G98 is that before the first of the cycles; words are kept. */
+START_TEST(retract)
+{
+	run(GCODE_LINUXCNC, "F9 G0 Z10\nG99 G81 X1 Z-1 R2\nX2\nG98 X3\nG80\nM2\n",
+	    "rapid 0 0 10 0 0\n"
+	    "rapid 1 0 10 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 2 0 0\n"
+	    "rapid 2 0 2 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 2 0 0\n"
+	    /* LinuxCNC rises on the way, others over the hole. */
+	    "rapid 3 0 10 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -1 0 0\nrapid 3 0 10 0 0\n");
+	run(GCODE_FANUC, "F9 G0 Z10.\nG99 G81 X1. Z-1. R2.\nX2.\nG98 X3.\nG80\nM30\n",
+	    "rapid 0 0 10 0 0\n"
+	    "rapid 1 0 10 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 2 0 0\n"
+	    "rapid 2 0 2 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 2 0 0\n"
+	    "rapid 3 0 2 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -1 0 0\nrapid 3 0 10 0 0\n");
+}
+END_TEST
+
+/* LinuxCNC 2.9 comes back to 0.254 mm above the last peck. */
+START_TEST(pecking)
+{
+	run(GCODE_LINUXCNC, "F9 G0 Z3\nG98 G83 X1 Z-4 R1 Q2\nG73 X2 Z-2 R1 Q2\nM2\n",
+	    "rapid 0 0 3 0 0\n"
+	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\nrapid 1 0 -0.746 0 0\n"
+	    "feed 1 0 -3 0 0\nrapid 1 0 1 0 0\nrapid 1 0 -2.746 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 3 0 0\n"
+	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 -0.746 0 0\nfeed 2 0 -2 0 0\n"
+	    "rapid 2 0 3 0 0\n");
+}
+END_TEST
+
+START_TEST(dwell_and_feed_out)
+{
+	run(GCODE_LINUXCNC, "F9 G0 Z3 M3 S9\nG98 G82 X1 Z-1 R1 P.5\nG85 X2 Z-1 R1\nG89 X3 Z-1 R1 P1\nG84 X4 Z-1 R1\nM2\n",
+	    "rapid 0 0 3 0 0\n"
+	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
+	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
+	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 1\nfeed 3 0 3 0 0\n"
+	    "rapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\ndwell 1\nfeed 4 0 3 0 0\n");
+	/* Fanuc B-64484EN, "Tapping cycle (G84)", "Drilling cycle, counter boring (G82)": P in ms, the feed ends at R. */
+	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
+	    "rapid 0 0 3 0 0\n"
+	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
+	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\ndwell 0.5\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
+	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 0.5\nfeed 3 0 1 0 0\nrapid 3 0 3 0 0\n");
+}
+END_TEST
+
+START_TEST(planes)
+{
+	run(GCODE_LINUXCNC, "F9 G18 G98 G81 X1 Z2 Y-3 R1\nG19 G81 Y4 Z5 X-1 R2\nM2\n",
+	    "rapid 0 1 0 0 0\nrapid 1 1 2 0 0\nfeed 1 -3 2 0 0\nrapid 1 1 2 0 0\n"
+	    "rapid 2 1 2 0 0\nrapid 2 4 5 0 0\nfeed -1 4 5 0 0\nrapid 2 4 5 0 0\n");
+}
+END_TEST
+
+/* LinuxCNC: interp_cycles.cc, convert_cycle_g87. */
+START_TEST(back_boring)
+{
+	run(GCODE_LINUXCNC, "F9 G0 Z5 M3\nG98 G87 X10 Z-8 R2 I1 J2 K-3\nM2\n",
+	    "rapid 0 0 5 0 0\n"
+	    "rapid 10 0 5 0 0\nrapid 10 0 2 0 0\nrapid 11 2 2 0 0\nrapid 11 2 -8 0 0\nrapid 10 0 -8 0 0\n"
+	    "feed 10 0 -3 0 0\nfeed 10 0 -8 0 0\nrapid 11 2 -8 0 0\nrapid 11 2 5 0 0\nrapid 10 0 5 0 0\n");
+}
+END_TEST
+
+/* Fanuc: K holes; K0 keeps the words; rotary axes go to the hole with the rest. Haas: L. */
+START_TEST(repeats)
+{
+	run(GCODE_FANUC, "F9 G0 Z3.\nG91 G99 G81 X1. C90. Z-2. R-1. K2\nM30\n",
+	    "rapid 0 0 3 0 0\n"
+	    "rapid 1 0 3 0 90\nrapid 1 0 2 0 90\nfeed 1 0 0 0 90\nrapid 1 0 2 0 90\n"
+	    "rapid 2 0 2 0 180\nrapid 2 0 2 0 180\nfeed 2 0 0 0 180\nrapid 2 0 2 0 180\n");
+	run(GCODE_HAAS, "F9 G0 Z3.\nG98 G81 Z-1. R1. L0\nX4.\nM30\n",
+	    "rapid 0 0 3 0 0\nrapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\nrapid 4 0 3 0 0\n");
+}
+END_TEST
+
+START_TEST(threads_and_probes)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.show_feed = true;
+	case_expect(&c, "M3 S120\nG33 Z-5 K1.5\nG33.1 Z5 K2 I3\nF60 G38.2 X7\nM2\n",
+		    "feed 0 0 -5 0 0 at 3 3\n"
+		    "feed 0 0 5 0 0 at 4 4\nfeed 0 0 -5 0 0 at 12 4\n"
+		    "feed 7 0 -5 0 0 at 1 1\n");
+}
+END_TEST
+
+/* The default is G99 in LinuxCNC's interpreter, but its machines may have a startup code. */
+START_TEST(default_retract)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	ck_assert(case_run(&c, "F9 G0 Z3\nG81 X1 Z-1 R1\nX2\nM2\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "rapid 0 0 3 0 0\nrapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\n"
+			 "rapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 1 0 0\n");
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:2:1: warning: a cycle before any G98 or G99: the tool retracts to R (G99), unless the "
+			 "machine's RS274NGC_STARTUP_CODE says otherwise\n    G81 X1 Z-1 R1\n    ^\n");
+	case_release(&c);
+}
+END_TEST
+
+static struct gcode_place place_at(double x, double y, double z)
+{
+	return (struct gcode_place){.given = true, .has = {true, true, true}, .value = {{x, y, z}}};
+}
+
+/* Z first, then X, then Y; work offsets and lengths do not matter. */
+START_TEST(tool_change_moves)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.tool_change = place_at(100, 50, 300);
+	c.config.tool_change.order[0] = SLOT_Z;
+	c.config.tool_change.order[1] = SLOT_X;
+	c.config.tool_change.order[2] = SLOT_Y;
+	c.config.tool_change.order_count = 3;
+	case_expect(&c, "G10 L2 P1 X7 Z9\nG0 X0 Y0\nT3 M6\nG0 X1\nM2\n",
+		    "rapid 7 0 0 0 0\n"
+		    "rapid 7 0 300 0 0\nrapid 100 0 300 0 0\nrapid 100 50 300 0 0\ntool 3\n"
+		    "rapid 8 50 300 0 0\n");
+}
+END_TEST
+
+START_TEST(reference_positions)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = GCODE_FANUC;
+	c.config.references[0] = place_at(1, 2, 3);
+	c.config.references[1] = place_at(10, 20, 30);
+	c.config.references[2] = place_at(100, 200, 300);
+	c.config.references[1].order[0] = SLOT_Z;
+	c.config.references[1].order_count = 1;
+	case_expect(&c, "G28 X5. Z6.\nG30 X0. Y0. Z0.\nG91 G30 P3 Z0.\nM30\n",
+		    "rapid 5 0 6 0 0\nrapid 1 0 3 0 0\n"
+		    "rapid 0 0 0 0 0\nrapid 0 0 30 0 0\nrapid 10 20 30 0 0\n"
+		    "rapid 10 20 30 0 0\nrapid 10 20 300 0 0\n");
+	/* LinuxCNC's G28.1 takes the place of the file's position. */
+	case_init(&c);
+	c.config.references[0] = place_at(1, 2, 3);
+	case_expect(&c, "G28\nG0 X9\nG28.1\nG0 X0\nG28\nM2\n",
+		    "rapid 1 2 3 0 0\nrapid 9 2 3 0 0\nrapid 0 2 3 0 0\nrapid 9 2 3 0 0\n");
+}
+END_TEST
+
+struct bad {
+	enum gcode_dialect dialect;
+	const char *block;
+	int column;
+	const char *message;
+};
+
+static const struct bad bads[] = {
+    {GCODE_LINUXCNC, "G81 X1 Z-1", 1, "G81 needs R"},
+    {GCODE_LINUXCNC, "G81 X1 R1", 1, "G81 needs its depth in Z"},
+    {GCODE_LINUXCNC, "G18 G81 X1 Z1 R1", 5, "G81 needs its depth in Y"},
+    {GCODE_LINUXCNC, "G81 R1", 1, "G81 without an axis word"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R-2", 1, "R of G81, -2 mm, lies below the depth, -1 mm"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 L0", 15, "G81 cannot be repeated 0 times"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 L1.5", 15, "L1.5: a whole number from 0 to 1000000 is needed"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 P1", 15, "no code in the block uses the word P"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 Q1", 15, "no code in the block uses the word Q"},
+    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 A5", 15, "A in a canned cycle: it moves X, Y and Z only"},
+    {GCODE_LINUXCNC, "G82 X1 Z-1 R1", 1, "G82 needs P"},
+    {GCODE_LINUXCNC, "G82 X1 Z-1 R1 P-1", 15, "a dwell cannot be negative"},
+    {GCODE_LINUXCNC, "G83 X1 Z-1 R1", 1, "G83 needs Q"},
+    {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q0", 15, "Q of G83 must be greater than 0"},
+    {GCODE_LINUXCNC, "G73 X1 Z-1 R1 Q-1", 15, "Q of G73 must be greater than 0"},
+    {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q.0000001", 15, "Q1e-07 of G83 makes more than 1000000 pecks"},
+    {GCODE_LINUXCNC, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
+    {GCODE_LINUXCNC, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
+    {GCODE_LINUXCNC, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
+    {GCODE_LINUXCNC, "M3 G18 G84 X1 Z1 Y-1 R1", 8,
+     "G84 in the plane of G18: LinuxCNC confuses the axes and goes elsewhere; use G33.1"},
+    {GCODE_LINUXCNC, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
+    {GCODE_LINUXCNC, "M3 G87 X1 Z-1 R1 I1 J1", 4, "G87 needs K"},
+    {GCODE_LINUXCNC, "G88 X1 Z-1 R1 P1", 1,
+     "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
+    {GCODE_LINUXCNC, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
+    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93)"},
+    {GCODE_LINUXCNC, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
+    {GCODE_LINUXCNC, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
+    {GCODE_LINUXCNC, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
+    {GCODE_LINUXCNC, "G33 Z-1", 1, "G33 needs its pitch in K"},
+    {GCODE_LINUXCNC, "G33 Z-1 K1", 1, "G33 while the spindle stands"},
+    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed"},
+    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K0", 15, "a pitch of 0"},
+    {GCODE_LINUXCNC, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves X, Y and Z only"},
+    {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
+    {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
+    {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95)"},
+    {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
+     "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
+    {GCODE_FANUC, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
+    {GCODE_FANUC, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
+    {GCODE_HAAS, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
+    {GCODE_FANUC, "G30 P3 X0.", 5,
+     "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
+    {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
+    {GCODE_FANUC, "G28 P2 X0.", 5, "no code in the block uses the word P"},
+};
+
+START_TEST(refused)
+{
+	const struct bad *bad = &bads[_i];
+	struct strbuf program = {0}, expected = {0};
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = bad->dialect;
+	strbuf_addf(&program, "F9\n%s\n", bad->block);
+	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
+	strbuf_addf(&expected, "p.nc:2:%d: error: %s\n    %s\n    %*s\n", bad->column, bad->message, bad->block,
+		    bad->column, "^");
+	ck_assert_str_eq(strbuf_text(&c.messages), expected.text);
+	strbuf_release(&program);
+	strbuf_release(&expected);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {drilling,		 retract,	  pecking,	  dwell_and_feed_out,
+					     planes,		 back_boring,	  repeats,	  threads_and_probes,
+					     default_retract,	 tool_change_moves, reference_positions};
+	Suite *suite = suite_create("gcode_cycle");
+	TCase *tcase = tcase_create("gcode_cycle");
+	SRunner *runner;
+	int failed;
+
+	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
+		tcase_add_test(tcase, tests[i]);
+	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
