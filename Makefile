@@ -65,7 +65,7 @@ check:
 	@sh scripts/install-deps
 	@$(MAKE) --no-print-directory check-layers check-man
 	@$(MAKE) --no-print-directory all
-	@$(MAKE) --no-print-directory check-unit check-program check-machines
+	@$(MAKE) --no-print-directory check-unit check-program check-machines check-rs274
 
 check-layers:
 	@sh scripts/check-layers
@@ -82,6 +82,10 @@ check-program: $(BUILD)/fivecheck
 check-machines: $(BUILD)/fivecheck
 	@sh scripts/check-machines
 	@for m in $(MACHINES); do echo "$$m"; $(BUILD)/fivecheck --check-machine -o /dev/null $$m || exit 1; done
+
+# Against LinuxCNC's interpreter; skipped where it is neither found nor to be downloaded.
+check-rs274: $(BUILD)/fivecheck
+	@sh scripts/check-rs274 $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/rs274) $(RS274_OPTIONS)
 
 demo:
 	@sh scripts/install-deps build
@@ -108,14 +112,15 @@ help:
 	@echo 'make                 build $(BUILD)/fivecheck'
 	@echo 'make demo            build, then check a clear and a colliding program'
 	@echo 'make check           layers, manual pages, unit tests, program tests, machines'
-	@echo 'make check-layers    and check-man check-unit check-program check-machines: one of them'
-	@echo '                     (check-program TESTS="name ...": some of the program tests)'
+	@echo 'make check-layers    and check-man check-unit check-program check-machines check-rs274: one of them'
+	@echo '                     (check-program TESTS="name ...": some of the program tests;'
+	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
 	@echo 'demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all check check-layers check-man check-unit check-program check-machines demo install uninstall clean help
+.PHONY: all check check-layers check-man check-unit check-program check-machines check-rs274 demo install uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

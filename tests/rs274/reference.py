@@ -1,0 +1,189 @@
+"""reference.py - runs a program through rs274 and through fivecheck, and compares where the axes go."""
+import math
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+LINEAR = [True] * 3 + [False] * 3
+INCH = 25.4
+# rs274 prints four decimals, of the unit in force.
+HALF_DIGIT = 5.01e-5
+# A program that takes longer is endless.
+SECONDS = 2
+
+# What rs274 keeps from run to run: all offsets and reference points 0, G54 in force.
+VARIABLES = ([n + i for n in (5161, 5181) for i in range(9)] + list(range(5210, 5221)) +
+             [n + i for n in range(5221, 5400, 20) for i in range(10)])
+
+
+class Move:
+    """A canonical move: where it ends (mm, degrees), how exactly that is known, and its arc, if it is one."""
+
+    def __init__(self, end, exact, arc=None):
+        self.end, self.exact, self.arc = end, exact, arc
+
+
+def numbers(text):
+    return [float(x) for x in re.findall(r'-?\d+(?:\.\d+)?', text)]
+
+
+def slots(values, unit):
+    values = (values + [0.0] * 6)[:6]
+    return [v * unit if LINEAR[i] else v for i, v in enumerate(values)]
+
+
+class Canon:
+    """Follows rs274's canonical calls."""
+
+    def __init__(self):
+        self.unit, self.plane = INCH, 'XY'
+        self.offsets = {}
+        self.moves = []
+
+    def total(self):
+        return [sum(o[0][i] for o in self.offsets.values()) for i in range(6)]
+
+    def exactness(self):
+        result = []
+        for i in range(6):
+            sizes = [self.unit] + [o[1] for o in self.offsets.values() if o[0][i] != 0]
+            result.append(sum(HALF_DIGIT * (s if LINEAR[i] else 1) for s in sizes))
+        return result
+
+    def straight(self, values):
+        end = [a + b for a, b in zip(slots(values, self.unit), self.total())]
+        self.moves.append(Move(end, self.exactness()))
+
+    def arc(self, values):
+        first, second, centre1, centre2, turns, rise = values[:6]
+        a, b, n = {'XY': (0, 1, 2), 'XZ': (2, 0, 1), 'YZ': (1, 2, 0)}[self.plane]
+        total = self.total()
+        end = [0.0] * 6
+        for slot, value in ((a, first), (b, second), (n, rise)):
+            end[slot] = value * self.unit + total[slot]
+        for i, value in enumerate((values[6:] + [0.0] * 3)[:3]):
+            end[3 + i] = value + total[3 + i]
+        centre = (centre1 * self.unit + total[a], centre2 * self.unit + total[b])
+        self.moves.append(Move(end, self.exactness(), (a, b, centre, int(turns))))
+
+    def call(self, name, text):
+        if name == 'USE_LENGTH_UNITS':
+            self.unit = INCH if 'INCH' in text else 1.0
+        elif name == 'SELECT_PLANE':
+            self.plane = {'ZX': 'XZ', 'ZY': 'YZ'}.get(text.split('_')[-1], text.split('_')[-1])
+        elif name == 'SET_G5X_OFFSET':
+            self.offsets[name] = (slots(numbers(text)[1:], self.unit), self.unit)
+        elif name in ('SET_G92_OFFSET', 'USE_TOOL_LENGTH_OFFSET'):
+            self.offsets[name] = (slots(numbers(text), self.unit), self.unit)
+        elif name in ('STRAIGHT_TRAVERSE', 'STRAIGHT_FEED', 'STRAIGHT_PROBE'):
+            self.straight(numbers(text))
+        elif name == 'ARC_FEED':
+            self.arc(numbers(text))
+
+
+class Programs:
+    """The two programs, and a folder to run them in."""
+
+    def __init__(self, fivecheck, rs274):
+        self.fivecheck, self.rs274 = os.path.abspath(fivecheck), rs274
+        self.folder = tempfile.mkdtemp(prefix='rs274-')
+        self.variables = ''.join(f'{n}\t{1.0 if n == 5220 else 0.0:f}\n' for n in VARIABLES)
+
+    def close(self):
+        shutil.rmtree(self.folder)
+
+    def run_reference(self, path):
+        """Accepted or not, moves, messages."""
+        variables = os.path.join(self.folder, 'rs274.var')
+        with open(variables, 'w') as out:
+            out.write(self.variables)
+        tools = os.path.join(HERE, 'tools.tbl')
+        run = subprocess.run([self.rs274, '-g', '-v', variables, '-t', tools, os.path.basename(path)],
+                             cwd=os.path.dirname(path), capture_output=True, text=True, errors='replace',
+                             timeout=SECONDS)
+        canon = Canon()
+        for line in run.stdout.splitlines():
+            call = re.match(r' *\d+ +N\S* +([A-Z_0-9]+)\((.*)\)$', line)
+            if call:
+                canon.call(call.group(1), call.group(2))
+        return run.returncode == 0, canon.moves, run.stderr
+
+    def run_ours(self, path):
+        """Accepted or not, the ends of the spans, messages."""
+        run = subprocess.run([self.fivecheck, '--dump-path', '--tolerance=0.01', '--max-blocks=100000',
+                              '--setup', os.path.join(HERE, 'setup.xml'), os.path.join(HERE, 'machine.xml'), path],
+                             capture_output=True, text=True, errors='replace', timeout=SECONDS)
+        rows = [[float(x) for x in line.split('\t')[3:9]] for line in run.stdout.splitlines()[1:]]
+        return run.returncode == 0, rows, run.stderr
+
+
+def is_at(position, move):
+    return all(abs(p - e) <= x + 1e-9 for p, e, x in zip(position, move.end, move.exact))
+
+
+def rests(last, move):
+    """Is the move so short, for what is known of its two ends, that it may be no move at all?"""
+    return all(abs(s - e) <= x + y for s, e, x, y in zip(last.end, move.end, last.exact, move.exact))
+
+
+def sweep_of(position, move):
+    a, b, centre, turns = move.arc
+    start = math.atan2(position[b] - centre[1], position[a] - centre[0])
+    end = math.atan2(move.end[b] - centre[1], move.end[a] - centre[0])
+    sign = 1 if turns > 0 else -1
+    angle = (sign * (end - start)) % (2 * math.pi)
+    if angle < 1e-4 or angle > 2 * math.pi - 1e-4:
+        angle = 2 * math.pi
+    return sign * (angle + 2 * math.pi * (abs(turns) - 1))
+
+
+def follow_arc(position, move, rows):
+    """Takes the chords of an arc from rows; what is wrong with them, or None."""
+    a, b, centre, _ = move.arc
+    expected, swept = sweep_of(position, move), 0.0
+    while rows:
+        row = rows.pop(0)
+        step = (math.atan2(row[b] - centre[1], row[a] - centre[0]) -
+                math.atan2(position[b] - centre[1], position[a] - centre[0]))
+        swept += (step + math.pi) % (2 * math.pi) - math.pi
+        position = row
+        if is_at(row, move) and abs(swept - expected) < 0.01:
+            return None
+        if abs(swept) > abs(expected) + 0.01:
+            break
+    return f'an arc to {move.end} with a sweep of {math.degrees(expected):.3f}: swept {math.degrees(swept):.3f}'
+
+
+def difference(moves, rows):
+    """The first move that the rows do not make, or None."""
+    last, rows = Move([0.0] * 6, [0.0] * 6), list(rows)
+    for i, move in enumerate(moves):
+        if move.arc:
+            wrong = follow_arc(last.end, move, rows)
+            if wrong:
+                return f'move {i + 1}: {wrong}'
+        elif rows and is_at(rows[0], move):
+            rows.pop(0)
+        elif not rests(last, move):
+            return f'move {i + 1} goes to {move.end}, not to {rows[0] if rows else "anywhere"}'
+        else:
+            continue
+        last = move
+    # Moves too short to be told from none may be left.
+    end = Move(last.end, [2 * x for x in last.exact])
+    left = [row for row in rows if not is_at(row, end)]
+    return f'{len(left)} more moves, the first to {left[0]}' if left else None
+
+
+def compare(programs, path):
+    """None when both agree, else how they differ."""
+    accepted, moves, complaint = programs.run_reference(path)
+    ours, rows, messages = programs.run_ours(path)
+    if accepted != ours:
+        if accepted:
+            return f'rs274 accepts it, fivecheck says: {messages.strip()}'
+        return f'fivecheck accepts it, rs274 says: {complaint.strip()}'
+    return difference(moves, rows) if accepted else None
