@@ -134,6 +134,22 @@ static void emit(struct checker *c)
 		held_deliver(&c->held, c->diag, c->block);
 }
 
+static void report_undecided(struct checker *c, const struct runner_result *result)
+{
+	const struct motion_step *motion = &c->batch.steps[result->step].motion;
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+
+	c->failed = true;
+	if (motion->span.path->kind != PATH_BOX) {
+		scene_undecided(c->scene, pair, c->options->tolerance, c->diag);
+		return;
+	}
+	diag_error(c->diag, (struct srcloc){c->file, motion->line, 1},
+		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, whose "
+		   "way is not known (rapid=\"any\"); if it is, say so, or move fewer axes at once",
+		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+}
+
 /* The contacts go to the ledger; what is undecided behind the first of them does not matter without `all`. */
 static void take_results(struct checker *c)
 {
@@ -153,8 +169,7 @@ static void take_results(struct checker *c)
 
 		if (result->passage != PASSAGE_UNDECIDED || result->step > first_contact)
 			continue;
-		scene_undecided(c->scene, &c->scene->pairs[result->pair], c->options->tolerance, c->diag);
-		c->failed = true;
+		report_undecided(c, result);
 	}
 }
 

@@ -21,6 +21,9 @@ bool comp_check_block(struct interp *interp);
 /* G40, G41, G41.1, G42, G42.1 of the block; nothing without one. */
 bool comp_select(struct interp *interp);
 
+/* The block's G41 or G42: the side and the radius, checked; the entry is made by the next move. */
+bool comp_switch_on(struct interp *interp);
+
 /* Moves are to be made by comp_line and comp_arc. */
 bool comp_is_on(const struct interp *interp);
 
