@@ -145,8 +145,8 @@ static void report_undecided(struct checker *c, const struct runner_result *resu
 		return;
 	}
 	diag_error(c->diag, (struct srcloc){c->file, motion->line, 1},
-		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, whose "
-		   "way is not known (rapid=\"any\"); if it is, say so, or move fewer axes at once",
+		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
+		   "whose way is not known (rapid=\"any\"); if it is, say so, or move fewer axes at once",
 		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 }
 
@@ -276,6 +276,9 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 	struct checker *c = context;
 
 	process(c);
+	/* Before anything moves, a new tool waits for the check of the start pose; the old one is gone by then. */
+	if (!c->moved && c->tool != tool)
+		check_stance(c, true, 0);
 	c->tool = tool;
 	c->position = *position;
 	runners_change_tool(&c->runners);
