@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "scene/pairs.h"
 
 void batch_release(struct batch *batch)
 {
@@ -63,6 +64,14 @@ static void widen(struct batch_chunk *chunk, const struct motion_step *step)
 	}
 }
 
+static bool is_beyond_travel(const struct motion_step *step)
+{
+	for (int i = 0; i < SLOT_COUNT; i++)
+		if (step->tolerance.v[i] > REACH_MARGIN)
+			return true;
+	return step->outside;
+}
+
 static void sum_up_chunks(struct batch *batch)
 {
 	size_t count = (batch->step_count + CHUNK_STEPS - 1) / CHUNK_STEPS;
@@ -70,10 +79,13 @@ static void sum_up_chunks(struct batch *batch)
 	batch->chunks = mem_grow(batch->chunks, &batch->chunk_capacity, count, sizeof(*batch->chunks));
 	for (size_t i = 0; i < batch->step_count; i++) {
 		struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+		struct batch_step *step = &batch->steps[i];
 
 		if (i % CHUNK_STEPS == 0)
-			chunk->low = chunk->high = batch->steps[i].motion.span.q0;
-		widen(chunk, &batch->steps[i].motion);
+			*chunk = (struct batch_chunk){step->motion.span.q0, step->motion.span.q0, false};
+		widen(chunk, &step->motion);
+		step->beyond = is_beyond_travel(&step->motion);
+		chunk->beyond |= step->beyond;
 	}
 }
 

@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_CHECK_BATCH_H
 #define FIVECHECK_CHECK_BATCH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/diag.h"
@@ -14,6 +15,7 @@ struct batch_step {
 	struct motion_step motion;	/* its path is the batch's once batch_close was called */
 	size_t path;	/* index into paths */
 	long block;
+	bool beyond;	/* past a limit, or where the control may go past one by its path tolerance: nothing is out of reach */
 };
 
 /* Steps to a chunk. */
@@ -22,6 +24,7 @@ enum { CHUNK_STEPS = 64 };
 /* All positions that the axes take in a chunk, deviations and tolerances included. */
 struct batch_chunk {
 	axis_values low, high;
+	bool beyond;	/* one of its steps is */
 };
 
 struct batch {

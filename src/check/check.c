@@ -13,7 +13,7 @@
 #include "scene/overlap.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
-#define BATCH_STEPS 4096
+#define BATCH_STEPS 1024
 #define MID_BLOCK (8 * BATCH_STEPS)
 
 /*

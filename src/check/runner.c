@@ -7,7 +7,6 @@
 
 #include "base/mem.h"
 #include "scene/overlap.h"
-#include "scene/pairs.h"
 
 static int tool_of(const struct scene *scene, const struct scene_pair *pair)
 {
@@ -86,15 +85,6 @@ void runners_change_tool(struct runners *runners)
 			follower_lose(&runners->runners[i].follower);
 }
 
-/* Past a limit, or where the control may go past one by its path tolerance, no pair is out of reach. */
-static bool is_beyond_travel(const struct motion_step *step)
-{
-	for (int i = 0; i < SLOT_COUNT; i++)
-		if (step->tolerance.v[i] > REACH_MARGIN)
-			return true;
-	return step->outside;
-}
-
 static void add_result(struct runner *runner, size_t step, enum passage passage, const struct contact *contact)
 {
 	runner->results = mem_grow(runner->results, &runner->result_capacity, runner->result_count + 1,
@@ -155,7 +145,13 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 	size_t count = batch->step_count - i < CHUNK_STEPS ? batch->step_count - i : CHUNK_STEPS;
 	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
-	if (options->method != CHECK_CERTIFIED || runner->entangled || i % CHUNK_STEPS ||
+	if (i % CHUNK_STEPS)
+		return 0;
+	if (runner->past_limits_only && !chunk->beyond) {
+		follower_lose(&runner->follower);
+		return count;
+	}
+	if (options->method != CHECK_CERTIFIED || runner->entangled ||
 	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
 			   count))
 		return 0;
@@ -178,7 +174,7 @@ static void run_one(struct crew *crew, struct runner *runner, struct sweep *swee
 			continue;
 
 		if (step->block == runner->found_block ||
-		    (runner->past_limits_only && !is_beyond_travel(&step->motion))) {
+		    (runner->past_limits_only && !step->beyond)) {
 			follower_lose(&runner->follower);
 			continue;
 		}

@@ -110,28 +110,26 @@ static enum path_kind kind_of(const struct drive *drive, const struct canon_move
 	return PATH_STRAIGHT;
 }
 
-static struct path whole_path(const struct drive *drive, const struct canon_move *move)
+/* Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. */
+static void set_path(struct path *path, const struct drive *drive, const struct canon_move *move)
 {
-	struct path path = {.circular = move->kind == CANON_ARC};
-
+	path->circular = move->kind == CANON_ARC;
 	if (!move->tcp)
-		path.start = drive->position;
+		path->start = drive->position;
 	else if (drive->controller_guided)
-		path.start = drive->controller;
+		path->start = drive->controller;
 	else
-		path.start = tcp_from_machine(&drive->tcp, &drive->position);
-	path.end = clean_end(move, &path.start);
-	if (path.circular)
-		path.arc = move->arc;
+		path->start = tcp_from_machine(&drive->tcp, &drive->position);
+	path->end = clean_end(move, &path->start);
+	if (path->circular)
+		path->arc = move->arc;
 	if (goes_as_axes(drive, move)) {
-		path.start = drive->position;
-		path.end = tcp_to_machine(&drive->tcp, &path.end);
-		clean(&path.end, &path.start, SLOT_X);
+		path->start = drive->position;
+		path->end = tcp_to_machine(&drive->tcp, &path->end);
+		clean(&path->end, &path->start, SLOT_X);
 	}
-	path.kind = kind_of(drive, move, &path);
-	if (path.kind == PATH_TCP)
-		path.tcp = &drive->tcp;
-	return path;
+	path->kind = kind_of(drive, move, path);
+	path->tcp = path->kind == PATH_TCP ? &drive->tcp : NULL;
 }
 
 /* When each axis of a dogleg arrives, and the next arrival after `time`; INFINITY if there is none. */
@@ -218,24 +216,26 @@ static bool set_legs(struct run *run)
 	const struct machine *machine = drive->machine;
 	const struct canon_move *move = run->move;
 	struct leg *leg = &run->legs[0];
-	struct path path = whole_path(drive, move);
+	struct path *path = &leg->path;
 	double seconds = 0;
 
 	run->count = 0;
-	if (!moving_axes(&path) && !(path.circular && path_length(&path) > 0))
+	set_path(path, drive, move);
+	if (!moving_axes(path) && !(path->circular && path_length(path) > 0))
 		return true;
-	if (path.kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
-		run->count = split_dogleg(machine, &path, run->legs);
+	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
+		const struct path whole = *path;
+
+		run->count = split_dogleg(machine, &whole, run->legs);
 		return true;
 	}
-	leg->path = path;
 	span_init(&leg->span, &leg->path);
 	/* Under TCP the same place has been computed twice, by way of the controller's position: keep the first. */
 	leg->span.q0 = drive->position;
-	if (!span_is_flat(&leg->span, CURVED) && !is_countable(drive, move, &path))
+	if (!span_is_flat(&leg->span, CURVED) && !is_countable(drive, move, path))
 		return false;
 	if (move->kind != CANON_RAPID)
-		seconds = timing_programmed(&path, &move->feed);
+		seconds = timing_programmed(path, &move->feed);
 	leg->path.seconds = timing_held(machine, &leg->span, drive->options->flatness, seconds);
 	run->count = 1;
 	return is_bearable(drive, move, leg->path.seconds);
@@ -304,10 +304,15 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct drive *drive = run->drive;
 	double seconds = leg->path.seconds;
-	struct motion_step step = {.file = run->move->file, .line = run->move->line, .move = run->move->number, .tool = drive->tool,
-				   .tolerance = run->tolerance, .outside = run->outside};
+	struct motion_step step;
 	struct span_walk walk;
 
+	step.file = run->move->file;
+	step.line = run->move->line;
+	step.move = run->move->number;
+	step.tool = drive->tool;
+	step.tolerance = run->tolerance;
+	step.outside = run->outside;
 	span_walk_init(&walk, &leg->span, drive->options->flatness);
 	while (span_walk_next(&walk, &step.span)) {
 		step.time = drive->time + step.span.u0 * seconds;
