@@ -1,4 +1,4 @@
-/* boxes.h - four boxes of one body against one box of another that moves: how far apart are they at least. */
+/* boxes.h - eight boxes of one body against one box of another that moves: how far apart are they at least. */
 #ifndef FIVECHECK_GEOM_BOXES_H
 #define FIVECHECK_GEOM_BOXES_H
 
@@ -14,6 +14,11 @@ struct box_map {
 	float t[3];
 };
 
+struct box {
+	float centre[3];
+	float half[3];
+};
+
 /*
  * How body b stands to body a at the two ends of a motion, as boxes see it, and
  * how far it may be away from the hull of the two. View 0 maps b's boxes into
@@ -25,14 +30,15 @@ struct box_view {
 	float stray;	/* mm in any direction, beyond that; rounding is in it */
 };
 
+struct box_motion;
+
+typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
+			    const struct box *other, float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
+
 struct box_motion {
 	struct box_view views[2];
+	boxes_apart_fn *apart;	/* the fastest that this processor has */
 	bool still;	/* both ends are the same */
-};
-
-struct box {
-	float centre[3];
-	float half[3];
 };
 
 /*

@@ -102,8 +102,8 @@ static void run_split(const struct run *run, mesh_triangle *triangles, struct ru
 	run_measure(&out[1], triangles);
 }
 
-/* Up to four runs of about the same size; the largest is halved as long as there is room. */
-static int run_split4(const struct run *run, mesh_triangle *triangles, struct run out[BVH_WIDTH])
+/* Up to eight runs of about the same size; the largest is halved as long as there is room. */
+static int split_wide(const struct run *run, mesh_triangle *triangles, struct run out[BVH_WIDTH])
 {
 	int used = 1;
 
@@ -149,7 +149,7 @@ static void build(struct builder *b, size_t at, const struct run *run)
 {
 	const double origin[3] = {b->bvh->origin.x, b->bvh->origin.y, b->bvh->origin.z};
 	struct run runs[BVH_WIDTH];
-	int used = run_split4(run, b->bvh->mesh.triangles, runs);
+	int used = split_wide(run, b->bvh->mesh.triangles, runs);
 
 	b->bvh->nodes[at].used = (uint8_t)used;
 	for (int i = 0; i < BVH_WIDTH; i++)

@@ -1,4 +1,4 @@
-/* bvh.h - a mesh with a tree of axis-aligned boxes over it, four children a node. */
+/* bvh.h - a mesh with a tree of axis-aligned boxes over it, eight children a node. */
 #ifndef FIVECHECK_GEOM_BVH_H
 #define FIVECHECK_GEOM_BVH_H
 
@@ -8,10 +8,10 @@
 #include "geom/mesh.h"
 #include "geom/vec3.h"
 
-enum { BVH_WIDTH = 4, BVH_LEAF_SIZE = 4 };
+enum { BVH_WIDTH = 8, BVH_LEAF_SIZE = 4 };
 
 /*
- * The boxes of up to four children side by side, relative to the tree's origin
+ * The boxes of up to eight children side by side, relative to the tree's origin
  * and rounded outward. `count` > 0 is a leaf whose triangles begin at `first`;
  * `count` 0 is the inner node nodes[first].
  */

@@ -1,7 +1,9 @@
 #include "geom/boxes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
+#include "geom/boxes_level.h"
 #include "solids.h"
 
 /* Two soups and a motion of b against a, seen from one of both. */
@@ -194,6 +196,35 @@ static const struct bvh_node *some_node(struct random *random, const struct bvh 
 	return &bvh->nodes[random_below(random, (int)bvh->node_count)];
 }
 
+/* The scalar twin says what each level must say, to the bit: no verdict may depend on the processor. */
+START_TEST(every_level_gives_the_same_bits)
+{
+	long cases = random_cases(4000);
+
+	ck_assert_int_ge(simd_level(), LANES_SCALAR);
+	for (long n = 0; n < cases; n++) {
+		struct meeting m;
+
+		meeting_init(&m, 1, n);
+		for (int i = 0; i < 8; i++) {
+			int side = random_below(&m.random, 2);
+			const struct bvh_node *node = some_node(&m.random, m.bodies[side]);
+			const struct bvh_node *across = some_node(&m.random, m.bodies[1 - side]);
+			struct box other = box_of(across, random_below(&m.random, across->used));
+			float want[2][BVH_WIDTH], got[2][BVH_WIDTH];
+
+			boxes_apart_scalar(&m.motion, side, node, &other, want[0], want[1]);
+			for (int level = LANES_SCALAR + 1; level <= simd_level(); level++) {
+				boxes_at_level(level)(&m.motion, side, node, &other, got[0], got[1]);
+				require(!memcmp(want, got, sizeof(want)), "case %ld: level %d differs", n, level);
+			}
+		}
+		bvh_free(m.bodies[0]);
+		bvh_free(m.bodies[1]);
+	}
+}
+END_TEST
+
 START_TEST(nothing_is_nearer_than_claimed)
 {
 	long claimed = 0, cases = random_cases(8000);
@@ -222,7 +253,7 @@ START_TEST(nothing_is_nearer_than_claimed)
 				if (!(apart[l] > 0) && !(single > 0))
 					continue;
 				least = least_of(&m, a, b);
-				require(apart[l] <= least, "case %ld: four claim %.9g, %.9g is", n, apart[l], least);
+				require(apart[l] <= least, "case %ld: the node claims %.9g, %.9g is", n, apart[l], least);
 				require(single <= least, "case %ld: one claims %.9g, %.9g is", n, single, least);
 				claimed++;
 				if (least > 0)
@@ -244,6 +275,7 @@ int main(void)
 	int failed;
 
 	tcase_set_timeout(tcase, 0);
+	tcase_add_test(tcase, every_level_gives_the_same_bits);
 	tcase_add_test(tcase, nothing_is_nearer_than_claimed);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,131 @@
+/*
+ * boxes_kernel.h - the box tests of boxes.h for one level of SIMD.
+ *
+ * Included once by each of boxes_scalar.c, boxes_sse2.c, boxes_avx2.c, which define
+ * LANES_LEVEL and the name BOXES_APART of the one function that comes out.
+ */
+#include "geom/boxes.h"
+#include "geom/boxes_level.h"
+#include "geom/lanes.h"
+
+_Static_assert((int)BVH_WIDTH == (int)LANES, "a lane a child");
+
+/* What each child takes up of an axis. */
+struct extent {
+	lanes low, high, middle;
+};
+
+/* Where a box of the other body stands on an axis of a frame at one end: middle and half size. */
+static inline void place(const struct box_map *map, int axis, const struct box *box, float *middle, float *half)
+{
+	const float *r = map->r[axis], *s = map->abs_r[axis];
+
+	*middle = r[0] * box->centre[0] + r[1] * box->centre[1] + r[2] * box->centre[2] + map->t[axis];
+	*half = s[0] * box->half[0] + s[1] * box->half[1] + s[2] * box->half[2];
+}
+
+/* The same for the children of a node. */
+LANES_FUNCTION struct extent place_children(const struct box_map *map, int axis, const struct bvh_node *node)
+{
+	struct extent e = {lanes_all(0), lanes_all(0), lanes_all(0)};
+	lanes half = e.low;
+
+	for (int k = 0; k < 3; k++) {
+		lanes c = lanes_mul(lanes_all(map->r[axis][k]), lanes_load(node->centre[k]));
+		lanes h = lanes_mul(lanes_all(map->abs_r[axis][k]), lanes_load(node->half[k]));
+
+		e.middle = k ? lanes_add(e.middle, c) : c;
+		half = k ? lanes_add(half, h) : h;
+	}
+	e.middle = lanes_add(e.middle, lanes_all(map->t[axis]));
+	e.low = lanes_sub(e.middle, half);
+	e.high = lanes_add(e.middle, half);
+	return e;
+}
+
+/* The square of the gap between two intervals, 0 where they overlap, added to `sum`. */
+LANES_FUNCTION lanes add_gap(lanes sum, lanes low_a, lanes high_a, lanes low_b, lanes high_b)
+{
+	lanes gap = lanes_max(lanes_sub(low_a, high_b), lanes_sub(low_b, high_a));
+
+	gap = lanes_max(gap, lanes_all(0));
+	return lanes_add(sum, lanes_mul(gap, gap));
+}
+
+/* A hull is tight along one straight shift and loose by what goes across it: the second largest. */
+LANES_FUNCTION lanes second_largest(lanes a, lanes b, lanes c)
+{
+	return lanes_max(lanes_min(a, b), lanes_min(lanes_max(a, b), c));
+}
+
+/* In the node's frame the moving box has one hull, and the children stand still. */
+LANES_FUNCTION lanes apart_in_own(const struct box_view *view, bool still, const struct bvh_node *node,
+				  const struct box *other, lanes *loose)
+{
+	lanes square = lanes_all(0), shift[3];
+
+	for (int i = 0; i < 3; i++) {
+		lanes centre = lanes_load(node->centre[i]), half = lanes_load(node->half[i]);
+		float play = view->play[i], moved = 2 * play, low, high, middle, size;
+
+		place(&view->ends[0], i, other, &middle, &size);
+		low = middle - size;
+		high = middle + size;
+		if (!still) {
+			float middle1;
+
+			place(&view->ends[1], i, other, &middle1, &size);
+			low = middle1 - size < low ? middle1 - size : low;
+			high = middle1 + size > high ? middle1 + size : high;
+			moved += middle1 > middle ? middle1 - middle : middle - middle1;
+		}
+		square = add_gap(square, lanes_all(low - play), lanes_all(high + play), lanes_sub(centre, half),
+				 lanes_add(centre, half));
+		shift[i] = lanes_all(moved);
+	}
+	*loose = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->stray));
+	return square;
+}
+
+/* In the box's frame every child has a hull of its own. */
+LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, const struct bvh_node *node,
+				    const struct box *other, lanes *loose)
+{
+	lanes square = lanes_all(0), shift[3];
+
+	for (int i = 0; i < 3; i++) {
+		struct extent e = place_children(&view->ends[0], i, node);
+		float play = view->play[i];
+
+		shift[i] = lanes_all(2 * play);
+		if (!still) {
+			struct extent late = place_children(&view->ends[1], i, node);
+
+			e.low = lanes_min(e.low, late.low);
+			e.high = lanes_max(e.high, late.high);
+			shift[i] = lanes_add(shift[i], lanes_abs(lanes_sub(late.middle, e.middle)));
+		}
+		square = add_gap(square, e.low, e.high, lanes_all(other->centre[i] - other->half[i] - play),
+				 lanes_all(other->centre[i] + other->half[i] + play));
+	}
+	*loose = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->stray));
+	return square;
+}
+
+/* A lower bound on the distance: the root is rounded down, what may be off is taken away. */
+LANES_FUNCTION lanes distance_of(lanes square, float stray)
+{
+	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - 0x1p-20f)), lanes_all(stray));
+}
+
+LANES_TARGET void BOXES_APART(const struct box_motion *motion, int side, const struct bvh_node *node,
+			      const struct box *other, float apart[BVH_WIDTH], float loose[BVH_WIDTH])
+{
+	const struct box_view *own = &motion->views[side], *others = &motion->views[1 - side];
+	lanes own_loose, others_loose;
+	lanes a = distance_of(apart_in_own(own, motion->still, node, other, &own_loose), own->stray);
+	lanes b = distance_of(apart_in_other(others, motion->still, node, other, &others_loose), others->stray);
+
+	lanes_store(apart, lanes_max(lanes_max(a, b), lanes_all(0)));
+	lanes_store(loose, lanes_min(others_loose, own_loose));
+}

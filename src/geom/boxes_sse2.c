@@ -1,0 +1,8 @@
+#include "geom/simd_level.h"
+
+#define LANES_LEVEL LANES_SSE2
+#define BOXES_APART boxes_apart_sse2
+
+#if LANES_LEVEL <= LANES_BEST
+#include "geom/boxes_kernel.h"
+#endif

@@ -1,0 +1,108 @@
+/*
+ * lanes.h - eight floats side by side: the one place that knows of SIMD.
+ *
+ * A file defines LANES_LEVEL before it includes this one and gets the type and
+ * its operations at that level. Every level gives the same bits: each operation is
+ * correctly rounded and none is fused with another. Wider ones (AVX-512) have
+ * nothing to gain from nodes of eight children.
+ */
+#ifndef FIVECHECK_GEOM_LANES_H
+#define FIVECHECK_GEOM_LANES_H
+
+#include "geom/simd_level.h"
+
+enum { LANES = 8 };
+
+#if LANES_LEVEL == LANES_AVX2
+
+#include <immintrin.h>
+
+/* What a function that uses lanes must be marked with. */
+#define LANES_TARGET __attribute__((target("avx2")))
+#define LANES_FUNCTION static inline __attribute__((always_inline, target("avx2")))
+
+typedef __m256 lanes;
+
+LANES_FUNCTION lanes lanes_load(const float *from) { return _mm256_loadu_ps(from); }
+LANES_FUNCTION void lanes_store(float *to, lanes a) { _mm256_storeu_ps(to, a); }
+LANES_FUNCTION lanes lanes_all(float value) { return _mm256_set1_ps(value); }
+LANES_FUNCTION lanes lanes_add(lanes a, lanes b) { return _mm256_add_ps(a, b); }
+LANES_FUNCTION lanes lanes_sub(lanes a, lanes b) { return _mm256_sub_ps(a, b); }
+LANES_FUNCTION lanes lanes_mul(lanes a, lanes b) { return _mm256_mul_ps(a, b); }
+LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { return _mm256_min_ps(a, b); }
+LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return _mm256_max_ps(a, b); }
+LANES_FUNCTION lanes lanes_abs(lanes a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
+LANES_FUNCTION lanes lanes_sqrt(lanes a) { return _mm256_sqrt_ps(a); }
+
+#elif LANES_LEVEL == LANES_SSE2
+
+#include <emmintrin.h>
+
+#define LANES_TARGET
+#define LANES_FUNCTION static inline __attribute__((always_inline))
+
+typedef struct lanes {
+	__m128 low, high;
+} lanes;
+
+#define LANES_BOTH(operation) ((lanes){operation(a.low, b.low), operation(a.high, b.high)})
+
+LANES_FUNCTION lanes lanes_load(const float *from) { return (lanes){_mm_loadu_ps(from), _mm_loadu_ps(from + 4)}; }
+LANES_FUNCTION lanes lanes_all(float value) { return (lanes){_mm_set1_ps(value), _mm_set1_ps(value)}; }
+LANES_FUNCTION lanes lanes_add(lanes a, lanes b) { return LANES_BOTH(_mm_add_ps); }
+LANES_FUNCTION lanes lanes_sub(lanes a, lanes b) { return LANES_BOTH(_mm_sub_ps); }
+LANES_FUNCTION lanes lanes_mul(lanes a, lanes b) { return LANES_BOTH(_mm_mul_ps); }
+LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { return LANES_BOTH(_mm_min_ps); }
+LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return LANES_BOTH(_mm_max_ps); }
+LANES_FUNCTION lanes lanes_sqrt(lanes a) { return (lanes){_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
+
+LANES_FUNCTION void lanes_store(float *to, lanes a)
+{
+	_mm_storeu_ps(to, a.low);
+	_mm_storeu_ps(to + 4, a.high);
+}
+
+LANES_FUNCTION lanes lanes_abs(lanes a)
+{
+	__m128 sign = _mm_set1_ps(-0.0f);
+
+	return (lanes){_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+
+#else
+
+#include <math.h>
+
+#define LANES_TARGET
+#define LANES_FUNCTION static inline
+
+/* The scalar twin, for the other processors and for the tests. */
+typedef struct lanes {
+	float v[LANES];
+} lanes;
+
+#define LANES_EACH(expression) \
+	lanes out; \
+	for (int i = 0; i < LANES; i++) \
+		out.v[i] = (expression); \
+	return out
+
+LANES_FUNCTION lanes lanes_load(const float *from) { LANES_EACH(from[i]); }
+LANES_FUNCTION lanes lanes_all(float value) { LANES_EACH(value); }
+LANES_FUNCTION lanes lanes_add(lanes a, lanes b) { LANES_EACH(a.v[i] + b.v[i]); }
+LANES_FUNCTION lanes lanes_sub(lanes a, lanes b) { LANES_EACH(a.v[i] - b.v[i]); }
+LANES_FUNCTION lanes lanes_mul(lanes a, lanes b) { LANES_EACH(a.v[i] * b.v[i]); }
+LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { LANES_EACH(a.v[i] < b.v[i] ? a.v[i] : b.v[i]); }
+LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { LANES_EACH(a.v[i] > b.v[i] ? a.v[i] : b.v[i]); }
+LANES_FUNCTION lanes lanes_abs(lanes a) { LANES_EACH(fabsf(a.v[i])); }
+LANES_FUNCTION lanes lanes_sqrt(lanes a) { LANES_EACH(sqrtf(a.v[i])); }
+
+LANES_FUNCTION void lanes_store(float *to, lanes a)
+{
+	for (int i = 0; i < LANES; i++)
+		to[i] = a.v[i];
+}
+
+#endif
+
+#endif
