@@ -32,6 +32,31 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	budget_init(&follower->budget, bodies->chain);
 }
 
+/* Its memory is its own. */
+static void copy_state(struct follower *to, const struct follower *from)
+{
+	*to = *from;
+	to->bodies.memory = &to->memory;
+}
+
+void follower_fork(const struct follower *whole, struct follower *part)
+{
+	copy_state(part, whole);
+	part->budgets = part->queries = 0;
+	follower_lose(part);
+}
+
+void follower_join(struct follower *whole, const struct follower *part)
+{
+	long budgets = whole->budgets + part->budgets, queries = whole->queries + part->queries;
+	double target = fmin(whole->target, part->target);
+
+	copy_state(whole, part);
+	whole->budgets = budgets;
+	whole->queries = queries;
+	whole->target = target;
+}
+
 double follower_proven(const struct follower *follower)
 {
 	return follower->target;

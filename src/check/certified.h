@@ -37,6 +37,14 @@ struct follower {
  */
 void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure);
 
+/*
+ * A part of the steps can be followed by a fork, without what led to them. Its
+ * findings are the whole's; follower_join, part by part in order, brings back the
+ * rest: counters, the smallest clearance, and the state behind the last part.
+ */
+void follower_fork(const struct follower *whole, struct follower *part);
+void follower_join(struct follower *whole, const struct follower *part);
+
 /* mm: more than this remained in every step so far; INFINITY: it was never measured. */
 double follower_proven(const struct follower *follower);
 

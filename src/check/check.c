@@ -7,9 +7,9 @@
 
 #include "base/mem.h"
 #include "check/batch.h"
+#include "check/crew.h"
 #include "check/held.h"
 #include "check/ledger.h"
-#include "check/runner.h"
 #include "scene/overlap.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
@@ -29,7 +29,7 @@ struct checker {
 	struct diag *diag;
 	struct check_stats *stats;
 	struct held held;
-	struct runners runners;
+	struct crew crew;
 	struct batch batch;
 	struct ledger ledger;
 	struct sweep sweep;	/* for poses that stand still */
@@ -155,8 +155,8 @@ static void take_results(struct checker *c)
 {
 	size_t first_contact = c->batch.step_count;
 
-	for (size_t i = 0; i < c->runners.result_count; i++) {
-		const struct runner_result *result = &c->runners.results[i];
+	for (size_t i = 0; i < c->crew.result_count; i++) {
+		const struct runner_result *result = &c->crew.results[i];
 
 		if (result->passage != PASSAGE_CONTACT)
 			continue;
@@ -164,8 +164,8 @@ static void take_results(struct checker *c)
 		if (!c->options->all && result->step < first_contact)
 			first_contact = result->step;
 	}
-	for (size_t i = 0; i < c->runners.result_count; i++) {
-		const struct runner_result *result = &c->runners.results[i];
+	for (size_t i = 0; i < c->crew.result_count; i++) {
+		const struct runner_result *result = &c->crew.results[i];
 
 		if (result->passage != PASSAGE_UNDECIDED || result->step > first_contact)
 			continue;
@@ -180,7 +180,7 @@ static void process(struct checker *c)
 
 	if (!enough(c) && c->batch.step_count) {
 		batch_close(&c->batch);
-		runners_run(&c->runners, &c->batch, c->tool, c->options);
+		crew_run(&c->crew, &c->batch, c->tool, c->options);
 		take_results(c);
 	}
 	batch_clear(&c->batch);
@@ -195,8 +195,8 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 {
 	double start = now();
 
-	for (size_t i = 0; i < c->runners.count && !enough(c); i++) {
-		const struct runner *runner = &c->runners.runners[i];
+	for (size_t i = 0; i < c->crew.count && !enough(c); i++) {
+		const struct runner *runner = &c->crew.runners[i];
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
 		struct contact contact;
@@ -217,7 +217,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		entry.block_time = c->block_time;
 		ledger_add(&c->ledger, &entry);
 		c->found = true;
-		runners_found(&c->runners, i, c->block);
+		runner_found(&c->crew.runners[i], c->block);
 	}
 	c->stats->seconds_check += now() - start;
 }
@@ -281,7 +281,7 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 		check_stance(c, true, 0);
 	c->tool = tool;
 	c->position = *position;
-	runners_change_tool(&c->runners);
+	crew_change_tool(&c->crew);
 	if (c->moved)
 		check_stance(c, true, 0);
 	return !c->stopped;
@@ -369,15 +369,15 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	held_init(&c.held);
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
-	if (options->method == CHECK_NOTHING || runners_init(&c.runners, scene, options, proven != NULL, diag)) {
+	if (options->method == CHECK_NOTHING || crew_init(&c.crew, scene, options, proven != NULL, diag)) {
 		complete = run_program(&c, in) || c.stopped;
 		finish(&c, complete);
-		runners_collect(&c.runners, stats, proven);
+		crew_collect(&c.crew, stats, proven);
 	}
 	stats->certificates += c.sweep.certificates;
 	stats->bisections += c.sweep.bisections;
 	stats->seconds_interpret = now() - start - stats->seconds_check;
-	runners_release(&c.runners);
+	crew_release(&c.crew);
 	batch_release(&c.batch);
 	ledger_release(&c.ledger);
 	held_release(&c.held);

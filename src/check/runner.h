@@ -1,4 +1,4 @@
-/* runner.h - all pairs that must be checked, each followed through the batches by itself, on as many threads as wanted. */
+/* runner.h - one pair that must be checked, on its way through the batches. */
 #ifndef FIVECHECK_CHECK_RUNNER_H
 #define FIVECHECK_CHECK_RUNNER_H
 
@@ -20,6 +20,7 @@ struct runner_result {
 };
 
 struct runner {
+	struct scene *scene;	/* borrowed */
 	size_t pair;	/* of the scene */
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
@@ -31,38 +32,22 @@ struct runner {
 	size_t result_count, result_capacity;
 };
 
-struct runners {
-	struct scene *scene;
-	struct runner *runners;	/* in the order of the pairs */
-	size_t count;
-	struct sweep *sweeps;	/* one a thread */
-	int threads;
-	struct runner_result *results;	/* of the last batch, of all runners in order */
-	size_t result_count, result_capacity;
-};
-
-/* measure: find the smallest clearances (follower_init). False: a mesh is faulty, reported. */
-bool runners_init(struct runners *runners, struct scene *scene, const struct check_options *options, bool measure,
-		  struct diag *diag);
-void runners_release(struct runners *runners);
+/* measure: find the smallest clearance (follower_init). False: a mesh is faulty, reported. Not to be moved afterwards. */
+bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const struct check_options *options,
+		 bool measure, struct diag *diag);
+void runner_release(struct runner *runner);
 
 /* Is the runner's pair there while this tool is in the spindle? */
 bool runner_is_active(const struct runner *runner, int tool);
 
+/* The pair has a finding in this block already. */
+void runner_found(struct runner *runner, long block);
+
 /*
- * Sends every active runner through the batch and gathers the results: with
- * options->all the first of each pair and block, else the first of each pair. The
- * result does not depend on the number of threads.
+ * Goes through the batch's steps from `from`, which starts a chunk, to before
+ * `to` and leaves its results: with options->all the first of each block, else the first.
  */
-void runners_run(struct runners *runners, const struct batch *batch, int tool, const struct check_options *options);
-
-/* Runner i has a finding in this block already. */
-void runners_found(struct runners *runners, size_t i, long block);
-
-/* Another tool is in the spindle: what its pairs knew of their position holds no longer. */
-void runners_change_tool(struct runners *runners);
-
-/* Adds up the counters; proven may be NULL. */
-void runners_collect(const struct runners *runners, struct check_stats *stats, double *proven);
+void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
+		const struct check_options *options);
 
 #endif

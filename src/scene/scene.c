@@ -21,6 +21,7 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 {
 	struct scene *scene = mem_zalloc(1, sizeof(*scene));
 
+	pthread_mutex_init(&scene->building, NULL);
 	scene->machine = machine;
 	scene->setup = setup;
 	scene->bodies = mem_zalloc(machine->body_count + (setup ? setup->body_count : 0), sizeof(*scene->bodies));
@@ -47,6 +48,7 @@ void scene_free(struct scene *scene)
 	for (size_t i = 0; i < scene->pair_count; i++)
 		free(scene->pairs[i].reason);
 	sweep_release(&scene->sweep);
+	pthread_mutex_destroy(&scene->building);
 	free(scene->bodies);
 	free(scene->pairs);
 	free(scene);
@@ -112,10 +114,12 @@ const struct topology *scene_body_topology(struct scene *scene, int body, struct
 
 	if (!bvh)
 		return NULL;
+	pthread_mutex_lock(&scene->building);
 	if (!b->topology) {
 		b->topology = mem_zalloc(1, sizeof(*b->topology));
 		topology_init(b->topology, &bvh->mesh);
 	}
+	pthread_mutex_unlock(&scene->building);
 	return b->topology;
 }
 

@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_SCENE_SCENE_H
 #define FIVECHECK_SCENE_SCENE_H
 
+#include <pthread.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -45,6 +46,7 @@ struct scene {
 	size_t pair_count;
 	size_t meshes_read;
 	struct sweep sweep;	/* working storage for the derivation */
+	pthread_mutex_t building;	/* topologies are built when they are asked for, by any thread */
 };
 
 /*
