@@ -2,6 +2,14 @@
 
 #include <string.h>
 
+void diag_pass(struct diag *diag, const struct diag_entry *entry)
+{
+	diag->errors += entry->severity == DIAG_ERROR;
+	diag->warnings += entry->severity == DIAG_WARNING;
+	if (diag->handle)
+		diag->handle(diag->context, entry);
+}
+
 void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc loc, const char *excerpt,
 		 const char *format, va_list args)
 {
@@ -10,10 +18,7 @@ void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc l
 
 	strbuf_addv(&text, format, args);
 	entry.text = strbuf_text(&text);
-	diag->errors += severity == DIAG_ERROR;
-	diag->warnings += severity == DIAG_WARNING;
-	if (diag->handle)
-		diag->handle(diag->context, &entry);
+	diag_pass(diag, &entry);
 	strbuf_release(&text);
 }
 

@@ -42,6 +42,9 @@ void diag_note(struct diag *diag, struct srcloc loc, const char *format, ...) __
 void diag_report(struct diag *diag, enum diag_severity severity, struct srcloc loc, const char *excerpt,
 		 const char *format, va_list args) __attribute__((format(printf, 5, 0)));
 
+/* Hands an entry on as if it had been reported to `diag`. */
+void diag_pass(struct diag *diag, const struct diag_entry *entry);
+
 /*
  * Appends the entry in the GNU form, one line and then the excerpt with its
  * caret:  file:line:column: error: text

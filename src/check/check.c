@@ -5,10 +5,10 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/held.h"
 #include "base/mem.h"
 #include "check/batch.h"
 #include "check/crew.h"
-#include "check/held.h"
 #include "check/ledger.h"
 #include "scene/overlap.h"
 

@@ -46,7 +46,9 @@ bool program_close(struct program_file *file, struct diag *diag)
 
 /* One program while it runs. */
 struct program {
-	struct program_run *run;
+	const struct program_context *context;
+	struct voice *voice;
+	struct program_outcome *outcome;
 	const char *name;
 	struct strbuf text;
 	long first_line;	/* of the first finding; 0: none yet */
@@ -56,38 +58,33 @@ struct program {
 static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
-	struct program_run *run = program->run;
-	const struct machine *machine = run->scene->machine;
+	const struct machine *machine = program->context->scene->machine;
 
-	if (!run->has_first) {
-		run->has_first = true;
-		run->first_axes = finding->axes;
-		run->first_tool = finding->tool;
-	}
-	if (!program->first_line) {
+	if (!program->outcome->has_first) {
+		program->outcome->has_first = true;
+		program->outcome->first_axes = finding->axes;
+		program->outcome->first_tool = finding->tool;
 		program->first_line = finding->line;
 		program->first_file = mem_strndup(finding->file, strlen(finding->file));
 	}
-	if (run->options->format == FORMAT_NDJSON)
+	if (program->context->options->format == FORMAT_NDJSON)
 		ndjson_finding(&program->text, machine, finding);
 	else
-		text_finding(&program->text, machine, finding, run->colour);
-	console_clear(run->console);
-	output_text(run->out, &program->text);
-	return output_flush(run->out);
+		text_finding(&program->text, machine, finding, program->context->colour);
+	return voice_say(program->voice, &program->text);
 }
 
 static void on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
-	console_progress(program->run->console, program->name, lines);
+	voice_progress(program->voice, program->name, lines);
 }
 
 /* NDJSON has findings only; what else there is to say goes to standard error. */
 static void tell_verdict(struct program *program, const struct verdict *verdict)
 {
-	struct diag *diag = &program->run->console->diag;
+	struct diag *diag = &program->voice->diag;
 	const struct srcloc loc = {program->name, 0, 0};
 
 	strbuf_clear(&program->text);
@@ -100,32 +97,31 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 	}
 }
 
-static void report(struct program *program, const struct verdict *verdict, const double *proven)
+static void report(struct program *program, const double *proven)
 {
-	struct program_run *run = program->run;
+	const struct program_context *context = program->context;
+	const struct program_outcome *outcome = program->outcome;
+	const struct verdict verdict = {program->name, outcome->result, &context->options->check, &outcome->stats,
+					context->scene, program->first_line, program->first_file};
 
-	if (run->options->format == FORMAT_NDJSON) {
-		tell_verdict(program, verdict);
+	if (context->options->format == FORMAT_NDJSON) {
+		tell_verdict(program, &verdict);
 		return;
 	}
 	strbuf_clear(&program->text);
-	text_verdict(&program->text, verdict);
-	if (proven && verdict->result == CHECK_CLEAR)
-		text_proven(&program->text, run->scene, proven);
-	console_clear(run->console);
-	output_text(run->out, &program->text);
-	output_flush(run->out);
+	text_verdict(&program->text, &verdict);
+	if (proven && verdict.result == CHECK_CLEAR)
+		text_proven(&program->text, context->scene, proven);
+	voice_say(program->voice, &program->text);
 }
 
 /* A list of verdicts without it would look complete. */
 static void report_unread(struct program *program, const char *path)
 {
-	if (program->run->options->format != FORMAT_TEXT)
+	if (program->context->options->format != FORMAT_TEXT)
 		return;
 	strbuf_addf(&program->text, "%s: incomplete: the program could not be opened\n", path);
-	output_text(program->run->out, &program->text);
-	output_flush(program->run->out);
-	strbuf_release(&program->text);
+	voice_say(program->voice, &program->text);
 }
 
 /* Likely a setup that lacks its option. */
@@ -149,42 +145,45 @@ static enum run_status status_of(enum check_result result)
 	return RUN_INTERNAL;
 }
 
-enum run_status program_check(struct program_run *run, const char *path)
+/* The check itself, and what it says. */
+static void run(struct program *program, struct program_file *file, const char *path)
 {
-	struct diag *diag = &run->console->diag;
-	size_t errors = diag->errors;
-	struct check_stats stats = {0};
-	struct program program = {.run = run};
-	const struct check_sink sink = {&program, on_finding, on_progress};
-	struct program_file file;
-	enum check_result result;
+	const struct program_context *context = program->context;
+	const struct check_sink sink = {program, on_finding, on_progress};
+	struct program_outcome *outcome = program->outcome;
+	struct diag *diag = &program->voice->diag;
 	double *proven = NULL;
 
-	if (!program_open(&file, path, diag)) {
-		stats_sum(&run->stats, &stats, CHECK_INCOMPLETE);
-		report_unread(&program, path);
-		return RUN_INCOMPLETE;
-	}
-	program.name = file.name;
-	if (run->options->verbose)
-		proven = mem_zalloc(run->scene->pair_count, sizeof(*proven));
-	result = check_run(run->scene, &run->options->check, file.stream, file.name, &sink, diag, &stats, proven);
-	console_clear(run->console);
-	if ((!program_close(&file, diag) || diag->errors > errors) && result != CHECK_INCOMPLETE)
-		result = CHECK_INCOMPLETE;
-	stats_sum(&run->stats, &stats, result);
-	if (result == CHECK_INCOMPLETE && is_xml_name(path))
+	if (context->options->verbose)
+		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
+	outcome->result = check_run(context->scene, &context->check, file->stream, file->name, &sink, diag,
+				    &outcome->stats, proven);
+	if (!program_close(file, diag) || diag->errors)
+		outcome->result = CHECK_INCOMPLETE;
+	outcome->status = status_of(outcome->result);
+	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
-	report(&program,
-	       &(struct verdict){file.name, result, &run->options->check, &stats, run->scene, program.first_line,
-				 program.first_file},
-	       proven);
+	report(program, proven);
 	free(proven);
+	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !stage_is_lost(program->voice->stage)) {
+		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file->name);
+		outcome->status = RUN_INTERNAL;
+	}
+}
+
+void program_check(const struct program_context *context, const char *path, struct voice *voice,
+		   struct program_outcome *outcome)
+{
+	struct program program = {.context = context, .voice = voice, .outcome = outcome};
+	struct program_file file;
+
+	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
+	if (program_open(&file, path, &voice->diag)) {
+		program.name = file.name;
+		run(&program, &file, path);
+	} else {
+		report_unread(&program, path);
+	}
 	free(program.first_file);
 	strbuf_release(&program.text);
-	if (result == CHECK_INCOMPLETE && diag->errors == errors && !run->out->error) {
-		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file.name);
-		return RUN_INTERNAL;
-	}
-	return status_of(result);
 }

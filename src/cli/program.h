@@ -6,11 +6,9 @@
 #include <stdio.h>
 
 #include "base/axes.h"
-#include "cli/console.h"
 #include "cli/options.h"
 #include "cli/run.h"
-#include "report/output.h"
-#include "report/stats.h"
+#include "cli/voice.h"
 #include "scene/scene.h"
 
 struct program_file {
@@ -24,20 +22,26 @@ bool program_open(struct program_file *file, const char *path, struct diag *diag
 /* False, and reported, if not all of it could be read. */
 bool program_close(struct program_file *file, struct diag *diag);
 
-/* What the programs of a run share. All but the last four are borrowed. */
-struct program_run {
+/* What the programs of a run share; borrowed, and not changed by them. */
+struct program_context {
 	const struct options *options;
-	struct console *console;
+	struct check_options check;	/* the options', with the threads that one program may use */
 	struct scene *scene;
-	struct output *out;
-	bool colour;	/* on out */
-	struct run_stats stats;
+	bool colour;	/* in the report */
+};
+
+/* What became of one program. */
+struct program_outcome {
+	enum run_status status;
+	enum check_result result;
+	struct check_stats stats;
 	bool has_first;	/* something was found; then: */
 	axis_values first_axes;	/* where the machine stood */
 	int first_tool;	/* in the spindle */
 };
 
-/* Checks one program and writes its findings and its verdict. */
-enum run_status program_check(struct program_run *run, const char *path);
+/* Checks one program and says its findings and its verdict. */
+void program_check(const struct program_context *context, const char *path, struct voice *voice,
+		   struct program_outcome *outcome);
 
 #endif

@@ -4,13 +4,12 @@
 
 #include "cli/files.h"
 #include "cli/program.h"
+#include "cli/programs.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "report/dump.h"
 #include "report/oddities.h"
 #include "report/pairs.h"
-#include "report/pose.h"
-#include "report/stats.h"
 #include "report/tree.h"
 #include "scene/scene.h"
 
@@ -80,7 +79,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 		job->machine->controller.dialect = (enum dialect)options->dialect;
 	if (needs_scene(options->mode)) {
 		job->scene = scene_new(job->machine, job->setup, options->clearance, diag);
-		if (!job->scene)
+		if (!job->scene || (options->mode == RUN_CHECK && !scene_build(job->scene, diag)))
 			return false;
 	}
 	job->seconds = console_seconds() - start;
@@ -92,30 +91,9 @@ static enum run_status run_programs(const struct job *job, const struct options 
 {
 	/* Without collisions there is no need of bodies: their meshes stay unread. */
 	struct scene bare = {.machine = job->machine, .setup = job->setup};
-	struct program_run run = {
-		.options = options,
-		.console = console,
-		.scene = job->scene ? job->scene : &bare,
-		.out = out,
-		.colour = !options->output && console_wants_colour(STDOUT_FILENO),
-		.stats = {.seconds_load = job->seconds},
-	};
-	enum run_status status = RUN_CLEAR;
-	struct strbuf text = {0};
+	bool colour = !options->output && console_wants_colour(STDOUT_FILENO);
 
-	for (size_t i = 0; i < options->program_count && !out->error; i++)
-		status = worst(status, program_check(&run, options->programs[i]));
-	if (options->format == FORMAT_TEXT && !options->quiet) {
-		stats_add(&text, &run.stats, run.scene, options->check.method);
-		output_text(out, &text);
-	}
-	if (options->pose && !run.has_first)
-		diag_note(&console->diag, nowhere, "nothing was found: %s was not written", options->pose);
-	else if (options->pose &&
-		 !pose_write(options->pose, run.scene, &run.first_axes, run.first_tool, &console->diag))
-		status = worst(status, RUN_INCOMPLETE);
-	strbuf_release(&text);
-	return status;
+	return programs_check(options, job->scene ? job->scene : &bare, job->seconds, colour, console, out);
 }
 
 static enum run_status run_dump(const struct job *job, const struct options *options, struct diag *diag,

@@ -134,3 +134,16 @@ bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struc
 		       &pair->chain);
 	return true;
 }
+
+bool scene_build(struct scene *scene, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (pair->status == PAIR_CHECKED || pair->status == PAIR_OUT_OF_REACH)
+			good = scene_body_bvh(scene, pair->a, diag) && scene_body_bvh(scene, pair->b, diag) && good;
+	}
+	return good;
+}

@@ -58,6 +58,12 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 			struct diag *diag);
 void scene_free(struct scene *scene);
 
+/*
+ * Reads and builds what the pairs that may have to be checked need; several threads may
+ * check programs on the scene afterwards. False: a mesh is faulty, reported.
+ */
+bool scene_build(struct scene *scene, struct diag *diag);
+
 /* The body's tree, read and built at the first call; NULL if its mesh is faulty (reported once). */
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);
 

@@ -1,4 +1,4 @@
-#include "check/held.h"
+#include "base/held.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -36,25 +36,13 @@ void held_init(struct held *held)
 	held->diag.context = held;
 }
 
-static void say(struct diag *out, const struct held_entry *entry, const char *format, ...)
-	__attribute__((format(printf, 3, 4)));
-
-static void say(struct diag *out, const struct held_entry *entry, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	diag_report(out, entry->severity, entry->loc, entry->excerpt, format, args);
-	va_end(args);
-}
-
 void held_deliver(struct held *held, struct diag *out, long last_block)
 {
 	for (size_t i = 0; i < held->count; i++) {
 		struct held_entry *entry = &held->entries[i];
 
 		if (entry->block <= last_block)
-			say(out, entry, "%s", entry->text);
+			diag_pass(out, &(struct diag_entry){entry->severity, entry->loc, entry->text, entry->excerpt});
 		free(entry->file);
 		free(entry->text);
 		free(entry->excerpt);

@@ -1,6 +1,6 @@
-/* held.h - diagnostics that wait: what the interpreter says of blocks behind the first finding is not the user's concern. */
-#ifndef FIVECHECK_CHECK_HELD_H
-#define FIVECHECK_CHECK_HELD_H
+/* held.h - diagnostics that wait until it is known whether, or when, they are to be heard. */
+#ifndef FIVECHECK_BASE_HELD_H
+#define FIVECHECK_BASE_HELD_H
 
 #include <stddef.h>
 
@@ -8,7 +8,7 @@
 
 struct held_entry;
 
-/* Give `diag` to whom reports; set *block to the number of the block that is being read. */
+/* Give `diag` to whom reports; set `block` to the number of the block that is being read. */
 struct held {
 	struct diag diag;
 	long block;

@@ -1,0 +1,106 @@
+#include "cli/programs.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "cli/program.h"
+#include "report/pose.h"
+
+/* What the threads share. */
+struct session {
+	const struct options *options;
+	struct program_context context;
+	struct stage stage;
+	struct program_outcome *outcomes;	/* one a program */
+	atomic_size_t next;	/* program */
+};
+
+static void *work(void *context)
+{
+	struct session *session = context;
+	const struct options *options = session->options;
+	size_t i;
+
+	while ((i = atomic_fetch_add(&session->next, 1)) < options->program_count) {
+		struct voice *voice = &session->stage.voices[i];
+
+		/* When nobody can hear it any more, nothing is worth checking. */
+		session->outcomes[i].status = RUN_INCOMPLETE;
+		if (!stage_is_lost(&session->stage))
+			program_check(&session->context, options->programs[i], voice, &session->outcomes[i]);
+		voice_end(voice);
+	}
+	return NULL;
+}
+
+/* A thread that cannot start is no loss: the others do its share. */
+static void work_together(struct session *session, int count)
+{
+	pthread_t *threads = mem_zalloc((size_t)count, sizeof(*threads));
+	int started = 0;
+
+	while (started < count - 1 && !pthread_create(&threads[started], NULL, work, session))
+		started++;
+	work(session);
+	for (int i = 0; i < started; i++)
+		pthread_join(threads[i], NULL);
+	free(threads);
+}
+
+static void tell_stats(const struct session *session, double seconds)
+{
+	struct run_stats sums = {.seconds_load = seconds};
+	struct strbuf text = {0};
+
+	for (size_t i = 0; i < session->options->program_count; i++)
+		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result);
+	stats_add(&text, &sums, session->context.scene, session->options->check.method);
+	output_text(session->stage.out, &text);
+	strbuf_release(&text);
+}
+
+/* --pose: the first finding of the first program that has one. False: reported. */
+static bool write_pose(const struct session *session)
+{
+	const struct options *options = session->options;
+	struct diag *diag = &session->stage.console->diag;
+
+	for (size_t i = 0; i < options->program_count; i++) {
+		const struct program_outcome *outcome = &session->outcomes[i];
+
+		if (outcome->has_first)
+			return pose_write(options->pose, session->context.scene, &outcome->first_axes,
+					  outcome->first_tool, diag);
+	}
+	diag_note(diag, (struct srcloc){0}, "nothing was found: %s was not written", options->pose);
+	return true;
+}
+
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, bool colour,
+			       struct console *console, struct output *out)
+{
+	struct session session = {
+		.options = options,
+		.context = {.options = options, .check = options->check, .scene = scene, .colour = colour},
+	};
+	enum run_status status = RUN_CLEAR;
+	int threads = options->check.threads;
+
+	if ((size_t)threads > options->program_count)
+		threads = (int)options->program_count;
+	session.context.check.threads = options->check.threads / threads;
+	session.outcomes = mem_zalloc(options->program_count, sizeof(*session.outcomes));
+	stage_init(&session.stage, options->program_count, console, out);
+	work_together(&session, threads);
+	for (size_t i = 0; i < options->program_count; i++)
+		status = session.outcomes[i].status > status ? session.outcomes[i].status : status;
+	if (options->format == FORMAT_TEXT && !options->quiet)
+		tell_stats(&session, seconds);
+	if (options->pose && !write_pose(&session) && status < RUN_INCOMPLETE)
+		status = RUN_INCOMPLETE;
+	stage_release(&session.stage);
+	free(session.outcomes);
+	return status;
+}

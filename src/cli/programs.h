@@ -1,0 +1,17 @@
+/* programs.h - the NC programs of a run, several at a time, and what they come to. */
+#ifndef FIVECHECK_CLI_PROGRAMS_H
+#define FIVECHECK_CLI_PROGRAMS_H
+
+#include "cli/options.h"
+#include "cli/voice.h"
+#include "report/stats.h"
+#include "scene/scene.h"
+
+/*
+ * Checks the programs that the options name, on as many threads as they allow, and
+ * reports in the order in which they were given. `seconds` is what loading took.
+ */
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, bool colour,
+			       struct console *console, struct output *out);
+
+#endif
