@@ -11,6 +11,9 @@
 /* Node pairs that a proof of "out of reach" may look at, some milliseconds in all: not proved means checked. */
 #define REACH_VISITS 30000
 
+/* Positions looked at before such a proof is tried: it is vain where the bodies meet at one of them. */
+#define REACH_SAMPLES 32
+
 /* mm: regions of travel smaller than this are not halved further by such a proof. */
 #define REACH_GRAIN 1.0
 
@@ -45,6 +48,37 @@ static bool travel_of(const struct scene *scene, const struct chain *chain, axis
 	return true;
 }
 
+/* The i-th number of van der Corput's sequence in that base, 0 to 1: evenly spread however many are taken. */
+static double spread(int i, int base)
+{
+	double share = 1, sum = 0;
+
+	for (; i > 0; i /= base) {
+		share /= base;
+		sum += share * (i % base);
+	}
+	return sum;
+}
+
+/* Do the surfaces meet at one of a few positions spread over the travel? Then no proof need be tried. */
+static bool meets_somewhere(struct scene *scene, const struct body_pair *bodies, double clearance,
+			    const axis_values *low, const axis_values *high)
+{
+	static const int bases[SLOT_COUNT] = {2, 3, 5, 7, 11, 13, 17, 19, 23};
+	struct contact contact;
+
+	for (int i = 1; i <= REACH_SAMPLES; i++) {
+		struct chord still = {.u0 = 0};
+
+		for (int k = 0; k < SLOT_COUNT; k++)
+			still.q0.v[k] = low->v[k] + (high->v[k] - low->v[k]) * spread(i, bases[k]);
+		still.q1 = still.q0;
+		if (sweep_chord_any(&scene->sweep, bodies, &still, clearance, REACH_GRAIN, &contact) == SWEEP_CONTACT)
+			return true;
+	}
+	return false;
+}
+
 /* Proves, or does not prove, that the pair stays apart over the whole travel. */
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 			 struct diag *diag)
@@ -54,6 +88,8 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 	vec3 point;
 
 	if (!travel_of(scene, &pair->chain, &low, &high))
+		return false;
+	if (meets_somewhere(scene, bodies, pair->clearance, &low, &high))
 		return false;
 	return sweep_box(&scene->sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact) ==
 		       SWEEP_APART &&
