@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "check/batch.h"
 #include "check/budget.h"
 #include "motion/motion.h"
 #include "scene/memory.h"
@@ -28,6 +29,8 @@ struct follower {
 	bool lost;	/* steps were left out since the last one */
 	int wait;	/* steps before the next distance query is worth its time */
 	int patience;	/* how long to wait after the next query that does not pay */
+	bool sweeps;	/* the last step had to be swept, as distances do not pay */
+	size_t stride;	/* how many steps to try at once; 0: not tried yet */
 	long budgets, queries;
 };
 
@@ -57,6 +60,13 @@ void follower_lose(struct follower *follower);
  */
 bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
 		   const axis_values *end, size_t steps);
+
+/*
+ * Where distances do not pay, proves several of the `count` steps ahead in one go: how many; 0: none,
+ * then they have to be taken one by one.
+ */
+size_t follower_leap(struct follower *follower, struct sweep *sweep, const struct batch_step *steps, size_t count,
+		     double tolerance);
 
 enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
 			   double tolerance, struct contact *contact);

@@ -103,6 +103,18 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 	return count;
 }
 
+/* Steps from i on that nothing has to be asked of one by one. */
+static size_t skip(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
+		   const struct check_options *options)
+{
+	size_t skipped = skip_chunk(runner, batch, i, to, options);
+
+	if (skipped || options->method != CHECK_CERTIFIED || runner->entangled || runner->past_limits_only ||
+	    batch->steps[i].block == runner->found_block)
+		return skipped;
+	return follower_leap(&runner->follower, sweep, &batch->steps[i], to - i, options->tolerance);
+}
+
 void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options)
 {
@@ -114,7 +126,7 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 		struct contact contact = {0};
 		enum passage passage;
 
-		skipped = skip_chunk(runner, batch, i, to, options);
+		skipped = skip(runner, sweep, batch, i, to, options);
 		if (skipped)
 			continue;
 

@@ -102,9 +102,13 @@ static void run_split(const struct run *run, mesh_triangle *triangles, struct ru
 	run_measure(&out[1], triangles);
 }
 
-/* Up to eight runs of about the same size; the largest is halved as long as there is room. */
+/*
+ * Up to eight runs of about the same size; the largest is halved as long as there is room. Runs that
+ * fit into one node are divided only when they are alone: half-empty nodes at the bottom would be most of the tree.
+ */
 static int split_wide(const struct run *run, mesh_triangle *triangles, struct run out[BVH_WIDTH])
 {
+	size_t enough = run->count > BVH_WIDTH ? BVH_WIDTH : BVH_LEAF_SIZE;
 	int used = 1;
 
 	out[0] = *run;
@@ -115,7 +119,7 @@ static int split_wide(const struct run *run, mesh_triangle *triangles, struct ru
 		for (int i = 1; i < used; i++)
 			if (out[i].count > out[largest].count)
 				largest = i;
-		if (out[largest].count <= BVH_LEAF_SIZE)
+		if (out[largest].count <= enough)
 			break;
 		run_split(&out[largest], triangles, halves);
 		out[largest] = halves[0];

@@ -8,7 +8,7 @@
 #include "geom/mesh.h"
 #include "geom/vec3.h"
 
-enum { BVH_WIDTH = 8, BVH_LEAF_SIZE = 4 };
+enum { BVH_WIDTH = 8, BVH_LEAF_SIZE = 1 };
 
 /*
  * The boxes of up to eight children side by side, relative to the tree's origin

@@ -159,6 +159,8 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 		else
 			push_children(&search, &entry);
 	}
+	if (pair->memory)
+		pair->memory->near = search.found;
 	return search.depth ? 0 : fmax(search.proven - rounding, 0);
 }
 

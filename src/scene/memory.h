@@ -26,6 +26,7 @@ struct memory {
 	struct memory_axis axes[MEMORY_AXES];
 	int axis_count;
 	uint32_t near_a, near_b;	/* triangles of the trees */
+	double near;	/* mm: how close they, or others, were when the distance was last asked for */
 };
 
 /* Learns that n, a unit vector of a's mesh coordinates, separates at the pose: kept as it is, and as b sees it. */

@@ -63,12 +63,14 @@ static struct region *new_region(struct sweep *sweep)
 	return sweep->regions[sweep->region_count++];
 }
 
-static void push(struct walk *walk, const struct sweep_entry *entry)
+/* A new entry on top of the stack, for the caller to fill; entries may move. */
+static struct sweep_entry *push(struct walk *walk)
 {
 	struct sweep *sweep = walk->sweep;
 
-	sweep->stack = mem_grow(sweep->stack, &sweep->stack_capacity, walk->depth + 1, sizeof(*sweep->stack));
-	sweep->stack[walk->depth++] = *entry;
+	if (walk->depth == sweep->stack_capacity)
+		sweep->stack = mem_grow(sweep->stack, &sweep->stack_capacity, walk->depth + 1, sizeof(*sweep->stack));
+	return &sweep->stack[walk->depth++];
 }
 
 static bool is_final(const struct walk *walk, const struct region *region)
@@ -97,9 +99,9 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 	}
 	half.tested = false;
 	half.region = region->halves[1];
-	push(walk, &half);
+	*push(walk) = half;
 	half.region = region->halves[0];
-	push(walk, &half);
+	*push(walk) = half;
 	return GOES_ON;
 }
 
@@ -108,22 +110,26 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 {
 	bool open_a = branch_opens_first(&entry->a, &entry->b);
 	const struct bvh *bvh = open_a ? walk->pair->a : walk->pair->b;
-	const struct branch *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
-	const struct bvh_node *node = &bvh->nodes[opened->leaf.first];
+	const struct bvh_node *node = &bvh->nodes[open_a ? entry->a.leaf.first : entry->b.leaf.first];
+	const struct branch kept = open_a ? entry->b : entry->a;
+	struct region *region = entry->region;
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&entry->region->boxes, open_a ? 0 : 1, node, &kept->box, apart, loose);
+	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, apart, loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
-		struct branch child;
+		struct sweep_entry *child;
 
 		if (apart[l] > walk->clearance) {
 			walk->sweep->certificates++;
 			continue;
 		}
-		child = branch_child(node, l);
-		push(walk, &(struct sweep_entry){entry->region, open_a ? child : *kept, open_a ? *kept : child, true,
-						 loose[l]});
+		child = push(walk);
+		child->region = region;
+		child->a = open_a ? branch_child(node, l) : kept;
+		child->b = open_a ? kept : branch_child(node, l);
+		child->tested = true;
+		child->loose = loose[l];
 	}
 }
 
@@ -140,9 +146,9 @@ static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 /* Where boxes are loose because they move, not because they are large, halving the motion gains more than opening them. */
 static bool is_loose(const struct sweep_entry *entry)
 {
-	float a = branch_size(&entry->a), b = branch_size(&entry->b);
+	float larger = entry->a.size > entry->b.size ? entry->a.size : entry->b.size;
 
-	return entry->loose > LOOSE * (a > b ? a : b);
+	return entry->loose > LOOSE * larger;
 }
 
 static enum progress step(struct walk *walk, struct sweep_entry *entry)
@@ -177,7 +183,7 @@ static enum progress run(struct walk *walk, struct region *whole)
 
 	walk->depth = 0;
 	walk->contact->s = INFINITY;
-	push(walk, &root);
+	*push(walk) = root;
 	while (walk->depth && progress == GOES_ON) {
 		struct sweep_entry entry = walk->sweep->stack[--walk->depth];
 

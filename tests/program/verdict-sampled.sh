@@ -1,6 +1,6 @@
 # Where the paper's methods err, and the proof does not.
-tetrahedron blade -42 8 8 41 -6 3 38 -7 1 -4 0 7
-tetrahedron post -4 59 -2 1 55 -9 17 35 10 15 59 -4
+tetrahedron blade -40 -57 32 -17 -32 -2 -30 0 -17 42 -25 -3
+tetrahedron post 13 -33 21 -50 16 53 3 54 49 -25 -20 7
 machine m.xml <<'XML'
   <body name="post" mesh="post.stl"/>
   <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" limit_min="-360" limit_max="360" rate_max="3600">

@@ -119,6 +119,8 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 {
 	struct follower follower;
 	struct span_walk walk;
+	struct batch_step *steps = NULL;
+	size_t capacity = 0, count = 0, leaped, next = 0;
 	struct motion_step step = {.line = 1, .move = 1};
 	struct contact contact = {0};
 	struct span whole;
@@ -128,8 +130,18 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 	span_init(&whole, &c->path);
 	span_walk_init(&walk, &whole, 16 * c->tolerance);
 	follower_init(&follower, &c->duo.pair, c->clearance, number % 4 == 0);
-	while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
-		passage = follower_step(&follower, sweep, &step, c->tolerance, &contact);
+	while (span_walk_next(&walk, &step.span)) {
+		steps = mem_grow(steps, &capacity, count + 1, sizeof(*steps));
+		steps[count++] = (struct batch_step){.motion = step};
+	}
+	for (; passage == PASSAGE_CLEAR && next < count; next += leaped ? leaped : 1) {
+		leaped = follower_leap(&follower, sweep, &steps[next], count - next, c->tolerance);
+		if (!leaped)
+			passage = follower_step(&follower, sweep, &steps[next].motion, c->tolerance, &contact);
+	}
+	if (passage != PASSAGE_CLEAR)
+		step = steps[next - 1].motion;
+	free(steps);
 	require(passage != PASSAGE_UNDECIDED, "case %ld: undecided", number);
 	if (passage == PASSAGE_CONTACT) {
 		xform pose;

@@ -79,21 +79,42 @@ static int skip_some(struct program *p, struct follower *follower, int first, lo
 	return count;
 }
 
-/* Follows the program as far as its first contact; every passage is judged. */
-static bool follow(struct program *p, struct sweep *sweep, bool measure, long number)
+/* Offers all steps from the given one on to be swept together; how many were, all of them truly clear. */
+static int leap_over(struct program *p, struct follower *follower, struct sweep *sweep, const struct batch_step *steps,
+		     int first, long number)
 {
+	struct contact contact = {0};
+	int count = (int)follower_leap(follower, sweep, &steps[first], (size_t)(STEPS - first), p->tolerance);
+
+	for (int i = first; i < first + count; i++)
+		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART, &contact,
+			     "leaped step", number);
+	return count;
+}
+
+/* Follows the program as far as its first contact; every passage is judged. *leaped counts the steps of leaps. */
+static bool follow(struct program *p, struct sweep *sweep, bool measure, long number, long *leaped)
+{
+	struct path paths[STEPS];
+	struct batch_step steps[STEPS];
 	struct follower follower;
 	double proven;
 
+	for (int i = 0; i < STEPS; i++) {
+		paths[i] = path_between(&p->corners[i], &p->corners[i + 1], PATH_STRAIGHT);
+		steps[i] = (struct batch_step){.motion = step_on(&paths[i])};
+	}
 	follower_init(&follower, &p->duo.pair, p->clearance, measure);
 	for (int i = 0; i < STEPS; i++) {
 		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
-		struct path path = path_between(q0, q1, PATH_STRAIGHT);
-		struct motion_step step = step_on(&path);
 		struct contact contact = {0};
 		enum passage passage;
 		int skipped = random_below(&p->random, 3) ? 0 : skip_some(p, &follower, i, number);
 
+		if (!skipped) {
+			skipped = leap_over(p, &follower, sweep, steps, i, number);
+			*leaped += skipped;
+		}
 		if (skipped) {
 			i += skipped - 1;
 			continue;
@@ -102,7 +123,7 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 			follower_lose(&follower);
 			continue;
 		}
-		passage = follower_step(&follower, sweep, &step, p->tolerance, &contact);
+		passage = follower_step(&follower, sweep, &steps[i].motion, p->tolerance, &contact);
 		require(passage != PASSAGE_UNDECIDED, "case %ld, step %d: undecided", number, i);
 		oracle_judge(&p->duo, q0, q1, p->clearance, p->tolerance,
 			     passage == PASSAGE_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
@@ -119,17 +140,18 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 START_TEST(first_contact_of_many_steps)
 {
 	struct sweep sweep = {0};
-	long touched = 0, cases = random_cases(150);
+	long touched = 0, leaped = 0, cases = random_cases(150);
 
 	for (long n = 0; n < cases; n++) {
 		struct program p;
 
 		program_init(&p, 1, n);
-		touched += follow(&p, &sweep, n % 3 == 0, n);
+		touched += follow(&p, &sweep, n % 3 == 0, n, &leaped);
 		duo_release(&p.duo);
 	}
 	sweep_release(&sweep);
 	require(touched > cases / 20 && touched < cases, "%ld of %ld touch", touched, cases);
+	require(leaped > cases, "only %ld steps were leaped over", leaped);
 }
 END_TEST
 

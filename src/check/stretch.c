@@ -1,0 +1,96 @@
+#include "check/stretch.h"
+
+#include <assert.h>
+#include <math.h>
+
+#include "motion/span.h"
+
+/* mm: what a radian counts for when the speeds along a stretch are chosen; any value is right, a good one keeps deviations small. */
+#define RADIAN 100.0
+
+bool stretch_takes(const struct batch_step *step)
+{
+	return step->motion.span.path->kind != PATH_BOX;
+}
+
+static double way_of(const struct span *span)
+{
+	double way = 0;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		way += fabs(span->q1.v[i] - span->q0.v[i]) * (slot_is_rotary(i) ? RADIAN : 1);
+	return way;
+}
+
+/* Widens the deviations to hold the corner q, which the chord passes at s. */
+static void hold_corner(struct chord *chord, const axis_values *q, double s)
+{
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		double off = fabs(q->v[i] - ((1 - s) * chord->q0.v[i] + s * chord->q1.v[i]));
+
+		chord->deviation.v[i] = fmax(chord->deviation.v[i], off);
+	}
+}
+
+static void halve(const struct chord *whole, struct chord *first, struct chord *second);
+
+/*
+ * Over the steps u0 to u1 - 1. Between two corners both the chord and the step are linear, so that
+ * they are farthest apart at a corner; to that comes by how much a step leaves its own line.
+ */
+static struct chord over_steps(const struct batch_step *steps, double u0, double u1)
+{
+	size_t first = (size_t)u0, last = (size_t)u1 - 1;
+	struct chord chord = {.q0 = steps[first].motion.span.q0, .q1 = steps[last].motion.span.q1,
+			      .curve = steps, .u0 = u0, .u1 = u1, .halve = halve};
+	double whole = 0, way = 0;
+	axis_values own = steps[first].motion.span.deviation;
+
+	for (size_t i = first; i <= last; i++)
+		whole += way_of(&steps[i].motion.span);
+	for (size_t i = first; i < last; i++) {
+		way += way_of(&steps[i].motion.span);
+		hold_corner(&chord, &steps[i].motion.span.q1, whole > 0 ? way / whole : 0);
+		for (int k = 0; k < SLOT_COUNT; k++)
+			own.v[k] = fmax(own.v[k], steps[i + 1].motion.span.deviation.v[k]);
+	}
+	for (int k = 0; k < SLOT_COUNT; k++)
+		chord.deviation.v[k] += own.v[k];
+	return chord;
+}
+
+/* A piece of one step. */
+static void halve_step(const struct chord *whole, struct chord *first, struct chord *second)
+{
+	const struct batch_step *steps = whole->curve;
+	double begin = floor(whole->u0);
+	const struct span *step = &steps[(size_t)begin].motion.span;
+	double length = step->u1 - step->u0;
+	const struct span span = {whole->q0, whole->q1, whole->deviation, step->path,
+				  step->u0 + (whole->u0 - begin) * length, step->u0 + (whole->u1 - begin) * length};
+	double middle = 0.5 * (whole->u0 + whole->u1);
+	struct span halves[2];
+
+	span_halve(&span, &halves[0], &halves[1]);
+	*first = (struct chord){halves[0].q0, halves[0].q1, halves[0].deviation, steps, whole->u0, middle, halve};
+	*second = (struct chord){halves[1].q0, halves[1].q1, halves[1].deviation, steps, middle, whole->u1, halve};
+}
+
+static void halve(const struct chord *whole, struct chord *first, struct chord *second)
+{
+	double middle = 0.5 * (whole->u0 + whole->u1);
+	const struct batch_step *steps = whole->curve;
+
+	if (whole->u1 - whole->u0 <= 1) {
+		halve_step(whole, first, second);
+		return;
+	}
+	*first = over_steps(steps, whole->u0, middle);
+	*second = over_steps(steps, middle, whole->u1);
+}
+
+struct chord stretch_chord(const struct batch_step *steps, size_t count)
+{
+	assert(count > 0 && count <= STRETCH_MAX && !(count & (count - 1)));
+	return over_steps(steps, 0, (double)count);
+}
