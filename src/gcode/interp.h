@@ -35,6 +35,7 @@ struct gcode_config {
 	struct gcode_place references[REFERENCE_COUNT];
 	struct gcode_place tool_change;	/* M6 goes there first; not given: it moves nothing */
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
+	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	double least_input;	/* mm or degrees; what a 1 without a decimal point means; 0: a whole unit */
 	bool block_delete;	/* skip blocks that start with '/' */
 	bool last_duplicate_wins;	/* of a word that stands twice in a block; else it is an error */

@@ -118,6 +118,7 @@ struct machine {
 	struct arena arena;	/* owns all that is below */
 	const char *path;	/* as the user named it */
 	const char *name;	/* title of the machine; may be empty */
+	double unit;	/* mm per unit of length of its file, which is the control's own */
 	struct controller controller;
 	struct axis axes[SLOT_COUNT];	/* in file order: a carrying axis before what it carries */
 	size_t axis_count;

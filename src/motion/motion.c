@@ -73,6 +73,7 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	config->dialect = dialect_of(controller->dialect);
 	config->tcp_zero_offset = controller->tcp_zero_offset;
 	config->home = machine_home(machine);
+	config->unit = machine->unit;
 	config->least_input = controller->least_input;
 	for (int i = 0; i < REFERENCE_COUNT; i++)
 		config->references[i] = place_of(&controller->references[i]);
