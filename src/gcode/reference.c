@@ -23,25 +23,26 @@ static bool is_named(const struct interp *interp, int slot)
  * place orders them, then those that it does not order, together.
  */
 static bool go_to_place(struct interp *interp, const struct gcode_place *place, const slot_values *values,
-			bool moves[SLOT_COUNT], int column)
+			const bool moves[SLOT_COUNT], int column)
 {
 	slot_values target = interp->state.position;
-	bool left = false;
+	bool left = false, done[SLOT_COUNT] = {false};
 
 	for (size_t i = 0; i < place->order_count; i++) {
 		int slot = place->order[i];
 
 		if (!moves[slot])
 			continue;
-		moves[slot] = false;
+		done[slot] = true;
 		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]) ||
 		    !go_rapid(interp, &target))
 			return false;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		left = left || moves[slot];
-		if (moves[slot] &&
-		    !target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
+		if (!moves[slot] || done[slot])
+			continue;
+		left = true;
+		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
 			return false;
 	}
 	return !(left || place->order_count == 0) || go_rapid(interp, &target);
@@ -99,9 +100,12 @@ bool reference_go(struct interp *interp)
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		moves[slot] = is_named(interp, slot);
-	return tooling_suspend(interp, column, &suspended) &&
-	       go_to_place(interp, &interp->config->references[index], &values, moves, column) &&
-	       tooling_resume(interp, column, &suspended);
+	if (!tooling_suspend(interp, column, &suspended) ||
+	    !go_to_place(interp, &interp->config->references[index], &values, moves, column) ||
+	    !tooling_resume(interp, column, &suspended))
+		return false;
+	tooling_after_machine(interp, block->g[G_NONMODAL], moves);
+	return true;
 }
 
 bool reference_remember(struct interp *interp)

@@ -71,6 +71,7 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
+	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE: tooling_after_machine */
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */

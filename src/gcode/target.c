@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gcode/frame.h"
+#include "gcode/tooling.h"
 
 /* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
 #define WRAP_TOLERANCE 1e-9
@@ -72,6 +73,9 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 		if (!block_has(block, letter))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (!machine && (!state->incremental || value < 0 || value > 0) &&
+		    tooling_is_in_doubt(interp, slot, block_column(block, letter)))
+			return false;
 		if (state->incremental)
 			target->v[slot] += value;
 		else if (!target_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],

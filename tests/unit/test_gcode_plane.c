@@ -54,13 +54,14 @@ START_TEST(tilted)
 	plane_case(&c, GCODE_FANUC);
 	case_expect(&c,
 		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 G53 Z0.\n"
-		    "X0. Y0. Z0.\nG28 Z5.\nG69\nG0 X0. Z0.\nM30\n",
+		    "G43 H1 X0. Y0. Z0.\nG28 Z5.\nG43 H1 G69\nG0 X0. Z0.\nM30\n",
 		    "rapid 0 0 50 0 0\norient 0 1 0\nrapid 0 0 50 90 0\n"
 		    "tcp on length 0 zero A0 C0\n"
 		    "tcp on length 100 zero A0 C0\n"
 		    /* X' = -X, Y' = Z, Z' = Y */
 		    "rapid 9 23 32 90 0 tcp\nrapid 9 24 32 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 9 24 0 90 0\ntcp on length 100 zero A0 C0\n"
+		    "tcp on length 100 zero A0 C0\n"
 		    "rapid 10 20 30 90 0 tcp\n"
 		    "rapid 10 25 30 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 10 25 0 90 0\ntcp on length 100 zero A0 C0\n"
