@@ -60,9 +60,10 @@ static bool find_number(struct interp *interp, int *index)
 	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCE_COUNT, &number))
 		return false;
 	*index = number - 1;
-	if (number == 2 || interp->config->references[*index].given)
+	/* LinuxCNC has its second position in parameters that G30.1 and programs write. */
+	if (interp->config->references[*index].given || (number == 2 && interp->config->dialect == GCODE_LINUXCNC))
 		return true;
-	return fault(&interp->at, block_column(block, 'P'),
+	return fault(&interp->at, block_has(block, 'P') ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
 		     "<controller> gives it", number, number);
 }
@@ -127,6 +128,17 @@ bool reference_remember(struct interp *interp)
 	return tooling_resume(interp, column, &suspended);
 }
 
+/* Haas mill operator's manual, "M06 Tool Change": the control itself takes Z to its home. */
+static void caution_no_place(struct interp *interp)
+{
+	if (interp->config->dialect != GCODE_HAAS || interp->cautioned_tool_change)
+		return;
+	caution(&interp->at, interp->block.m_column[M_TOOL],
+		"M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> that says where: no motion "
+		"is checked, here and further on");
+	interp->cautioned_tool_change = true;
+}
+
 bool reference_change_tool(struct interp *interp)
 {
 	const struct gcode_place *place = &interp->config->tool_change;
@@ -135,8 +147,18 @@ bool reference_change_tool(struct interp *interp)
 	slot_values values;
 	bool moves[SLOT_COUNT];
 
-	if (!place->given)
+	if (!place->given) {
+		caution_no_place(interp);
 		return true;
+	}
+	if (interp->state.frame.on && interp->state.tcp == TCP_BY_PLANE) {
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+			if (place->has[slot])
+				return fault(&interp->at, column,
+					     "M6 while G68.2 is in force turns %c away from its plane; G69 first",
+					     AXIS_LETTERS[slot]);
+		}
+	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		values.v[slot] = state_from_canonical(slot, place->value.v[slot]);
 		moves[slot] = place->has[slot];

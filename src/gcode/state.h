@@ -63,6 +63,8 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct frame frame;
+	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: plane.h */
+	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
 	bool work_known[SYSTEM_COUNT + EXTENDED_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
@@ -108,6 +110,7 @@ struct interp {
 	struct block_cautions cautions;
 	bool cautioned_length;	/* what G43 and G49 move on some controls */
 	bool cautioned_half_turn;
+	bool cautioned_tool_change;
 	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */

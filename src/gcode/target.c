@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gcode/frame.h"
+#include "gcode/plane.h"
 #include "gcode/tooling.h"
 
 /* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
@@ -66,6 +67,8 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
+	if (!plane_check_words(interp, machine))
+		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;
