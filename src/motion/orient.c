@@ -54,14 +54,14 @@ static bool nearest_turn(const struct axis *axis, double angle, double here, dou
 {
 	double low = ceil((axis->limit_min - LIMIT_TOLERANCE - angle) / (2 * PI));
 	double high = floor((axis->limit_max + LIMIT_TOLERANCE - angle) / (2 * PI));
-	double turns = (here - angle) / (2 * PI), k = round(turns), other = turns > k ? k + 1 : k - 1;
-	double way;
+	double turns = (here - angle) / (2 * PI), best = round(turns), k, other;
 
 	if (low > high)
 		return false;
-	k = fmin(fmax(k, low), high);
-	way = fabs(angle + 2 * PI * k - here);
-	*tie = other >= low && other <= high && fabs(fabs(angle + 2 * PI * other - here) - way) < TIE_TOLERANCE;
+	k = fmin(fmax(best, low), high);
+	other = turns > best ? best + 1 : best - 1;
+	*tie = k >= best && k <= best && other >= low && other <= high &&
+	       2 * PI * fabs(fabs(turns - best) - fabs(turns - other)) < TIE_TOLERANCE;
 	/* What the limits take off by rounding. */
 	*nearest = fmin(fmax(angle + 2 * PI * k, axis->limit_min), axis->limit_max);
 	return true;
