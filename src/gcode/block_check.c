@@ -186,7 +186,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	unused = block->letters & ~used_letters(block, config->dialect);
 	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
 		if (unused & letter_bit(letter))
-			return fault(at, block_column(block, letter), "no code in the block uses the word %c", letter);
+			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
+				     letter == 'E' ? "; numbers have no exponent" : "");
 	}
 	return true;
 }

@@ -403,7 +403,7 @@ bool cycle_run(struct interp *interp)
 	bool kept;
 
 	if (state->feed_mode == FEED_INVERSE_TIME)
-		return fault(&interp->at, column, "G%d in inverse time mode (G93)", cycle.code / 10);
+		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95", cycle.code / 10);
 	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;
 	find_axes(&cycle);

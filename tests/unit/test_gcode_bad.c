@@ -35,7 +35,7 @@ static const struct bad texts[] = {
     {"G0 X-\n", 1, 4, "X without a number"},
     {"G0 X.\n", 1, 4, "X without a number"},
     {"G0 X1.2.3\n", 1, 8, "unexpected '.'"},
-    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E"},
+    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E; numbers have no exponent"},
     {"G0 X1 ! Y2\n", 1, 7, "unexpected '!'"},
     {"G0 X\xc2\xb5"
      "1\n",

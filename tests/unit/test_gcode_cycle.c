@@ -211,7 +211,7 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G88 X1 Z-1 R1 P1", 1,
      "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
     {GCODE_LINUXCNC, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
-    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93)"},
+    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); canned cycles need G94 or G95"},
     {GCODE_LINUXCNC, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
     {GCODE_LINUXCNC, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
     {GCODE_LINUXCNC, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
