@@ -31,6 +31,7 @@ struct gcode_config {
 	enum gcode_dialect dialect;
 	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
 	enum gcode_wrap wrap[SLOT_COUNT];
+	int half_turn[SLOT_COUNT];	/* with GCODE_WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
 	axis_values home;	/* where the program starts; the first two reference positions in want of others */
 	struct gcode_place references[REFERENCE_COUNT];
 	struct gcode_place tool_change;	/* M6 goes there first; not given: it moves nothing */

@@ -109,7 +109,6 @@ struct interp {
 	struct comp comp;
 	struct block_cautions cautions;
 	bool cautioned_length;	/* what G43 and G49 move on some controls */
-	bool cautioned_half_turn;
 	bool cautioned_tool_change;
 	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */

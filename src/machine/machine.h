@@ -63,6 +63,7 @@ struct axis {
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
 	enum wrap wrap;
+	int half_turn;	/* 1 or -1: the way of half a turn, where either way is as near; 0: not known */
 	long line;	/* in the XML file */
 };
 

@@ -48,20 +48,24 @@ static bool is_along(vec3 axis, vec3 direction)
 
 /*
  * Whole turns away, the position within the limits that is the nearest to
- * `here`; *tie: there is another as near, one turn further.
+ * `here`; *tie: there is another as near, and nobody knows which one is taken.
  */
 static bool nearest_turn(const struct axis *axis, double angle, double here, double *nearest, bool *tie)
 {
 	double low = ceil((axis->limit_min - LIMIT_TOLERANCE - angle) / (2 * PI));
 	double high = floor((axis->limit_max + LIMIT_TOLERANCE - angle) / (2 * PI));
 	double turns = (here - angle) / (2 * PI), best = round(turns), k, other;
+	bool equal;
 
 	if (low > high)
 		return false;
-	k = fmin(fmax(best, low), high);
 	other = turns > best ? best + 1 : best - 1;
-	*tie = k >= best && k <= best && other >= low && other <= high &&
-	       2 * PI * fabs(fabs(turns - best) - fabs(turns - other)) < TIE_TOLERANCE;
+	equal = best >= low && best <= high && other >= low && other <= high &&
+		2 * PI * fabs(fabs(turns - best) - fabs(turns - other)) < TIE_TOLERANCE;
+	*tie = equal && !axis->half_turn;
+	if (equal && axis->half_turn)
+		best = axis->half_turn > 0 ? fmax(best, other) : fmin(best, other);
+	k = fmin(fmax(best, low), high);
 	/* What the limits take off by rounding. */
 	*nearest = fmin(fmax(angle + 2 * PI * k, axis->limit_min), axis->limit_max);
 	return true;
@@ -231,6 +235,9 @@ static bool fault_tie(const struct problem *problem, const struct solution *one,
 	strbuf_addf(&text, " or to ");
 	add_solution(&text, problem, other);
 	strbuf_addf(&text, ", which are as near: turn the rotary axes towards the one that is meant, in a block before");
+	if (other == &turned)
+		strbuf_addf(&text, ", or give half_turn to axis %c in the machine file",
+			    AXIS_LETTERS[problem->chain.joints[one->half_turn].slot]);
 	diag_error(diag, loc, "%s", strbuf_text(&text));
 	strbuf_release(&text);
 	return false;

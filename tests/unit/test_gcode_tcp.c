@@ -88,6 +88,7 @@ START_TEST(machine_axes)
 		    "rapid 21 -5 10 0 90 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 5 21 0 0 90\ntcp on length 100 zero A0 C0\n"
 		    "rapid 0 0 0 0 90 tcp\n");
+	/* Haas mill operator's manual, "G53 Non-Modal Machine Coordinate Selection". */
 	tcp_case(&c);
 	c.config.dialect = GCODE_HAAS;
 	case_expect(&c, "M428\nG0 X1. C90.\nG53 Y5.\nM30\n",
@@ -153,6 +154,7 @@ START_TEST(refused)
 }
 END_TEST
 
+/* Fanuc B-64484EN, "Tool length compensation (G43, G44, G49)": parameter 5006#6 (TOS) says whether Z moves at once. */
 START_TEST(fanuc_length_without_z)
 {
 	struct gcode_case c;

@@ -263,7 +263,15 @@ START_TEST(messages)
 	rig_find(&machine, SLOT_A)->limit_min = radians(-90);
 	expect_message(&machine, euler_normal(0, 20), false, 0,
 		       "G53.1 could turn to C180 A-20 or to C-180 A-20, which are as near: turn the rotary axes towards "
-		       "the one that is meant, in a block before");
+		       "the one that is meant, in a block before, or give half_turn to axis C in the machine file");
+	/* The machine file knows which. */
+	rig_find(&machine, SLOT_C)->half_turn = -1;
+	expect_message(&machine, euler_normal(0, 20), true, 0,
+		       "G53.1 turns to C-180 A-20; the other solution, C0 A20, lies outside the limits");
+	rig_find(&machine, SLOT_C)->half_turn = 1;
+	expect_message(&machine, euler_normal(0, 20), true, 0,
+		       "G53.1 turns to C180 A-20; the other solution, C0 A20, lies outside the limits");
+	rig_find(&machine, SLOT_C)->half_turn = 0;
 	rig_find(&machine, SLOT_C)->limit_min = radians(-100);
 	expect_message(&machine, euler_normal(0, 20), true, 0,
 		       "G53.1 turns to C180 A-20; the other solution, C0 A20, lies outside the limits");
