@@ -224,7 +224,7 @@ static bool find_holes(struct cycle *cycle)
 				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
 	}
 	if (!target_find(interp, false, &target) ||
-	    tooling_is_in_doubt(interp, cycle->depth, block_motion_column(&interp->block)))
+	    tooling_is_in_doubt(interp, (int)cycle->depth, block_motion_column(&interp->block)))
 		return false;
 	target.v[cycle->depth] = cycle->at.v[cycle->depth];
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -403,7 +403,8 @@ bool cycle_run(struct interp *interp)
 	bool kept;
 
 	if (state->feed_mode == FEED_INVERSE_TIME)
-		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95", cycle.code / 10);
+		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
+			     cycle.code / 10);
 	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;
 	find_axes(&cycle);

@@ -87,7 +87,8 @@ static bool turn_in_plane(struct interp *interp)
 						  "supported yet");
 	if (!block_has(&interp->block, 'R'))
 		return fault(&interp->at, column,
-			     "G68 needs its angle in R; without it a parameter or setting of the control gives the angle");
+			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
+			     "the angle");
 	if (!find_centre(interp, &centre))
 		return false;
 	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
@@ -144,7 +145,7 @@ static bool turn_back(struct interp *interp)
 	return true;
 }
 
-/* After G68: of an absolute word alone it is not said whether the other coordinate is the turned or the programmed one. */
+/* After G68: of one absolute word alone it is not said whether the other coordinate is the turned one. */
 static bool check_both_words(struct interp *interp)
 {
 	const struct state *state = &interp->state;
@@ -158,8 +159,8 @@ static bool check_both_words(struct interp *interp)
 		    !state->unsure[other])
 			continue;
 		return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or its "
-			     "turned coordinate depends on the control; name both", AXIS_LETTERS[slot],
+			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or "
+			     "its turned coordinate depends on the control; name both", AXIS_LETTERS[slot],
 			     AXIS_LETTERS[other], AXIS_LETTERS[other]);
 	}
 	return true;

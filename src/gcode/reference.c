@@ -134,8 +134,8 @@ static void caution_no_place(struct interp *interp)
 	if (interp->config->dialect != GCODE_HAAS || interp->cautioned_tool_change)
 		return;
 	caution(&interp->at, interp->block.m_column[M_TOOL],
-		"M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> that says where: no motion "
-		"is checked, here and further on");
+		"M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> that says where: no "
+		"motion is checked, here and further on");
 	interp->cautioned_tool_change = true;
 }
 

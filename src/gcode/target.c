@@ -22,8 +22,8 @@ static bool shortest(struct interp *interp, int slot, double aim, int column, do
 	if (fabs(way) >= 180 - WRAP_TOLERANCE) {
 		if (!half_turn)
 			return fault(&interp->at, column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
-				     "this axis in the machine file says which one the control takes",
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
+				     "\"negative\" of this axis in the machine file says which one the control takes",
 				     AXIS_LETTERS[slot]);
 		way = half_turn * fabs(way);
 	}

@@ -176,7 +176,10 @@ static bool find_length(struct interp *interp, double *length)
 		if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
 			return false;
 	} else if (!linuxcnc) {
-		return fault(&interp->at, column, "G%s needs H", block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4");
+		return fault(&interp->at, column, "G%s needs H",
+			     block->g[G_LENGTH] == G43	  ? "43"
+			     : block->g[G_LENGTH] == G234 ? "234"
+							  : "43.4");
 	}
 	if (number == 0 && linuxcnc)
 		return find_spindle_length(interp, column, length);

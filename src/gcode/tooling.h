@@ -41,7 +41,7 @@ struct suspended {
 /* After G28, G30 or G53 has moved the axes marked: what became of the length compensation. */
 void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
 
-/* Does the program coordinate of an axis depend on a length of which that is not known? True: reported at the column. */
+/* Does it depend on such a length where a program coordinate of the axis is? True: reported at the column. */
 bool tooling_is_in_doubt(struct interp *interp, int slot, int column);
 
 bool tooling_suspend(struct interp *interp, int column, struct suspended *suspended);

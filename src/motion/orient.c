@@ -234,7 +234,8 @@ static bool fault_tie(const struct problem *problem, const struct solution *one,
 	add_solution(&text, problem, one);
 	strbuf_addf(&text, " or to ");
 	add_solution(&text, problem, other);
-	strbuf_addf(&text, ", which are as near: turn the rotary axes towards the one that is meant, in a block before");
+	strbuf_addf(&text, ", which are as near: turn the rotary axes towards the one that is meant, in a block "
+			   "before");
 	if (other == &turned)
 		strbuf_addf(&text, ", or give half_turn to axis %c in the machine file",
 			    AXIS_LETTERS[problem->chain.joints[one->half_turn].slot]);

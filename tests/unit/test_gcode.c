@@ -261,7 +261,7 @@ START_TEST(path_control)
 }
 END_TEST
 
-/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-64484EN, "Rotary axis roll-over": G90 by the shorter way, G91 literal. */
+/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-64484EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
 START_TEST(wrapped_axes)
 {
 	struct gcode_case c;

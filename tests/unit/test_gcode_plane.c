@@ -32,7 +32,8 @@ START_TEST(rotation)
 	run(GCODE_HAAS, "G10 L2 P1 X100. Y0.\nG54 G0 X1. Y1.\nG68 R-90.\nX2. Y1.\nG69\nM30\n",
 	    "rapid 101 1 0 0 0\nrapid 101 0 0 0 0\n");
 	/* Fanuc 15i (B-63324EN), the same section: increments before an absolute move turn about the tool. */
-	run(GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nG91 X1.\nY1. Z1.\nG90 X1. Y0.\nX2.\nG69\nX0.\nY0.\nG91 X1. Y1.\nM30\n",
+	run(GCODE_FANUC,
+	    "G0 X5. Y5.\nG68 X0. Y0. R90.\nG91 X1.\nY1. Z1.\nG90 X1. Y0.\nX2.\nG69\nX0.\nY0.\nG91 X1. Y1.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid 5 6 0 0 0\nrapid 4 6 1 0 0\nrapid 0 1 1 0 0\nrapid 0 2 1 0 0\n"
 	    "rapid 0 2 1 0 0\nrapid 0 0 1 0 0\nrapid 1 1 1 0 0\n");
 	/* Zero increments on the way to reference positions, and machine coordinates, do not mind. */
@@ -134,6 +135,33 @@ START_TEST(least_input)
 }
 END_TEST
 
+/*
+ * B-64484EN, "Decimal point programming", appendix "Range of command value": pecks, arc radii, offsets, shifts and ways
+ * by reference positions count increments, and so do angles, in G20 as well; P of dwells is in ms, F in mm/min.
+ */
+START_TEST(least_input_by_address)
+{
+	struct gcode_case c;
+
+	plane_case(&c, GCODE_FANUC);
+	c.config.least_input = 0.001;
+	c.show_feed = true;
+	case_expect(&c,
+		    "G10 L2 P1 X10000\nG0 X0\nG52 Y2000\nG1 Y0 F60\nG52 Y0\nG2 X2000 Y2000 R1000 F60.\nG28 X1000\n"
+		    "G99 G83 X0 Y0 Z-2000 R0 Q1000 F60\nG80\nG4 P1500\nG68 X0 Y0 R90000\nG0 X1000 Y0\nM30\n",
+		    "rapid 10 0 0 0 0\nfeed 10 2 0 0 0 at 1 1\n"
+		    "arc 12 2 0 0 0 centre 11 2 0 normal 0 0 1 sweep -180 at 1 1\n"
+		    "rapid 11 2 0 0 0\nrapid 0 2 0 0 0\n"
+		    "rapid 10 0 0 0 0\nrapid 10 0 0 0 0\nfeed 10 0 -1 0 0 at 1 1\nrapid 10 0 0 0 0\n"
+		    "rapid 10 0 -0.746 0 0\nfeed 10 0 -2 0 0 at 1 1\nrapid 10 0 0 0 0\n"
+		    "dwell 1.5 at 0 0\nrapid 10 1 0 0 0\n");
+	plane_case(&c, GCODE_FANUC);
+	c.config.least_input = 0.001;
+	case_expect(&c, "G20\nG68.2 X10000 I180000 J90000\nG53.1\nG0 X0 Y0 Z1.\nM30\n",
+		    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 25.4 25.4 0 90 0 tcp\n");
+}
+END_TEST
+
 /* Haas, "M06 Tool Change": Z goes home by itself; Fanuc leaves that to the program. */
 START_TEST(tool_change_without_place)
 {
@@ -182,7 +210,8 @@ struct bad {
 
 static const struct bad bads[] = {
     {GCODE_LINUXCNC, "", "G68 R5", 1, "G68 is no G-code that is known in the linuxcnc dialect"},
-    {GCODE_FANUC, "", "G68 X0. Y0.", 1, "G68 needs its angle in R; without it a parameter or setting of the control gives the angle"},
+    {GCODE_FANUC, "", "G68 X0. Y0.", 1,
+     "G68 needs its angle in R; without it a parameter or setting of the control gives the angle"},
     {GCODE_FANUC, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
     {GCODE_HAAS, "", "G68 X0. R5.", 1,
      "the centre of G68 needs both of its words, or none for where the tool stands"},
@@ -275,7 +304,8 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {rotation, rotated_arcs_and_cycles, tilted, additional_offsets, least_input,
-				      tool_change_without_place, tool_change_on_a_plane, haas_tool_centre};
+				      least_input_by_address, tool_change_without_place, tool_change_on_a_plane,
+				      haas_tool_centre};
 	Suite *suite = suite_create("gcode_plane");
 	TCase *tcase = tcase_create("gcode_plane");
 	SRunner *runner;
