@@ -341,14 +341,16 @@ END_TEST
 struct plane {
 	struct v offset, origin;
 	double ijk[3];
+	enum kind kind;
+	double tilt, turn;	/* tcp_zero: coordinates are meant where the rotary axes stand so */
 };
 
-/* Where a point of the plane is in the workpiece: gauge line, work offset, origin, and turned by Euler's angles. */
+/* Where a point of the plane is in the workpiece: work offset, origin, turned by Euler's angles; the spindle is there. */
 static struct v on_plane(const struct plane *plane, struct v p)
 {
 	struct v at = add(add(plane->offset, plane->origin), euler(plane->ijk, p));
 
-	return add(at, (struct v){0, 0, GAUGE});
+	return tip(plane->kind, (double[]){at.x, at.y, at.z, plane->tilt, plane->turn}, 0);
 }
 
 /* Every point of an arc about (20, 0) from (40, 0), at Z5 of the plane. */
@@ -375,8 +377,13 @@ START_TEST(work_in_the_plane)
 
 		for (int k = 0; k < 3; k++)
 			plane.ijk[k] = k == 1 ? number(&random, 1, 85) : number(&random, -200, 200);
+		machine.controller.tcp_zero_offset = n % 2;
+		plane.kind = kind;
+		plane.tilt = n % 2 ? number(&random, -30, 30) : 0;
+		plane.turn = n % 2 ? number(&random, -90, 90) : 0;
 		start(&run, kind);
-		say(&run, "G10 L2 P1 X%.6f Y%.6f Z%.6f", plane.offset.x, plane.offset.y, plane.offset.z);
+		say(&run, "G10 L2 P1 X%.6f Y%.6f Z%.6f %c%.6f C%.6f", plane.offset.x, plane.offset.y, plane.offset.z,
+		    tilt_letter(kind), plane.tilt, plane.turn);
 		say(&run, "G54 G0 X0. Y0. Z300. %c7. C%.6f F500.", tilt_letter(kind), number(&random, -170, 170));
 		say(&run, "G68.2 X%.6f Y%.6f Z%.6f I%.6f J%.6f K%.6f", plane.origin.x, plane.origin.y, plane.origin.z,
 		    plane.ijk[0], plane.ijk[1], plane.ijk[2]);
@@ -434,19 +441,24 @@ START_TEST(tool_centre_point)
 
 	for (int n = 0; n < 200; n++) {
 		struct v offset = point(&random, 200), first = point(&random, 60), second = point(&random, 60);
-		struct v at = add(offset, (struct v){0, 0, GAUGE});
+		struct v from = add(offset, first), to = add(offset, second);
 		enum kind kind = (enum kind)(n % KINDS);
 		struct machine machine = machine_of(kind);
-		bool haas = n % 2;
+		bool haas = n % 2, at_offset = n % 4 > 1;
+		/* tcp_zero: coordinates are meant where the rotary axes stand at their offsets. */
+		double tilt = at_offset ? number(&random, -30, 30) : 0, turn = at_offset ? number(&random, -90, 90) : 0;
 		struct way way;
 		struct run run;
 		int begin, off;
 
 		if (haas)
 			machine.controller.dialect = DIALECT_HAAS;
-		way = (struct way){add(at, first), add(at, second)};
+		machine.controller.tcp_zero_offset = at_offset;
+		way.from = tip(kind, (double[]){from.x, from.y, from.z, tilt, turn}, 0);
+		way.to = tip(kind, (double[]){to.x, to.y, to.z, tilt, turn}, 0);
 		start(&run, kind);
-		say(&run, "G10 L2 P1 X%.6f Y%.6f Z%.6f", offset.x, offset.y, offset.z);
+		say(&run, "G10 L2 P1 X%.6f Y%.6f Z%.6f %c%.6f C%.6f", offset.x, offset.y, offset.z, tilt_letter(kind),
+		    tilt, turn);
 		say(&run, "G54 G0 X0. Y0. Z300. F900.");
 		begin = say(&run, "%s H1 X%.6f Y%.6f Z%.6f %c%.6f C%.6f", haas ? "G234" : "G43.4", first.x, first.y,
 			    first.z, tilt_letter(kind), number(&random, -80, 80), number(&random, -300, 300));
