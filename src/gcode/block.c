@@ -230,13 +230,15 @@ static void caution_points(const struct block *block, const struct line_place *a
 {
 	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point || block->g[G_NONMODAL] == G4)
 		return;
-	for (const char *letter = AXIS_LETTERS "IJKR"; *letter && !cautions->point; letter++) {
+	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
 		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
 			continue;
 		if (fpclassify(block_value(block, *letter)) == FP_ZERO)
 			continue;
-		/* K of Fanuc's cycles is a number of holes. */
+		/* K of Fanuc's cycles is a number of holes, Q the depth of a peck. */
 		if (*letter == 'K' && block->g[G_MOTION] != G2 && block->g[G_MOTION] != G3)
+			continue;
+		if (*letter == 'Q' && block->g[G_MOTION] != G73 && block->g[G_MOTION] != G83)
 			continue;
 		caution(at, block_column(block, *letter),
 			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "

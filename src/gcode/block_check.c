@@ -155,10 +155,13 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('D') | letter_bit('L');
 	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
 		used |= letter_bit('P');
-	if (block->g[G_ROTATION] == G68)
-		used |= letter_bit('R');
+	/* Those of the forms that are not supported as well: plane.c says so. */
+	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
+		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_ROTATION] == G68_2)
-		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
+		used |= letter_bit('P') | letter_bit('Q');
+	if (block->g[G_SYSTEM] == G54 && dialect == GCODE_FANUC)
+		used |= letter_bit('P');
 	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
 	if (block->g[G_PATH] == G64 && dialect == GCODE_LINUXCNC)
@@ -183,7 +186,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	unused = block->letters & ~used_letters(block, config->dialect);
 	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
 		if (unused & letter_bit(letter))
-			return fault(at, block_column(block, letter), "no code in the block uses the word %c", letter);
+			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
+				     letter == 'E' ? "; numbers have no exponent" : "");
 	}
 	return true;
 }

@@ -5,6 +5,7 @@
 
 #include "gcode/frame.h"
 #include "gcode/target.h"
+#include "gcode/tooling.h"
 #include "gcode/travel.h"
 
 /* LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a parameter, and on the way in any case. */
@@ -222,7 +223,8 @@ static bool find_holes(struct cycle *cycle)
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
 				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
 	}
-	if (!target_find(interp, false, &target))
+	if (!target_find(interp, false, &target) ||
+	    tooling_is_in_doubt(interp, (int)cycle->depth, block_motion_column(&interp->block)))
 		return false;
 	target.v[cycle->depth] = cycle->at.v[cycle->depth];
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -401,7 +403,8 @@ bool cycle_run(struct interp *interp)
 	bool kept;
 
 	if (state->feed_mode == FEED_INVERSE_TIME)
-		return fault(&interp->at, column, "G%d in inverse time mode (G93)", cycle.code / 10);
+		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
+			     cycle.code / 10);
 	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;
 	find_axes(&cycle);

@@ -31,10 +31,12 @@ struct gcode_config {
 	enum gcode_dialect dialect;
 	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
 	enum gcode_wrap wrap[SLOT_COUNT];
+	int half_turn[SLOT_COUNT];	/* with GCODE_WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
 	axis_values home;	/* where the program starts; the first two reference positions in want of others */
 	struct gcode_place references[REFERENCE_COUNT];
 	struct gcode_place tool_change;	/* M6 goes there first; not given: it moves nothing */
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
+	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	double least_input;	/* mm or degrees; what a 1 without a decimal point means; 0: a whole unit */
 	bool block_delete;	/* skip blocks that start with '/' */
 	bool last_duplicate_wins;	/* of a word that stands twice in a block; else it is an error */

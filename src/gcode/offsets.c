@@ -19,7 +19,8 @@ static bool find_system(struct interp *interp, int code, int *system)
 	bool fanuc = interp->config->dialect == GCODE_FANUC;
 	int number = 0;
 
-	if (code == G54_1 || code == G154) {
+	/* Fanuc: G54 with P is G54.1. */
+	if (code == G54_1 || code == G154 || (code == G54 && fanuc && block_has(&interp->block, 'P'))) {
 		if (!block_has(&interp->block, 'P'))
 			return fault(&interp->at, interp->block.g_column[G_SYSTEM], "%s needs P",
 				     code == G154 ? "G154" : "G54.1");
@@ -85,9 +86,13 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 	return true;
 }
 
+/* Fanuc 30i-B, "Changing workpiece coordinate system", and Haas, "G10 Set Offsets": with G91 the words are added. */
 static void change_work(struct interp *interp, int system, int slot, double word)
 {
-	interp->state.work[system].v[slot] = word;
+	double *value = &interp->state.work[system].v[slot];
+	bool added = interp->state.incremental && interp->config->dialect != GCODE_LINUXCNC;
+
+	*value = added ? *value + word : word;
 }
 
 /* What the other offsets leave of the position. */
@@ -140,7 +145,7 @@ bool offsets_set(struct interp *interp)
 	if (block_has(block, 'R'))
 		return fault(&interp->at, block_column(block, 'R'),
 			     "G10 with R: rotation of a coordinate system is not supported yet");
-	if (!find_written(interp, mode, &system) || !refuse_incremental(interp))
+	if (!find_written(interp, mode, &system))
 		return false;
 	interp->state.work_known[system] = true;
 	return change_slots(interp, system, mode == 20 && linuxcnc ? change_work_here : change_work);

@@ -1,9 +1,14 @@
 #include "gcode/plane.h"
 
+#include <math.h>
+
 #include "base/units.h"
 #include "gcode/frame.h"
 #include "gcode/tooling.h"
 #include "gcode/travel.h"
+
+/* mm: coordinates that differ by less are the same. */
+#define SAME_COORDINATE 1e-6
 
 static double word_or(const struct interp *interp, char letter, double otherwise)
 {
@@ -15,12 +20,18 @@ static vec3 plane_normal(int plane)
 	return plane == G17 ? (vec3){0, 0, 1} : plane == G18 ? (vec3){0, 1, 0} : (vec3){1, 0, 0};
 }
 
-/* The centre's words; where one is missing, the tool stands on the centre. */
+static int across_of(int plane)
+{
+	return plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+}
+
+/* The centre's words; where they are missing, the tool stands on the centre. */
 static bool find_centre(struct interp *interp, vec3 *centre)
 {
 	const struct state *state = &interp->state;
-	int across = state->plane == G17 ? SLOT_Z : state->plane == G18 ? SLOT_Y : SLOT_X;
+	int across = across_of(state->plane);
 	double at[3];
+	int words = 0;
 
 	for (int slot = SLOT_X; slot < SLOT_COUNT; slot++) {
 		bool given = block_has(&interp->block, AXIS_LETTERS[slot]);
@@ -29,12 +40,31 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
 				     "%c does not belong to the centre of G68 in the plane of G%d",
 				     AXIS_LETTERS[slot], state->plane / 10);
+		words += given;
 		if (slot <= SLOT_Z)
 			at[slot] = given ? block_value(&interp->block, AXIS_LETTERS[slot]) * state->scale
 					 : state->position.v[slot] - state->offset.v[slot];
 	}
 	*centre = (vec3){at[0], at[1], at[2]};
-	return true;
+	if (words != 1)
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_ROTATION],
+		     "the centre of G68 needs both of its words, or none for where the tool stands");
+}
+
+/* After the coordinates were turned, or turned back: which ones are no longer what they were. */
+static void mark_unsure(struct state *state, const slot_values *before, int code)
+{
+	slot_values now = frame_straight(state);
+	bool any = false;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool moved = fabs(now.v[slot] - before->v[slot]) > SAME_COORDINATE;
+
+		state->unsure[slot] = moved;
+		any = any || moved;
+	}
+	state->unsure_code = any ? code : CODE_NONE;
 }
 
 /*
@@ -47,15 +77,24 @@ static bool turn_in_plane(struct interp *interp)
 	struct state *state = &interp->state;
 	int column = interp->block.g_column[G_ROTATION];
 	struct frame frame = {.on = true};
+	slot_values before = state->position;
 	vec3 centre = {0, 0, 0};
 
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column, "G68 under tool centre point control; cancel that first");
+	if (interp->block.letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
+		return fault(&interp->at, column, "G68 with I, J, K: three-dimensional coordinate conversion is not "
+						  "supported yet");
 	if (!block_has(&interp->block, 'R'))
-		return fault(&interp->at, column, "G68 needs its angle in R");
+		return fault(&interp->at, column,
+			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
+			     "the angle");
 	if (!find_centre(interp, &centre))
 		return false;
 	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
 	frame.origin = vec3_sub(centre, mat3_apply(&frame.turn, centre));
 	state->frame = frame;
+	mark_unsure(state, &before, G68);
 	return true;
 }
 
@@ -71,6 +110,9 @@ static bool tilt(struct interp *interp)
 	struct frame frame = {.on = true, .waits_for_tool = true};
 	mat3 first, second, third;
 
+	if (block_has(block, 'P') || block_has(block, 'Q') || block_has(block, 'R'))
+		return fault(&interp->at, block->g_column[G_ROTATION],
+			     "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet");
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, block->g_column[G_ROTATION],
 			     "G68.2 under tool centre point control; cancel that first");
@@ -93,10 +135,66 @@ static bool tilt(struct interp *interp)
 static bool turn_back(struct interp *interp)
 {
 	struct state *state = &interp->state;
+	slot_values before = frame_straight(state);
 
 	state->frame = (struct frame){0};
-	return state->tcp != TCP_BY_PLANE ||
-	       tooling_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF);
+	if (state->tcp == TCP_BY_PLANE &&
+	    !tooling_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
+		return false;
+	mark_unsure(state, &before, G69);
+	return true;
+}
+
+/* After G68: of one absolute word alone it is not said whether the other coordinate is the turned one. */
+static bool check_both_words(struct interp *interp)
+{
+	const struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int across = across_of(state->plane);
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		int other = SLOT_X + SLOT_Y + SLOT_Z - across - slot;
+
+		if (slot == across || !block_has(block, AXIS_LETTERS[slot]) || block_has(block, AXIS_LETTERS[other]) ||
+		    !state->unsure[other])
+			continue;
+		return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or "
+			     "its turned coordinate depends on the control; name both", AXIS_LETTERS[slot],
+			     AXIS_LETTERS[other], AXIS_LETTERS[other]);
+	}
+	return true;
+}
+
+/*
+ * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": the
+ * first move after G69 is absolute. After G68 increments are turned about the
+ * tool (15i, B-63324EN, the same section).
+ */
+bool plane_check_words(struct interp *interp, bool machine)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	bool absolute = machine || !state->incremental, left = false;
+
+	if (state->unsure_code == CODE_NONE)
+		return true;
+	if (state->unsure_code == G68 && absolute && !machine && !check_both_words(interp))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool named = block_has(block, AXIS_LETTERS[slot]);
+		double value = named ? block_value(block, AXIS_LETTERS[slot]) : 0;
+
+		if (state->unsure[slot] && state->unsure_code == G69 && !absolute && (value < 0 || value > 0))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c by an increment after G69: the first move after it is absolute",
+				     AXIS_LETTERS[slot]);
+		state->unsure[slot] = state->unsure[slot] && !(named && absolute);
+		left = left || state->unsure[slot];
+	}
+	if (!left)
+		state->unsure_code = CODE_NONE;
+	return true;
 }
 
 bool plane_turn(struct interp *interp)
@@ -116,9 +214,10 @@ bool plane_turn(struct interp *interp)
 }
 
 /*
- * The same manual, "Tool axis direction control (G53.1)": the rotary axes turn
- * at the rapid rate and the linear ones stand still. From here on a tool
- * point is meant on the workpiece, which may have turned with its table.
+ * Fanuc 30i-B operator's manual (B-64484EN), "Tool axis direction control
+ * (G53.1)": the rotary axes turn at the rapid rate and the linear ones stand
+ * still. From here on a tool point is meant on the workpiece, which may have
+ * turned with its table.
  */
 bool plane_orient_tool(struct interp *interp)
 {
@@ -154,6 +253,14 @@ static bool changes_offsets(const struct block *block)
 	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
 }
 
+/* Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": none of these while it is in force. */
+static bool goes_by_machine(const struct block *block)
+{
+	int code = block->g[G_NONMODAL];
+
+	return code == G28 || code == G30 || code == G53;
+}
+
 bool plane_start_block(struct interp *interp)
 {
 	const struct frame *frame = &interp->state.frame;
@@ -171,17 +278,18 @@ bool plane_start_block(struct interp *interp)
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
 			     "tool centre point control while %s is in force; G69 first", name);
-	if (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE)
+	if (block->m[M_TCP] == GCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
 		return fault(&interp->at, block->m_column[M_TCP],
 			     "tool centre point control while %s is in force; G69 first", name);
 	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
+		if (interp->config->dialect == GCODE_FANUC && goes_by_machine(block))
+			return fault(&interp->at, column, "G%d while G68 is in force; G69 first",
+				     block->g[G_NONMODAL] / 10);
 		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
 			return fault(&interp->at, block->g_column[G_PLANE],
 				     "a change of the plane while G68 is in force; G69 first");
 		return true;
 	}
-	if (block->g[G_NONMODAL] == G53 || block->g[G_NONMODAL] == G28 || block->g[G_NONMODAL] == G30)
-		return true;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]) && block->g[G_ROTATION] == CODE_NONE)
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),

@@ -12,6 +12,14 @@ bool plane_start_block(struct interp *interp);
 /* G68 and G68.2 of the block; nothing without one. */
 bool plane_turn(struct interp *interp);
 
+/*
+ * The block's axis words after G68 or G69, before target.c makes a target of
+ * them. Where the tool stands is known, but not always what the control takes
+ * its program coordinates for: the turned ones, or those of before. False:
+ * reported.
+ */
+bool plane_check_words(struct interp *interp, bool machine);
+
 /* G53.1: turns the rotary axes so that the tool stands on the tilted plane. */
 bool plane_orient_tool(struct interp *interp);
 

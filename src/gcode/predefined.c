@@ -46,6 +46,12 @@ static const char *real_time(int number)
 	return NULL;
 }
 
+/* A length in the control's own unit is so many mm (LinuxCNC's manual, "[TRAJ] LINEAR_UNITS"); angles are degrees. */
+static double unit_of(const struct interp *interp, int slot)
+{
+	return slot_is_rotary(slot) || !(interp->config->unit > 0) ? 1 : interp->config->unit;
+}
+
 static bool differs_by_version(int number)
 {
 	return in_slots(number, MACHINE_POSITION) || in_slots(number, LENGTH_OFFSET);
@@ -79,9 +85,9 @@ static bool tool_number(struct interp *interp, int number, int column, double *v
 			     "#%d: a tool's angles and orientation are the business of lathes and not known here",
 			     number);
 	if (number == TOOL_DIAMETER)
-		*value = tool->diameter;
+		*value = tool->diameter / unit_of(interp, SLOT_X);
 	else if (number == TOOL_OFFSET + SLOT_Z)
-		*value = tool->length_offset;
+		*value = tool->length_offset / unit_of(interp, SLOT_Z);
 	return true;
 }
 
@@ -111,6 +117,11 @@ static void work_is_used(struct interp *interp, int system, int column)
 	interp->state.work_known[system] = true;
 }
 
+static double own_length(const struct interp *interp, const slot_values *values, int slot)
+{
+	return values->v[slot] / unit_of(interp, slot);
+}
+
 static double work_number(struct interp *interp, int number, int column)
 {
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
@@ -118,7 +129,7 @@ static double work_number(struct interp *interp, int number, int column)
 	if (slot >= SLOT_COUNT)
 		return slot == SLOT_COUNT ? 0 : interp->params.numbered[number];
 	work_is_used(interp, system, column);
-	return interp->state.work[system].v[slot];
+	return own_length(interp, &interp->state.work[system], slot);
 }
 
 bool predefined_number(struct interp *interp, int number, int column, double *value)
@@ -141,13 +152,13 @@ bool predefined_number(struct interp *interp, int number, int column, double *va
 		return predefined_position_is_plain(interp, column);
 	}
 	if (in_slots(number, REFERENCE_1))
-		*value = state->reference[0].v[number - REFERENCE_1];
+		*value = own_length(interp, &state->reference[0], number - REFERENCE_1);
 	else if (in_slots(number, REFERENCE_2))
-		*value = state->reference[1].v[number - REFERENCE_2];
+		*value = own_length(interp, &state->reference[1], number - REFERENCE_2);
 	else if (number == SHIFT_APPLIED)
 		*value = state->shift_applied;
 	else if (in_slots(number, SHIFT))
-		*value = state->saved_shift.v[number - SHIFT];
+		*value = own_length(interp, &state->saved_shift, number - SHIFT);
 	else if (number == SYSTEM)
 		*value = state->system + 1;
 	else if (number >= WORK && number < WORK_END)
@@ -185,19 +196,25 @@ bool predefined_check_number(struct interp *interp, int number, int column)
 	return true;
 }
 
+static void take_length(const struct interp *interp, slot_values *values, int slot, double value)
+{
+	values->v[slot] = value * unit_of(interp, slot);
+}
+
 void predefined_set_number(struct interp *interp, int number, double value)
 {
 	struct state *state = &interp->state;
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
 
 	interp->params.numbered[number] = value;
-	if (in_slots(number, REFERENCE_1))
-		state->reference[0].v[number - REFERENCE_1] = value;
-	else if (in_slots(number, REFERENCE_2))
-		state->reference[1].v[number - REFERENCE_2] = value;
-	else if (in_slots(number, SHIFT))
-		state->saved_shift.v[number - SHIFT] = value;
-	else if (number >= WORK && number < WORK_END && (number - WORK) % WORK_STEP < SLOT_COUNT) {
-		state->work[(number - WORK) / WORK_STEP].v[(number - WORK) % WORK_STEP] = value;
-		state->work_known[(number - WORK) / WORK_STEP] = true;
+	if (in_slots(number, REFERENCE_1)) {
+		take_length(interp, &state->reference[0], number - REFERENCE_1, value);
+	} else if (in_slots(number, REFERENCE_2)) {
+		take_length(interp, &state->reference[1], number - REFERENCE_2, value);
+	} else if (in_slots(number, SHIFT)) {
+		take_length(interp, &state->saved_shift, number - SHIFT, value);
+	} else if (number >= WORK && number < WORK_END && slot < SLOT_COUNT) {
+		take_length(interp, &state->work[system], slot, value);
+		state->work_known[system] = true;
 	}
 }

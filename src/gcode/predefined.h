@@ -10,7 +10,8 @@ struct interp;
  * LinuxCNC's manual, "Numbered Parameters", "Predefined Named Parameters".
  * What depends on the machine's state in real time, or on its INI and HAL
  * files, is a fault that says so. Lengths of offsets, references and tools are
- * in mm, positions in the program's unit, angles in degrees.
+ * in the control's own unit (its LINEAR_UNITS: gcode_config.unit), positions in
+ * the program's unit, angles in degrees.
  */
 
 /* The value of #number. False: reported at the column. */

@@ -23,25 +23,26 @@ static bool is_named(const struct interp *interp, int slot)
  * place orders them, then those that it does not order, together.
  */
 static bool go_to_place(struct interp *interp, const struct gcode_place *place, const slot_values *values,
-			bool moves[SLOT_COUNT], int column)
+			const bool moves[SLOT_COUNT], int column)
 {
 	slot_values target = interp->state.position;
-	bool left = false;
+	bool left = false, done[SLOT_COUNT] = {false};
 
 	for (size_t i = 0; i < place->order_count; i++) {
 		int slot = place->order[i];
 
 		if (!moves[slot])
 			continue;
-		moves[slot] = false;
+		done[slot] = true;
 		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]) ||
 		    !go_rapid(interp, &target))
 			return false;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		left = left || moves[slot];
-		if (moves[slot] &&
-		    !target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
+		if (!moves[slot] || done[slot])
+			continue;
+		left = true;
+		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
 			return false;
 	}
 	return !(left || place->order_count == 0) || go_rapid(interp, &target);
@@ -59,9 +60,10 @@ static bool find_number(struct interp *interp, int *index)
 	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCE_COUNT, &number))
 		return false;
 	*index = number - 1;
-	if (number == 2 || interp->config->references[*index].given)
+	/* LinuxCNC has its second position in parameters that G30.1 and programs write. */
+	if (interp->config->references[*index].given || (number == 2 && interp->config->dialect == GCODE_LINUXCNC))
 		return true;
-	return fault(&interp->at, block_column(block, 'P'),
+	return fault(&interp->at, block_has(block, 'P') ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
 		     "<controller> gives it", number, number);
 }
@@ -99,9 +101,12 @@ bool reference_go(struct interp *interp)
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		moves[slot] = is_named(interp, slot);
-	return tooling_suspend(interp, column, &suspended) &&
-	       go_to_place(interp, &interp->config->references[index], &values, moves, column) &&
-	       tooling_resume(interp, column, &suspended);
+	if (!tooling_suspend(interp, column, &suspended) ||
+	    !go_to_place(interp, &interp->config->references[index], &values, moves, column) ||
+	    !tooling_resume(interp, column, &suspended))
+		return false;
+	tooling_after_machine(interp, block->g[G_NONMODAL], moves);
+	return true;
 }
 
 bool reference_remember(struct interp *interp)
@@ -123,6 +128,17 @@ bool reference_remember(struct interp *interp)
 	return tooling_resume(interp, column, &suspended);
 }
 
+/* Haas mill operator's manual, "M06 Tool Change": the control itself takes Z to its home. */
+static void caution_no_place(struct interp *interp)
+{
+	if (interp->config->dialect != GCODE_HAAS || interp->cautioned_tool_change)
+		return;
+	caution(&interp->at, interp->block.m_column[M_TOOL],
+		"M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> that says where: no "
+		"motion is checked, here and further on");
+	interp->cautioned_tool_change = true;
+}
+
 bool reference_change_tool(struct interp *interp)
 {
 	const struct gcode_place *place = &interp->config->tool_change;
@@ -131,8 +147,18 @@ bool reference_change_tool(struct interp *interp)
 	slot_values values;
 	bool moves[SLOT_COUNT];
 
-	if (!place->given)
+	if (!place->given) {
+		caution_no_place(interp);
 		return true;
+	}
+	if (interp->state.frame.on && interp->state.tcp == TCP_BY_PLANE) {
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+			if (place->has[slot])
+				return fault(&interp->at, column,
+					     "M6 while G68.2 is in force turns %c away from its plane; G69 first",
+					     AXIS_LETTERS[slot]);
+		}
+	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		values.v[slot] = state_from_canonical(slot, place->value.v[slot]);
 		moves[slot] = place->has[slot];

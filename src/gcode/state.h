@@ -63,6 +63,8 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct frame frame;
+	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: plane.h */
+	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
 	bool work_known[SYSTEM_COUNT + EXTENDED_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
@@ -71,6 +73,7 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
+	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE: tooling_after_machine */
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */
@@ -106,7 +109,7 @@ struct interp {
 	struct comp comp;
 	struct block_cautions cautions;
 	bool cautioned_length;	/* what G43 and G49 move on some controls */
-	bool cautioned_half_turn;
+	bool cautioned_tool_change;
 	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */

@@ -3,25 +3,32 @@
 #include <math.h>
 
 #include "gcode/frame.h"
+#include "gcode/plane.h"
+#include "gcode/tooling.h"
 
 /* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
 #define WRAP_TOLERANCE 1e-9
 
-/* The shortest way to value + origin, whole turns apart (Fanuc 30i-B: rotary axis roll-over). */
-static double shortest(struct interp *interp, int slot, double aim, int column)
+/*
+ * The shortest way to an aim whole turns apart (Fanuc 30i-B operator's manual,
+ * B-64484EN, "Rotary axis roll-over"), which leaves open what half a turn is.
+ */
+static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
 {
 	double here = interp->state.position.v[slot];
 	double way = remainder(aim - here, 360);
+	int half_turn = interp->config->half_turn[slot];
 
 	if (fabs(way) >= 180 - WRAP_TOLERANCE) {
-		if (!interp->cautioned_half_turn)
-			caution(&interp->at, column,
-				"half a turn of %c has no shorter way; the positive one is taken, here and further on",
-				AXIS_LETTERS[slot]);
-		interp->cautioned_half_turn = true;
-		way = fabs(way);
+		if (!half_turn)
+			return fault(&interp->at, column,
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
+				     "\"negative\" of this axis in the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
+		way = half_turn * fabs(way);
 	}
-	return aim + 360 * round((here + way - aim) / 360);
+	*target = aim + 360 * round((here + way - aim) / 360);
+	return true;
 }
 
 /* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the aim is reached within one turn. */
@@ -42,10 +49,8 @@ bool target_absolute(struct interp *interp, int slot, double value, double origi
 		*target = value + origin;
 		return true;
 	}
-	if (config->wrap[slot] == GCODE_WRAP_SHORTEST) {
-		*target = shortest(interp, slot, value + origin, column);
-		return true;
-	}
+	if (config->wrap[slot] == GCODE_WRAP_SHORTEST)
+		return shortest(interp, slot, value + origin, column, target);
 	if (config->dialect == GCODE_LINUXCNC && fabs(value) >= 360)
 		return fault(&interp->at, column,
 			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
@@ -65,6 +70,8 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
+	if (!plane_check_words(interp, machine))
+		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;
@@ -72,6 +79,9 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 		if (!block_has(block, letter))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (!machine && (!state->incremental || value < 0 || value > 0) &&
+		    tooling_is_in_doubt(interp, slot, block_column(block, letter)))
+			return false;
 		if (state->incremental)
 			target->v[slot] += value;
 		else if (!target_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],

@@ -63,6 +63,45 @@ bool tooling_resume(struct interp *interp, int column, const struct suspended *s
 	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
 }
 
+/*
+ * LinuxCNC keeps the length. Haas mill operator's manual, "G28 Return to
+ * Machine Zero": it cancels the length for the lines that follow; whether
+ * without Z, too, and what it does to G234, is not said. Fanuc 0i-MB operator's
+ * manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode":
+ * the length of an axis that they move is taken back, and comes back by itself
+ * or with the next G43 or H, as parameter 5001#6 (EVO) says.
+ */
+void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	struct state *state = &interp->state;
+	bool any = false, haas = interp->config->dialect == GCODE_HAAS;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		any = any || moved[slot];
+	if (interp->config->dialect == GCODE_LINUXCNC || !any || (haas && code == G53))
+		return;
+	if (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0))
+		return;
+	if (haas && code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
+		state->length = 0;
+		state_update_offset(state);
+	} else if (haas || moved[SLOT_Z] || state->tcp != TCP_OFF) {
+		state->length_doubt = code;
+	}
+}
+
+bool tooling_is_in_doubt(struct interp *interp, int slot, int column)
+{
+	const struct state *state = &interp->state;
+
+	if (state->length_doubt == CODE_NONE || (state->tcp == TCP_OFF && slot != SLOT_Z))
+		return false;
+	return !fault(&interp->at, column,
+		      "G%d may have taken the tool's length compensation back: it depends on the control where %c "
+		      "leads now; command G43, G43.4 or G49 again first",
+		      state->length_doubt / 10, AXIS_LETTERS[slot]);
+}
+
 bool tooling_offsets_changed(struct interp *interp, int column)
 {
 	struct state *state = &interp->state;
@@ -137,7 +176,10 @@ static bool find_length(struct interp *interp, double *length)
 		if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
 			return false;
 	} else if (!linuxcnc) {
-		return fault(&interp->at, column, "G%s needs H", block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4");
+		return fault(&interp->at, column, "G%s needs H",
+			     block->g[G_LENGTH] == G43	  ? "43"
+			     : block->g[G_LENGTH] == G234 ? "234"
+							  : "43.4");
 	}
 	if (number == 0 && linuxcnc)
 		return find_spindle_length(interp, column, length);
@@ -180,6 +222,7 @@ bool tooling_length(struct interp *interp)
 
 	if (code == CODE_NONE)
 		return true;
+	state->length_doubt = CODE_NONE;
 	/* Haas mill operator's manual, "G234 Tool Center Point Control". */
 	if (code == G234)
 		code = G43_4;

@@ -29,7 +29,7 @@ bool tooling_mcode(struct interp *interp);
 bool tooling_offsets_changed(struct interp *interp, int column);
 
 /*
- * Between these two positions are those of the machine's axes, TCP and turned
+ * Between these two, positions are those of the machine's axes, TCP and turned
  * coordinates or not, for the codes that move the axes themselves (G28, G30,
  * G53, M6). suspend fills in what resume needs.
  */
@@ -37,6 +37,12 @@ struct suspended {
 	enum tcp_source tcp;
 	bool frame;
 };
+
+/* After G28, G30 or G53 has moved the axes marked: what became of the length compensation. */
+void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
+
+/* Does it depend on such a length where a program coordinate of the axis is? True: reported at the column. */
+bool tooling_is_in_doubt(struct interp *interp, int slot, int column);
 
 bool tooling_suspend(struct interp *interp, int column, struct suspended *suspended);
 bool tooling_resume(struct interp *interp, int column, const struct suspended *suspended);

@@ -119,6 +119,7 @@ static bool go_straight(struct interp *interp, bool machine)
 	struct canon_move move = {.kind = block->motion == G0 ? CANON_RAPID : CANON_FEED};
 	struct suspended suspended;
 	slot_values target;
+	bool named[SLOT_COUNT];
 	int column;
 
 	/* Fanuc 30i-B operator's manual, "Machine coordinate system (G53)": always at the rapid rate. */
@@ -135,8 +136,13 @@ static bool go_straight(struct interp *interp, bool machine)
 	if (!machine)
 		return target_find(interp, false, &target) && travel_go(interp, &target, &move);
 	column = block->g_column[G_NONMODAL];
-	return tooling_suspend(interp, column, &suspended) && target_find(interp, true, &target) &&
-	       travel_go(interp, &target, &move) && tooling_resume(interp, column, &suspended);
+	if (!tooling_suspend(interp, column, &suspended) || !target_find(interp, true, &target) ||
+	    !travel_go(interp, &target, &move) || !tooling_resume(interp, column, &suspended))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		named[slot] = block_has(block, AXIS_LETTERS[slot]);
+	tooling_after_machine(interp, G53, named);
+	return true;
 }
 
 /* The axes of an arc's plane, and the letters of its centre. */

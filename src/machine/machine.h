@@ -63,6 +63,7 @@ struct axis {
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
 	enum wrap wrap;
+	int half_turn;	/* 1 or -1: the way of half a turn, where either way is as near; 0: not known */
 	long line;	/* in the XML file */
 };
 
@@ -118,6 +119,7 @@ struct machine {
 	struct arena arena;	/* owns all that is below */
 	const char *path;	/* as the user named it */
 	const char *name;	/* title of the machine; may be empty */
+	double unit;	/* mm per unit of length of its file, which is the control's own */
 	struct controller controller;
 	struct axis axes[SLOT_COUNT];	/* in file order: a carrying axis before what it carries */
 	size_t axis_count;

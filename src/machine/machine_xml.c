@@ -109,6 +109,7 @@ static void read_axis(struct xml_reader *xml, const xmlNode *node, struct machin
 {
 	static const char *const types[] = {"linear", "rotary", NULL};
 	static const char *const wraps[] = {"none", "shortest", "sign", NULL};
+	static const char *const ways[] = {"positive", "negative", NULL};
 
 	axis->name = arena_strdup(&machine->arena, xml_attribute(node, "name"));
 	axis->title = xml_label(xml, node, "title", &machine->arena);
@@ -117,6 +118,8 @@ static void read_axis(struct xml_reader *xml, const xmlNode *node, struct machin
 	axis->parent = parent;
 	axis->line = xmlGetLineNo(node);
 	axis->wrap = (enum wrap)xml_choice(node, "wrap", wraps);
+	if (xml_attribute(node, "half_turn"))
+		axis->half_turn = xml_choice(node, "half_turn", ways) ? -1 : 1;
 	axis->direction = xml_direction(xml, node, "direction");
 	axis->location = xml_point(xml, node, "location");
 	if (xml_choice(node, "type", types) != axis->rotary)
@@ -127,6 +130,8 @@ static void read_axis(struct xml_reader *xml, const xmlNode *node, struct machin
 			  axis->name);
 	if (!axis->rotary && axis->wrap != WRAP_NONE)
 		xml_error(xml, node, "axis %s is linear: only a rotary axis can have wrap", axis->name);
+	if (!axis->rotary && axis->half_turn)
+		xml_error(xml, node, "axis %s is linear: only a rotary axis can have half_turn", axis->name);
 	read_travel(xml, node, axis);
 }
 
@@ -286,6 +291,7 @@ static void read_machine(struct xml_reader *xml, struct machine *machine)
 	const char *name = xml_label(xml, root, "name", &machine->arena);
 
 	machine->name = name ? name : "";
+	machine->unit = xml->unit;
 	machine->adjacent_within = ADJACENT_WITHIN;
 	if (controller)
 		read_controller(xml, controller, machine);

@@ -73,6 +73,7 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	config->dialect = dialect_of(controller->dialect);
 	config->tcp_zero_offset = controller->tcp_zero_offset;
 	config->home = machine_home(machine);
+	config->unit = machine->unit;
 	config->least_input = controller->least_input;
 	for (int i = 0; i < REFERENCE_COUNT; i++)
 		config->references[i] = place_of(&controller->references[i]);
@@ -80,6 +81,7 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		config->has_axis[machine->axes[i].slot] = true;
 		config->wrap[machine->axes[i].slot] = wrap_of(machine->axes[i].wrap);
+		config->half_turn[machine->axes[i].slot] = machine->axes[i].half_turn;
 	}
 	glue->mcodes = mem_zalloc(controller->mcode_count, sizeof(*glue->mcodes));
 	for (size_t i = 0; i < controller->mcode_count; i++)

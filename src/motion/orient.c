@@ -11,7 +11,7 @@
 #define DIRECTION_TOLERANCE 1e-9
 /* The same for what machine files and programs write with a few decimals: a plane so nearly reached is reached. */
 #define REACH_TOLERANCE 1e-6
-/* Radians: ways that differ by less are equally long. */
+/* Radians: ways, and angles from zero, that differ by less are equal. */
 #define TIE_TOLERANCE 1e-6
 /* A position this near to a limit, in radians, is inside: as for moves. */
 #define LIMIT_TOLERANCE (1e-6 * PI / 180)
@@ -20,6 +20,7 @@ struct problem {
 	const struct machine *machine;
 	const axis_values *here;
 	struct chain chain;	/* rotary joints from the workpiece to the spindle */
+	size_t first;	/* the joint whose way counts first */
 	vec3 tool;	/* from the tip to the spindle at the zero pose */
 	vec3 wanted;	/* the same in the workpiece's frame */
 };
@@ -28,7 +29,8 @@ struct solution {
 	bool found;	/* some turn of it lies within the limits */
 	double angle[2];	/* of the chain's joints, radians */
 	bool free[2];	/* any angle would do */
-	double way;	/* sum of the ways from here */
+	double way[2];	/* of each joint from here */
+	int half_turn;	/* the joint that could as well go the other way round, or -1 */
 };
 
 /* The angle about the unit axis that turns `from` to `to`, both with the same part along the axis. */
@@ -44,38 +46,84 @@ static bool is_along(vec3 axis, vec3 direction)
 	return vec3_norm(vec3_cross(axis, direction)) < REACH_TOLERANCE;
 }
 
-/* Whole turns away, the position within the limits that is the nearest to `here`. */
-static bool nearest_turn(const struct axis *axis, double angle, double here, double *nearest)
+/*
+ * Whole turns away, the position within the limits that is the nearest to
+ * `here`; *tie: there is another as near, and nobody knows which one is taken.
+ */
+static bool nearest_turn(const struct axis *axis, double angle, double here, double *nearest, bool *tie)
 {
-	double best = INFINITY, low, high, k;
+	double low = ceil((axis->limit_min - LIMIT_TOLERANCE - angle) / (2 * PI));
+	double high = floor((axis->limit_max + LIMIT_TOLERANCE - angle) / (2 * PI));
+	double turns = (here - angle) / (2 * PI), best = round(turns), k, other;
+	bool equal;
 
-	low = ceil((axis->limit_min - LIMIT_TOLERANCE - angle) / (2 * PI));
-	high = floor((axis->limit_max + LIMIT_TOLERANCE - angle) / (2 * PI));
-	k = round((here - angle) / (2 * PI));
 	if (low > high)
 		return false;
-	k = fmin(fmax(k, low), high);
-	best = angle + 2 * PI * k;
+	other = turns > best ? best + 1 : best - 1;
+	equal = best >= low && best <= high && other >= low && other <= high &&
+		2 * PI * fabs(fabs(turns - best) - fabs(turns - other)) < TIE_TOLERANCE;
+	*tie = equal && !axis->half_turn;
+	if (equal && axis->half_turn)
+		best = axis->half_turn > 0 ? fmax(best, other) : fmin(best, other);
+	k = fmin(fmax(best, low), high);
 	/* What the limits take off by rounding. */
-	*nearest = fmin(fmax(best, axis->limit_min), axis->limit_max);
+	*nearest = fmin(fmax(angle + 2 * PI * k, axis->limit_min), axis->limit_max);
 	return true;
 }
 
 static void settle(const struct problem *problem, struct solution *solution)
 {
 	solution->found = true;
-	solution->way = 0;
+	solution->half_turn = -1;
 	for (size_t i = 0; i < problem->chain.count; i++) {
 		int slot = problem->chain.joints[i].slot;
 		double here = problem->here->v[slot];
+		bool tie = false;
 
 		if (solution->free[i])
 			solution->angle[i] = here;
 		else if (!nearest_turn(machine_axis(problem->machine, slot), solution->angle[i], here,
-				       &solution->angle[i]))
+				       &solution->angle[i], &tie))
 			solution->found = false;
-		solution->way += fabs(solution->angle[i] - here);
+		solution->way[i] = fabs(solution->angle[i] - here);
+		if (tie)
+			solution->half_turn = (int)i;
 	}
+}
+
+/* -1: a is smaller; 1: b is; 0: equal. */
+static int compare(double a, double b)
+{
+	return fabs(a - b) < TIE_TOLERANCE ? 0 : a < b ? -1 : 1;
+}
+
+/*
+ * Fanuc 16i/18i-B operator's manual (B-63534EN) and 30i-B (B-64484EN), "Tool
+ * axis direction control", "Angle of rotation axis": the smaller way of the
+ * first axis decides, then that of the second, then which first axis stands
+ * nearer to a whole turn, then which second. The first axis is the one that
+ * carries the other; of a table and a head, the table. Negative: a is taken.
+ */
+static int prefer(const struct problem *problem, const struct solution *a, const struct solution *b)
+{
+	size_t order[2] = {problem->first, 1 - problem->first};
+
+	if (a->found != b->found)
+		return a->found ? -1 : 1;
+	for (size_t i = 0; i < 2; i++) {
+		int by = compare(a->way[order[i]], b->way[order[i]]);
+
+		if (by)
+			return by;
+	}
+	for (size_t i = 0; i < 2; i++) {
+		int by = compare(fabs(remainder(a->angle[order[i]], 2 * PI)),
+				 fabs(remainder(b->angle[order[i]], 2 * PI)));
+
+		if (by)
+			return by;
+	}
+	return 0;
 }
 
 /* One rotary axis: the direction must lie on the cone that the tool describes. */
@@ -133,11 +181,29 @@ static void add_solution(struct strbuf *text, const struct problem *problem, con
 			    degrees(solution->angle[i]) + 0.0);
 }
 
+/* Why the other solution was not taken. */
+static void add_reason(struct strbuf *text, const struct problem *problem, const struct solution *chosen,
+		       const struct solution *other)
+{
+	size_t order[2] = {problem->first, 1 - problem->first};
+
+	if (!other->found) {
+		strbuf_addf(text, ", lies outside the limits");
+		return;
+	}
+	for (size_t i = 0; i < 2; i++) {
+		if (compare(chosen->way[order[i]], other->way[order[i]])) {
+			strbuf_addf(text, ", is farther for %c", AXIS_LETTERS[problem->chain.joints[order[i]].slot]);
+			return;
+		}
+	}
+	strbuf_addf(text, ", is as far, but stands farther from 0");
+}
+
 static void tell(const struct problem *problem, const struct solution solutions[2], size_t count, size_t chosen,
 		 struct srcloc loc, struct diag *diag)
 {
 	const struct solution *other = count == 2 ? &solutions[1 - chosen] : NULL;
-	bool tie = other && other->found && fabs(other->way - solutions[chosen].way) < TIE_TOLERANCE;
 	struct strbuf text = {0};
 
 	strbuf_addf(&text, "G53.1 turns to ");
@@ -145,15 +211,37 @@ static void tell(const struct problem *problem, const struct solution solutions[
 	if (other) {
 		strbuf_addf(&text, "; the other solution, ");
 		add_solution(&text, problem, other);
-		strbuf_addf(&text, "%s", !other->found ? ", lies outside the limits"
-					 : tie	      ? ", is as near, and the control may take that one"
-						      : ", is farther");
+		add_reason(&text, problem, &solutions[chosen], other);
 	}
-	if (tie)
-		diag_warning(diag, loc, "%s", strbuf_text(&text));
-	else
-		diag_note(diag, loc, "%s", strbuf_text(&text));
+	diag_note(diag, loc, "%s", strbuf_text(&text));
 	strbuf_release(&text);
+}
+
+/* What the control would take is not known: nothing is guessed. False. */
+static bool fault_tie(const struct problem *problem, const struct solution *one, const struct solution *other,
+		      struct srcloc loc, struct diag *diag)
+{
+	struct solution turned = *one;
+	struct strbuf text = {0};
+
+	if (!other) {
+		double here = problem->here->v[problem->chain.joints[one->half_turn].slot];
+
+		turned.angle[one->half_turn] = 2 * here - one->angle[one->half_turn];
+		other = &turned;
+	}
+	strbuf_addf(&text, "G53.1 could turn to ");
+	add_solution(&text, problem, one);
+	strbuf_addf(&text, " or to ");
+	add_solution(&text, problem, other);
+	strbuf_addf(&text, ", which are as near: turn the rotary axes towards the one that is meant, in a block "
+			   "before");
+	if (other == &turned)
+		strbuf_addf(&text, ", or give half_turn to axis %c in the machine file",
+			    AXIS_LETTERS[problem->chain.joints[one->half_turn].slot]);
+	diag_error(diag, loc, "%s", strbuf_text(&text));
+	strbuf_release(&text);
+	return false;
 }
 
 /* Keeps the chain's rotary joints. */
@@ -171,7 +259,7 @@ static void drop_linear(struct chain *chain)
 static bool is_orthonormal(const mat3 *m)
 {
 	return fabs(vec3_dot(m->x, m->y)) < REACH_TOLERANCE && fabs(vec3_dot(m->y, m->z)) < REACH_TOLERANCE &&
-	       fabs(vec3_dot(m->z, m->x)) < REACH_TOLERANCE;
+	       fabs(vec3_dot(m->z, m->x)) < REACH_TOLERANCE && vec3_dot(vec3_cross(m->x, m->y), m->z) > 0;
 }
 
 static bool set_problem(struct problem *problem, const struct machine *machine,
@@ -183,12 +271,13 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 	if (!tcp_init(&tcp, machine, &state, loc, diag))
 		return false;
 	if (!is_orthonormal(&tcp.matrix)) {
-		diag_error(diag, loc, "a tilted plane needs axes X, Y and Z at right angles");
+		diag_error(diag, loc, "a tilted plane needs axes X, Y and Z at right angles, and right-handed");
 		return false;
 	}
 	*problem = (struct problem){.machine = machine, .here = &orientation->rotary};
 	chain_init(&problem->chain, machine, machine->workholding.link, machine->spindle.link);
 	drop_linear(&problem->chain);
+	problem->first = tcp.table.count == 2 ? 1 : 0;
 	problem->tool = vec3_scale(-1, machine->spindle.direction);
 	problem->wanted = mat3_apply(&tcp.table_zero_inverse.rotation,
 				     mat3_apply(&tcp.matrix, orientation->direction));
@@ -209,8 +298,7 @@ bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *
 	if (!set_problem(&problem, machine, orientation, loc, diag))
 		return false;
 	count = problem.chain.count == 1 ? solve_one(&problem, solutions) : solve_two(&problem, solutions);
-	if (count == 2 && solutions[1].found &&
-	    (!solutions[0].found || solutions[1].way < solutions[0].way - TIE_TOLERANCE))
+	if (count == 2 && prefer(&problem, &solutions[1], &solutions[0]) < 0)
 		chosen = 1;
 	if (count == 0 || !solutions[chosen].found) {
 		diag_error(diag, loc, count == 0 ? "the rotary axes of this machine cannot stand the tool on this plane"
@@ -218,6 +306,10 @@ bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *
 						   "the tool on this plane");
 		return false;
 	}
+	if (count == 2 && prefer(&problem, &solutions[0], &solutions[1]) == 0)
+		return fault_tie(&problem, &solutions[0], &solutions[1], loc, diag);
+	if (solutions[chosen].half_turn >= 0)
+		return fault_tie(&problem, &solutions[chosen], NULL, loc, diag);
 	tell(&problem, solutions, count, chosen, loc, diag);
 	for (size_t i = 0; i < problem.chain.count; i++)
 		orientation->rotary.v[problem.chain.joints[i].slot] = solutions[chosen].angle[i];

@@ -11,11 +11,11 @@
 /*
  * For one or two rotary axes anywhere between workpiece and spindle, nutating
  * ones included. With two there are up to two solutions, each in as many turns
- * as the limits allow; of those within the limits the one is chosen that takes
- * the smallest sum of rotary ways from where the axes are. The choice is told as a note, a
- * tie as a warning: what the control takes then depends on its parameters. An
+ * as the limits allow; of those within the limits the one is chosen that Fanuc
+ * controls choose: by the way of the axis that carries the other (of a table
+ * and a head: the table), then by the other's. The choice is told as a note. An
  * axis that any angle suits stays. False, with an error at loc: the machine
- * cannot stand so.
+ * cannot stand so, or two choices are as good as each other.
  */
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		 struct canon_orientation *orientation);

@@ -261,6 +261,7 @@ START_TEST(path_control)
 }
 END_TEST
 
+/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-64484EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
 START_TEST(wrapped_axes)
 {
 	struct gcode_case c;
@@ -278,12 +279,19 @@ START_TEST(wrapped_axes)
 	    "rapid 0 0 0 -370 5\n");
 	case_init(&c);
 	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
-	ck_assert(case_run(&c, "G0 C-180\nC0\nM2\n"));
-	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 180\nrapid 0 0 0 0 360\n");
+	ck_assert(!case_run(&c, "G0 C-180\nC0\nM2\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:4: warning: half a turn of C has no shorter way; the positive one is taken, here and "
-			 "further on\n    G0 C-180\n       ^\n");
+			 "p.nc:1:4: error: half a turn of C: either way is as short; half_turn=\"positive\" or \"negative\" "
+			 "of this axis in the machine file says which one the control takes\n    G0 C-180\n       ^\n");
 	case_release(&c);
+	for (int way = -1; way <= 1; way += 2) {
+		case_init(&c);
+		c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
+		c.config.half_turn[SLOT_C] = way;
+		case_expect(&c, "G0 C-180\nC0\nC90\nC-90\nM2\n",
+			    way > 0 ? "rapid 0 0 0 0 180\nrapid 0 0 0 0 360\nrapid 0 0 0 0 450\nrapid 0 0 0 0 630\n"
+				    : "rapid 0 0 0 0 -180\nrapid 0 0 0 0 -360\nrapid 0 0 0 0 -270\nrapid 0 0 0 0 -450\n");
+	}
 }
 END_TEST
 
@@ -341,6 +349,12 @@ START_TEST(last_duplicate_wins)
 }
 END_TEST
 
+/*
+ * Fanuc B-64484EN, "Program configuration" (O, N, /2), "Dwell (G04)": P in ms, X
+ * and U in s; "Machine coordinate system (G53)": at the rapid rate, whatever the
+ * motion; "Reference position return (G28)". Haas mill operator's manual, setting
+ * 162, "Default To Float".
+ */
 START_TEST(fanuc_programs)
 {
 	struct gcode_case c;

@@ -35,7 +35,7 @@ static const struct bad texts[] = {
     {"G0 X-\n", 1, 4, "X without a number"},
     {"G0 X.\n", 1, 4, "X without a number"},
     {"G0 X1.2.3\n", 1, 8, "unexpected '.'"},
-    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E"},
+    {"G0 X1e3\n", 1, 6, "no code in the block uses the word E; numbers have no exponent"},
     {"G0 X1 ! Y2\n", 1, 7, "unexpected '!'"},
     {"G0 X\xc2\xb5"
      "1\n",
@@ -158,23 +158,29 @@ static const struct bad with_setup[] = {
 };
 
 static const struct bad fanuc[] = {
+    /* Fanuc B-64484EN, "Program configuration": program numbers, end of block. */
     {"O PART\n", 1, 1, "O without a number"},
     {"O1.5\n", 1, 1, "a program number must be a whole number that is not negative"},
     {":X1\n", 1, 1, "':' without a number"},
     {"G0 O1\n", 1, 4, "O stands at the start of a block only"},
     {"G0 X1. ; X5.\n", 1, 8,
      "';' ends a block on this control; write what follows on a line of its own, or in parentheses if it is a comment"},
-    {"G54 P3\n", 1, 5, "no code in the block uses the word P"},
+    /* The same, "Additional workpiece coordinate systems": P goes with G54 and G54.1 only. */
+    {"G55 P3\n", 1, 5, "no code in the block uses the word P"},
     {"G05.1 Q1\n", 1, 1, "G5.1: AI contour control is not supported yet"},
     {"G59.1\n", 1, 1, "G59.1 is no G-code that is known in the fanuc dialect"},
     {"G92.1 X0\n", 1, 1, "G92.1: workpiece coordinate system preset is not supported yet"},
+    /* "Reference position return (G28)": the axes that return are named. */
     {"G28\n", 1, 1, "G28 without an axis word"},
     {"G0 G43 Z1.\n", 1, 4, "G43 needs H"},
+    /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
     {"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
-    {"G91 G10 L2 P1 X1.\n", 1, 5, "G10 in incremental distance mode (G91) is not supported yet"},
+    /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
+    {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},
     {"G91 G52 X1.\n", 1, 5, "G52 in incremental distance mode (G91) is not supported yet"},
     {"G92 X1.\nG52 X1.\n", 2, 1, "G52 while G92 is in force is not supported yet"},
+    /* "Dwell (G04)". */
     {"G4 X1. P5\n", 1, 1, "G4 needs its time in one word, X, U or P"},
     {"G4 Y1.\n", 1, 1, "G4 needs its time in one word, X, U or P"},
     {"G4 X1. G0\n", 1, 8, "G4 needs a block without motion"},
@@ -242,6 +248,7 @@ START_TEST(wrapped_position_beyond_a_turn)
 			 "between -360 and 360 degrees\n    G0 A360\n       ^\n");
 	case_release(&c);
 	case_init(&c);
+	/* Fanuc B-64484EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
 	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
 	c.config.dialect = GCODE_FANUC;
 	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");

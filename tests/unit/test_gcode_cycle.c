@@ -25,7 +25,11 @@ START_TEST(drilling)
 }
 END_TEST
 
-/* G99 stays at R; the level of G98 is that before the first of the cycles; words are kept. */
+/*
+ * G99 stays at R; the level of G98 is that before the first of the cycles; words
+ * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, "Canned cycle for
+ * drilling", "Drilling data", "Return point level G98/G99").
+ */
 START_TEST(retract)
 {
 	run(GCODE_LINUXCNC, "F9 G0 Z10\nG99 G81 X1 Z-1 R2\nX2\nG98 X3\nG80\nM2\n",
@@ -89,7 +93,11 @@ START_TEST(back_boring)
 }
 END_TEST
 
-/* Fanuc: K holes; K0 keeps the words; rotary axes go to the hole with the rest. Haas: L. */
+/*
+ * Fanuc B-64484EN, "Canned cycle for drilling", "Repeat": K holes; K0 keeps the
+ * words; rotary axes go to the hole with the rest. Haas mill operator's manual,
+ * "Canned Cycles": L, and L0 likewise.
+ */
 START_TEST(repeats)
 {
 	run(GCODE_FANUC, "F9 G0 Z3.\nG91 G99 G81 X1. C90. Z-2. R-1. K2\nM30\n",
@@ -154,6 +162,7 @@ START_TEST(tool_change_moves)
 }
 END_TEST
 
+/* Fanuc B-64484EN, "Reference position return (G28)", "2nd, 3rd, and 4th reference position return (G30)". */
 START_TEST(reference_positions)
 {
 	struct gcode_case c;
@@ -211,7 +220,7 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G88 X1 Z-1 R1 P1", 1,
      "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
     {GCODE_LINUXCNC, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
-    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93)"},
+    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); canned cycles need G94 or G95"},
     {GCODE_LINUXCNC, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
     {GCODE_LINUXCNC, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
     {GCODE_LINUXCNC, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
@@ -223,11 +232,13 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
     {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
     {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95)"},
+    /* Fanuc B-64484EN, "Canned cycle for drilling", "Repeat", "Fine boring cycle (G76)"; Haas, "G87". */
     {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {GCODE_FANUC, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
     {GCODE_FANUC, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
     {GCODE_HAAS, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
+    /* B-64484EN, "2nd, 3rd, and 4th reference position return (G30)": P2 to P4. */
     {GCODE_FANUC, "G30 P3 X0.", 5,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},

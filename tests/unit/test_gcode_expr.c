@@ -98,6 +98,18 @@ START_TEST(predefined)
 }
 END_TEST
 
+/* The same on a machine in inches ("[TRAJ] LINEAR_UNITS"); tests/rs274 has them compared with rs274. */
+START_TEST(parameters_of_an_inch_machine)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.unit = 25.4;
+	case_expect(&c, "G10 L2 P2 X25.4 C30\nG0 X#5241 C#5246\n#5242=2 G55 G0 X0 Y0\nG28.1 G0 X0\nG0 Y#5162\nM2\n",
+		    "rapid 1 0 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 52.8 0 0 30\n");
+}
+END_TEST
+
 START_TEST(assignments_wait)
 {
 	expect_moves("#3=15\n#3=6 G0 X#3\nY#3\n", "rapid 15 0 0 0 0\nrapid 15 6 0 0 0\n");
@@ -231,8 +243,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {expressions, predefined, assignments_wait, words_can_be_computed,
-					     faults,	  depth_is_bounded, comments_say_nothing};
+	const TTest *const tests[] = {expressions, predefined, parameters_of_an_inch_machine, assignments_wait,
+				     words_can_be_computed, faults, depth_is_bounded, comments_say_nothing};
 
 	return RUN_TESTS("gcode_expr", tests);
 }

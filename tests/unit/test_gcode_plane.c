@@ -2,6 +2,7 @@
 #include "gcode_case.h"
 
 static const struct gcode_length lengths[] = {{1, 100}};
+static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}};
 
 static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
 {
@@ -9,6 +10,8 @@ static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
 	c->config.dialect = dialect;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;
+	c->config.mcodes = mcodes;
+	c->config.mcode_count = 2;
 }
 
 static void run(enum gcode_dialect dialect, const char *program, const char *moves)
@@ -28,6 +31,16 @@ START_TEST(rotation)
 	/* Without a centre the tool stands on it; work offsets stay where they are. */
 	run(GCODE_HAAS, "G10 L2 P1 X100. Y0.\nG54 G0 X1. Y1.\nG68 R-90.\nX2. Y1.\nG69\nM30\n",
 	    "rapid 101 1 0 0 0\nrapid 101 0 0 0 0\n");
+	/* Fanuc 15i (B-63324EN), the same section: increments before an absolute move turn about the tool. */
+	run(GCODE_FANUC,
+	    "G0 X5. Y5.\nG68 X0. Y0. R90.\nG91 X1.\nY1. Z1.\nG90 X1. Y0.\nX2.\nG69\nX0.\nY0.\nG91 X1. Y1.\nM30\n",
+	    "rapid 5 5 0 0 0\nrapid 5 6 0 0 0\nrapid 4 6 1 0 0\nrapid 0 1 1 0 0\nrapid 0 2 1 0 0\n"
+	    "rapid 0 2 1 0 0\nrapid 0 0 1 0 0\nrapid 1 1 1 0 0\n");
+	/* Zero increments on the way to reference positions, and machine coordinates, do not mind. */
+	run(GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG69\nG91 G28 X0. Y0.\nM30\n",
+	    "rapid 5 5 0 0 0\nrapid -5 5 0 0 0\nrapid -5 5 0 0 0\nrapid 0 0 0 0 0\n");
+	run(GCODE_HAAS, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG53 Z3.\nG69 G53 X1. Y1.\nG91 X1. Y1.\nM30\n",
+	    "rapid 5 5 0 0 0\nrapid -5 5 0 0 0\nrapid -5 5 3 0 0\nrapid 1 1 3 0 0\nrapid 2 2 3 0 0\n");
 	run(GCODE_FANUC, "G18 G68 X0. Z0. R90.\nG0 X1. Z0.\nG69\nG19 G68 Y0. Z0. R90.\nG0 Y1. Z0. X0.\nM30\n",
 	    "rapid 0 0 -1 0 0\nrapid 0 0 1 0 0\n");
 }
@@ -54,13 +67,14 @@ START_TEST(tilted)
 	plane_case(&c, GCODE_FANUC);
 	case_expect(&c,
 		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 G53 Z0.\n"
-		    "X0. Y0. Z0.\nG28 Z5.\nG69\nG0 X0. Z0.\nM30\n",
+		    "G43 H1 X0. Y0. Z0.\nG28 Z5.\nG43 H1 G69\nG0 X0. Z0.\nM30\n",
 		    "rapid 0 0 50 0 0\norient 0 1 0\nrapid 0 0 50 90 0\n"
 		    "tcp on length 0 zero A0 C0\n"
 		    "tcp on length 100 zero A0 C0\n"
 		    /* X' = -X, Y' = Z, Z' = Y */
 		    "rapid 9 23 32 90 0 tcp\nrapid 9 24 32 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 9 24 0 90 0\ntcp on length 100 zero A0 C0\n"
+		    "tcp on length 100 zero A0 C0\n"
 		    "rapid 10 20 30 90 0 tcp\n"
 		    "rapid 10 25 30 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 10 25 0 90 0\ntcp on length 100 zero A0 C0\n"
@@ -79,6 +93,22 @@ START_TEST(additional_offsets)
 	c.config.work_offset_count = 2;
 	case_expect(&c, "G54.1 P2 G0 X1.\nG54.1 P48 X1.\nG10 L20 P3 X40.\nG54.1 P3 X1.\nG54 X1.\nM30\n",
 		    "rapid 8 0 0 0 0\nrapid 10 0 0 0 0\nrapid 41 0 0 0 0\nrapid 1 0 0 0 0\n");
+	/* G54 with P is the same; G52 shifts whichever system is in force, and G92 all of them. */
+	plane_case(&c, GCODE_FANUC);
+	c.config.work_offsets = offsets;
+	c.config.work_offset_count = 2;
+	case_expect(&c,
+		    "G54 P2 G0 X1.\nG52 X100.\nX1.\nG54.1 P48 X1.\nG52 X0.\nX1.\nG92 X5.\nG54 P2 X0.\nG54 X0.\nM30\n",
+		    "rapid 8 0 0 0 0\nrapid 108 0 0 0 0\nrapid 110 0 0 0 0\nrapid 10 0 0 0 0\n"
+		    "rapid 3 0 0 0 0\nrapid -4 0 0 0 0\n");
+	/* "Changing workpiece coordinate system"; Haas, "G10 Set Offsets": with G91 the words are added. */
+	plane_case(&c, GCODE_HAAS);
+	c.config.work_offsets = offsets;
+	c.config.work_offset_count = 2;
+	case_expect(&c,
+		    "G91 G10 L20 P2 X60.\nG90 G154 P2 G0 X0.\nG91 G10 L2 P1 Y-1.\nG90 G10 L2 P1 X3.\nG54 X0. Y0.\n"
+		    "G91 X1.\nG10 L2 P1 X1.\nG90 X0.\nM30\n",
+		    "rapid 67 0 0 0 0\nrapid 3 -1 0 0 0\nrapid 4 -1 0 0 0\nrapid 4 -1 0 0 0\n");
 	plane_case(&c, GCODE_HAAS);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
@@ -105,6 +135,62 @@ START_TEST(least_input)
 }
 END_TEST
 
+/*
+ * B-64484EN, "Decimal point programming", appendix "Range of command value": pecks, arc radii, offsets, shifts and ways
+ * by reference positions count increments, and so do angles, in G20 as well; P of dwells is in ms, F in mm/min.
+ */
+START_TEST(least_input_by_address)
+{
+	struct gcode_case c;
+
+	plane_case(&c, GCODE_FANUC);
+	c.config.least_input = 0.001;
+	c.show_feed = true;
+	case_expect(&c,
+		    "G10 L2 P1 X10000\nG0 X0\nG52 Y2000\nG1 Y0 F60\nG52 Y0\nG2 X2000 Y2000 R1000 F60.\nG28 X1000\n"
+		    "G99 G83 X0 Y0 Z-2000 R0 Q1000 F60\nG80\nG4 P1500\nG68 X0 Y0 R90000\nG0 X1000 Y0\nM30\n",
+		    "rapid 10 0 0 0 0\nfeed 10 2 0 0 0 at 1 1\n"
+		    "arc 12 2 0 0 0 centre 11 2 0 normal 0 0 1 sweep -180 at 1 1\n"
+		    "rapid 11 2 0 0 0\nrapid 0 2 0 0 0\n"
+		    "rapid 10 0 0 0 0\nrapid 10 0 0 0 0\nfeed 10 0 -1 0 0 at 1 1\nrapid 10 0 0 0 0\n"
+		    "rapid 10 0 -0.746 0 0\nfeed 10 0 -2 0 0 at 1 1\nrapid 10 0 0 0 0\n"
+		    "dwell 1.5 at 0 0\nrapid 10 1 0 0 0\n");
+	plane_case(&c, GCODE_FANUC);
+	c.config.least_input = 0.001;
+	case_expect(&c, "G20\nG68.2 X10000 I180000 J90000\nG53.1\nG0 X0 Y0 Z1.\nM30\n",
+		    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 25.4 25.4 0 90 0 tcp\n");
+}
+END_TEST
+
+/* Haas, "M06 Tool Change": Z goes home by itself; Fanuc leaves that to the program. */
+START_TEST(tool_change_without_place)
+{
+	struct gcode_case c;
+
+	plane_case(&c, GCODE_HAAS);
+	ck_assert(case_run(&c, "G0 Z5.\nT1 M6\nT2 M6\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\ntool 1\ntool 2\n");
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:2:4: warning: M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> "
+			 "that says where: no motion is checked, here and further on\n    T1 M6\n       ^\n");
+	case_release(&c);
+}
+END_TEST
+
+/* A place with a rotary axis would turn the tool away from its plane. */
+START_TEST(tool_change_on_a_plane)
+{
+	struct gcode_case c;
+
+	plane_case(&c, GCODE_FANUC);
+	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_A] = true};
+	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
+				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; G69 first\n"));
+	case_release(&c);
+}
+END_TEST
+
 /* Haas, "G234 Tool Center Point Control". */
 START_TEST(haas_tool_centre)
 {
@@ -124,8 +210,32 @@ struct bad {
 
 static const struct bad bads[] = {
     {GCODE_LINUXCNC, "", "G68 R5", 1, "G68 is no G-code that is known in the linuxcnc dialect"},
-    {GCODE_FANUC, "", "G68 X0. Y0.", 1, "G68 needs its angle in R"},
+    {GCODE_FANUC, "", "G68 X0. Y0.", 1,
+     "G68 needs its angle in R; without it a parameter or setting of the control gives the angle"},
     {GCODE_FANUC, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
+    {GCODE_HAAS, "", "G68 X0. R5.", 1,
+     "the centre of G68 needs both of its words, or none for where the tool stands"},
+    {GCODE_FANUC, "", "G68 X0. Y0. Z0. I0. J0. K1. R5.", 1,
+     "G68 with I, J, K: three-dimensional coordinate conversion is not supported yet"},
+    {GCODE_FANUC, "G43.4 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    {GCODE_FANUC, "M428", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    {GCODE_FANUC, "G68 R5.", "M428", 1, "tool centre point control while G68 is in force; G69 first"},
+    {GCODE_HAAS, "G234 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    /* Fanuc B-62764EN, "Coordinate system rotation": no reference positions and no machine coordinates meanwhile. */
+    {GCODE_FANUC, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
+    {GCODE_FANUC, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
+    {GCODE_FANUC, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
+    /* The same: the first move after G69 is absolute. */
+    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
+     "Y by an increment after G69: the first move after it is absolute"},
+    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
+     "Y by an increment after G69: the first move after it is absolute"},
+    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
+     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate depends "
+     "on the control; name both"},
+    {GCODE_HAAS, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
+     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate depends "
+     "on the control; name both"},
     {GCODE_FANUC, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
     {GCODE_FANUC, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},
     {GCODE_FANUC, "G68 R5.", "G18", 1, "a change of the plane while G68 is in force; G69 first"},
@@ -140,10 +250,24 @@ static const struct bad bads[] = {
     {GCODE_FANUC, TILT "\nG53.1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
     {GCODE_FANUC, TILT "\nG53.1", "G0 C5.", 4,
      "C while G68.2 is in force: the tool would leave the direction of its plane"},
+    {GCODE_FANUC, TILT "\nG53.1", "G53 G0 A0.", 8,
+     "A while G68.2 is in force: the tool would leave the direction of its plane"},
+    {GCODE_FANUC, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
+     "A while G68.2 is in force: the tool would leave the direction of its plane"},
+    {GCODE_FANUC, "", "G68.3 X0. Y0. Z0.", 1,
+     "G68.3: tilted working plane by the direction of the tool is not supported yet"},
+    {GCODE_FANUC, TILT, "G53.6", 1,
+     "G53.6: tool axis direction control that keeps the tool centre point is not supported yet"},
+    /* B-64484EN, "2nd, 3rd, and 4th reference position return (G30)": which places they are, parameters say. */
+    {GCODE_FANUC, "", "G91 G30 Z0.", 5,
+     "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
+    {GCODE_HAAS, "", "G91 G30 P3 Z0.", 9,
+     "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_FANUC, TILT "\nG53.1", "G54", 1, "a change of offsets while G68.2 is in force is not supported; G69 first"},
     {GCODE_FANUC, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is in force; G69 first"},
     {GCODE_FANUC, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is in X, Y and Z"},
-    {GCODE_FANUC, "", "G68.2 P1 I5.", 7, "no code in the block uses the word P"},
+    {GCODE_FANUC, "", "G68.2 P1 I5.", 1,
+     "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet"},
     {GCODE_FANUC, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
     {GCODE_FANUC, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
     {GCODE_HAAS, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
@@ -180,6 +304,7 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {rotation, rotated_arcs_and_cycles, tilted, additional_offsets, least_input,
+				      least_input_by_address, tool_change_without_place, tool_change_on_a_plane,
 				      haas_tool_centre};
 	Suite *suite = suite_create("gcode_plane");
 	TCase *tcase = tcase_create("gcode_plane");

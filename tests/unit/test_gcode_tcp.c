@@ -88,6 +88,7 @@ START_TEST(machine_axes)
 		    "rapid 21 -5 10 0 90 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 5 21 0 0 90\ntcp on length 100 zero A0 C0\n"
 		    "rapid 0 0 0 0 90 tcp\n");
+	/* Haas mill operator's manual, "G53 Non-Modal Machine Coordinate Selection". */
 	tcp_case(&c);
 	c.config.dialect = GCODE_HAAS;
 	case_expect(&c, "M428\nG0 X1. C90.\nG53 Y5.\nM30\n",
@@ -153,6 +154,7 @@ START_TEST(refused)
 }
 END_TEST
 
+/* Fanuc B-64484EN, "Tool length compensation (G43, G44, G49)": parameter 5006#6 (TOS) says whether Z moves at once. */
 START_TEST(fanuc_length_without_z)
 {
 	struct gcode_case c;
@@ -164,6 +166,100 @@ START_TEST(fanuc_length_without_z)
 	    strbuf_text(&c.messages),
 	    "p.nc:3:1: warning: a change of the length compensation without a Z word: some controls move Z at "
 	    "once; no motion is checked here and further on\n    G43 H2 X1.\n    ^\n");
+	case_release(&c);
+}
+END_TEST
+
+static void length_case(struct gcode_case *c, enum gcode_dialect dialect)
+{
+	tcp_case(c);
+	c->config.dialect = dialect;
+}
+
+/*
+ * Haas mill operator's manual, "G28 Return to Machine Zero": by way of the point
+ * with the length, which is cancelled from then on. With G54's Z at 50 and a tool
+ * of 100, Z0. is at 150 before it and at 50 after it.
+ */
+START_TEST(haas_g28_cancels_the_length)
+{
+	struct gcode_case c;
+
+	length_case(&c, GCODE_HAAS);
+	case_expect(&c, "G10 L2 P1 Z50.\nG43 H1 G0 Z1.\nG28 Z0.\nG0 Z0.\nG43 H1 Z0.\nG53 Z0.\nZ0.\nM30\n",
+		    "rapid 0 0 151 0 0\nrapid 0 0 150 0 0\nrapid 0 0 0 0 0\nrapid 0 0 50 0 0\nrapid 0 0 150 0 0\n"
+		    "rapid 0 0 0 0 0\nrapid 0 0 150 0 0\n");
+}
+END_TEST
+
+/* LinuxCNC keeps it ("G28" says nothing of it, and rs274 does). */
+START_TEST(linuxcnc_g28_keeps_the_length)
+{
+	struct gcode_case c;
+
+	length_case(&c, GCODE_LINUXCNC);
+	case_expect(&c, "G43 H1 G0 Z1\nG28 Z0\nZ0\nM2\n",
+		    "rapid 0 0 101 0 0\nrapid 0 0 100 0 0\nrapid 0 0 0 0 0\nrapid 0 0 100 0 0\n");
+}
+END_TEST
+
+/* What goes on without Z, with machine coordinates, by zero increments or with a new G43 does not depend on it. */
+START_TEST(fanuc_length_in_doubt_is_not_needed)
+{
+	struct gcode_case c;
+
+	length_case(&c, GCODE_FANUC);
+	case_expect(&c,
+		    "G43 H1 G0 Z1.\nG91 G28 Z0.\nG28 X0. Y0. Z0.\nG90 X5. Y5.\nG53 Z-1.\nG43 H2 Z1.\n"
+		    "G53 X0.\nZ2.\nG28 X7.\nZ3.\nG53 Z0.\nG49 Z4.\nM30\n",
+		    "rapid 0 0 101 0 0\nrapid 0 0 101 0 0\nrapid 0 0 0 0 0\nrapid 0 0 0 0 0\nrapid 0 0 0 0 0\n"
+		    "rapid 5 5 0 0 0\nrapid 5 5 -1 0 0\nrapid 5 5 41 0 0\n"
+		    "rapid 0 5 41 0 0\nrapid 0 5 42 0 0\nrapid 7 5 42 0 0\nrapid 0 5 42 0 0\nrapid 0 5 43 0 0\n"
+		    "rapid 0 5 0 0 0\nrapid 0 5 4 0 0\n");
+}
+END_TEST
+
+/*
+ * Fanuc 0i-MB operator's manual (B-63844EN), "G53, G28, and G30 commands in tool
+ * length offset mode": parameter 5001#6 says whether the length comes back by
+ * itself. Haas: G234 and G30 are not mentioned where G28 is.
+ */
+static const struct {
+	enum gcode_dialect dialect;
+	const char *before, *block;
+	int column;
+	const char *code;
+} doubts[] = {
+	{GCODE_FANUC, "G43 H1 G0 Z9.\nG28 Z10.\nX1.", "Z5.", 1, "G28"},
+	{GCODE_FANUC, "G43 H1 G0 Z9.\nG30 Z10.\nG91", "X1. Z5.", 5, "G30"},
+	{GCODE_FANUC, "G43 H1 G0 Z9.\nG53 Z0.", "G1 F9. Z5.", 8, "G53"},
+	{GCODE_FANUC, "G43 H1 G0 Z9.\nG53 Z0.", "G28 Z5.", 5, "G53"},
+	{GCODE_FANUC, "G43 H1 G0 Z9. F9.\nG81 Z0. R5.\nG53 G0 Z0.\nG81 Z0. R5.", "", 0, "G53"},
+	{GCODE_FANUC, "G43.4 H1 G0 Z9.\nG53 X0.", "Y5.", 1, "G53"},
+	{GCODE_FANUC, "G43.4 H1 G0 Z9.\nG28 X0.", "C5.", 1, "G28"},
+	{GCODE_HAAS, "G234 H1 G0 Z9.\nG28 Z10.", "X5.", 1, "G28"},
+	{GCODE_HAAS, "G43 H1 G0 Z9.\nG30 Z10.", "Z5.", 1, "G30"},
+	{GCODE_HAAS, "G43 H1 G0 Z9.\nG28 X0.", "Z5.", 1, "G28"},
+};
+
+START_TEST(length_in_doubt)
+{
+	struct strbuf program = {0}, expected = {0};
+	struct gcode_case c;
+
+	length_case(&c, doubts[_i].dialect);
+	c.config.references[1].given = true;
+	strbuf_addf(&program, "%s\n%s\n", doubts[_i].before, doubts[_i].block);
+	strbuf_addf(&expected, "%s may have taken the tool's length compensation back", doubts[_i].code);
+	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", program.text);
+	ck_assert_msg(strstr(strbuf_text(&c.messages), expected.text) != NULL, "%s", strbuf_text(&c.messages));
+	if (doubts[_i].column) {
+		strbuf_release(&expected);
+		strbuf_addf(&expected, ":%d: error: ", doubts[_i].column);
+		ck_assert_msg(strstr(strbuf_text(&c.messages), expected.text) != NULL, "%s", strbuf_text(&c.messages));
+	}
+	strbuf_release(&program);
+	strbuf_release(&expected);
 	case_release(&c);
 }
 END_TEST
@@ -182,7 +278,21 @@ int main(void)
 	    shift_of_rotary_and_linear_axes_at_once,
 	    refused,
 	    fanuc_length_without_z,
+	    haas_g28_cancels_the_length,
+	    linuxcnc_g28_keeps_the_length,
+	    fanuc_length_in_doubt_is_not_needed,
 	};
+	Suite *suite = suite_create("gcode_tcp");
+	TCase *tcase = tcase_create("gcode_tcp");
+	SRunner *runner = srunner_create(suite);
+	int failed;
 
-	return RUN_TESTS("gcode_tcp", tests);
+	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
+		tcase_add_test(tcase, tests[i]);
+	tcase_add_loop_test(tcase, length_in_doubt, 0, sizeof(doubts) / sizeof(doubts[0]));
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

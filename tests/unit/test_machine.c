@@ -37,7 +37,7 @@ static const char trunnion[] =
 	"      </axis>\n"
 	"    </axis>\n"
 	"    <axis name='A' title='First axis' type='rotary' direction='-1 0 0' location='0 0 120'\n"
-	"        limit_min='-120' limit_max='30' rate_max='7200' wrap='sign'>\n"
+	"        limit_min='-120' limit_max='30' rate_max='7200' wrap='sign' half_turn='negative'>\n"
 	"      <body name='cradle' mesh='ac/cradle.stl'/><body name='cover' mesh='cover.stl' units='m'/>\n"
 	"      <axis name='C' type='rotary' direction='0 0 -1' location='0 0 120' rate_max='14400'>\n"
 	"        <workholding location='0 0 120' rotation='0 0 90'/>\n"
@@ -91,7 +91,7 @@ START_TEST(reads_axes)
 	a = machine_axis(m, SLOT_A);
 	ck_assert_str_eq(a->title, "First axis");
 	ck_assert_ptr_null(m->axes[0].title);
-	ck_assert(a->rotary && a->wrap == WRAP_SIGN);
+	ck_assert(a->rotary && a->wrap == WRAP_SIGN && a->half_turn == -1);
 	assert_vec3(a->location, 0, 0, 120);
 	ck_assert_double_eq_tol(a->limit_min, -120 * PI / 180, 1e-15);
 	ck_assert_double_eq_tol(a->rate_max, 120 * PI / 180, 1e-15);
@@ -382,6 +382,8 @@ static const struct xml_case bad[] = {
     {BASE("<axis name='B' type='rotary' direction='0 1 0' rate_max='1'/>"),
      "m.xml:2: error: axis B is rotary and lacks the attribute 'location', a point on its axis\n"},
     {BASE(AXIS_X " wrap='shortest'/>"), "m.xml:2: error: axis X is linear: only a rotary axis can have wrap\n"},
+    {BASE(AXIS_X " half_turn='positive'/>"),
+     "m.xml:2: error: axis X is linear: only a rotary axis can have half_turn\n"},
     {BASE("<axis name='X' type='linear' direction='0 0 0' rate_max='1'/>"),
      "m.xml:2: error: direction=\"0 0 0\" of <axis> is no direction: its length must be between 1e-6 and 1e6\n"},
     {BASE("<axis name='X' type='linear' direction='1 0 0' rate_max='0'/>"),
