@@ -51,6 +51,8 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	}
 	if (!code)
 		return fault(at, word->column, "%g is no G-code", word->value);
+	if (code->group == GROUP_STATEMENT)
+		return fault_g(at, word, number, " stands before every other word of its block but N");
 	if (code->group == GROUP_UNSUPPORTED) {
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
 		return fault_g(at, word, number, text);
@@ -112,6 +114,8 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 			     number, number);
 	if (code->group == GROUP_UNSUPPORTED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
+	if (code->group == GROUP_HARMLESS)
+		return true;
 	return set_m(block, at, word, code->group, number);
 }
 
@@ -156,6 +160,9 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
+	/* B-63944EN, "Undefined variable"; Haas, "Address substitution": the word counts as not written. */
+	if (word->vacant)
+		return true;
 	switch (word->letter) {
 	case 'G':
 		return add_g(block, at, word, config->dialect);
@@ -191,7 +198,7 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 	if (lexer_next(lexer, &word) != LEXER_WORD)
 		return false;
 	block->words++;
-	if (word.point || word.value < 0)
+	if (word.point || word.value < 0 || word.vacant)
 		return fault(lexer->at, word.column, "%s must be a whole number that is not negative", what);
 	return true;
 }
@@ -256,7 +263,8 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 
 	block_clear(block);
 	lexer_init(&lexer, at, config->dialect != GCODE_LINUXCNC);
-	lexer.interp = config->dialect == GCODE_LINUXCNC ? interp : NULL;
+	lexer.interp = interp;
+	lexer.macro = config->dialect == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
 	if (!read_start(block, &lexer, config, &skipped))
 		return false;
 	if (skipped)
