@@ -245,6 +245,9 @@ static void caution_points(const struct block *block, const struct line_place *a
 		/* K of Fanuc's cycles is a number of holes. */
 		if (*letter == 'K' && block->g[G_MOTION] != G2 && block->g[G_MOTION] != G3)
 			continue;
+		/* R of G5.1 is a level. */
+		if (*letter == 'R' && block->g[G_CONTOUR] != CODE_NONE)
+			continue;
 		caution(at, block_column(block, *letter),
 			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "
 			"least input increments reads it a thousand times smaller, or more",

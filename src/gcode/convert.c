@@ -89,9 +89,11 @@ static bool is_angle(const struct block *block, char letter)
 	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
 }
 
-/* K of Fanuc's cycles is a number of holes. */
+/* K of Fanuc's cycles is a number of holes, Q and R of G5.1 are numbers, too. */
 static bool is_count(const struct block *block, char letter)
 {
+	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
+		return true;
 	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
 }
 

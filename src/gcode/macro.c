@@ -17,6 +17,15 @@ void macro_release(struct macro *macro)
 	strbuf_release(&macro->line);
 }
 
+/* Fanuc: the first two letters will do (B-63944EN, "Abbreviation"). */
+static bool keyword(struct interp *interp, struct lexer *lexer, const char *word)
+{
+	const char two[3] = {word[0], word[1], '\0'};
+
+	return lexer_keyword(lexer, word) ||
+	       (interp->config->dialect == GCODE_FANUC && lexer_keyword(lexer, two));
+}
+
 static bool end_statement(struct lexer *lexer)
 {
 	if (!lexer_skip_comments(lexer))
@@ -71,9 +80,9 @@ static bool do_if(struct interp *interp, struct lexer *lexer)
 
 	if (!macro_expr_condition(lexer, "IF", &holds))
 		return false;
-	if (lexer_keyword(lexer, "goto"))
+	if (keyword(interp, lexer, "goto"))
 		return holds ? do_goto(interp, lexer) : true;
-	if (!lexer_keyword(lexer, "then"))
+	if (!keyword(interp, lexer, "then"))
 		return fault(lexer->at, lexer_column(lexer), "IF [...] needs GOTO or THEN");
 	if (lexer_peek(lexer) != '#')
 		return fault(lexer->at, lexer_column(lexer),
@@ -275,17 +284,17 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 		return do_assignments(interp, lexer);
 	if (byte == '[' && interp->config->dialect == GCODE_HAAS)
 		return do_conditional_m99(interp, lexer);
-	if (lexer_keyword(lexer, "goto"))
+	if (keyword(interp, lexer, "goto"))
 		return do_goto(interp, lexer);
 	if (byte == 'G' || byte == 'g')
 		return do_g(interp, lexer, done);
 	if (lexer_keyword(lexer, "if"))
 		return do_if(interp, lexer);
-	if (lexer_keyword(lexer, "while"))
+	if (keyword(interp, lexer, "while"))
 		return do_while(interp, lexer, true);
 	if (lexer_keyword(lexer, "do"))
 		return do_while(interp, lexer, false);
-	if (lexer_keyword(lexer, "end"))
+	if (keyword(interp, lexer, "end"))
 		return do_end(interp, lexer, column);
 	*done = is_output(lexer);
 	return true;

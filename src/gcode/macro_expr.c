@@ -4,30 +4,17 @@
 #include <string.h>
 
 #include "gcode/expr_function.h"
+#include "gcode/macro_operate.h"
 #include "gcode/macro_vars.h"
 #include "gcode/number.h"
 #include "gcode/state.h"
 
-/*
- * Controls compute with about nine digits (B-63944EN, "Operation error"): of
- * numbers that are nearer to each other, but not equal, nobody knows the order.
- */
-#define NEAR 1e-8
-#define LARGEST_WHOLE 2147483647.0
-
-enum operation { NO_OPERATION, EQ, NE, GT, GE, LT, LE, PLUS, MINUS, OR, XOR, TIMES, DIVIDE, AND, MODULO };
-
-struct operand {
-	double number;	/* NAN: vacant */
-	bool truth;	/* of a comparison: 1 or 0 */
-};
-
 /* What one pair of brackets has held so far. */
 struct level {
-	enum operation first;
+	enum macro_operation first;
 };
 
-static bool read_level(struct lexer *lexer, struct level *level, int rank, struct operand *value);
+static bool read_level(struct lexer *lexer, struct level *level, int rank, struct macro_operand *value);
 
 static bool is_fanuc(const struct lexer *lexer)
 {
@@ -47,19 +34,13 @@ static int column_here(struct lexer *lexer)
 
 /* -------------------------------------------------------------- operations */
 
-/* B-63944EN, "Priority of operations": functions; * / AND MOD; + - OR XOR; and comparisons last. */
-static int rank_of(enum operation operation)
-{
-	return operation >= TIMES ? 3 : operation >= PLUS ? 2 : operation != NO_OPERATION ? 1 : 0;
-}
-
-static enum operation peek_operation(struct lexer *lexer)
+static enum macro_operation peek_operation(struct lexer *lexer)
 {
 	static const struct {
 		const char *name;
-		enum operation operation;
-	} words[] = {{"eq", EQ}, {"ne", NE},   {"gt", GT},    {"ge", GE},     {"lt", LT},   {"le", LE},	   {"+", PLUS},
-		     {"-", MINUS}, {"or", OR}, {"xor", XOR}, {"*", TIMES}, {"/", DIVIDE}, {"and", AND}, {"mod", MODULO}};
+		enum macro_operation operation;
+	} words[] = {{"eq", MACRO_EQ}, {"ne", MACRO_NE},   {"gt", MACRO_GT},    {"ge", MACRO_GE},     {"lt", MACRO_LT},   {"le", MACRO_LE},	   {"+", MACRO_PLUS},
+		     {"-", MACRO_MINUS}, {"or", MACRO_OR}, {"xor", MACRO_XOR}, {"*", MACRO_TIMES}, {"/", MACRO_DIVIDE}, {"and", MACRO_AND}, {"mod", MACRO_MODULO}};
 	size_t position = lexer->position;
 
 	for (size_t i = 0; i < sizeof(words) / sizeof(*words); i++) {
@@ -68,13 +49,13 @@ static enum operation peek_operation(struct lexer *lexer)
 			return words[i].operation;
 		}
 	}
-	return NO_OPERATION;
+	return MACRO_NO_OPERATION;
 }
 
-static void take_operation(struct lexer *lexer, enum operation operation)
+static void take_operation(struct lexer *lexer, enum macro_operation operation)
 {
-	size_t length = operation == PLUS || operation == MINUS || operation == TIMES || operation == DIVIDE ? 1
-			: operation == AND || operation == MODULO || operation == XOR			     ? 3
+	size_t length = operation == MACRO_PLUS || operation == MACRO_MINUS || operation == MACRO_TIMES || operation == MACRO_DIVIDE ? 1
+			: operation == MACRO_AND || operation == MACRO_MODULO || operation == MACRO_XOR			     ? 3
 													     : 2;
 
 	for (; length > 0; length--) {
@@ -83,170 +64,21 @@ static void take_operation(struct lexer *lexer, enum operation operation)
 	}
 }
 
-static bool is_logic(enum operation operation)
-{
-	return operation == AND || operation == OR || operation == XOR;
-}
-
 /* Haas's manual gives no order of AND, OR and XOR among the others. */
-static bool check_order(struct lexer *lexer, struct level *level, enum operation operation, int column)
+static bool check_order(struct lexer *lexer, struct level *level, enum macro_operation operation, int column)
 {
-	if (level->first == NO_OPERATION)
+	if (level->first == MACRO_NO_OPERATION)
 		level->first = operation;
-	if (is_fanuc(lexer) || operation == level->first || (!is_logic(operation) && !is_logic(level->first)))
+	if (is_fanuc(lexer) || operation == level->first || (!macro_operation_is_logic(operation) && !macro_operation_is_logic(level->first)))
 		return true;
 	return fault(lexer->at, column, "AND, OR and XOR among other operators: Haas gives no order; use brackets");
 }
 
-/* A vacant operand counts as 0 (B-63944EN, "Undefined variable"); what Haas makes of one is not in its manual. */
-static bool fill(struct lexer *lexer, int column, struct operand *value)
-{
-	if (!isnan(value->number))
-		return true;
-	if (!is_fanuc(lexer))
-		return fault(lexer->at, column, "a value is missing: a variable without one is computed with");
-	value->number = 0;
-	return true;
-}
-
-static bool same_order(double left, double right)
-{
-	double most = fmax(1, fmax(fabs(left), fabs(right))), difference = fabs(left - right);
-
-	return difference > 0 && difference <= NEAR * most;
-}
-
-static bool holds(enum operation operation, double left, double right)
-{
-	switch (operation) {
-	case EQ:
-		return !(left < right) && !(left > right);
-	case NE:
-		return left < right || left > right;
-	case GT:
-		return left > right;
-	case GE:
-		return left >= right;
-	case LT:
-		return left < right;
-	default:
-		return left <= right;
-	}
-}
-
-/* B-63944EN, "Undefined variable": in conditions a vacant value differs from 0 for EQ and NE only. */
-static bool compare(struct lexer *lexer, int column, enum operation operation, struct operand *left,
-		    struct operand *right)
-{
-	bool vacant = isnan(left->number), other = isnan(right->number);
-
-	if (left->truth || right->truth)
-		return fault(lexer->at, column, "the result of a comparison cannot be compared; use AND or OR");
-	if ((operation == EQ || operation == NE) && (vacant || other) && (is_fanuc(lexer) || vacant == other)) {
-		left->number = (vacant == other) == (operation == EQ);
-		left->truth = true;
-		return true;
-	}
-	/* A Haas program asks "#1 EQ #0" for a variable without a value; the number that #1 holds is not #0. */
-	if ((operation == EQ || operation == NE) && other && !vacant) {
-		*left = (struct operand){operation == NE, true};
-		return true;
-	}
-	if (!fill(lexer, column, left) || !fill(lexer, column, right))
-		return false;
-	if (same_order(left->number, right->number))
-		return fault(lexer->at, column,
-			     "these numbers differ by %.2g only, less than a control computes with; compare with a margin",
-			     fabs(left->number - right->number));
-	*left = (struct operand){holds(operation, left->number, right->number), true};
-	return true;
-}
-
-static bool is_whole(double value)
-{
-	return fabs(value) <= LARGEST_WHOLE && !(floor(value) < value);
-}
-
-/* Bit by bit (B-63944EN, "Logical operations"; Haas, "Logical operators": of the integer portion). */
-static bool apply_logic(struct lexer *lexer, int column, enum operation operation, struct operand *left,
-			struct operand *right)
-{
-	double numbers[2] = {left->number, right->number};
-	unsigned long a, b;
-
-	for (int i = 0; i < 2; i++) {
-		if (!is_fanuc(lexer))
-			numbers[i] = trunc(numbers[i]);
-		if (numbers[i] < 0 || !is_whole(numbers[i]))
-			return fault(lexer->at, column,
-				     "AND, OR and XOR work on whole numbers that are not negative, not on %.15g",
-				     numbers[i]);
-	}
-	if (is_fanuc(lexer) && left->truth != right->truth)
-		return fault(lexer->at, column, "one of the operands is a comparison, and the other is none");
-	a = (unsigned long)numbers[0];
-	b = (unsigned long)numbers[1];
-	left->number = (double)(operation == AND ? a & b : operation == OR ? a | b : a ^ b);
-	left->truth = left->truth && right->truth;
-	return true;
-}
-
-/* B-63944EN, "MOD": of whole numbers, with the sign of the first; other controls differ in both. */
-static bool apply_modulo(struct lexer *lexer, int column, struct operand *left, double right)
-{
-	if (!is_whole(left->number) || !is_whole(right) || right < 0 || (left->number < 0 && !is_fanuc(lexer)))
-		return fault(lexer->at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
-			     left->number, right, is_fanuc(lexer) ? "" : " that are not negative");
-	left->number = fmod(left->number, right);
-	return true;
-}
-
-static bool apply_arithmetic(struct lexer *lexer, int column, enum operation operation, struct operand *left,
-			     struct operand *right)
-{
-	if (is_fanuc(lexer) && (left->truth || right->truth))
-		return fault(lexer->at, column, "the result of a comparison is no number here");
-	left->truth = false;
-	if ((operation == DIVIDE || operation == MODULO) && fpclassify(right->number) == FP_ZERO)
-		return fault(lexer->at, column, "division by zero");
-	switch (operation) {
-	case PLUS:
-		left->number += right->number;
-		break;
-	case MINUS:
-		left->number -= right->number;
-		break;
-	case TIMES:
-		left->number *= right->number;
-		break;
-	case DIVIDE:
-		left->number /= right->number;
-		break;
-	default:
-		return apply_modulo(lexer, column, left, right->number);
-	}
-	if (isfinite(left->number))
-		return true;
-	return fault(lexer->at, column, "the result is infinite");
-}
-
-static bool apply(struct lexer *lexer, int column, enum operation operation, struct operand *left,
-		  struct operand *right)
-{
-	if (rank_of(operation) == 1)
-		return compare(lexer, column, operation, left, right);
-	if (!fill(lexer, column, left) || !fill(lexer, column, right))
-		return false;
-	if (is_logic(operation))
-		return apply_logic(lexer, column, operation, left, right);
-	return apply_arithmetic(lexer, column, operation, left, right);
-}
-
 /* ------------------------------------------------------------------ values */
 
-static bool read_brackets(struct lexer *lexer, const char *what, struct operand *value)
+static bool read_brackets(struct lexer *lexer, const char *what, struct macro_operand *value)
 {
-	struct level level = {NO_OPERATION};
+	struct level level = {MACRO_NO_OPERATION};
 
 	if (lexer_peek(lexer) != '[')
 		return fault(lexer->at, lexer_column(lexer), "%s needs a value in brackets, [...]", what);
@@ -267,7 +99,7 @@ static bool read_brackets(struct lexer *lexer, const char *what, struct operand 
 bool macro_expr_variable(struct lexer *lexer, int *number)
 {
 	int column = column_here(lexer);
-	struct operand operand;
+	struct macro_operand operand;
 	size_t position;
 	bool point;
 
@@ -289,7 +121,7 @@ bool macro_expr_variable(struct lexer *lexer, int *number)
 		lexer->position = position;
 		break;
 	}
-	if (isnan(operand.number) || operand.number < 0 || !is_whole(operand.number))
+	if (isnan(operand.number) || operand.number < 0 || !macro_is_whole(operand.number))
 		return fault(lexer->at, column, "# needs a whole number that is not negative");
 	*number = (int)operand.number;
 	return true;
@@ -300,7 +132,7 @@ static bool compute_fix(struct lexer *lexer, int column, enum expr_function func
 {
 	double nearest = round(*value);
 
-	if (same_order(*value, nearest))
+	if (macro_nearly_equal(*value, nearest))
 		return fault(lexer->at, column,
 			     "%s of a number that differs from %.15g by %.2g only, less than a control computes with",
 			     expr_function_name(function), nearest, fabs(*value - nearest));
@@ -344,10 +176,10 @@ static void wrap_angle(struct lexer *lexer, int column, double *value)
 }
 
 /* ATAN[a]/[b] and ATAN[a,b] (Fanuc); ATAN[a] is that of a and 1. */
-static bool read_arc_tangent(struct lexer *lexer, int column, struct operand *value)
+static bool read_arc_tangent(struct lexer *lexer, int column, struct macro_operand *value)
 {
-	struct level level = {NO_OPERATION}, right = {NO_OPERATION};
-	struct operand second = {1, false};
+	struct level level = {MACRO_NO_OPERATION}, right = {MACRO_NO_OPERATION};
+	struct macro_operand second = {1, false};
 	bool pair = true;
 
 	if (lexer_peek(lexer) != '[')
@@ -378,7 +210,7 @@ static bool read_arc_tangent(struct lexer *lexer, int column, struct operand *va
 		if (!read_brackets(lexer, "ATAN[...]/", &second))
 			return false;
 	}
-	if (!fill(lexer, column, value) || !fill(lexer, column, &second))
+	if (!macro_operand_fill(lexer, column, value) || !macro_operand_fill(lexer, column, &second))
 		return false;
 	value->number = expr_function_arc_tangent(value->number, second.number);
 	value->truth = false;
@@ -387,18 +219,38 @@ static bool read_arc_tangent(struct lexer *lexer, int column, struct operand *va
 	return true;
 }
 
-static bool read_function(struct lexer *lexer, struct operand *value)
+/* Fanuc: two letters will do (B-63944EN, "Abbreviation"). */
+static bool read_function_name(struct lexer *lexer, enum expr_function *function)
+{
+	size_t position = lexer->position;
+
+	if (expr_function_read(lexer, function))
+		return *function != EXPR_EXISTS;
+	for (int i = 0; i < EXPR_FUNCTIONS && is_fanuc(lexer); i++) {
+		const char *name = expr_function_name((enum expr_function)i);
+		char two[3] = {(char)(name[0] - 'A' + 'a'), (char)(name[1] - 'A' + 'a'), '\0'};
+
+		if (i != EXPR_EXISTS && lexer_keyword(lexer, two) && lexer_peek(lexer) == '[') {
+			*function = (enum expr_function)i;
+			return true;
+		}
+		lexer->position = position;
+	}
+	return false;
+}
+
+static bool read_function(struct lexer *lexer, struct macro_operand *value)
 {
 	int column = column_here(lexer);
 	enum expr_function function;
 
-	if (!expr_function_read(lexer, &function) || function == EXPR_EXISTS)
+	if (!read_function_name(lexer, &function))
 		return fault(lexer->at, column, "a value is needed here");
 	if (!is_fanuc(lexer) && (function == EXPR_FUP || function == EXPR_LN || function == EXPR_EXP))
 		return fault(lexer->at, column, "Haas has no function %s", expr_function_name(function));
 	if (function == EXPR_ATAN)
 		return read_arc_tangent(lexer, column, value);
-	if (!read_brackets(lexer, expr_function_name(function), value) || !fill(lexer, column, value))
+	if (!read_brackets(lexer, expr_function_name(function), value) || !macro_operand_fill(lexer, column, value))
 		return false;
 	if (is_fanuc(lexer) && value->truth)
 		return fault(lexer->at, column, "the result of a comparison is no number here");
@@ -427,12 +279,12 @@ static bool read_number(struct lexer *lexer, double *value)
 	return true;
 }
 
-static bool read_operand(struct lexer *lexer, struct operand *value)
+static bool read_operand(struct lexer *lexer, struct macro_operand *value)
 {
 	char byte = lexer_peek(lexer);
 	int column = lexer_column(lexer), number;
 
-	*value = (struct operand){0, false};
+	*value = (struct macro_operand){0, false};
 	if (byte == '#')
 		return macro_expr_variable(lexer, &number) &&
 		       macro_vars_read(lexer->interp, number, column, &value->number);
@@ -440,7 +292,7 @@ static bool read_operand(struct lexer *lexer, struct operand *value)
 		lexer_take(lexer);
 		if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
 			return fault(lexer->at, lexer_column(lexer), "two signs");
-		if (!read_operand(lexer, value) || !fill(lexer, column, value))
+		if (!read_operand(lexer, value) || !macro_operand_fill(lexer, column, value))
 			return false;
 		value->number = byte == '-' ? -value->number : value->number;
 		return true;
@@ -456,22 +308,22 @@ static bool read_operand(struct lexer *lexer, struct operand *value)
 	return true;
 }
 
-static bool read_level(struct lexer *lexer, struct level *level, int rank, struct operand *value)
+static bool read_level(struct lexer *lexer, struct level *level, int rank, struct macro_operand *value)
 {
-	enum operation operation;
+	enum macro_operation operation;
 
 	if (rank > 3)
 		return read_operand(lexer, value);
 	if (!read_level(lexer, level, rank + 1, value))
 		return false;
-	while (rank_of(operation = peek_operation(lexer)) == rank) {
+	while (macro_operation_rank(operation = peek_operation(lexer)) == rank) {
 		int column = column_here(lexer);
-		struct operand right;
+		struct macro_operand right;
 
 		if (!check_order(lexer, level, operation, column))
 			return false;
 		take_operation(lexer, operation);
-		if (!read_level(lexer, level, rank + 1, &right) || !apply(lexer, column, operation, value, &right))
+		if (!read_level(lexer, level, rank + 1, &right) || !macro_operate(lexer, column, operation, value, &right))
 			return false;
 	}
 	return true;
@@ -516,7 +368,7 @@ bool macro_expr_word(struct lexer *lexer, struct word *word)
 {
 	double steps = steps_of(lexer, word->letter);
 	int column = column_here(lexer);
-	struct operand value;
+	struct macro_operand value;
 	char byte;
 
 	byte = lexer->at->text[column - 1];
@@ -537,9 +389,9 @@ bool macro_expr_word(struct lexer *lexer, struct word *word)
 
 bool macro_expr_sum(struct lexer *lexer, double *value)
 {
-	struct level level = {NO_OPERATION};
+	struct level level = {MACRO_NO_OPERATION};
 	int column = column_here(lexer);
-	struct operand operand;
+	struct macro_operand operand;
 
 	lexer->depth = 0;
 	if (!read_level(lexer, &level, 1, &operand))
@@ -553,14 +405,14 @@ bool macro_expr_sum(struct lexer *lexer, double *value)
 bool macro_expr_condition(struct lexer *lexer, const char *what, bool *is_true)
 {
 	int column = column_here(lexer);
-	struct operand operand;
+	struct macro_operand operand;
 
 	lexer->depth = 0;
 	if (!read_brackets(lexer, what, &operand))
 		return false;
 	if (is_fanuc(lexer) && !operand.truth)
 		return fault(lexer->at, column, "%s needs a comparison: EQ, NE, GT, GE, LT or LE", what);
-	if (!fill(lexer, column, &operand))
+	if (!macro_operand_fill(lexer, column, &operand))
 		return false;
 	*is_true = fpclassify(operand.number) != FP_ZERO;
 	return true;
@@ -569,12 +421,12 @@ bool macro_expr_condition(struct lexer *lexer, const char *what, bool *is_true)
 bool macro_expr_integer(struct lexer *lexer, const char *what, int *value)
 {
 	int column = column_here(lexer);
-	struct operand operand;
+	struct macro_operand operand;
 
 	lexer->depth = 0;
 	if (!read_operand(lexer, &operand))
 		return false;
-	if (isnan(operand.number) || operand.number < 0 || !is_whole(operand.number))
+	if (isnan(operand.number) || operand.number < 0 || !macro_is_whole(operand.number))
 		return fault(lexer->at, column, "%s must be a whole number that is not negative", what);
 	*value = (int)operand.number;
 	return true;

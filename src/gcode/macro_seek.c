@@ -90,8 +90,10 @@ static int loop_number(const char *rest, bool end)
 	const char *at = rest;
 
 	if (end)
-		return !strncmp(rest, "END", 3) && isdigit((unsigned char)rest[3]) ? rest[3] - '0' : 0;
-	if (!strncmp(rest, "WHILE[", 6)) {
+		return !strncmp(rest, "EN", 2) && isdigit((unsigned char)rest[rest[2] == 'D' ? 3 : 2])
+			   ? rest[rest[2] == 'D' ? 3 : 2] - '0'
+			   : 0;
+	if (!strncmp(rest, "WHILE[", 6) || !strncmp(rest, "WH[", 3)) {
 		at = strrchr(rest, ']');
 		at = at ? at + 1 : rest;
 	}
