@@ -179,8 +179,8 @@ bool convert_block(struct interp *interp)
 	convert_increments(interp);
 	if (!comp_select(interp) || !comp_check_block(interp))
 		return false;
-	if (!tooling_length(interp) || !offsets_select(interp) || !convert_path(interp) ||
-	    !contour_select(interp))
+	if (!tooling_length(interp) || !offsets_select(interp) || !macro_check_work(interp) ||
+	    !convert_path(interp) || !contour_select(interp))
 		return false;
 	convert_modes(interp);
 	if (!plane_turn(interp))

@@ -82,6 +82,7 @@ static bool do_if(struct interp *interp, struct lexer *lexer)
 		return false;
 	if (keyword(interp, lexer, "goto"))
 		return holds ? do_goto(interp, lexer) : true;
+	lexer_peek(lexer);
 	if (!keyword(interp, lexer, "then"))
 		return fault(lexer->at, lexer_column(lexer), "IF [...] needs GOTO or THEN");
 	if (lexer_peek(lexer) != '#')
@@ -136,6 +137,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 
 	if (condition && !macro_expr_condition(lexer, "WHILE", &holds))
 		return false;
+	lexer_peek(lexer);
 	if (condition && !lexer_keyword(lexer, "do"))
 		return fault(lexer->at, lexer_column(lexer), "WHILE [...] needs DO");
 	lexer_peek(lexer);
@@ -266,6 +268,7 @@ static bool do_conditional_m99(struct interp *interp, struct lexer *lexer)
 
 	if (!macro_expr_condition(lexer, "M99", &holds))
 		return false;
+	lexer_peek(lexer);
 	if (!lexer_keyword(lexer, "m99") || !lexer_keyword(lexer, "p"))
 		return fault(lexer->at, lexer_column(lexer), "a condition at the start of a block needs M99 P");
 	lexer_peek(lexer);

@@ -49,6 +49,7 @@ struct macro {
 	bool modal;	/* G66 is in force */
 	int modal_number, modal_repeats, modal_level;
 	double modal_arguments[MACRO_LOCALS + 1];
+	bool work_stale;	/* the work offset in force was assigned to, and not selected since */
 	bool cautioned_angle;
 	struct strbuf line;	/* the line in hand, while others are read */
 };
@@ -64,6 +65,9 @@ bool macro_line(struct interp *interp, bool *done);
 
 /* M97, M98 and M99 of a block that has been carried out. False: reported. */
 bool macro_end_block(struct interp *interp);
+
+/* After the block's selection of a work offset: is the one in force what the control has? False: reported. */
+bool macro_check_work(struct interp *interp);
 
 /* The call that G66 makes after a block. False: reported. */
 bool macro_after_block(struct interp *interp);

@@ -28,7 +28,7 @@ static const struct {
 	{5061, 5080, F | H, "what a probe has found"},
 	{5081, 5100, F | H, "the tool offset of the control's own table"},
 	{5101, 5120, F | H, "the deviation of the servo drives"},
-	{5201, 5220, F | H, "an offset that lies on all work offsets, which is not followed here"},
+	{5201, 5220, F | H, "an offset of the control's own that lies on all work offsets"},
 };
 
 static const char *find_machine_only(int number, enum gcode_dialect dialect)
@@ -133,6 +133,10 @@ static bool read_position(struct interp *interp, int number, int column, double 
 
 	if (!find_slot(interp, number, number - 5001, column, &slot) || !predefined_position_is_plain(interp, column))
 		return false;
+	if (interp->macro.work_stale)
+		return fault(&interp->at, column,
+			     "#%d after the work offset in force was assigned to; select it again first, with %s", number,
+			     state_system_name(state->system));
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "#%d under tool centre point control is not supported yet", number);
 	*value = (state->position.v[slot] - state->offset.v[slot]) / unit_of(state, slot);
@@ -193,11 +197,9 @@ static bool write_work(struct interp *interp, int number, int column, double val
 		return fault_unknown(interp, number, column);
 	if (isnan(value))
 		return fault(&interp->at, column, "#%d cannot be vacant", number);
+	/* When a control heeds a change of the one in force depends on how far it reads ahead. */
 	if (system == state->system)
-		return fault(&interp->at, column,
-			     "#%d belongs to %s, which is in force: when a control heeds it depends on how far it reads "
-			     "ahead; use G10 L2",
-			     number, state_system_name(system));
+		interp->macro.work_stale = true;
 	state->work[system].v[slot] = value * unit_of(state, slot);
 	state->work_known[system] = true;
 	return true;
@@ -226,4 +228,20 @@ bool macro_system_write(struct interp *interp, int number, int column, double va
 		return fault(&interp->at, column, "#%d cannot be assigned here in the %s dialect", number,
 			     dialect_name(interp->config->dialect));
 	return write_work(interp, number, column, value);
+}
+
+bool macro_check_work(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	if (!interp->macro.work_stale)
+		return true;
+	if (block->g[G_SYSTEM] != CODE_NONE)
+		interp->macro.work_stale = false;
+	else if (block->letters & AXIS_BITS)
+		return fault(&interp->at, block_motion_column(block),
+			     "the work offset in force was assigned to: when a control heeds that differs; select it "
+			     "again first, with %s",
+			     state_system_name(interp->state.system));
+	return true;
 }
