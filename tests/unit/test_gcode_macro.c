@@ -210,7 +210,7 @@ static const struct {
 	 "X#12\nX#13\nX#11\nM99\n",
 	 "1 3 5 7 9 10 12 13"},
 	{BOTH, "G65 P1000 A1.0 B2.0 I-3.0 I4.0 D5.0\nM30\nO1000\nG0 X#1\nX#2\nX#4\nX#7\nM99\n", "1 2 -3 5"},
-	{BOTH, "#1=3.\nG65 P7 A#1 B[#1+1.] C#9\nM30\nO7\nG0 X#1\nX#2\nX#3\nM99\n", "3 4 4"},
+	{BOTH, "#1=3.\nG65 P7 A#1 B[#1+1.] C#9\nM30\nO7\nG0 X#1\nX#2\nX#3\nM99\n", "3 4"},
 	{BOTH, "G65 P7 A3.\nM30\nO7\nG0 X#1\nIF [#1 LE 1] GOTO 1\nG65 P7 A[#1-1.]\nX#1\nN1 M99\n", "3 2 1 2 3"},
 	/* HM "G65": the variables remain from one repetition to the next */
 	{H, "G65 P7 L3 A1.\nM30\nO7\nG0 X#1\n#1=#1+1.\nM99\n", "1 2 3"},
@@ -230,7 +230,7 @@ static const struct {
 	{BOTH, "G10 L2 P1 X10. Y0.\nG54 G0 X1. Y7.\nX[#5001+#5002]\nM30\n", "11 18"},
 	{BOTH, "G10 L2 P2 X10. Y20.\nG0 X#5241\nX[#5242-1.]\n#5241=3.\nG55 X1.\nM30\n", "10 19 4"},
 	{BOTH, "G0 X1.\n#5221=10.\nG54\nX1.\n#5221=20.\nG54 X2.\nM30\n", "1 11 22"},
-	{BOTH, "G1 F5. X[#4003-80.]\nG91 X[#4003-90.]\nX[#4002+#4001-17.]\nX#4006\nX#4109\nM30\n", "10 11 12 33 38"},
+	{BOTH, "G1 F5. X[#4003-80.]\nG91 X[#4003-90.]\nX[#4002+#4001-17.]\nX#4006\nX#4109\nM30\n", "10 10 11 32 37"},
 	{F, "G55\nG0 X#4014\nM30\n", "55"},
 	{H, "G55\nG0 X#4012\nM30\n", "55"},
 	{F, "G10 L20 P3 X4.\nG0 X#7041\nM30\n", "4"},
