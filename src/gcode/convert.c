@@ -68,6 +68,10 @@ static bool convert_path(struct interp *interp)
 
 	if (block->g[G_PATH] == CODE_NONE)
 		return true;
+	if (state->contour && block->g[G_PATH] == G64) {
+		state->blend_before = true;
+		return true;
+	}
 	if (state->contour)
 		return fault(&interp->at, block->g_column[G_PATH],
 			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
@@ -196,5 +200,5 @@ bool convert_block(struct interp *interp)
 	if (block->m[M_STOP] == 99)
 		return flow_restart(interp);
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
-	return interp->ended || macro_after_block(interp);
+	return macro_after_block(interp);
 }

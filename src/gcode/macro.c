@@ -282,7 +282,10 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	char byte = lexer_peek(lexer);
 	int column = lexer_column(lexer);
 
-	*done = true;
+	/* Most blocks start with another letter. */
+	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBb", byte);
+	if (!*done)
+		return true;
 	if (byte == '#')
 		return do_assignments(interp, lexer);
 	if (byte == '[' && interp->config->dialect == GCODE_HAAS)

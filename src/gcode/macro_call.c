@@ -225,7 +225,21 @@ bool macro_call_g66(struct interp *interp, struct lexer *lexer, int column)
 	return true;
 }
 
-/* Moves of the macro itself call nothing. What a subprogram's would do, when G66 stands outside, is left open. */
+/* Is this a block that G66 may call its macro after? Moves of the macro itself call nothing. */
+static bool modal_heeds(const struct interp *interp)
+{
+	const struct macro *macro = &interp->macro;
+
+	if (!macro->modal || !(interp->block.letters & AXIS_BITS) || interp->block.g[G_NONMODAL] == G4)
+		return false;
+	for (int level = macro->level; level > macro->modal_level; level--) {
+		if (macro->calls[level].kind == MACRO_G66)
+			return false;
+	}
+	return true;
+}
+
+/* What a subprogram's would do, when G66 stands outside, is left open. */
 bool macro_after_block(struct interp *interp)
 {
 	const struct macro *macro = &interp->macro;
@@ -233,17 +247,16 @@ bool macro_after_block(struct interp *interp)
 	struct request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
 	int column = block_motion_column(block);
 
-	if (!macro->modal || !(block->letters & AXIS_BITS) || block->g[G_NONMODAL] == G4)
+	if (!modal_heeds(interp))
 		return true;
-	for (int level = macro->level; level > macro->modal_level; level--) {
-		if (macro->calls[level].kind == MACRO_G66)
-			return true;
-	}
+	if (block->m[M_STOP] >= 2)
+		return fault(&interp->at, block->m_column[M_STOP], "M%d in a block that moves, while G66 is in force; G67 first",
+			     block->m[M_STOP]);
 	if (macro->level != macro->modal_level)
 		return fault(&interp->at, column, "a move of a subprogram while G66 is in force is not supported yet");
-	if (block->g[G_NONMODAL] != CODE_NONE || block->motion == CODE_NONE)
+	if (block->g[G_NONMODAL] != CODE_NONE || block->motion == CODE_NONE || code_is_cycle(block->motion))
 		return fault(&interp->at, column,
-			     "axis words of a block that may be no move, while G66 is in force; G67 first");
+			     "axis words of a block that is no plain move, while G66 is in force; G67 first");
 	memcpy(request.arguments, macro->modal_arguments, sizeof(request.arguments));
 	return call_macro(interp, MACRO_G66, &request, column);
 }
@@ -285,8 +298,6 @@ static bool do_m98(struct interp *interp, int column)
 
 	if (!read_m98(interp, &number, &repeats))
 		return false;
-	if (interp->macro.modal && (interp->block.letters & AXIS_BITS))
-		return fault(&interp->at, column, "a call in a block that moves, while G66 is in force; G67 first");
 	if (local ? !macro_seek_only(interp, number, block_column(&interp->block, 'P'), &entry)
 		  : !macro_seek_program(interp, number, column, &entry))
 		return false;
@@ -325,6 +336,8 @@ bool macro_end_block(struct interp *interp)
 {
 	int column = interp->block.m_column[M_STOP];
 
+	if (!macro_after_block(interp))
+		return false;
 	return interp->block.m[M_STOP] == 99 ? do_m99(interp, column) : do_m98(interp, column);
 }
 

@@ -24,6 +24,7 @@ struct search {
 	long after;	/* AIM_BLOCK: lines up to this one do not count */
 	int open[MACRO_LOOPS];	/* AIM_END: the loops in between */
 	int open_count;
+	bool own_line;	/* the search starts with the program's first line, which has its number */
 	bool failed;	/* reported */
 	bool unfinished;	/* a pipe's window ended the search */
 };
@@ -170,7 +171,7 @@ static bool look(struct interp *interp, struct search *search, const struct posi
 	const struct position next = source_next(from->source);
 	const long long start = reader->start;
 	const char *text;
-	bool over = false, met = false, first = true;
+	bool over = false, met = false, first = search->own_line;
 
 	keep_line(interp);
 	if (!reader_seek(reader, from->offset, from->line)) {
@@ -235,7 +236,7 @@ static struct position program_start(struct interp *interp)
 bool macro_seek_only(struct interp *interp, int number, int column, struct position *found)
 {
 	const struct position start = program_start(interp);
-	struct search search = {.aim = AIM_BLOCK, .number = number};
+	struct search search = {.aim = AIM_BLOCK, .number = number, .own_line = true};
 	struct position second;
 	struct label *label;
 	char key[96];
@@ -265,6 +266,7 @@ static bool seek_forward_first(struct interp *interp, int number, int column, st
 
 	if (look(interp, &search, &next, 0, column, found))
 		return true;
+	search.own_line = true;
 	if (!search.unfinished && look(interp, &search, &start, here, column, found))
 		return true;
 	return search.unfinished ? fault_window(interp, "N", number, column)
@@ -313,49 +315,60 @@ bool macro_seek_end(struct interp *interp, int number, int column, struct positi
 	return true;
 }
 
-/* In the file: the program's O, or in a file of its own the first line if there is no O at all. */
-static bool look_in_file(struct interp *interp, struct source *source, int number, int column, struct position *found)
+/* In a file of its name: the program's O, or the first line if there is no O at all. */
+static bool look_in_folders(struct interp *interp, int number, int column, struct position *found)
 {
-	const struct position start = {source, 0, 1};
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, any = {.aim = AIM_ANY_PROGRAM};
+	struct position start = {NULL, 0, 1};
 
+	if (!sources_find_program(&interp->sources, interp->config, number, &interp->at, column, &start.source))
+		return false;
+	if (!start.source)
+		return fault(&interp->at, column,
+			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include folder",
+			     number, interp->sources.items[0]->name);
 	if (look(interp, &search, &start, 0, column, found))
 		return true;
 	if (look(interp, &any, &start, 0, column, found))
-		return fault(&interp->at, column, "%s holds no program O%d", source->name, number);
+		return fault(&interp->at, column, "%s holds no program O%d", start.source->name, number);
 	*found = start;
 	return true;
 }
 
+/* In the program's own file; *unfinished: it is a pipe that holds neither its start nor enough of what is ahead. */
+static bool look_in_main(struct interp *interp, int number, int column, struct position *found, bool *unfinished)
+{
+	struct source *main = interp->sources.items[0];
+	const struct position start = {main, interp->first_offset, interp->first_line}, forward = source_next(main);
+	struct search search = {.aim = AIM_PROGRAM, .number = number}, rest = search;
+
+	*unfinished = false;
+	if (look(interp, &search, &start, 0, column, found))
+		return true;
+	if (search.unfinished && look(interp, &rest, &forward, 0, column, found))
+		return true;
+	*unfinished = search.unfinished;
+	return false;
+}
+
 bool macro_seek_program(struct interp *interp, int number, int column, struct position *found)
 {
-	struct source *main = interp->sources.items[0], *file;
-	struct position start = {main, interp->first_offset, interp->first_line};
+	const struct position in_hand = {interp->source, 0, 1};
 	struct search search = {.aim = AIM_PROGRAM, .number = number};
-	const struct position forward = source_next(main);
 	struct label *label;
+	bool unfinished;
 	char key[96];
 
-	if ((label = remembered(interp, &start, "O", number, key))) {
+	if ((label = remembered(interp, &in_hand, "O", number, key))) {
 		*found = label->at;
 		return true;
 	}
-	if (!look(interp, &search, &start, 0, column, found)) {
-		/* A pipe whose start has gone by can still hold what is ahead. */
-		if (search.unfinished &&
-		    !look(interp, &(struct search){.aim = AIM_PROGRAM, .number = number}, &forward, 0, column, found))
+	if (!look_in_main(interp, number, column, found, &unfinished) &&
+	    (unfinished || !look(interp, &search, &in_hand, 0, column, found))) {
+		if (unfinished)
 			return fault_window(interp, "O", number, column);
-		if (!search.unfinished) {
-			if (!sources_find_program(&interp->sources, interp->config, number, &interp->at, column, &file))
-				return false;
-			if (!file)
-				return fault(&interp->at, column,
-					     "the program O%d is neither in %s nor in a file of its own beside it or in an "
-					     "--include folder",
-					     number, main->name);
-			if (!look_in_file(interp, file, number, column, found))
-				return false;
-		}
+		if (!look_in_folders(interp, number, column, found))
+			return false;
 	}
 	remember(interp, key, found);
 	return true;

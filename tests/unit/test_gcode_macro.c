@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "random.h"
+
 #define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
 
 enum { F = 1 << GCODE_FANUC, H = 1 << GCODE_HAAS, BOTH = F | H };
@@ -333,6 +335,67 @@ START_TEST(contour)
 }
 END_TEST
 
+/*
+ * A random expression of whole numbers, written with brackets only where the ranks need them; its value, while *valid.
+ * The tree is the oracle: it needs no ranks to be evaluated.
+ */
+static long write_random(struct random *random, int depth, int rank, struct strbuf *out, bool *valid)
+{
+	static const struct {
+		const char *name;
+		int rank;
+	} operations[] = {{"+", 2}, {"-", 2}, {" OR ", 2}, {" XOR ", 2}, {"*", 3}, {" AND ", 3}, {" MOD ", 3}};
+	size_t i = random_bits(random) % ROWS(operations);
+	bool brackets = operations[i].rank < rank || random_bits(random) % 8 == 0;
+	long left, right;
+
+	if (depth == 0 || random_bits(random) % 4 == 0) {
+		left = (long)(random_bits(random) % 10);
+		strbuf_addf(out, "%ld", left);
+		return left;
+	}
+	strbuf_addf(out, "%s", brackets ? "[" : "");
+	left = write_random(random, depth - 1, operations[i].rank, out, valid);
+	strbuf_addf(out, "%s", operations[i].name);
+	/* From left to right: what stands on the right binds more tightly. */
+	right = write_random(random, depth - 1, operations[i].rank + 1, out, valid);
+	strbuf_addf(out, "%s", brackets ? "]" : "");
+	if (i >= 2 && i != 4 && (left < 0 || right < 0))
+		*valid = false;
+	if (i == 6 && right <= 0)
+		*valid = false;
+	if (!*valid)
+		return 0;
+	return i == 0	? left + right
+	       : i == 1 ? left - right
+	       : i == 2 ? (left | right)
+	       : i == 3 ? (left ^ right)
+	       : i == 4 ? left * right
+	       : i == 5 ? (left & right)
+			: left % right;
+}
+
+START_TEST(random_expressions)
+{
+	int tried = 0;
+
+	for (long i = 0; i < 20000; i++) {
+		struct random random = random_case(31, i);
+		struct strbuf expression = {0};
+		bool valid = true;
+		long value = write_random(&random, 4, 1, &expression, &valid);
+
+		/* The moves are written with nine digits. */
+		if (valid && labs(value) < 100000 && expression.length < 200) {
+			expect_value(GCODE_FANUC, expression.text, (double)value);
+			tried++;
+		}
+		strbuf_release(&expression);
+	}
+	ck_assert_int_gt(tried, 2000);
+}
+END_TEST
+
 /* Through a pipe: a loop and a call, and the program that no pipe can deliver. */
 static bool run_pipe(struct gcode_case *c, const char *head, int filler, const char *tail)
 {
@@ -392,7 +455,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {expressions, comparisons, ways, increments, angles, contour, pipes};
+	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, increments, angles,
+				      contour,     pipes};
 
 	return RUN_TESTS("gcode_macro", tests);
 }

@@ -400,6 +400,27 @@ static const struct {
 	 "p.nc:1:1: error: a macro call needs P, the number of the program\n"
 	 "    G66 A1.\n"
 	 "    ^\n"},
+	{F, "G66 P7\nG0 X1. M30\nO7\nM99\n",
+	 "p.nc:2:8: error: M30 in a block that moves, while G66 is in force; G67 first\n"
+	 "    G0 X1. M30\n"
+	 "           ^\n"},
+	{F, "G66 P7\nG0 X1. M98 P7\nM30\nO7\nM99\n",
+	 "p.nc:2:8: error: M98 in a block that moves, while G66 is in force; G67 first\n"
+	 "    G0 X1. M98 P7\n"
+	 "           ^\n"},
+	{F, "G66 P7\nG81 X1. Z-1. R1. F9.\nM30\nO7\nM99\n",
+	 "p.nc:2:1: error: axis words of a block that is no plain move, while G66 is in force; G67 first\n"
+	 "    G81 X1. Z-1. R1. F9.\n"
+	 "    ^\n"},
+	{F, "G66 P7\nM98 P8\nM30\nO7\nM99\nO8\nG0 X1.\nM99\n",
+	 "p.nc:7:1: error: a move of a subprogram while G66 is in force is not supported yet\n"
+	 "    G0 X1.\n"
+	 "    ^\n"
+	 "p.nc:2:1: note: O8 is called from here\n"},
+	{BOTH, "DO1\nO2\nEND1\n",
+	 "p.nc:1:3: error: this loop is not closed: its END1 is missing\n"
+	 "    DO1\n"
+	 "      ^\n"},
 	{F, "#1=#5004\n",
 	 "p.nc:1:4: error: #5004: which axis is the control's number 4 is the machine builder's choice "
 	 "and not known here\n"
@@ -458,7 +479,7 @@ static const struct {
 	 "    G66 P7\n"
 	 "    ^\n"},
 	{F, "G66 P7\nG28 X0.\nM30\nO7\nM99\n",
-	 "p.nc:2:5: error: axis words of a block that may be no move, while G66 is in force; G67 first\n"
+	 "p.nc:2:5: error: axis words of a block that is no plain move, while G66 is in force; G67 first\n"
 	 "    G28 X0.\n"
 	 "        ^\n"},
 	{H, "G66 P7\n",
