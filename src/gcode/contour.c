@@ -34,7 +34,8 @@ static bool select_ai(struct interp *interp)
 	if (block_has(block, 'R') && !block_integer(block, &interp->at, 'R', 1, 10, &r))
 		return false;
 	if (q > 1)
-		return fault_other(interp, "G5.1 with Q2 or Q3: interpolation of splines through the programmed points");
+		return fault_other(interp, "G5.1 with Q2 or Q3: interpolation of splines through the programmed "
+					   "points");
 	if (block->letters & AXIS_BITS)
 		return fault_other(interp, "G5.1 with axis words");
 	switch_contour(&interp->state, q == 1);

@@ -168,7 +168,8 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 	if (!read_loop_number(lexer, "the number of END", &number) || !end_statement(lexer))
 		return false;
 	if (!top || !same_place(&top->end, &here))
-		return fault(lexer->at, column, "END%d without its DO%d: a loop cannot be entered but by its DO", number,
+		return fault(lexer->at, column, "END%d without its DO%d: a loop cannot be entered but by its DO",
+			     number,
 			     number);
 	return macro_jump(interp, &top->start, column);
 }

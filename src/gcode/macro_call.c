@@ -134,7 +134,8 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 static bool read_count(struct interp *interp, const struct word *word, int most, int *value)
 {
 	if (word->vacant || word->value < 1 || word->value > most || floor(word->value) < word->value)
-		return fault(&interp->at, word->column, "%c: a whole number from 1 to %d is needed", word->letter, most);
+		return fault(&interp->at, word->column, "%c: a whole number from 1 to %d is needed", word->letter,
+			     most);
 	*value = (int)word->value;
 	return true;
 }
@@ -190,8 +191,8 @@ static bool check_repeats(struct interp *interp, const struct request *request, 
 	for (int i = 1; i <= MACRO_LOCALS; i++) {
 		if (!isnan(request->arguments[i]))
 			return fault(&interp->at, column,
-				     "L with arguments: whether each repetition gets them anew is not supported yet; call "
-				     "it L times in a loop");
+				     "L with arguments: whether each repetition gets them anew is not supported yet; "
+				     "call it L times in a loop");
 	}
 	return true;
 }
@@ -250,8 +251,8 @@ bool macro_after_block(struct interp *interp)
 	if (!modal_heeds(interp))
 		return true;
 	if (block->m[M_STOP] >= 2)
-		return fault(&interp->at, block->m_column[M_STOP], "M%d in a block that moves, while G66 is in force; G67 first",
-			     block->m[M_STOP]);
+		return fault(&interp->at, block->m_column[M_STOP],
+			     "M%d in a block that moves, while G66 is in force; G67 first", block->m[M_STOP]);
 	if (macro->level != macro->modal_level)
 		return fault(&interp->at, column, "a move of a subprogram while G66 is in force is not supported yet");
 	if (block->g[G_NONMODAL] != CODE_NONE || block->motion == CODE_NONE || code_is_cycle(block->motion))
@@ -284,7 +285,8 @@ static bool read_m98(struct interp *interp, int *number, int *repeats)
 		*repeats = *number / 10000;
 		*number %= 10000;
 		if (*number == 0)
-			return fault(&interp->at, block_column(block, 'P'), "the program's number, the last four digits "
+			return fault(&interp->at, block_column(block, 'P'),
+				     "the program's number, the last four digits "
 									    "of P, is 0");
 	}
 	return true;

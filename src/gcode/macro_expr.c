@@ -34,34 +34,26 @@ static int column_here(struct lexer *lexer)
 
 /* -------------------------------------------------------------- operations */
 
-static enum macro_operation peek_operation(struct lexer *lexer)
+static const struct {
+	const char *name;
+	enum macro_operation operation;
+} operations[] = {{"eq", MACRO_EQ},    {"ne", MACRO_NE},  {"gt", MACRO_GT},	{"ge", MACRO_GE},   {"lt", MACRO_LT},
+		  {"le", MACRO_LE},    {"+", MACRO_PLUS}, {"-", MACRO_MINUS},	{"or", MACRO_OR},   {"xor", MACRO_XOR},
+		  {"*", MACRO_TIMES}, {"/", MACRO_DIVIDE}, {"and", MACRO_AND}, {"mod", MACRO_MODULO}};
+
+/* The operator that comes next, which is taken if its rank is this one. */
+static enum macro_operation take_operation(struct lexer *lexer, int rank)
 {
-	static const struct {
-		const char *name;
-		enum macro_operation operation;
-	} words[] = {{"eq", MACRO_EQ}, {"ne", MACRO_NE},   {"gt", MACRO_GT},    {"ge", MACRO_GE},     {"lt", MACRO_LT},   {"le", MACRO_LE},	   {"+", MACRO_PLUS},
-		     {"-", MACRO_MINUS}, {"or", MACRO_OR}, {"xor", MACRO_XOR}, {"*", MACRO_TIMES}, {"/", MACRO_DIVIDE}, {"and", MACRO_AND}, {"mod", MACRO_MODULO}};
 	size_t position = lexer->position;
 
-	for (size_t i = 0; i < sizeof(words) / sizeof(*words); i++) {
-		if (lexer_keyword(lexer, words[i].name)) {
-			lexer->position = position;
-			return words[i].operation;
-		}
+	for (size_t i = 0; i < sizeof(operations) / sizeof(*operations); i++) {
+		if (macro_operation_rank(operations[i].operation) != rank ||
+		    !lexer_keyword(lexer, operations[i].name))
+			continue;
+		return operations[i].operation;
 	}
+	lexer->position = position;
 	return MACRO_NO_OPERATION;
-}
-
-static void take_operation(struct lexer *lexer, enum macro_operation operation)
-{
-	size_t length = operation == MACRO_PLUS || operation == MACRO_MINUS || operation == MACRO_TIMES || operation == MACRO_DIVIDE ? 1
-			: operation == MACRO_AND || operation == MACRO_MODULO || operation == MACRO_XOR			     ? 3
-													     : 2;
-
-	for (; length > 0; length--) {
-		lexer_peek(lexer);
-		lexer_take(lexer);
-	}
 }
 
 /* Haas's manual gives no order of AND, OR and XOR among the others. */
@@ -69,7 +61,8 @@ static bool check_order(struct lexer *lexer, struct level *level, enum macro_ope
 {
 	if (level->first == MACRO_NO_OPERATION)
 		level->first = operation;
-	if (is_fanuc(lexer) || operation == level->first || (!macro_operation_is_logic(operation) && !macro_operation_is_logic(level->first)))
+	if (is_fanuc(lexer) || operation == level->first ||
+	    (!macro_operation_is_logic(operation) && !macro_operation_is_logic(level->first)))
 		return true;
 	return fault(lexer->at, column, "AND, OR and XOR among other operators: Haas gives no order; use brackets");
 }
@@ -117,7 +110,8 @@ bool macro_expr_variable(struct lexer *lexer, int *number)
 		position = lexer->position;
 		if (!is_digit(lexer_peek(lexer)) ||
 		    number_read(lexer->at->text, &position, &operand.number, &point) != NUMBER_OK || point)
-			return fault(lexer->at, column, "# needs the number of a variable, or an expression in brackets");
+			return fault(lexer->at, column, "# needs the number of a variable, or an expression in "
+							"brackets");
 		lexer->position = position;
 		break;
 	}
@@ -153,7 +147,8 @@ static bool compute_round(struct lexer *lexer, int column, double *value)
 						"before");
 	scaled = *value * lexer->steps;
 	if (scaled < 0 && !(fabs(scaled - trunc(scaled)) < 0.5) && !(fabs(scaled - trunc(scaled)) > 0.5))
-		return fault(lexer->at, column, "ROUND of %.15g: controls differ in the half of negative numbers", *value);
+		return fault(lexer->at, column, "ROUND of %.15g: controls differ in the half of negative numbers",
+			     *value);
 	*value = round(scaled) / lexer->steps;
 	return true;
 }
@@ -202,10 +197,12 @@ static bool read_arc_tangent(struct lexer *lexer, int column, struct macro_opera
 
 		lexer_take(lexer);
 		if (lexer_peek(lexer) != '[')
-			return fault(lexer->at, slash, "ATAN[...]/ needs a value in brackets; to divide, write [ATAN[...]]/");
+			return fault(lexer->at, slash, "ATAN[...]/ needs a value in brackets; to divide, write "
+						       "[ATAN[...]]/");
 		if (!is_fanuc(lexer))
 			return fault(lexer->at, slash,
-				     "ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write [ATAN[...]]/");
+				     "ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write "
+				     "[ATAN[...]]/");
 		pair = true;
 		if (!read_brackets(lexer, "ATAN[...]/", &second))
 			return false;
@@ -310,23 +307,23 @@ static bool read_operand(struct lexer *lexer, struct macro_operand *value)
 
 static bool read_level(struct lexer *lexer, struct level *level, int rank, struct macro_operand *value)
 {
-	enum macro_operation operation;
-
 	if (rank > 3)
 		return read_operand(lexer, value);
 	if (!read_level(lexer, level, rank + 1, value))
 		return false;
-	while (macro_operation_rank(operation = peek_operation(lexer)) == rank) {
+	for (;;) {
 		int column = column_here(lexer);
+		enum macro_operation operation = take_operation(lexer, rank);
 		struct macro_operand right;
 
+		if (operation == MACRO_NO_OPERATION)
+			return true;
 		if (!check_order(lexer, level, operation, column))
 			return false;
-		take_operation(lexer, operation);
-		if (!read_level(lexer, level, rank + 1, &right) || !macro_operate(lexer, column, operation, value, &right))
+		if (!read_level(lexer, level, rank + 1, &right) || !macro_operate(lexer, column, operation, value,
+										  &right))
 			return false;
 	}
-	return true;
 }
 
 /* --------------------------------------------------------------- its users */

@@ -33,7 +33,8 @@ bool macro_operand_fill(struct lexer *lexer, int column, struct macro_operand *v
 	if (!isnan(value->number))
 		return true;
 	if (!is_fanuc(lexer))
-		return fault(lexer->at, column, "a variable without a value: what Haas's control computes with it is not in its manual");
+		return fault(lexer->at, column, "a variable without a value: what Haas's control computes with it is "
+						"not in its manual");
 	value->number = 0;
 	return true;
 }
@@ -71,21 +72,17 @@ static bool compare(struct lexer *lexer, int column, enum macro_operation operat
 
 	if (left->truth || right->truth)
 		return fault(lexer->at, column, "the result of a comparison cannot be compared; use AND or OR");
-	if ((operation == MACRO_EQ || operation == MACRO_NE) && (vacant || other) && (is_fanuc(lexer) || vacant == other)) {
-		left->number = (vacant == other) == (operation == MACRO_EQ);
-		left->truth = true;
-		return true;
-	}
 	/* A Haas program asks "#1 EQ #0" for a variable without a value; the number that #1 holds is not #0. */
-	if ((operation == MACRO_EQ || operation == MACRO_NE) && other && !vacant) {
-		*left = (struct macro_operand){operation == MACRO_NE, true};
+	if ((operation == MACRO_EQ || operation == MACRO_NE) && (other || (vacant && is_fanuc(lexer)))) {
+		*left = (struct macro_operand){(vacant == other) == (operation == MACRO_EQ), true};
 		return true;
 	}
 	if (!macro_operand_fill(lexer, column, left) || !macro_operand_fill(lexer, column, right))
 		return false;
 	if (macro_nearly_equal(left->number, right->number))
 		return fault(lexer->at, column,
-			     "these numbers differ by %.2g only, less than a control computes with; compare with a margin",
+			     "these numbers differ by %.2g only, less than a control computes with; compare with a "
+			     "margin",
 			     fabs(left->number - right->number));
 	*left = (struct macro_operand){holds(operation, left->number, right->number), true};
 	return true;
@@ -123,14 +120,17 @@ static bool apply_logic(struct lexer *lexer, int column, enum macro_operation op
 /* B-63944EN, "MOD": of whole numbers, with the sign of the first; other controls differ in both. */
 static bool apply_modulo(struct lexer *lexer, int column, struct macro_operand *left, double right)
 {
-	if (!macro_is_whole(left->number) || !macro_is_whole(right) || right < 0 || (left->number < 0 && !is_fanuc(lexer)))
+	bool negative = right < 0 || (left->number < 0 && !is_fanuc(lexer));
+
+	if (negative || !macro_is_whole(left->number) || !macro_is_whole(right))
 		return fault(lexer->at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
 			     left->number, right, is_fanuc(lexer) ? "" : " that are not negative");
 	left->number = fmod(left->number, right);
 	return true;
 }
 
-static bool apply_arithmetic(struct lexer *lexer, int column, enum macro_operation operation, struct macro_operand *left,
+static bool apply_arithmetic(struct lexer *lexer, int column, enum macro_operation operation,
+			     struct macro_operand *left,
 			     struct macro_operand *right)
 {
 	if (is_fanuc(lexer) && (left->truth || right->truth))

@@ -124,7 +124,8 @@ static bool meet_loop(struct interp *interp, struct search *search, const struct
 		return false;
 	if (search->open[search->open_count - 1] != closes) {
 		search->failed = true;
-		return fault(&interp->at, column, "the END%d of line %ld crosses this loop: DO%d is not closed before it",
+		return fault(&interp->at, column, "the END%d of line %ld crosses this loop: DO%d is not closed before "
+						  "it",
 			     closes, line, search->open[search->open_count - 1]);
 	}
 	return --search->open_count == 0;
@@ -179,7 +180,8 @@ static bool look(struct interp *interp, struct search *search, const struct posi
 		return false;
 	}
 	while (!met && !over && !search->failed) {
-		if (reader->base < 0 && reader_position(reader) > next.offset + (long long)READER_WINDOW - LINE_LENGTH_MAX) {
+		if (reader->base < 0 &&
+		    reader_position(reader) > next.offset + (long long)READER_WINDOW - LINE_LENGTH_MAX) {
 			search->unfinished = true;
 			break;
 		}
@@ -220,7 +222,8 @@ static void remember(struct interp *interp, const char *key, const struct positi
 static bool fault_window(struct interp *interp, const char *what, int number, int column)
 {
 	return fault(&interp->at, column,
-		     "%s%d is not within the last and the next %zu MiB of the pipe; give the program as a file", what, number,
+		     "%s%d is not within the last and the next %zu MiB of the pipe; give the program as a file", what,
+			number,
 		     READER_WINDOW >> 20);
 }
 
@@ -250,7 +253,8 @@ bool macro_seek_only(struct interp *interp, int number, int column, struct posit
 					 : fault(&interp->at, column, "the program has no block N%d", number);
 	search.after = found->line;
 	if (look(interp, &search, &start, 0, column, &second))
-		return fault(&interp->at, column, "N%d stands in lines %ld and %ld: which of them is meant is not clear",
+		return fault(&interp->at, column, "N%d stands in lines %ld and %ld: which of them is meant is not "
+						  "clear",
 			     number, found->line, second.line);
 	if (search.unfinished)
 		return fault_window(interp, "N", number, column);
@@ -325,7 +329,8 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 		return false;
 	if (!start.source)
 		return fault(&interp->at, column,
-			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include folder",
+			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include "
+			     "folder",
 			     number, interp->sources.items[0]->name);
 	if (look(interp, &search, &start, 0, column, found))
 		return true;

@@ -50,7 +50,8 @@ static double unit_of(const struct state *state, int slot)
 
 static bool fault_not_followed(struct interp *interp, int number, int column)
 {
-	return fault(&interp->at, column, "#%d, a modal code or word, is not followed here in this state of the program",
+	return fault(&interp->at, column, "#%d, a modal code or word, is not followed here in this state of the "
+					  "program",
 		     number);
 }
 
@@ -121,7 +122,8 @@ static bool find_slot(struct interp *interp, int number, int index, int column, 
 	if (index == 3 && others == 1)
 		return true;
 	return fault(&interp->at, column,
-		     "#%d: which axis is the control's number %d is the machine builder's choice and not known here", number,
+		     "#%d: which axis is the control's number %d is the machine builder's choice and not known here",
+			number,
 		     index + 1);
 }
 
@@ -135,7 +137,8 @@ static bool read_position(struct interp *interp, int number, int column, double 
 		return false;
 	if (interp->macro.work_stale)
 		return fault(&interp->at, column,
-			     "#%d after the work offset in force was assigned to; select it again first, with %s", number,
+			     "#%d after the work offset in force was assigned to; select it again first, with %s",
+				number,
 			     state_system_name(state->system));
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "#%d under tool centre point control is not supported yet", number);
@@ -170,7 +173,8 @@ bool macro_system_read(struct interp *interp, int number, int column, double *va
 	int system, slot;
 
 	if (what)
-		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number, what);
+		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,
+			     what);
 	if ((number >= 4001 && number <= 4030) || (number >= 4101 && number <= 4130))
 		return read_mode(interp, number, column, value);
 	if (number >= 5001 && number < 5001 + SLOT_COUNT)

@@ -35,7 +35,8 @@ static int common_index(const struct interp *interp, int number)
 static bool fault_unknown(struct interp *interp, int number, int column)
 {
 	return fault(&interp->at, column,
-		     "#%d is no variable that is known in the %s dialect; programs have #1 to #33, #100 to #199 and #500 "
+		     "#%d is no variable that is known in the %s dialect; programs have #1 to #33, #100 to #199 and "
+		     "#500 "
 		     "to #999",
 		     number, dialect_name(interp->config->dialect));
 }

@@ -169,7 +169,8 @@ bool sources_find_program(struct sources *sources, const struct gcode_config *co
 	if (folder && !find_program_in(sources, folder, length, number, at, column, source))
 		return false;
 	for (size_t i = 0; i < config->include_count && !*source; i++) {
-		if (!find_program_in(sources, config->includes[i], strlen(config->includes[i]), number, at, column, source))
+		if (!find_program_in(sources, config->includes[i], strlen(config->includes[i]), number, at, column,
+				     source))
 			return false;
 	}
 	return true;
