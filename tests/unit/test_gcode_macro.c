@@ -280,6 +280,24 @@ START_TEST(ways)
 }
 END_TEST
 
+/* FM part II, "Optional block skip": a skipped statement does nothing, and a loop does not end in a skipped line. */
+START_TEST(skipped_blocks)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = GCODE_FANUC;
+	c.config.block_delete = true;
+	case_expect(&c,
+		    "#1=1\n/#1=2\n/2 GOTO 9\nG0 X#1\nWHILE [#1 LT 2] DO1\n#1=#1+1\n/END1\nY#1\nEND1\n/G65 P5\n"
+		    "/IF [1 EQ 1] GOTO 9\nX9.\nN9 M30\n",
+		    "rapid 1 0 0 0 0\nrapid 1 2 0 0 0\nrapid 9 2 0 0 0\n");
+	case_init(&c);
+	c.config.dialect = GCODE_HAAS;
+	case_expect(&c, "#1=1\n/#1=2\n/G0 X#1\n/2 GOTO 9\nX9.\nN9 M30\n", "rapid 2 0 0 0 0\n");
+}
+END_TEST
+
 /* FM, "Units of argument data": increments of the address; with a variable behind an address, never. */
 START_TEST(increments)
 {
@@ -455,7 +473,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, increments, angles,
+	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, skipped_blocks, increments, angles,
 				      contour,     pipes};
 
 	return RUN_TESTS("gcode_macro", tests);
