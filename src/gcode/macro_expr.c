@@ -69,10 +69,8 @@ static bool check_order(struct lexer *lexer, struct level *level, enum macro_ope
 
 /* ------------------------------------------------------------------ values */
 
-static bool read_brackets(struct lexer *lexer, const char *what, struct macro_operand *value)
+static bool open_bracket(struct lexer *lexer, const char *what)
 {
-	struct level level = {MACRO_NO_OPERATION};
-
 	if (lexer_peek(lexer) != '[')
 		return fault(lexer->at, lexer_column(lexer), "%s needs a value in brackets, [...]", what);
 	if (lexer->depth >= MACRO_EXPR_DEPTH_MAX)
@@ -80,13 +78,23 @@ static bool read_brackets(struct lexer *lexer, const char *what, struct macro_op
 			     MACRO_EXPR_DEPTH_MAX);
 	lexer->depth++;
 	lexer_take(lexer);
-	if (!read_level(lexer, &level, 1, value))
-		return false;
+	return true;
+}
+
+static bool close_bracket(struct lexer *lexer)
+{
 	if (lexer_peek(lexer) != ']')
 		return fault(lexer->at, lexer_column(lexer), "an operator or ']' is needed here");
 	lexer_take(lexer);
 	lexer->depth--;
 	return true;
+}
+
+static bool read_brackets(struct lexer *lexer, const char *what, struct macro_operand *value)
+{
+	struct level level = {MACRO_NO_OPERATION};
+
+	return open_bracket(lexer, what) && read_level(lexer, &level, 1, value) && close_bracket(lexer);
 }
 
 bool macro_expr_variable(struct lexer *lexer, int *number)
@@ -170,43 +178,43 @@ static void wrap_angle(struct lexer *lexer, int column, double *value)
 	*value += 360;
 }
 
+/* Behind ATAN[...]: "/[b]" of Fanuc, *given. */
+static bool read_divisor(struct lexer *lexer, struct macro_operand *second, bool *given)
+{
+	int column;
+
+	if (lexer_peek(lexer) != '/')
+		return true;
+	column = lexer_column(lexer);
+	lexer_take(lexer);
+	if (lexer_peek(lexer) != '[')
+		return fault(lexer->at, column,
+			     "ATAN[...]/ needs a value in brackets; to divide, write [ATAN[...]]/");
+	if (!is_fanuc(lexer))
+		return fault(lexer->at, column,
+			     "ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write "
+			     "[ATAN[...]]/");
+	*given = true;
+	return read_brackets(lexer, "ATAN[...]/", second);
+}
+
 /* ATAN[a]/[b] and ATAN[a,b] (Fanuc); ATAN[a] is that of a and 1. */
 static bool read_arc_tangent(struct lexer *lexer, int column, struct macro_operand *value)
 {
-	struct level level = {MACRO_NO_OPERATION}, right = {MACRO_NO_OPERATION};
+	struct level level = {MACRO_NO_OPERATION}, other = {MACRO_NO_OPERATION};
 	struct macro_operand second = {1, false};
-	bool pair = true;
+	bool pair;
 
-	if (lexer_peek(lexer) != '[')
-		return fault(lexer->at, lexer_column(lexer), "ATAN needs a value in brackets, [...]");
-	lexer_take(lexer);
-	if (!read_level(lexer, &level, 1, value))
+	if (!open_bracket(lexer, "ATAN") || !read_level(lexer, &level, 1, value))
 		return false;
-	if (lexer_peek(lexer) == ',' && is_fanuc(lexer)) {
+	pair = lexer_peek(lexer) == ',' && is_fanuc(lexer);
+	if (pair) {
 		lexer_take(lexer);
-		if (!read_level(lexer, &right, 1, &second))
-			return false;
-	} else {
-		pair = false;
-	}
-	if (lexer_peek(lexer) != ']')
-		return fault(lexer->at, lexer_column(lexer), "an operator or ']' is needed here");
-	lexer_take(lexer);
-	if (!pair && lexer_peek(lexer) == '/') {
-		int slash = lexer_column(lexer);
-
-		lexer_take(lexer);
-		if (lexer_peek(lexer) != '[')
-			return fault(lexer->at, slash, "ATAN[...]/ needs a value in brackets; to divide, write "
-						       "[ATAN[...]]/");
-		if (!is_fanuc(lexer))
-			return fault(lexer->at, slash,
-				     "ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write "
-				     "[ATAN[...]]/");
-		pair = true;
-		if (!read_brackets(lexer, "ATAN[...]/", &second))
+		if (!read_level(lexer, &other, 1, &second))
 			return false;
 	}
+	if (!close_bracket(lexer) || (!pair && !read_divisor(lexer, &second, &pair)))
+		return false;
 	if (!macro_operand_fill(lexer, column, value) || !macro_operand_fill(lexer, column, &second))
 		return false;
 	value->number = expr_function_arc_tangent(value->number, second.number);

@@ -175,6 +175,8 @@ static const struct {
 	{F, "#1=0\nN1 #1=#1+1\nG0 X#1\nIF [#1 LT 3] GOTO 1\nM30\n", "1 2 3"},
 	{BOTH, "#9=20\nGOTO #9\nG0 X1.\nN20 G0 X2.\nM30\n", "2"},
 	{BOTH, "#9=20\nGOTO [#9+1]\nG0 X1.\nN21 G0 X2.\nM30\n", "2"},
+	/* in the program in hand, and in none besides */
+	{BOTH, "M98 P7\nGOTO 5\nG0 X8.\nN5 M30\nO7\nGOTO 5\nG0 X9.\nN5 G0 X1.\nM99\n", "1"},
 	/* FM "Conditional branch (IF)"; HM "IF THEN" */
 	{BOTH, "#1=1\nIF [#1 EQ 1] THEN #2=5.\nIF [#1 EQ 2] THEN #2=6.\nG0 X#2\nM30\n", "5"},
 	/* HM "Conditional Expressions": M99 P of a condition */

@@ -421,6 +421,40 @@ static const struct {
 	 "p.nc:1:3: error: this loop is not closed: its END1 is missing\n"
 	 "    DO1\n"
 	 "      ^\n"},
+	{BOTH, "M98 P7\nM30\nO7\nGOTO 5\nM99\nO8\nN5 M99\n",
+	 "p.nc:4:6: error: the program has no block N5\n"
+	 "    GOTO 5\n"
+	 "         ^\n"
+	 "p.nc:1:1: note: O7 is called from here\n"},
+	{BOTH, "M98 P7\nM30\nN5\nO7\nGOTO 5\nM99\n",
+	 "p.nc:5:6: error: the program has no block N5\n"
+	 "    GOTO 5\n"
+	 "         ^\n"
+	 "p.nc:1:1: note: O7 is called from here\n"},
+	{BOTH, "O[1]\n",
+	 "p.nc:1:1: error: a program number must be a whole number that is not negative\n"
+	 "    O[1]\n"
+	 "    ^\n"},
+	{BOTH, "#1=ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[\n",
+	 "p.nc:1:168: error: brackets are nested more than 32 deep\n"
+	 "    #1=ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN"
+	 "[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN["
+	 "ATAN[ATAN[ATAN[\n"
+	 "                                                                                                "
+	 "                                                                           ^\n"},
+	{BOTH, "G43.5 H1\n",
+	 "p.nc:1:1: error: G43.5: tool centre point control with tool vectors is not supported yet\n"
+	 "    G43.5 H1\n"
+	 "    ^\n"},
+	{F, "G254 H1\n",
+	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect\n"
+	 "    G254 H1\n"
+	 "    ^\n"},
+	{H, "G254 H1\n",
+	 "p.nc:1:1: error: G254: dynamic work offset, which carries the work origin along with the rotary "
+	 "table, is not supported yet\n"
+	 "    G254 H1\n"
+	 "    ^\n"},
 	{F, "#1=#5004\n",
 	 "p.nc:1:4: error: #5004: which axis is the control's number 4 is the machine builder's choice "
 	 "and not known here\n"
@@ -552,6 +586,15 @@ static const struct {
 	 "p.nc:4:4: error: no code in the block uses the word Q\n"
 	 "    G0 Q1.\n"
 	 "       ^\n"
+	 "p.nc:1:1: note: O7 is called from here\n"},
+	{F, "G65 P7\nM30\nO7\nG65 P7\nM99\n",
+	 "p.nc:4:1: error: more than 5 macro calls inside each other\n"
+	 "    G65 P7\n"
+	 "    ^\n"
+	 "p.nc:4:1: note: O7 is called from here\n"
+	 "p.nc:4:1: note: O7 is called from here\n"
+	 "p.nc:4:1: note: O7 is called from here\n"
+	 "p.nc:4:1: note: O7 is called from here\n"
 	 "p.nc:1:1: note: O7 is called from here\n"},
 	{F, "G5.1\n",
 	 "p.nc:1:1: error: G5.1 needs Q\n"
