@@ -88,7 +88,10 @@ static int argument_of_set(char letter, int *set, char *last)
 	return 4 + 3 * *set + (letter - 'I');
 }
 
-/* Without a decimal point a value counts increments of its address, and what that means for E and F differs. */
+/*
+ * B-63944EN, "Units of argument data": without a decimal point a value counts increments of its address. Which those
+ * are differs for E and F, and in inches for A, B and C, which need not be axes.
+ */
 static bool scale_argument(struct interp *interp, const struct word *word, double *value)
 {
 	double increment = interp->config->least_input;
@@ -104,11 +107,11 @@ static bool scale_argument(struct interp *interp, const struct word *word, doubl
 		interp->cautions.point = true;
 		return true;
 	}
-	if (word->letter == 'E' || word->letter == 'F')
+	if (strchr(interp->state.scale > 1 ? "ABCEF" : "EF", word->letter))
 		return fault(&interp->at, word->column,
 			     "%c%.15g: what an argument without a decimal point is differs here; write the point",
 			     word->letter, *value);
-	*value *= interp->state.scale > 1 && !strchr("ABC", word->letter) ? increment / 10 : increment;
+	*value *= interp->state.scale > 1 ? increment / 10 : increment;
 	return true;
 }
 

@@ -312,6 +312,14 @@ START_TEST(increments)
 		    "rapid 1.5 2 0 0 0\nrapid 3 7 0 0 0\n");
 	case_init(&c);
 	c.config.dialect = GCODE_FANUC;
+	c.config.least_input = 0.001;
+	ck_assert(!case_run(&c, "G20\nG65 P7 X10000 B1500\nM30\nO7\nM99\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:2:15: error: B1500: what an argument without a decimal point is differs here; write the "
+			 "point\n    G65 P7 X10000 B1500\n                  ^\n");
+	case_release(&c);
+	case_init(&c);
+	c.config.dialect = GCODE_FANUC;
 	c.config.least_input = 0.0001;
 	case_expect(&c, "#1=1.23456\nG0 X#1\nM30\n", "rapid 1.2346 0 0 0 0\n");
 }
