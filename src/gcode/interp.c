@@ -169,7 +169,8 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
-	*good = status == READER_END ? flow_end_of_file(interp) && macro_end_of_file(interp) : fault_of_reader(interp, status, interp->at.text);
+	*good = status == READER_END ? flow_end_of_file(interp) && macro_end_of_file(interp)
+				     : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
 	return false;
