@@ -51,6 +51,8 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	}
 	if (!code)
 		return fault(at, word->column, "%g is no G-code", word->value);
+	if (code->group == GROUP_STATEMENT)
+		return fault_g(at, word, number, " stands before every other word of its block but N");
 	if (code->group == GROUP_UNSUPPORTED) {
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
 		return fault_g(at, word, number, text);
@@ -112,6 +114,8 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 			     number, number);
 	if (code->group == GROUP_UNSUPPORTED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
+	if (code->group == GROUP_HARMLESS)
+		return true;
 	return set_m(block, at, word, code->group, number);
 }
 
@@ -156,6 +160,9 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
+	/* B-63944EN, "Undefined variable"; Haas, "Address substitution": the word counts as not written. */
+	if (word->vacant)
+		return true;
 	switch (word->letter) {
 	case 'G':
 		return add_g(block, at, word, config->dialect);
@@ -191,7 +198,7 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 	if (lexer_next(lexer, &word) != LEXER_WORD)
 		return false;
 	block->words++;
-	if (word.point || word.value < 0)
+	if (word.point || word.value < 0 || word.vacant)
 		return fault(lexer->at, word.column, "%s must be a whole number that is not negative", what);
 	return true;
 }
@@ -240,6 +247,9 @@ static void caution_points(const struct block *block, const struct line_place *a
 			continue;
 		if (*letter == 'Q' && block->g[G_MOTION] != G73 && block->g[G_MOTION] != G83)
 			continue;
+		/* R of G5.1 is a level. */
+		if (*letter == 'R' && block->g[G_CONTOUR] != CODE_NONE)
+			continue;
 		caution(at, block_column(block, *letter),
 			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "
 			"least input increments reads it a thousand times smaller, or more",
@@ -258,7 +268,8 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 
 	block_clear(block);
 	lexer_init(&lexer, at, config->dialect != GCODE_LINUXCNC);
-	lexer.interp = config->dialect == GCODE_LINUXCNC ? interp : NULL;
+	lexer.interp = interp;
+	lexer.macro = config->dialect == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
 	if (!read_start(block, &lexer, config, &skipped))
 		return false;
 	if (skipped)

@@ -130,6 +130,19 @@ static uint32_t cycle_letters(int code, enum gcode_dialect dialect)
 	return used;
 }
 
+/* How a control keeps to the path: contour.c. */
+static uint32_t contour_letters(int code)
+{
+	return code == G5_1	? letter_bit('Q') | letter_bit('R')
+	       : code == G187 ? letter_bit('P') | letter_bit('E')
+			      : letter_bit('P');
+}
+
+static bool is_call(const struct block *block, enum gcode_dialect dialect)
+{
+	return dialect != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
+}
+
 /* The letters that some code of the block uses. */
 static uint32_t used_letters(const struct block *block, enum gcode_dialect dialect)
 {
@@ -166,9 +179,25 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('H');
 	if (block->g[G_PATH] == G64 && dialect == GCODE_LINUXCNC)
 		used |= letter_bit('P') | letter_bit('Q');
+	if (block->g[G_CONTOUR] != CODE_NONE)
+		used |= contour_letters(block->g[G_CONTOUR]);
 	if (block->m_ignored)
 		used |= letter_bit('P') | letter_bit('Q');
 	return used;
+}
+
+/* P and L of M97 to M99 can be nobody else's. */
+static bool check_call(struct block *block, const struct line_place *at, enum gcode_dialect dialect)
+{
+	uint32_t mine = letter_bit('P') | letter_bit('L'), used = used_letters(block, dialect) & mine & block->letters;
+
+	for (char letter = 'L'; letter <= 'P'; letter++) {
+		if (used & letter_bit(letter))
+			return fault(at, block_column(block, letter),
+				     "%c belongs to M%d and to another code of the block; write two blocks", letter,
+				     block->m[M_STOP]);
+	}
+	return true;
 }
 
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
@@ -183,7 +212,11 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
 		return false;
+	if (is_call(block, config->dialect) && !check_call(block, at, config->dialect))
+		return false;
 	unused = block->letters & ~used_letters(block, config->dialect);
+	if (is_call(block, config->dialect))
+		unused &= ~(letter_bit('P') | letter_bit('L'));
 	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
 		if (unused & letter_bit(letter))
 			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,

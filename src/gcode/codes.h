@@ -13,6 +13,9 @@ enum {
 	G2 = 20,
 	G3 = 30,
 	G4 = 40,
+	G5 = 50,
+	G5_1 = 51,
+	G8 = 80,
 	G10 = 100,
 	G17 = 170,
 	G18 = 180,
@@ -72,9 +75,11 @@ enum {
 	G95 = 950,
 	G98 = 980,
 	G99 = 990,
+	G103 = 1030,
 	G110 = 1100,
 	G129 = 1290,
 	G154 = 1540,
+	G187 = 1870,
 	G234 = 2340
 };
 
@@ -95,6 +100,7 @@ enum g_group {
 	G_RETRACT,
 	G_SYSTEM,
 	G_PATH,
+	G_CONTOUR,	/* how exactly the control keeps to the path: G5.1, G8, G187 */
 	G_SPINDLE,
 	G_ROTATION,
 	G_GROUPS
@@ -103,6 +109,10 @@ enum g_group {
 enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_TCP, M_GROUPS };
 
 #define GROUP_UNSUPPORTED (-1)
+/* A macro call: its words are no block's (macro.h). */
+#define GROUP_STATEMENT (-2)
+/* Moves no axis and changes nothing that is followed here. */
+#define GROUP_HARMLESS (-3)
 
 struct code {
 	short number;	/* tenths for G codes */

@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "gcode/comp.h"
+#include "gcode/contour.h"
 #include "gcode/offsets.h"
 #include "gcode/plane.h"
 #include "gcode/reference.h"
@@ -67,6 +68,13 @@ static bool convert_path(struct interp *interp)
 
 	if (block->g[G_PATH] == CODE_NONE)
 		return true;
+	if (state->contour && block->g[G_PATH] == G64) {
+		state->blend_before = true;
+		return true;
+	}
+	if (state->contour)
+		return fault(&interp->at, block->g_column[G_PATH],
+			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
 	state->blend = block->g[G_PATH] == G64;
 	state->blend_tolerance = 0;
 	if (!state->blend || interp->config->dialect != GCODE_LINUXCNC || !block_has(block, 'P'))
@@ -85,9 +93,11 @@ static bool is_angle(const struct block *block, char letter)
 	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
 }
 
-/* K of Fanuc's cycles is a number of holes. */
+/* K of Fanuc's cycles is a number of holes, Q and R of G5.1 are numbers, too. */
 static bool is_count(const struct block *block, char letter)
 {
+	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
+		return true;
 	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
 }
 
@@ -173,7 +183,8 @@ bool convert_block(struct interp *interp)
 	convert_increments(interp);
 	if (!comp_select(interp) || !comp_check_block(interp))
 		return false;
-	if (!tooling_length(interp) || !offsets_select(interp) || !convert_path(interp))
+	if (!tooling_length(interp) || !offsets_select(interp) || !macro_check_work(interp) ||
+	    !convert_path(interp) || !contour_select(interp))
 		return false;
 	convert_modes(interp);
 	if (!plane_turn(interp))
@@ -182,10 +193,12 @@ bool convert_block(struct interp *interp)
 		return false;
 	if (block->m[M_STOP] != CODE_NONE && !comp_stop(interp))
 		return false;
+	if (block->m[M_STOP] >= 97 && interp->config->dialect != GCODE_LINUXCNC)
+		return macro_end_block(interp);
 	if (block->m[M_STOP] == 99 && interp->params.level > 0)
 		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");
 	if (block->m[M_STOP] == 99)
 		return flow_restart(interp);
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
-	return true;
+	return macro_after_block(interp);
 }

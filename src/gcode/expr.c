@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gcode/expr_function.h"
 #include "gcode/number.h"
 #include "gcode/params.h"
 #include "gcode/predefined.h"
@@ -14,17 +15,10 @@
 #define EQUAL_TOLERANCE_2_9 1e-4
 /* Its tolerance for whole numbers. */
 #define INTEGER_TOLERANCE 0.0001
-/* Long doubles, as LinuxCNC computes: FIX[10*SIN[30]] must be 5 there and here. */
-#define PI_LONG 3.141592653589793238462643383279502884L
 
 enum operation {
 	CLOSE, AND, XOR, OR, LT, EQ, NE, LE, GE, GT, MINUS, PLUS, DIVIDE, MODULO, TIMES, POWER
 };
-
-enum function { ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, FUNCTIONS };
-
-static const char *const function_names[FUNCTIONS] = {"abs",  "acos", "asin", "atan", "cos",   "exists", "exp",
-						      "fix", "fup",  "ln",   "round", "sin", "sqrt",	"tan"};
 
 static bool is_digit(char byte)
 {
@@ -206,36 +200,6 @@ bool expr_bracket(struct lexer *lexer, const char *what, double *value)
 
 /* -------------------------------------------------------------- functions */
 
-static double from_radians(double radians)
-{
-	return (double)((long double)(radians * 180) / PI_LONG);
-}
-
-static bool compute_inverse(struct lexer *lexer, int column, enum function function, double *value)
-{
-	double x = *value;
-
-	switch (function) {
-	case ACOS:
-	case ASIN:
-		if (x < -1 || x > 1)
-			return fault(lexer->at, column, "%s of %.15g: only numbers from -1 to 1 have one",
-				     function == ACOS ? "ACOS" : "ASIN", x);
-		*value = from_radians(function == ACOS ? acos(x) : asin(x));
-		return true;
-	case LN:
-		if (x <= 0)
-			return fault(lexer->at, column, "LN of %.15g: only positive numbers have one", x);
-		*value = log(x);
-		return true;
-	default:
-		if (x < 0)
-			return fault(lexer->at, column, "SQRT of %.15g: negative numbers have none", x);
-		*value = sqrt(x);
-		return true;
-	}
-}
-
 /* LinuxCNC rounds by way of an int, halves away from zero. */
 static bool compute_round(struct lexer *lexer, int column, double *value)
 {
@@ -247,36 +211,19 @@ static bool compute_round(struct lexer *lexer, int column, double *value)
 	return true;
 }
 
-static bool compute(struct lexer *lexer, int column, enum function function, double *value)
+static bool compute(struct lexer *lexer, int column, enum expr_function function, double *value)
 {
-	long double angle = (long double)*value * PI_LONG / 180;
-
 	switch (function) {
-	case ABS:
-		*value = fabs(*value);
-		return true;
-	case COS:
-		*value = (double)cosl(angle);
-		return true;
-	case SIN:
-		*value = (double)sinl(angle);
-		return true;
-	case TAN:
-		*value = (double)tanl(angle);
-		return true;
-	case EXP:
-		*value = exp(*value);
-		return true;
-	case FIX:
+	case EXPR_FIX:
 		*value = floor(*value);
 		return true;
-	case FUP:
+	case EXPR_FUP:
 		*value = ceil(*value);
 		return true;
-	case ROUND:
+	case EXPR_ROUND:
 		return compute_round(lexer, column, value);
 	default:
-		return compute_inverse(lexer, column, function, value);
+		return expr_function_compute(lexer, column, function, value);
 	}
 }
 
@@ -303,23 +250,21 @@ static bool read_exists(struct lexer *lexer, double *value)
 static bool read_function(struct lexer *lexer, double *value)
 {
 	int column = lexer_column(lexer);
+	enum expr_function function;
 	double second;
 
-	for (int i = 0; i < FUNCTIONS; i++) {
-		if (!lexer_keyword(lexer, function_names[i]))
-			continue;
-		if (i == EXISTS)
-			return read_exists(lexer, value);
-		if (!expr_bracket(lexer, "the function", value))
-			return false;
-		if (i != ATAN)
-			return compute(lexer, column, (enum function)i, value);
-		if (!expect(lexer, '/', "after ATAN[...]") || !expr_bracket(lexer, "ATAN[...]/", &second))
-			return false;
-		*value = from_radians(atan2(*value, second));
-		return true;
-	}
-	return fault(lexer->at, column, "a value is needed here");
+	if (!expr_function_read(lexer, &function))
+		return fault(lexer->at, column, "a value is needed here");
+	if (function == EXPR_EXISTS)
+		return read_exists(lexer, value);
+	if (!expr_bracket(lexer, "the function", value))
+		return false;
+	if (function != EXPR_ATAN)
+		return compute(lexer, column, function, value);
+	if (!expect(lexer, '/', "after ATAN[...]") || !expr_bracket(lexer, "ATAN[...]/", &second))
+		return false;
+	*value = expr_function_arc_tangent(*value, second);
+	return true;
 }
 
 /* ----------------------------------------------------------------- values */
@@ -328,13 +273,13 @@ bool expr_follows(struct lexer *lexer)
 {
 	size_t position = lexer->position;
 	bool sign = false, follows;
+	enum expr_function function;
 	char byte;
 
 	for (; (byte = lexer_peek(lexer)) == '+' || byte == '-'; sign = true)
 		lexer_take(lexer);
 	follows = byte == '#' || byte == '[' || (sign && (is_digit(byte) || byte == '.'));
-	for (int i = 0; i < FUNCTIONS && !follows; i++)
-		follows = lexer_keyword(lexer, function_names[i]);
+	follows = follows || expr_function_read(lexer, &function);
 	lexer->position = position;
 	return follows;
 }

@@ -159,7 +159,7 @@ bool flow_count(struct interp *interp)
 	struct flow *flow = &interp->flow;
 	long long limit = interp->config->max_blocks > 0 ? interp->config->max_blocks : FLOW_BLOCKS_MAX;
 
-	if (flow->control_count == 0 && interp->params.level == 0 && !flow->repeated)
+	if (flow->control_count == 0 && interp->params.level == 0 && !flow->repeated && !interp->macro.jumped)
 		return true;
 	if (++flow->steps <= limit)
 		return true;
@@ -209,6 +209,8 @@ bool flow_restart(struct interp *interp)
 		return fault(&interp->at, interp->block.m_column[M_STOP],
 			     "M99 starts the program anew with cutter compensation on; switch it off with G40 first");
 	strbuf_add(&pass, (const char *)&interp->state, sizeof(interp->state));
+	strbuf_add(&pass, (const char *)&interp->macro.vars, sizeof(interp->macro.vars));
+	strbuf_add(&pass, (const char *)&interp->macro.modal, sizeof(interp->macro.modal));
 	strbuf_add(&pass, (const char *)params->numbered, sizeof(params->numbered));
 	add_names(&pass, &params->global);
 	add_names(&pass, &params->local[0]);
@@ -219,5 +221,6 @@ bool flow_restart(struct interp *interp)
 	flow->last_pass = pass;
 	flow->repeated = true;
 	flow->control_count = 0;
+	interp->macro.calls[0].loop_count = 0;
 	return interp->ended || flow_jump(interp, &start, 1);
 }

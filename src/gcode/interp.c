@@ -18,6 +18,7 @@ struct interp *interp_new(const struct gcode_config *config, const struct canon_
 	interp->sink = sink;
 	interp->diag = diag;
 	state_init(&interp->state, config);
+	macro_init(&interp->macro);
 	interp->params.numbered[5599] = 1;	/* LinuxCNC: DEBUG comments speak */
 	return interp;
 }
@@ -28,6 +29,7 @@ void interp_free(struct interp *interp)
 	params_release(&interp->params);
 	comp_queue_release(&interp->comp.queue);
 	flow_release(&interp->flow);
+	macro_release(&interp->macro);
 	free(interp);
 }
 
@@ -51,6 +53,12 @@ static bool take_percent(struct interp *interp, int column)
 		return fault(&interp->at, column, "'%%' ends a program only if one opens it");
 	interp->ended = true;
 	return true;
+}
+
+/* A subprogram's file may begin with one, too. */
+static bool take_called_percent(struct interp *interp)
+{
+	return interp->source != interp->sources.items[0] && interp->at.line == 1 ? true : macro_end_of_file(interp);
 }
 
 /* What the block has assigned takes effect before its codes do, but after all of its words were read. */
@@ -91,18 +99,25 @@ static bool run_block(struct interp *interp)
 	return comp_end_block(interp);
 }
 
-/* Fanuc's and Haas's macros (IF, WHILE, GOTO, M97 ...) would have their place beside flow_line. */
 static bool run_line(struct interp *interp)
 {
+	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC, done = false;
 	int blanks = (int)strspn(interp->at.text, " \t");
-	bool done = false;
 
+	if (interp->at.text[blanks] == '%' && interp->macro.level > 0)
+		return take_called_percent(interp);
 	if (interp->at.text[blanks] == '%' && interp->flow.skip == SKIP_NOTHING)
 		return take_percent(interp, blanks + 1);
-	if (interp->config->dialect == GCODE_LINUXCNC && !flow_line(interp, &done))
+	if (linuxcnc ? !flow_line(interp, &done) : !macro_line(interp, &done))
 		return false;
 	interp->begun = interp->begun || done;
 	return done || run_block(interp);
+}
+
+static void note_callers(struct interp *interp)
+{
+	flow_note_callers(interp);
+	macro_note_callers(interp);
 }
 
 /* A line with its messages: in a subprogram, they are followed by the calls that led there. */
@@ -112,7 +127,7 @@ static bool run_line_called(struct interp *interp)
 	bool good = flow_count(interp) && run_line(interp);
 
 	if (interp->diag->errors + interp->diag->warnings > said)
-		flow_note_callers(interp);
+		note_callers(interp);
 	return good;
 }
 
@@ -154,9 +169,10 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
-	*good = status == READER_END ? flow_end_of_file(interp) : fault_of_reader(interp, status, interp->at.text);
+	*good = status == READER_END ? flow_end_of_file(interp) && macro_end_of_file(interp)
+				     : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
-		flow_note_callers(interp);
+		note_callers(interp);
 	return false;
 }
 

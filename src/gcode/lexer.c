@@ -4,11 +4,12 @@
 #include <strings.h>
 
 #include "gcode/expr.h"
+#include "gcode/macro_expr.h"
 #include "gcode/number.h"
 
 void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)
 {
-	*lexer = (struct lexer){.at = at, .semicolon_ends_block = semicolon_ends_block};
+	*lexer = (struct lexer){.at = at, .semicolon_ends_block = semicolon_ends_block, .steps = 1};
 }
 
 int lexer_column(const struct lexer *lexer)
@@ -106,9 +107,9 @@ static bool fault_at_byte(const struct lexer *lexer, char byte)
 
 	switch (byte) {
 	case '#':
-		return fault(lexer->at, column, "#: parameters are not supported yet");
+		return fault(lexer->at, column, "an assignment stands in a block of its own");
 	case '[':
-		return fault(lexer->at, column, "[: expressions are not supported yet");
+		return fault(lexer->at, column, "an expression stands behind a letter or an assignment's '='");
 	case '$':
 		return fault(lexer->at, column, "$: spindle numbers are not supported yet");
 	case '@':
@@ -142,6 +143,7 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 	size_t position = lexer->position + 1;
 
 	word->letter = letter;
+	word->vacant = false;
 	word->column = lexer_column(lexer);
 	switch (number_read(lexer->at->text, &position, &word->value, &word->point)) {
 	case NUMBER_OK:
@@ -154,7 +156,9 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 		break;
 	}
 	lexer->position++;
-	if (lexer->interp && expr_follows(lexer)) {
+	if (lexer->interp && lexer->macro != MACRO_NONE && macro_expr_follows(lexer))
+		return macro_expr_word(lexer, word) ? LEXER_WORD : LEXER_FAULT;
+	if (lexer->interp && lexer->macro == MACRO_NONE && expr_follows(lexer)) {
 		word->point = true;
 		lexer->depth = 0;
 		return expr_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
@@ -174,7 +178,7 @@ enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
 			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
 		if (byte == '\0')
 			return LEXER_END;
-		if (byte == '#' && lexer->interp) {
+		if (byte == '#' && lexer->interp && lexer->macro == MACRO_NONE) {
 			lexer->depth = 0;
 			if (!expr_assignment(lexer))
 				return LEXER_FAULT;

@@ -14,15 +14,25 @@ struct word {
 	bool point;	/* the number has a decimal point */
 	int column;	/* of the letter, from 1 */
 	double value;
+	bool vacant;	/* of a variable without a value: the word counts as not written */
 };
 
 enum lexer_result { LEXER_WORD, LEXER_END, LEXER_FAULT };
+
+/* What a value of Fanuc's and Haas's macros behind a letter is. */
+enum lexer_macro {
+	MACRO_NONE,
+	MACRO_WORDS,	/* of a block: rounded to the increment of its address */
+	MACRO_ARGUMENTS	/* of a call: not rounded */
+};
 
 struct lexer {
 	const struct line_place *at;	/* borrowed */
 	size_t position;
 	bool semicolon_ends_block;	/* else it starts a comment */
-	struct interp *interp;	/* of LinuxCNC's parameters and expressions; NULL: they are faults */
+	struct interp *interp;	/* of parameters and expressions; NULL: they are faults */
+	enum lexer_macro macro;	/* MACRO_NONE: they are LinuxCNC's */
+	double steps;	/* a unit has so many for a macro's ROUND */
 	int depth;	/* of the value that is being read */
 	int assignments;	/* of parameters, so far */
 };

@@ -109,7 +109,7 @@ static double program_position(const struct state *state, int slot)
 	return slot_is_rotary(slot) ? value : value / state->scale;
 }
 
-static void work_is_used(struct interp *interp, int system, int column)
+void predefined_work_is_used(struct interp *interp, int system, int column)
 {
 	if (interp->config->has_setup && !interp->state.work_known[system])
 		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
@@ -128,7 +128,7 @@ static double work_number(struct interp *interp, int number, int column)
 
 	if (slot >= SLOT_COUNT)
 		return slot == SLOT_COUNT ? 0 : interp->params.numbered[number];
-	work_is_used(interp, system, column);
+	predefined_work_is_used(interp, system, column);
 	return own_length(interp, &interp->state.work[system], slot);
 }
 

@@ -20,6 +20,9 @@ bool predefined_number(struct interp *interp, int number, int column, double *va
 /* Is the position one that programs can read? False: reported at the column. */
 bool predefined_position_is_plain(struct interp *interp, int column);
 
+/* Warns once about a work offset that the setup does not define. */
+void predefined_work_is_used(struct interp *interp, int system, int column);
+
 /* Can the program write #number? False: reported at the column. */
 bool predefined_check_number(struct interp *interp, int number, int column);
 

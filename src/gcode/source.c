@@ -1,6 +1,7 @@
 #include "gcode/source.h"
 
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -73,7 +74,7 @@ static FILE *open_regular(const char *path)
 }
 
 /* The file of a folder, which ends in '/' or is empty; NULL: not there. */
-static struct source *find_in(struct sources *sources, const char *folder, size_t length, const char *label)
+static struct source *find_in(struct sources *sources, const char *folder, size_t length, const char *name)
 {
 	struct source *source = NULL;
 	struct strbuf path = {0};
@@ -82,7 +83,7 @@ static struct source *find_in(struct sources *sources, const char *folder, size_
 	strbuf_add(&path, folder, length);
 	if (length > 0 && folder[length - 1] != '/')
 		strbuf_add(&path, "/", 1);
-	strbuf_addf(&path, "%s.ngc", label);
+	strbuf_addf(&path, "%s", name);
 	for (size_t i = 1; i < sources->count && !source; i++) {
 		if (!strcmp(sources->items[i]->name, path.text))
 			source = sources->items[i];
@@ -95,20 +96,82 @@ static struct source *find_in(struct sources *sources, const char *folder, size_
 	return source;
 }
 
+/* The folder of the program itself, which may be "", or NULL: standard input has none. */
+static const char *own_folder(const struct sources *sources, size_t *length)
+{
+	const char *name = sources->items[0]->name, *slash = strrchr(name, '/');
+
+	*length = slash ? (size_t)(slash + 1 - name) : 0;
+	return strcmp(name, "<stdin>") ? name : NULL;
+}
+
 bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
 		  const struct line_place *at, int column, struct source **source)
 {
-	const char *name = sources->items[0]->name, *slash = strrchr(name, '/');
+	struct strbuf name = {0};
+	const char *folder;
+	size_t length;
 
 	*source = NULL;
 	if (strpbrk(label, "/\\") || strstr(label, "..") || label[0] == '.' || label[0] == '\0')
 		return fault(at, column, "a subprogram's file has a plain name, without folders; '%s' is none", label);
 	if (sources->count == SOURCE_MAX)
 		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
-	/* Standard input has no folder. */
-	if (strcmp(name, "<stdin>"))
-		*source = find_in(sources, name, slash ? (size_t)(slash + 1 - name) : 0, label);
+	strbuf_addf(&name, "%s.ngc", label);
+	folder = own_folder(sources, &length);
+	if (folder)
+		*source = find_in(sources, folder, length, name.text);
 	for (size_t i = 0; i < config->include_count && !*source; i++)
-		*source = find_in(sources, config->includes[i], strlen(config->includes[i]), label);
+		*source = find_in(sources, config->includes[i], strlen(config->includes[i]), name.text);
+	strbuf_release(&name);
+	return true;
+}
+
+/* The one file of the folder that has a name of the program. False: there are two, which was reported. */
+static bool find_program_in(struct sources *sources, const char *folder, size_t length, int number,
+			    const struct line_place *at, int column, struct source **source)
+{
+	static const char *const endings[] = {"", ".nc", ".NC", ".cnc", ".CNC", ".tap", ".TAP", ".txt", ".TXT"};
+	char names[6][24];
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++) {
+		static const int digits[] = {1, 4, 5};
+		bool known = false;
+
+		snprintf(names[i], sizeof(names[i]), "%s%0*d", i < 3 ? "O" : "", digits[i % 3], number);
+		for (size_t j = 0; j < i; j++)
+			known = known || !strcmp(names[i], names[j]);
+		for (size_t j = 0; j < sizeof(endings) / sizeof(*endings) && !known; j++) {
+			char name[32];
+			struct source *next;
+
+			snprintf(name, sizeof(name), "%.23s%.7s", names[i], endings[j]);
+			next = sources->count < SOURCE_MAX ? find_in(sources, folder, length, name) : NULL;
+			if (next && *source)
+				return fault(at, column, "both %s and %s may be the program O%d", (*source)->name,
+					     next->name, number);
+			*source = next ? next : *source;
+		}
+	}
+	return true;
+}
+
+bool sources_find_program(struct sources *sources, const struct gcode_config *config, int number,
+			  const struct line_place *at, int column, struct source **source)
+{
+	const char *folder;
+	size_t length;
+
+	*source = NULL;
+	if (sources->count == SOURCE_MAX)
+		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
+	folder = own_folder(sources, &length);
+	if (folder && !find_program_in(sources, folder, length, number, at, column, source))
+		return false;
+	for (size_t i = 0; i < config->include_count && !*source; i++) {
+		if (!find_program_in(sources, config->includes[i], strlen(config->includes[i]), number, at, column,
+				     source))
+			return false;
+	}
 	return true;
 }

@@ -43,6 +43,13 @@ void sources_open_main(struct sources *sources, FILE *in, const char *name);
 bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
 		  const struct line_place *at, int column, struct source **source);
 
+/*
+ * The file of the program O<number> of Fanuc and Haas, in the same folders: O12, O0012 or O00012, with or without the
+ * O, and nothing, .nc, .cnc, .tap or .txt behind it. False: reported (there are two, or too many files).
+ */
+bool sources_find_program(struct sources *sources, const struct gcode_config *config, int number,
+			  const struct line_place *at, int column, struct source **source);
+
 /* Closes the files; the names live until sources_release. */
 void sources_close(struct sources *sources);
 void sources_release(struct sources *sources);

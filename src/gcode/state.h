@@ -10,6 +10,7 @@
 #include "gcode/fault.h"
 #include "gcode/flow.h"
 #include "gcode/interp.h"
+#include "gcode/macro.h"
 #include "gcode/params.h"
 #include "gcode/source.h"
 #include "geom/xform.h"
@@ -81,6 +82,8 @@ struct state {
 	int selected;	/* by T, or -1 */
 	bool blend;
 	double blend_tolerance;
+	bool blend_before;	/* and what G5.1 Q0, G8 P0 restore */
+	bool contour;	/* G5.1 Q1, G8 P1 */
 };
 
 /* Cutter compensation: comp.h. */
@@ -103,6 +106,7 @@ struct interp {
 	long first_line;
 	struct params params;
 	struct flow flow;
+	struct macro macro;	/* of Fanuc and Haas, as flow is LinuxCNC's */
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;
