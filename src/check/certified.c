@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
 #include "motion/path.h"
 #include "motion/span.h"
 
@@ -28,7 +29,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
-	follower->bodies.memory = &follower->memory;
+	follower->bodies.memory = WITH_CACHED_AXES ? &follower->memory : NULL;
 	budget_init(&follower->budget, bodies->chain);
 }
 
@@ -224,7 +225,9 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 	any_off = off_the_line(chain, step, &off);
 	if (covered(follower, step, any_off ? &off : NULL))
 		return PASSAGE_CLEAR;
-	if (follower->wait > 0 && !isinf(follower->target)) {
+	if (!WITH_BUDGET && !isinf(follower->target)) {
+		/* No distance is of use. */
+	} else if (follower->wait > 0 && !isinf(follower->target)) {
 		follower->wait--;
 	} else {
 		renew(follower, sweep, step);

@@ -5,6 +5,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+#include "base/ablation.h"
 #include "base/mem.h"
 #include "scene/overlap.h"
 #include "scene/pairs.h"
@@ -155,7 +156,7 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 	size_t count = batch->step_count - i < CHUNK_STEPS ? batch->step_count - i : CHUNK_STEPS;
 	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
-	if (options->method != CHECK_CERTIFIED || runner->entangled || i % CHUNK_STEPS ||
+	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || runner->entangled || i % CHUNK_STEPS ||
 	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
 			   count))
 		return 0;
