@@ -173,7 +173,9 @@ class Targets:
                    [n + i for n in range(5221, 5400, 20) for i in range(10)])
         with open(variables, 'w') as out:
             out.writelines('%d\t%f\n' % (n, n == 5220) for n in numbers)
-        spent = self.tools.run([self.tools.rs274, '-g', '-v', variables, program, os.devnull])
+        tools = os.path.join(trunnion.ROOT, 'tests', 'rs274', 'tools.tbl')
+        spent = self.tools.run(['sh', '-c', 'exec "$@" >/dev/null', 'sh', self.tools.rs274, '-g', '-v', variables,
+                                '-t', tools, program])
         if spent.status:
             raise SystemExit('bench: rs274: %s' % spent.err[-300:])
         return spent.cpu
