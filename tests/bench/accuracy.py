@@ -24,8 +24,9 @@ def scenes(out, seed, count):
             yield exact.arm(folder, one)
         else:
             pick = random.Random(one)
-            yield balls.make(folder, one, pick.choice([1000, 8000, 50000]), pick.choice([0.1, 0.3, 1, 3, 10, 30, 100, 300]),
-                             pick.choice([0.01, 0.1, 1, 10]), pick.choice([0, 0.3, 1]), pick.choice([100, 1000]),
+            yield balls.make(folder, one, pick.choice([1000, 8000, 50000]),
+                             pick.choice([0.1, 0.3, 1, 3, 10, 30, 100, 300]), pick.choice([0.01, 0.1, 1, 10]),
+                             pick.choice([0, 0.3, 1]), pick.choice([100, 1000]),
                              pick.choice([0, 0.02, 0.2, 1, 3]), pick.choice([600, 3000, 12000]), cache)
 
 

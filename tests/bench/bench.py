@@ -41,8 +41,8 @@ def first_of(path, key):
 def describe(tools, compiler):
     rows = [('processor', first_of('/proc/cpuinfo', 'model name')), ('cores', str(os.cpu_count())),
             ('memory', first_of('/proc/meminfo', 'MemTotal')), ('system', platform.platform()),
-            ('compiler', compiler), ('runs', str(tools.runs)), ('FCL', 'yes' if tools.peer else 'skipped: no libfcl-dev'),
-            ('rs274', 'yes' if tools.rs274 else 'skipped: not found')]
+            ('compiler', compiler), ('runs', str(tools.runs)),
+            ('FCL', 'yes' if tools.peer else 'skipped'), ('rs274', 'yes' if tools.rs274 else 'skipped: not found')]
     with open(os.path.join(tools.out, 'computer.txt'), 'w') as out:
         out.writelines('%s: %s\n' % row for row in rows)
     return rows
@@ -86,7 +86,8 @@ def run_parts(tools, arguments):
     if 'ablation' in chosen:
         rows = series.ablation_rows(tools, arguments.source, [
             trunnion.inside(os.path.join(scenes, 'ablate-blades'), tools), next(trunnion.examples(scenes)),
-            trunnion.tight(os.path.join(scenes, 'ablate-tight'), 20000), trunnion.far(os.path.join(scenes, 'ablate-far'), 100000)])
+            trunnion.tight(os.path.join(scenes, 'ablate-tight'), 20000),
+            trunnion.far(os.path.join(scenes, 'ablate-far'), 100000)])
         write(tools, 'ablation.csv', series.ABLATION_COLUMNS, rows)
         show([series.ABLATION_COLUMNS] + [[r[c] for c in series.ABLATION_COLUMNS] for r in rows])
     if 'real' in chosen and tools.real:

@@ -1,4 +1,4 @@
-"""exact.py - scenes whose first contact a formula tells: a block through a thin wall, and an arm that turns into a post."""
+"""exact.py - scenes whose first contact a formula tells: a ram through a thin wall, an arm that turns into a post."""
 import math
 import os
 import random
@@ -63,7 +63,7 @@ def wall(folder, seed):
 
 
 def arm(folder, seed):
-    """The arm lies along x, 4 mm to each side; (px, py) is the post's edge nearest to C. It sweeps by, or ends there."""
+    """The arm lies along x, 4 mm to each side; (px, py) is the post's edge nearest to C."""
     rng = random.Random(seed)
     px, py, thick = rng.uniform(80, 240), rng.uniform(20, 200), rng.choice([0.25, 1, 8])
     reach = math.hypot(px, py)

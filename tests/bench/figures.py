@@ -10,6 +10,7 @@ HEAD = '''set terminal %s
 set output "%s"
 set grid
 set key outside right
+set format "%%g"
 set title "%s"
 set xlabel "%s"
 set ylabel "%s"
@@ -57,7 +58,8 @@ def error_figure(rows):
     for row in rows:
         if row['truth'] != 'contact' or not row['verdict'] or row['seconds_per_block'] == '':
             continue
-        error = MISSED if row['miss'] else max(abs(float(row['motion_error_mm'] or 0)), 1e-6)
+        # Nothing is as exact as the truth is.
+        error = MISSED if int(row['miss']) else max(abs(float(row['motion_error_mm'] or 0)), 1e-6)
         if float(row['seconds_per_block']) > 0:
             figure.add(row['method'], float(row['seconds_per_block']), error)
     return figure

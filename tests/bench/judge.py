@@ -42,8 +42,8 @@ class Truth:
     def compare(self, a, b, time, positions):
         """The distance of two bodies at the positions, and their motion between `time` and the true contact."""
         until = self.contact[0] if self.contact else time
-        out = self.tools.run([self.tools.truth, 'at', self.scene.plain, self.scene.path, a, b, repr(time), repr(until)] +
-                             [repr(x) for x in positions])
+        out = self.tools.run([self.tools.truth, 'at', self.scene.plain, self.scene.path, a, b] +
+                             [repr(x) for x in [time, until] + positions])
         if out.status:
             raise SystemExit('bench: truth of %s: %s' % (self.scene.name, out.err))
         distance, motion = (float(x) for x in out.out.split())
@@ -63,7 +63,7 @@ def row_of(scene, method, setting, truth):
 
 
 def judge(row, truth, finding, tolerance):
-    """finding: None, or (line, time, a, b, axis positions in the scene's order). tolerance: what the method promises."""
+    """finding: None, or (line, time, a, b, axis positions as in the scene). tolerance: what the method promises."""
     scene = truth.scene
     row['verdict'] = 'contact' if finding else 'clear'
     row['miss'], row['false_alarm'] = int(bool(truth.contact and not finding)), 0
@@ -134,7 +134,8 @@ def peer(tools, truth, step, limit):
     total, looked, seconds, _, a, b, line, time = out.out.rstrip('\n').split('\t')
     row = row_of(scene, 'fcl', step, truth)
     if a == '-' and looked != total:
-        row.update(extrapolated=1, seconds=float(seconds) * float(total) / float(looked), blocks=blocks_until(scene, None))
+        row.update(extrapolated=1, blocks=blocks_until(scene, None),
+                   seconds=float(seconds) * float(total) / float(looked))
     else:
         finding = (int(line), float(time), a, b, position_at(scene, float(time))) if a != '-' else None
         judge(row, truth, finding, 0)

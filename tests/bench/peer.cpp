@@ -100,13 +100,13 @@ static Outcome run(const Peer &peer, const track &track, double step, double lim
 
 	outcome.total = floor(track.rows[track.count - 1].time / step) + 1;
 	for (; n < outcome.total && row < track.count; n++) {
-		double q[AXES_MAX], t = n * step, from;
+		double q[AXES_MAX], t = n * step, from, span;
 
 		while (row + 1 < track.count && track.rows[row].time < t)
 			row++;
 		from = track.rows[row - 1].time;
-		between(peer.world, &track, row, track.rows[row].time > from ? fmin(1, (t - from) / (track.rows[row].time - from)) : 1,
-			q);
+		span = track.rows[row].time - from;
+		between(peer.world, &track, row, span > 0 ? fmin(1, (t - from) / span) : 1, q);
 		outcome.pair = peer.look(q, track.rows[row].tool);
 		if (outcome.pair) {
 			outcome.line = track.rows[row].line;

@@ -165,7 +165,8 @@ static inline pose inverse(const pose *a)
 static inline pose axis_motion(const struct axis *axis, double q)
 {
 	pose p = unmoved();
-	double c, s, angle = q * 3.14159265358979323846 / 180, d[3] = {axis->direction.x, axis->direction.y, axis->direction.z};
+	double c, s, angle = q * 3.14159265358979323846 / 180;
+	double d[3] = {axis->direction.x, axis->direction.y, axis->direction.z};
 
 	if (!axis->rotary) {
 		p.t = times(q, axis->direction);

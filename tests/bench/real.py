@@ -31,6 +31,6 @@ def rows(tools, out):
         read = [tools.check(scene, ['--parse-only']).cpu for _ in range(tools.runs)]
         blocks = judge.blocks_until(scene, None)
         times = ['%.6g' % (median([s.phases()[2] for s in run]) / blocks) for run in runs]
-        result.append(dict(zip(COLUMNS, [scene.name, blocks] + times +
-                               ['%.6g' % (median(read) / blocks), ('clear', 'contact', 'incomplete')[runs[0][0].status]])))
+        verdict = ('clear', 'contact', 'incomplete')[runs[0][0].status]
+        result.append(dict(zip(COLUMNS, [scene.name, blocks] + times + ['%.6g' % (median(read) / blocks), verdict])))
     return result

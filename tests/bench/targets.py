@@ -81,7 +81,8 @@ class Targets:
                                          lambda: self.per_block(scene, '--method', 'conventional'),
                                          lambda: self.per_block(scene, '--method', 'interpolated'))
             self.at_least('conventional at 0.01 s / certified, ' + title, 300, ratio(theirs, ours), 'checking alone')
-            self.at_least('conventional / interpolated at 0.01 s, ' + title, 4.5, ratio(theirs, paper), 'checking alone')
+            self.at_least('conventional / interpolated at 0.01 s, ' + title, 4.5, ratio(theirs, paper),
+                          'checking alone')
 
     def tight(self):
         say('targets: tight work')
@@ -100,8 +101,10 @@ class Targets:
         small = Scene('small', self.folder('small'), small_machine, None, program)
         loads = [self.tools.check(mega) for _ in range(self.tools.runs)]
         smalls = [self.tools.check(small) for _ in range(10 * self.tools.runs)]
-        self.at_most('loading 1,000,000 triangles', 0.25, median([s.phases()[0] for s in loads]), 'files in memory', ' s')
-        self.at_most('small machine, start to exit', 10, 1e3 * median([s.wall for s in smalls]), '1,000 triangles', ' ms')
+        self.at_most('loading 1,000,000 triangles', 0.25, median([s.phases()[0] for s in loads]),
+                     'files in memory', ' s')
+        self.at_most('small machine, start to exit', 10, 1e3 * median([s.wall for s in smalls]),
+                     '1,000 triangles', ' ms')
         bytes_each = (median([s.peak for s in loads]) - median([s.peak for s in smalls])) / (MEGA - 1000)
         self.at_most('peak memory a triangle', 150, bytes_each, 'more than with 1,000', ' bytes')
 
@@ -139,7 +142,8 @@ class Targets:
         for triangles in (1000, MEGA):
             scene = balls.make(self.folder('growth-%d' % triangles), 1, triangles, 10.0, 0.1, 1.0, 20000, cache=cache)
             times.append([self.per_block(scene) for _ in range(self.tools.runs)])
-        self.at_most('1,000 to 1,000,000 triangles, a block', 4, ratio(times[1], times[0]), 'balls 10 mm apart, 0.1 mm blocks')
+        self.at_most('1,000 to 1,000,000 triangles, a block', 4, ratio(times[1], times[0]),
+                     'balls 10 mm apart, 0.1 mm blocks')
 
     def threads(self):
         say('targets: two threads')
@@ -164,8 +168,9 @@ class Targets:
         scene = Scene('read', self.out, trunnion.MACHINE, None, program)
         ours, theirs = rounds(self.tools.runs, lambda: self.tools.check(scene, ['--parse-only', '-q']).cpu,
                               lambda: self.reference(program))
-        self.at_least(figure, 10, ratio(theirs, ours), 'processor time of whole runs, %.2f s and %.2f s; rs274 prints its calls'
-                      % (median(ours), median(theirs)))
+        self.at_least(figure, 10, ratio(theirs, ours),
+                      'processor time of whole runs, %.2f s and %.2f s; rs274 prints its calls' %
+                      (median(ours), median(theirs)))
 
     def reference(self, program):
         variables = os.path.join(self.out, 'rs274.var')

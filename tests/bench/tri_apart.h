@@ -19,7 +19,7 @@ static inline double point_segment2(vec p, vec a, vec b)
 	return dot(way, way);
 }
 
-/* Squared distance of two segments: an end of one to the other, or the feet of the common normal where both have one. */
+/* Squared distance of two segments: an end of one to the other, or the feet of their common normal. */
 static inline double segments2(vec a, vec b, vec c, vec d)
 {
 	vec u = sub(b, a), v = sub(d, c), w = sub(a, c), n = cross(u, v), way;
