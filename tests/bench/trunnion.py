@@ -166,20 +166,21 @@ def tight(folder, blocks, length=0.1, feed=1500.0):
     return finish(folder, program, setup, length=length, blocks=blocks)
 
 
-# The paper's block with its last word read as C, and motions of the example's kind deep inside: from, to, feed.
+# The paper's block with its last word read as C, and the probe at the rim and in a bore of the arbor: from, to, feed.
+BORE = {'X': 140, 'Y': 45, 'Z': -246, 'A': 0, 'C': 0}
 MOTIONS = [
     ({'X': 0, 'Y': 0, 'Z': 0, 'A': 0, 'C': 0}, {'X': 300, 'Y': -200, 'Z': -200, 'A': -3, 'C': -3}, 15000),
-    ({'X': -80, 'Y': -40, 'Z': -60, 'A': -20, 'C': 0}, {'X': 60, 'Y': 30, 'Z': -75, 'A': -35, 'C': 40}, 6000),
-    ({'X': 60, 'Y': 30, 'Z': -75, 'A': -35, 'C': 40}, {'X': -40, 'Y': -60, 'Z': -85, 'A': -60, 'C': 120}, 6000),
-    ({'X': -40, 'Y': -60, 'Z': -85, 'A': -60, 'C': 120}, {'X': 50, 'Y': 40, 'Z': -95, 'A': -30, 'C': 200}, 6000),
-    ({'X': 50, 'Y': 40, 'Z': -95, 'A': -30, 'C': 200}, {'X': -20, 'Y': 50, 'Z': -100, 'A': -15, 'C': 260}, 6000),
+    ({'X': 0, 'Y': -18, 'Z': -164, 'A': -90, 'C': 0}, {'Z': -169.5}, 150),
+    (BORE, {'Y': 50}, 150),
+    (BORE, {'X': 145}, 150),
+    (BORE, {'X': 141, 'Y': 46, 'Z': -244, 'A': -0.2, 'C': 0.4}, 150),
 ]
 
 
 def motion(folder, start, end=None, feed=1000.0):
     """One motion by itself, or only the way to its start."""
     os.makedirs(folder, exist_ok=True)
-    program = started(float(feed))
+    program = started(float(feed), 3)
     approach(program, start)
     if end:
         program.feed(**end)
