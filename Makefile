@@ -87,6 +87,18 @@ check-machines: $(BUILD)/fivecheck
 check-rs274: $(BUILD)/fivecheck
 	@sh scripts/check-rs274 $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/rs274) $(RS274_OPTIONS)
 
+# Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
+bench:
+	@sh scripts/install-deps bench
+	@$(MAKE) --no-print-directory all
+	@CC="$(CC)" CXX="$(CXX)" sh scripts/bench $(abspath $(BUILD)) $(BENCH_OPTIONS)
+
+# The proof against the truth, on small scenes; judges no times.
+bench-quick:
+	@sh scripts/install-deps build
+	@$(MAKE) --no-print-directory all
+	@CC="$(CC)" sh scripts/bench $(abspath $(BUILD)) --quick $(BENCH_OPTIONS)
+
 demo:
 	@sh scripts/install-deps build
 	@$(MAKE) --no-print-directory all
@@ -115,12 +127,15 @@ help:
 	@echo 'make check-layers    and check-man check-unit check-program check-machines check-rs274: one of them'
 	@echo '                     (check-program TESTS="name ...": some of the program tests;'
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
+	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
+	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
+	@echo 'make bench-quick     its correctness alone, in less than two minutes'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
-	@echo 'demo and check install missing Debian packages, as root or with passwordless sudo only.'
+	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all check check-layers check-man check-unit check-program check-machines check-rs274 demo install uninstall clean help
+.PHONY: all bench bench-quick check check-layers check-man check-unit check-program check-machines check-rs274 demo install uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

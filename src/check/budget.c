@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
+
 void budget_init(struct budget *budget, const struct chain *chain)
 {
 	*budget = (struct budget){.chain = chain};
@@ -9,7 +11,7 @@ void budget_init(struct budget *budget, const struct chain *chain)
 
 void budget_set(struct budget *budget, const axis_values *q, const struct chain_state *state, double room)
 {
-	budget->known = room > 0;
+	budget->known = WITH_BUDGET && room > 0;
 	budget->at = *q;
 	budget->room = room;
 	for (int v = 0; v < VIEWS; v++) {

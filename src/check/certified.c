@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
 #include "check/stretch.h"
 #include "motion/path.h"
 #include "motion/span.h"
@@ -35,7 +36,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
-	follower->bodies.memory = &follower->memory;
+	follower->bodies.memory = WITH_CACHED_AXES ? &follower->memory : NULL;
 	budget_init(&follower->budget, bodies->chain);
 }
 
@@ -43,7 +44,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 static void copy_state(struct follower *to, const struct follower *from)
 {
 	*to = *from;
-	to->bodies.memory = &to->memory;
+	to->bodies.memory = from->bodies.memory ? &to->memory : NULL;
 }
 
 void follower_fork(const struct follower *whole, struct follower *part)
@@ -264,7 +265,9 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 	any_off = off_the_line(chain, step, &off);
 	if (covered(follower, step, any_off ? &off : NULL))
 		return PASSAGE_CLEAR;
-	if (follower->wait > 0 && !isinf(follower->target)) {
+	if (!WITH_BUDGET && !isinf(follower->target)) {
+		/* No distance is of use. */
+	} else if (follower->wait > 0 && !isinf(follower->target)) {
 		follower->wait--;
 	} else {
 		renew(follower, sweep, step);
@@ -354,7 +357,7 @@ size_t follower_leap(struct follower *follower, struct sweep *sweep, const struc
 	axis_values play;
 	size_t stride;
 
-	if (!follower->sweeps || follower->wait <= 0 || isinf(follower->target))
+	if (!WITH_STRETCHES || !follower->sweeps || follower->wait <= 0 || isinf(follower->target))
 		return 0;
 	stride = choose_stretch(follower, steps, count, &chord);
 	follower->stride = stride;

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "base/ablation.h"
 #include "base/mem.h"
 #include "scene/overlap.h"
 
@@ -96,7 +97,7 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 		follower_lose(&runner->follower);
 		return count;
 	}
-	if (options->method != CHECK_CERTIFIED || runner->entangled ||
+	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || runner->entangled ||
 	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
 			   count))
 		return 0;

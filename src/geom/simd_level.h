@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_GEOM_SIMD_LEVEL_H
 #define FIVECHECK_GEOM_SIMD_LEVEL_H
 
+#include "base/ablation.h"
+
 /* Numbers of the levels, for the preprocessor too. */
 #define LANES_SCALAR 0
 #define LANES_SSE2 1	/* part of every x86-64 */
@@ -17,6 +19,8 @@
 static inline int simd_level(void)
 {
 #if LANES_BEST == LANES_AVX2
+	if (!WITH_SIMD)
+		return LANES_SCALAR;
 	return __builtin_cpu_supports("avx2") ? LANES_AVX2 : LANES_SSE2;
 #else
 	return LANES_SCALAR;

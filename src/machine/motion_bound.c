@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/ablation.h"
 #include "base/units.h"
 
 /* A joint's value with its sine and cosine taken once for all uses. */
@@ -175,7 +176,8 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 			lengths[view] += share->way;
 			bound->drift[view] += share->drift;
 		}
-		bound->bend[view] = acceleration / 8;
+		/* By the length alone: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length. */
+		bound->bend[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
 	bound->length = fmin(lengths[0], lengths[1]);
 }

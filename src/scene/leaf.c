@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
 #include "geom/moved_tri.h"
 #include "geom/witness.h"
 #include "scene/memory.h"
@@ -66,7 +67,8 @@ static enum leaf_answer prove_chord(const struct region *region, const struct bo
 		record(contact, region->s1, &region->chord.q1, &n1);
 	} else {
 		if (witness_fixed(a, &b0, &b1, n1.direction, apart) ||
-		    witness_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart) ||
+		    (WITH_INTERPOLATED_AXES &&
+		     witness_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart)) ||
 		    tri_gap(a, &b0, n0.direction) + tri_gap(a, &b1, n1.direction) > 2 * (clearance + region->reach))
 			return apart_along(pair, n1.direction, &region->poses[1]);
 	}

@@ -1,0 +1,50 @@
+/*
+ * ablation.h - parts of the proof that only save time, each of which can be left out of a build (make
+ * CPPFLAGS=-DFIVECHECK_WITHOUT_...) so that the benchmark can measure what it is worth. Verdicts stay as sound without.
+ */
+#ifndef FIVECHECK_BASE_ABLATION_H
+#define FIVECHECK_BASE_ABLATION_H
+
+#ifdef FIVECHECK_WITHOUT_BUDGET
+enum { WITH_BUDGET = 0 };
+#else
+enum { WITH_BUDGET = 1 };	/* a proven distance is spent over later steps */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_CHUNKS
+enum { WITH_CHUNKS = 0 };
+#else
+enum { WITH_CHUNKS = 1 };	/* many steps are passed at once by the box of their positions */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_STRETCHES
+enum { WITH_STRETCHES = 0 };
+#else
+enum { WITH_STRETCHES = 1 };	/* several steps are swept at once */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_SIMD
+enum { WITH_SIMD = 0 };
+#else
+enum { WITH_SIMD = 1 };	/* boxes are tested eight at a time */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_CACHED_AXES
+enum { WITH_CACHED_AXES = 0 };
+#else
+enum { WITH_CACHED_AXES = 1 };	/* the axes that separated last are tried first */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_INTERPOLATED_AXES
+enum { WITH_INTERPOLATED_AXES = 0 };
+#else
+enum { WITH_INTERPOLATED_AXES = 1 };	/* an axis may turn along with the motion */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_SECOND_ORDER
+enum { WITH_SECOND_ORDER = 0 };
+#else
+enum { WITH_SECOND_ORDER = 1 };	/* how far a path leaves its chord is bounded by its curvature, not by half its length */
+#endif
+
+#endif

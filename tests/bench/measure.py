@@ -1,0 +1,75 @@
+"""measure.py - runs programs, and says what they spent."""
+import os
+import re
+import statistics
+import subprocess
+import sys
+
+
+class Spent:
+    """One run: seconds of processor time and of wall time, peak memory in bytes, status, and what it printed."""
+
+    def __init__(self, figures, out, err):
+        user, system, self.wall, peak, status = (float(x) for x in figures.split())
+        self.cpu, self.peak, self.status = user + system, 1024 * peak, int(status)
+        self.out, self.err = out, err
+
+    def phases(self):
+        """Seconds of load, interpret, check, and the number of blocks, from a text report."""
+        found = re.search(r'time +([\d.]+) s load, ([\d.]+) s interpret, ([\d.]+) s check', self.out)
+        blocks = re.search(r'blocks +(\d+) in', self.out)
+        if not found or not blocks:
+            raise SystemExit('bench: no statistics in: %s%s' % (self.out, self.err))
+        return [float(x) for x in found.groups()] + [int(blocks.group(1))]
+
+
+class Tools:
+    """The programs of the benchmark and its folder."""
+
+    def __init__(self, build, out, peer, rs274, real, runs):
+        self.build, self.out, self.real, self.runs = build, out, real, runs
+        self.fivecheck = os.path.join(build, 'fivecheck')
+        self.truth, self.spend = os.path.join(out, 'truth'), os.path.join(out, 'spend')
+        self.peer, self.rs274 = peer, rs274
+
+    def run(self, command, stdin=None, env=None):
+        """Spent; the status is the caller's concern."""
+        figures = os.path.join(self.out, 'spent')
+        run = subprocess.run([self.spend, figures] + command, capture_output=True, text=True, errors='replace',
+                             stdin=stdin, env=env)
+        if run.returncode:
+            raise SystemExit('bench: %s: %s' % (command[0], run.stderr))
+        with open(figures) as text:
+            return Spent(text.read(), run.stdout, run.stderr)
+
+    def check(self, scene, options=(), programs=None, expect=(0, 1), fivecheck=None):
+        """One run of fivecheck on a scene."""
+        spent = self.run([fivecheck or self.fivecheck] + list(options) + scene.operands() +
+                         (programs or [scene.program]))
+        if spent.status not in expect:
+            raise SystemExit('bench: %s: fivecheck ended with status %d: %s%s' %
+                             (scene.name, spent.status, spent.err, spent.out[:2000]))
+        return spent
+
+
+def say(text):
+    """Progress."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def median(values):
+    return statistics.median(values)
+
+
+def rounds(count, *actions):
+    """Each action in turn, count times over: a list of results for each, so that what disturbs one disturbs all."""
+    results = [[] for _ in actions]
+    for _ in range(count):
+        for result, action in zip(results, actions):
+            result.append(action())
+    return results
+
+
+def ratio(over, under):
+    """The median of the ratios of runs that were made side by side."""
+    return median([a / max(b, 1e-9) for a, b in zip(over, under)])

@@ -1,0 +1,36 @@
+"""real.py - programs that somebody else wrote: BENCH_REAL/machine/{machine,setup}.xml with BENCH_REAL/nc/*."""
+import os
+
+import judge
+from measure import median, rounds, say
+from scene import Scene
+
+COLUMNS = ['program', 'blocks', 'certified', 'conventional', 'interpolated', 'parse_only', 'verdict']
+
+
+def scenes(tools, out):
+    folder = os.path.join(tools.real, 'machine')
+    machine, setup = (os.path.join(folder, x + '.xml') for x in ('machine', 'setup'))
+    for name in sorted(os.listdir(os.path.join(tools.real, 'nc'))):
+        program = os.path.join(tools.real, 'nc', name)
+        scene = Scene(name, os.path.join(out, name), machine, setup if os.path.exists(setup) else None, program)
+        # What another machine was meant for stops here, and not quietly.
+        spent = tools.run([tools.fivecheck, '--parse-only', '-q'] + scene.operands() + [program])
+        if spent.status == 2:
+            say('real: %s is not for this machine: %s' % (name, spent.err.split('\n')[0]))
+        else:
+            yield scene
+
+
+def rows(tools, out):
+    result = []
+    for scene in scenes(tools, out):
+        say('real: ' + scene.name)
+        methods = ['certified', 'conventional', 'interpolated']
+        runs = rounds(tools.runs, *[lambda m=m: tools.check(scene, ['--method', m], expect=(0, 1, 2)) for m in methods])
+        read = [tools.check(scene, ['--parse-only']).cpu for _ in range(tools.runs)]
+        blocks = judge.blocks_until(scene, None)
+        times = ['%.6g' % (median([s.phases()[2] for s in run]) / blocks) for run in runs]
+        verdict = ('clear', 'contact', 'incomplete')[runs[0][0].status]
+        result.append(dict(zip(COLUMNS, [scene.name, blocks] + times + ['%.6g' % (median(read) / blocks), verdict])))
+    return result

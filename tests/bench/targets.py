@@ -1,0 +1,192 @@
+"""targets.py - the figures that the project set itself, each measured in one run against what it is compared with."""
+import os
+
+import balls
+import judge
+import meshes
+import trunnion
+from measure import median, ratio, rounds, say
+from scene import Scene
+
+COLUMNS = ['figure', 'target', 'reached', 'met', 'how']
+MEGA = 1000000
+
+
+class Targets:
+    def __init__(self, tools, out, blocks):
+        self.tools, self.out, self.blocks, self.rows = tools, out, blocks, []
+
+    def folder(self, name):
+        return os.path.join(self.out, name)
+
+    def add(self, figure, target, reached, met, how):
+        self.rows.append(dict(zip(COLUMNS, (figure, target, reached, 'yes' if met else 'no', how))))
+        say('  %s: %s, target %s' % (figure, reached, target))
+
+    def skip(self, figure, target, why):
+        self.rows.append(dict(zip(COLUMNS, (figure, target, '', 'skipped', why))))
+        say('  %s: skipped: %s' % (figure, why))
+
+    def at_most(self, figure, limit, value, how, unit='x'):
+        self.add(figure, '<= %g%s' % (limit, unit), '%.3g%s' % (value, unit), value <= limit, how)
+
+    def at_least(self, figure, limit, value, how, unit='x'):
+        self.add(figure, '>= %g%s' % (limit, unit), '%.4g%s' % (value, unit), value >= limit, how)
+
+    def per_block(self, scene, *options):
+        """Seconds of checking alone."""
+        return judge.check_seconds(self.tools, scene, list(options), 1) / judge.blocks_until(scene, None)
+
+    def against_reading(self):
+        say('targets: a long program against reading it')
+        self.long = trunnion.inside(self.folder('inside-long'), self.tools, self.blocks)
+        checked, read = rounds(self.tools.runs, lambda: self.tools.check(self.long).cpu,
+                               lambda: self.tools.check(self.long, ['--parse-only']).cpu)
+        self.at_most('certified / --parse-only', 2, ratio(checked, read),
+                     '%d blocks, five axes; processor time of whole runs, %.2f s and %.2f s' %
+                     (self.blocks, median(checked), median(read)))
+
+    def against_fcl(self, title, scene, limit_coarse, limit_fine):
+        scene.prepare(self.tools)
+        clear = type('Clear', (), {'scene': scene, 'contact': None})
+        ours, theirs = rounds(self.tools.runs, lambda: self.per_block(scene),
+                              lambda: float(judge.peer(self.tools, clear, 0.01, 20)[0]['seconds_per_block']))
+        coarse = ratio(theirs, ours)
+        how = 'checking alone, %.3g us a block against %.3g us' % (1e6 * median(ours), 1e6 * median(theirs))
+        self.at_least('FCL at 0.01 s / certified, ' + title, limit_coarse, coarse, how)
+        if not limit_fine:
+            return
+        out = self.tools.run([self.tools.truth, 'travel', scene.plain, scene.path])
+        samples = float(judge.position_at_end(scene)) / 0.01
+        finer = float(out.out) / 0.001 / samples
+        self.at_least('FCL at 0.001 mm / certified, ' + title, limit_fine, coarse * finer,
+                      'extrapolated: %.4g times as many samples as at 0.01 s' % finer)
+
+    def fcl(self):
+        say('targets: against FCL')
+        scenes = [('between the blades', trunnion.inside(self.folder('inside-lap'), self.tools), 300, 1e5),
+                  ('in the bores', trunnion.inside(self.folder('probe-lap'), self.tools, None, 5, 3), 300, 1e5),
+                  ('far apart', trunnion.far(self.folder('far'), 100000), 1, None)]
+        self.lap, self.probe = scenes[0][1], scenes[1][1]
+        for title, scene, coarse, fine in scenes:
+            if self.tools.peer:
+                self.against_fcl(title, scene, coarse, fine)
+            else:
+                self.skip('FCL / certified, ' + title, '>= %g' % coarse, 'no libfcl-dev')
+
+    def sampled(self):
+        say('targets: against the sampled methods')
+        for title, scene in (('between the blades', self.lap), ('in the bores', self.probe)):
+            ours, theirs, paper = rounds(self.tools.runs, lambda: self.per_block(scene),
+                                         lambda: self.per_block(scene, '--method', 'conventional'),
+                                         lambda: self.per_block(scene, '--method', 'interpolated'))
+            self.at_least('conventional at 0.01 s / certified, ' + title, 300, ratio(theirs, ours), 'checking alone')
+            self.at_least('conventional / interpolated at 0.01 s, ' + title, 4.5, ratio(theirs, paper),
+                          'checking alone')
+
+    def tight(self):
+        say('targets: tight work')
+        scene = trunnion.tight(self.folder('tight'), 40000)
+        times = [self.per_block(scene) for _ in range(self.tools.runs)]
+        self.at_least('tight work', 200000, 1 / median(times), 'checking alone', ' blocks/s')
+
+    def loading(self):
+        say('targets: loading')
+        machine, _ = balls.write_machine(self.folder('mega'), MEGA)
+        program = os.path.join(self.out, 'step.nc')
+        with open(program, 'w') as out:
+            out.write('G21 G90 G0 X1\nM2\n')
+        mega = Scene('mega', self.folder('mega'), machine, None, program)
+        small_machine, _ = balls.write_machine(self.folder('small'), 1000)
+        small = Scene('small', self.folder('small'), small_machine, None, program)
+        loads = [self.tools.check(mega) for _ in range(self.tools.runs)]
+        smalls = [self.tools.check(small) for _ in range(10 * self.tools.runs)]
+        self.at_most('loading 1,000,000 triangles', 0.25, median([s.phases()[0] for s in loads]),
+                     'files in memory', ' s')
+        self.at_most('small machine, start to exit', 10, 1e3 * median([s.wall for s in smalls]),
+                     '1,000 triangles', ' ms')
+        bytes_each = (median([s.peak for s in loads]) - median([s.peak for s in smalls])) / (MEGA - 1000)
+        self.at_most('peak memory a triangle', 150, bytes_each, 'more than with 1,000', ' bytes')
+
+    def memory(self):
+        """Programs of 10^4 to 10^7 blocks on a pipe; the same lap over and over."""
+        say('targets: memory against length')
+        with open(self.lap.program) as text:
+            lines = text.read().split('\n')
+        # The head ends with the approach; the last lines are M2 and nothing. Without the tail a lap closes.
+        head, lap = lines[:8], '\n'.join(lines[8:10008]) + '\n'
+        back = '\n'.join(reversed(lines[8:10008])) + '\n'
+        peaks = {}
+        for count in (1, 10, 100, 1000):
+            if count * 10000 > 10 * self.blocks:
+                continue
+            path = os.path.join(self.out, 'length.nc')
+            with open(path, 'w') as out:
+                out.write('\n'.join(head) + '\n')
+                for i in range(count):
+                    out.write(back if i % 2 else lap)
+                out.write('M2\n')
+            with open(path) as program:
+                spent = self.tools.run([self.tools.fivecheck] + self.lap.operands() + ['-'], stdin=program)
+            if spent.status:
+                raise SystemExit('bench: %s' % spent.err)
+            peaks[count * 10000] = spent.peak
+            os.remove(path)
+        self.at_most('peak memory, longest / shortest program', 1.05, max(peaks.values()) / min(peaks.values()),
+                     ', '.join('%d: %.1f MB' % (n, p / 1e6) for n, p in peaks.items()))
+
+    def growth(self):
+        say('targets: growth')
+        times = []
+        cache = {}
+        for triangles in (1000, MEGA):
+            scene = balls.make(self.folder('growth-%d' % triangles), 1, triangles, 10.0, 0.1, 1.0, 20000, cache=cache)
+            times.append([self.per_block(scene) for _ in range(self.tools.runs)])
+        self.at_most('1,000 to 1,000,000 triangles, a block', 4, ratio(times[1], times[0]),
+                     'balls 10 mm apart, 0.1 mm blocks')
+
+    def threads(self):
+        say('targets: two threads')
+        pairs = [('two equal programs', self.long, [self.long.program] * 2, ()),
+                 ('one large program', trunnion.tight(self.folder('tight-long'), 40000), None, ())]
+        for title, scene, programs, options in pairs:
+            one, two = rounds(self.tools.runs, lambda: self.tools.check(scene, ['-j', '1', '-f', 'ndjson'], programs),
+                              lambda: self.tools.check(scene, ['-j', '2', '-f', 'ndjson'], programs))
+            self.at_least('-j 2, ' + title, 1.8, ratio([s.wall for s in one], [s.wall for s in two]),
+                          'wall time; output %s' % ('the same' if one[0].out + one[0].err == two[0].out + two[0].err
+                                                    else 'DIFFERS'))
+
+    def reading(self):
+        say('targets: reading against rs274')
+        figure = 'interpretation, blocks/s against rs274'
+        if not self.tools.rs274:
+            self.skip(figure, '>= 10x', 'no rs274')
+            return
+        program = os.path.join(self.out, 'read.ngc')
+        with open(self.long.program) as text, open(program, 'w') as out:
+            out.writelines([line for line in text if line[:2] in ('G2', 'G9', 'G1', 'G0', ' X')][:200000] + ['M2\n'])
+        scene = Scene('read', self.out, trunnion.MACHINE, None, program)
+        ours, theirs = rounds(self.tools.runs, lambda: self.tools.check(scene, ['--parse-only', '-q']).cpu,
+                              lambda: self.reference(program))
+        self.at_least(figure, 10, ratio(theirs, ours),
+                      'processor time of whole runs, %.2f s and %.2f s; rs274 prints its calls' %
+                      (median(ours), median(theirs)))
+
+    def reference(self, program):
+        variables = os.path.join(self.out, 'rs274.var')
+        numbers = ([n + i for n in (5161, 5181) for i in range(9)] + list(range(5210, 5221)) +
+                   [n + i for n in range(5221, 5400, 20) for i in range(10)])
+        with open(variables, 'w') as out:
+            out.writelines('%d\t%f\n' % (n, n == 5220) for n in numbers)
+        tools = os.path.join(trunnion.ROOT, 'tests', 'rs274', 'tools.tbl')
+        spent = self.tools.run(['sh', '-c', 'exec "$@" >/dev/null', 'sh', self.tools.rs274, '-g', '-v', variables,
+                                '-t', tools, program])
+        if spent.status:
+            raise SystemExit('bench: rs274: %s' % spent.err[-300:])
+        return spent.cpu
+
+    def all(self):
+        for part in (self.against_reading, self.fcl, self.sampled, self.tight, self.loading, self.memory, self.growth,
+                     self.threads, self.reading):
+            part()
+        return self.rows
