@@ -19,6 +19,9 @@
 /* Regions kept at a time; a sweep that needs more is cut in two and done part by part. */
 #define REGIONS_MAX 4096
 
+/* Node pairs that could be looked at in the time that halving a region takes. */
+#define HALVING_VISITS 20
+
 struct sweep_entry {
 	struct region *region;
 	struct branch a, b;
@@ -96,6 +99,7 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 
 		region_halve(region, walk->pair, first, second);
 		walk->sweep->bisections++;
+		walk->sweep->visits += HALVING_VISITS;
 	}
 	half.tested = false;
 	half.region = region->halves[1];
