@@ -10,7 +10,7 @@ BUILD ?= build$(patsubst %,-%,$(filter-out cc gcc,$(notdir $(firstword $(CC)))))
 
 VERSION := 0.1.0
 WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes -Werror=implicit
-OPTIMISE ?= -O2 -g
+OPTIMISE ?= -O3 -g
 CFLAGS ?= $(OPTIMISE)
 SANITIZE_FLAGS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
 XML_FLAGS := $(shell xml2-config --cflags 2>/dev/null || echo -I/usr/include/libxml2)
@@ -133,7 +133,7 @@ help:
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
-	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
+	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
 .PHONY: all bench bench-quick check check-layers check-man check-unit check-program check-machines check-rs274 demo install uninstall clean help

@@ -19,8 +19,8 @@
 /* And how sharply: where exactly the target is missed does not matter. */
 #define MEASURE_GRAIN 0.1
 
-/* Steps that a follower at most sweeps before it asks for the distance again. */
-#define PATIENCE_MAX 64
+/* Steps that a follower at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more in close work. */
+#define PATIENCE_MAX 256
 
 /*
  * What share of the distance the second-order term and the deviations of a stretch may take. Measured:

@@ -155,7 +155,7 @@ static bool find_peck(struct cycle *cycle, bool kept)
 	struct interp *interp = cycle->interp;
 	int column = block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q')
 						    : block_motion_column(&interp->block);
-	double q;
+	double q = 0;
 
 	if (cycle->code != G73 && cycle->code != G83)
 		return true;
@@ -174,7 +174,7 @@ static bool find_peck(struct cycle *cycle, bool kept)
 static bool find_back_bore(struct cycle *cycle, bool kept)
 {
 	const struct state *state = &cycle->interp->state;
-	double a, b, top;
+	double a = 0, b = 0, top = 0;
 
 	if (cycle->code != G87)
 		return true;

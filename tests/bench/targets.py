@@ -148,7 +148,7 @@ class Targets:
     def threads(self):
         say('targets: two threads')
         pairs = [('two equal programs', self.long, [self.long.program] * 2, ()),
-                 ('one large program', trunnion.tight(self.folder('tight-long'), 40000), None, ())]
+                 ('one large program', trunnion.tight(self.folder('tight-long'), 400000), None, ())]
         for title, scene, programs, options in pairs:
             one, two = rounds(self.tools.runs, lambda: self.tools.check(scene, ['-j', '1', '-f', 'ndjson'], programs),
                               lambda: self.tools.check(scene, ['-j', '2', '-f', 'ndjson'], programs))
