@@ -122,7 +122,8 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 		}
 		open_a = branch_opens_first(&at.a, &at.b);
 		node = &(open_a ? bodies->a : bodies->b)->nodes[open_a ? at.a.leaf.first : at.b.leaf.first];
-		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box, apart, loose);
+		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box,
+			    (float)sample->sampler->clearance * (1 + 0x1p-20f), apart, loose);
 		for (int l = 0; l < node->used; l++) {
 			struct branch child = branch_child(node, l);
 
