@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/extremes.h"
+
 /* Unit vectors closer than this are one axis. */
 #define SAME_AXIS 1e-3
 
@@ -91,6 +93,6 @@ double memory_gap(struct memory *memory, const xform *pose, const struct body_pa
 	double best = -INFINITY;
 
 	for (int i = 0; i < memory->axis_count; i++)
-		best = fmax(best, box_gap(pair, pose, axis_at(&memory->axes[i], pose), a, b));
+		best = larger(best, box_gap(pair, pose, axis_at(&memory->axes[i], pose), a, b));
 	return best;
 }
