@@ -36,7 +36,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
-	follower->bodies.memory = WITH_CACHED_AXES ? &follower->memory : NULL;
+	follower->bodies.memory = &follower->memory;
 	budget_init(&follower->budget, bodies->chain);
 }
 
@@ -44,7 +44,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 static void copy_state(struct follower *to, const struct follower *from)
 {
 	*to = *from;
-	to->bodies.memory = from->bodies.memory ? &to->memory : NULL;
+	to->bodies.memory = &to->memory;
 }
 
 void follower_fork(const struct follower *whole, struct follower *part)

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
 #include "base/extremes.h"
 
 /* Unit vectors closer than this are one axis. */
@@ -32,6 +33,8 @@ static void learn_in(struct memory *memory, vec3 n, int frame)
 
 void memory_learn(struct memory *memory, vec3 n, const xform *pose)
 {
+	if (!WITH_CACHED_AXES)
+		return;
 	learn_in(memory, mat3_apply_transposed(&pose->rotation, n), 1);
 	learn_in(memory, n, 0);
 }
