@@ -8,6 +8,7 @@
 #include "gcode/comp.h"
 #include "gcode/cycle.h"
 #include "gcode/frame.h"
+#include "gcode/length_shift.h"
 #include "gcode/synchronised.h"
 #include "gcode/target.h"
 #include "gcode/tooling.h"
@@ -284,6 +285,8 @@ bool travel_motion(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
+	if (!length_shift_go(interp))
+		return false;
 	if (block->motion == CODE_NONE)
 		return true;
 	if (code_is_cycle(block->motion))

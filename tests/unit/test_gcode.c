@@ -361,6 +361,7 @@ START_TEST(fanuc_programs)
 
 	case_init(&c);
 	c.config.dialect = GCODE_FANUC;
+	c.config.tool_change.given = true;
 	case_expect(
 	    &c,
 	    "%\nO1234 (PART)\nN1 G90 G21 G53\n/2 G00 X1.\nG04 P500\nG04 X2.5\nG4 U1 ;\nG53 G01 X-5. F100\nX2.\n"

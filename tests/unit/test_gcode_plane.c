@@ -8,6 +8,7 @@ static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
 {
 	case_init(c);
 	c->config.dialect = dialect;
+	c->config.length_moves = GCODE_NO;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;
 	c->config.mcodes = mcodes;
@@ -74,7 +75,6 @@ START_TEST(tilted)
 		    /* X' = -X, Y' = Z, Z' = Y */
 		    "rapid 9 23 32 90 0 tcp\nrapid 9 24 32 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 9 24 0 90 0\ntcp on length 100 zero A0 C0\n"
-		    "tcp on length 100 zero A0 C0\n"
 		    "rapid 10 20 30 90 0 tcp\n"
 		    "rapid 10 25 30 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 10 25 0 90 0\ntcp on length 100 zero A0 C0\n"
@@ -162,18 +162,32 @@ START_TEST(least_input_by_address)
 }
 END_TEST
 
-/* Haas, "M06 Tool Change": Z goes home by itself; Fanuc leaves that to the program. */
-START_TEST(tool_change_without_place)
+/* Haas, "M06 Tool Change": Z goes home by itself; on Fanuc controls it is the machine builder's choice. */
+static void change_without_place(enum gcode_dialect dialect)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_HAAS);
-	ck_assert(case_run(&c, "G0 Z5.\nT1 M6\nT2 M6\nM30\n"));
-	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\ntool 1\ntool 2\n");
+	plane_case(&c, dialect);
+	ck_assert(!case_run(&c, "G0 Z5.\nT1 M6\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:4: warning: M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> "
-			 "that says where: no motion is checked, here and further on\n    T1 M6\n       ^\n");
+			 "p.nc:2:4: error: where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the "
+			 "<controller> of the machine file says it, and <tool_change/> that it moves none\n"
+			 "    T1 M6\n       ^\n");
 	case_release(&c);
+	plane_case(&c, dialect);
+	c.config.tool_change.given = true;
+	case_expect(&c, "G0 Z5.\nT1 M6\nM30\n", "rapid 0 0 5 0 0\ntool 1\n");
+	plane_case(&c, dialect);
+	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
+						    .order_count = 1};
+	case_expect(&c, "G0 X1. Z5.\nT1 M6\nM30\n", "rapid 1 0 5 0 0\nrapid 1 0 0 0 0\ntool 1\n");
+}
+
+START_TEST(tool_change_without_place)
+{
+	change_without_place(GCODE_HAAS);
+	change_without_place(GCODE_FANUC);
 }
 END_TEST
 
@@ -195,7 +209,8 @@ END_TEST
 START_TEST(haas_tool_centre)
 {
 	run(GCODE_HAAS, "G234 H1\nG0 X1.\nG49\nM30\n",
-	    "tcp on length 100 zero A0 C0\nrapid 1 0 -100 0 0 tcp\ntcp off length 0 zero A0 C0\n");
+	    "tcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 1 0 -100 0 0 tcp\n"
+	    "tcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\n");
 }
 END_TEST
 
