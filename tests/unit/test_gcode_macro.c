@@ -188,6 +188,8 @@ static const struct {
 	 "11 12 21 22"},
 	/* the same number twice, one after the other; out of a loop */
 	{BOTH, "#1=0\nWHILE [#1 LT 1] DO1\n#1=#1+1\nG0 X1.\nEND1\nWHILE [#1 LT 2] DO1\n#1=#1+1\nX2.\nEND1\nM30\n", "1 2"},
+	/* What a condition leaves out is not computed. */
+	{BOTH, "#1=1\nIF [#1 EQ 2] THEN #2=1/0 AND SIN[30] (x)\nIF [#1 EQ 2] GOTO #[1/0] ;\nG0 X#1\nM30\n", "1"},
 	{BOTH, "#1=0\nDO1\n#1=#1+1\nG0 X#1\nIF [#1 EQ 2] GOTO 5\nEND1\nN5 X7.\nM30\n", "1 2 7"},
 	/* out of two loops at once, and into them again by their DO */
 	{BOTH,
