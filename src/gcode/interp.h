@@ -35,7 +35,7 @@ struct gcode_config {
 	int half_turn[SLOT_COUNT];	/* with GCODE_WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
 	axis_values home;	/* where the program starts; the first two reference positions in want of others */
 	struct gcode_place references[REFERENCE_COUNT];
-	struct gcode_place tool_change;	/* M6 goes there first; not given: LinuxCNC moves nothing, others are not known */
+	struct gcode_place tool_change;	/* M6 goes there first; not given: LinuxCNC moves nothing */
 	enum gcode_answer length_moves;	/* not of LinuxCNC: do axes move at once where the length changes? */
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */

@@ -135,8 +135,8 @@ bool reference_remember(struct interp *interp)
 static bool fault_no_place(struct interp *interp, int column)
 {
 	return fault(&interp->at, column,
-		     "where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the machine "
-		     "file says it, and <tool_change/> that it moves none");
+		     "where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
+		     "machine file says it, and <tool_change/> that it moves none");
 }
 
 bool reference_change_tool(struct interp *interp)

@@ -74,7 +74,7 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
-	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE: tooling_after_machine */
+	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE */
 	bool length_moves;	/* in this block the change of length moves axes by length_shift: tooling.h */
 	slot_values length_shift;	/* of X, Y and Z, in program coordinates */
 	enum tcp_source tcp;
