@@ -96,7 +96,7 @@ static const struct {
 	{"o1 while [#1 LT 1]\n#1=1\n", "p.nc:2: error: the end of the while of line 1 is missing\n"},
 	{"o1 sub\nG0 X1\n", "p.nc:1:1: error: this sub is not closed: its endsub is missing\n"},
 	{"o1 endsub\n", "p.nc:1:1: error: o1 endsub outside of a sub\n    o1 endsub\n    ^\n"},
-	{"o1 sub\no2 sub\n", "p.nc:2:1: error: a subprogram inside of the sub of line 1\n    o2 sub\n    ^\n"},
+	{"o1 sub\no2 sub\n", "p.nc:2:1: error: a subprogram inside of the sub of line 1, which has to end first\n    o2 sub\n    ^\n"},
 	{"o1 sub\no1 endsub\no1 sub\n",
 	 "p.nc:3:1: error: o1 is defined already, in line 1 of p.nc\n    o1 sub\n    ^\n"},
 	{"o1 call\no1 sub\no1 endsub\n",
