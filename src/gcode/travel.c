@@ -220,7 +220,8 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 	switch (arc_find_centre(start, end, radius, block->motion == G2, tolerance, centre)) {
 	case ARC_NO_CHORD:
 		return fault(&interp->at, column,
-			     "an arc by its radius (R) cannot end where it starts; a full circle has a centre (I, J, K)");
+			     "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+			     "(I, J, K)");
 	case ARC_RADIUS_TOO_SMALL:
 		return fault(&interp->at, column,
 			     "a radius of %.6g mm does not reach from the start of the arc to its end", fabs(radius));

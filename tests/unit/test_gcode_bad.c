@@ -138,7 +138,8 @@ static const struct bad motions[] = {
     {"F9 G2 X1\n", 1, 4, "an arc needs a centre (I, J, K) or a radius (R)"},
     {"F9 G2 I1 R1 X1\n", 1, 10, "an arc has a radius (R) or a centre (I, J, K), not both"},
     {"F9 G2 Z1 R1\n", 1, 10, "an arc by its radius needs X or Y"},
-    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts; a full circle has a centre (I, J, K)"},
+    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+     "(I, J, K)"},
     {"F9 G2 X10 R4.99\n", 1, 11, "a radius of 4.99 mm does not reach from the start of the arc to its end"},
     {"F9 G2 X1 I0\n", 1, 4, "an arc of radius 0: 0 mm at its start, 1 mm at its end"},
     {"F9 G2 X10.03 I5\n", 1, 4, "the radius of the arc is 5 mm at its start and 5.03 mm at its end"},
@@ -226,7 +227,8 @@ START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
 	    {"G254\n", 1, 1,
-	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not supported yet"},
+	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not "
+	     "supported yet"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 

@@ -34,7 +34,8 @@ START_TEST(either_way)
 			    "arc 1 0 7 0 0 centre 6 0 41 normal 0 0 1 sweep -360\n");
 			/* Under TCP, what acts along Z leaves X and Y. */
 			run(dialect, answer,
-			    dialect == GCODE_HAAS ? "G0 X2. C90.\nG234 H1 Z5.\nM30\n" : "G0 X2. C90.\nG43.4 H1 Z5.\nM30\n",
+			    dialect == GCODE_HAAS ? "G0 X2. C90.\nG234 H1 Z5.\nM30\n" : "G0 X2. C90.\nG43.4 H1 "
+			        "Z5.\nM30\n",
 			    "rapid 2 0 0 0 90\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\n"
 			    "rapid 0 -2 5 0 90 tcp\n");
 		}

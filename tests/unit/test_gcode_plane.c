@@ -49,7 +49,8 @@ END_TEST
 
 START_TEST(rotated_arcs_and_cycles)
 {
-	run(GCODE_FANUC, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. Z-2.\nM30\n",
+	run(GCODE_FANUC, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. "
+	    "Z-2.\nM30\n",
 	    "arc -10 10 0 0 0 centre 0 10 0 normal 0 0 1 sweep -90\n"
 	    "arc 0 0 0 0 0 centre 0 10 0 normal 0 0 1 sweep 90\n"
 	    "rapid 0 5 0 0 0\nrapid 0 5 -1 0 0\nfeed 0 5 -2 0 0\nrapid 0 5 -1 0 0\n");
@@ -67,7 +68,8 @@ START_TEST(tilted)
 
 	plane_case(&c, GCODE_FANUC);
 	case_expect(&c,
-		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 G53 Z0.\n"
+		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 "
+		    "G53 Z0.\n"
 		    "G43 H1 X0. Y0. Z0.\nG28 Z5.\nG43 H1 G69\nG0 X0. Z0.\nM30\n",
 		    "rapid 0 0 50 0 0\norient 0 1 0\nrapid 0 0 50 90 0\n"
 		    "tcp on length 0 zero A0 C0\n"
@@ -200,7 +202,8 @@ START_TEST(tool_change_on_a_plane)
 	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_A] = true};
 	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; G69 first\n"));
+				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; "
+				     "G69 first\n"));
 	case_release(&c);
 }
 END_TEST
@@ -246,10 +249,12 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
      "Y by an increment after G69: the first move after it is absolute"},
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
-     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate depends "
+     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate "
+     "depends "
      "on the control; name both"},
     {GCODE_HAAS, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
-     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate depends "
+     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate "
+     "depends "
      "on the control; name both"},
     {GCODE_FANUC, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
     {GCODE_FANUC, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},
