@@ -327,7 +327,8 @@ static bool is_taut(const struct follower *follower, const struct chord *chord)
 	chain_state_init(&start, bodies->chain, &chord->q0, &bodies->ball_a, &bodies->ball_b);
 	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
 	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, NULL);
-	return fmin(bound.bend[0] + bound.drift[0], bound.bend[1] + bound.drift[1]) <= STRAY_SHARE * follower->memory.near;
+	return fmin(bound.bend[0] + bound.drift[0], bound.bend[1] + bound.drift[1]) <=
+	       STRAY_SHARE * follower->memory.near;
 }
 
 /* The longest stretch that is worth it, not much longer than the last; less than two steps: none. */

@@ -357,7 +357,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,
 			    double *proven)
 {
-	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats, .file = name};
+	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
+			    .file = name};
 	const size_t errors = diag->errors;
 	double start = now();
 	bool complete = false;

@@ -12,7 +12,7 @@
 
 enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
-	CHECK_INTERPOLATED,	/* the paper's method: samples, axes interpolated between a motion's ends; unsafe between samples */
+	CHECK_INTERPOLATED,	/* the paper's: axes interpolated between a motion's ends; unsafe between samples */
 	CHECK_CONVENTIONAL,	/* samples, axes computed anew at each; unsafe between samples */
 	CHECK_NOTHING	/* interpret and watch the limits only (--parse-only) */
 };

@@ -17,7 +17,8 @@ struct sample {
 void sampler_init(struct sampler *sampler, const struct body_pair *bodies, double clearance, bool interpolated,
 		  double step)
 {
-	*sampler = (struct sampler){.bodies = *bodies, .clearance = clearance, .interpolated = interpolated, .step = step};
+	*sampler = (struct sampler){.bodies = *bodies, .clearance = clearance, .interpolated = interpolated,
+				    .step = step};
 	if (interpolated)
 		sampler->cache = axis_cache_new();
 }

@@ -54,7 +54,8 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		return true;
 	}
 	if (given == G80 && axes)
-		return fault(at, first_column(block, AXIS_LETTERS), "axis words with G80, which cancels motion");
+		return fault(at, first_column(block, AXIS_LETTERS),
+			     "axis words with G80, which cancels motion; give them a motion code instead");
 	if (given != CODE_NONE)
 		return true;
 	if (axes && modes->motion == CODE_NONE)
@@ -90,7 +91,7 @@ static bool check_machine_coordinates(const struct block *block, const struct li
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
 	if (incremental)
-		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91)");
+		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
 	return true;
 }
 

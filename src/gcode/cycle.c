@@ -8,7 +8,10 @@
 #include "gcode/tooling.h"
 #include "gcode/travel.h"
 
-/* LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a parameter, and on the way in any case. */
+/*
+ * LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a
+ * parameter, and on the way in any case.
+ */
 #define PECK_CLEARANCE 0.254
 
 /* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
@@ -32,7 +35,10 @@ struct cycle {
 
 /* ------------------------------------------------------------------ words */
 
-/* The word of the block or, if an earlier block of the cycle gave it, that one; `column` is to blame for want of both. */
+/*
+ * The word of the block or, if an earlier block of the cycle gave it, that one;
+ * `column` is to blame for want of both.
+ */
 static bool cycle_word(struct cycle *cycle, char letter, bool kept, double *value)
 {
 	struct interp *interp = cycle->interp;

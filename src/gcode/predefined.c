@@ -99,7 +99,7 @@ bool predefined_position_is_plain(struct interp *interp, int column)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
 		return true;
-	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read");
+	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 
 static double program_position(const struct state *state, int slot)

@@ -72,6 +72,8 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
 	if (!plane_check_words(interp, machine))
 		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
+		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;

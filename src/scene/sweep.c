@@ -147,7 +147,10 @@ static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 	return false;
 }
 
-/* Where boxes are loose because they move, not because they are large, halving the motion gains more than opening them. */
+/*
+ * Where boxes are loose because they move, not because they are large, halving the
+ * motion gains more than opening them.
+ */
 static bool is_loose(const struct sweep_entry *entry)
 {
 	float larger = entry->a.size > entry->b.size ? entry->a.size : entry->b.size;
@@ -228,7 +231,8 @@ static enum sweep_answer sweep_region(struct walk *walk, const struct region *pa
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact)
 {
-	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
+			    .contact = contact};
 	struct region whole;
 
 	region_init(&whole, pair, REGION_CHORD, chord);
@@ -238,7 +242,8 @@ enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair,
 enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 				  double clearance, double tolerance, struct contact *contact)
 {
-	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
+			    .contact = contact};
 	struct region whole;
 
 	walk.any = true;
@@ -250,7 +255,8 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 			    const axis_values *high, double clearance, double tolerance, long max_visits,
 			    struct contact *contact)
 {
-	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance, .contact = contact};
+	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
+			    .contact = contact};
 	struct chord box = {.q0 = *low, .q1 = *high};
 	struct region whole;
 

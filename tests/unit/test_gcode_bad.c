@@ -91,7 +91,7 @@ static const struct bad codes[] = {
 static const struct bad blocks[] = {
     {"X1\n", 1, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
     {"G0 X1\nG80\nY1\n", 3, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
-    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion"},
+    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion; give them a motion code instead"},
     {"G0 B1\n", 1, 4, "the machine has no B axis"},
     {"G10 L2 P1 V1\n", 1, 11, "the machine has no V axis"},
     {"G0 G92 X1\n", 1, 1, "G0 and G92 both need the axis words of the block; write two blocks"},
@@ -101,8 +101,8 @@ static const struct bad blocks[] = {
     {"G53 X1\n", 1, 5, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
     {"G53\n", 1, 1, "G53 needs G0 or G1"},
     {"G0\nG53 G2 X1 I1\n", 2, 1, "G53 needs G0 or G1"},
-    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91)"},
-    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91)"},
+    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91); G90 first"},
+    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91); G90 first"},
     {"G4\n", 1, 1, "G4 needs its time in P"},
     {"G4 P-1\n", 1, 4, "a dwell cannot be negative"},
     {"G4 P1 G2 X1 I1\n", 1, 1, "G4 cannot stand with G2 or G3; both use P"},
@@ -138,7 +138,8 @@ static const struct bad motions[] = {
     {"F9 G2 X1\n", 1, 4, "an arc needs a centre (I, J, K) or a radius (R)"},
     {"F9 G2 I1 R1 X1\n", 1, 10, "an arc has a radius (R) or a centre (I, J, K), not both"},
     {"F9 G2 Z1 R1\n", 1, 10, "an arc by its radius needs X or Y"},
-    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts"},
+    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+     "(I, J, K)"},
     {"F9 G2 X10 R4.99\n", 1, 11, "a radius of 4.99 mm does not reach from the start of the arc to its end"},
     {"F9 G2 X1 I0\n", 1, 4, "an arc of radius 0: 0 mm at its start, 1 mm at its end"},
     {"F9 G2 X10.03 I5\n", 1, 4, "the radius of the arc is 5 mm at its start and 5.03 mm at its end"},
@@ -226,7 +227,8 @@ START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
 	    {"G254\n", 1, 1,
-	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not supported yet"},
+	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not "
+	     "supported yet"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 
