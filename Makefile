@@ -92,6 +92,20 @@ check-machines: $(BUILD)/fivecheck
 check-rs274: $(BUILD)/fivecheck
 	@sh scripts/check-rs274 $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/rs274) $(RS274_OPTIONS)
 
+# Needs clang; objects of its own. FUZZ_SECONDS each (60), FUZZ="stl machine ..." only some of them.
+FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+fuzz:
+	@$(MAKE) --no-print-directory CC=clang BUILD=build-fuzz SANITIZE=fuzzer-no-link,address,undefined build-fuzzers
+	@sh scripts/fuzz build-fuzz $(FUZZ)
+
+build-fuzzers: $(FUZZERS)
+
+$(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libfivecheck.a Makefile
+	@echo '  CC $@'
+	$(Q)$(CC) $(CPPFLAGS) -DFUZZ_MACHINE='"machines/ac-trunnion/machine.xml"' \
+		-DFUZZ_SETUP='"examples/ac-trunnion/setup.xml"' $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $< \
+		$(BUILD)/libfivecheck.a $(LDLIBS)
+
 # Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
 bench:
 	@sh scripts/install-deps bench
@@ -133,6 +147,7 @@ help:
 	@echo '                     (check-program TESTS="name ...": some of the program tests;'
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
 	@echo 'make stress          awkward geometry at length (STRESS_CASES=20 times what check does, FIVECHECK_SEED=n)'
+	@echo 'make fuzz            fuzzers on programs, machines, setups, STL (clang; FUZZ_SECONDS=60 each, FUZZ="stl ...")'
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
@@ -142,6 +157,6 @@ help:
 	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick check check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
