@@ -26,6 +26,7 @@ struct check_options {
 	bool last_duplicate_wins;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
 };
