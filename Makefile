@@ -65,7 +65,7 @@ check:
 	@sh scripts/install-deps
 	@$(MAKE) --no-print-directory check-layers check-man
 	@$(MAKE) --no-print-directory all
-	@$(MAKE) --no-print-directory check-unit check-program check-machines check-rs274
+	@$(MAKE) --no-print-directory check-unit check-program check-faults check-machines check-rs274
 
 check-layers:
 	@sh scripts/check-layers
@@ -83,6 +83,16 @@ stress: $(filter $(BUILD)/tests/test_stress_%,$(UNIT_PROGRAMS)) $(BUILD)/tests/t
 
 check-program: $(BUILD)/fivecheck
 	@FIVECHECK="$$(realpath $(BUILD)/fivecheck)" sh scripts/run-program-tests $(TESTS)
+
+# Memory, reads and threads that fail; FAULT_RUNS=0 lets every single allocation fail.
+check-faults: $(BUILD)/fivecheck $(BUILD)/fault.so
+	@$(if $(SANITIZE),echo 'check-faults: skipped, a sanitizer has an allocator of its own',\
+		sh scripts/check-faults $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/fault.so))
+
+$(BUILD)/fault.so: tests/fault/fault.c Makefile
+	@mkdir -p $(@D)
+	@echo '  CC $@'
+	$(Q)$(CC) -std=c17 -O2 $(WARNINGS) -shared -fPIC -o $@ $< -ldl
 
 check-machines: $(BUILD)/fivecheck
 	@sh scripts/check-machines
@@ -143,7 +153,7 @@ help:
 	@echo 'make                 build $(BUILD)/fivecheck'
 	@echo 'make demo            build, then check a clear and a colliding program'
 	@echo 'make check           layers, manual pages, unit tests, program tests, machines'
-	@echo 'make check-layers    and check-man check-unit check-program check-machines check-rs274: one of them'
+	@echo 'make check-layers    and check-man check-unit check-program check-faults check-machines check-rs274: one of them'
 	@echo '                     (check-program TESTS="name ...": some of the program tests;'
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
 	@echo 'make stress          awkward geometry at length (STRESS_CASES=20 times what check does, FIVECHECK_SEED=n)'
@@ -157,6 +167,6 @@ help:
 	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-faults check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
