@@ -47,8 +47,8 @@ struct check_sink {
 	void *context;
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
-	/* Now and then: how far the program is; may be NULL. */
-	void (*progress)(void *context, long lines);
+	/* Now and then: how far the program is. False: break off, which is a fault of its own. May be NULL. */
+	bool (*progress)(void *context, long lines);
 };
 
 enum check_result {
