@@ -10,7 +10,10 @@ PY
 interrupt() {
 	python3 start.py "$FIVECHECK" "$@" <endless >out 2>err &
 	checker=$!
-	sleep 0.7
+	while [ ! -e consumed ]; do
+		sleep 0.1
+	done
+	rm consumed
 	kill -INT $checker
 	wait $checker
 	echo "status $?"
@@ -18,13 +21,14 @@ interrupt() {
 	grep "finding\|incomplete" out
 }
 command -v python3 >/dev/null || { cat "$(dirname "$LIB")/interrupt-key.sh.stdout.exact"; exit 0; }
-{ echo 'G0 X500'; yes 'G1 X1 F100'; } 2>/dev/null >endless &
+# Once far more has been read than a pipe holds, the check is under way.
+{ echo 'G0 X500'; yes 'G1 X1 F100' | head -n 100000; : >consumed; yes 'G1 X1 F100'; } 2>/dev/null >endless &
 writer=$!
 interrupt -a m.xml -
 kill $writer 2>/dev/null
 wait $writer 2>/dev/null
 # The writer says nothing more.
-{ echo 'G1 X1 F100'; exec sleep 5; } >endless &
+{ yes 'G1 X1 F100' | head -n 100000; : >consumed; exec sleep 20; } >endless &
 writer=$!
 interrupt -q m.xml -
 kill $writer 2>/dev/null
