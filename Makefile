@@ -90,8 +90,8 @@ check-program: $(BUILD)/fivecheck
 
 # Memory, reads and threads that fail; FAULT_RUNS=0 lets every single allocation fail.
 check-faults: $(BUILD)/fivecheck $(BUILD)/fault.so
-	@$(if $(SANITIZE),echo 'check-faults: skipped, a sanitizer has an allocator of its own',\
-		sh scripts/check-faults $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/fault.so))
+	@if [ -n "$(SANITIZE)" ]; then echo 'check-faults: skipped, a sanitizer has an allocator of its own'; else \
+		sh scripts/check-faults $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/fault.so); fi
 
 $(BUILD)/fault.so: tests/fault/fault.c Makefile
 	@mkdir -p $(@D)
