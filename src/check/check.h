@@ -26,6 +26,7 @@ struct check_options {
 	bool last_duplicate_wins;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
 };
@@ -46,8 +47,8 @@ struct check_sink {
 	void *context;
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
-	/* Now and then: how far the program is; may be NULL. */
-	void (*progress)(void *context, long lines);
+	/* Now and then: how far the program is. False: break off, which is a fault of its own. May be NULL. */
+	bool (*progress)(void *context, long lines);
 };
 
 enum check_result {

@@ -8,6 +8,7 @@
 
 #include "base/mem.h"
 #include "check/check.h"
+#include "cli/interrupt.h"
 #include "report/ndjson.h"
 #include "report/text.h"
 #include "report/verdict.h"
@@ -74,11 +75,12 @@ static bool on_finding(void *context, const struct finding *finding)
 	return voice_say(program->voice, &program->text);
 }
 
-static void on_progress(void *context, long lines)
+static bool on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
 	voice_progress(program->voice, program->name, lines);
+	return !interrupt_seen();
 }
 
 /* NDJSON has findings only; what else there is to say goes to standard error. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "cli/interrupt.h"
 #include "cli/program.h"
 #include "report/pose.h"
 
@@ -93,6 +94,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count, sizeof(*session.outcomes));
 	stage_init(&session.stage, options->program_count, console, out);
+	interrupt_watch();
 	work_together(&session, threads);
 	for (size_t i = 0; i < options->program_count; i++)
 		status = session.outcomes[i].status > status ? session.outcomes[i].status : status;

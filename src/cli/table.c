@@ -14,7 +14,7 @@ enum {
 /* Options without a letter. */
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
-	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE,
+	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP
 };
 
@@ -66,6 +66,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "skip the blocks that begin with /"},
 	{KEY_INCLUDE, "include", "DIR", WITH_PROGRAM, LIST(includes),
 	 .help = "look for subprograms in DIR, too, after the program's\nown folder; may be given again"},
+	{KEY_INPUT_ROOT, "input-root", "DIR", ANYWHERE, TEXT(check.input_root),
+	 .help = "meshes and subprograms outside of DIR are an error"},
 	{KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.max_blocks), .least = 1,
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,

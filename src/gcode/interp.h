@@ -67,6 +67,7 @@ struct gcode_config {
 	size_t length_count;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* files of subprograms outside of this folder are an error; NULL: none is */
 	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };
 

@@ -23,6 +23,7 @@ struct source {
 struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
+	bool led_out;	/* a file that was looked for is outside of the input root */
 };
 
 /* Where a line starts. */
