@@ -134,6 +134,28 @@ static bool check_modes(const struct parser *parser)
 	return true;
 }
 
+/* Without --format the results are text; what has no file of its own goes to --output. */
+static bool check_formats(const struct parser *parser)
+{
+	struct options *o = parser->options;
+	int wanted = 0, unnamed = 0;
+
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		wanted += o->formats[i].wanted;
+		unnamed += o->formats[i].wanted && !o->formats[i].path;
+	}
+	if (!wanted)
+		o->formats[FORMAT_TEXT].wanted = true;
+	else if (unnamed > 1)
+		diag_error(parser->diag, nowhere, "one format can go to %s; the others need files of their own: "
+						  "--format=FORMAT=FILE", o->output ? "--output" : "standard output");
+	else if (!unnamed && o->output)
+		diag_error(parser->diag, nowhere, "every format has a file of its own: there is nothing for --output");
+	else
+		return true;
+	return !wanted;
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -145,7 +167,7 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
 	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
 		fault = "--verbose tells proven clearances, and the sampled methods prove none";
-	else if (o->verbose && o->format != FORMAT_TEXT)
+	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
 		fault = "--verbose is for --format=text";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
@@ -196,7 +218,7 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) || !check_operands(&parser))
 		return false;
 	if (options->output && !strcmp(options->output, "-"))
 		options->output = NULL;

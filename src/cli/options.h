@@ -9,6 +9,7 @@
 #include "base/strbuf.h"
 #include "check/check.h"
 #include "machine/machine.h"
+#include "report/report.h"
 
 enum run_mode {
 	RUN_CHECK,
@@ -20,12 +21,16 @@ enum run_mode {
 	RUN_VERSION
 };
 
-enum output_format { FORMAT_TEXT, FORMAT_NDJSON };
-
 /* Texts are borrowed from argv; the array is owned. */
 struct text_list {
 	const char **items;
 	size_t count, capacity;
+};
+
+/* What --format asked for, by enum report_format. */
+struct format_choice {
+	bool wanted;
+	const char *path;	/* NULL: --output, or standard output */
 };
 
 /* Strings are borrowed from argv. */
@@ -37,7 +42,7 @@ struct options {
 	size_t program_count;
 	struct check_options check;
 	double clearance;	/* mm */
-	enum output_format format;
+	struct format_choice formats[FORMAT_COUNT];
 	struct text_list includes;	/* folders; check has them, too */
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */

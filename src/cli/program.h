@@ -27,7 +27,8 @@ struct program_context {
 	const struct options *options;
 	struct check_options check;	/* the options', with the threads that one program may use */
 	struct scene *scene;
-	bool colour;	/* in the report */
+	struct report_run run;
+	const struct channels *channels;	/* where it is reported */
 };
 
 /* What became of one program. */

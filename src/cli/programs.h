@@ -4,14 +4,14 @@
 
 #include "cli/options.h"
 #include "cli/voice.h"
-#include "report/stats.h"
+#include "report/channel.h"
 #include "scene/scene.h"
 
 /*
  * Checks the programs that the options name, on as many threads as they allow, and
  * reports in the order in which they were given. `seconds` is what loading took.
  */
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, bool colour,
-			       struct console *console, struct output *out);
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
+			       struct console *console, struct channels *channels);
 
 #endif

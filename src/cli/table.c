@@ -25,7 +25,6 @@ static const char *const methods[] = {
 static const char *const dialects[] = {
 	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
 };
-static const char *const formats[] = {[FORMAT_TEXT] = "text", [FORMAT_NDJSON] = "ndjson", NULL};
 static const char *const duplicates[] = {"error", "last", NULL};
 
 #define FIELD(member) .field = offsetof(struct options, member)
@@ -70,8 +69,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
-	{'f', "format", "FORMAT", IN_CHECK | IN_PARSE, CHOICE(format, formats),
-	 .help = "text (the default), or ndjson: a JSON object a finding"},
+	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
+	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),

@@ -13,6 +13,7 @@ enum value_kind {
 	VALUE_NUMBER,	/* double from least to greatest */
 	VALUE_COUNT,	/* int from least to greatest */
 	VALUE_CHOICE,	/* int: which of the choices */
+	VALUE_FORMAT,	/* struct format_choice[], one of them: a name, or NAME=FILE */
 	VALUE_MODE	/* the run's mode becomes `mode` */
 };
 

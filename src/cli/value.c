@@ -83,12 +83,42 @@ static bool add_text(struct text_list *list, const struct option_row *row, const
 	return true;
 }
 
+/* NAME or NAME=FILE */
+static bool add_format(struct format_choice *choices, const struct option_row *row, const char *text,
+		       struct diag *diag)
+{
+	size_t length = strcspn(text, "=");
+	const char *path = text[length] ? text + length + 1 : NULL;
+	struct strbuf names = {0};
+
+	if (path && !*path) {
+		diag_error(diag, nowhere, "--%s: the name of the file is empty", row->name);
+		return false;
+	}
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		const char *name = report_writers[i]->name;
+
+		strbuf_addf(&names, "%s%s", i ? ", " : "", name);
+		if (strlen(name) != length || strncmp(name, text, length) != 0)
+			continue;
+		strbuf_release(&names);
+		if (choices[i].wanted)
+			diag_error(diag, nowhere, "--%s: %s was named twice", row->name, name);
+		else
+			choices[i] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};
+		return !diag->errors;
+	}
+	diag_error(diag, nowhere, "--%s: '%.*s' is none of: %s", row->name, (int)length, text, strbuf_text(&names));
+	strbuf_release(&names);
+	return false;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
 	int index;
 
-	_Static_assert(sizeof(enum check_method) == sizeof(int) && sizeof(enum output_format) == sizeof(int),
+	_Static_assert(sizeof(enum check_method) == sizeof(int),
 		       "choices are stored as int");
 	switch (row->kind) {
 	case VALUE_FLAG:
@@ -110,6 +140,8 @@ bool value_set(struct options *options, const struct option_row *row, const char
 			return false;
 		memcpy(field, &index, sizeof(index));
 		return true;
+	case VALUE_FORMAT:
+		return add_format(field, row, text, diag);
 	case VALUE_MODE:
 		break;
 	}

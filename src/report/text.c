@@ -12,7 +12,7 @@ static void add_bodies(struct strbuf *out, const struct finding *f, const char *
 	strbuf_addf(out, " (%s)", f->link_b);
 }
 
-static void add_message(struct strbuf *out, const struct finding *f)
+void text_message(struct strbuf *out, const struct finding *f)
 {
 	switch (f->kind) {
 	case FINDING_COLLISION:
@@ -89,7 +89,7 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 
 	strbuf_addf(out, "%s:%ld:%d: %serror:%s %s: ", f->file, f->line, f->column, colour ? "\033[1;31m" : "",
 		    colour ? "\033[0m" : "", kind);
-	add_message(out, f);
+	text_message(out, f);
 	strbuf_addf(out, " [%s]\n    block    ", kind);
 	quantity_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
@@ -139,3 +139,38 @@ void text_proven(struct strbuf *out, const struct scene *scene, const double *pr
 		strbuf_addf(out, "  %s - %s\n", scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name);
 	}
 }
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding, bool colour)
+{
+	text_finding(out, run->scene->machine, finding, colour);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	/* A list of verdicts without it would look complete. */
+	if (!program->verdict) {
+		strbuf_addf(out, "%s: incomplete: the program could not be opened\n", program->name);
+		return;
+	}
+	text_verdict(out, program->verdict);
+	if (program->proven && program->verdict->result == CHECK_CLEAR)
+		text_proven(out, run->scene, program->proven);
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	(void)items;
+	if (!run->quiet)
+		stats_add(out, end->sums, run->scene, run->options->method);
+}
+
+const struct report_writer text_writer = {
+	.name = "text", .begin = add_nothing, .finding = add_finding, .program = add_program, .end = add_end,
+};

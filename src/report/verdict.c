@@ -82,6 +82,15 @@ void verdict_add_sentence(struct strbuf *out, const struct verdict *v)
 	}
 }
 
+const char *verdict_word(const struct verdict *v)
+{
+	if (!v || v->result == CHECK_INCOMPLETE)
+		return "incomplete";
+	if (v->result == CHECK_FOUND)
+		return "found";
+	return v->options->method == CHECK_CERTIFIED ? "clear" : "passed";
+}
+
 /* Where nothing was found the sentence itself says it. */
 static bool caution_sampled(struct strbuf *out, const struct verdict *v)
 {

@@ -25,6 +25,9 @@ struct verdict {
  */
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
+/* The same as one word: "clear", "passed" where no proof was asked for, "found", "incomplete"; NULL is incomplete. */
+const char *verdict_word(const struct verdict *verdict);
+
 enum { VERDICT_CAUTIONS = 6 };
 
 /*

@@ -59,3 +59,9 @@ bad m.xml --check-machine --clearance 1
 bad m.xml - -
 bad - a.nc
 bad m.xml a.nc -s -
+bad m.xml a.nc -f text -f ndjson
+bad m.xml a.nc -f text=a -f text=b
+bad m.xml a.nc -f sarif=
+bad m.xml a.nc -f sarif=a -o b
+bad m.xml a.nc -f sarif=a -f junit=a
+bad m.xml a.nc -f sarif=a.nc
