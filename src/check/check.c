@@ -345,6 +345,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.last_duplicate_wins = c->options->last_duplicate_wins,
 		.includes = c->options->includes,
 		.include_count = c->options->include_count,
+		.watch = c->options->watch,
 		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};

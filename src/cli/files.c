@@ -18,7 +18,7 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 2 };
+enum { WRITTEN_MAX = FORMAT_COUNT + 3 };
 
 static size_t list_written(struct written *list, const struct options *options)
 {
@@ -30,6 +30,8 @@ static size_t list_written(struct written *list, const struct options *options)
 		if (options->formats[i].path)
 			list[count++] = (struct written){"format", options->formats[i].path};
 	}
+	if (options->depfile)
+		list[count++] = (struct written){"depfile", options->depfile};
 	if (options->pose)
 		list[count++] = (struct written){"pose", options->pose};
 	return count;

@@ -156,6 +156,15 @@ static bool check_formats(const struct parser *parser)
 	return !wanted;
 }
 
+static bool names_file(const struct options *o)
+{
+	bool named = o->output && strcmp(o->output, "-") != 0;
+
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		named = named || o->formats[i].path;
+	return named;
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -169,6 +178,10 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--verbose tells proven clearances, and the sampled methods prove none";
 	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
 		fault = "--verbose is for --format=text";
+	else if (o->depfile && !names_file(o))
+		fault = "--depfile says what a file depends on: name it with --output or --format=FORMAT=FILE";
+	else if (o->depfile && !strcmp(o->depfile, "-"))
+		fault = "--depfile needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
 	if (fault)

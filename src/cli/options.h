@@ -46,6 +46,7 @@ struct options {
 	struct text_list includes;	/* folders; check has them, too */
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
+	const char *depfile;	/* or NULL */
 	bool quiet, verbose;
 	int dialect;	/* enum dialect; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */

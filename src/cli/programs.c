@@ -93,7 +93,7 @@ static enum run_status status_of(const struct session *session)
 }
 
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels)
+			       struct console *console, struct channels *channels, const struct watch *watch)
 {
 	struct session session = {
 		.options = options,
@@ -107,6 +107,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 
 	if ((size_t)threads > options->program_count)
 		threads = (int)options->program_count;
+	session.context.check.watch = watch;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count, sizeof(*session.outcomes));
 	stage_init(&session.stage, options->program_count, console, channels);

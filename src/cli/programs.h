@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_CLI_PROGRAMS_H
 #define FIVECHECK_CLI_PROGRAMS_H
 
+#include "base/watch.h"
 #include "cli/options.h"
 #include "cli/voice.h"
 #include "report/channel.h"
@@ -9,9 +10,10 @@
 
 /*
  * Checks the programs that the options name, on as many threads as they allow, and
- * reports in the order in which they were given. `seconds` is what loading took.
+ * reports in the order in which they were given. `seconds` is what loading took,
+ * `watch` is told of the files of subprograms.
  */
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels);
+			       struct console *console, struct channels *channels, const struct watch *watch);
 
 #endif

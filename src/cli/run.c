@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "cli/files.h"
+#include "cli/inputs.h"
 #include "cli/program.h"
 #include "cli/programs.h"
 #include "machine/machine.h"
@@ -106,17 +107,25 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct channels channels = {0};
+	struct inputs inputs;
 
+	inputs_init(&inputs);
 	if (open_channels(&channels, options, diag) && job_load(job, options, diag) &&
 	    files_spare_meshes(options, job->machine, job->setup, diag)) {
 		/* Without collisions there is no need of bodies: their meshes stay unread. */
 		struct scene bare = {.machine = job->machine, .setup = job->setup};
 
-		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels);
+		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
+		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
+					&inputs.watch);
+		inputs_sort(&inputs);
+		if (!inputs_write_depfile(&inputs, options, diag))
+			status = worst(status, RUN_INCOMPLETE);
 		if (!channels_commit(&channels, diag))
 			status = worst(status, RUN_INCOMPLETE);
 	}
 	channels_discard(&channels);
+	inputs_release(&inputs);
 	return status;
 }
 

@@ -31,7 +31,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 23 };
+enum { OPTION_COUNT = 24 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

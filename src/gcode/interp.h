@@ -8,6 +8,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
+#include "base/watch.h"
 #include "gcode/canon.h"
 
 enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
@@ -65,6 +66,7 @@ struct gcode_config {
 	size_t length_count;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };
 

@@ -91,6 +91,8 @@ static struct source *find_in(struct sources *sources, const char *folder, size_
 	if (!source && (file = open_regular(path.text))) {
 		source = add(sources, file, path.text);
 		source->file = file;
+		if (sources->watch)
+			sources->watch->opened(sources->watch->context, path.text);
 	}
 	strbuf_release(&path);
 	return source;

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "base/watch.h"
 #include "gcode/fault.h"
 #include "gcode/interp.h"
 #include "gcode/reader.h"
@@ -23,6 +24,7 @@ struct source {
 struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
+	const struct watch *watch;	/* is told what else is opened; or NULL */
 };
 
 /* Where a line starts. */

@@ -131,6 +131,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .last_duplicate_wins = options->last_duplicate_wins,
 				       .includes = options->includes,
 				       .include_count = options->include_count,
+				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
 	struct drive drive;
 	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient};

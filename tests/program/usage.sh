@@ -65,3 +65,6 @@ bad m.xml a.nc -f sarif=
 bad m.xml a.nc -f sarif=a -o b
 bad m.xml a.nc -f sarif=a -f junit=a
 bad m.xml a.nc -f sarif=a.nc
+bad m.xml a.nc --depfile d
+bad m.xml a.nc -o a --depfile -
+bad m.xml --list-pairs --depfile d
