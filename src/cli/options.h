@@ -11,6 +11,8 @@
 #include "machine/machine.h"
 #include "report/report.h"
 
+enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
+
 enum run_mode {
 	RUN_CHECK,
 	RUN_PARSE_ONLY,
@@ -40,6 +42,9 @@ struct options {
 	const char *setup;	/* NULL: the machine's own, if it has one */
 	char **programs;	/* "-" is standard input, once at most; owned array */
 	size_t program_count;
+	const char *files_from;	/* a list of more; "-" is standard input; or NULL */
+	char *list;	/* its text, cut into names; owned */
+	int shard, shards;	/* which part of the programs, from 1, of how many; 0: all */
 	struct check_options check;
 	double clearance;	/* mm */
 	struct format_choice formats[FORMAT_COUNT];
@@ -48,6 +53,7 @@ struct options {
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
 	bool quiet, verbose;
+	int progress;	/* enum progress_kind */
 	int dialect;	/* enum dialect; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };

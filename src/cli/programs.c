@@ -106,13 +106,15 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	int threads = options->check.threads;
 
 	if ((size_t)threads > options->program_count)
-		threads = (int)options->program_count;
+		threads = options->program_count ? (int)options->program_count : 1;
 	session.context.check.watch = watch;
 	session.context.check.threads = options->check.threads / threads;
-	session.outcomes = mem_zalloc(options->program_count, sizeof(*session.outcomes));
+	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
 	stage_init(&session.stage, options->program_count, console, channels);
+	console_expect(console, options->program_count);
 	channels_begin(channels, &session.context.run);
 	work_together(&session, threads);
+	console_finish(console);
 	status = status_of(&session);
 	tell_end(&session, seconds, status);
 	stage_release(&session.stage);

@@ -213,6 +213,7 @@ enum run_status run_options(const struct options *options, struct console *conso
 	struct job job = {0};
 
 	console->quiet = options->quiet;
+	console->kind = (enum progress_kind)options->progress;
 	if (options->mode == RUN_HELP) {
 		options_help(&text);
 		return print_text(&text, diag);

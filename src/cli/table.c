@@ -15,7 +15,8 @@ enum {
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE,
-	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE
+	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
+	KEY_SHARD, KEY_PROGRESS
 };
 
 static const char *const methods[] = {
@@ -24,6 +25,9 @@ static const char *const methods[] = {
 };
 static const char *const dialects[] = {
 	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
+};
+static const char *const progress[] = {
+	[PROGRESS_AUTO] = "auto", [PROGRESS_PLAIN] = "plain", [PROGRESS_NONE] = "none", NULL,
 };
 static const char *const duplicates[] = {"error", "last", NULL};
 
@@ -67,6 +71,12 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "look for subprograms in DIR, too, after the program's\nown folder; may be given again"},
 	{KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.max_blocks), .least = 1,
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
+	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
+	 .help = "check the programs that FILE names, too, one a line;\n- is standard input"},
+	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARE, FIELD(shard),
+	 .help = "check the K-th of N parts of the programs only"},
+	{KEY_PROGRESS, "progress", "KIND", IN_CHECK | IN_PARSE, CHOICE(progress, progress),
+	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),

@@ -14,6 +14,7 @@ enum value_kind {
 	VALUE_COUNT,	/* int from least to greatest */
 	VALUE_CHOICE,	/* int: which of the choices */
 	VALUE_FORMAT,	/* struct format_choice[], one of them: a name, or NAME=FILE */
+	VALUE_SHARE,	/* two int, K of K/N and N */
 	VALUE_MODE	/* the run's mode becomes `mode` */
 };
 
@@ -31,7 +32,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 24 };
+enum { OPTION_COUNT = 27 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

@@ -113,6 +113,22 @@ static bool add_format(struct format_choice *choices, const struct option_row *r
 	return false;
 }
 
+/* K/N */
+static bool read_share(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	size_t digits = strspn(text, "0123456789");
+	size_t more = text[digits] == '/' ? strspn(text + digits + 1, "0123456789") : 0;
+	double part = strtod(text, NULL), parts = more ? strtod(text + digits + 1, NULL) : 0;
+
+	if (!digits || !more || text[digits + 1 + more] || part < 1 || part > parts || parts > 1e6) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a part like 3/8, from 1/8 to 8/8", row->name, text);
+		return false;
+	}
+	out[0] = (int)part;
+	out[1] = (int)parts;
+	return true;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
@@ -142,6 +158,8 @@ bool value_set(struct options *options, const struct option_row *row, const char
 		return true;
 	case VALUE_FORMAT:
 		return add_format(field, row, text, diag);
+	case VALUE_SHARE:
+		return read_share(field, row, text, diag);
 	case VALUE_MODE:
 		break;
 	}

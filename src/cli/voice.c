@@ -43,7 +43,7 @@ void stage_init(struct stage *stage, size_t count, struct console *console, stru
 {
 	*stage = (struct stage){.console = console, .channels = channels, .count = count};
 	pthread_mutex_init(&stage->lock, NULL);
-	stage->voices = mem_zalloc(count, sizeof(*stage->voices));
+	stage->voices = mem_zalloc(count + 1, sizeof(*stage->voices));
 	for (size_t i = 0; i < count; i++) {
 		struct voice *voice = &stage->voices[i];
 
@@ -131,6 +131,7 @@ void voice_end(struct voice *voice)
 
 	pthread_mutex_lock(&stage->lock);
 	voice->ended = true;
+	console_done(stage->console);
 	while (stage->turn < stage->count && stage->voices[stage->turn].ended) {
 		stage->turn++;
 		if (stage->turn < stage->count)
