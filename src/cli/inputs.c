@@ -54,6 +54,8 @@ void inputs_add_files(struct inputs *inputs, const struct options *options, cons
 	add(inputs, INPUT_MACHINE, options->machine);
 	if (options->setup)
 		add(inputs, INPUT_SETUP, options->setup);
+	if (options->baseline)
+		add(inputs, INPUT_BASELINE, options->baseline);
 	if (meshes)
 		add_meshes(inputs, machine->bodies, machine->body_count);
 	if (meshes && setup)

@@ -11,7 +11,7 @@
 #include "machine/machine.h"
 #include "machine/setup.h"
 
-enum input_kind { INPUT_MACHINE, INPUT_SETUP, INPUT_MESH, INPUT_PROGRAM, INPUT_SUBPROGRAM };
+enum input_kind { INPUT_MACHINE, INPUT_SETUP, INPUT_MESH, INPUT_PROGRAM, INPUT_SUBPROGRAM, INPUT_BASELINE };
 
 struct input {
 	enum input_kind kind;

@@ -52,6 +52,9 @@ struct options {
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
+	const char *baseline;	/* or NULL */
+	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
+	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
 	int dialect;	/* enum dialect; -1: the machine's */

@@ -49,11 +49,13 @@ struct program {
 	struct program_outcome *outcome;
 	const char *name;
 	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
+	bool *used;	/* of the baseline */
+	long known, left_out;	/* findings that do not fail the run */
 	long first_line;	/* of the first finding; 0: none yet */
 	char *first_file;	/* the same; owned */
 };
 
-static bool tell_finding(struct program *program, const struct finding *finding)
+static bool tell_finding(struct program *program, const struct finding *finding, enum weight weight)
 {
 	const struct program_context *context = program->context;
 	bool good = true;
@@ -61,25 +63,43 @@ static bool tell_finding(struct program *program, const struct finding *finding)
 	for (size_t i = 0; i < context->channels->count; i++) {
 		const struct channel *channel = &context->channels->items[i];
 
-		channel->writer->finding(&program->text[i], &context->run, finding, channel->colour);
+		channel->writer->finding(&program->text[i], &context->run, finding,
+					 (struct manner){weight, channel->colour});
 		if (!channel->writer->whole)
 			good = voice_say(program->voice, i, &program->text[i]) && good;
 	}
 	return good;
 }
 
+static enum weight weigh(const struct program *program, const struct finding *finding)
+{
+	const struct program_context *context = program->context;
+	unsigned fail_on = context->options->fail_on;
+
+	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
+						program->name, finding, context->options->check.tolerance + 1e-6))
+		return WEIGHT_KNOWN;
+	return fail_on && !(fail_on & 1U << finding->kind) ? WEIGHT_LEFT_OUT : WEIGHT_FAILS;
+}
+
 static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
 
-	if (!program->outcome->has_first) {
+	enum weight weight = weigh(program, finding);
+	bool fails = weight == WEIGHT_FAILS;
+
+	program->known += weight == WEIGHT_KNOWN;
+	program->left_out += weight == WEIGHT_LEFT_OUT;
+	if (fails && !program->outcome->has_first) {
 		program->outcome->has_first = true;
 		program->outcome->first_axes = finding->axes;
 		program->outcome->first_tool = finding->tool;
 		program->first_line = finding->line;
 		program->first_file = mem_strndup(finding->file, strlen(finding->file));
 	}
-	return tell_finding(program, finding);
+	/* What is accepted does not stop the check, whether or not the rest does. */
+	return tell_finding(program, finding, weight) && (!fails || program->context->options->check.all);
 }
 
 static void on_progress(void *context, long lines)
@@ -159,6 +179,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->voice->diag;
 	double *proven = NULL;
+	struct verdict verdict;
 
 	if (context->options->verbose)
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
@@ -169,8 +190,14 @@ static void run(struct program *program, struct program_file *file, const char *
 	outcome->status = status_of(outcome->result);
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
-	report(program, &(struct verdict){program->name, outcome->result, &context->options->check, &outcome->stats,
-					  context->scene, program->first_line, program->first_file}, proven);
+	verdict = (struct verdict){
+		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
+		program->known, program->left_out, program->first_line, program->first_file,
+	};
+	outcome->accepted = verdict_is_accepted(&verdict);
+	if (outcome->accepted)
+		outcome->status = RUN_CLEAR;
+	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !stage_is_lost(program->voice->stage)) {
 		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file->name);
@@ -185,6 +212,8 @@ void program_check(const struct program_context *context, const char *path, stru
 	struct program_file file;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
+	if (context->baseline)
+		program.used = mem_zalloc(baseline_count(context->baseline) + 1, sizeof(*program.used));
 	if (program_open(&file, path, &voice->diag)) {
 		program.name = file.name;
 		run(&program, &file, path);
@@ -192,6 +221,7 @@ void program_check(const struct program_context *context, const char *path, stru
 		program.name = path;
 		report(&program, NULL, NULL);
 	}
+	free(program.used);
 	free(program.first_file);
 	for (size_t i = 0; i < FORMAT_COUNT; i++)
 		strbuf_release(&program.text[i]);

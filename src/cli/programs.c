@@ -55,7 +55,8 @@ static void tell_end(const struct session *session, double seconds, enum run_sta
 	struct report_end end = {.sums = &sums, .status = (int)status};
 
 	for (size_t i = 0; i < session->options->program_count; i++)
-		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result);
+		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result,
+			  session->outcomes[i].accepted);
 	channels_end(session->stage.channels, &session->context.run, &end);
 }
 
@@ -85,6 +86,8 @@ static enum run_status status_of(const struct session *session)
 		if (session->outcomes[i].status > status)
 			status = session->outcomes[i].status;
 	}
+	if (session->options->exit_zero && status == RUN_FOUND)
+		status = RUN_CLEAR;
 	if (session->options->pose && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->stage.console->diag.errors && status < RUN_INCOMPLETE)
@@ -93,12 +96,14 @@ static enum run_status status_of(const struct session *session)
 }
 
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels, const struct watch *watch)
+			       struct console *console, struct channels *channels, const struct watch *watch,
+			       const struct baseline *baseline)
 {
 	struct session session = {
 		.options = options,
 		.context = {
 			.options = options, .check = options->check, .scene = scene, .channels = channels,
+			.baseline = baseline,
 			.run = {scene, &options->check, options->clearance, options->program_count, options->quiet},
 		},
 	};
@@ -108,6 +113,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	if ((size_t)threads > options->program_count)
 		threads = options->program_count ? (int)options->program_count : 1;
 	session.context.check.watch = watch;
+	/* What is accepted must not hide what comes after it. */
+	session.context.check.all = options->check.all || options->baseline || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
 	stage_init(&session.stage, options->program_count, console, channels);

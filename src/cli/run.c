@@ -107,17 +107,20 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct channels channels = {0};
+	struct baseline *baseline = NULL;
 	struct inputs inputs;
 
 	inputs_init(&inputs);
-	if (open_channels(&channels, options, diag) && job_load(job, options, diag) &&
+	if (options->baseline)
+		baseline = baseline_load(options->baseline, diag);
+	if (!diag->errors && open_channels(&channels, options, diag) && job_load(job, options, diag) &&
 	    files_spare_meshes(options, job->machine, job->setup, diag)) {
 		/* Without collisions there is no need of bodies: their meshes stay unread. */
 		struct scene bare = {.machine = job->machine, .setup = job->setup};
 
 		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
 		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
-					&inputs.watch);
+					&inputs.watch, baseline);
 		inputs_sort(&inputs);
 		if (!inputs_write_depfile(&inputs, options, diag))
 			status = worst(status, RUN_INCOMPLETE);
@@ -126,6 +129,7 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	}
 	channels_discard(&channels);
 	inputs_release(&inputs);
+	baseline_free(baseline);
 	return status;
 }
 

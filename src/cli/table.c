@@ -16,7 +16,7 @@ enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
-	KEY_SHARD, KEY_PROGRESS
+	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO
 };
 
 static const char *const methods[] = {
@@ -79,6 +79,12 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
+	{KEY_BASELINE, "baseline", "FILE", IN_CHECK | IN_PARSE, TEXT(baseline),
+	 .help = "accept the findings of an earlier run, which wrote\nthem with --all --format=ndjson=FILE"},
+	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
+	 .help = "findings of these kinds fail, others are warnings:\ncollision, clearance, limit, start-overlap"},
+	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
+	 .help = "exit with 0 where something was found, too"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
 	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete;\n- is standard output"},

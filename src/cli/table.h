@@ -15,6 +15,7 @@ enum value_kind {
 	VALUE_CHOICE,	/* int: which of the choices */
 	VALUE_FORMAT,	/* struct format_choice[], one of them: a name, or NAME=FILE */
 	VALUE_SHARE,	/* two int, K of K/N and N */
+	VALUE_KINDS,	/* unsigned, a bit for each kind of finding */
 	VALUE_MODE	/* the run's mode becomes `mode` */
 };
 
@@ -32,7 +33,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 27 };
+enum { OPTION_COUNT = 30 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

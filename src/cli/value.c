@@ -129,6 +129,33 @@ static bool read_share(int *out, const struct option_row *row, const char *text,
 	return true;
 }
 
+/* KIND,KIND */
+static bool read_kinds(unsigned *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	unsigned kinds = 0;
+
+	for (const char *end;; text = end + 1) {
+		size_t length = strcspn(text, ",");
+		int kind = FINDING_COLLISION;
+
+		while (kind <= FINDING_START_OVERLAP &&
+		       (strlen(finding_kind_name((enum finding_kind)kind)) != length ||
+			strncmp(text, finding_kind_name((enum finding_kind)kind), length) != 0))
+			kind++;
+		if (kind > FINDING_START_OVERLAP) {
+			diag_error(diag, nowhere, "--%s: '%.*s' is none of: collision, clearance, limit, start-overlap",
+				   row->name, (int)length, text);
+			return false;
+		}
+		kinds |= 1U << kind;
+		end = text + length;
+		if (!*end)
+			break;
+	}
+	*out = kinds;
+	return true;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
@@ -160,6 +187,8 @@ bool value_set(struct options *options, const struct option_row *row, const char
 		return add_format(field, row, text, diag);
 	case VALUE_SHARE:
 		return read_share(field, row, text, diag);
+	case VALUE_KINDS:
+		return read_kinds(field, row, text, diag);
 	case VALUE_MODE:
 		break;
 	}

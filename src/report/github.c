@@ -23,10 +23,10 @@ static void add_escaped(struct strbuf *out, const char *text, const char *more)
 	strbuf_release(&clean);
 }
 
-static void add_command(struct strbuf *out, const char *file, long line, int column, const char *title,
-			const char *text)
+static void add_command(struct strbuf *out, const char *level, const char *file, long line, int column,
+			const char *title, const char *text)
 {
-	strbuf_addf(out, "::error ");
+	strbuf_addf(out, "::%s ", level);
 	if (file) {
 		strbuf_addf(out, "file=");
 		add_escaped(out, file, ":,");
@@ -43,17 +43,19 @@ static void add_command(struct strbuf *out, const char *file, long line, int col
 	strbuf_addf(out, "\n");
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, bool colour)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
 {
 	struct strbuf text = {0};
 
-	(void)colour;
+	if (manner.weight == WEIGHT_KNOWN)
+		return;
 	text_message(&text, f);
 	strbuf_addf(&text, ", at ");
 	quantity_add(&text, 100 * f->fraction);
 	strbuf_addf(&text, " %% of the block: ");
 	quantity_add_axes(&text, run->scene->machine, &f->axes);
-	add_command(out, f->file, f->line, f->column, finding_kind_name(f->kind), strbuf_text(&text));
+	add_command(out, manner.weight == WEIGHT_FAILS ? "error" : "warning", f->file, f->line, f->column,
+		    finding_kind_name(f->kind), strbuf_text(&text));
 	strbuf_release(&text);
 }
 
@@ -63,7 +65,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	for (size_t i = 0; i < program->fault_count; i++) {
 		const struct report_fault *fault = &program->faults[i];
 
-		add_command(out, fault->file ? fault->file : program->name, fault->line, fault->column, "incomplete",
+		add_command(out, "error", fault->file ? fault->file : program->name, fault->line, fault->column, "incomplete",
 			    fault->text);
 	}
 }

@@ -45,10 +45,11 @@ static xmlNode *add_text_node(xmlNode *parent, const char *name, const char *val
 	return node;
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding, bool colour)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
 {
-	(void)colour;
-	text_finding(out, run->scene->machine, finding, false);
+	if (manner.weight == WEIGHT_FAILS)
+		text_finding(out, run->scene->machine, finding, manner);
 }
 
 static void add_fault(struct strbuf *out, const struct report_program *program, const struct report_fault *fault)
@@ -138,7 +139,7 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 
 	(void)run;
 	snprintf(counts, sizeof(counts), "tests=\"%zu\" failures=\"%zu\" errors=\"%zu\"", sums->programs,
-		 sums->programs - sums->clear - sums->incomplete, sums->incomplete);
+		 sums->programs - sums->clear - sums->accepted - sums->incomplete, sums->incomplete);
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
 	strbuf_addf(out, "  <testsuite name=\"fivecheck\" %s skipped=\"0\">\n%s  </testsuite>\n</testsuites>\n", counts,
 		    strbuf_text(items));

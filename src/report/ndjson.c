@@ -30,7 +30,8 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_add_line(out, object);
 }
 
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f)
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
+		    enum weight weight)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
@@ -53,13 +54,15 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "axis", json_string(axis));
 		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
 	}
+	if (weight != WEIGHT_FAILS)
+		json_put(object, "accepted", json_string(weight == WEIGHT_KNOWN ? "baseline" : "fail-on"));
 	json_add_line(out, object);
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding, bool colour)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
 {
-	(void)colour;
-	ndjson_finding(out, run->scene->machine, finding);
+	ndjson_finding(out, run->scene->machine, finding, manner.weight);
 }
 
 static json_t *cautions_of(const struct verdict *verdict)

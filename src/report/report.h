@@ -15,6 +15,19 @@
 enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB };
 enum { FORMAT_COUNT = FORMAT_GITHUB + 1 };
 
+/* What a finding weighs. */
+enum weight {
+	WEIGHT_FAILS,
+	WEIGHT_KNOWN,	/* in the baseline */
+	WEIGHT_LEFT_OUT	/* of a kind that --fail-on does not name */
+};
+
+/* How it looks. */
+struct manner {
+	enum weight weight;
+	bool colour;
+};
+
 /* What a run is about. Borrows everything. */
 struct report_run {
 	const struct scene *scene;
@@ -59,7 +72,8 @@ struct report_writer {
 	const char *separator;	/* between items, which are lines; NULL: none */
 	size_t limit;	/* of items; 0: none */
 	void (*begin)(struct strbuf *out, const struct report_run *run);
-	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding, bool colour);
+	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner);
 	void (*program)(struct strbuf *out, const struct report_run *run, const struct report_program *program);
 	void (*end)(struct strbuf *out, const struct report_run *run, const struct report_end *end,
 		    const struct strbuf *items);

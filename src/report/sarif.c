@@ -100,18 +100,31 @@ static json_t *location_of(const char *file, long line, size_t column, size_t en
 	return location;
 }
 
-static void add_result(struct strbuf *out, int rule, const char *text, json_t *location, json_t *properties)
+static json_t *suppressions_of(const char *reason)
+{
+	json_t *array = json_array(), *object = json_object();
+
+	json_put(object, "kind", json_string("external"));
+	json_put(object, "justification", json_text(reason));
+	json_push(array, object);
+	return array;
+}
+
+static void add_result(struct strbuf *out, int rule, enum weight weight, const char *text, json_t *location,
+		       json_t *properties)
 {
 	json_t *result = json_object(), *locations = json_array();
 
 	json_put(result, "ruleId", json_string(rules[rule].id));
 	json_put(result, "ruleIndex", json_integer(rule));
-	json_put(result, "level", json_string("error"));
+	json_put(result, "level", json_string(weight == WEIGHT_LEFT_OUT ? "warning" : "error"));
 	json_put(result, "message", message_of(text));
 	json_push(locations, location);
 	json_put(result, "locations", locations);
 	if (properties)
 		json_put(result, "properties", properties);
+	if (weight == WEIGHT_KNOWN)
+		json_put(result, "suppressions", suppressions_of("known from the baseline"));
 	json_add_line(out, result);
 }
 
@@ -132,17 +145,16 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 	return object;
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, bool colour)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
 {
 	const struct machine *machine = run->scene->machine;
 	struct strbuf text = {0}, block = {0};
 	const char *line = f->text ? f->text : "";
 
-	(void)colour;
 	strbuf_add(&block, line, strcspn(line, "\r\n"));
 	text_message(&text, f);
 	/* The finding's column is where the block starts, and it goes to the end of the line. */
-	add_result(out, (int)f->kind, strbuf_text(&text),
+	add_result(out, (int)f->kind, manner.weight, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
 			       strbuf_text(&block)),
 		   properties_of(machine, f));
@@ -157,7 +169,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 		const struct report_fault *fault = &program->faults[i];
 
 		/* A fault's column counts bytes; without the line's text it cannot be told in other units. */
-		add_result(out, RULE_INCOMPLETE, fault->text,
+		add_result(out, RULE_INCOMPLETE, WEIGHT_FAILS, fault->text,
 			   location_of(fault->file ? fault->file : program->name, fault->line, 0, 0, NULL), NULL);
 	}
 }

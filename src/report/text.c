@@ -83,14 +83,25 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 	}
 }
 
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, bool colour)
+/* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
+static void add_head(struct strbuf *out, const struct finding *f, struct manner manner)
+{
+	bool fails = manner.weight == WEIGHT_FAILS;
+
+	strbuf_addf(out, "%s:%ld:%d: ", f->file, f->line, f->column);
+	if (manner.colour)
+		strbuf_addf(out, fails ? "\033[1;31m" : "\033[1;35m");
+	strbuf_addf(out, fails ? "error:" : "warning:");
+	strbuf_addf(out, "%s %s: ", manner.colour ? "\033[0m" : "", finding_kind_name(f->kind));
+}
+
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
 {
 	const char *kind = finding_kind_name(f->kind);
 
-	strbuf_addf(out, "%s:%ld:%d: %serror:%s %s: ", f->file, f->line, f->column, colour ? "\033[1;31m" : "",
-		    colour ? "\033[0m" : "", kind);
+	add_head(out, f, manner);
 	text_message(out, f);
-	strbuf_addf(out, " [%s]\n    block    ", kind);
+	strbuf_addf(out, " [%s%s]\n    block    ", kind, manner.weight == WEIGHT_KNOWN ? ", known" : "");
 	quantity_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
 	add_place(out, f);
@@ -146,9 +157,10 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 	(void)run;
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding, bool colour)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
 {
-	text_finding(out, run->scene->machine, finding, colour);
+	text_finding(out, run->scene->machine, finding, manner);
 }
 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)

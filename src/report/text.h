@@ -22,7 +22,8 @@ void text_message(struct strbuf *out, const struct finding *finding);
  * time, and for bodies the point and the distance; for a start-overlap also
  * the <pair> line that would waive it.
  */
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding, bool colour);
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
+		  struct manner manner);
 
 /* Appends the verdict's line and, indented, what stands beside it. */
 void text_verdict(struct strbuf *out, const struct verdict *verdict);

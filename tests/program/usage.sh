@@ -81,3 +81,6 @@ bad m.xml a.nc --shard 4/3
 bad m.xml a.nc --shard 1
 bad m.xml a.nc --shard 1/2x
 bad m.xml a.nc -q --progress=plain
+bad m.xml a.nc --fail-on collision,
+bad m.xml a.nc --fail-on crash
+bad m.xml --list-pairs --exit-zero
