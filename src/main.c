@@ -6,7 +6,7 @@
 #include "cli/console.h"
 #include "cli/options.h"
 #include "cli/run.h"
-#include "report/ndjson.h"
+#include "report/json.h"
 
 /* A failed assertion is our mistake and has its own exit status. */
 static void on_abort(int signal_number)
@@ -38,7 +38,7 @@ int main(int argc, char **argv)
 	signal(SIGPIPE, SIG_IGN);
 	signal(SIGXFSZ, SIG_IGN);
 	signal(SIGABRT, on_abort);
-	ndjson_init();
+	json_init();
 	console_init(&console);
 	if (options_parse(&options, argc, argv, &console.diag))
 		status = run_options(&options, &console);

@@ -349,6 +349,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.includes = c->options->includes,
 		.include_count = c->options->include_count,
 		.input_root = c->options->input_root,
+		.watch = c->options->watch,
 		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "base/diag.h"
+#include "base/watch.h"
 #include "check/finding.h"
 #include "motion/motion.h"
 #include "scene/scene.h"
@@ -27,6 +28,7 @@ struct check_options {
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
 	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
+	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
 };

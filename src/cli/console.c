@@ -1,5 +1,8 @@
 #include "cli/console.h"
 
+#include "report/quantity.h"
+
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,19 +59,94 @@ void console_init(struct console *console)
 	};
 }
 
+void console_expect(struct console *console, size_t programs)
+{
+	console->programs = programs;
+	console->done = 0;
+	console->started = console->shown = console_seconds();
+}
+
+/* "12 of 40 programs, 3.1/s, 9 s left" */
+static void add_run(struct strbuf *out, const struct console *console)
+{
+	double spent = console_seconds() - console->started;
+	double rate = spent > 0 ? (double)console->done / spent : 0;
+
+	strbuf_addf(out, "%zu of %zu programs", console->done, console->programs);
+	if (!console->done || !(rate > 0))
+		return;
+	strbuf_addf(out, rate < 1 ? ", %.3f/s" : ", %.1f/s", rate);
+	if (console->done < console->programs) {
+		strbuf_addf(out, ", ");
+		quantity_add_duration(out, ceil((double)(console->programs - console->done) / rate));
+		strbuf_addf(out, " left");
+	}
+}
+
+enum { BAR_WIDTH = 20 };
+
+static void add_bar(struct strbuf *out, const struct console *console)
+{
+	size_t full = console->programs ? console->done * BAR_WIDTH / console->programs : 0;
+
+	strbuf_addf(out, "[");
+	for (size_t i = 0; i < BAR_WIDTH; i++)
+		strbuf_addf(out, i < full ? "#" : " ");
+	strbuf_addf(out, "] ");
+}
+
+/* file NULL: nothing is known of a single one */
+static void show(struct console *console, const char *file, long lines)
+{
+	bool plain = console->kind == PROGRESS_PLAIN;
+	struct strbuf text = {0};
+
+	if (console->programs > 1) {
+		if (!plain)
+			add_bar(&text, console);
+		add_run(&text, console);
+		strbuf_addf(&text, file ? "; " : "");
+	}
+	if (file)
+		strbuf_addf(&text, "%s: line %ld", file, lines);
+	fprintf(stderr, plain ? "fivecheck: %s\n" : "\r%s\033[K", strbuf_text(&text));
+	fflush(stderr);
+	strbuf_release(&text);
+	console->shown = console_seconds();
+	console->progress = !plain;
+}
+
+static bool is_wanted(const struct console *console)
+{
+	return !console->quiet && (console->kind == PROGRESS_PLAIN || (console->kind == PROGRESS_AUTO && console->terminal));
+}
+
+static bool is_due(const struct console *console)
+{
+	double since = console_seconds() - console->shown;
+
+	return console->kind == PROGRESS_PLAIN ? since >= 10 : !console->progress || since >= 0.2;
+}
+
 void console_progress(struct console *console, const char *file, long lines)
 {
-	double now;
+	if (is_wanted(console) && is_due(console))
+		show(console, file, lines);
+}
 
-	if (!console->terminal || console->quiet)
-		return;
-	now = console_seconds();
-	if (console->progress && now - console->shown < 0.2)
-		return;
-	console->progress = true;
-	console->shown = now;
-	fprintf(stderr, "\r%s: line %ld\033[K", file, lines);
-	fflush(stderr);
+void console_done(struct console *console)
+{
+	console->done++;
+	if (console->programs > 1 && is_wanted(console) && is_due(console))
+		show(console, NULL, 0);
+}
+
+void console_finish(struct console *console)
+{
+	console_clear(console);
+	/* The last of the plain lines stays as a total. */
+	if (console->kind == PROGRESS_PLAIN && is_wanted(console) && console->programs > 1)
+		show(console, NULL, 0);
 }
 
 void console_clear(struct console *console)

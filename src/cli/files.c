@@ -15,37 +15,69 @@ static bool is_same(const char *a, const char *b)
 	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
-static bool is_free(const char *option, const char *path, const char *other, struct diag *diag)
+/* A file that is to be written, and the option that says so. */
+struct written {
+	const char *option, *path;
+};
+
+enum { WRITTEN_MAX = FORMAT_COUNT + 3 };
+
+static size_t list_written(struct written *list, const struct options *options)
 {
-	if (!path || !other || !is_same(path, other))
+	size_t count = 0;
+
+	if (options->output)
+		list[count++] = (struct written){"output", options->output};
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		if (options->formats[i].path)
+			list[count++] = (struct written){"format", options->formats[i].path};
+	}
+	if (options->depfile)
+		list[count++] = (struct written){"depfile", options->depfile};
+	if (options->pose)
+		list[count++] = (struct written){"pose", options->pose};
+	return count;
+}
+
+static bool is_free(const struct written *written, const char *other, struct diag *diag)
+{
+	if (!other || !is_same(written->path, other))
 		return true;
-	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s", option, other);
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s", written->option, other);
 	return false;
 }
 
 bool files_differ(const struct options *options, struct diag *diag)
 {
-	const char *names[] = {"output", "pose"};
-	const char *paths[] = {options->output, options->pose};
+	struct written list[WRITTEN_MAX];
+	size_t count = list_written(list, options);
 
-	for (int i = 0; i < 2; i++) {
-		if (!is_free(names[i], paths[i], options->machine, diag) ||
-		    !is_free(names[i], paths[i], options->setup, diag))
+	for (size_t i = 0; i < count; i++) {
+		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
+		    !is_free(&list[i], options->baseline, diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
-			if (!is_free(names[i], paths[i], options->programs[k], diag))
+			if (!is_free(&list[i], options->programs[k], diag))
+				return false;
+		}
+		for (size_t k = 0; k < i; k++) {
+			if (!is_free(&list[i], list[k].path, diag))
 				return false;
 		}
 	}
-	return is_free("pose", options->pose, options->output, diag);
+	return true;
 }
 
 static bool spares(const struct options *options, const struct body *bodies, size_t count, struct diag *diag)
 {
+	struct written list[WRITTEN_MAX];
+	size_t listed = list_written(list, options);
+
 	for (size_t i = 0; i < count; i++) {
-		if (!is_free("output", options->output, bodies[i].mesh_path, diag) ||
-		    !is_free("pose", options->pose, bodies[i].mesh_path, diag))
-			return false;
+		for (size_t k = 0; k < listed; k++) {
+			if (!is_free(&list[k], bodies[i].mesh_path, diag))
+				return false;
+		}
 	}
 	return true;
 }

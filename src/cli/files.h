@@ -9,7 +9,7 @@
 #include "machine/machine.h"
 #include "machine/setup.h"
 
-/* False, reported, if --output or --pose names the machine, the setup, a program, or each other. */
+/* False, reported, if a file that is to be written is the machine, the setup, a program, or another one. */
 bool files_differ(const struct options *options, struct diag *diag);
 
 /* The same of the meshes of the machine and the setup, which may be NULL. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "cli/list.h"
 #include "cli/table.h"
 #include "cli/value.h"
 
@@ -134,6 +135,37 @@ static bool check_modes(const struct parser *parser)
 	return true;
 }
 
+/* Without --format the results are text; what has no file of its own goes to --output. */
+static bool check_formats(const struct parser *parser)
+{
+	struct options *o = parser->options;
+	int wanted = 0, unnamed = 0;
+
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		wanted += o->formats[i].wanted;
+		unnamed += o->formats[i].wanted && !o->formats[i].path;
+	}
+	if (!wanted)
+		o->formats[FORMAT_TEXT].wanted = true;
+	else if (unnamed > 1)
+		diag_error(parser->diag, nowhere, "one format can go to %s; the others need files of their own: "
+						  "--format=FORMAT=FILE", o->output ? "--output" : "standard output");
+	else if (!unnamed && o->output)
+		diag_error(parser->diag, nowhere, "every format has a file of its own: there is nothing for --output");
+	else
+		return true;
+	return !wanted;
+}
+
+static bool names_file(const struct options *o)
+{
+	bool named = o->output && strcmp(o->output, "-") != 0;
+
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		named = named || o->formats[i].path;
+	return named;
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -145,8 +177,14 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
 	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
 		fault = "--verbose tells proven clearances, and the sampled methods prove none";
-	else if (o->verbose && o->format != FORMAT_TEXT)
+	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
 		fault = "--verbose is for --format=text";
+	else if (o->quiet && o->progress == PROGRESS_PLAIN)
+		fault = "--quiet and --progress=plain cannot go together";
+	else if (o->depfile && !names_file(o))
+		fault = "--depfile says what a file depends on: name it with --output or --format=FORMAT=FILE";
+	else if (o->depfile && !strcmp(o->depfile, "-"))
+		fault = "--depfile needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
 	if (fault)
@@ -167,18 +205,30 @@ static bool check_operands(const struct parser *parser)
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
 			   "machine and setup cannot come from standard input; only a program can");
-	else if (runs && !o->program_count)
+	else if (runs && !o->program_count && !o->files_from)
 		diag_error(parser->diag, nowhere, "no program was named (- is standard input)");
 	else if (!runs && o->program_count)
 		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was named", parser->mode->name,
 			   o->programs[0]);
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
+	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
+		diag_error(parser->diag, nowhere, "standard input cannot be both a program and the list of --files-from");
 	else if (inputs > 1)
 		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
 	else
 		return true;
 	return false;
+}
+
+/* What a list must not do: name nothing, which would pass any gate, or standard input that is read already. */
+static bool check_listed(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+
+	if (!o->program_count)
+		diag_error(parser->diag, nowhere, "the list %s names no program", o->files_from);
+	return o->program_count > 0 && check_operands(parser);
 }
 
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
@@ -196,7 +246,9 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+		return false;
+	if (options->files_from && (!list_read(options, diag) || !check_listed(&parser)))
 		return false;
 	if (options->output && !strcmp(options->output, "-"))
 		options->output = NULL;
@@ -207,12 +259,14 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;
+	list_share(options);
 	return true;
 }
 
 void options_release(struct options *options)
 {
 	free(options->programs);
+	free(options->list);
 	free(options->includes.items);
 	*options = (struct options){0};
 }

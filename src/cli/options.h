@@ -9,6 +9,9 @@
 #include "base/strbuf.h"
 #include "check/check.h"
 #include "machine/machine.h"
+#include "report/report.h"
+
+enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
 
 enum run_mode {
 	RUN_CHECK,
@@ -20,12 +23,16 @@ enum run_mode {
 	RUN_VERSION
 };
 
-enum output_format { FORMAT_TEXT, FORMAT_NDJSON };
-
 /* Texts are borrowed from argv; the array is owned. */
 struct text_list {
 	const char **items;
 	size_t count, capacity;
+};
+
+/* What --format asked for, by enum report_format. */
+struct format_choice {
+	bool wanted;
+	const char *path;	/* NULL: --output, or standard output */
 };
 
 /* Strings are borrowed from argv. */
@@ -35,13 +42,21 @@ struct options {
 	const char *setup;	/* NULL: the machine's own, if it has one */
 	char **programs;	/* "-" is standard input, once at most; owned array */
 	size_t program_count;
+	const char *files_from;	/* a list of more; "-" is standard input; or NULL */
+	char *list;	/* its text, cut into names; owned */
+	int shard, shards;	/* which part of the programs, from 1, of how many; 0: all */
 	struct check_options check;
 	double clearance;	/* mm */
-	enum output_format format;
+	struct format_choice formats[FORMAT_COUNT];
 	struct text_list includes;	/* folders; check has them, too */
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
+	const char *depfile;	/* or NULL */
+	const char *baseline;	/* or NULL */
+	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
+	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;
+	int progress;	/* enum progress_kind */
 	int dialect;	/* enum dialect; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };

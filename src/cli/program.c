@@ -9,8 +9,6 @@
 #include "base/mem.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
-#include "report/ndjson.h"
-#include "report/text.h"
 #include "report/verdict.h"
 
 static const struct srcloc nowhere;
@@ -51,28 +49,58 @@ struct program {
 	struct voice *voice;
 	struct program_outcome *outcome;
 	const char *name;
-	struct strbuf text;
+	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
+	bool *used;	/* of the baseline */
+	long known, left_out;	/* findings that do not fail the run */
 	long first_line;	/* of the first finding; 0: none yet */
 	char *first_file;	/* the same; owned */
 };
 
+static bool tell_finding(struct program *program, const struct finding *finding, enum weight weight)
+{
+	const struct program_context *context = program->context;
+	bool good = true;
+
+	for (size_t i = 0; i < context->channels->count; i++) {
+		const struct channel *channel = &context->channels->items[i];
+
+		channel->writer->finding(&program->text[i], &context->run, finding,
+					 (struct manner){weight, channel->colour});
+		if (!channel->writer->whole)
+			good = voice_say(program->voice, i, &program->text[i]) && good;
+	}
+	return good;
+}
+
+static enum weight weigh(const struct program *program, const struct finding *finding)
+{
+	const struct program_context *context = program->context;
+	unsigned fail_on = context->options->fail_on;
+
+	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
+						program->name, finding, context->options->check.tolerance + 1e-6))
+		return WEIGHT_KNOWN;
+	return fail_on && !(fail_on & 1U << finding->kind) ? WEIGHT_LEFT_OUT : WEIGHT_FAILS;
+}
+
 static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
-	const struct machine *machine = program->context->scene->machine;
 
-	if (!program->outcome->has_first) {
+	enum weight weight = weigh(program, finding);
+	bool fails = weight == WEIGHT_FAILS;
+
+	program->known += weight == WEIGHT_KNOWN;
+	program->left_out += weight == WEIGHT_LEFT_OUT;
+	if (fails && !program->outcome->has_first) {
 		program->outcome->has_first = true;
 		program->outcome->first_axes = finding->axes;
 		program->outcome->first_tool = finding->tool;
 		program->first_line = finding->line;
 		program->first_file = mem_strndup(finding->file, strlen(finding->file));
 	}
-	if (program->context->options->format == FORMAT_NDJSON)
-		ndjson_finding(&program->text, machine, finding);
-	else
-		text_finding(&program->text, machine, finding, program->context->colour);
-	return voice_say(program->voice, &program->text);
+	/* What is accepted does not stop the check, whether or not the rest does. */
+	return tell_finding(program, finding, weight) && (!fails || program->context->options->check.all);
 }
 
 static bool on_progress(void *context, long lines)
@@ -83,47 +111,45 @@ static bool on_progress(void *context, long lines)
 	return !interrupt_seen();
 }
 
-/* NDJSON has findings only; what else there is to say goes to standard error. */
+static bool has_text(const struct channels *channels)
+{
+	for (size_t i = 0; i < channels->count; i++) {
+		if (channels->items[i].writer == report_writers[FORMAT_TEXT])
+			return true;
+	}
+	return false;
+}
+
+/* Where nothing that people read is written, the verdict goes to standard error. */
 static void tell_verdict(struct program *program, const struct verdict *verdict)
 {
 	struct diag *diag = &program->voice->diag;
 	const struct srcloc loc = {program->name, 0, 0};
+	struct strbuf text = {0};
 
-	strbuf_clear(&program->text);
-	verdict_add_sentence(&program->text, verdict);
-	diag_note(diag, loc, "%s", strbuf_text(&program->text));
+	verdict_add_sentence(&text, verdict);
+	diag_note(diag, loc, "%s", strbuf_text(&text));
 	for (int i = 0; i < VERDICT_CAUTIONS; i++) {
-		strbuf_clear(&program->text);
-		if (verdict_add_caution(&program->text, verdict, i))
-			diag_warning(diag, loc, "%s", strbuf_text(&program->text));
+		strbuf_clear(&text);
+		if (verdict_add_caution(&text, verdict, i))
+			diag_warning(diag, loc, "%s", strbuf_text(&text));
 	}
+	strbuf_release(&text);
 }
 
-static void report(struct program *program, const double *proven)
+/* verdict NULL: the program could not be opened */
+static void report(struct program *program, const struct verdict *verdict, const double *proven)
 {
 	const struct program_context *context = program->context;
-	const struct program_outcome *outcome = program->outcome;
-	const struct verdict verdict = {program->name, outcome->result, &context->options->check, &outcome->stats,
-					context->scene, program->first_line, program->first_file};
+	const struct report_program about = {program->name, verdict, proven, program->voice->faults,
+					     program->voice->fault_count};
 
-	if (context->options->format == FORMAT_NDJSON) {
-		tell_verdict(program, &verdict);
-		return;
+	if (verdict && !has_text(context->channels))
+		tell_verdict(program, verdict);
+	for (size_t i = 0; i < context->channels->count; i++) {
+		context->channels->items[i].writer->program(&program->text[i], &context->run, &about);
+		voice_say(program->voice, i, &program->text[i]);
 	}
-	strbuf_clear(&program->text);
-	text_verdict(&program->text, &verdict);
-	if (proven && verdict.result == CHECK_CLEAR)
-		text_proven(&program->text, context->scene, proven);
-	voice_say(program->voice, &program->text);
-}
-
-/* A list of verdicts without it would look complete. */
-static void report_unread(struct program *program, const char *path)
-{
-	if (program->context->options->format != FORMAT_TEXT)
-		return;
-	strbuf_addf(&program->text, "%s: incomplete: the program could not be opened\n", path);
-	voice_say(program->voice, &program->text);
 }
 
 /* Likely a setup that lacks its option. */
@@ -155,6 +181,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->voice->diag;
 	double *proven = NULL;
+	struct verdict verdict;
 
 	if (context->options->verbose)
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
@@ -165,7 +192,14 @@ static void run(struct program *program, struct program_file *file, const char *
 	outcome->status = status_of(outcome->result);
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
-	report(program, proven);
+	verdict = (struct verdict){
+		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
+		program->known, program->left_out, program->first_line, program->first_file,
+	};
+	outcome->accepted = verdict_is_accepted(&verdict);
+	if (outcome->accepted)
+		outcome->status = RUN_CLEAR;
+	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !stage_is_lost(program->voice->stage)) {
 		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file->name);
@@ -180,12 +214,17 @@ void program_check(const struct program_context *context, const char *path, stru
 	struct program_file file;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
+	if (context->baseline)
+		program.used = mem_zalloc(baseline_count(context->baseline) + 1, sizeof(*program.used));
 	if (program_open(&file, path, &voice->diag)) {
 		program.name = file.name;
 		run(&program, &file, path);
 	} else {
-		report_unread(&program, path);
+		program.name = path;
+		report(&program, NULL, NULL);
 	}
+	free(program.used);
 	free(program.first_file);
-	strbuf_release(&program.text);
+	for (size_t i = 0; i < FORMAT_COUNT; i++)
+		strbuf_release(&program.text[i]);
 }

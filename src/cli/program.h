@@ -9,6 +9,8 @@
 #include "cli/options.h"
 #include "cli/run.h"
 #include "cli/voice.h"
+#include "report/baseline.h"
+#include "report/channel.h"
 #include "scene/scene.h"
 
 struct program_file {
@@ -27,7 +29,9 @@ struct program_context {
 	const struct options *options;
 	struct check_options check;	/* the options', with the threads that one program may use */
 	struct scene *scene;
-	bool colour;	/* in the report */
+	struct report_run run;
+	const struct baseline *baseline;	/* or NULL */
+	const struct channels *channels;	/* where it is reported */
 };
 
 /* What became of one program. */
@@ -35,6 +39,7 @@ struct program_outcome {
 	enum run_status status;
 	enum check_result result;
 	struct check_stats stats;
+	bool accepted;	/* what was found does not fail the run */
 	bool has_first;	/* something was found; then: */
 	axis_values first_axes;	/* where the machine stood */
 	int first_tool;	/* in the spindle */

@@ -50,16 +50,15 @@ static void work_together(struct session *session, int count)
 	free(threads);
 }
 
-static void tell_stats(const struct session *session, double seconds)
+static void tell_end(const struct session *session, double seconds, enum run_status status)
 {
 	struct run_stats sums = {.seconds_load = seconds};
-	struct strbuf text = {0};
+	struct report_end end = {.sums = &sums, .status = (int)status};
 
 	for (size_t i = 0; i < session->options->program_count; i++)
-		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result);
-	stats_add(&text, &sums, session->context.scene, session->options->check.method);
-	output_text(session->stage.out, &text);
-	strbuf_release(&text);
+		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result,
+			  session->outcomes[i].accepted);
+	channels_end(session->stage.channels, &session->context.run, &end);
 }
 
 /* --pose: the first finding of the first program that has one. False: reported. */
@@ -79,29 +78,54 @@ static bool write_pose(const struct session *session)
 	return true;
 }
 
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, bool colour,
-			       struct console *console, struct output *out)
+/* The worst of the programs, of --pose, and of what was reported besides. */
+static enum run_status status_of(const struct session *session)
+{
+	enum run_status status = RUN_CLEAR;
+
+	for (size_t i = 0; i < session->options->program_count; i++) {
+		if (session->outcomes[i].status > status)
+			status = session->outcomes[i].status;
+	}
+	if (session->options->exit_zero && status == RUN_FOUND)
+		status = RUN_CLEAR;
+	if (session->options->pose && !write_pose(session) && status < RUN_INCOMPLETE)
+		status = RUN_INCOMPLETE;
+	if (session->stage.console->diag.errors && status < RUN_INCOMPLETE)
+		status = RUN_INCOMPLETE;
+	return status;
+}
+
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
+			       struct console *console, struct channels *channels, const struct watch *watch,
+			       const struct baseline *baseline)
 {
 	struct session session = {
 		.options = options,
-		.context = {.options = options, .check = options->check, .scene = scene, .colour = colour},
+		.context = {
+			.options = options, .check = options->check, .scene = scene, .channels = channels,
+			.baseline = baseline,
+			.run = {scene, &options->check, options->clearance, options->program_count, options->quiet},
+		},
 	};
-	enum run_status status = RUN_CLEAR;
+	enum run_status status;
 	int threads = options->check.threads;
 
 	if ((size_t)threads > options->program_count)
-		threads = (int)options->program_count;
+		threads = options->program_count ? (int)options->program_count : 1;
+	session.context.check.watch = watch;
+	/* What is accepted must not hide what comes after it. */
+	session.context.check.all = options->check.all || options->baseline || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
-	session.outcomes = mem_zalloc(options->program_count, sizeof(*session.outcomes));
-	stage_init(&session.stage, options->program_count, console, out);
+	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
+	stage_init(&session.stage, options->program_count, console, channels);
+	console_expect(console, options->program_count);
+	channels_begin(channels, &session.context.run);
 	interrupt_watch();
 	work_together(&session, threads);
-	for (size_t i = 0; i < options->program_count; i++)
-		status = session.outcomes[i].status > status ? session.outcomes[i].status : status;
-	if (options->format == FORMAT_TEXT && !options->quiet)
-		tell_stats(&session, seconds);
-	if (options->pose && !write_pose(&session) && status < RUN_INCOMPLETE)
-		status = RUN_INCOMPLETE;
+	console_finish(console);
+	status = status_of(&session);
+	tell_end(&session, seconds, status);
 	stage_release(&session.stage);
 	free(session.outcomes);
 	return status;

@@ -2,16 +2,20 @@
 #ifndef FIVECHECK_CLI_PROGRAMS_H
 #define FIVECHECK_CLI_PROGRAMS_H
 
+#include "base/watch.h"
 #include "cli/options.h"
 #include "cli/voice.h"
-#include "report/stats.h"
+#include "report/baseline.h"
+#include "report/channel.h"
 #include "scene/scene.h"
 
 /*
  * Checks the programs that the options name, on as many threads as they allow, and
- * reports in the order in which they were given. `seconds` is what loading took.
+ * reports in the order in which they were given. `seconds` is what loading took,
+ * `watch` is told of the files of subprograms; the baseline may be NULL.
  */
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, bool colour,
-			       struct console *console, struct output *out);
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
+			       struct console *console, struct channels *channels, const struct watch *watch,
+			       const struct baseline *baseline);
 
 #endif

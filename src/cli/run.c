@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "cli/files.h"
+#include "cli/inputs.h"
 #include "cli/program.h"
 #include "cli/programs.h"
 #include "machine/machine.h"
@@ -88,14 +89,50 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	return diag->errors == 0;
 }
 
-static enum run_status run_programs(const struct job *job, const struct options *options, struct console *console,
-				    struct output *out)
+/* False: reported. */
+static bool open_channels(struct channels *channels, const struct options *options, struct diag *diag)
 {
-	/* Without collisions there is no need of bodies: their meshes stay unread. */
-	struct scene bare = {.machine = job->machine, .setup = job->setup};
-	bool colour = !options->output && console_wants_colour(STDOUT_FILENO);
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		const struct format_choice *choice = &options->formats[i];
+		const char *path = choice->path ? choice->path : options->output;
+		bool colour = !path && console_wants_colour(STDOUT_FILENO);
 
-	return programs_check(options, job->scene ? job->scene : &bare, job->seconds, colour, console, out);
+		if (choice->wanted && !channels_open(channels, (enum report_format)i, path, colour, diag))
+			return false;
+	}
+	return true;
+}
+
+/* Checks the programs; a report says itself what it lacks, and so is kept whatever came of the check. */
+static enum run_status run_programs(struct job *job, const struct options *options, struct console *console)
+{
+	struct diag *diag = &console->diag;
+	enum run_status status = RUN_INCOMPLETE;
+	struct channels channels = {0};
+	struct baseline *baseline = NULL;
+	struct inputs inputs;
+
+	inputs_init(&inputs);
+	if (options->baseline)
+		baseline = baseline_load(options->baseline, diag);
+	if (!diag->errors && open_channels(&channels, options, diag) && job_load(job, options, diag) &&
+	    files_spare_meshes(options, job->machine, job->setup, diag)) {
+		/* Without collisions there is no need of bodies: their meshes stay unread. */
+		struct scene bare = {.machine = job->machine, .setup = job->setup};
+
+		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
+		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
+					&inputs.watch, baseline);
+		inputs_sort(&inputs);
+		if (!inputs_write_depfile(&inputs, options, diag))
+			status = worst(status, RUN_INCOMPLETE);
+		if (!channels_commit(&channels, diag))
+			status = worst(status, RUN_INCOMPLETE);
+	}
+	channels_discard(&channels);
+	inputs_release(&inputs);
+	baseline_free(baseline);
+	return status;
 }
 
 static enum run_status run_dump(const struct job *job, const struct options *options, struct diag *diag,
@@ -140,19 +177,17 @@ static enum run_status run_pairs(const struct job *job, struct output *out)
 	return RUN_CLEAR;
 }
 
-static enum run_status run_mode(const struct job *job, const struct options *options, struct console *console,
-				struct output *out)
+static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag, struct output *out)
 {
 	switch (options->mode) {
-	case RUN_CHECK:
-	case RUN_PARSE_ONLY:
-		return run_programs(job, options, console, out);
 	case RUN_DUMP_PATH:
-		return run_dump(job, options, &console->diag, out);
+		return run_dump(job, options, diag, out);
 	case RUN_LIST_PAIRS:
 		return run_pairs(job, out);
 	case RUN_CHECK_MACHINE:
-		return run_machine(job, &console->diag, out);
+		return run_machine(job, diag, out);
+	case RUN_CHECK:
+	case RUN_PARSE_ONLY:
 	case RUN_HELP:
 	case RUN_VERSION:
 		break;
@@ -160,10 +195,21 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 	return RUN_INTERNAL;
 }
 
-/* A path or a table that broke off is not put in the place of a whole one; a report says itself what it lacks. */
-static bool is_worth_keeping(const struct options *options, enum run_status status)
+/* One table: the path, the pairs, the machine. Where it broke off it is not put in the place of a whole one. */
+static enum run_status run_table(struct job *job, const struct options *options, struct diag *diag)
 {
-	return status < RUN_INCOMPLETE || options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;
+	enum run_status status = RUN_INCOMPLETE;
+	struct output out = {0};
+
+	if (output_open(&out, options->output, diag) && job_load(job, options, diag) &&
+	    files_spare_meshes(options, job->machine, job->setup, diag)) {
+		status = run_mode(job, options, diag, &out);
+		/* What went to a stream is out; it must be whole all the same. A write that failed has to be told. */
+		if ((!options->output || out.error || status < RUN_INCOMPLETE) && !output_commit(&out, diag))
+			status = worst(status, RUN_INCOMPLETE);
+	}
+	output_discard(&out);
+	return status;
 }
 
 enum run_status run_options(const struct options *options, struct console *console)
@@ -171,10 +217,10 @@ enum run_status run_options(const struct options *options, struct console *conso
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct strbuf text = {0};
-	struct output out = {0};
 	struct job job = {0};
 
 	console->quiet = options->quiet;
+	console->kind = (enum progress_kind)options->progress;
 	if (options->mode == RUN_HELP) {
 		options_help(&text);
 		return print_text(&text, diag);
@@ -183,15 +229,11 @@ enum run_status run_options(const struct options *options, struct console *conso
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
 		return print_text(&text, diag);
 	}
-	if (files_differ(options, diag) && output_open(&out, options->output, diag) &&
-	    job_load(&job, options, diag) && files_spare_meshes(options, job.machine, job.setup, diag)) {
-		status = run_mode(&job, options, console, &out);
-		/* What went to a stream is out; it must be whole all the same. A write that failed has to be told. */
-		if ((!options->output || out.error || is_worth_keeping(options, status)) &&
-		    !output_commit(&out, diag))
-			status = worst(status, RUN_INCOMPLETE);
+	if (files_differ(options, diag)) {
+		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;
+
+		status = checks ? run_programs(&job, options, console) : run_table(&job, options, diag);
 	}
-	output_discard(&out);
 	job_release(&job);
 	console_clear(console);
 	/* Whatever was reported as an error was left unchecked. */

@@ -15,7 +15,8 @@ enum {
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
-	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP
+	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
+	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO
 };
 
 static const char *const methods[] = {
@@ -25,7 +26,9 @@ static const char *const methods[] = {
 static const char *const dialects[] = {
 	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
 };
-static const char *const formats[] = {[FORMAT_TEXT] = "text", [FORMAT_NDJSON] = "ndjson", NULL};
+static const char *const progress[] = {
+	[PROGRESS_AUTO] = "auto", [PROGRESS_PLAIN] = "plain", [PROGRESS_NONE] = "none", NULL,
+};
 static const char *const duplicates[] = {"error", "last", NULL};
 
 #define FIELD(member) .field = offsetof(struct options, member)
@@ -70,12 +73,26 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "meshes and subprograms outside of DIR are an error"},
 	{KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.max_blocks), .least = 1,
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
+	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
+	 .help = "check the programs that FILE names, too, one a line;\n- is standard input"},
+	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARE, FIELD(shard),
+	 .help = "check the K-th of N parts of the programs only"},
+	{KEY_PROGRESS, "progress", "KIND", IN_CHECK | IN_PARSE, CHOICE(progress, progress),
+	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
-	{'f', "format", "FORMAT", IN_CHECK | IN_PARSE, CHOICE(format, formats),
-	 .help = "text (the default), or ndjson: a JSON object a finding"},
+	{KEY_BASELINE, "baseline", "FILE", IN_CHECK | IN_PARSE, TEXT(baseline),
+	 .help = "accept the findings of an earlier run, which wrote\nthem with --all --format=ndjson=FILE"},
+	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
+	 .help = "findings of these kinds fail, others are warnings:\ncollision, clearance, limit, start-overlap"},
+	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
+	 .help = "exit with 0 where something was found, too"},
+	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
+	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output),
 	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
+	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),
+	 .help = "write a make rule into FILE: the files written here\ndepend on every file that was read"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "the smallest proven clearance of each pair as well"},

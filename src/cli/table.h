@@ -13,6 +13,9 @@ enum value_kind {
 	VALUE_NUMBER,	/* double from least to greatest */
 	VALUE_COUNT,	/* int from least to greatest */
 	VALUE_CHOICE,	/* int: which of the choices */
+	VALUE_FORMAT,	/* struct format_choice[], one of them: a name, or NAME=FILE */
+	VALUE_SHARE,	/* two int, K of K/N and N */
+	VALUE_KINDS,	/* unsigned, a bit for each kind of finding */
 	VALUE_MODE	/* the run's mode becomes `mode` */
 };
 
@@ -30,7 +33,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 24 };
+enum { OPTION_COUNT = 31 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

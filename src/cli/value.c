@@ -83,12 +83,85 @@ static bool add_text(struct text_list *list, const struct option_row *row, const
 	return true;
 }
 
+/* NAME or NAME=FILE */
+static bool add_format(struct format_choice *choices, const struct option_row *row, const char *text,
+		       struct diag *diag)
+{
+	size_t length = strcspn(text, "=");
+	const char *path = text[length] ? text + length + 1 : NULL;
+	struct strbuf names = {0};
+
+	if (path && !*path) {
+		diag_error(diag, nowhere, "--%s: the name of the file is empty", row->name);
+		return false;
+	}
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		const char *name = report_writers[i]->name;
+
+		strbuf_addf(&names, "%s%s", i ? ", " : "", name);
+		if (strlen(name) != length || strncmp(name, text, length) != 0)
+			continue;
+		strbuf_release(&names);
+		if (choices[i].wanted)
+			diag_error(diag, nowhere, "--%s: %s was named twice", row->name, name);
+		else
+			choices[i] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};
+		return !diag->errors;
+	}
+	diag_error(diag, nowhere, "--%s: '%.*s' is none of: %s", row->name, (int)length, text, strbuf_text(&names));
+	strbuf_release(&names);
+	return false;
+}
+
+/* K/N */
+static bool read_share(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	size_t digits = strspn(text, "0123456789");
+	size_t more = text[digits] == '/' ? strspn(text + digits + 1, "0123456789") : 0;
+	double part = strtod(text, NULL), parts = more ? strtod(text + digits + 1, NULL) : 0;
+
+	if (!digits || !more || text[digits + 1 + more] || part < 1 || part > parts || parts > 1e6) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a part like 3/8, from 1/8 to 8/8", row->name, text);
+		return false;
+	}
+	out[0] = (int)part;
+	out[1] = (int)parts;
+	return true;
+}
+
+/* KIND,KIND */
+static bool read_kinds(unsigned *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	unsigned kinds = 0;
+
+	for (const char *end;; text = end + 1) {
+		size_t length = strcspn(text, ",");
+		int kind = FINDING_COLLISION;
+
+		while (kind <= FINDING_START_OVERLAP &&
+		       (strlen(finding_kind_name((enum finding_kind)kind)) != length ||
+			strncmp(text, finding_kind_name((enum finding_kind)kind), length) != 0))
+			kind++;
+		if (kind > FINDING_START_OVERLAP) {
+			diag_error(diag, nowhere, "--%s: '%.*s' is none of: collision, clearance, limit, start-overlap",
+				   row->name, (int)length, text);
+			return false;
+		}
+		kinds |= 1U << kind;
+		end = text + length;
+		if (!*end)
+			break;
+	}
+	*out = kinds;
+	return true;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
 	int index;
 
-	_Static_assert(sizeof(enum check_method) == sizeof(int) && sizeof(enum output_format) == sizeof(int),
+	_Static_assert(sizeof(enum check_method) == sizeof(int),
 		       "choices are stored as int");
 	switch (row->kind) {
 	case VALUE_FLAG:
@@ -110,6 +183,12 @@ bool value_set(struct options *options, const struct option_row *row, const char
 			return false;
 		memcpy(field, &index, sizeof(index));
 		return true;
+	case VALUE_FORMAT:
+		return add_format(field, row, text, diag);
+	case VALUE_SHARE:
+		return read_share(field, row, text, diag);
+	case VALUE_KINDS:
+		return read_kinds(field, row, text, diag);
 	case VALUE_MODE:
 		break;
 	}

@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/mem.h"
 
@@ -10,20 +11,39 @@ static bool is_heard(const struct voice *voice)
 	return voice == &voice->stage->voices[voice->stage->turn];
 }
 
+static void keep_fault(struct voice *voice, const struct diag_entry *entry)
+{
+	const char *file = entry->loc.file;
+	struct report_fault *fault;
+
+	if (voice->fault_count == VOICE_FAULTS)
+		return;
+	voice->faults = mem_realloc(voice->faults, voice->fault_count + 1, sizeof(*voice->faults));
+	fault = &voice->faults[voice->fault_count++];
+	*fault = (struct report_fault){
+		.file = file ? mem_strndup(file, strlen(file)) : NULL,
+		.line = entry->loc.line,
+		.column = entry->loc.column,
+		.text = mem_strndup(entry->text, strlen(entry->text)),
+	};
+}
+
 static void report(void *context, const struct diag_entry *entry)
 {
 	struct voice *voice = context;
 
+	if (entry->severity == DIAG_ERROR)
+		keep_fault(voice, entry);
 	pthread_mutex_lock(&voice->stage->lock);
 	diag_pass(is_heard(voice) ? &voice->stage->console->diag : &voice->held.diag, entry);
 	pthread_mutex_unlock(&voice->stage->lock);
 }
 
-void stage_init(struct stage *stage, size_t count, struct console *console, struct output *out)
+void stage_init(struct stage *stage, size_t count, struct console *console, struct channels *channels)
 {
-	*stage = (struct stage){.console = console, .out = out, .count = count};
+	*stage = (struct stage){.console = console, .channels = channels, .count = count};
 	pthread_mutex_init(&stage->lock, NULL);
-	stage->voices = mem_zalloc(count, sizeof(*stage->voices));
+	stage->voices = mem_zalloc(count + 1, sizeof(*stage->voices));
 	for (size_t i = 0; i < count; i++) {
 		struct voice *voice = &stage->voices[i];
 
@@ -36,8 +56,16 @@ void stage_init(struct stage *stage, size_t count, struct console *console, stru
 void stage_release(struct stage *stage)
 {
 	for (size_t i = 0; i < stage->count; i++) {
-		held_release(&stage->voices[i].held);
-		strbuf_release(&stage->voices[i].text);
+		struct voice *voice = &stage->voices[i];
+
+		held_release(&voice->held);
+		for (size_t k = 0; k < FORMAT_COUNT; k++)
+			strbuf_release(&voice->text[k]);
+		for (size_t k = 0; k < voice->fault_count; k++) {
+			free(voice->faults[k].file);
+			free(voice->faults[k].text);
+		}
+		free(voice->faults);
 	}
 	free(stage->voices);
 	pthread_mutex_destroy(&stage->lock);
@@ -48,30 +76,32 @@ bool stage_is_lost(struct stage *stage)
 	bool lost;
 
 	pthread_mutex_lock(&stage->lock);
-	lost = stage->out->error != 0;
+	lost = channels_are_lost(stage->channels);
 	pthread_mutex_unlock(&stage->lock);
 	return lost;
 }
 
-static bool say_aloud(struct stage *stage, struct strbuf *text)
+static bool say_aloud(struct stage *stage, size_t index, struct strbuf *text)
 {
+	struct channel *channel = &stage->channels->items[index];
+
 	console_clear(stage->console);
-	output_text(stage->out, text);
-	return output_flush(stage->out);
+	channel_say(channel, text);
+	return channel_flush(channel);
 }
 
-bool voice_say(struct voice *voice, struct strbuf *text)
+bool voice_say(struct voice *voice, size_t channel, struct strbuf *text)
 {
 	struct stage *stage = voice->stage;
 	bool good;
 
 	pthread_mutex_lock(&stage->lock);
 	if (is_heard(voice)) {
-		good = say_aloud(stage, text);
+		good = say_aloud(stage, channel, text);
 	} else {
-		strbuf_add(&voice->text, strbuf_text(text), text->length);
+		strbuf_add(&voice->text[channel], strbuf_text(text), text->length);
 		strbuf_clear(text);
-		good = !stage->out->error;
+		good = !channels_are_lost(stage->channels);
 	}
 	pthread_mutex_unlock(&stage->lock);
 	return good;
@@ -89,8 +119,10 @@ void voice_progress(struct voice *voice, const char *file, long lines)
 static void catch_up(struct voice *voice)
 {
 	held_deliver(&voice->held, &voice->stage->console->diag, LONG_MAX);
-	if (voice->text.length)
-		say_aloud(voice->stage, &voice->text);
+	for (size_t i = 0; i < voice->stage->channels->count; i++) {
+		if (voice->text[i].length)
+			say_aloud(voice->stage, i, &voice->text[i]);
+	}
 }
 
 void voice_end(struct voice *voice)
@@ -99,6 +131,7 @@ void voice_end(struct voice *voice)
 
 	pthread_mutex_lock(&stage->lock);
 	voice->ended = true;
+	console_done(stage->console);
 	while (stage->turn < stage->count && stage->voices[stage->turn].ended) {
 		stage->turn++;
 		if (stage->turn < stage->count)

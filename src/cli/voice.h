@@ -9,12 +9,15 @@
 #include "base/held.h"
 #include "base/strbuf.h"
 #include "cli/console.h"
-#include "report/output.h"
+#include "report/channel.h"
+
+/* Errors of a program that are kept for its reports. */
+enum { VOICE_FAULTS = 10 };
 
 /* Where everybody speaks. */
 struct stage {
 	struct console *console;	/* borrowed */
-	struct output *out;	/* borrowed */
+	struct channels *channels;	/* borrowed */
 	pthread_mutex_t lock;
 	struct voice *voices;	/* in the order in which they are heard */
 	size_t count;
@@ -26,19 +29,21 @@ struct voice {
 	struct stage *stage;
 	struct diag diag;	/* for its diagnostics; counts them whether they were heard or not */
 	struct held held;	/* diagnostics that wait */
-	struct strbuf text;	/* of the report, that waits */
+	struct strbuf text[FORMAT_COUNT];	/* for each channel, that waits */
+	struct report_fault *faults;	/* the first of its errors; owned */
+	size_t fault_count;
 	bool ended;
 };
 
 /* `count` voices. */
-void stage_init(struct stage *stage, size_t count, struct console *console, struct output *out);
+void stage_init(struct stage *stage, size_t count, struct console *console, struct channels *channels);
 void stage_release(struct stage *stage);
 
 /* Has a write failed? Then nothing more needs to be said. */
 bool stage_is_lost(struct stage *stage);
 
-/* Says a piece of the report, which is then empty; false once a write has failed. */
-bool voice_say(struct voice *voice, struct strbuf *text);
+/* Says a piece of a channel's report, which is then empty; false once a write has failed. */
+bool voice_say(struct voice *voice, size_t channel, struct strbuf *text);
 
 /* Shows how far the program is, if it is its turn. */
 void voice_progress(struct voice *voice, const char *file, long lines);

@@ -181,6 +181,7 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	struct line_reader *reader;
 	bool good = true;
 
+	interp->sources.watch = interp->config->watch;
 	sources_open_main(&interp->sources, in, name);
 	interp->source = interp->sources.items[0];
 	reader = &interp->source->reader;

@@ -8,6 +8,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
+#include "base/watch.h"
 #include "gcode/canon.h"
 
 enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
@@ -68,6 +69,7 @@ struct gcode_config {
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
 	const char *input_root;	/* files of subprograms outside of this folder are an error; NULL: none is */
+	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };
 

@@ -96,6 +96,8 @@ static struct source *find_in(struct sources *sources, const char *root, const c
 	} else if (!source && file) {
 		source = add(sources, file, path.text);
 		source->file = file;
+		if (sources->watch)
+			sources->watch->opened(sources->watch->context, path.text);
 	}
 	strbuf_release(&path);
 	return source;

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "base/watch.h"
 #include "gcode/fault.h"
 #include "gcode/interp.h"
 #include "gcode/reader.h"
@@ -24,6 +25,7 @@ struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
 	bool led_out;	/* a file that was looked for is outside of the input root */
+	const struct watch *watch;	/* is told what else is opened; or NULL */
 };
 
 /* Where a line starts. */

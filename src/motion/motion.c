@@ -146,6 +146,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .includes = options->includes,
 				       .include_count = options->include_count,
 				       .input_root = options->input_root,
+				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
 	struct drive drive;
 	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient};

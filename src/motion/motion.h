@@ -7,6 +7,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
+#include "base/watch.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "motion/span.h"
@@ -57,6 +58,7 @@ struct motion_options {
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
 	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
+	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };
 

@@ -1,115 +1,135 @@
 #include "report/ndjson.h"
 
-#include <assert.h>
-#include <jansson.h>
 #include <stdbool.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/mem.h"
+#include "report/json.h"
 #include "report/quantity.h"
 
-/* How many bytes the UTF-8 sequence at text takes (RFC 3629), 0 if it is none. */
-static size_t utf8_length(const unsigned char *text)
+static const char *const methods[] = {
+	[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
+	[CHECK_CONVENTIONAL] = "conventional", [CHECK_NOTHING] = "parse-only",
+};
+
+static void add_header(struct strbuf *out, const struct report_run *run)
 {
-	unsigned char c = text[0];
-	size_t length = c < 0x80 ? 1 : c < 0xc2 ? 0 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : c < 0xf5 ? 4 : 0;
-
-	for (size_t i = 1; i < length; i++) {
-		if ((text[i] & 0xc0) != 0x80)
-			return 0;
-	}
-	/* Overlong forms, surrogates, and what is beyond U+10FFFF. */
-	if ((c == 0xe0 && text[1] < 0xa0) || (c == 0xed && text[1] > 0x9f) || (c == 0xf0 && text[1] < 0x90) ||
-	    (c == 0xf4 && text[1] > 0x8f))
-		return 0;
-	return length;
-}
-
-/* Memory cannot run out (ndjson_init): what fails here is a number that is none. */
-static void set(json_t *object, const char *key, json_t *value)
-{
-	int failed = json_object_set_new(object, key, value);
-
-	assert(!failed);
-	(void)failed;
-}
-
-static json_t *string_of(const char *text)
-{
-	struct strbuf clean = {0};
-	json_t *string;
-
-	if (!text)
-		return json_null();
-	while (*text) {
-		size_t length = utf8_length((const unsigned char *)text);
-
-		if (length)
-			strbuf_add(&clean, text, length);
-		else
-			strbuf_addf(&clean, "\xef\xbf\xbd");
-		text += length ? length : 1;
-	}
-	string = json_string(strbuf_text(&clean));
-	strbuf_release(&clean);
-	return string;
-}
-
-static json_t *axes_of(const struct machine *machine, const axis_values *axes)
-{
+	const struct check_options *options = run->options;
+	bool sampled = options->method == CHECK_INTERPOLATED || options->method == CHECK_CONVENTIONAL;
 	json_t *object = json_object();
 
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		const char name[2] = {AXIS_LETTERS[slot], '\0'};
-
-		if (machine_axis(machine, slot))
-			set(object, name, json_real(quantity_value(slot, axes->v[slot])));
-	}
-	return object;
+	json_put(object, "kind", json_string("header"));
+	json_put(object, "format", json_integer(NDJSON_FORMAT));
+	json_put(object, "fivecheck", json_string(FIVECHECK_VERSION));
+	json_put(object, "machine", json_text(run->scene->machine->path));
+	json_put(object, "setup", json_text(run->scene->setup ? run->scene->setup->path : NULL));
+	json_put(object, "method", json_string(methods[options->method]));
+	json_put(object, "step", sampled ? json_real(options->step) : json_null());
+	json_put(object, "tolerance", json_real(options->tolerance));
+	json_put(object, "clearance", json_real(run->clearance));
+	json_put(object, "all", json_boolean(options->all));
+	json_put(object, "programs", json_integer((json_int_t)run->programs));
+	json_add_line(out, object);
 }
 
-static json_t *point_of(vec3 p)
-{
-	json_t *array = json_array();
-
-	json_array_append_new(array, json_real(p.x + 0.0));
-	json_array_append_new(array, json_real(p.y + 0.0));
-	json_array_append_new(array, json_real(p.z + 0.0));
-	return array;
-}
-
-void ndjson_init(void)
-{
-	json_set_alloc_funcs(mem_alloc, free);
-}
-
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f)
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
+		    enum weight weight)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
-	char *line;
 
-	set(object, "kind", json_string(finding_kind_name(f->kind)));
-	set(object, "file", string_of(f->file));
-	set(object, "line", json_integer(f->line));
-	set(object, "column", json_integer(f->column));
-	set(object, "move", json_integer(f->move));
-	set(object, "fraction", json_real(f->fraction));
-	set(object, "a", string_of(bodies ? f->a : NULL));
-	set(object, "b", string_of(bodies ? f->b : NULL));
-	set(object, "axes", axes_of(machine, &f->axes));
-	set(object, "time", json_real(f->time));
-	set(object, "point", bodies ? point_of(f->point) : json_null());
-	set(object, "clearance", bodies ? json_real(f->clearance) : json_null());
+	json_put(object, "kind", json_string(finding_kind_name(f->kind)));
+	json_put(object, "file", json_text(f->file));
+	json_put(object, "line", json_integer(f->line));
+	json_put(object, "column", json_integer(f->column));
+	json_put(object, "move", json_integer(f->move));
+	json_put(object, "fraction", json_real(f->fraction));
+	json_put(object, "a", json_text(bodies ? f->a : NULL));
+	json_put(object, "b", json_text(bodies ? f->b : NULL));
+	json_put(object, "axes", json_axes(machine, &f->axes));
+	json_put(object, "time", json_real(f->time));
+	json_put(object, "point", bodies ? json_point(f->point) : json_null());
+	json_put(object, "clearance", bodies ? json_real(f->clearance) : json_null());
 	if (!bodies) {
 		const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
 
-		set(object, "axis", json_string(axis));
-		set(object, "bound", json_real(quantity_value(f->slot, f->bound)));
+		json_put(object, "axis", json_string(axis));
+		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
 	}
-	line = json_dumps(object, JSON_COMPACT | JSON_REAL_PRECISION(12));
-	strbuf_addf(out, "%s\n", line);
-	free(line);
-	json_decref(object);
+	if (weight != WEIGHT_FAILS)
+		json_put(object, "accepted", json_string(weight == WEIGHT_KNOWN ? "baseline" : "fail-on"));
+	json_add_line(out, object);
 }
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	ndjson_finding(out, run->scene->machine, finding, manner.weight);
+}
+
+static json_t *cautions_of(const struct verdict *verdict)
+{
+	json_t *array = json_array();
+	struct strbuf text = {0};
+
+	for (int i = 0; verdict && i < VERDICT_CAUTIONS; i++) {
+		strbuf_clear(&text);
+		if (verdict_add_caution(&text, verdict, i))
+			json_push(array, json_text(strbuf_text(&text)));
+	}
+	strbuf_release(&text);
+	return array;
+}
+
+static json_t *faults_of(const struct report_program *program)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < program->fault_count; i++) {
+		const struct report_fault *fault = &program->faults[i];
+		json_t *object = json_object();
+
+		json_put(object, "file", json_text(fault->file));
+		json_put(object, "line", fault->line ? json_integer(fault->line) : json_null());
+		json_put(object, "column", fault->column ? json_integer(fault->column) : json_null());
+		json_put(object, "text", json_text(fault->text));
+		json_push(array, object);
+	}
+	return array;
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	const struct check_stats *stats = program->verdict ? program->verdict->stats : NULL;
+	json_t *object = json_object();
+
+	(void)run;
+	json_put(object, "kind", json_string("program"));
+	json_put(object, "file", json_text(program->name));
+	json_put(object, "verdict", json_string(verdict_word(program->verdict)));
+	json_put(object, "blocks", json_integer(stats ? stats->motion.blocks : 0));
+	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
+	json_put(object, "cautions", cautions_of(program->verdict));
+	json_put(object, "errors", faults_of(program));
+	json_add_line(out, object);
+}
+
+static void add_summary(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+			const struct strbuf *items)
+{
+	const struct run_stats *sums = end->sums;
+	json_t *object = json_object();
+
+	(void)run;
+	(void)items;
+	json_put(object, "kind", json_string("summary"));
+	json_put(object, "status", json_integer(end->status));
+	json_put(object, "programs", json_integer((json_int_t)sums->programs));
+	json_put(object, "passed", json_integer((json_int_t)sums->clear));
+	json_put(object, "incomplete", json_integer((json_int_t)sums->incomplete));
+	json_put(object, "blocks", json_integer(sums->check.motion.blocks));
+	json_put(object, "findings", json_integer(sums->check.findings));
+	json_add_line(out, object);
+}
+
+const struct report_writer ndjson_writer = {
+	.name = "ndjson", .begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
+};

@@ -3,12 +3,14 @@
 #include "report/quantity.h"
 #include "report/verdict.h"
 
-void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result)
+void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result,
+	       bool accepted)
 {
 	struct check_stats *to = &sums->check;
 
 	sums->programs++;
 	sums->clear += result == CHECK_CLEAR;
+	sums->accepted += accepted;
 	sums->incomplete += result == CHECK_INCOMPLETE;
 	to->motion.lines += stats->motion.lines;
 	to->motion.blocks += stats->motion.blocks;
@@ -30,6 +32,8 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 	const struct motion_summary *motion = &sums->check.motion;
 
 	strbuf_addf(out, "  programs      %zu, %zu without a finding", sums->programs, sums->clear);
+	if (sums->accepted)
+		strbuf_addf(out, ", %zu with accepted ones only", sums->accepted);
 	if (sums->incomplete)
 		strbuf_addf(out, ", %zu incomplete", sums->incomplete);
 	strbuf_addf(out, "\n  blocks        %ld in ", motion->blocks);

@@ -12,7 +12,7 @@ static void add_bodies(struct strbuf *out, const struct finding *f, const char *
 	strbuf_addf(out, " (%s)", f->link_b);
 }
 
-static void add_message(struct strbuf *out, const struct finding *f)
+void text_message(struct strbuf *out, const struct finding *f)
 {
 	switch (f->kind) {
 	case FINDING_COLLISION:
@@ -83,14 +83,25 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 	}
 }
 
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, bool colour)
+/* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
+static void add_head(struct strbuf *out, const struct finding *f, struct manner manner)
+{
+	bool fails = manner.weight == WEIGHT_FAILS;
+
+	strbuf_addf(out, "%s:%ld:%d: ", f->file, f->line, f->column);
+	if (manner.colour)
+		strbuf_addf(out, fails ? "\033[1;31m" : "\033[1;35m");
+	strbuf_addf(out, fails ? "error:" : "warning:");
+	strbuf_addf(out, "%s %s: ", manner.colour ? "\033[0m" : "", finding_kind_name(f->kind));
+}
+
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
 {
 	const char *kind = finding_kind_name(f->kind);
 
-	strbuf_addf(out, "%s:%ld:%d: %serror:%s %s: ", f->file, f->line, f->column, colour ? "\033[1;31m" : "",
-		    colour ? "\033[0m" : "", kind);
-	add_message(out, f);
-	strbuf_addf(out, " [%s]\n    block    ", kind);
+	add_head(out, f, manner);
+	text_message(out, f);
+	strbuf_addf(out, " [%s%s]\n    block    ", kind, manner.weight == WEIGHT_KNOWN ? ", known" : "");
 	quantity_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
 	add_place(out, f);
@@ -139,3 +150,39 @@ void text_proven(struct strbuf *out, const struct scene *scene, const double *pr
 		strbuf_addf(out, "  %s - %s\n", scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name);
 	}
 }
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	text_finding(out, run->scene->machine, finding, manner);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	/* A list of verdicts without it would look complete. */
+	if (!program->verdict) {
+		strbuf_addf(out, "%s: incomplete: the program could not be opened\n", program->name);
+		return;
+	}
+	text_verdict(out, program->verdict);
+	if (program->proven && program->verdict->result == CHECK_CLEAR)
+		text_proven(out, run->scene, program->proven);
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	(void)items;
+	if (!run->quiet)
+		stats_add(out, end->sums, run->scene, run->options->method);
+}
+
+const struct report_writer text_writer = {
+	.name = "text", .begin = add_nothing, .finding = add_finding, .program = add_program, .end = add_end,
+};

@@ -7,7 +7,14 @@
 #include "base/strbuf.h"
 #include "check/finding.h"
 #include "machine/machine.h"
+#include "report/report.h"
 #include "report/verdict.h"
+
+/* Findings as they are found, a verdict after each program's, statistics at the end. */
+extern const struct report_writer text_writer;
+
+/* Appends what happens: "head (Z) meets table (C)". */
+void text_message(struct strbuf *out, const struct finding *finding);
 
 /*
  * Appends a finding: one line "file:line:column: error: kind: what happens
@@ -15,7 +22,8 @@
  * time, and for bodies the point and the distance; for a start-overlap also
  * the <pair> line that would waive it.
  */
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding, bool colour);
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
+		  struct manner manner);
 
 /* Appends the verdict's line and, indented, what stands beside it. */
 void text_verdict(struct strbuf *out, const struct verdict *verdict);

@@ -21,14 +21,42 @@ size_t verdict_pairs(const struct scene *scene, enum pair_status status)
 	return count;
 }
 
+/* "2 findings known from the baseline and 1 finding of a kind that --fail-on leaves out" */
+static void add_accepted(struct strbuf *out, const struct verdict *v)
+{
+	if (v->known) {
+		quantity_add_count(out, (size_t)v->known, "finding");
+		strbuf_addf(out, " known from the baseline%s", v->left_out ? " and " : "");
+	}
+	if (v->left_out) {
+		quantity_add_count(out, (size_t)v->left_out, "finding");
+		strbuf_addf(out, " of kinds that --fail-on leaves out");
+	}
+}
+
+bool verdict_is_accepted(const struct verdict *v)
+{
+	return v->result == CHECK_FOUND && v->known + v->left_out == v->stats->findings;
+}
+
 static void add_findings(struct strbuf *out, const struct verdict *v)
 {
-	size_t findings = (size_t)v->stats->findings;
+	long accepted = v->known + v->left_out;
+	size_t findings = (size_t)(v->stats->findings - accepted);
 
+	if (!findings) {
+		strbuf_addf(out, "nothing that fails: ");
+		add_accepted(out, v);
+		return;
+	}
 	quantity_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
 	if (v->first_file && strcmp(v->first_file, v->file))
 		strbuf_addf(out, " of %s", v->first_file);
+	if (accepted) {
+		strbuf_addf(out, ", besides ");
+		add_accepted(out, v);
+	}
 	if (!v->options->all)
 		strbuf_addf(out, "; stopped there (--all goes on)");
 }
@@ -80,6 +108,15 @@ void verdict_add_sentence(struct strbuf *out, const struct verdict *v)
 		}
 		break;
 	}
+}
+
+const char *verdict_word(const struct verdict *v)
+{
+	if (!v || v->result == CHECK_INCOMPLETE)
+		return "incomplete";
+	if (v->result == CHECK_FOUND)
+		return verdict_is_accepted(v) ? "accepted" : "found";
+	return v->options->method == CHECK_CERTIFIED ? "clear" : "passed";
 }
 
 /* Where nothing was found the sentence itself says it. */

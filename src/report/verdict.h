@@ -15,7 +15,8 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	long first_line;	/* of the first finding */
+	long known, left_out;	/* findings that do not fail the run: in the baseline, of other kinds than --fail-on's */
+	long first_line;	/* of the first finding that does */
 	const char *first_file;	/* the same; NULL: `file` */
 };
 
@@ -24,6 +25,15 @@ struct verdict {
  * sampled methods, --parse-only, findings and faults each say what they are.
  */
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
+
+/*
+ * The same as one word: "clear", "passed" where no proof was asked for, "found", "accepted" where nothing
+ * found fails the run, "incomplete"; NULL is incomplete.
+ */
+const char *verdict_word(const struct verdict *verdict);
+
+/* Is every finding accepted, and the check complete? */
+bool verdict_is_accepted(const struct verdict *verdict);
 
 enum { VERDICT_CAUTIONS = 6 };
 

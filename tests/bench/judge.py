@@ -83,7 +83,8 @@ def judge(row, truth, finding, tolerance):
 
 
 def finding_of(scene, spent):
-    rows = [json.loads(line) for line in spent.out.splitlines() if line.startswith('{')]
+    lines = [json.loads(line) for line in spent.out.splitlines() if line.startswith('{')]
+    rows = [line for line in lines if line['kind'] not in ('header', 'program', 'summary')]
     if not rows:
         return None
     first = rows[0]

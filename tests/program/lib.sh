@@ -109,6 +109,7 @@ findings() {
 		match(rest, /^[^,}]*/)
 		return substr(rest, 1, RLENGTH)
 	}
+	/^{"kind":"(header|program|summary)"/ { next }
 	{ printf "%s %s %s/%s %.5f %.4f\n", value("kind"), value("line"), value("a"), value("b"), value("fraction"),
 	         value("clearance") }'
 }

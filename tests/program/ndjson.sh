@@ -1,4 +1,5 @@
-# A finding a line and nothing else; the verdict goes to standard error. The block's bytes may be anything.
+# A header, findings, each program's verdict, and a summary last. The block's bytes may be anything.
+# The verdict is told on standard error, too.
 small_machine
 printf 'G0 X100\nG0 X-300 (\351\033[31m)\n' >bad.nc
 cp bad.nc "$(printf 'odd "\\\377.nc')"

@@ -59,3 +59,28 @@ bad m.xml --check-machine --clearance 1
 bad m.xml - -
 bad - a.nc
 bad m.xml a.nc -s -
+bad m.xml a.nc -f text -f ndjson
+bad m.xml a.nc -f text=a -f text=b
+bad m.xml a.nc -f sarif=
+bad m.xml a.nc -f sarif=a -o b
+bad m.xml a.nc -f sarif=a -f junit=a
+bad m.xml a.nc -f sarif=a.nc
+bad m.xml a.nc --depfile d
+bad m.xml a.nc -o a --depfile -
+bad m.xml --list-pairs --depfile d
+: >empty
+printf 'a.nc\0' >zero
+printf '%s\n' - - >twice
+bad m.xml --files-from empty
+bad m.xml --files-from zero
+bad m.xml --files-from twice
+bad m.xml --files-from nowhere
+bad m.xml --files-from - -
+bad m.xml a.nc --shard 0/3
+bad m.xml a.nc --shard 4/3
+bad m.xml a.nc --shard 1
+bad m.xml a.nc --shard 1/2x
+bad m.xml a.nc -q --progress=plain
+bad m.xml a.nc --fail-on collision,
+bad m.xml a.nc --fail-on crash
+bad m.xml --list-pairs --exit-zero

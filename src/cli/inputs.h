@@ -1,0 +1,42 @@
+/* inputs.h - which files a run depends on. */
+#ifndef FIVECHECK_CLI_INPUTS_H
+#define FIVECHECK_CLI_INPUTS_H
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/watch.h"
+#include "cli/options.h"
+#include "machine/machine.h"
+#include "machine/setup.h"
+
+enum input_kind { INPUT_MACHINE, INPUT_SETUP, INPUT_MESH, INPUT_PROGRAM, INPUT_SUBPROGRAM, INPUT_BASELINE };
+
+struct input {
+	enum input_kind kind;
+	char *path;	/* owned */
+};
+
+struct inputs {
+	struct watch watch;	/* for programs: their subprograms */
+	pthread_mutex_t lock;
+	struct input *items;
+	size_t count, capacity;
+};
+
+/* Not to be moved afterwards: its watch points back at it. */
+void inputs_init(struct inputs *inputs);
+void inputs_release(struct inputs *inputs);
+
+/* Machine, setup (the file's, not the machine's own), meshes if they are read, programs but standard input. */
+void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
+		      const struct setup *setup, bool meshes);
+
+/* Sorts by kind, subprograms by name; each file stays once. Call it when the programs have been read. */
+void inputs_sort(struct inputs *inputs);
+
+/* Writes --depfile, if that was asked for; false: reported. */
+bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag);
+
+#endif

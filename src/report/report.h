@@ -1,0 +1,84 @@
+/* report.h - the formats of a run's results, each behind the same four functions. */
+#ifndef FIVECHECK_REPORT_REPORT_H
+#define FIVECHECK_REPORT_REPORT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "check/finding.h"
+#include "report/stats.h"
+#include "report/verdict.h"
+#include "scene/scene.h"
+
+enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB };
+enum { FORMAT_COUNT = FORMAT_GITHUB + 1 };
+
+/* What a finding weighs. */
+enum weight {
+	WEIGHT_FAILS,
+	WEIGHT_KNOWN,	/* in the baseline */
+	WEIGHT_LEFT_OUT	/* of a kind that --fail-on does not name */
+};
+
+/* How it looks. */
+struct manner {
+	enum weight weight;
+	bool colour;
+};
+
+/* What a run is about. Borrows everything. */
+struct report_run {
+	const struct scene *scene;
+	const struct check_options *options;
+	double clearance;	/* mm: of pairs to which the machine file gives none */
+	size_t programs;
+	bool quiet;	/* no statistics */
+};
+
+/* What made a check incomplete. */
+struct report_fault {
+	char *file;	/* NULL: no file is to blame */
+	long line;	/* 0: not known, likewise the column */
+	int column;
+	char *text;
+};
+
+/* One program at its end. Borrows everything. */
+struct report_program {
+	const char *name;
+	const struct verdict *verdict;	/* NULL: the program could not be opened */
+	const double *proven;	/* check_run's; NULL: not asked for */
+	const struct report_fault *faults;	/* the first of them */
+	size_t fault_count;
+};
+
+struct report_end {
+	const struct run_stats *sums;
+	int status;	/* the exit status */
+	size_t left_out;	/* items beyond the writer's limit */
+};
+
+/*
+ * Each function appends to `out`. A finding's and a program's text is what the
+ * format says at once, except where `whole`: then what the findings of a
+ * program appended stays in `out`, and the program's function turns it into its own.
+ */
+struct report_writer {
+	const char *name;	/* as --format calls it */
+	bool whole;
+	bool collects;	/* nothing is written before the end, which receives all items */
+	const char *separator;	/* between items, which are lines; NULL: none */
+	size_t limit;	/* of items; 0: none */
+	void (*begin)(struct strbuf *out, const struct report_run *run);
+	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner);
+	void (*program)(struct strbuf *out, const struct report_run *run, const struct report_program *program);
+	void (*end)(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items);
+};
+
+extern const struct report_writer *const report_writers[FORMAT_COUNT];
+
+#endif

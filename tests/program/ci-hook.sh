@@ -1,0 +1,24 @@
+# The pre-commit hook of examples/ci, in a repository of its own.
+if ! command -v git >/dev/null; then
+	echo "ci-hook: skipped: there is no git" >&2
+	cat "$(dirname "$LIB")/ci-hook.sh.stdout.exact"
+	exit 0
+fi
+export HOME="$PWD" GIT_CONFIG_NOSYSTEM=1 GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
+small_machine
+mv m.xml machine.xml
+git init -q .
+cp "$(dirname "$LIB")/../../examples/ci/pre-commit" .git/hooks/pre-commit
+echo 'G0 X10' >a.nc
+git add .
+status git commit -q -m clear
+# What is staged counts, not what stands beside it.
+printf 'G1 Z-120 F6000\n' >a.nc
+git add a.nc
+echo 'G0 X10' >a.nc
+status git commit -q -m collides
+git add a.nc
+echo 'notes' >notes.txt
+git add notes.txt
+status git commit -q -m notes
+git log --format=%s

@@ -1,0 +1,13 @@
+# Which kinds of findings fail the run; the others are warnings and do not stop it.
+small_machine
+printf 'G0 X300\nG0 X10\nG1 Z-120 F6000\n' >a.nc
+rows() {
+	grep -e '^[a-z]'
+}
+status fivecheck -q m.xml a.nc | rows
+status fivecheck -q --fail-on collision,start-overlap m.xml a.nc | rows
+status fivecheck -q --fail-on clearance m.xml a.nc | rows
+status fivecheck -q --fail-on clearance -f github m.xml a.nc
+status fivecheck -q --exit-zero m.xml a.nc | rows
+echo 'G0 B1' >b.nc
+status fivecheck -q --exit-zero m.xml a.nc b.nc 2>/dev/null | rows
