@@ -1,5 +1,6 @@
 #include "gcode/offsets.h"
 
+#include "gcode/tool_write.h"
 #include "gcode/tooling.h"
 
 /* The block's word for a slot in mm or degrees. */
@@ -137,9 +138,8 @@ bool offsets_set(struct interp *interp)
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
-	if (linuxcnc && (mode == 1 || mode == 10 || mode == 11))
-		return fault(&interp->at, block_column(block, 'L'),
-			     "G10 L%d: writing the tool table is not supported yet; the setup defines tools", mode);
+	if (linuxcnc && tool_write_is(mode))
+		return tool_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
 	if (block_has(block, 'R'))

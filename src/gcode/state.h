@@ -13,6 +13,7 @@
 #include "gcode/macro.h"
 #include "gcode/params.h"
 #include "gcode/source.h"
+#include "gcode/tool_table.h"
 #include "geom/xform.h"
 
 /* G54 to G59.3 */
@@ -112,6 +113,7 @@ struct interp {
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;
+	struct tool_table tools;
 	struct comp comp;
 	struct block_cautions cautions;
 	bool cautioned_retract;
