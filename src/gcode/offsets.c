@@ -1,5 +1,7 @@
 #include "gcode/offsets.h"
 
+#include <math.h>
+
 #include "gcode/tool_write.h"
 #include "gcode/tooling.h"
 
@@ -134,6 +136,9 @@ bool offsets_set(struct interp *interp)
 	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
 	int column = block->g_column[G_NONMODAL], mode, system;
 
+	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
+		return fault(&interp->at, block_column(block, 'L'),
+			     "G10 L0 reads the file of the tool table again, which is not known here");
 	if (!block_has(block, 'L') || !block_has(block, 'P'))
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))

@@ -81,6 +81,7 @@ struct state {
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */
+	bool probed[SLOT_COUNT];	/* a probe stopped the axis somewhere, and no coordinate led it on since */
 	int tool;	/* in the spindle */
 	int selected;	/* by T, or -1 */
 	bool blend;

@@ -1,4 +1,4 @@
-/* tool_table.h - lengths and diameters of tools as the control has them: the setup's, until the program writes others. */
+/* tool_table.h - lengths and diameters of tools as the control has them: those of the setup, or of the program. */
 #ifndef FIVECHECK_GCODE_TOOL_TABLE_H
 #define FIVECHECK_GCODE_TOOL_TABLE_H
 

@@ -63,6 +63,23 @@ static bool check_words(struct interp *interp, int mode)
 }
 
 /* Under TCP a position is one of the tool's point, whose length is what L10 and L11 look for. */
+static bool check_position(struct interp *interp, int mode)
+{
+	int column = interp->block.g_column[G_NONMODAL];
+
+	if (interp->state.tcp != TCP_OFF)
+		return fault(&interp->at, column,
+			     "G10 L%d measures the tool at the machine's position; switch TCP off first", mode);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (interp->state.probed[slot])
+			return fault(&interp->at, column,
+				     "G10 L%d measures the tool where a probe has stopped %c, which is not known before the "
+				     "program runs; give the length in the setup, or with G10 L1",
+				     mode, AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
 static bool check_offsets(struct interp *interp, int mode, int number)
 {
 	const struct block *block = &interp->block;
@@ -73,9 +90,6 @@ static bool check_offsets(struct interp *interp, int mode, int number)
 
 		if (!block_has(block, letter))
 			continue;
-		if (mode != 1 && interp->state.tcp != TCP_OFF)
-			return fault(&interp->at, block->g_column[G_NONMODAL],
-				     "G10 L%d measures the tool at the machine's position; switch TCP off first", mode);
 		offset = offset_of(interp, mode, slot);
 		if (slot != SLOT_Z && fabs(offset) > NO_OFFSET)
 			return fault(&interp->at, block_column(block, letter),
@@ -93,6 +107,8 @@ bool tool_write(struct interp *interp, int mode)
 	int number;
 
 	if (!check_words(interp, mode) || !find_tool(interp, &number))
+		return false;
+	if (mode != 1 && (block->letters & AXIS_BITS) && !check_position(interp, mode))
 		return false;
 	if (mode == 11 && (block->letters & AXIS_BITS))
 		predefined_work_is_used(interp, FIXTURE_SYSTEM, block_column(block, 'L'));
