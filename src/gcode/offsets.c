@@ -1,5 +1,8 @@
 #include "gcode/offsets.h"
 
+#include <math.h>
+
+#include "gcode/tool_write.h"
 #include "gcode/tooling.h"
 
 /* The block's word for a slot in mm or degrees. */
@@ -133,13 +136,15 @@ bool offsets_set(struct interp *interp)
 	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
 	int column = block->g_column[G_NONMODAL], mode, system;
 
+	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
+		return fault(&interp->at, block_column(block, 'L'),
+			     "G10 L0 reads the file of the tool table again, which is not known here");
 	if (!block_has(block, 'L') || !block_has(block, 'P'))
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
-	if (linuxcnc && (mode == 1 || mode == 10 || mode == 11))
-		return fault(&interp->at, block_column(block, 'L'),
-			     "G10 L%d: writing the tool table is not supported yet; the setup defines tools", mode);
+	if (linuxcnc && tool_write_is(mode))
+		return tool_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
 	if (block_has(block, 'R'))

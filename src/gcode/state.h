@@ -13,6 +13,7 @@
 #include "gcode/macro.h"
 #include "gcode/params.h"
 #include "gcode/source.h"
+#include "gcode/tool_table.h"
 #include "geom/xform.h"
 
 /* G54 to G59.3 */
@@ -80,6 +81,7 @@ struct state {
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */
+	bool probed[SLOT_COUNT];	/* a probe stopped the axis somewhere, and no coordinate led it on since */
 	int tool;	/* in the spindle */
 	int selected;	/* by T, or -1 */
 	bool blend;
@@ -112,6 +114,7 @@ struct interp {
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;
+	struct tool_table tools;
 	struct comp comp;
 	struct block_cautions cautions;
 	bool cautioned_retract;

@@ -65,6 +65,18 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
 }
 
+/* A probe stops where it finds something, at the end of its way at the latest. */
+static void forget_places(struct interp *interp)
+{
+	struct state *state = &interp->state;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		/* Under TCP one coordinate of the tool point is the business of all linear axes. */
+		if (block_has(&interp->block, AXIS_LETTERS[slot]) || (state->tcp != TCP_OFF && slot <= SLOT_Z))
+			state->probed[slot] = true;
+	}
+}
+
 bool synchronised_run(struct interp *interp)
 {
 	int code = interp->block.motion;
@@ -81,5 +93,7 @@ bool synchronised_run(struct interp *interp)
 		return tap(interp, &target, &move);
 	if (!pitch && !check_probe(interp, &target))
 		return false;
+	if (!pitch)
+		forget_places(interp);
 	return travel_go(interp, &target, &move);
 }

@@ -62,7 +62,7 @@ bool target_absolute(struct interp *interp, int slot, double value, double origi
 bool target_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
-	const struct state *state = &interp->state;
+	struct state *state = &interp->state;
 
 	*target = frame_straight(state);
 	if (!(block->letters & AXIS_BITS))
@@ -89,6 +89,8 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 		else if (!target_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
 					  block_column(block, letter), &target->v[slot]))
 			return false;
+		if (!state->incremental && block->motion >= G0 && block->motion <= G3)
+			state->probed[slot] = false;
 	}
 	return true;
 }

@@ -124,15 +124,6 @@ bool tooling_select(struct interp *interp)
 	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
 }
 
-static const struct gcode_tool *find_tool(const struct gcode_config *config, int number)
-{
-	for (size_t i = 0; i < config->tool_count; i++) {
-		if (config->tools[i].number == number)
-			return &config->tools[i];
-	}
-	return NULL;
-}
-
 bool tooling_change(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -143,7 +134,7 @@ bool tooling_change(struct interp *interp)
 		return true;
 	if (state->selected < 0)
 		return fault(&interp->at, column, "M6, but no T has selected a tool");
-	if (interp->config->has_setup && state->selected != 0 && !find_tool(interp->config, state->selected))
+	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
 		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
 	if (!reference_change_tool(interp))
 		return false;
@@ -155,7 +146,7 @@ bool tooling_change(struct interp *interp)
 static bool find_spindle_length(struct interp *interp, int column, double *length)
 {
 	int number = interp->state.tool;
-	const struct gcode_tool *tool = find_tool(interp->config, number);
+	const struct gcode_tool *tool = tool_table_find(&interp->tools, number);
 
 	if (number != 0 && !tool)
 		return fault(&interp->at, column,
@@ -168,8 +159,8 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
-	const struct gcode_config *config = interp->config;
-	bool linuxcnc = config->dialect == GCODE_LINUXCNC;
+	const struct gcode_length *entry;
+	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
 	int column = block->g_column[G_LENGTH], number = 0;
 
 	if (block_has(block, 'H')) {
@@ -187,13 +178,12 @@ static bool find_length(struct interp *interp, double *length)
 	*length = 0;
 	if (number == 0)
 		return true;
-	for (size_t i = 0; i < config->length_count; i++) {
-		if (config->lengths[i].number == number) {
-			*length = config->lengths[i].length;
-			return true;
-		}
+	entry = tool_table_length(&interp->tools, number);
+	if (entry) {
+		*length = entry->length;
+		return true;
 	}
-	if (!config->has_setup)
+	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
 	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
 }

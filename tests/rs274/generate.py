@@ -89,8 +89,15 @@ class Generator:
                          lambda: f'{r.choice(["G10 L2", "G10 L20"])} P{r.randint(0, 9)} {self.words(3)}',
                          lambda: r.choice(['G54', 'G55', 'G56', 'G57', 'G58', 'G59', 'G59.1', 'G59.2', 'G59.3']),
                          lambda: r.choice(['G92.1', 'G92.2', 'G92.3']),
-                         lambda: r.choice(['G43', 'G43 H1', 'G43 H3', 'G49', 'T2'] if self.tools else ['G54']),
+                         lambda: r.choice(['G43', 'G43 H1', 'G43 H2', 'G43 H3', 'G49', 'T2'] if self.tools else ['G54']),
+                         lambda: self.tool_entry() if self.tools else 'G54',
                          lambda: r.choice(['G28.1', 'G30.1', 'G28', 'G30', f'G28 {self.words(2)}'])])()
+
+    def tool_entry(self):
+        """The simulated machine of rs274 takes tool 1 for the one in an empty spindle: its entry is left alone."""
+        r = self.r
+        radius = f' R{r.uniform(-3, 3):.3f}' if r.random() < .3 else ''
+        return f'G10 L{r.choice([1, 10, 11])} P{r.randint(2, 3)} Z{self.value()}{radius}'
 
     def mode(self):
         units = [] if self.tools else ['G20', 'G21', 'G21']

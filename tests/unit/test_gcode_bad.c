@@ -122,7 +122,7 @@ static const struct bad blocks[] = {
     {"G43 H5\n", 1, 5, "H5: no setup was given that defines length offsets"},
     {"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of the tool in the spindle, T3, is not known; a setup defines it"},
     {"G10 L2 X1\n", 1, 1, "G10 needs L and P"},
-    {"G10 L1 P1 Z1\n", 1, 5, "G10 L1: writing the tool table is not supported yet; the setup defines tools"},
+    {"G10 L1 P1 Z1\n", 1, 8, "P1: no setup was given that defines tools"},
     {"G10 L2 P10 X1\n", 1, 8, "P10: a whole number from 0 to 9 is needed"},
     {"G10 L2 P1.5 X1\n", 1, 8, "P1.5: a whole number from 0 to 9 is needed"},
     {"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported yet"},
@@ -175,6 +175,7 @@ static const struct bad fanuc[] = {
     {"G0 G43 Z1.\n", 1, 4, "G43 needs H"},
     /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
+    {"G10 L10 P1 R1.\n", 1, 5, "G10 L10 is not supported yet"},
     {"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
     /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
     {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},
