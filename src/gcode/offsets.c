@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/target.h"
 #include "gcode/tool_write.h"
 #include "gcode/tooling.h"
 
@@ -72,6 +73,9 @@ static bool refuse_incremental(struct interp *interp)
  */
 typedef void change_slot(struct interp *interp, int system, int slot, double word);
 
+/* Those that go by where the axes stand. */
+static change_slot change_work_here, change_shift_here;
+
 static bool change_slots(struct interp *interp, int system, change_slot *change)
 {
 	int column = interp->block.g_column[G_NONMODAL];
@@ -80,8 +84,12 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			double word;
 
-			if (slot_is_rotary(slot) == rotary && slot_word(interp, slot, &word))
-				change(interp, system, slot, word);
+			if (slot_is_rotary(slot) != rotary || !slot_word(interp, slot, &word))
+				continue;
+			if ((change == change_work_here || change == change_shift_here) &&
+			    !target_is_known(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
+				return false;
+			change(interp, system, slot, word);
 		}
 		if (!tooling_offsets_changed(interp, column))
 			return false;

@@ -59,6 +59,15 @@ bool target_absolute(struct interp *interp, int slot, double value, double origi
 	return true;
 }
 
+bool target_is_known(struct interp *interp, int slot, int column)
+{
+	if (!interp->state.probed[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
+		     "absolute coordinate (G90) first", AXIS_LETTERS[slot]);
+}
+
 bool target_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
@@ -83,6 +92,9 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (!machine && (!state->incremental || value < 0 || value > 0) &&
 		    tooling_is_in_doubt(interp, slot, block_column(block, letter)))
+			return false;
+		if (!machine && state->incremental && (value < 0 || value > 0) &&
+		    !target_is_known(interp, slot, block_column(block, letter)))
 			return false;
 		if (state->incremental)
 			target->v[slot] += value;

@@ -54,7 +54,8 @@ static bool check_words(struct interp *interp, int mode)
 	for (const char *letter = "IJQ"; *letter; letter++) {
 		if (block_has(block, *letter))
 			return fault(&interp->at, block_column(block, *letter),
-				     "%c: the angles and the orientation of lathe tools are not supported yet", *letter);
+				     "%c: the angles and the orientation of lathe tools are not supported yet",
+				     *letter);
 	}
 	if (!(block->letters & (AXIS_BITS | letter_bit('R'))))
 		return fault(&interp->at, block->g_column[G_NONMODAL],
@@ -73,8 +74,8 @@ static bool check_position(struct interp *interp, int mode)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (interp->state.probed[slot])
 			return fault(&interp->at, column,
-				     "G10 L%d measures the tool where a probe has stopped %c, which is not known before the "
-				     "program runs; give the length in the setup, or with G10 L1",
+				     "G10 L%d measures the tool where a probe has stopped %c, which is not known before "
+				     "the program runs; give the length in the setup, or with G10 L1",
 				     mode, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -93,8 +94,8 @@ static bool check_offsets(struct interp *interp, int mode, int number)
 		offset = offset_of(interp, mode, slot);
 		if (slot != SLOT_Z && fabs(offset) > NO_OFFSET)
 			return fault(&interp->at, block_column(block, letter),
-				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply to that axis; "
-				     "offsets of tools in other axes than Z are not supported yet",
+				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply to that axis"
+				     "; offsets of tools in other axes than Z are not supported yet",
 				     mode, number, offset, slot_is_rotary(slot) ? "degrees" : "mm", letter);
 	}
 	return true;

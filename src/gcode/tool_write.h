@@ -16,8 +16,9 @@ static inline bool tool_write_is(int mode)
  * words are the offsets; L10: the offsets that give the present position the
  * words as its coordinates; L11: the same in G59.3 without G52 and G92. R is the
  * radius. A length in force stays until the next G43, a radius until the next
- * G41 or G42; the tool's bodies stay in any case. Offsets of other axes than
- * Z, and the words of lathe tools, are faults. False: reported, nothing written.
+ * G41 or G42; the tool's bodies stay in any case. Faults: offsets of other axes
+ * than Z, words of lathe tools, and L10 and L11 under TCP or where a probe may
+ * have stopped. False: reported, nothing written.
  */
 bool tool_write(struct interp *interp, int mode);
 

@@ -89,7 +89,7 @@ class Generator:
                          lambda: f'{r.choice(["G10 L2", "G10 L20"])} P{r.randint(0, 9)} {self.words(3)}',
                          lambda: r.choice(['G54', 'G55', 'G56', 'G57', 'G58', 'G59', 'G59.1', 'G59.2', 'G59.3']),
                          lambda: r.choice(['G92.1', 'G92.2', 'G92.3']),
-                         lambda: r.choice(['G43', 'G43 H1', 'G43 H2', 'G43 H3', 'G49', 'T2'] if self.tools else ['G54']),
+                         lambda: r.choice(['G43', 'G43 H1', 'G43 H2', 'G43 H3', 'G49', 'T2']) if self.tools else 'G54',
                          lambda: self.tool_entry() if self.tools else 'G54',
                          lambda: r.choice(['G28.1', 'G30.1', 'G28', 'G30', f'G28 {self.words(2)}'])])()
 
