@@ -18,7 +18,7 @@ XML_FLAGS := $(shell xml2-config --cflags 2>/dev/null || echo -I/usr/include/lib
 override CFLAGS += -std=c17 -ffp-contract=off $(WARNINGS) $(SANITIZE_FLAGS)
 override CPPFLAGS += -D_POSIX_C_SOURCE=200809L -DFIVECHECK_VERSION='"$(VERSION)"' -Isrc -I$(BUILD)/gen $(XML_FLAGS)
 override LDFLAGS += $(SANITIZE_FLAGS) -pthread
-LDLIBS := -lxml2 -ljansson -lm
+LDLIBS := -lxml2 -ljansson -lnettle -lm
 
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
