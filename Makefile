@@ -22,7 +22,7 @@ HARDEN_LDFLAGS := $(if $(HARDEN),-pie -Wl$(comma)-z$(comma)relro$(comma)-z$(comm
 override CFLAGS += -std=c17 -ffp-contract=off $(WARNINGS) $(HARDEN_CFLAGS) $(SANITIZE_FLAGS)
 override CPPFLAGS += -D_POSIX_C_SOURCE=200809L -DFIVECHECK_VERSION='"$(VERSION)"' -Isrc -I$(BUILD)/gen $(XML_FLAGS)
 override LDFLAGS += $(HARDEN_LDFLAGS) $(SANITIZE_FLAGS) -pthread
-LDLIBS := -lxml2 -ljansson -lm
+LDLIBS := -lxml2 -ljansson -lnettle -lm
 
 # make V=1 shows the commands.
 Q := $(if $(V),,@)

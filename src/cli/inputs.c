@@ -1,20 +1,25 @@
+/* For the coarse clock. */
+#define _GNU_SOURCE
+
 #include "cli/inputs.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/mem.h"
 #include "report/depfile.h"
 #include "report/output.h"
 
-static void add(struct inputs *inputs, enum input_kind kind, const char *path)
+static void add(struct inputs *inputs, const char *kind, const char *path)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
 		if (!strcmp(inputs->items[i].path, path))
 			return;
 	}
 	inputs->items = mem_grow(inputs->items, &inputs->capacity, inputs->count + 1, sizeof(*inputs->items));
-	inputs->items[inputs->count++] = (struct input){kind, mem_strndup(path, strlen(path))};
+	inputs->items[inputs->count++] = (struct report_file){kind, mem_strndup(path, strlen(path)), ""};
 }
 
 static void on_opened(void *context, const char *path)
@@ -22,7 +27,7 @@ static void on_opened(void *context, const char *path)
 	struct inputs *inputs = context;
 
 	pthread_mutex_lock(&inputs->lock);
-	add(inputs, INPUT_SUBPROGRAM, path);
+	add(inputs, "subprogram", path);
 	pthread_mutex_unlock(&inputs->lock);
 }
 
@@ -30,12 +35,14 @@ void inputs_init(struct inputs *inputs)
 {
 	*inputs = (struct inputs){.watch = {inputs, on_opened}};
 	pthread_mutex_init(&inputs->lock, NULL);
+	/* The clock that files are stamped with. */
+	clock_gettime(CLOCK_REALTIME_COARSE, &inputs->started);
 }
 
 void inputs_release(struct inputs *inputs)
 {
 	for (size_t i = 0; i < inputs->count; i++)
-		free(inputs->items[i].path);
+		free((char *)inputs->items[i].path);
 	free(inputs->items);
 	pthread_mutex_destroy(&inputs->lock);
 }
@@ -44,39 +51,68 @@ static void add_meshes(struct inputs *inputs, const struct body *bodies, size_t 
 {
 	for (size_t i = 0; i < count; i++) {
 		if (bodies[i].mesh_path)
-			add(inputs, INPUT_MESH, bodies[i].mesh_path);
+			add(inputs, "mesh", bodies[i].mesh_path);
 	}
 }
 
 void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes)
 {
-	add(inputs, INPUT_MACHINE, options->machine);
+	add(inputs, "machine", options->machine);
 	if (options->setup)
-		add(inputs, INPUT_SETUP, options->setup);
+		add(inputs, "setup", options->setup);
 	if (options->baseline)
-		add(inputs, INPUT_BASELINE, options->baseline);
+		add(inputs, "baseline", options->baseline);
 	if (meshes)
 		add_meshes(inputs, machine->bodies, machine->body_count);
 	if (meshes && setup)
 		add_meshes(inputs, setup->bodies, setup->body_count);
 	for (size_t i = 0; i < options->program_count; i++) {
 		if (strcmp(options->programs[i], "-") != 0)
-			add(inputs, INPUT_PROGRAM, options->programs[i]);
+			add(inputs, "program", options->programs[i]);
 	}
 }
 
 static int compare(const void *a, const void *b)
 {
-	const struct input *x = a, *y = b;
+	const struct report_file *x = a, *y = b;
+	int order = strcmp(x->kind, y->kind);
 
-	return x->kind != y->kind ? (int)x->kind - (int)y->kind : strcmp(x->path, y->path);
+	return order ? order : strcmp(x->path, y->path);
 }
 
 void inputs_sort(struct inputs *inputs)
 {
 	if (inputs->count)
 		qsort(inputs->items, inputs->count, sizeof(*inputs->items), compare);
+}
+
+static bool is_later(const struct timespec *a, const struct timespec *b)
+{
+	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
+}
+
+bool inputs_digest(struct inputs *inputs, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		struct report_file *file = &inputs->items[i];
+		struct stat status;
+
+		if (!stat(file->path, &status) && !S_ISREG(status.st_mode)) {
+			/* A pipe cannot be read twice, and opening it would wait for its writer. */
+			diag_error(diag, (struct srcloc){0}, "--record: %s is no regular file", file->path);
+			good = false;
+		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
+			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path, strerror(errno));
+			good = false;
+		} else if (is_later(&status.st_ctim, &inputs->started)) {
+			diag_error(diag, (struct srcloc){0}, "--record: %s changed while it was checked", file->path);
+			good = false;
+		}
+	}
+	return good;
 }
 
 bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag)

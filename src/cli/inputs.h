@@ -5,23 +5,19 @@
 #include <pthread.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <time.h>
 
 #include "base/watch.h"
 #include "cli/options.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
-
-enum input_kind { INPUT_MACHINE, INPUT_SETUP, INPUT_MESH, INPUT_PROGRAM, INPUT_SUBPROGRAM, INPUT_BASELINE };
-
-struct input {
-	enum input_kind kind;
-	char *path;	/* owned */
-};
+#include "report/report.h"
 
 struct inputs {
 	struct watch watch;	/* for programs: their subprograms */
 	pthread_mutex_t lock;
-	struct input *items;
+	struct timespec started;
+	struct report_file *items;	/* their paths are owned */
 	size_t count, capacity;
 };
 
@@ -33,8 +29,14 @@ void inputs_release(struct inputs *inputs);
 void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes);
 
-/* Sorts by kind, subprograms by name; each file stays once. Call it when the programs have been read. */
+/* Sorts by kind and name. Call it when the programs have been read. */
 void inputs_sort(struct inputs *inputs);
+
+/*
+ * Takes the digests of all. A file that has changed since inputs_init, is no regular one, or
+ * cannot be read, is reported, and the result false: nobody could say what was checked.
+ */
+bool inputs_digest(struct inputs *inputs, struct diag *diag);
 
 /* Writes --depfile, if that was asked for; false: reported. */
 bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag);

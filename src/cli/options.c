@@ -141,7 +141,8 @@ static bool check_formats(const struct parser *parser)
 	struct options *o = parser->options;
 	int wanted = 0, unnamed = 0;
 
-	for (int i = 0; i < FORMAT_COUNT; i++) {
+	o->formats[FORMAT_RECORD] = (struct format_choice){o->record != NULL, o->record};
+	for (int i = 0; i < FORMAT_CHOICES; i++) {
 		wanted += o->formats[i].wanted;
 		unnamed += o->formats[i].wanted && !o->formats[i].path;
 	}
@@ -185,6 +186,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--depfile says what a file depends on: name it with --output or --format=FORMAT=FILE";
 	else if (o->depfile && !strcmp(o->depfile, "-"))
 		fault = "--depfile needs the name of a file: standard output has the report";
+	else if (o->record && !strcmp(o->record, "-"))
+		fault = "--record needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
 	if (fault)
@@ -212,6 +215,8 @@ static bool check_operands(const struct parser *parser)
 			   o->programs[0]);
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
+	else if (inputs > 0 && o->record)
+		diag_error(parser->diag, nowhere, "--record cannot tell which program came from standard input: give it as a file");
 	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
 		diag_error(parser->diag, nowhere, "standard input cannot be both a program and the list of --files-from");
 	else if (inputs > 1)

@@ -52,6 +52,7 @@ struct options {
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
+	const char *record;	/* or NULL; the path of formats[FORMAT_RECORD], too */
 	const char *baseline;	/* or NULL */
 	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
 	bool exit_zero;	/* whatever is found */

@@ -50,10 +50,12 @@ static void work_together(struct session *session, int count)
 	free(threads);
 }
 
-static void tell_end(const struct session *session, double seconds, enum run_status status)
+static void tell_end(const struct session *session, double seconds, const struct inputs *inputs,
+		     enum run_status status)
 {
 	struct run_stats sums = {.seconds_load = seconds};
-	struct report_end end = {.sums = &sums, .status = (int)status};
+	struct report_end end = {.sums = &sums, .status = (int)status,
+				 .files = inputs->items, .file_count = inputs->count};
 
 	for (size_t i = 0; i < session->options->program_count; i++)
 		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result,
@@ -97,7 +99,7 @@ static enum run_status status_of(const struct session *session)
 }
 
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels, const struct watch *watch,
+			       struct console *console, struct channels *channels, struct inputs *inputs,
 			       const struct baseline *baseline)
 {
 	struct session session = {
@@ -105,7 +107,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 		.context = {
 			.options = options, .check = options->check, .scene = scene, .channels = channels,
 			.baseline = baseline,
-			.run = {scene, &options->check, options->clearance, options->program_count, options->quiet},
+			.run = {scene, &options->check, options->clearance, options->program_count,
+				options->fail_on, options->exit_zero, options->quiet},
 		},
 	};
 	enum run_status status;
@@ -113,7 +116,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 
 	if ((size_t)threads > options->program_count)
 		threads = options->program_count ? (int)options->program_count : 1;
-	session.context.check.watch = watch;
+	session.context.check.watch = &inputs->watch;
 	/* What is accepted must not hide what comes after it. */
 	session.context.check.all = options->check.all || options->baseline || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
@@ -124,8 +127,11 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	interrupt_watch();
 	work_together(&session, threads);
 	console_finish(console);
+	inputs_sort(inputs);
+	if (options->record)
+		inputs_digest(inputs, &console->diag);
 	status = status_of(&session);
-	tell_end(&session, seconds, status);
+	tell_end(&session, seconds, inputs, status);
 	stage_release(&session.stage);
 	free(session.outcomes);
 	return status;

@@ -2,7 +2,7 @@
 #ifndef FIVECHECK_CLI_PROGRAMS_H
 #define FIVECHECK_CLI_PROGRAMS_H
 
-#include "base/watch.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
 #include "cli/voice.h"
 #include "report/baseline.h"
@@ -12,10 +12,11 @@
 /*
  * Checks the programs that the options name, on as many threads as they allow, and
  * reports in the order in which they were given. `seconds` is what loading took,
- * `watch` is told of the files of subprograms; the baseline may be NULL.
+ * the files
+ * of subprograms are added to the inputs, which are then sorted and complete; the baseline may be NULL.
  */
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels, const struct watch *watch,
+			       struct console *console, struct channels *channels, struct inputs *inputs,
 			       const struct baseline *baseline);
 
 #endif

@@ -122,8 +122,7 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 
 		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
 		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
-					&inputs.watch, baseline);
-		inputs_sort(&inputs);
+					&inputs, baseline);
 		if (!inputs_write_depfile(&inputs, options, diag))
 			status = worst(status, RUN_INCOMPLETE);
 		if (!channels_commit(&channels, diag))

@@ -16,7 +16,8 @@ enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
-	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO
+	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
+	KEY_RECORD
 };
 
 static const char *const methods[] = {
@@ -93,6 +94,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),
 	 .help = "write a make rule into FILE: the files written here\ndepend on every file that was read"},
+	{KEY_RECORD, "record", "FILE.json", IN_CHECK | IN_PARSE, TEXT(record),
+	 .help = "write what was checked into FILE.json, with digests\nof all that was read"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "the smallest proven clearance of each pair as well"},

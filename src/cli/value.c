@@ -95,7 +95,7 @@ static bool add_format(struct format_choice *choices, const struct option_row *r
 		diag_error(diag, nowhere, "--%s: the name of the file is empty", row->name);
 		return false;
 	}
-	for (int i = 0; i < FORMAT_COUNT; i++) {
+	for (int i = 0; i < FORMAT_CHOICES; i++) {
 		const char *name = report_writers[i]->name;
 
 		strbuf_addf(&names, "%s%s", i ? ", " : "", name);

@@ -5,10 +5,15 @@
 #include "report/json.h"
 #include "report/quantity.h"
 
-static const char *const methods[] = {
-	[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
-	[CHECK_CONVENTIONAL] = "conventional", [CHECK_NOTHING] = "parse-only",
-};
+const char *ndjson_method(enum check_method method)
+{
+	static const char *const methods[] = {
+		[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
+		[CHECK_CONVENTIONAL] = "conventional", [CHECK_NOTHING] = "parse-only",
+	};
+
+	return methods[method];
+}
 
 static void add_header(struct strbuf *out, const struct report_run *run)
 {
@@ -21,7 +26,7 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_put(object, "fivecheck", json_string(FIVECHECK_VERSION));
 	json_put(object, "machine", json_text(run->scene->machine->path));
 	json_put(object, "setup", json_text(run->scene->setup ? run->scene->setup->path : NULL));
-	json_put(object, "method", json_string(methods[options->method]));
+	json_put(object, "method", json_string(ndjson_method(options->method)));
 	json_put(object, "step", sampled ? json_real(options->step) : json_null());
 	json_put(object, "tolerance", json_real(options->tolerance));
 	json_put(object, "clearance", json_real(run->clearance));
@@ -65,7 +70,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	ndjson_finding(out, run->scene->machine, finding, manner.weight);
 }
 
-static json_t *cautions_of(const struct verdict *verdict)
+json_t *ndjson_cautions(const struct verdict *verdict)
 {
 	json_t *array = json_array();
 	struct strbuf text = {0};
@@ -107,7 +112,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "verdict", json_string(verdict_word(program->verdict)));
 	json_put(object, "blocks", json_integer(stats ? stats->motion.blocks : 0));
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
-	json_put(object, "cautions", cautions_of(program->verdict));
+	json_put(object, "cautions", ndjson_cautions(program->verdict));
 	json_put(object, "errors", faults_of(program));
 	json_add_line(out, object);
 }

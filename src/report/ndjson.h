@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_REPORT_NDJSON_H
 #define FIVECHECK_REPORT_NDJSON_H
 
+#include <jansson.h>
+
 #include "base/strbuf.h"
 #include "check/finding.h"
 #include "machine/machine.h"
@@ -13,6 +15,12 @@
  * kind "summary" last: a file without it was cut short.
  */
 extern const struct report_writer ndjson_writer;
+
+/* "certified", "interpolated", "conventional", "parse-only" */
+const char *ndjson_method(enum check_method method);
+
+/* What must be said beside a verdict, as an array of texts; NULL has none. To be released by who takes it. */
+json_t *ndjson_cautions(const struct verdict *verdict);
 
 enum { NDJSON_FORMAT = 1 };
 

@@ -8,12 +8,14 @@
 #include "base/strbuf.h"
 #include "check/check.h"
 #include "check/finding.h"
+#include "report/digest.h"
 #include "report/stats.h"
 #include "report/verdict.h"
 #include "scene/scene.h"
 
-enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB };
-enum { FORMAT_COUNT = FORMAT_GITHUB + 1 };
+enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB, FORMAT_RECORD };
+/* The last is no format to choose, but --record. */
+enum { FORMAT_CHOICES = FORMAT_RECORD, FORMAT_COUNT };
 
 /* What a finding weighs. */
 enum weight {
@@ -34,6 +36,8 @@ struct report_run {
 	const struct check_options *options;
 	double clearance;	/* mm: of pairs to which the machine file gives none */
 	size_t programs;
+	unsigned fail_on;	/* a bit for each kind of finding that fails; 0: all */
+	bool exit_zero;
 	bool quiet;	/* no statistics */
 };
 
@@ -54,9 +58,17 @@ struct report_program {
 	size_t fault_count;
 };
 
+/* A file that was read. Borrows everything. */
+struct report_file {
+	const char *kind, *path;
+	char digest[DIGEST_SIZE];	/* SHA-256; "": not asked for */
+};
+
 struct report_end {
 	const struct run_stats *sums;
 	int status;	/* the exit status */
+	const struct report_file *files;
+	size_t file_count;
 	size_t left_out;	/* items beyond the writer's limit */
 };
 

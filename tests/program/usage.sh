@@ -84,3 +84,6 @@ bad m.xml a.nc -q --progress=plain
 bad m.xml a.nc --fail-on collision,
 bad m.xml a.nc --fail-on crash
 bad m.xml --list-pairs --exit-zero
+bad m.xml a.nc --record -
+bad m.xml - --record r.json
+bad m.xml a.nc --record a.nc
