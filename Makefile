@@ -10,14 +10,18 @@ BUILD ?= build$(patsubst %,-%,$(filter-out cc gcc,$(notdir $(firstword $(CC)))))
 
 VERSION := 0.1.0
 WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes -Werror=implicit
-OPTIMISE ?= -O2 -g
+OPTIMISE ?= -O3 -g
 CFLAGS ?= $(OPTIMISE)
 SANITIZE_FLAGS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
 XML_FLAGS := $(shell xml2-config --cflags 2>/dev/null || echo -I/usr/include/libxml2)
+# HARDEN= leaves the hardening out. FORTIFY needs optimisation and goes ill with sanitizers.
+HARDEN ?= $(if $(SANITIZE),,1)
+HARDEN_CFLAGS := $(if $(HARDEN),-fstack-protector-strong -fPIE $(if $(filter -O0,$(OPTIMISE)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
+HARDEN_LDFLAGS := $(if $(HARDEN),-pie -Wl$(comma)-z$(comma)relro$(comma)-z$(comma)now)
 # Contraction would make a verdict depend on the compiler.
-override CFLAGS += -std=c17 -ffp-contract=off $(WARNINGS) $(SANITIZE_FLAGS)
+override CFLAGS += -std=c17 -ffp-contract=off $(WARNINGS) $(HARDEN_CFLAGS) $(SANITIZE_FLAGS)
 override CPPFLAGS += -D_POSIX_C_SOURCE=200809L -DFIVECHECK_VERSION='"$(VERSION)"' -Isrc -I$(BUILD)/gen $(XML_FLAGS)
-override LDFLAGS += $(SANITIZE_FLAGS) -pthread
+override LDFLAGS += $(HARDEN_LDFLAGS) $(SANITIZE_FLAGS) -pthread
 LDLIBS := -lxml2 -ljansson -lnettle -lm
 
 # make V=1 shows the commands.
@@ -65,7 +69,7 @@ check:
 	@sh scripts/install-deps
 	@$(MAKE) --no-print-directory check-layers check-man
 	@$(MAKE) --no-print-directory all
-	@$(MAKE) --no-print-directory check-unit check-program check-machines check-rs274
+	@$(MAKE) --no-print-directory check-unit check-program check-faults check-machines check-rs274
 
 check-layers:
 	@sh scripts/check-layers
@@ -76,8 +80,23 @@ check-man:
 check-unit: $(UNIT_PROGRAMS)
 	@status=0; for t in $(UNIT_PROGRAMS); do $$t || status=1; done; exit $$status
 
+# The long form of what check-unit runs in short: 4,000,000 pairs of triangles, 100,000 moving pairs.
+STRESS_CASES ?= 20
+stress: $(filter $(BUILD)/tests/test_stress_%,$(UNIT_PROGRAMS)) $(BUILD)/tests/test_sweep $(BUILD)/tests/test_boxes
+	@status=0; for t in $^; do FIVECHECK_CASES=$(STRESS_CASES) $$t || status=1; done; exit $$status
+
 check-program: $(BUILD)/fivecheck
 	@FIVECHECK="$$(realpath $(BUILD)/fivecheck)" sh scripts/run-program-tests $(TESTS)
+
+# Memory, reads and threads that fail; FAULT_RUNS=0 lets every single allocation fail.
+check-faults: $(BUILD)/fivecheck $(BUILD)/fault.so
+	@if [ -n "$(SANITIZE)" ]; then echo 'check-faults: skipped, a sanitizer has an allocator of its own'; else \
+		sh scripts/check-faults $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/fault.so); fi
+
+$(BUILD)/fault.so: tests/fault/fault.c Makefile
+	@mkdir -p $(@D)
+	@echo '  CC $@'
+	$(Q)$(CC) -std=c17 -O2 $(WARNINGS) -shared -fPIC -o $@ $< -ldl
 
 check-machines: $(BUILD)/fivecheck
 	@sh scripts/check-machines
@@ -86,6 +105,44 @@ check-machines: $(BUILD)/fivecheck
 # Against LinuxCNC's interpreter; skipped where it is neither found nor to be downloaded.
 check-rs274: $(BUILD)/fivecheck
 	@sh scripts/check-rs274 $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/rs274) $(RS274_OPTIONS)
+
+# The unit and program tests in builds of their own that watch memory and threads.
+check-asan:
+	@$(MAKE) --no-print-directory SANITIZE=address,undefined check-unit check-program
+
+check-tsan:
+	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all"
+
+check-valgrind: $(BUILD)/fivecheck $(UNIT_PROGRAMS)
+	@sh scripts/check-valgrind $(BUILD)
+
+# Line coverage of src by the unit and program tests; COVERAGE_ROWS of the worst files are shown, all are in the folder.
+coverage:
+	@FIVECHECK_CASES=0.05 $(MAKE) --no-print-directory BUILD=build-coverage HARDEN= OPTIMISE='-O1 -g --coverage' \
+		check-unit check-program
+	@sh scripts/coverage build-coverage
+
+# Taken back, as cppcheck errs: an array of what is to be filled is no use of it (options.c); a finding is looked at only
+# once there is one (limits.c); positions beyond the first two are always given (reference.c).
+lint: $(SCHEMA_HEADERS)
+	@clang-tidy --quiet $(SOURCES) src/main.c -- $(CPPFLAGS) -std=c17
+	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+		--suppress=missingIncludeSystem --suppress=ctuuninitvar:src/cli/options.c \
+		--suppress=uninitvar:src/motion/limits.c --suppress=arrayIndexOutOfBoundsCond:src/gcode/reference.c -Isrc -I$(BUILD)/gen src
+
+# Needs clang; objects of its own. FUZZ_SECONDS each (60), FUZZ="stl machine ..." only some of them.
+FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+fuzz:
+	@$(MAKE) --no-print-directory CC=clang BUILD=build-fuzz SANITIZE=fuzzer-no-link,address,undefined build-fuzzers
+	@sh scripts/fuzz build-fuzz $(FUZZ)
+
+build-fuzzers: $(FUZZERS)
+
+$(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libfivecheck.a Makefile
+	@echo '  CC $@'
+	$(Q)$(CC) $(CPPFLAGS) -DFUZZ_MACHINE='"machines/ac-trunnion/machine.xml"' \
+		-DFUZZ_SETUP='"examples/ac-trunnion/setup.xml"' $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $< \
+		$(BUILD)/libfivecheck.a $(LDLIBS)
 
 # Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
 bench:
@@ -124,18 +181,22 @@ help:
 	@echo 'make                 build $(BUILD)/fivecheck'
 	@echo 'make demo            build, then check a clear and a colliding program'
 	@echo 'make check           layers, manual pages, unit tests, program tests, machines'
-	@echo 'make check-layers    and check-man check-unit check-program check-machines check-rs274: one of them'
+	@echo 'make check-layers    and check-man check-unit check-program check-faults check-machines check-rs274: one of them'
 	@echo '                     (check-program TESTS="name ...": some of the program tests;'
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
+	@echo 'make stress          awkward geometry at length (STRESS_CASES=20 times what check does, FIVECHECK_SEED=n)'
+	@echo 'make check-asan      and check-tsan check-valgrind: the tests in builds that watch memory and threads'
+	@echo 'make coverage        and lint: lines of src that the tests reach; clang-tidy and cppcheck'
+	@echo 'make fuzz            fuzzers on programs, machines, setups, STL (clang; FUZZ_SECONDS=60 each, FUZZ="stl ...")'
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
-	@echo 'Variables: CC=clang, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O2 -g", V=1, NO_INSTALL=1.'
+	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick check check-layers check-man check-unit check-program check-machines check-rs274 demo install uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

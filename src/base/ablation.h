@@ -44,7 +44,8 @@ enum { WITH_INTERPOLATED_AXES = 1 };	/* an axis may turn along with the motion *
 #ifdef FIVECHECK_WITHOUT_SECOND_ORDER
 enum { WITH_SECOND_ORDER = 0 };
 #else
-enum { WITH_SECOND_ORDER = 1 };	/* how far a path leaves its chord is bounded by its curvature, not by half its length */
+/* How far a path leaves its chord is bounded by its curvature, not by half its length. */
+enum { WITH_SECOND_ORDER = 1 };
 #endif
 
 #endif

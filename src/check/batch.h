@@ -15,7 +15,7 @@ struct batch_step {
 	struct motion_step motion;	/* its path is the batch's once batch_close was called */
 	size_t path;	/* index into paths */
 	long block;
-	bool beyond;	/* past a limit, or where the control may go past one by its path tolerance: nothing is out of reach */
+	bool beyond;	/* past a limit, or near enough for the path tolerance: nothing is out of reach */
 };
 
 /* Steps to a chunk. */

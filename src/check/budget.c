@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/ablation.h"
+#include "base/extremes.h"
 
 void budget_init(struct budget *budget, const struct chain *chain)
 {
@@ -86,7 +87,7 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 	if (off)
 		use_within(budget, off, play);
 	for (int v = 0; v < VIEWS; v++) {
-		double most = fmax(used[v], budget->used[v]) + play[v];
+		double most = larger(used[v], budget->used[v]) + play[v];
 
 		if (most < budget->room) {
 			budget->used[0] = used[0];
@@ -106,7 +107,7 @@ bool budget_covers_box(struct budget *budget, const axis_values *low, const axis
 	if (!budget->known)
 		return false;
 	for (int i = 0; i < SLOT_COUNT; i++)
-		amount.v[i] = fmax(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i])) +
+		amount.v[i] = larger(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i])) +
 			      (off ? off->v[i] : 0);
 	use_within(budget, &amount, used);
 	for (int v = 0; v < VIEWS; v++) {

@@ -15,8 +15,8 @@
  * and as long as that is below `room` they stay apart. Every rho_k is the one at
  * `at`: of |E1'E2'p - E1E2p| <= |E2'p - E2p| + |E1'x - E1x| the first term is the
  * later joints' alone, as E1' keeps distances, and in the second x = E2p stands where it
- * was. The sum is convex in the axes, so a straight motion is covered when both its ends are. Two views as in motion_bound.h: one of
- * them must cover both ends.
+ * was. The sum is convex in the axes, so a straight motion is covered when both
+ * its ends are. Two views as in motion_bound.h: one of them must cover both ends.
  */
 struct budget {
 	const struct chain *chain;

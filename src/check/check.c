@@ -186,8 +186,11 @@ static void process(struct checker *c)
 	batch_clear(&c->batch);
 	emit(c);
 	c->stats->seconds_check += now() - start;
-	if (c->sink->progress)
-		c->sink->progress(c->sink->context, c->line);
+	if (c->sink->progress && !c->stopped && !c->sink->progress(c->sink->context, c->line)) {
+		diag_error(c->diag, (struct srcloc){c->file, 0, 0},
+			   "interrupted after line %ld: what follows was not checked", c->line);
+		c->stopped = c->failed = true;
+	}
 }
 
 /* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
@@ -345,6 +348,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.last_duplicate_wins = c->options->last_duplicate_wins,
 		.includes = c->options->includes,
 		.include_count = c->options->include_count,
+		.input_root = c->options->input_root,
 		.watch = c->options->watch,
 		.max_blocks = c->options->max_blocks,
 	};
@@ -358,7 +362,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,
 			    double *proven)
 {
-	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats, .file = name};
+	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
+			    .file = name};
 	const size_t errors = diag->errors;
 	double start = now();
 	bool complete = false;

@@ -13,7 +13,7 @@
 
 enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
-	CHECK_INTERPOLATED,	/* the paper's method: samples, axes interpolated between a motion's ends; unsafe between samples */
+	CHECK_INTERPOLATED,	/* the paper's: axes interpolated between a motion's ends; unsafe between samples */
 	CHECK_CONVENTIONAL,	/* samples, axes computed anew at each; unsafe between samples */
 	CHECK_NOTHING	/* interpret and watch the limits only (--parse-only) */
 };
@@ -27,6 +27,7 @@ struct check_options {
 	bool last_duplicate_wins;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
@@ -48,8 +49,8 @@ struct check_sink {
 	void *context;
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
-	/* Now and then: how far the program is; may be NULL. */
-	void (*progress)(void *context, long lines);
+	/* Now and then: how far the program is. False: break off, which is a fault of its own. May be NULL. */
+	bool (*progress)(void *context, long lines);
 };
 
 enum check_result {

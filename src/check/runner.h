@@ -32,7 +32,10 @@ struct runner {
 	size_t result_count, result_capacity;
 };
 
-/* measure: find the smallest clearance (follower_init). False: a mesh is faulty, reported. Not to be moved afterwards. */
+/*
+ * measure: find the smallest clearance (follower_init). False: a mesh is faulty,
+ * reported. Not to be moved afterwards.
+ */
 bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const struct check_options *options,
 		 bool measure, struct diag *diag);
 void runner_release(struct runner *runner);

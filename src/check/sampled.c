@@ -17,7 +17,8 @@ struct sample {
 void sampler_init(struct sampler *sampler, const struct body_pair *bodies, double clearance, bool interpolated,
 		  double step)
 {
-	*sampler = (struct sampler){.bodies = *bodies, .clearance = clearance, .interpolated = interpolated, .step = step};
+	*sampler = (struct sampler){.bodies = *bodies, .clearance = clearance, .interpolated = interpolated,
+				    .step = step};
 	if (interpolated)
 		sampler->cache = axis_cache_new();
 }
@@ -122,7 +123,8 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 		}
 		open_a = branch_opens_first(&at.a, &at.b);
 		node = &(open_a ? bodies->a : bodies->b)->nodes[open_a ? at.a.leaf.first : at.b.leaf.first];
-		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box, apart, loose);
+		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box,
+			    (float)sample->sampler->clearance * (1 + 0x1p-20f), apart, loose);
 		for (int l = 0; l < node->used; l++) {
 			struct branch child = branch_child(node, l);
 

@@ -1,4 +1,4 @@
-/* sampled.h - the paper's two methods: looking at poses every so often. What happens between samples, they do not see. */
+/* sampled.h - the paper's two methods: looking at poses every so often, and not at what happens in between. */
 #ifndef FIVECHECK_CHECK_SAMPLED_H
 #define FIVECHECK_CHECK_SAMPLED_H
 

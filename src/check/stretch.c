@@ -5,7 +5,10 @@
 
 #include "motion/span.h"
 
-/* mm: what a radian counts for when the speeds along a stretch are chosen; any value is right, a good one keeps deviations small. */
+/*
+ * mm: what a radian counts for when the speeds along a stretch are chosen; any value
+ * is right, a good one keeps deviations small.
+ */
 #define RADIAN 100.0
 
 bool stretch_takes(const struct batch_step *step)

@@ -3,6 +3,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/confine.h"
+
 /* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
 static bool is_same(const char *a, const char *b)
 {
@@ -85,4 +87,32 @@ bool files_spare_meshes(const struct options *options, const struct machine *mac
 {
 	return spares(options, machine->bodies, machine->body_count, diag) &&
 	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
+}
+
+static bool holds(const char *root, const struct body *bodies, size_t count, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < count; i++) {
+		if (!bodies[i].mesh_path || confine_holds(root, bodies[i].mesh_path))
+			continue;
+		diag_error(diag, bodies[i].loc, "the mesh %s is outside of the input root %s, or a link leads there",
+			   bodies[i].mesh_path, root);
+		good = false;
+	}
+	return good;
+}
+
+bool files_confined(const struct options *options, const struct machine *machine, const struct setup *setup,
+		    struct diag *diag)
+{
+	const char *root = options->check.input_root;
+	struct stat status;
+
+	if (root && (stat(root, &status) || !S_ISDIR(status.st_mode))) {
+		diag_error(diag, (struct srcloc){0}, "--input-root %s is no folder", root);
+		return false;
+	}
+	return holds(root, machine->bodies, machine->body_count, diag) &&
+	       (!setup || holds(root, setup->bodies, setup->body_count, diag));
 }

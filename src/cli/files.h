@@ -1,4 +1,4 @@
-/* files.h - keeps a slip of the command line from overwriting an input. */
+/* files.h - keeps a slip of the command line from overwriting an input, and foreign files from naming just any file. */
 #ifndef FIVECHECK_CLI_FILES_H
 #define FIVECHECK_CLI_FILES_H
 
@@ -15,5 +15,9 @@ bool files_differ(const struct options *options, struct diag *diag);
 /* The same of the meshes of the machine and the setup, which may be NULL. */
 bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);
+
+/* Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. */
+bool files_confined(const struct options *options, const struct machine *machine, const struct setup *setup,
+		    struct diag *diag);
 
 #endif

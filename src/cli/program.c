@@ -8,6 +8,7 @@
 
 #include "base/mem.h"
 #include "check/check.h"
+#include "cli/interrupt.h"
 #include "report/verdict.h"
 
 static const struct srcloc nowhere;
@@ -102,11 +103,12 @@ static bool on_finding(void *context, const struct finding *finding)
 	return tell_finding(program, finding, weight) && (!fails || program->context->options->check.all);
 }
 
-static void on_progress(void *context, long lines)
+static bool on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
 	voice_progress(program->voice, program->name, lines);
+	return !interrupt_seen();
 }
 
 static bool has_text(const struct channels *channels)

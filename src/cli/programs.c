@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "cli/interrupt.h"
 #include "cli/program.h"
 #include "report/pose.h"
 
@@ -123,6 +124,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	stage_init(&session.stage, options->program_count, console, channels);
 	console_expect(console, options->program_count);
 	channels_begin(channels, &session.context.run);
+	interrupt_watch();
 	work_together(&session, threads);
 	console_finish(console);
 	inputs_sort(inputs);

@@ -76,6 +76,8 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
+	if (!files_confined(options, job->machine, job->setup, diag))
+		return false;
 	if (options->dialect >= 0)
 		job->machine->controller.dialect = (enum dialect)options->dialect;
 	if (needs_scene(options->mode)) {
@@ -141,6 +143,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 		.last_duplicate_wins = options->check.last_duplicate_wins,
 		.includes = options->check.includes,
 		.include_count = options->check.include_count,
+		.input_root = options->check.input_root,
 		.max_blocks = options->check.max_blocks,
 	};
 	struct program_file file;

@@ -14,7 +14,7 @@ enum {
 /* Options without a letter. */
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
-	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE,
+	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
 	KEY_RECORD
@@ -70,6 +70,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "skip the blocks that begin with /"},
 	{KEY_INCLUDE, "include", "DIR", WITH_PROGRAM, LIST(includes),
 	 .help = "look for subprograms in DIR, too, after the program's\nown folder; may be given again"},
+	{KEY_INPUT_ROOT, "input-root", "DIR", ANYWHERE, TEXT(check.input_root),
+	 .help = "meshes and subprograms outside of DIR are an error"},
 	{KEY_MAX_BLOCKS, "max-blocks", "N", WITH_PROGRAM, .kind = VALUE_COUNT, FIELD(check.max_blocks), .least = 1,
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
 	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
@@ -88,7 +90,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "exit with 0 where something was found, too"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
 	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
-	{'o', "output", "FILE", ANYWHERE, TEXT(output), .help = "write the results to FILE, replaced when complete;\n- is standard output"},
+	{'o', "output", "FILE", ANYWHERE, TEXT(output),
+	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),
 	 .help = "write a make rule into FILE: the files written here\ndepend on every file that was read"},
 	{KEY_RECORD, "record", "FILE.json", IN_CHECK | IN_PARSE, TEXT(record),

@@ -235,7 +235,8 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point || block->g[G_NONMODAL] == G4)
+	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point ||
+	    block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
 		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))

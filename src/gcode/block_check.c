@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "gcode/block.h"
+#include "gcode/tool_write.h"
 
 /* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
 static bool takes_axis_words(int code)
@@ -54,7 +55,8 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		return true;
 	}
 	if (given == G80 && axes)
-		return fault(at, first_column(block, AXIS_LETTERS), "axis words with G80, which cancels motion");
+		return fault(at, first_column(block, AXIS_LETTERS),
+			     "axis words with G80, which cancels motion; give them a motion code instead");
 	if (given != CODE_NONE)
 		return true;
 	if (axes && modes->motion == CODE_NONE)
@@ -90,7 +92,7 @@ static bool check_machine_coordinates(const struct block *block, const struct li
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
 	if (incremental)
-		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91)");
+		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
 	return true;
 }
 
@@ -138,6 +140,17 @@ static uint32_t contour_letters(int code)
 			      : letter_bit('P');
 }
 
+/* What G10 sets; the words of lathe tools as well: tool_write.c says that they are not supported. */
+static uint32_t data_letters(const struct block *block, enum gcode_dialect dialect)
+{
+	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
+	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
+
+	if (dialect == GCODE_LINUXCNC && mode > 0 && mode < 12 && tool_write_is((int)lround(mode)))
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
+	return used;
+}
+
 static bool is_call(const struct block *block, enum gcode_dialect dialect)
 {
 	return dialect != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
@@ -163,7 +176,7 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 	if (block->g[G_NONMODAL] == G30 && dialect != GCODE_LINUXCNC)
 		used |= letter_bit('P');
 	if (block->g[G_NONMODAL] == G10)
-		used |= letter_bit('L') | letter_bit('P') | letter_bit('R');
+		used |= data_letters(block, dialect);
 	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
 		used |= letter_bit('D') | letter_bit('L');
 	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)

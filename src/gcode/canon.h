@@ -46,7 +46,7 @@ struct canon_arc {
 
 struct canon_move {
 	enum canon_kind kind;
-	const char *file;	/* of the block: the program's own, or a subprogram's; lives as long as the interpreter */
+	const char *file;	/* of the block: the program's or a subprogram's; lives as long as the interpreter */
 	long line;	/* of the block */
 	int number;	/* of this move in its block, from 1 */
 	bool tcp;

@@ -12,7 +12,10 @@
 /* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; within it a way goes straight on. */
 #define STRAIGHT_ON 0.05
 
-/* A sweep may be trimmed to more than programmed by so much: LinuxCNC's figures for mm and inches, taken for radians. */
+/*
+ * A sweep may be trimmed to more than programmed by so much: LinuxCNC's figures for
+ * mm and inches, taken for radians.
+ */
 #define SLACK_MM 0.0254
 #define SLACK_INCH 0.001
 

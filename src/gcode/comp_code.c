@@ -5,7 +5,7 @@
 static bool find_radius(struct interp *interp, double *radius)
 {
 	const struct block *block = &interp->block;
-	const struct gcode_config *config = interp->config;
+	const struct gcode_tool *tool;
 	int code = block->g[G_CUTTER], column = block->g_column[G_CUTTER], number = interp->state.tool;
 
 	if (code == G41_1 || code == G42_1) {
@@ -20,15 +20,10 @@ static bool find_radius(struct interp *interp, double *radius)
 			return false;
 		number = number == 0 ? interp->state.tool : number;
 	}
-	*radius = 0;
-	for (size_t i = 0; i < config->tool_count; i++) {
-		if (config->tools[i].number == number) {
-			*radius = config->tools[i].diameter / 2;
-			return true;
-		}
-	}
-	return number == 0 || fault(&interp->at, column, "the diameter of tool T%d is not known; a setup defines it",
-				    number);
+	tool = tool_table_find(&interp->tools, number);
+	*radius = tool ? tool->diameter / 2 : 0;
+	return tool || number == 0 ||
+	       fault(&interp->at, column, "the diameter of tool T%d is not known; a setup defines it", number);
 }
 
 bool comp_switch_on(struct interp *interp)

@@ -8,7 +8,10 @@
 #include "gcode/tooling.h"
 #include "gcode/travel.h"
 
-/* LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a parameter, and on the way in any case. */
+/*
+ * LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a
+ * parameter, and on the way in any case.
+ */
 #define PECK_CLEARANCE 0.254
 
 /* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
@@ -32,7 +35,10 @@ struct cycle {
 
 /* ------------------------------------------------------------------ words */
 
-/* The word of the block or, if an earlier block of the cycle gave it, that one; `column` is to blame for want of both. */
+/*
+ * The word of the block or, if an earlier block of the cycle gave it, that one;
+ * `column` is to blame for want of both.
+ */
 static bool cycle_word(struct cycle *cycle, char letter, bool kept, double *value)
 {
 	struct interp *interp = cycle->interp;
@@ -155,7 +161,7 @@ static bool find_peck(struct cycle *cycle, bool kept)
 	struct interp *interp = cycle->interp;
 	int column = block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q')
 						    : block_motion_column(&interp->block);
-	double q;
+	double q = 0;
 
 	if (cycle->code != G73 && cycle->code != G83)
 		return true;
@@ -174,7 +180,7 @@ static bool find_peck(struct cycle *cycle, bool kept)
 static bool find_back_bore(struct cycle *cycle, bool kept)
 {
 	const struct state *state = &cycle->interp->state;
-	double a, b, top;
+	double a = 0, b = 0, top = 0;
 
 	if (cycle->code != G87)
 		return true;

@@ -63,7 +63,8 @@ bool flow_call_skip(struct interp *interp, struct lexer *lexer, const struct owo
 	if (flow->skip == SKIP_SEARCH)
 		return (oword->kind != O_SUB && oword->kind != O_PROGRAM) || !same || found(interp, lexer, oword);
 	if (oword->kind == O_SUB || oword->kind == O_PROGRAM)
-		return fault(&interp->at, oword->column, "a subprogram inside of the sub of line %ld",
+		return fault(&interp->at, oword->column,
+			     "a subprogram inside of the sub of line %ld, which has to end first",
 			     flow->skip_from.line);
 	if (oword->kind != O_ENDSUB || !same)
 		return true;

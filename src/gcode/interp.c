@@ -18,6 +18,7 @@ struct interp *interp_new(const struct gcode_config *config, const struct canon_
 	interp->sink = sink;
 	interp->diag = diag;
 	state_init(&interp->state, config);
+	tool_table_init(&interp->tools, config);
 	macro_init(&interp->macro);
 	interp->params.numbered[5599] = 1;	/* LinuxCNC: DEBUG comments speak */
 	return interp;
@@ -26,6 +27,7 @@ struct interp *interp_new(const struct gcode_config *config, const struct canon_
 void interp_free(struct interp *interp)
 {
 	sources_release(&interp->sources);
+	tool_table_release(&interp->tools);
 	params_release(&interp->params);
 	comp_queue_release(&interp->comp.queue);
 	flow_release(&interp->flow);

@@ -13,6 +13,7 @@
 
 enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
 enum gcode_wrap { GCODE_WRAP_NONE, GCODE_WRAP_SHORTEST, GCODE_WRAP_SIGN };
+enum gcode_answer { GCODE_UNKNOWN, GCODE_YES, GCODE_NO };
 enum gcode_mcode { GCODE_TCP_ON, GCODE_TCP_OFF, GCODE_IGNORE };
 
 /* A place of the machine where the control sends axes by itself, in machine coordinates. */
@@ -35,7 +36,8 @@ struct gcode_config {
 	int half_turn[SLOT_COUNT];	/* with GCODE_WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
 	axis_values home;	/* where the program starts; the first two reference positions in want of others */
 	struct gcode_place references[REFERENCE_COUNT];
-	struct gcode_place tool_change;	/* M6 goes there first; not given: it moves nothing */
+	struct gcode_place tool_change;	/* M6 goes there first; not given: LinuxCNC moves nothing */
+	enum gcode_answer length_moves;	/* not of LinuxCNC: do axes move at once where the length changes? */
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	double least_input;	/* mm or degrees; what a 1 without a decimal point means; 0: a whole unit */
@@ -66,6 +68,7 @@ struct gcode_config {
 	size_t length_count;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* files of subprograms outside of this folder are an error; NULL: none is */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };

@@ -1,5 +1,6 @@
 #include "gcode/macro.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -33,6 +34,31 @@ static bool end_statement(struct lexer *lexer)
 	if (lexer_peek(lexer) == '\0')
 		return true;
 	return fault(lexer->at, lexer_column(lexer), "a macro statement stands in a block of its own");
+}
+
+/* What a condition leaves out is not computed, but words behind it would be lost. */
+static bool pass_over(struct lexer *lexer)
+{
+	int depth = 0, letters;
+
+	while (lexer_skip_comments(lexer) && lexer_peek(lexer) != '\0') {
+		char byte = lexer_peek(lexer);
+		int column = lexer_column(lexer);
+
+		if (depth > 0 || !isalpha((unsigned char)byte)) {
+			depth += (byte == '[') - (byte == ']');
+			lexer_take(lexer);
+			continue;
+		}
+		if (lexer_keyword(lexer, "and") || lexer_keyword(lexer, "or") || lexer_keyword(lexer, "xor") ||
+		    lexer_keyword(lexer, "mod"))
+			continue;
+		for (letters = 0; isalpha((unsigned char)lexer_peek(lexer)); letters++)
+			lexer_take(lexer);
+		if (letters < 2 || lexer_peek(lexer) != '[')
+			return fault(lexer->at, column, "a macro statement stands in a block of its own");
+	}
+	return end_statement(lexer);
 }
 
 /* ------------------------------------------------------------- assignments */
@@ -81,14 +107,14 @@ static bool do_if(struct interp *interp, struct lexer *lexer)
 	if (!macro_expr_condition(lexer, "IF", &holds))
 		return false;
 	if (keyword(interp, lexer, "goto"))
-		return holds ? do_goto(interp, lexer) : true;
+		return holds ? do_goto(interp, lexer) : pass_over(lexer);
 	lexer_peek(lexer);
 	if (!keyword(interp, lexer, "then"))
 		return fault(lexer->at, lexer_column(lexer), "IF [...] needs GOTO or THEN");
 	if (lexer_peek(lexer) != '#')
 		return fault(lexer->at, lexer_column(lexer),
 			     "THEN with anything but an assignment is not supported yet");
-	return holds ? do_assignments(interp, lexer) : true;
+	return holds ? do_assignments(interp, lexer) : pass_over(lexer);
 }
 
 /* ------------------------------------------------------------------- loops */

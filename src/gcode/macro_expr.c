@@ -297,8 +297,12 @@ static bool read_operand(struct lexer *lexer, struct macro_operand *value)
 		lexer_take(lexer);
 		if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
 			return fault(lexer->at, lexer_column(lexer), "two signs");
-		if (!read_operand(lexer, value) || !macro_operand_fill(lexer, column, value))
+		if (!read_operand(lexer, value))
 			return false;
+		/* Of "X-#1" it is not said whether the word is left out, as of "X#1", or is X0. */
+		if (isnan(value->number))
+			return fault(lexer->at, column, "a sign before a variable without a value: whether that is 0 "
+							"or nothing differs");
 		value->number = byte == '-' ? -value->number : value->number;
 		return true;
 	}

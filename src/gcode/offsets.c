@@ -1,5 +1,9 @@
 #include "gcode/offsets.h"
 
+#include <math.h>
+
+#include "gcode/target.h"
+#include "gcode/tool_write.h"
 #include "gcode/tooling.h"
 
 /* The block's word for a slot in mm or degrees. */
@@ -69,6 +73,9 @@ static bool refuse_incremental(struct interp *interp)
  */
 typedef void change_slot(struct interp *interp, int system, int slot, double word);
 
+/* Those that go by where the axes stand. */
+static change_slot change_work_here, change_shift_here;
+
 static bool change_slots(struct interp *interp, int system, change_slot *change)
 {
 	int column = interp->block.g_column[G_NONMODAL];
@@ -77,8 +84,12 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			double word;
 
-			if (slot_is_rotary(slot) == rotary && slot_word(interp, slot, &word))
-				change(interp, system, slot, word);
+			if (slot_is_rotary(slot) != rotary || !slot_word(interp, slot, &word))
+				continue;
+			if ((change == change_work_here || change == change_shift_here) &&
+			    !target_is_known(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
+				return false;
+			change(interp, system, slot, word);
 		}
 		if (!tooling_offsets_changed(interp, column))
 			return false;
@@ -133,13 +144,15 @@ bool offsets_set(struct interp *interp)
 	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
 	int column = block->g_column[G_NONMODAL], mode, system;
 
+	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
+		return fault(&interp->at, block_column(block, 'L'),
+			     "G10 L0 reads the file of the tool table again, which is not known here");
 	if (!block_has(block, 'L') || !block_has(block, 'P'))
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
-	if (linuxcnc && (mode == 1 || mode == 10 || mode == 11))
-		return fault(&interp->at, block_column(block, 'L'),
-			     "G10 L%d: writing the tool table is not supported yet; the setup defines tools", mode);
+	if (linuxcnc && tool_write_is(mode))
+		return tool_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
 	if (block_has(block, 'R'))

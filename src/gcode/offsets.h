@@ -9,7 +9,7 @@
 /* G54 to G59.3 of the block; nothing without one. */
 bool offsets_select(struct interp *interp);
 
-/* G10 L2 and L20. */
+/* G10: L2 and L20; the tool table's forms are tool_write.h. */
 bool offsets_set(struct interp *interp);
 
 /* G52, G92, G92.1, G92.2, G92.3. */

@@ -59,20 +59,9 @@ static bool differs_by_version(int number)
 
 /* -------------------------------------------------------------- the tool */
 
-static const struct gcode_tool *tool_in_spindle(const struct interp *interp)
-{
-	const struct gcode_config *config = interp->config;
-
-	for (size_t i = 0; i < config->tool_count; i++) {
-		if (config->tools[i].number == interp->state.tool)
-			return &config->tools[i];
-	}
-	return NULL;
-}
-
 static bool tool_number(struct interp *interp, int number, int column, double *value)
 {
-	const struct gcode_tool *tool = tool_in_spindle(interp);
+	const struct gcode_tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 
 	*value = number == TOOL ? interp->state.tool : 0;
 	if (number == TOOL || interp->state.tool == 0)
@@ -99,7 +88,7 @@ bool predefined_position_is_plain(struct interp *interp, int column)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
 		return true;
-	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read");
+	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 
 static double program_position(const struct state *state, int slot)

@@ -45,7 +45,7 @@ static bool go_to_place(struct interp *interp, const struct gcode_place *place, 
 		if (!target_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
 			return false;
 	}
-	return !(left || place->order_count == 0) || go_rapid(interp, &target);
+	return !left || go_rapid(interp, &target);
 }
 
 /* Which of the four reference positions: G28 is the first, G30 the second, and by P on Fanuc controls the others. */
@@ -128,15 +128,15 @@ bool reference_remember(struct interp *interp)
 	return tooling_resume(interp, column, &suspended);
 }
 
-/* Haas mill operator's manual, "M06 Tool Change": the control itself takes Z to its home. */
-static void caution_no_place(struct interp *interp)
+/*
+ * Haas mill operator's manual, "M06 Tool Change": the control itself takes Z to
+ * its home. On Fanuc controls M6 is what the machine's builder has made of it.
+ */
+static bool fault_no_place(struct interp *interp, int column)
 {
-	if (interp->config->dialect != GCODE_HAAS || interp->cautioned_tool_change)
-		return;
-	caution(&interp->at, interp->block.m_column[M_TOOL],
-		"M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> that says where: no "
-		"motion is checked, here and further on");
-	interp->cautioned_tool_change = true;
+	return fault(&interp->at, column,
+		     "where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
+		     "machine file says it, and <tool_change/> that it moves none");
 }
 
 bool reference_change_tool(struct interp *interp)
@@ -147,10 +147,8 @@ bool reference_change_tool(struct interp *interp)
 	slot_values values;
 	bool moves[SLOT_COUNT];
 
-	if (!place->given) {
-		caution_no_place(interp);
-		return true;
-	}
+	if (!place->given)
+		return interp->config->dialect == GCODE_LINUXCNC || fault_no_place(interp, column);
 	if (interp->state.frame.on && interp->state.tcp == TCP_BY_PLANE) {
 		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 			if (place->has[slot])

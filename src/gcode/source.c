@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/confine.h"
 #include "base/mem.h"
 #include "base/strbuf.h"
 
@@ -73,12 +74,13 @@ static FILE *open_regular(const char *path)
 	return file;
 }
 
-/* The file of a folder, which ends in '/' or is empty; NULL: not there. */
-static struct source *find_in(struct sources *sources, const char *folder, size_t length, const char *name)
+/* The file of a folder, which ends in '/' or is empty; NULL: not there, or outside of the root. */
+static struct source *find_in(struct sources *sources, const char *root, const char *folder, size_t length,
+			      const char *name)
 {
 	struct source *source = NULL;
 	struct strbuf path = {0};
-	FILE *file;
+	FILE *file = NULL;
 
 	strbuf_add(&path, folder, length);
 	if (length > 0 && folder[length - 1] != '/')
@@ -88,7 +90,10 @@ static struct source *find_in(struct sources *sources, const char *folder, size_
 		if (!strcmp(sources->items[i]->name, path.text))
 			source = sources->items[i];
 	}
-	if (!source && (file = open_regular(path.text))) {
+	if (!source && (file = open_regular(path.text)) && !confine_holds(root, path.text)) {
+		sources->led_out = true;
+		fclose(file);
+	} else if (!source && file) {
 		source = add(sources, file, path.text);
 		source->file = file;
 		if (sources->watch)
@@ -107,6 +112,13 @@ static const char *own_folder(const struct sources *sources, size_t *length)
 	return strcmp(name, "<stdin>") ? name : NULL;
 }
 
+/* False: a file that would do is outside of the root, which was reported. */
+static bool stays_in(const struct sources *sources, const char *root, const struct line_place *at, int column)
+{
+	return !sources->led_out ||
+	       fault(at, column, "the subprogram's file is outside of the input root %s, or a link leads there", root);
+}
+
 bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
 		  const struct line_place *at, int column, struct source **source)
 {
@@ -122,15 +134,15 @@ bool sources_find(struct sources *sources, const struct gcode_config *config, co
 	strbuf_addf(&name, "%s.ngc", label);
 	folder = own_folder(sources, &length);
 	if (folder)
-		*source = find_in(sources, folder, length, name.text);
+		*source = find_in(sources, config->input_root, folder, length, name.text);
 	for (size_t i = 0; i < config->include_count && !*source; i++)
-		*source = find_in(sources, config->includes[i], strlen(config->includes[i]), name.text);
+		*source = find_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), name.text);
 	strbuf_release(&name);
-	return true;
+	return stays_in(sources, config->input_root, at, column);
 }
 
 /* The one file of the folder that has a name of the program. False: there are two, which was reported. */
-static bool find_program_in(struct sources *sources, const char *folder, size_t length, int number,
+static bool find_program_in(struct sources *sources, const char *root, const char *folder, size_t length, int number,
 			    const struct line_place *at, int column, struct source **source)
 {
 	static const char *const endings[] = {"", ".nc", ".NC", ".cnc", ".CNC", ".tap", ".TAP", ".txt", ".TXT"};
@@ -148,7 +160,7 @@ static bool find_program_in(struct sources *sources, const char *folder, size_t 
 			struct source *next;
 
 			snprintf(name, sizeof(name), "%.23s%.7s", names[i], endings[j]);
-			next = sources->count < SOURCE_MAX ? find_in(sources, folder, length, name) : NULL;
+			next = sources->count < SOURCE_MAX ? find_in(sources, root, folder, length, name) : NULL;
 			if (next && *source)
 				return fault(at, column, "both %s and %s may be the program O%d", (*source)->name,
 					     next->name, number);
@@ -168,12 +180,12 @@ bool sources_find_program(struct sources *sources, const struct gcode_config *co
 	if (sources->count == SOURCE_MAX)
 		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
 	folder = own_folder(sources, &length);
-	if (folder && !find_program_in(sources, folder, length, number, at, column, source))
+	if (folder && !find_program_in(sources, config->input_root, folder, length, number, at, column, source))
 		return false;
 	for (size_t i = 0; i < config->include_count && !*source; i++) {
-		if (!find_program_in(sources, config->includes[i], strlen(config->includes[i]), number, at, column,
-				     source))
+		if (!find_program_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), number,
+				     at, column, source))
 			return false;
 	}
-	return true;
+	return stays_in(sources, config->input_root, at, column);
 }

@@ -24,6 +24,7 @@ struct source {
 struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
+	bool led_out;	/* a file that was looked for is outside of the input root */
 	const struct watch *watch;	/* is told what else is opened; or NULL */
 };
 

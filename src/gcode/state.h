@@ -13,6 +13,7 @@
 #include "gcode/macro.h"
 #include "gcode/params.h"
 #include "gcode/source.h"
+#include "gcode/tool_table.h"
 #include "geom/xform.h"
 
 /* G54 to G59.3 */
@@ -74,10 +75,13 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
-	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE: tooling_after_machine */
+	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE */
+	bool length_moves;	/* in this block the change of length moves axes by length_shift: tooling.h */
+	slot_values length_shift;	/* of X, Y and Z, in program coordinates */
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */
+	bool probed[SLOT_COUNT];	/* a probe stopped the axis somewhere, and no coordinate led it on since */
 	int tool;	/* in the spindle */
 	int selected;	/* by T, or -1 */
 	bool blend;
@@ -110,10 +114,9 @@ struct interp {
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;
+	struct tool_table tools;
 	struct comp comp;
 	struct block_cautions cautions;
-	bool cautioned_length;	/* what G43 and G49 move on some controls */
-	bool cautioned_tool_change;
 	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */

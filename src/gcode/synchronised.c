@@ -19,7 +19,7 @@ static bool find_pitch_feed(struct interp *interp, struct canon_feed *feed)
 		return fault(&interp->at, column, "G33%s needs its pitch in K", tenths);
 	if (block_has(block, 'F'))
 		return fault(&interp->at, block_column(block, 'F'),
-			     "F with G33%s, whose feed is its pitch times the spindle speed", tenths);
+			     "F with G33%s, whose feed is its pitch times the spindle speed; leave F out", tenths);
 	if (state->spindle == SPINDLE_STOPPED || !(state->speed > 0))
 		return fault(&interp->at, column, "G33%s while the spindle stands", tenths);
 	feed->linear = fabs(block_value(block, 'K')) * state->scale * state->speed / SECONDS_PER_MINUTE;
@@ -55,7 +55,7 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	int column = block_motion_column(block);
 
 	if (interp->state.feed_mode == FEED_PER_REVOLUTION)
-		return fault(&interp->at, column, "G38.%d in feed per revolution (G95)", block->motion % 10);
+		return fault(&interp->at, column, "G38.%d in feed per revolution (G95); G94 first", block->motion % 10);
 	if (block->motion != G38_2 && block->motion != G38_4)
 		return true;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -63,6 +63,18 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 			return true;
 	}
 	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
+}
+
+/* A probe stops where it finds something, at the end of its way at the latest. */
+static void forget_places(struct interp *interp)
+{
+	struct state *state = &interp->state;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		/* Under TCP one coordinate of the tool point is the business of all linear axes. */
+		if (block_has(&interp->block, AXIS_LETTERS[slot]) || (state->tcp != TCP_OFF && slot <= SLOT_Z))
+			state->probed[slot] = true;
+	}
 }
 
 bool synchronised_run(struct interp *interp)
@@ -81,5 +93,7 @@ bool synchronised_run(struct interp *interp)
 		return tap(interp, &target, &move);
 	if (!pitch && !check_probe(interp, &target))
 		return false;
+	if (!pitch)
+		forget_places(interp);
 	return travel_go(interp, &target, &move);
 }

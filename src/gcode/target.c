@@ -59,10 +59,19 @@ bool target_absolute(struct interp *interp, int slot, double value, double origi
 	return true;
 }
 
+bool target_is_known(struct interp *interp, int slot, int column)
+{
+	if (!interp->state.probed[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
+		     "absolute coordinate (G90) first", AXIS_LETTERS[slot]);
+}
+
 bool target_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
-	const struct state *state = &interp->state;
+	struct state *state = &interp->state;
 
 	*target = frame_straight(state);
 	if (!(block->letters & AXIS_BITS))
@@ -72,6 +81,8 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
 	if (!plane_check_words(interp, machine))
 		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
+		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;
@@ -82,11 +93,16 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 		if (!machine && (!state->incremental || value < 0 || value > 0) &&
 		    tooling_is_in_doubt(interp, slot, block_column(block, letter)))
 			return false;
+		if (!machine && state->incremental && (value < 0 || value > 0) &&
+		    !target_is_known(interp, slot, block_column(block, letter)))
+			return false;
 		if (state->incremental)
 			target->v[slot] += value;
 		else if (!target_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
 					  block_column(block, letter), &target->v[slot]))
 			return false;
+		if (!state->incremental && block->motion >= G0 && block->motion <= G3)
+			state->probed[slot] = false;
 	}
 	return true;
 }

@@ -18,4 +18,7 @@ bool target_find(struct interp *interp, bool machine, slot_values *target);
  */
 bool target_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target);
 
+/* Is it known where the axis stands? Where a probe has stopped it, it is not: false, and reported. */
+bool target_is_known(struct interp *interp, int slot, int column);
+
 #endif

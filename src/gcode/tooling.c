@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/units.h"
+#include "gcode/length_shift.h"
 #include "gcode/reference.h"
 #include "gcode/travel.h"
 
@@ -123,15 +124,6 @@ bool tooling_select(struct interp *interp)
 	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
 }
 
-static const struct gcode_tool *find_tool(const struct gcode_config *config, int number)
-{
-	for (size_t i = 0; i < config->tool_count; i++) {
-		if (config->tools[i].number == number)
-			return &config->tools[i];
-	}
-	return NULL;
-}
-
 bool tooling_change(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -142,7 +134,7 @@ bool tooling_change(struct interp *interp)
 		return true;
 	if (state->selected < 0)
 		return fault(&interp->at, column, "M6, but no T has selected a tool");
-	if (interp->config->has_setup && state->selected != 0 && !find_tool(interp->config, state->selected))
+	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
 		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
 	if (!reference_change_tool(interp))
 		return false;
@@ -154,7 +146,7 @@ bool tooling_change(struct interp *interp)
 static bool find_spindle_length(struct interp *interp, int column, double *length)
 {
 	int number = interp->state.tool;
-	const struct gcode_tool *tool = find_tool(interp->config, number);
+	const struct gcode_tool *tool = tool_table_find(&interp->tools, number);
 
 	if (number != 0 && !tool)
 		return fault(&interp->at, column,
@@ -167,8 +159,8 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
-	const struct gcode_config *config = interp->config;
-	bool linuxcnc = config->dialect == GCODE_LINUXCNC;
+	const struct gcode_length *entry;
+	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
 	int column = block->g_column[G_LENGTH], number = 0;
 
 	if (block_has(block, 'H')) {
@@ -186,40 +178,68 @@ static bool find_length(struct interp *interp, double *length)
 	*length = 0;
 	if (number == 0)
 		return true;
-	for (size_t i = 0; i < config->length_count; i++) {
-		if (config->lengths[i].number == number) {
-			*length = config->lengths[i].length;
-			return true;
-		}
+	entry = tool_table_length(&interp->tools, number);
+	if (entry) {
+		*length = entry->length;
+		return true;
 	}
-	if (!config->has_setup)
+	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
 	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
 }
 
-/* Fanuc 30i-B operator's manual, "Tool length compensation": without an axis word the shift may itself be a motion. */
-static void caution_length(struct interp *interp, double length)
+/* TCP and length as they shall be; nothing is said of what is so already. */
+static bool put(struct interp *interp, int column, enum tcp_source source, double length)
 {
-	const struct block *block = &interp->block;
-	double change = length - interp->state.length;
+	struct state *state = &interp->state;
 
-	if (interp->config->dialect == GCODE_LINUXCNC || interp->cautioned_length || block_has(block, 'Z') ||
-	    !(change < 0 || change > 0))
-		return;
-	caution(&interp->at, block->g_column[G_LENGTH],
-		"a change of the length compensation without a Z word: some controls move Z at once; no motion is "
-		"checked here and further on");
-	interp->cautioned_length = true;
+	if (source != TCP_OFF || state->tcp != TCP_OFF)
+		return (source == state->tcp && !(length < state->length || length > state->length)) ||
+		       switch_tcp(interp, column, source, length);
+	state->length = length;
+	state_update_offset(state);
+	return true;
+}
+
+/* Between TCP going on, if it does, and off: there a change of the length alone changes coordinates. */
+static bool change_length(struct interp *interp, enum tcp_source source, double length, int doubt)
+{
+	struct state *state = &interp->state;
+	enum tcp_source meanwhile = source == TCP_OFF ? state->tcp : source;
+	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
+	int column = interp->block.g_column[G_LENGTH];
+	struct length_change change = {.column = column, .doubt = doubt, .ends_tcp = meanwhile != source};
+	slot_values before, after;
+
+	if (linuxcnc)
+		return put(interp, column, source, length);
+	if (!put(interp, column, meanwhile, state->length))
+		return false;
+	before = length_shift_place(interp);
+	if (!put(interp, column, meanwhile, length))
+		return false;
+	after = length_shift_place(interp);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		change.shift.v[slot] = before.v[slot] - after.v[slot];
+	return length_shift_settle(interp, &change) && put(interp, column, source, length);
+}
+
+/* Where Fanuc's manual says that the length has been taken back, G49 has nothing left to take. */
+static bool is_taken_back(const struct interp *interp, int code, int doubt)
+{
+	return code == G49 && doubt != CODE_NONE && interp->state.tcp == TCP_OFF &&
+	       interp->config->dialect == GCODE_FANUC;
 }
 
 bool tooling_length(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	int code = block->g[G_LENGTH], column = block->g_column[G_LENGTH];
+	int code = block->g[G_LENGTH], column = block->g_column[G_LENGTH], doubt = state->length_doubt;
 	enum tcp_source source = state->tcp;
 	double length = 0;
 
+	state->length_moves = false;
 	if (code == CODE_NONE)
 		return true;
 	state->length_doubt = CODE_NONE;
@@ -236,12 +256,8 @@ bool tooling_length(struct interp *interp)
 		source = TCP_BY_LENGTH;
 	else if (source == TCP_BY_LENGTH)
 		source = TCP_OFF;
-	if (source != TCP_OFF || state->tcp != TCP_OFF)
-		return switch_tcp(interp, column, source, length);
-	caution_length(interp, length);
-	state->length = length;
-	state_update_offset(state);
-	return true;
+	return is_taken_back(interp, code, doubt) ? put(interp, column, source, length)
+						  : change_length(interp, source, length, doubt);
 }
 
 bool tooling_mcode(struct interp *interp)

@@ -10,7 +10,7 @@
 bool tooling_select(struct interp *interp);
 bool tooling_change(struct interp *interp);
 
-/* G43, G43.4 and G49 of the block; nothing without one. */
+/* G43, G43.4 and G49 of the block; nothing without one. What axes do meanwhile: length_shift.h. */
 bool tooling_length(struct interp *interp);
 
 /* Rotary zero under TCP with the offsets in force. */

@@ -8,6 +8,7 @@
 #include "gcode/comp.h"
 #include "gcode/cycle.h"
 #include "gcode/frame.h"
+#include "gcode/length_shift.h"
 #include "gcode/synchronised.h"
 #include "gcode/target.h"
 #include "gcode/tooling.h"
@@ -218,7 +219,9 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 		return fault(&interp->at, column, "an arc by its radius needs %c or %c", a, b);
 	switch (arc_find_centre(start, end, radius, block->motion == G2, tolerance, centre)) {
 	case ARC_NO_CHORD:
-		return fault(&interp->at, column, "an arc by its radius (R) cannot end where it starts");
+		return fault(&interp->at, column,
+			     "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+			     "(I, J, K)");
 	case ARC_RADIUS_TOO_SMALL:
 		return fault(&interp->at, column,
 			     "a radius of %.6g mm does not reach from the start of the arc to its end", fabs(radius));
@@ -284,6 +287,8 @@ bool travel_motion(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
+	if (!length_shift_go(interp))
+		return false;
 	if (block->motion == CODE_NONE)
 		return true;
 	if (code_is_cycle(block->motion))

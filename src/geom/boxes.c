@@ -76,9 +76,9 @@ boxes_apart_fn *boxes_at_level(int level)
 }
 
 void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,
-		 float apart[BVH_WIDTH], float loose[BVH_WIDTH])
+		 float enough, float apart[BVH_WIDTH], float loose[BVH_WIDTH])
 {
-	motion->apart(motion, side, node, other, apart, loose);
+	motion->apart(motion, side, node, other, enough, apart, loose);
 }
 
 float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *loose)
@@ -92,7 +92,7 @@ float box_pair_apart(const struct box_motion *motion, const struct box *a, const
 			node.half[k][l] = a->half[k];
 		}
 	}
-	boxes_apart(motion, 0, &node, b, apart, looses);
+	boxes_apart(motion, 0, &node, b, INFINITY, apart, looses);
 	*loose = looses[0];
 	return apart[0];
 }

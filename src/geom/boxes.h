@@ -33,7 +33,8 @@ struct box_view {
 struct box_motion;
 
 typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
-			    const struct box *other, float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
+			    const struct box *other, float enough, float apart[BVH_WIDTH],
+			    float loose[BVH_WIDTH]);
 
 struct box_motion {
 	struct box_view views[2];
@@ -60,10 +61,11 @@ struct box box_whole(const struct bvh *bvh);
  * For each child of `node` a lower bound, in mm, of its distance to `other`
  * throughout the motion; 0 where they may touch. `side` is 0 when the node is
  * a's and the box b's, 1 the other way round. `loose` receives, for each
- * child, about how much of the bound is lost because the boxes move (mm).
+ * child, about how much of the bound is lost because the boxes move (mm). Where
+ * every child turns out to be farther than `enough` (mm, at least 0) the bounds are not the best there are.
  */
 void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,
-		 float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
+		 float enough, float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
 
 /* The same for one box of a and one of b. */
 float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *loose);

@@ -119,13 +119,21 @@ LANES_FUNCTION lanes distance_of(lanes square, float stray)
 }
 
 LANES_TARGET void BOXES_APART(const struct box_motion *motion, int side, const struct bvh_node *node,
-			      const struct box *other, float apart[BVH_WIDTH], float loose[BVH_WIDTH])
+			      const struct box *other, float enough, float apart[BVH_WIDTH],
+			      float loose[BVH_WIDTH])
 {
 	const struct box_view *own = &motion->views[side], *others = &motion->views[1 - side];
 	lanes own_loose, others_loose;
 	lanes a = distance_of(apart_in_own(own, motion->still, node, other, &own_loose), own->stray);
-	lanes b = distance_of(apart_in_other(others, motion->still, node, other, &others_loose), others->stray);
+	lanes b;
 
+	/* Often one view alone dismisses the whole node. */
+	if (lanes_above(a, lanes_all(enough))) {
+		lanes_store(apart, a);
+		lanes_store(loose, own_loose);
+		return;
+	}
+	b = distance_of(apart_in_other(others, motion->still, node, other, &others_loose), others->stray);
 	lanes_store(apart, lanes_max(lanes_max(a, b), lanes_all(0)));
 	lanes_store(loose, lanes_min(others_loose, own_loose));
 }

@@ -9,6 +9,8 @@
 #ifndef FIVECHECK_GEOM_LANES_H
 #define FIVECHECK_GEOM_LANES_H
 
+#include <stdbool.h>
+
 #include "geom/simd_level.h"
 
 enum { LANES = 8 };
@@ -34,6 +36,12 @@ LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return _mm256_max_ps(a, b); }
 LANES_FUNCTION lanes lanes_abs(lanes a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { return _mm256_sqrt_ps(a); }
 
+/* Is every lane of a above that of b? */
+LANES_FUNCTION bool lanes_above(lanes a, lanes b)
+{
+	return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_GT_OQ)) == 0xff;
+}
+
 #elif LANES_LEVEL == LANES_SSE2
 
 #include <emmintrin.h>
@@ -55,6 +63,11 @@ LANES_FUNCTION lanes lanes_mul(lanes a, lanes b) { return LANES_BOTH(_mm_mul_ps)
 LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { return LANES_BOTH(_mm_min_ps); }
 LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { return LANES_BOTH(_mm_max_ps); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { return (lanes){_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
+
+LANES_FUNCTION bool lanes_above(lanes a, lanes b)
+{
+	return (_mm_movemask_ps(_mm_cmpgt_ps(a.low, b.low)) & _mm_movemask_ps(_mm_cmpgt_ps(a.high, b.high))) == 0xf;
+}
 
 LANES_FUNCTION void lanes_store(float *to, lanes a)
 {
@@ -96,6 +109,14 @@ LANES_FUNCTION lanes lanes_min(lanes a, lanes b) { LANES_EACH(a.v[i] < b.v[i] ? 
 LANES_FUNCTION lanes lanes_max(lanes a, lanes b) { LANES_EACH(a.v[i] > b.v[i] ? a.v[i] : b.v[i]); }
 LANES_FUNCTION lanes lanes_abs(lanes a) { LANES_EACH(fabsf(a.v[i])); }
 LANES_FUNCTION lanes lanes_sqrt(lanes a) { LANES_EACH(sqrtf(a.v[i])); }
+
+LANES_FUNCTION bool lanes_above(lanes a, lanes b)
+{
+	for (int i = 0; i < LANES; i++)
+		if (!(a.v[i] > b.v[i]))
+			return false;
+	return true;
+}
 
 LANES_FUNCTION void lanes_store(float *to, lanes a)
 {

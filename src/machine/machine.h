@@ -20,6 +20,8 @@
 enum dialect { DIALECT_LINUXCNC, DIALECT_FANUC, DIALECT_HAAS };
 enum rapid { RAPID_LINEAR, RAPID_DOGLEG, RAPID_ANY };
 enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
+/* A control's answer to a question that only its maker or its parameters can answer. */
+enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE };
 
 struct mcode {
@@ -45,6 +47,7 @@ struct controller {
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
 	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
+	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	struct machine_place references[PLACES_MAX];

@@ -41,6 +41,17 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, struct mcode
 	mcodes[(*count)++] = (struct mcode){number, (enum mcode_action)xml_choice(node, "action", actions)};
 }
 
+static void read_length_moves(struct xml_reader *xml, const xmlNode *node, struct controller *controller)
+{
+	static const char *const answers[] = {"", "yes", "no", NULL};
+
+	if (!xml_attribute(node, "length_offset_moves"))
+		return;
+	controller->length_moves = (enum answer)xml_choice(node, "length_offset_moves", answers);
+	if (controller->dialect == DIALECT_LINUXCNC)
+		xml_error(xml, node, "length_offset_moves of <controller>: LinuxCNC moves no axis then");
+}
+
 static void read_controller(struct xml_reader *xml, const xmlNode *node, struct machine *machine)
 {
 	static const char *const dialects[] = {"linuxcnc", "fanuc", "haas", NULL};
@@ -62,6 +73,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, struct 
 			  xml_quote(xml_attribute(node, "least_input")).text);
 	if (xml_attribute(node, "least_input") && controller->dialect == DIALECT_LINUXCNC)
 		xml_error(xml, node, "least_input of <controller>: LinuxCNC has no least input increment");
+	read_length_moves(xml, node, controller);
 	for (const xmlNode *child = xml_first(node); child; child = xml_next(child)) {
 		if (xml_is(child, "mcode"))
 			read_mcode(xml, child, mcodes, &controller->mcode_count);

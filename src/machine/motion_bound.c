@@ -176,7 +176,10 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 			lengths[view] += share->way;
 			bound->drift[view] += share->drift;
 		}
-		/* By the length alone: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length. */
+		/*
+		 * By the length alone:
+		 * |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
+		 */
 		bound->bend[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
 	bound->length = fmin(lengths[0], lengths[1]);

@@ -21,7 +21,7 @@ struct ball {
 /* The chain at one position of the axes. */
 struct chain_state {
 	xform pose;	/* the moved link's zero-pose geometry in the fixed link's */
-	double rho[VIEWS][SLOT_COUNT];	/* mm: farthest any point of the view's moving body is from the joint's axis; 0: linear */
+	double rho[VIEWS][SLOT_COUNT];	/* mm: how far the moving body reaches from the joint's axis; 0: linear */
 	vec3 direction[SLOT_COUNT];	/* of each joint in the fixed link's zero-pose coordinates */
 };
 

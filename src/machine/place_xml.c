@@ -61,7 +61,7 @@ static void read_value(struct xml_reader *xml, const xmlNode *node, const struct
 	if (value < axis->limit_min - tolerance || value > axis->limit_max + tolerance)
 		xml_error(xml, node, "%s=\"%s\" of <%s> lies outside the limits of axis %s", letter,
 			  xml_quote(xml_attribute(node, letter)).text, (const char *)node->name, letter);
-	place->has[slot] = place->given = true;
+	place->has[slot] = true;
 	place->value.v[slot] = value;
 }
 
@@ -70,13 +70,19 @@ static void read_place(struct xml_reader *xml, const xmlNode *node, const struct
 {
 	const char *order = xml_attribute(node, "order");
 
+	bool any = false;
+
 	if (place->given) {
 		xml_error(xml, node, "<%s> is given twice", (const char *)node->name);
 		return;
 	}
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
+	place->given = true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		read_value(xml, node, machine, slot, place);
-	if (!place->given)
+		any = any || place->has[slot];
+	}
+	/* A tool may be changed where the spindle stands. */
+	if (!any && (!ordered || order))
 		xml_error(xml, node, "<%s> gives no position", (const char *)node->name);
 	else if (order)
 		read_order(xml, node, order, place);

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <libxml/parser.h>
+#include <libxml/xmlmemory.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -142,6 +143,16 @@ static void refuse_doctype(void *context, const xmlChar *name, const xmlChar *pu
 	xmlStopParser(parser);
 }
 
+static void *library_realloc(void *block, size_t size)
+{
+	return mem_realloc(block, size, 1);
+}
+
+static char *library_strdup(const char *text)
+{
+	return mem_strndup(text, strlen(text));
+}
+
 bool xml_parse_file(struct xml_reader *xml)
 {
 	const int options = XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES;
@@ -156,6 +167,8 @@ bool xml_parse_file(struct xml_reader *xml)
 		free(bytes);
 		return false;
 	}
+	/* The library itself, and schemas above all, does not survive every allocation that fails. */
+	xmlMemSetup(free, mem_alloc, library_realloc, library_strdup);
 	xml_capture_begin(&capture, xml, "this is not well-formed XML");
 	parser = xmlNewParserCtxt();
 	if (parser) {

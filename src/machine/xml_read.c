@@ -86,7 +86,7 @@ struct xml_quote xml_quote(const char *text)
 	struct xml_quote quote = {{0}};
 	size_t length = 0;
 
-	for (; text[length] && length < most; length++) {
+	for (; length < most && text[length]; length++) {
 		const unsigned char *at = (const unsigned char *)text + length;
 		bool control = is_control(at) || (length && at[-1] == 0xc2 && is_control(at - 1));
 

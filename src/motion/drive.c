@@ -92,7 +92,10 @@ static int moving_axes(const struct path *path)
 	return count;
 }
 
-/* On a tilted plane the rotary axes stand still; a rapid that is no straight line is then made of the axes' own ways. */
+/*
+ * On a tilted plane the rotary axes stand still; a rapid that is no straight line is
+ * then made of the axes' own ways.
+ */
 static bool goes_as_axes(const struct drive *drive, const struct canon_move *move)
 {
 	return move->tcp && move->plane && move->kind == CANON_RAPID &&
@@ -270,8 +273,9 @@ static bool report_crossing(struct run *run, const struct path *path, double bef
 	double since = before + crossing->u * path->seconds;
 	struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
 				     .position = path_position(path, crossing->u), .time = drive->time + since,
-				     .block_time = drive->block_time + since, .file = run->move->file, .line = run->move->line,
-				     .move = run->move->number, .tool = drive->tool};
+				     .block_time = drive->block_time + since, .file = run->move->file,
+				     .line = run->move->line, .move = run->move->number,
+				     .tool = drive->tool};
 
 	run->outside = true;
 	return drive->sink->limit(drive->sink->context, &limit);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/extremes.h"
 #include "base/units.h"
 
 /* mm or degrees: what the machine file's format counts as inside. */
@@ -26,7 +27,7 @@ static double height(const struct side *side, const axis_values *q)
 
 static bool stays_inside(const struct side *side, const struct span *span)
 {
-	double most = fmax(height(side, &span->q0), height(side, &span->q1));
+	double most = larger(height(side, &span->q0), height(side, &span->q1));
 
 	return most + span->deviation.v[side->slot] <= side->tolerance;
 }
@@ -38,7 +39,7 @@ static double passes_at(const struct side *side, const struct span *span)
 
 	if (h0 >= 0 || h1 <= h0)
 		return span->u0;
-	return span->u0 + fmin(1, -h0 / (h1 - h0)) * (span->u1 - span->u0);
+	return span->u0 + smaller(1, -h0 / (h1 - h0)) * (span->u1 - span->u0);
 }
 
 /* The earliest instant past the limit: halves of the span are looked at only where they may cross. */
@@ -69,7 +70,7 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, stru
 	double tolerance = axis->rotary ? radians(TOLERANCE) : TOLERANCE;
 	/* Bound in sight of rounding: what no halving improves must be believed. */
 	double rounding = path_deviation(whole->path, 0, 0).v[axis->slot];
-	double believed = fmax(BELIEVED * tolerance, 2 * rounding), u;
+	double believed = larger(BELIEVED * tolerance, 2 * rounding), u;
 	bool found = false;
 
 	for (int i = 0; i < 2; i++) {
@@ -94,7 +95,7 @@ static bool is_inside(const struct axis *axis, const struct span *whole)
 {
 	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->deviation.v[axis->slot];
 
-	return fmin(a, b) - d >= axis->limit_min && fmax(a, b) + d <= axis->limit_max;
+	return smaller(a, b) - d >= axis->limit_min && larger(a, b) + d <= axis->limit_max;
 }
 
 size_t limits_crossed(const struct machine *machine, const struct span *whole,

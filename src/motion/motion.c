@@ -45,6 +45,19 @@ static enum gcode_mcode mcode_of(enum mcode_action action)
 	return GCODE_IGNORE;
 }
 
+static enum gcode_answer answer_of(enum answer answer)
+{
+	switch (answer) {
+	case ANSWER_YES:
+		return GCODE_YES;
+	case ANSWER_NO:
+		return GCODE_NO;
+	case ANSWER_UNKNOWN:
+		break;
+	}
+	return GCODE_UNKNOWN;
+}
+
 static struct gcode_place place_of(const struct machine_place *place)
 {
 	struct gcode_place made = {.given = place->given, .value = place->value, .order_count = place->order_count};
@@ -75,6 +88,7 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	config->home = machine_home(machine);
 	config->unit = machine->unit;
 	config->least_input = controller->least_input;
+	config->length_moves = answer_of(controller->length_moves);
 	for (int i = 0; i < REFERENCE_COUNT; i++)
 		config->references[i] = place_of(&controller->references[i]);
 	config->tool_change = place_of(&controller->tool_change);
@@ -131,6 +145,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .last_duplicate_wins = options->last_duplicate_wins,
 				       .includes = options->includes,
 				       .include_count = options->include_count,
+				       .input_root = options->input_root,
 				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
 	struct drive drive;

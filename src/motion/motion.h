@@ -57,6 +57,7 @@ struct motion_options {
 	bool last_duplicate_wins;
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;
+	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/extremes.h"
+
 static double way(const struct path *path, int first, int last)
 {
 	double sum = 0;
@@ -37,7 +39,7 @@ static double needed(const struct machine *machine, const struct span *span, con
 		const struct axis *axis = &machine->axes[i];
 		double d = fabs(span->q1.v[axis->slot] - span->q0.v[axis->slot]) + extra->v[axis->slot];
 
-		most = fmax(most, d / (axis->rate_max * part));
+		most = larger(most, d / (axis->rate_max * part));
 	}
 	return most;
 }
@@ -50,7 +52,7 @@ double timing_held(const struct machine *machine, const struct span *whole, doub
 	struct span piece;
 
 	/* No axis is slower on every piece than on the whole. */
-	seconds = fmax(seconds, needed(machine, whole, &none));
+	seconds = larger(seconds, needed(machine, whole, &none));
 	if (span_is_flat(whole, flatness))
 		return seconds;
 	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
@@ -61,6 +63,6 @@ double timing_held(const struct machine *machine, const struct span *whole, doub
 		return seconds;
 	span_walk_init(&walk, whole, flatness);
 	while (span_walk_next(&walk, &piece))
-		seconds = fmax(seconds, needed(machine, &piece, &none));
+		seconds = larger(seconds, needed(machine, &piece, &none));
 	return seconds;
 }

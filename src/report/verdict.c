@@ -171,8 +171,8 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->stats->motion.blend_unbounded)
 		return false;
-	strbuf_addf(out, "G64 (or G5, G5.1, G8, G187) without a tolerance: the control may leave the programmed path, and "
-			 "only that path was checked; give P or <controller path_tolerance=\"\">");
+	strbuf_addf(out, "G64 (or G5, G5.1, G8, G187) without a tolerance: the control may leave the programmed path, "
+			 "and only that path was checked; give P or <controller path_tolerance=\"\">");
 	return true;
 }
 

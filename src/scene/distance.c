@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/extremes.h"
 #include "geom/moved_tri.h"
 #include "scene/memory.h"
 
@@ -28,7 +29,7 @@ static bool dismiss(struct search *search, double least)
 {
 	if (least < search->share * search->found)
 		return false;
-	search->proven = fmin(search->proven, least);
+	search->proven = smaller(search->proven, least);
 	return true;
 }
 
@@ -50,7 +51,8 @@ static void push_children(struct search *search, const struct branch_pair *entry
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 	int order[BVH_WIDTH];
 
-	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, apart, loose);
+	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, (float)(search->share * search->found) * (1 + 0x1p-20f),
+		    apart, loose);
 	search->sweep->visits += node->used;
 	for (int i = 0; i < node->used; i++) {
 		int at = i;
@@ -161,7 +163,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	}
 	if (pair->memory)
 		pair->memory->near = search.found;
-	return search.depth ? 0 : fmax(search.proven - rounding, 0);
+	return search.depth ? 0 : larger(search.proven - rounding, 0);
 }
 
 void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact)

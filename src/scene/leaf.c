@@ -44,6 +44,15 @@ static enum leaf_answer apart_along(const struct body_pair *pair, vec3 n, const 
 	return LEAF_APART;
 }
 
+/*
+ * What a distance proves at least. A gap along its direction proves less where the triangles are close and long: the
+ * direction is known only to the share that rounding has in the distance, and a far corner takes that times its reach.
+ */
+static double proven(const struct nearest *n, const tri *a, const tri *b)
+{
+	return n->distance - TRI_DISTANCE_ERROR * tri_pair_size(a, b);
+}
+
 static enum leaf_answer prove_chord(const struct region *region, const struct body_pair *pair, const tri *a,
 				    const tri *b, double clearance, bool final, struct contact *contact)
 {
@@ -69,7 +78,7 @@ static enum leaf_answer prove_chord(const struct region *region, const struct bo
 		if (witness_fixed(a, &b0, &b1, n1.direction, apart) ||
 		    (WITH_INTERPOLATED_AXES &&
 		     witness_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart)) ||
-		    tri_gap(a, &b0, n0.direction) + tri_gap(a, &b1, n1.direction) > 2 * (clearance + region->reach))
+		    proven(&n0, a, &b0) + proven(&n1, a, &b1) > 2 * (clearance + region->reach))
 			return apart_along(pair, n1.direction, &region->poses[1]);
 	}
 	if (!final)
@@ -100,10 +109,9 @@ static enum leaf_answer prove_box(const struct region *region, const struct body
 		return LEAF_APART;
 	n = nearest_of(a, &at);
 	if (n.distance > clearance) {
-		double gap = tri_gap(a, &at, n.direction);
-
-		if (gap > clearance + region->reach ||
-		    gap > clearance + region->stray[0] + region_play_along(region, pair, n.direction))
+		if (proven(&n, a, &at) > clearance + region->reach ||
+		    tri_gap(a, &at, n.direction) >
+			    clearance + region->stray[0] + region_play_along(region, pair, n.direction))
 			return LEAF_APART;
 		if (!final)
 			return LEAF_OPEN;

@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
+#include "base/extremes.h"
+
 /* Unit vectors closer than this are one axis. */
 #define SAME_AXIS 1e-3
 
@@ -30,6 +33,8 @@ static void learn_in(struct memory *memory, vec3 n, int frame)
 
 void memory_learn(struct memory *memory, vec3 n, const xform *pose)
 {
+	if (!WITH_CACHED_AXES)
+		return;
 	learn_in(memory, mat3_apply_transposed(&pose->rotation, n), 1);
 	learn_in(memory, n, 0);
 }
@@ -91,6 +96,6 @@ double memory_gap(struct memory *memory, const xform *pose, const struct body_pa
 	double best = -INFINITY;
 
 	for (int i = 0; i < memory->axis_count; i++)
-		best = fmax(best, box_gap(pair, pose, axis_at(&memory->axes[i], pose), a, b));
+		best = larger(best, box_gap(pair, pose, axis_at(&memory->axes[i], pose), a, b));
 	return best;
 }

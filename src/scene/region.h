@@ -61,7 +61,7 @@ struct region {
 	struct chain_state states[2];	/* CHORD: at its ends; BOX: [0] in its middle */
 	xform poses[2];	/* of meshes, at the states; BOX: both the same */
 	double stray[VIEWS];	/* mm: CHORD: what a point may be off its chord; BOX: rounding, which is in both */
-	vec3 play[VIEWS];	/* mm: BOX: what a point may be off its place, along each axis of the fixed body's mesh */
+	vec3 play[VIEWS];	/* mm: BOX: what a point may be off its place, along the axes of the fixed mesh */
 	struct box_bound bound;	/* BOX */
 	double reach;	/* mm: CHORD: L/2 + d + rounding; BOX: from the middle to any place; rounding is in both */
 	struct box_motion boxes;

@@ -65,7 +65,7 @@ class Targets:
     def fcl(self):
         say('targets: against FCL')
         scenes = [('between the blades', trunnion.inside(self.folder('inside-lap'), self.tools), 300, 1e5),
-                  ('in the bores', trunnion.inside(self.folder('probe-lap'), self.tools, None, 5, 3), 300, 1e5),
+                  ('in a bore', trunnion.bore(self.folder('bore'), 20000), 300, 1e5),
                   ('far apart', trunnion.far(self.folder('far'), 100000), 1, None)]
         self.lap, self.probe = scenes[0][1], scenes[1][1]
         for title, scene, coarse, fine in scenes:
@@ -76,7 +76,7 @@ class Targets:
 
     def sampled(self):
         say('targets: against the sampled methods')
-        for title, scene in (('between the blades', self.lap), ('in the bores', self.probe)):
+        for title, scene in (('between the blades', self.lap), ('in a bore', self.probe)):
             ours, theirs, paper = rounds(self.tools.runs, lambda: self.per_block(scene),
                                          lambda: self.per_block(scene, '--method', 'conventional'),
                                          lambda: self.per_block(scene, '--method', 'interpolated'))
@@ -148,7 +148,7 @@ class Targets:
     def threads(self):
         say('targets: two threads')
         pairs = [('two equal programs', self.long, [self.long.program] * 2, ()),
-                 ('one large program', trunnion.tight(self.folder('tight-long'), 40000), None, ())]
+                 ('one large program', trunnion.tight(self.folder('tight-long'), 400000), None, ())]
         for title, scene, programs, options in pairs:
             one, two = rounds(self.tools.runs, lambda: self.tools.check(scene, ['-j', '1', '-f', 'ndjson'], programs),
                               lambda: self.tools.check(scene, ['-j', '2', '-f', 'ndjson'], programs))

@@ -177,6 +177,20 @@ MOTIONS = [
 ]
 
 
+def bore(folder, blocks, length=1.0, feed=150.0):
+    """The probe measures a bore of the arbor, A and C turning a little along: blocks of 1 mm at 150 mm/min."""
+    os.makedirs(folder, exist_ok=True)
+    program, points = started(feed, 3), []
+    for end in ({'Y': 49.5}, {'X': 144.5}, {'Y': 40.5}, {'X': 135.5}, {'X': 141, 'Y': 46, 'Z': -244, 'A': -0.2, 'C': 0.4}):
+        seconds = 60 * math.dist(*([p[x] for x in 'XYZ'] for p in (BORE, dict(BORE, **end)))) / feed
+        points += [(BORE, seconds), (dict(BORE, **end), seconds)]
+    points.append((BORE, seconds))
+    points = cut(points, length)
+    approach(program, points[0][0])
+    shuttle(program, points, blocks)
+    return finish(folder, program, job_setup(folder), length=length, blocks=blocks)
+
+
 def motion(folder, start, end=None, feed=1000.0):
     """One motion by itself, or only the way to its start."""
     os.makedirs(folder, exist_ok=True)

@@ -1,4 +1,8 @@
-"""generate.py - random programs that LinuxCNC accepts: moves, arcs, offsets, units, expressions, control flow."""
+"""generate.py - random programs that LinuxCNC accepts.
+
+Moves, arcs, offsets, units, expressions, control flow, canned cycles, cutter compensation.
+"""
+import math
 
 AXES = 'XYZABC'
 # LinuxCNC takes lines of 253 bytes at most; a longer one gives way to a shorter.
@@ -85,8 +89,15 @@ class Generator:
                          lambda: f'{r.choice(["G10 L2", "G10 L20"])} P{r.randint(0, 9)} {self.words(3)}',
                          lambda: r.choice(['G54', 'G55', 'G56', 'G57', 'G58', 'G59', 'G59.1', 'G59.2', 'G59.3']),
                          lambda: r.choice(['G92.1', 'G92.2', 'G92.3']),
-                         lambda: r.choice(['G43', 'G43 H1', 'G43 H3', 'G49', 'T2'] if self.tools else ['G54']),
+                         lambda: r.choice(['G43', 'G43 H1', 'G43 H2', 'G43 H3', 'G49', 'T2']) if self.tools else 'G54',
+                         lambda: self.tool_entry() if self.tools else 'G54',
                          lambda: r.choice(['G28.1', 'G30.1', 'G28', 'G30', f'G28 {self.words(2)}'])])()
+
+    def tool_entry(self):
+        """The simulated machine of rs274 takes tool 1 for the one in an empty spindle: its entry is left alone."""
+        r = self.r
+        radius = f' R{r.uniform(-3, 3):.3f}' if r.random() < .3 else ''
+        return f'G10 L{r.choice([1, 10, 11])} P{r.randint(2, 3)} Z{self.value()}{radius}'
 
     def mode(self):
         units = [] if self.tools else ['G20', 'G21', 'G21']
@@ -110,6 +121,45 @@ class Generator:
         if r.random() < .1:
             return f'G90 G0 X[#5420+{r.randint(1, 9)}] Y[#<_y> - 1]'
         return f'{r.choice(["G0", "G1", "g01 ", "G00"])} {self.words(4)} F{r.randint(10, 900)}'
+
+    def cycle(self):
+        """A canned cycle, its repetitions, and G80."""
+        r = self.r
+        code, words, before = r.choice([('G81', '', []), ('G82', ' P0.5', []), ('G83', f' Q{r.uniform(1, 9):.2f}', []),
+                                        ('G73', f' Q{r.uniform(1, 9):.2f}', []), ('G84', '', ['M3 S100']),
+                                        ('G85', '', []), ('G89', ' P0.5', []), ('G86', ' P0.5', ['M3 S100'])])
+        level = r.uniform(-5, 20)
+        # LinuxCNC confuses the axes of G84 in other planes.
+        plane = r.choice(['G17', 'G17', 'G18', 'G19']) if code != 'G84' else 'G17'
+        lines = before + [f'{plane} G94 F150', 'G90']
+        first, second, depth = {'G17': 'XYZ', 'G18': 'XZY', 'G19': 'YZX'}[plane]
+        place = lambda: f'{first}{self.number(30)} {second}{self.number(30)}'
+        bottom = level - r.uniform(1, 20)
+        if r.random() < .3:
+            lines += ['G91', f'{code} {place()} {depth}{-r.uniform(1, 20):.3f} R{r.uniform(0, 5):.3f}{words} L{r.randint(1, 3)}']
+        else:
+            lines.append(f'{r.choice(["G98", "G99"])} {code} {place()} {depth}{bottom:.3f} R{level:.3f}{words}')
+        for _ in range(r.randint(0, 2)):
+            lines.append(place() if r.random() < .7 else f'{place()} R{level + r.uniform(0, 5):.3f}')
+        return lines + ['G80 G90', f'G0 X{self.number(9)}']
+
+    def compensated(self):
+        """Once around a polygon, or an arc instead of a side here and there, left or right of it."""
+        r = self.r
+        corners = sorted(r.uniform(0, 2 * math.pi) for _ in range(r.randint(3, 6)))
+        if r.random() < .5:
+            corners.reverse()
+        points = [(r.uniform(30, 60) * math.cos(a), r.uniform(30, 60) * math.sin(a)) for a in corners]
+        lines = ['G17 G40 G90', f'G0 X{-90 + r.uniform(-5, 5):.3f} Y{self.number(9)}',
+                 f'{r.choice(["G41.1", "G42.1"])} D{r.uniform(.2, 3):.3f}', 'F300']
+        for i, (x, y) in enumerate(points):
+            height = f' Z{self.number(5)}' if r.random() < .2 else ''
+            if i > 0 and r.random() < .25:
+                chord = math.hypot(x - points[i - 1][0], y - points[i - 1][1])
+                lines.append(f'{r.choice(["G2", "G3"])} X{x:.3f} Y{y:.3f} R{chord + 5:.3f}{height}')
+            else:
+                lines.append(f'{r.choice(["G0", "G1", "G1", "G1"])} X{x:.3f} Y{y:.3f}{height}')
+        return lines + ['G40', 'G0 X0 Y90']
 
     def name(self):
         self.label += 1
@@ -154,7 +204,11 @@ class Generator:
                 lines.append(self.offset())
             elif choice < .67:
                 lines.append(self.mode())
-            elif choice < .85 or self.depth > 3:
+            elif choice < .70:
+                lines += self.cycle()
+            elif choice < .71:
+                lines += self.compensated()
+            elif choice < .87 or self.depth > 3:
                 lines.append(self.assignment())
             else:
                 lines += self.control()

@@ -80,6 +80,11 @@ class Canon:
             self.offsets[name] = (slots(numbers(text), self.unit), self.unit)
         elif name in ('STRAIGHT_TRAVERSE', 'STRAIGHT_FEED', 'STRAIGHT_PROBE'):
             self.straight(numbers(text))
+        elif name == 'RIGID_TAP':
+            # There and back.
+            start = self.moves[-1] if self.moves else Move([0.0] * 6, [0.0] * 6)
+            self.straight(numbers(text)[:3])
+            self.moves.append(Move(start.end, start.exact))
         elif name == 'ARC_FEED':
             self.arc(numbers(text))
 

@@ -118,7 +118,10 @@ static inline bool case_tcp(void *context, const struct canon_tcp *tcp, struct s
 	return true;
 }
 
-/* The control of case_turn's table, with A on it that tilts the tool's direction about X: direction = (0, sin A, cos A). */
+/*
+ * The control of case_turn's table, with A on it that tilts the tool's direction
+ * about X: direction = (0, sin A, cos A).
+ */
 static inline bool case_orient(void *context, struct srcloc loc, struct canon_orientation *orientation)
 {
 	struct gcode_case *c = context;

@@ -211,11 +211,12 @@ START_TEST(every_level_gives_the_same_bits)
 			const struct bvh_node *node = some_node(&m.random, m.bodies[side]);
 			const struct bvh_node *across = some_node(&m.random, m.bodies[1 - side]);
 			struct box other = box_of(across, random_below(&m.random, across->used));
+			float enough = (float)random_in(&m.random, 0, 100);
 			float want[2][BVH_WIDTH], got[2][BVH_WIDTH];
 
-			boxes_apart_scalar(&m.motion, side, node, &other, want[0], want[1]);
+			boxes_apart_scalar(&m.motion, side, node, &other, enough, want[0], want[1]);
 			for (int level = LANES_SCALAR + 1; level <= simd_level(); level++) {
-				boxes_at_level(level)(&m.motion, side, node, &other, got[0], got[1]);
+				boxes_at_level(level)(&m.motion, side, node, &other, enough, got[0], got[1]);
 				require(!memcmp(want, got, sizeof(want)), "case %ld: level %d differs", n, level);
 			}
 		}
@@ -243,7 +244,8 @@ START_TEST(nothing_is_nearer_than_claimed)
 
 			if (!random_below(&m.random, 4))
 				other = box_whole(m.bodies[1 - side]);
-			boxes_apart(&m.motion, side, node, &other, apart, loose);
+			boxes_apart(&m.motion, side, node, &other,
+				    random_below(&m.random, 2) ? INFINITY : (float)random_in(&m.random, 0, 20), apart, loose);
 			for (int l = 0; l < node->used; l++) {
 				struct box own = box_of(node, l);
 				const struct box *a = side ? &other : &own, *b = side ? &own : &other;

@@ -148,9 +148,9 @@ static double boxes_claim(const struct trial *t, const struct region *region)
 	float apart[BVH_WIDTH], loose[BVH_WIDTH], single;
 	double claim;
 
-	boxes_apart(&region->boxes, 0, &t->duo.a->nodes[0], &b, apart, loose);
+	boxes_apart(&region->boxes, 0, &t->duo.a->nodes[0], &b, INFINITY, apart, loose);
 	claim = apart[0];
-	boxes_apart(&region->boxes, 1, &t->duo.b->nodes[0], &a, apart, loose);
+	boxes_apart(&region->boxes, 1, &t->duo.b->nodes[0], &a, INFINITY, apart, loose);
 	claim = fmax(claim, apart[0]);
 	single = box_pair_apart(&region->boxes, &a, &b, loose);
 	return fmax(claim, single);

@@ -281,7 +281,8 @@ START_TEST(wrapped_axes)
 	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
 	ck_assert(!case_run(&c, "G0 C-180\nC0\nM2\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:1:4: error: half a turn of C: either way is as short; half_turn=\"positive\" or \"negative\" "
+			 "p.nc:1:4: error: half a turn of C: either way is as short; half_turn=\"positive\" or "
+			 "\"negative\" "
 			 "of this axis in the machine file says which one the control takes\n    G0 C-180\n       ^\n");
 	case_release(&c);
 	for (int way = -1; way <= 1; way += 2) {
@@ -290,7 +291,8 @@ START_TEST(wrapped_axes)
 		c.config.half_turn[SLOT_C] = way;
 		case_expect(&c, "G0 C-180\nC0\nC90\nC-90\nM2\n",
 			    way > 0 ? "rapid 0 0 0 0 180\nrapid 0 0 0 0 360\nrapid 0 0 0 0 450\nrapid 0 0 0 0 630\n"
-				    : "rapid 0 0 0 0 -180\nrapid 0 0 0 0 -360\nrapid 0 0 0 0 -270\nrapid 0 0 0 0 -450\n");
+				    : "rapid 0 0 0 0 -180\nrapid 0 0 0 0 -360\nrapid 0 0 0 0 -270\nrapid 0 0 0 "
+				        "0 -450\n");
 	}
 }
 END_TEST
@@ -361,6 +363,7 @@ START_TEST(fanuc_programs)
 
 	case_init(&c);
 	c.config.dialect = GCODE_FANUC;
+	c.config.tool_change.given = true;
 	case_expect(
 	    &c,
 	    "%\nO1234 (PART)\nN1 G90 G21 G53\n/2 G00 X1.\nG04 P500\nG04 X2.5\nG4 U1 ;\nG53 G01 X-5. F100\nX2.\n"

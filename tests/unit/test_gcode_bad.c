@@ -27,7 +27,15 @@ static void expect_bad(const struct bad *bad, enum gcode_dialect dialect, bool h
 	case_release(&c);
 }
 
+#define PROBED \
+	"where the probe has stopped Z is not known before the program runs; lead the axis on by an absolute " \
+	"coordinate (G90) first"
+
 static const struct bad texts[] = {
+    /* "G38.n Straight Probe": how far the axis goes is known to the machine alone. */
+    {"G38.2 Z-9 F99\nG91 G1 Z2\n", 2, 8, PROBED},
+    {"G38.2 Z-9 F99\nG92 Z0\n", 2, 5, PROBED},
+    {"G38.2 Z-9 F99\nG10 L20 P1 X1\nG10 L20 P1 Z3\n", 3, 12, PROBED},
     {"G0 X1 (open\n", 1, 7, "this comment is not closed"},
     {"G0 X1 (a (b) c)\n", 1, 10, "a comment inside a comment"},
     {"G0 X1 (x))\n", 1, 10, "unexpected ')'"},
@@ -91,7 +99,7 @@ static const struct bad codes[] = {
 static const struct bad blocks[] = {
     {"X1\n", 1, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
     {"G0 X1\nG80\nY1\n", 3, 1, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
-    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion"},
+    {"G80 X1\n", 1, 5, "axis words with G80, which cancels motion; give them a motion code instead"},
     {"G0 B1\n", 1, 4, "the machine has no B axis"},
     {"G10 L2 P1 V1\n", 1, 11, "the machine has no V axis"},
     {"G0 G92 X1\n", 1, 1, "G0 and G92 both need the axis words of the block; write two blocks"},
@@ -101,8 +109,8 @@ static const struct bad blocks[] = {
     {"G53 X1\n", 1, 5, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
     {"G53\n", 1, 1, "G53 needs G0 or G1"},
     {"G0\nG53 G2 X1 I1\n", 2, 1, "G53 needs G0 or G1"},
-    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91)"},
-    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91)"},
+    {"G91\nG53 G0 X1\n", 2, 1, "G53 in incremental distance mode (G91); G90 first"},
+    {"G53 G0 G91 X1\n", 1, 1, "G53 in incremental distance mode (G91); G90 first"},
     {"G4\n", 1, 1, "G4 needs its time in P"},
     {"G4 P-1\n", 1, 4, "a dwell cannot be negative"},
     {"G4 P1 G2 X1 I1\n", 1, 1, "G4 cannot stand with G2 or G3; both use P"},
@@ -122,7 +130,7 @@ static const struct bad blocks[] = {
     {"G43 H5\n", 1, 5, "H5: no setup was given that defines length offsets"},
     {"T3 M6\nG43 G0 Z1\n", 2, 1, "the length of the tool in the spindle, T3, is not known; a setup defines it"},
     {"G10 L2 X1\n", 1, 1, "G10 needs L and P"},
-    {"G10 L1 P1 Z1\n", 1, 5, "G10 L1: writing the tool table is not supported yet; the setup defines tools"},
+    {"G10 L1 P1 Z1\n", 1, 8, "P1: no setup was given that defines tools"},
     {"G10 L2 P10 X1\n", 1, 8, "P10: a whole number from 0 to 9 is needed"},
     {"G10 L2 P1.5 X1\n", 1, 8, "P1.5: a whole number from 0 to 9 is needed"},
     {"G10 L2 P1 R45\n", 1, 11, "G10 with R: rotation of a coordinate system is not supported yet"},
@@ -138,7 +146,8 @@ static const struct bad motions[] = {
     {"F9 G2 X1\n", 1, 4, "an arc needs a centre (I, J, K) or a radius (R)"},
     {"F9 G2 I1 R1 X1\n", 1, 10, "an arc has a radius (R) or a centre (I, J, K), not both"},
     {"F9 G2 Z1 R1\n", 1, 10, "an arc by its radius needs X or Y"},
-    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts"},
+    {"F9 G2 X0 R1\n", 1, 10, "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+     "(I, J, K)"},
     {"F9 G2 X10 R4.99\n", 1, 11, "a radius of 4.99 mm does not reach from the start of the arc to its end"},
     {"F9 G2 X1 I0\n", 1, 4, "an arc of radius 0: 0 mm at its start, 1 mm at its end"},
     {"F9 G2 X10.03 I5\n", 1, 4, "the radius of the arc is 5 mm at its start and 5.03 mm at its end"},
@@ -174,6 +183,7 @@ static const struct bad fanuc[] = {
     {"G0 G43 Z1.\n", 1, 4, "G43 needs H"},
     /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
+    {"G10 L10 P1 R1.\n", 1, 5, "G10 L10 is not supported yet"},
     {"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
     /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
     {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},
@@ -226,7 +236,8 @@ START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
 	    {"G254\n", 1, 1,
-	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not supported yet"},
+	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not "
+	     "supported yet"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 

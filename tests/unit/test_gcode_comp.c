@@ -85,7 +85,8 @@ START_TEST(distance_from_polygon)
 			}
 			for (size_t i = 0; i + 1 < sizeof(corners) / sizeof(corners[0]); i++) {
 				double dx = corners[i + 1][0] - corners[i][0], dy = corners[i + 1][1] - corners[i][1];
-				double t = ((px - corners[i][0]) * dx + (py - corners[i][1]) * dy) / (dx * dx + dy * dy);
+				double along = (px - corners[i][0]) * dx + (py - corners[i][1]) * dy;
+				double t = along / (dx * dx + dy * dy);
 
 				t = fmin(fmax(t, 0), 1);
 				least = fmin(least, hypot(px - corners[i][0] - t * dx, py - corners[i][1] - t * dy));
@@ -123,7 +124,8 @@ static const struct bad bads[] = {
      "the entry arc of cutter compensation does not reach farther than the tool's radius, 10 mm"},
     {"G41.1 D20", "G3 X20 Y0 I5 J0", 1, "the radius of the arc is 5 mm at its start and 15 mm at its end"},
     {"G41.1 D20", "G3 X10.5 Y0 R6", 1, "the arc's radius, 6 mm, is not greater than the tool's, 10 mm"},
-    {ON "\nX12", "Y20 X11", 1, "the straight feed of line 3 ends in an inside corner that the tool (radius 2 mm) cannot "
+    {ON "\nX12", "Y20 X11", 1, "the straight feed of line 3 ends in an inside corner that the tool (radius 2 "
+     "mm) cannot "
 				"reach without gouging"},
     {ON, "G53 G0 X1", 1, "a code that moves or shifts the machine's axes while cutter compensation is on; G40 first"},
     {ON, "G28", 1, "a code that moves or shifts the machine's axes while cutter compensation is on; G40 first"},

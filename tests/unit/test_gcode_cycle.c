@@ -60,13 +60,14 @@ END_TEST
 
 START_TEST(dwell_and_feed_out)
 {
-	run(GCODE_LINUXCNC, "F9 G0 Z3 M3 S9\nG98 G82 X1 Z-1 R1 P.5\nG85 X2 Z-1 R1\nG89 X3 Z-1 R1 P1\nG84 X4 Z-1 R1\nM2\n",
+	run(GCODE_LINUXCNC, "F9 G0 Z3 M3 S9\nG98 G82 X1 Z-1 R1 P.5\nG85 X2 Z-1 R1\nG89 X3 Z-1 R1 P1\nG84 X4 Z-1 "
+	    "R1\nM2\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
 	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
 	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 1\nfeed 3 0 3 0 0\n"
 	    "rapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\ndwell 1\nfeed 4 0 3 0 0\n");
-	/* Fanuc B-64484EN, "Tapping cycle (G84)", "Drilling cycle, counter boring (G82)": P in ms, the feed ends at R. */
+	/* Fanuc B-64484EN, "Tapping cycle (G84)", "Drilling cycle, counter boring (G82)": P in ms; feeds end at R. */
 	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
@@ -226,12 +227,13 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
     {GCODE_LINUXCNC, "G33 Z-1", 1, "G33 needs its pitch in K"},
     {GCODE_LINUXCNC, "G33 Z-1 K1", 1, "G33 while the spindle stands"},
-    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed"},
+    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed; "
+     "leave F out"},
     {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K0", 15, "a pitch of 0"},
     {GCODE_LINUXCNC, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves X, Y and Z only"},
     {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
     {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
-    {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95)"},
+    {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
     /* Fanuc B-64484EN, "Canned cycle for drilling", "Repeat", "Fine boring cycle (G76)"; Haas, "G87". */
     {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},

@@ -182,7 +182,8 @@ static const struct bad bad[] = {
 	 "#<_hal[a.b]> depends on the machine's own state, which is not known before the program runs"},
 	{"G93 G1 X1 F1\n#1=#<_feed>\n", 2, 4, "#<_feed> in inverse time mode (G93) is not defined"},
 	{"#5221=1\n", 1, 1,
-	 "#5221 belongs to G54, which is in force: LinuxCNC would heed it only when G54 is selected again; use G10 L2 P1"},
+	 "#5221 belongs to G54, which is in force: LinuxCNC would heed it only when G54 is selected again; use "
+	 "G10 L2 P1"},
 	{"#5250=1\n", 1, 1, "#5250: rotation of a coordinate system is not supported here"},
 	{"#5220=2\n", 1, 1, "#5220 does not select a coordinate system; use G54 to G59.3"},
 	{"#5210=1\n", 1, 1, "#5210 does not apply the shift; use G92.2 and G92.3"},

@@ -25,7 +25,8 @@ static const struct {
 	{"o1 while [1]\n#1=[#1+1]\no2 if [#1 EQ 3]\no1 break\no2 endif\nG0 X#1\no1 endwhile\nG0 X9\n", "1 2 9"},
 	{"o1 while [#1 LT 4]\n#1=[#1+1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nG0 X#1\no1 endwhile\n", "1 3 4"},
 	{"o1 do\n#1=[#1+1]\no2 if [#1 EQ 2]\no1 break\no2 endif\nG0 X#1\no1 while [1]\nG0 X9\n", "1 9"},
-	{"o1 while [1]\no2 while [1]\n#1=[#1+1]\nG0 X#1\no3 if [#1 EQ 2]\no1 break\no3 endif\no2 endwhile\no1 endwhile\n",
+	{"o1 while [1]\no2 while [1]\n#1=[#1+1]\nG0 X#1\no3 if [#1 EQ 2]\no1 break\no3 endif\no2 endwhile\no1 "
+	 "endwhile\n",
 	 "1 2"},
 	/* labels */
 	{"O<My Loop> repeat [2]\nG91 G0 X1\no < my loop > endrepeat\n", "1 2"},
@@ -37,7 +38,8 @@ static const struct {
 	 "8 1 3"},
 	{"o1 sub\n#<mine>=[#1*2]\nG0 X#<mine>\no1 endsub\n#<mine>=3\no1 call [4]\nG0 X#<mine>\n", "8 3"},
 	{"o1 sub\nG0 X#1\no2 if [#1 GT 1]\no1 call [#1-1]\no2 endif\no1 endsub\no1 call [3]\n", "3 2 1"},
-	{"o1 sub\no5 repeat [2]\nG91 G0 X1\no5 endrepeat\no1 endsub\no5 if [1]\no1 call\no5 endif\no1 call\n", "1 2 3 4"},
+	{"o1 sub\no5 repeat [2]\nG91 G0 X1\no5 endrepeat\no1 endsub\no5 if [1]\no1 call\no5 endif\no1 "
+	 "call\n", "1 2 3 4"},
 	{"o1 call [4]\nG0 X1\nM2\no1 sub\nG0 X#1\no1 endsub\n", "4 1"},
 	{"o1 sub\nG0 X1\nM2\no1 endsub\no1 call\nG0 X9\n", "1"},
 	{"#1=6\nM98 P100 L2\nG0 X#1\nM2\nO100 (Fanuc)\nG91 G0 X1\nG90\n#1=9\nM99\n", "1 2 9"},
@@ -96,20 +98,24 @@ static const struct {
 	{"o1 while [#1 LT 1]\n#1=1\n", "p.nc:2: error: the end of the while of line 1 is missing\n"},
 	{"o1 sub\nG0 X1\n", "p.nc:1:1: error: this sub is not closed: its endsub is missing\n"},
 	{"o1 endsub\n", "p.nc:1:1: error: o1 endsub outside of a sub\n    o1 endsub\n    ^\n"},
-	{"o1 sub\no2 sub\n", "p.nc:2:1: error: a subprogram inside of the sub of line 1\n    o2 sub\n    ^\n"},
+	{"o1 sub\no2 sub\n", "p.nc:2:1: error: a subprogram inside of the sub of line 1, which has to end "
+	 "first\n    o2 sub\n    ^\n"},
 	{"o1 sub\no1 endsub\no1 sub\n",
 	 "p.nc:3:1: error: o1 is defined already, in line 1 of p.nc\n    o1 sub\n    ^\n"},
 	{"o1 call\no1 sub\no1 endsub\n",
-	 "p.nc:2:1: error: o1 sub is met again, after it was called or in a loop; LinuxCNC stops here: define it before "
+	 "p.nc:2:1: error: o1 sub is met again, after it was called or in a loop; LinuxCNC stops here: define "
+	 "it before "
 	 "its first call, once\n    o1 sub\n    ^\n"},
 	{"o<none> call\n",
-	 "p.nc:1:1: error: the subprogram o<none> is neither in p.nc nor in a file none.ngc beside the program or in an "
+	 "p.nc:1:1: error: the subprogram o<none> is neither in p.nc nor in a file none.ngc beside the program "
+	 "or in an "
 	 "--include folder\n"},
 	{"o<../a> call\n",
 	 "p.nc:1:1: error: a subprogram's file has a plain name, without folders; '../a' is none\n    o<../a> call\n"
 	 "    ^\n"},
 	{"o</etc/a> call\n",
-	 "p.nc:1:1: error: a subprogram's file has a plain name, without folders; '/etc/a' is none\n    o</etc/a> call\n"
+	 "p.nc:1:1: error: a subprogram's file has a plain name, without folders; '/etc/a' is none\n    "
+	 "o</etc/a> call\n"
 	 "    ^\n"},
 	{"G0 X1 M98 P1\n", "p.nc:1:7: error: M98 stands at the start of its block\n    G0 X1 M98 P1\n          ^\n"},
 	{"M98 P1 X2\n",
@@ -127,10 +133,12 @@ static const struct {
 	 "p.nc:5:2: note: o1 is called from here\np.nc:7:1: note: o2 is called from here\n"},
 	/* LinuxCNC's own faults, which would carry out something else than what is written. */
 	{"o1 while [1]\no1 break\no1 endwhile\no2 do\n#1=[#1+1]\no2 while [#1 LT 3]\n",
-	 "p.nc:6:1: error: an earlier o-word break still works on in LinuxCNC, which would end the loop here; write the "
+	 "p.nc:6:1: error: an earlier o-word break still works on in LinuxCNC, which would end the loop here; "
+	 "write the "
 	 "loops without break\n    o2 while [#1 LT 3]\n    ^\n"},
 	{"o1 do\n#1=[#1+1]\no2 if [#1 EQ 1]\no1 continue\no2 endif\no1 while [#1 LT 2]\no3 repeat [1]\no3 endrepeat\n",
-	 "p.nc:8:1: error: an earlier o-word continue still works on in LinuxCNC, which would repeat the loop once more "
+	 "p.nc:8:1: error: an earlier o-word continue still works on in LinuxCNC, which would repeat the loop "
+	 "once more "
 	 "here; write the loops without continue\n    o3 endrepeat\n    ^\n"},
 	{"o1 sub\no2 repeat [5]\no1 return\no2 endrepeat\no1 endsub\no1 call\no1 call\n",
 	 "p.nc:2:1: error: this repeat was left by a return or is under way in a caller: LinuxCNC would go on counting "
@@ -171,7 +179,8 @@ END_TEST
 START_TEST(endless_loops_end)
 {
 	static const char *const endless[] = {"o1 while [1]\no1 endwhile\n", "G91 G0 X1\nM99\n",
-					      "o1 do\no1 while [1]\n", "o1 sub\no2 do\no2 while [1]\no1 endsub\no1 call\n"};
+					      "o1 do\no1 while [1]\n", "o1 sub\no2 do\no2 while [1]\no1 endsub\n"
+					      "o1 call\n"};
 	struct strbuf straight = {0};
 	struct gcode_case c;
 
@@ -251,7 +260,8 @@ START_TEST(subprograms_in_files)
 
 	ck_assert_ptr_nonnull(mkdtemp(folder));
 	includes[0] = folder;
-	write_file(folder, "square.ngc", "G0 X99\no<square> sub\nG0 X#1\no<deep> call [#1+1]\no<square> endsub [#1*#1]\n");
+	write_file(folder, "square.ngc", "G0 X99\no<square> sub\nG0 X#1\no<deep> call [#1+1]\no<square> endsub "
+	    "[#1*#1]\n");
 	write_file(folder, "deep.ngc", "%\no<deep> sub\nG0 X#1\nG0 X[1/[#1-5]]\no<deep> endsub\n%\n");
 	fputs("o<square> call [2]\nG0 X#<_value>\no<Square> call [4]\n", in);
 	rewind(in);
@@ -273,7 +283,8 @@ START_TEST(subprograms_in_files)
 	c.config.includes = includes;
 	c.config.include_count = 1;
 	ck_assert(!case_run(&c, "o<open> call\n"));
-	ck_assert_ptr_nonnull(strstr(c.messages.text, "/open.ngc:2: error: the file ends inside of the subprogram o<open>: "
+	ck_assert_ptr_nonnull(strstr(c.messages.text, "/open.ngc:2: error: the file ends inside of the "
+	    "subprogram o<open>: "
 						      "its endsub is missing\np.nc:1:1: note: o<open> is called from "
 						      "here\n"));
 	case_release(&c);
@@ -338,7 +349,8 @@ START_TEST(loops_on_pipes)
 	case_release(&c);
 	case_init(&c);
 	ck_assert(!run_piped(&c, large.text, large.length));
-	ck_assert_msg(strstr(c.messages.text, "error: this jumps to line 2 of p.nc, which a pipe can no longer deliver: it "
+	ck_assert_msg(strstr(c.messages.text, "error: this jumps to line 2 of p.nc, which a pipe can no longer "
+	    "deliver: it "
 					      "keeps the last 4 MiB; give the program as a file"),
 		      "%s", c.messages.text);
 	case_release(&c);

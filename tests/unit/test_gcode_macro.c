@@ -187,7 +187,10 @@ static const struct {
 	{BOTH, "#1=0\nWHILE[#1LT2]DO1\n#1=#1+1\n#2=0\nWHILE[#2LT2]DO2\n#2=#2+1\nG0X[#1*10+#2]\nEND2\nEND1\nM30\n",
 	 "11 12 21 22"},
 	/* the same number twice, one after the other; out of a loop */
-	{BOTH, "#1=0\nWHILE [#1 LT 1] DO1\n#1=#1+1\nG0 X1.\nEND1\nWHILE [#1 LT 2] DO1\n#1=#1+1\nX2.\nEND1\nM30\n", "1 2"},
+	{BOTH, "#1=0\nWHILE [#1 LT 1] DO1\n#1=#1+1\nG0 X1.\nEND1\nWHILE [#1 LT 2] DO1\n#1=#1+1\nX2.\nEND1\n"
+	 "M30\n", "1 2"},
+	/* What a condition leaves out is not computed. */
+	{BOTH, "#1=1\nIF [#1 EQ 2] THEN #2=1/0 AND SIN[30] (x)\nIF [#1 EQ 2] GOTO #[1/0] ;\nG0 X#1\nM30\n", "1"},
 	{BOTH, "#1=0\nDO1\n#1=#1+1\nG0 X#1\nIF [#1 EQ 2] GOTO 5\nEND1\nN5 X7.\nM30\n", "1 2 7"},
 	/* out of two loops at once, and into them again by their DO */
 	{BOTH,
@@ -219,7 +222,7 @@ static const struct {
 	/* HM "G65": the variables remain from one repetition to the next */
 	{H, "G65 P7 L3 A1.\nM30\nO7\nG0 X#1\n#1=#1+1.\nM99\n", "1 2 3"},
 	{F, "G65 P7 L2\nM30\nO7\nG91 G0 X1.\nM99\n", "1 2"},
-	/* FM "Modal call (G66)": after each move; not by its own block, not by the macro's moves, not by others' blocks */
+	/* FM "Modal call (G66)": after each move; not by its own block, the macro's moves, others' blocks */
 	{F, "G0 X1.\nG66 P7 A5.\nX2.\nM8\n#1=1\nY3.\nG67\nX4.\nM30\nO7\nX[#1*10.]\nM99\n", "1 2 50 50 50 4"},
 	/* HM "M97": a part of the same program */
 	{H, "M97 P100 L2\nG0 X5.\nM30\nN100 G91 G0 X1.\nG90\nM99\n", "1 2 5"},
@@ -468,14 +471,16 @@ START_TEST(pipes)
 	c.config.dialect = GCODE_FANUC;
 	ck_assert(!run_pipe(&c, "G0 X1.\nGOTO 3\n", 250000, "N3 M30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:6: error: N3 is not within the last and the next 4 MiB of the pipe; give the program as "
+			 "p.nc:2:6: error: N3 is not within the last and the next 4 MiB of the pipe; give the "
+			 "program as "
 			 "a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 	case_init(&c);
 	c.config.dialect = GCODE_HAAS;
 	ck_assert(!run_pipe(&c, "N3 G0 X1.\n", 600000, "GOTO 3\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:600002:6: error: N3 is not within the last and the next 4 MiB of the pipe; give the program "
+			 "p.nc:600002:6: error: N3 is not within the last and the next 4 MiB of the pipe; give "
+			 "the program "
 			 "as a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 }
@@ -483,7 +488,8 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, skipped_blocks, increments, angles,
+	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, skipped_blocks, increments,
+				      angles,
 				      contour,     pipes};
 
 	return RUN_TESTS("gcode_macro", tests);

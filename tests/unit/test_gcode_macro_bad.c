@@ -113,6 +113,15 @@ static const struct {
 	{BOTH, "IF [1 EQ 1] THEN GOTO 1\n",
 	 "p.nc:1:18: error: THEN with anything but an assignment is not supported yet\n    IF [1 EQ 1] THEN "
 	 "GOTO 1\n                     ^\n"},
+	{BOTH, "IF [0 EQ 1] GOTO 1 G0 X1.\nN1\n",
+	 "p.nc:1:20: error: a macro statement stands in a block of its own\n    IF [0 EQ 1] GOTO 1 G0 X1.\n"
+	 "                       ^\n"},
+	{BOTH, "IF [0 EQ 1] THEN #1=SIN[2] MOD 3 X[1.]\n",
+	 "p.nc:1:34: error: a macro statement stands in a block of its own\n    IF [0 EQ 1] THEN #1=SIN[2] MOD 3 "
+	 "X[1.]\n                                     ^\n"},
+	{F, "G0 X-#1\n",
+	 "p.nc:1:5: error: a sign before a variable without a value: whether that is 0 or nothing differs\n    "
+	 "G0 X-#1\n        ^\n"},
 	{BOTH, "GOTO 5\nN4\n", "p.nc:1:6: error: the program has no block N5\n    GOTO 5\n         ^\n"},
 	{BOTH, "GOTO 0\n", "p.nc:1:6: error: block numbers start with 1\n    GOTO 0\n         ^\n"},
 	{BOTH, "GOTO 1.5\n",

@@ -8,6 +8,7 @@ static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
 {
 	case_init(c);
 	c->config.dialect = dialect;
+	c->config.length_moves = GCODE_NO;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;
 	c->config.mcodes = mcodes;
@@ -48,7 +49,8 @@ END_TEST
 
 START_TEST(rotated_arcs_and_cycles)
 {
-	run(GCODE_FANUC, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. Z-2.\nM30\n",
+	run(GCODE_FANUC, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. "
+	    "Z-2.\nM30\n",
 	    "arc -10 10 0 0 0 centre 0 10 0 normal 0 0 1 sweep -90\n"
 	    "arc 0 0 0 0 0 centre 0 10 0 normal 0 0 1 sweep 90\n"
 	    "rapid 0 5 0 0 0\nrapid 0 5 -1 0 0\nfeed 0 5 -2 0 0\nrapid 0 5 -1 0 0\n");
@@ -66,7 +68,8 @@ START_TEST(tilted)
 
 	plane_case(&c, GCODE_FANUC);
 	case_expect(&c,
-		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 G53 Z0.\n"
+		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 "
+		    "G53 Z0.\n"
 		    "G43 H1 X0. Y0. Z0.\nG28 Z5.\nG43 H1 G69\nG0 X0. Z0.\nM30\n",
 		    "rapid 0 0 50 0 0\norient 0 1 0\nrapid 0 0 50 90 0\n"
 		    "tcp on length 0 zero A0 C0\n"
@@ -74,7 +77,6 @@ START_TEST(tilted)
 		    /* X' = -X, Y' = Z, Z' = Y */
 		    "rapid 9 23 32 90 0 tcp\nrapid 9 24 32 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 9 24 0 90 0\ntcp on length 100 zero A0 C0\n"
-		    "tcp on length 100 zero A0 C0\n"
 		    "rapid 10 20 30 90 0 tcp\n"
 		    "rapid 10 25 30 90 0 tcp\n"
 		    "tcp off length 100 zero A0 C0\nrapid 10 25 0 90 0\ntcp on length 100 zero A0 C0\n"
@@ -162,18 +164,32 @@ START_TEST(least_input_by_address)
 }
 END_TEST
 
-/* Haas, "M06 Tool Change": Z goes home by itself; Fanuc leaves that to the program. */
-START_TEST(tool_change_without_place)
+/* Haas, "M06 Tool Change": Z goes home by itself; on Fanuc controls it is the machine builder's choice. */
+static void change_without_place(enum gcode_dialect dialect)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_HAAS);
-	ck_assert(case_run(&c, "G0 Z5.\nT1 M6\nT2 M6\nM30\n"));
-	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\ntool 1\ntool 2\n");
+	plane_case(&c, dialect);
+	ck_assert(!case_run(&c, "G0 Z5.\nT1 M6\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 5 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
-			 "p.nc:2:4: warning: M6 moves axes by itself on Haas controls, but <controller> has no <tool_change> "
-			 "that says where: no motion is checked, here and further on\n    T1 M6\n       ^\n");
+			 "p.nc:2:4: error: where M6 takes the axes is not known: <tool_change Z=\"\" .../> in the "
+			 "<controller> of the machine file says it, and <tool_change/> that it moves none\n"
+			 "    T1 M6\n       ^\n");
 	case_release(&c);
+	plane_case(&c, dialect);
+	c.config.tool_change.given = true;
+	case_expect(&c, "G0 Z5.\nT1 M6\nM30\n", "rapid 0 0 5 0 0\ntool 1\n");
+	plane_case(&c, dialect);
+	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
+						    .order_count = 1};
+	case_expect(&c, "G0 X1. Z5.\nT1 M6\nM30\n", "rapid 1 0 5 0 0\nrapid 1 0 0 0 0\ntool 1\n");
+}
+
+START_TEST(tool_change_without_place)
+{
+	change_without_place(GCODE_HAAS);
+	change_without_place(GCODE_FANUC);
 }
 END_TEST
 
@@ -186,7 +202,8 @@ START_TEST(tool_change_on_a_plane)
 	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_A] = true};
 	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; G69 first\n"));
+				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; "
+				     "G69 first\n"));
 	case_release(&c);
 }
 END_TEST
@@ -195,7 +212,8 @@ END_TEST
 START_TEST(haas_tool_centre)
 {
 	run(GCODE_HAAS, "G234 H1\nG0 X1.\nG49\nM30\n",
-	    "tcp on length 100 zero A0 C0\nrapid 1 0 -100 0 0 tcp\ntcp off length 0 zero A0 C0\n");
+	    "tcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 1 0 -100 0 0 tcp\n"
+	    "tcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\n");
 }
 END_TEST
 
@@ -231,10 +249,12 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
      "Y by an increment after G69: the first move after it is absolute"},
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
-     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate depends "
+     "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate "
+     "depends "
      "on the control; name both"},
     {GCODE_HAAS, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
-     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate depends "
+     "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate "
+     "depends "
      "on the control; name both"},
     {GCODE_FANUC, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
     {GCODE_FANUC, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},

@@ -154,26 +154,11 @@ START_TEST(refused)
 }
 END_TEST
 
-/* Fanuc B-64484EN, "Tool length compensation (G43, G44, G49)": parameter 5006#6 (TOS) says whether Z moves at once. */
-START_TEST(fanuc_length_without_z)
-{
-	struct gcode_case c;
-
-	tcp_case(&c);
-	c.config.dialect = GCODE_FANUC;
-	ck_assert(case_run(&c, "G49 G40\nG43 H1 G0 Z5.\nG43 H2 X1.\nG49\nM30\n"));
-	ck_assert_str_eq(
-	    strbuf_text(&c.messages),
-	    "p.nc:3:1: warning: a change of the length compensation without a Z word: some controls move Z at "
-	    "once; no motion is checked here and further on\n    G43 H2 X1.\n    ^\n");
-	case_release(&c);
-}
-END_TEST
-
 static void length_case(struct gcode_case *c, enum gcode_dialect dialect)
 {
 	tcp_case(c);
 	c->config.dialect = dialect;
+	c->config.length_moves = GCODE_NO;
 }
 
 /*
@@ -277,7 +262,6 @@ int main(void)
 	    zero_at_the_offset,
 	    shift_of_rotary_and_linear_axes_at_once,
 	    refused,
-	    fanuc_length_without_z,
 	    haas_g28_cancels_the_length,
 	    linuxcnc_g28_keeps_the_length,
 	    fanuc_length_in_doubt_is_not_needed,

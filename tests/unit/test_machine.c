@@ -22,7 +22,7 @@ static const char trunnion[] =
 	"    <pair a='holder' b='fixture' clearance='1'/>\n"
 	"  </pairs>\n"
 	"  <controller dialect='haas' rapid='dogleg' tcp_zero='offset' path_tolerance='0.02' "
-	"least_input='0.001'>\n"
+	"least_input='0.001' length_offset_moves='yes'>\n"
 	"    <tool_change Y='-10' C='90' X='3' order='Y XC'/><reference number='1' Y='11'/>\n"
 	"    <reference number='3' X='1' Y='-2' order='YX'/>\n"
 	"    <mcode number='428' action='tcp-on'/><mcode number='429' action='tcp-off'/><mcode number='10' "
@@ -140,6 +140,7 @@ static void check_places(const struct controller *controller)
 				   *third = &controller->references[2];
 
 	ck_assert_double_eq(controller->least_input, 0.001);
+	ck_assert_int_eq(controller->length_moves, ANSWER_YES);
 	ck_assert(change->given && change->has[SLOT_X] && change->has[SLOT_Y] && change->has[SLOT_C]);
 	ck_assert(!change->has[SLOT_Z] && !change->has[SLOT_A]);
 	ck_assert_double_eq(change->value.v[SLOT_Y], -10);
@@ -407,8 +408,13 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
      "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
     {MACHINE("<controller><tool_change X='1'/></controller><base/>"),
-     "m.xml:2: error: <tool_change> has a position for X, but the machine has no axis X\n"
+     "m.xml:2: error: <tool_change> has a position for X, but the machine has no axis X\n"},
+    {MACHINE("<controller><tool_change order='X'/></controller><base>" AXIS_X "/></base>"),
      "m.xml:2: error: <tool_change> gives no position\n"},
+    {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
+     "m.xml:3: error: <tool_change> is given twice\n"},
+    {MACHINE("<controller length_offset_moves='no'/><base/>"),
+     "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis then\n"},
     {MACHINE("<controller><reference number='5'/></controller><base/>"),
      "m.xml:2: error: number=\"5\" of <reference> is not between 1 and 4\n"
      "m.xml:2: error: <reference> gives no position\n"},

@@ -125,6 +125,7 @@ static struct machine machine_of(enum kind kind)
 	int slot = kind == AC_TABLE ? SLOT_A : SLOT_B;
 
 	machine.controller.dialect = DIALECT_FANUC;
+	machine.controller.length_moves = ANSWER_NO;
 	if (table) {
 		vec3 direction = kind == AC_TABLE ? rig_minus_x : (vec3){0, -1, 0};
 

@@ -1,0 +1,49 @@
+# What foreign files name has to be below --input-root, whatever ".." and links pretend.
+small_machine
+mkdir in out lib
+mv head.stl table.stl out
+cp out/*.stl in
+cp m.xml in/m.xml
+echo 'G0 X10' >a.nc
+status fivecheck -q --input-root in in/m.xml a.nc
+status fivecheck -q --input-root=. in/m.xml a.nc
+status fivecheck -q --input-root=/ in/m.xml a.nc
+# Up and out, by an absolute path, by a link to a file, through a link to a folder.
+sed 's,head.stl,../out/head.stl,' m.xml >in/up.xml
+sed "s,head.stl,$PWD/out/head.stl," m.xml >in/absolute.xml
+ln -s ../out/head.stl in/link.stl
+sed 's,head.stl,link.stl,' m.xml >in/link.xml
+ln -s ../out in/folder
+sed 's,head.stl,folder/head.stl,' m.xml >in/folder.xml
+for case in up absolute link folder; do
+	status fivecheck -q --input-root in in/$case.xml a.nc 2>&1 | sed "s,$PWD,HERE,"
+done
+# A neighbour whose name begins alike is outside; so is what is not even there; a link within stays inside.
+mkdir in2
+cp out/head.stl in2
+sed 's,head.stl,../in2/head.stl,' m.xml >in/alike.xml
+status fivecheck -q --input-root in in/alike.xml a.nc
+sed 's,head.stl,../out/no.stl,' m.xml >in/none.xml
+status fivecheck -q --input-root in in/none.xml a.nc
+ln -s head.stl in/within.stl
+sed 's,head.stl,within.stl,' m.xml >in/within.xml
+status fivecheck -q --input-root in in/within.xml a.nc
+# The setup, and every mode; not without the option.
+setup in/s.xml <<'XML'
+  <fixture name="vise" mesh="../out/table.stl" location="0 0 300"/>
+XML
+status fivecheck -q --input-root in --list-pairs -s in/s.xml in/m.xml
+status fivecheck -q -s in/s.xml in/m.xml a.nc
+# Subprograms: in the program's own folder, by a link that leads out, in a folder of --include.
+printf 'o<sub> call\nM2\n' >in/p.nc
+printf 'o<sub> sub\nG0 X1\no<sub> endsub\n' >lib/sub.ngc
+cp lib/sub.ngc in
+status fivecheck -q --input-root in in/m.xml in/p.nc
+ln -sf ../lib/sub.ngc in/sub.ngc
+status fivecheck -q --input-root in in/m.xml in/p.nc
+status fivecheck -q in/m.xml in/p.nc
+printf '%%\nO1\nM98 P7\nM30\n%%\n' >in/f.nc
+printf '%%\nO7\nG0 X1.\nM99\n%%\n' >lib/O7.nc
+status fivecheck -q --dialect fanuc --input-root in --include lib in/m.xml in/f.nc
+status fivecheck -q --dialect fanuc --include lib in/m.xml in/f.nc
+status fivecheck -q --input-root nowhere in/m.xml a.nc

@@ -1,0 +1,34 @@
+# SIGINT: what was found so far, the statistics, how far it came; never status 0. A reader that waits is woken, too.
+small_machine
+mkfifo endless
+# A shell without job control starts what is in the background with SIGINT ignored.
+cat >start.py <<'PY'
+import os, signal, sys
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+os.execv(sys.argv[1], sys.argv[1:])
+PY
+interrupt() {
+	python3 start.py "$FIVECHECK" "$@" <endless >out 2>err &
+	checker=$!
+	while [ ! -e consumed ]; do
+		sleep 0.1
+	done
+	rm consumed
+	kill -INT $checker
+	wait $checker
+	echo "status $?"
+	sed 's/line [0-9]*/line N/' err
+	grep "finding\|incomplete" out
+}
+command -v python3 >/dev/null || { cat "$(dirname "$LIB")/interrupt-key.sh.stdout.exact"; exit 0; }
+# Once far more has been read than a pipe holds, the check is under way.
+{ echo 'G0 X500'; yes 'G1 X1 F100' | head -n 100000; : >consumed; yes 'G1 X1 F100'; } 2>/dev/null >endless &
+writer=$!
+interrupt -a m.xml -
+kill $writer 2>/dev/null
+wait $writer 2>/dev/null
+# The writer says nothing more.
+{ yes 'G1 X1 F100' | head -n 100000; : >consumed; exec sleep 20; } >endless &
+writer=$!
+interrupt -q m.xml -
+kill $writer 2>/dev/null

@@ -1,0 +1,155 @@
+/* test_gcode_length.c - which axes a change of the length compensation moves on Fanuc and Haas controls. */
+#include "gcode_case.h"
+
+static const struct gcode_length lengths[] = {{1, 100}, {2, 40}};
+
+static void length_case(struct gcode_case *c, enum gcode_dialect dialect, enum gcode_answer answer)
+{
+	case_init(c);
+	c->config.dialect = dialect;
+	c->config.lengths = lengths;
+	c->config.length_count = 2;
+	c->config.length_moves = answer;
+}
+
+static void run(enum gcode_dialect dialect, enum gcode_answer answer, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	length_case(&c, dialect, answer);
+	case_expect(&c, program, moves);
+}
+
+/* Whatever the control does, the programs reach the same places. */
+START_TEST(either_way)
+{
+	static const enum gcode_answer answers[] = {GCODE_UNKNOWN, GCODE_YES, GCODE_NO};
+	static const enum gcode_dialect dialects[] = {GCODE_FANUC, GCODE_HAAS};
+
+	for (int i = 0; i < 3; i++) {
+		for (int k = 0; k < 2; k++) {
+			enum gcode_answer answer = answers[i];
+			enum gcode_dialect dialect = dialects[k];
+
+			/* Safe starts; the usual first approach; the same length again. */
+			run(dialect, answer, "G40 G49 G80\nG43 H1 G0 X1. Z5.\nG43 H1\nG49 G53 Z0.\nG49\nM30\n",
+			    "rapid 1 0 105 0 0\nrapid 1 0 0 0 0\n");
+			/* A motion in force, helices. */
+			run(dialect, answer, "G1 F9. X1.\nG43 H2 Z1.\nG17 G49 G2 I5. Z7.\nM30\n",
+			    "feed 1 0 0 0 0\nfeed 1 0 41 0 0\n"
+			    "arc 1 0 7 0 0 centre 6 0 41 normal 0 0 1 sweep -360\n");
+			/* Under TCP, what acts along Z leaves X and Y. */
+			run(dialect, answer,
+			    dialect == GCODE_HAAS ? "G0 X2. C90.\nG234 H1 Z5.\nM30\n" : "G0 X2. C90.\nG43.4 H1 "
+			        "Z5.\nM30\n",
+			    "rapid 2 0 0 0 90\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\n"
+			    "rapid 0 -2 5 0 90 tcp\n");
+		}
+	}
+	/* B-63844EN, "G53, G28, and G30 commands in tool length offset mode": G28 has taken the length back. */
+	run(GCODE_FANUC, GCODE_UNKNOWN, "G43 H1 G0 Z5.\nG91 G28 Z0.\nG49\nG90 Z1.\nM30\n",
+	    "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 1 0 0\n");
+}
+END_TEST
+
+/* Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift Types": parameter TOS at 1. */
+START_TEST(axes_stand)
+{
+	run(GCODE_FANUC, GCODE_NO, "G43 H1 G0 X1.\nX2.\nZ3.\nG49\nG91 G43 H2 Z1.\nX1.\nM30\n",
+	    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 103 0 0\nrapid 2 0 104 0 0\nrapid 3 0 104 0 0\n");
+}
+END_TEST
+
+/*
+ * TOS at 0. Fanuc 0i-MB operator's manual (B-63844EN), "Tool length offset": in
+ * its example increments and the offset add up.
+ */
+START_TEST(axes_move)
+{
+	run(GCODE_FANUC, GCODE_YES, "G0 Z1.\nG43 H1\nX1.\nG43 H2 X2.\nG91 G43 H1 Z1.\nG49\nX1.\nG90 Z5.\nM30\n",
+	    "rapid 0 0 1 0 0\nrapid 0 0 101 0 0\nrapid 1 0 101 0 0\nrapid 2 0 41 0 0\nrapid 2 0 102 0 0\n"
+	    "rapid 2 0 2 0 0\nrapid 3 0 2 0 0\nrapid 3 0 5 0 0\n");
+	run(GCODE_FANUC, GCODE_YES, "G1 F9. G43 H1\nX1.\nG80 G49\nM30\n",
+	    "rapid 0 0 100 0 0\nfeed 1 0 100 0 0\nrapid 1 0 0 0 0\n");
+	/* The tool goes back along itself: the tip comes to where the spindle was. */
+	run(GCODE_FANUC, GCODE_YES, "G0 X2. Z9. C90.\nG43.4 H1\nY-3.\nM30\n",
+	    "rapid 2 0 9 0 90\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 0 -2 9 0 90 tcp\n"
+	    "rapid 0 -3 9 0 90 tcp\n");
+}
+END_TEST
+
+#define ASK \
+	"whether this change of the length compensation moves Z at once depends on the control: give Z here as an " \
+	"absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in the <controller> of the machine file"
+#define NOT_PLAIN \
+	"where this change of the length compensation moves Z to, with length_offset_moves=\"yes\", is not known " \
+	"here; give Z in this block as an absolute coordinate of G0 or G1"
+
+static const struct {
+	enum gcode_dialect dialect;
+	enum gcode_answer answer;
+	const char *before, *block;
+	int column;
+	const char *message;
+} bads[] = {
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0", "G43 H1", 1, ASK},
+    {GCODE_HAAS, GCODE_UNKNOWN, "G0", "G43 H1 X5.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0", "G91 G43 H1 Z5.", 5, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G91", "G43 H1 G0 Z5.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49", 1, ASK},
+    {GCODE_HAAS, GCODE_UNKNOWN, "G43 H1 G0 Z5.\nG53 Z0.", "G40 G49 G80", 5, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49 G53 X0.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49 G28 Z9.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0 F9.", "G43 H1 G81 Z-5. R2.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0", "G43 H1 G92 Z5.", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0", "G43.4 H1 X1. Y1.", 1, ASK},
+    {GCODE_HAAS, GCODE_UNKNOWN, "G0", "G234 H1", 1, ASK},
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, ASK},
+    /* The length that G28 has taken back comes back by itself, or not. */
+    {GCODE_FANUC, GCODE_UNKNOWN, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, ASK},
+    {GCODE_FANUC, GCODE_YES, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, NOT_PLAIN},
+    {GCODE_FANUC, GCODE_YES, "G0 G43 H1 Z1.", "G49 G28 Z5.", 1, NOT_PLAIN},
+    {GCODE_FANUC, GCODE_YES, "G0 G43 H1 Z1. F9.", "G49 G2 I5.", 1, NOT_PLAIN},
+    {GCODE_FANUC, GCODE_YES, "F9. G81 Z-5. R2.", "G43 H1", 1, NOT_PLAIN},
+    {GCODE_FANUC, GCODE_YES, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, NOT_PLAIN},
+    {GCODE_FANUC, GCODE_YES, "G68.2 I180. J5.", "G43 H1", 1, NOT_PLAIN},
+};
+
+START_TEST(open)
+{
+	struct strbuf program = {0}, expected = {0};
+	struct gcode_case c;
+	int line = 2;
+
+	for (const char *p = bads[_i].before; *p; p++)
+		line += *p == '\n';
+	length_case(&c, bads[_i].dialect, bads[_i].answer);
+	strbuf_addf(&program, "%s\n%s\n", bads[_i].before, bads[_i].block);
+	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].block);
+	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %s\n    %*s^\n", line, bads[_i].column, bads[_i].message,
+		    bads[_i].block, bads[_i].column - 1, "");
+	ck_assert_str_eq(strbuf_text(&c.messages), strbuf_text(&expected));
+	strbuf_release(&program);
+	strbuf_release(&expected);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_length");
+	TCase *tcase = tcase_create("gcode_length");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(tcase, either_way);
+	tcase_add_test(tcase, axes_stand);
+	tcase_add_test(tcase, axes_move);
+	tcase_add_loop_test(tcase, open, 0, (int)(sizeof(bads) / sizeof(bads[0])));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
