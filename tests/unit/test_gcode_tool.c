@@ -114,7 +114,7 @@ static const struct {
     {"G43.4 H1\nG10 L10 P1 Z0\n",
      "2:1: error: G10 L10 measures the tool at the machine's position; switch TCP off first"},
     {"F9 G38.2 Z-9\nG10 L11 P1 Z0\n", "2:1: error: G10 L11" PROBED},
-    {"F9 G38.2 Z-9\nG91 G0 Z1\nX1\nG90 X2\nG10 L10 P1 Z0\n", "5:1: error: G10 L10" PROBED},
+    {"F9 G38.2 Z-9\nG91 G0 X1\nG90 X2\nG10 L10 P1 Z0\n", "4:1: error: G10 L10" PROBED},
     {"F9 G43.4 H1\nG38.3 Z-9\nG0 X1 Y1\nG49\nG10 L10 P1 Z0\n", "5:1: error: G10 L10" PROBED},
     {"G41.1 D2\nG10 L1 P1 R1\n", "2:1: error: a code that moves or shifts the machine's axes while cutter"},
 };
