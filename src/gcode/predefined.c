@@ -4,6 +4,7 @@
 
 #include "gcode/params.h"
 #include "gcode/state.h"
+#include "gcode/target.h"
 
 /* Ranges of numbers, each of one value a slot. */
 enum {
@@ -82,12 +83,12 @@ static bool tool_number(struct interp *interp, int number, int column, double *v
 
 /* ------------------------------------------------------ offsets, position */
 
-bool predefined_position_is_plain(struct interp *interp, int column)
+bool predefined_position_is_plain(struct interp *interp, int slot, int column)
 {
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
-		return true;
+		return target_is_known(interp, slot, column);
 	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 
@@ -138,7 +139,7 @@ bool predefined_number(struct interp *interp, int number, int column, double *va
 		return tool_number(interp, number, column, value);
 	if (in_slots(number, POSITION)) {
 		*value = program_position(state, number - POSITION);
-		return predefined_position_is_plain(interp, column);
+		return predefined_position_is_plain(interp, number - POSITION, column);
 	}
 	if (in_slots(number, REFERENCE_1))
 		*value = own_length(interp, &state->reference[0], number - REFERENCE_1);

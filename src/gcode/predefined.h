@@ -18,7 +18,7 @@ struct interp;
 bool predefined_number(struct interp *interp, int number, int column, double *value);
 
 /* Is the position one that programs can read? False: reported at the column. */
-bool predefined_position_is_plain(struct interp *interp, int column);
+bool predefined_position_is_plain(struct interp *interp, int slot, int column);
 
 /* Warns once about a work offset that the setup does not define. */
 void predefined_work_is_used(struct interp *interp, int system, int column);

@@ -159,7 +159,7 @@ static bool position_value(struct interp *interp, const struct known_name *known
 	const struct state *state = &interp->state;
 	int slot = known->slot;
 
-	if (!predefined_position_is_plain(interp, column))
+	if (!predefined_position_is_plain(interp, slot, column))
 		return false;
 	if (known->what == NAME_ABS_POSITION && state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "#<%s>: machine positions cannot be read under TCP", known->name);
