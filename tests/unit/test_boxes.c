@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geom/boxes_level.h"
+#include "geom/simd_kernels.h"
 #include "solids.h"
 
 /* Two soups and a motion of b against a, seen from one of both. */

@@ -156,9 +156,17 @@ static double boxes_claim(const struct trial *t, const struct region *region)
 	return fmax(claim, single);
 }
 
+static bool parted_as_branches(struct memory *memory, const struct trial *t, const struct region *region)
+{
+	const struct branch a = branch_root(t->duo.a), b = branch_root(t->duo.b);
+
+	memory->idle = 0;
+	return memory_parts_branches(memory, region, &t->duo.pair, &a, &b, t->clearance);
+}
+
 START_TEST(what_is_proved_of_a_chord_is_so)
 {
-	long proved = 0, touched = 0, by_memory = 0, boxed = 0, cases = random_cases(100000);
+	long proved = 0, touched = 0, by_memory = 0, parted = 0, boxed = 0, cases = random_cases(100000);
 	double tightest = 0;
 
 	for (long n = 0; n < cases; n++) {
@@ -167,7 +175,7 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		struct memory memory;
 		struct contact contact;
 		double claim, least;
-		bool apart, remembered;
+		bool apart, remembered, branches;
 
 		trial_init(&t, 1, n, 0.1, 150);
 		region_init(&region, &t.duo.pair, REGION_CHORD, &t.chord);
@@ -181,12 +189,15 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		}
 		t.duo.pair.memory = &memory;
 		remembered = prove(&t, &region, &contact) == LEAF_APART;
+		branches = parted_as_branches(&memory, &t, &region);
 		claim = boxes_claim(&t, &region);
-		if (apart || remembered || claim > 0) {
+		if (apart || remembered || branches || claim > 0) {
 			least = fmin(sampled_least(&t, INSTANTS), t.least);
 			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance,
 				least);
 			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is", n,
+				t.clearance, least);
+			require(!branches || least > t.clearance - 1e-9, "case %ld: %.12g proved of the branches, %.12g is", n,
 				t.clearance, least);
 			require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 			if ((apart || remembered) && least > 0)
@@ -195,11 +206,14 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		watch_memory_gap(&t, &memory);
 		proved += apart;
 		by_memory += remembered && !apart;
+		parted += branches;
 		boxed += claim > 0;
 		duo_release(&t.duo);
 	}
-	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && boxed > cases / 10,
-		"proved %ld, touched %ld, only by memory %ld, boxes apart %ld", proved, touched, by_memory, boxed);
+	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && parted > cases / 10 &&
+			boxed > cases / 10,
+		"proved %ld, touched %ld, only by memory %ld, as branches %ld, boxes apart %ld", proved, touched, by_memory,
+		parted, boxed);
 	require(tightest > 0.999, "the proofs are slack: %g", tightest);
 }
 END_TEST
