@@ -186,7 +186,7 @@ START_TEST(distance_is_a_good_lower_bound)
 			truth = brute_distance(e.duo.a, e.duo.b, &pose, INFINITY);
 			enough = random_below(&e.random, 2) ? 0 : truth * random_in(&e.random, 0, 1.2);
 			share = random_in(&e.random, 0.05, 0.95);
-			bound = sweep_distance(&sweep, &e.duo.pair, q, share, enough);
+			bound = sweep_distance(&sweep, &e.duo.pair, q, share, enough, 0);
 			require(bound >= 0 && bound <= truth, "case %ld: %.12g is no lower bound of %.12g", n, bound, truth);
 			if (truth > enough + 1e-9) {
 				require(bound >= share * truth - 1e-8, "case %ld: %.12g of %.12g", n, bound, truth);
