@@ -191,8 +191,8 @@ static const struct code g_codes[] = {
 	{G187, H, G_CONTOUR, NULL},
 	{G234, H, G_LENGTH, NULL},
 	{2530, H, NO, "spindle orientation to the feature coordinates"},
-	{2540, H, NO, "dynamic work offset, which carries the work origin along with the rotary table,"},
-	{2550, H, NO, "cancelling of the dynamic work offset"},
+	{G254, H, G_DYNAMIC, NULL},
+	{G255, H, G_DYNAMIC, NULL},
 	{2680, H, NO, "feature coordinate system"},
 	{2690, H, NO, "cancelling of the feature coordinate system"},
 };

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dynamic_offset.h"
 #include "gcode/target.h"
 #include "gcode/tool_write.h"
 #include "gcode/tooling.h"
@@ -42,12 +43,13 @@ static bool find_system(struct interp *interp, int code, int *system)
 bool offsets_select(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM];
+	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM], system = state->system;
 
 	if (code == CODE_NONE)
 		return true;
-	if (!find_system(interp, code, &state->system))
+	if (!find_system(interp, code, &system) || !dynamic_offset_check_system(interp, system))
 		return false;
+	state->system = system;
 	if (interp->config->has_setup && !state->work_known[state->system]) {
 		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
 			state_system_name(state->system));

@@ -7,6 +7,7 @@
 #include "gcode/arc.h"
 #include "gcode/comp.h"
 #include "gcode/cycle.h"
+#include "gcode/dynamic_offset.h"
 #include "gcode/frame.h"
 #include "gcode/length_shift.h"
 #include "gcode/synchronised.h"
@@ -44,6 +45,8 @@ bool travel_go(struct interp *interp, const slot_values *target, struct canon_mo
 	struct state *state = &interp->state;
 	slot_values position = frame_position(state, target);
 
+	if (!dynamic_offset_check_turn(interp, &position))
+		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		double here = state->position.v[slot], there = position.v[slot];
 
@@ -287,7 +290,7 @@ bool travel_motion(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
-	if (!length_shift_go(interp))
+	if (!dynamic_offset_check_cut(interp) || !length_shift_go(interp))
 		return false;
 	if (block->motion == CODE_NONE)
 		return true;

@@ -237,9 +237,7 @@ END_TEST
 START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
-	    {"G254\n", 1, 1,
-	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not "
-	     "supported yet"},
+	    {"G143\n", 1, 1, "G143: 5-axis tool length compensation is not supported yet"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 

@@ -254,7 +254,7 @@ START_TEST(subprograms_in_files)
 	char folder[] = "/tmp/fivecheck-flow-XXXXXX";
 	const char *includes[1];
 	struct gcode_case c;
-	struct canon_sink sink = {&c, count_move, case_tcp, note_file, case_orient};
+	struct canon_sink sink = {&c, count_move, case_tcp, note_file, case_orient, case_carry};
 	struct interp *interp;
 	FILE *in = tmpfile();
 

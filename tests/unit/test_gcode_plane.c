@@ -291,8 +291,6 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
     {GCODE_FANUC, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
     {GCODE_HAAS, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
-    {GCODE_HAAS, "", "G254", 1, 
-     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not supported yet"},
     {GCODE_FANUC, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
     {GCODE_FANUC, "", "G54.1", 1, "G54.1 needs P"},
     {GCODE_FANUC, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
