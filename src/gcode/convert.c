@@ -103,7 +103,7 @@ static bool is_count(const struct block *block, char letter)
 }
 
 /*
- * Fanuc 30i-B operator's manual, "Decimal point programming"; Haas, setting
+ * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting
  * 162: whole numbers count least input increments, of which an inch has ten
  * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */

@@ -99,7 +99,7 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 	return true;
 }
 
-/* Fanuc 30i-B, "Changing workpiece coordinate system", and Haas, "G10 Set Offsets": with G91 the words are added. */
+/* Fanuc 30i-B, changing workpiece coordinate system, and Haas, G10: with G91 the words are added. */
 static void change_work(struct interp *interp, int system, int slot, double word)
 {
 	double *value = &interp->state.work[system].v[slot];
@@ -139,7 +139,7 @@ static bool find_written(struct interp *interp, int mode, int *system)
 	return true;
 }
 
-/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, "G10". */
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;

@@ -93,8 +93,8 @@ static bool go_on_the_way(struct interp *interp)
 }
 
 /*
- * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, "Reference
- * position return"; Haas, "G28": by way of the point that the axis words name,
+ * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference
+ * position return; Haas, G28: by way of the point that the axis words name,
  * which is a rapid of its own, and on with these axes, or with all.
  */
 bool reference_go(struct interp *interp)

@@ -11,8 +11,8 @@
 #define WRAP_TOLERANCE 1e-9
 
 /*
- * The shortest way to an aim whole turns apart (Fanuc 30i-B operator's manual,
- * B-64484EN, "Rotary axis roll-over"), which leaves open what half a turn is.
+ * The shortest way to an aim whole turns apart (Fanuc 16i/18i-MB operator's manual,
+ * B-63534EN, "Rotary axis roll-over"), which leaves open what half a turn is.
  */
 static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
 {

@@ -59,7 +59,7 @@ bool travel_go(struct interp *interp, const slot_values *target, struct canon_mo
 
 /*
  * Milliseconds without a decimal point, in P only, on Fanuc and Haas controls
- * (Haas mill operator's manual, "G04 Dwell"); LinuxCNC's P is in seconds.
+ * (Haas mill operator's manual, G04); LinuxCNC's P is in seconds.
  */
 double travel_seconds(const struct interp *interp, char letter)
 {
@@ -126,7 +126,7 @@ static bool go_straight(struct interp *interp, bool machine)
 	bool named[SLOT_COUNT];
 	int column;
 
-	/* Fanuc 30i-B operator's manual, "Machine coordinate system (G53)": always at the rapid rate. */
+	/* Fanuc 30i-B operator's manual, machine coordinate system (G53): always at the rapid rate. */
 	if (machine && interp->config->dialect == GCODE_FANUC)
 		move.kind = CANON_RAPID;
 	/* Only LinuxCNC minds a G1 without a feed that moves nothing. */

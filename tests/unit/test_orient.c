@@ -184,7 +184,7 @@ START_TEST(limits_choose)
 END_TEST
 
 /*
- * Fanuc 16i/18i-B operator's manual (B-63534EN), "Tool axis direction control",
+ * Fanuc 16i/18i-B operator's manual (B-63534EN), tool axis direction control,
  * "Angle of rotation axis", output judgement conditions <1> to <4>. On the
  * trunnion A carries C: A's way decides, however far C has to go.
  */

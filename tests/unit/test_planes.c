@@ -63,7 +63,7 @@ static struct v about_yz(double degrees_, struct v p)
 	return about_x(-45, about_z(degrees_, about_x(45, p)));
 }
 
-/* Fanuc B-64484EN, "Tilted working plane indexing": about Z by I, about X' by J, about Z'' by K. */
+/* Fanuc B-64484EN, tilted working plane indexing: about Z by I, about X' by J, about Z'' by K. */
 static struct v euler(const double ijk[3], struct v p)
 {
 	return about_z(ijk[0], about_x(ijk[1], about_z(ijk[2], p)));
@@ -435,7 +435,7 @@ static void watch_way(const struct run *run, double u, const double q[5])
 	ck_assert_double_le(distance(tip(run->kind, q, LENGTH), wanted), 1e-7);
 }
 
-/* Fanuc B-64484EN, "Tool center point control (G43.4)"; Haas mill operator's manual, "G234 Tool Center Point Control". */
+/* Fanuc B-64484EN, tool center point control (G43.4); Haas mill operator's manual, "G234 Tool Center Point Control". */
 START_TEST(tool_centre_point)
 {
 	uint64_t random = 79;
