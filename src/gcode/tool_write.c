@@ -66,8 +66,8 @@ static bool check_position(struct interp *interp, int mode)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (interp->state.probed[slot])
 			return fault(&interp->at, column,
-				     "G10 L%d measures the tool where a probe has stopped %c, which is not known before "
-				     "the program runs; give the length in the setup, or with G10 L1",
+				     "G10 L%d measures the tool where a probe has stopped %c, which is not known "
+				     "before the program runs; give the length in the setup, or with G10 L1",
 				     mode, AXIS_LETTERS[slot]);
 	}
 	return true;

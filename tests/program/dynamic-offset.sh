@@ -61,9 +61,11 @@ refuse 'X0. Y0. Z0.\nG91 G28 Z0.\nG28 B0. C0.'
 refuse 'G55'
 refuse 'G91 Z5.'
 sed '/name="B"/,$d' m.xml >head.xml
-sed -i 's|<spindle .*|<axis name="B" type="rotary" direction="0 1 0" location="0 0 500" rate_max="3600">&</axis>|' head.xml
+head='<axis name="B" type="rotary" direction="0 1 0" location="0 0 500" rate_max="3600">'
+sed -i "s|<spindle .*|$head&</axis>|" head.xml
 cat >>head.xml <<'XML'
-<axis name="C" type="rotary" direction="0 0 1" location="30 40 0" rate_max="3600"><workholding location="30 40 80"/></axis>
+<axis name="C" type="rotary" direction="0 0 1" location="30 40 0" rate_max="3600">
+  <workholding location="30 40 80"/></axis>
 </base></machine>
 XML
 refuse X0. head.xml
