@@ -174,11 +174,18 @@ bool dynamic_offset_check_cut(struct interp *interp)
 	    block->motion == G80 || block->g[G_NONMODAL] == G53 || still)
 		return true;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (dynamic->unsure[slot])
+		bool led = block_has(block, AXIS_LETTERS[slot]) && !interp->state.incremental;
+
+		if (dynamic->unsure[slot] && dynamic->unsure_code == G254)
 			return fault(&interp->at, block_motion_column(block),
-				     "G%d after G%d before G0 has led %c to an absolute coordinate: the control needs "
+				     "G%d after G254 before G0 has led %c to an absolute coordinate: the control needs "
 				     "one of X, Y and Z each before it cuts",
-				     block->motion / 10, dynamic->unsure_code / 10, AXIS_LETTERS[slot]);
+				     block->motion / 10, AXIS_LETTERS[slot]);
+		if (dynamic->unsure[slot] && !led)
+			return fault(&interp->at, block_motion_column(block),
+				     "G%d after G255 without %c: whether the axis stays where it is is not known; give "
+				     "its absolute coordinate",
+				     block->motion / 10, AXIS_LETTERS[slot]);
 	}
 	return true;
 }

@@ -28,7 +28,7 @@ bool dynamic_offset_check_system(struct interp *interp, int system);
 /* What the block's axis words say after G254 or G255 is known. False: reported. */
 bool dynamic_offset_check_words(struct interp *interp);
 
-/* The block cuts nothing, or X, Y and Z have been led somewhere since. False: reported. */
+/* The block cuts nothing, or X, Y and Z have been led somewhere since; after G255 by the block itself at the latest. */
 bool dynamic_offset_check_cut(struct interp *interp);
 
 /* No rotary axis leaves its place for this position while G254 is in force. False: reported. */

@@ -54,6 +54,9 @@ START_TEST(moves_nothing_by_itself)
 	/* On again where it is on already, and the same work offset again. */
 	run("G54 G0 C90.\nG254\nG0 X0. Y0.\nG254\nG54 Z0.\nX1.\nM30\n",
 	    "rapid 0 0 0 0 90\nrapid -2 10 0 0 90\nrapid -2 10 -50 0 90\nrapid -1 10 -50 0 90\n");
+	/* After G255 a cut may lead them itself; a G1 that moves nothing and machine coordinates cut nothing. */
+	run("G54 G0 C90.\nG254\nG1 F9.\nG53 Z-1.\nG0 X0. Y0.\nG255\nG1 X0. Y0.\nX1.\nM30\n",
+	    "rapid 0 0 0 0 90\nfeed 0 0 -1 0 90\nrapid -2 10 -1 0 90\nfeed 10 2 -1 0 90\nfeed 11 2 -1 0 90\n");
 	/* A rotary word that turns nothing. */
 	run("G54 G0 C90.\nG254\nG0 X0. Y0. C90.\nM30\n", "rapid 0 0 0 0 90\nrapid -2 10 0 0 90\n");
 }
@@ -105,7 +108,10 @@ static const struct bad bads[] = {
     {ON "\nX0.", "G1 X0. Y0. F9.", 1, UNLED("G1 after G254", "Y")},
     {"G54 G0 C90.\nG53 X0. Y0.\nG254\nG53 X0. Y0. Z0.", "G81 X0. Y0. Z0. R1. F9.", 1, UNLED("G81 after G254", "X")},
     {ON "\nX0. F9.", "G2 I5.", 1, UNLED("G2 after G254", "Y")},
-    {LED "\nG255\nX0.", "G1 Z0. F9.", 1, UNLED("G1 after G255", "Y")},
+    {LED "\nG255\nX0.", "G1 Z0. F9.", 1,
+     "G1 after G255 without Y: whether the axis stays where it is is not known; give its absolute coordinate"},
+    {LED "\nG255\nX0.", "G91 G1 Y0. F9.", 5,
+     "G1 after G255 without Y: whether the axis stays where it is is not known; give its absolute coordinate"},
     {ON, "G91 X5.", 5,
      "X by an increment after G254: from where the control counts it is not known; lead the axis somewhere by an "
      "absolute coordinate first"},
