@@ -29,7 +29,7 @@
 /* And how sharply: where exactly the target is missed does not matter. */
 #define MEASURE_GRAIN 0.1
 
-/* Steps that a follower at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more in close work. */
+/* Steps that a follower at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more nearby. */
 #define PATIENCE_MAX 256
 
 /*

@@ -52,8 +52,8 @@ static void push_children(struct search *search, const struct branch_pair *entry
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 	int order[BVH_WIDTH];
 
-	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, (float)(search->share * search->found) * (1 + 0x1p-20f),
-		    apart, loose);
+	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box,
+		    (float)(search->share * search->found) * (1 + 0x1p-20f), apart, loose);
 	search->sweep->visits += node->used;
 	for (int i = 0; i < node->used; i++) {
 		int at = i;

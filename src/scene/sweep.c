@@ -120,7 +120,8 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 	struct region *region = entry->region;
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)walk->clearance * (1 + 0x1p-20f), apart, loose);
+	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)walk->clearance * (1 + 0x1p-20f), apart,
+		    loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;

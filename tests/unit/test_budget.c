@@ -127,7 +127,8 @@ static void step_box(struct walk *w, struct sweep *sweep)
 			double d;
 
 			for (int k = 0; k < SLOT_COUNT; k++)
-				q.v[k] = random_below(&w->random, 2) ? low.v[k] : random_in(&w->random, low.v[k], high.v[k]);
+				q.v[k] =
+				    random_below(&w->random, 2) ? low.v[k] : random_in(&w->random, low.v[k], high.v[k]);
 			d = distance_at(w, &q, &q, 0, &off, w->clearance + 1);
 			require(d > w->clearance - 1e-9, "case %ld: %.12g proved, %.12g is", w->number,
 				w->clearance, d);

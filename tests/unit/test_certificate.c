@@ -97,7 +97,8 @@ static void trial_init(struct trial *t, uint64_t test, long number, double way_l
 	b = random_triangle(random, random_size(random, 1, 100));
 	duo_init(&t->duo, &chain, &a, &b, &place_a, &place_b);
 	t->least = sampled_least(t, 9);
-	t->clearance = t->least * (random_below(random, 3) ? random_in(random, 0, 1) : 1 - random_size(random, 1e-6, 1));
+	t->clearance =
+	    t->least * (random_below(random, 3) ? random_in(random, 0, 1) : 1 - random_size(random, 1e-6, 1));
 }
 
 static struct leaf the_only_leaf(const struct bvh *bvh)
@@ -185,7 +186,8 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		if (contact.s < INFINITY) {
 			xform pose = pose_at(&t, contact.s, NULL);
 
-			require(distance_at(&t, &pose) <= t.clearance + 1e-9, "case %ld: no contact at %g", n, contact.s);
+			require(distance_at(&t, &pose) <= t.clearance + 1e-9, "case %ld: no contact at %g", n,
+				contact.s);
 		}
 		t.duo.pair.memory = &memory;
 		remembered = prove(&t, &region, &contact) == LEAF_APART;
@@ -193,12 +195,12 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		claim = boxes_claim(&t, &region);
 		if (apart || remembered || branches || claim > 0) {
 			least = fmin(sampled_least(&t, INSTANTS), t.least);
-			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance,
-				least);
-			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is", n,
+			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n,
 				t.clearance, least);
-			require(!branches || least > t.clearance - 1e-9, "case %ld: %.12g proved of the branches, %.12g is", n,
-				t.clearance, least);
+			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is",
+				n, t.clearance, least);
+			require(!branches || least > t.clearance - 1e-9, "case %ld: %.12g proved of the branches, %.12g is",
+				n, t.clearance, least);
 			require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 			if ((apart || remembered) && least > 0)
 				tightest = fmax(tightest, t.clearance / least);
@@ -243,7 +245,8 @@ static bool hold_plate_to_bulge(struct trial *t)
 	across = vec3_scale(2000 / way, vec3_cross(n, along));
 	along = vec3_scale(2000 / way, along);
 	at = vec3_mad(top, t->duo.b->radius - height * random_in(&t->random, 0, 0.5), n);
-	solid_add(&plate, vec3_sub(vec3_sub(at, along), across), vec3_add(vec3_sub(at, along), across), vec3_add(at, along));
+	solid_add(&plate, vec3_sub(vec3_sub(at, along), across), vec3_add(vec3_sub(at, along), across),
+		  vec3_add(at, along));
 	bvh_free(t->duo.a);
 	t->duo.a = bvh_new(&plate);
 	body_pair_init(&t->duo.pair, t->duo.a, t->duo.b, &place_a, &place_b, &t->duo.chain);
@@ -290,7 +293,8 @@ START_TEST(what_is_proved_of_a_box_is_so)
 
 		trial_init(&t, 3, n, 0.1, 150);
 		for (int k = 0; k < SLOT_COUNT; k++) {
-			double low = fmin(t.chord.q0.v[k], t.chord.q1.v[k]), high = fmax(t.chord.q0.v[k], t.chord.q1.v[k]);
+			double low = fmin(t.chord.q0.v[k], t.chord.q1.v[k]),
+			       high = fmax(t.chord.q0.v[k], t.chord.q1.v[k]);
 
 			t.chord.q0.v[k] = low;
 			t.chord.q1.v[k] = high;
@@ -307,7 +311,8 @@ START_TEST(what_is_proved_of_a_box_is_so)
 
 			least = fmin(least, distance_at(&t, &pose));
 		}
-		require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance, least);
+		require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance,
+			least);
 		require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 		proved += apart;
 		boxed += claim > 0;
