@@ -10,6 +10,7 @@
 #include "check/batch.h"
 #include "check/crew.h"
 #include "check/ledger.h"
+#include "check/relay.h"
 #include "scene/overlap.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
@@ -45,7 +46,7 @@ struct checker {
 	double time, block_time;	/* where the last step ended */
 	long line;	/* of the last step's block, and its file */
 	struct strbuf line_file;
-	const char *step_file;	/* what line_file is a copy of */
+	struct motion_summary summary;	/* of what was read so far */
 };
 
 static double now(void)
@@ -191,6 +192,8 @@ static void process(struct checker *c)
 			   "interrupted after line %ld: what follows was not checked", c->line);
 		c->stopped = c->failed = true;
 	}
+	if (c->stopped)
+		c->stats->motion = c->summary;
 }
 
 /* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
@@ -261,8 +264,7 @@ static bool on_step(void *context, const struct motion_step *step)
 	if (!enough(c) && c->options->method != CHECK_NOTHING)
 		batch_add(&c->batch, step, c->block);
 	c->line = step->line;
-	if (c->step_file != step->file) {
-		c->step_file = step->file;
+	if (strcmp(strbuf_text(&c->line_file), step->file)) {
 		strbuf_clear(&c->line_file);
 		strbuf_add(&c->line_file, step->file, strlen(step->file));
 	}
@@ -340,6 +342,7 @@ static void count_pairs(const struct scene *scene, struct check_stats *stats)
 	}
 }
 
+/* False: a fault was reported. */
 static bool run_program(struct checker *c, FILE *in)
 {
 	const struct motion_options options = {
@@ -354,8 +357,12 @@ static bool run_program(struct checker *c, FILE *in)
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};
 
-	return motion_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink, &c->held.diag,
-			  &c->stats->motion);
+	bool complete = (c->options->threads > 1 ? relay_run : motion_run)(
+		c->scene->machine, c->scene->setup, &options, in, c->file, &sink, &c->held.diag, &c->summary);
+
+	if (!c->stopped)
+		c->stats->motion = c->summary;
+	return complete || c->stopped;
 }
 
 enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
@@ -376,7 +383,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	if (options->method == CHECK_NOTHING || crew_init(&c.crew, scene, options, proven != NULL, diag)) {
-		complete = run_program(&c, in) || c.stopped;
+		complete = run_program(&c, in);
 		finish(&c, complete);
 		crew_collect(&c.crew, stats, proven);
 	}

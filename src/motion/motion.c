@@ -137,6 +137,20 @@ static void glue_release(struct glue *glue)
 	free(glue->lengths);
 }
 
+/* The drive comes first: it is the context of the interpreter's calls. */
+struct run {
+	struct drive drive;
+	struct interp *interp;
+};
+
+static bool end_block(void *context, const char *file, long line, const char *text, int moves)
+{
+	struct run *run = context;
+
+	run->drive.summary->lines = interp_lines(run->interp);
+	return drive_block(&run->drive, file, line, text, moves);
+}
+
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
 		struct motion_summary *summary)
@@ -148,20 +162,18 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .input_root = options->input_root,
 				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
-	struct drive drive;
-	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient, drive_carry};
-	struct interp *interp;
+	struct run run;
+	const struct canon_sink canon = {&run, drive_move, drive_tcp, end_block, drive_orient, drive_carry};
 	bool ok;
 
 	glue_machine(&glue, machine);
 	if (setup)
 		glue_setup(&glue, setup);
-	drive_init(&drive, machine, setup, options, sink, diag, name);
-	interp = interp_new(&glue.config, &canon, diag);
-	ok = interp_run(interp, in, name);
-	*summary = drive.summary;
-	summary->lines = interp_lines(interp);
-	interp_free(interp);
+	drive_init(&run.drive, machine, setup, options, sink, diag, name, summary);
+	run.interp = interp_new(&glue.config, &canon, diag);
+	ok = interp_run(run.interp, in, name);
+	summary->lines = interp_lines(run.interp);
+	interp_free(run.interp);
 	glue_release(&glue);
 	return ok;
 }

@@ -75,7 +75,7 @@ struct motion_summary {
 /*
  * Runs the program from home to its end; setup may be NULL. Memory does not
  * grow with the program. False: a fault was reported to diag, or the sink
- * stopped. *summary is filled in either case.
+ * stopped. *summary is filled in either case, and up to date whenever the sink is called.
  */
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
