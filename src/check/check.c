@@ -1,5 +1,6 @@
 #include "check/check.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #include "base/mem.h"
 #include "check/batch.h"
 #include "check/crew.h"
+#include "check/journal.h"
 #include "check/ledger.h"
 #include "scene/overlap.h"
 
@@ -46,6 +48,10 @@ struct checker {
 	long line;	/* of the last step's block, and its file */
 	struct strbuf line_file;
 	const char *step_file;	/* what line_file is a copy of */
+	struct journal journal;
+	long last_block;	/* the check ends with it */
+	long steps;	/* of the block that is being read */
+	double read_from, read_check, gauging;	/* where reading it began; seconds_check then; s spent on gauges since */
 };
 
 static double now(void)
@@ -126,8 +132,10 @@ static void emit(struct checker *c)
 		held_deliver(&c->held, c->diag, c->options->all ? c->block : c->ledger.entries[done].block);
 		c->stats->findings++;
 		done++;
-		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all)
+		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all) {
 			c->stopped = true;
+			c->last_block = c->ledger.entries[done - 1].block;
+		}
 	}
 	ledger_drop(&c->ledger, done);
 	if (!c->found || c->options->all)
@@ -173,6 +181,24 @@ static void take_results(struct checker *c)
 	}
 }
 
+static void gauge(struct checker *c)
+{
+	double start = now();
+
+	crew_gauge(&c->crew, &c->batch, c->tool, c->options);
+	for (size_t i = 0; i < c->crew.count; i++) {
+		const struct runner *runner = &c->crew.runners[i];
+
+		for (size_t k = 0; k < runner->room_count; k++) {
+			double clearance = runner->rooms[k].clearance;
+
+			journal_add_room(&c->journal, runner->rooms[k].block,
+					 &(struct check_room){runner->pair, clearance, clearance >= c->options->gauge_cap});
+		}
+	}
+	c->gauging += now() - start;
+}
+
 /* Checks what has gathered. */
 static void process(struct checker *c)
 {
@@ -182,6 +208,8 @@ static void process(struct checker *c)
 		batch_close(&c->batch);
 		crew_run(&c->crew, &c->batch, c->tool, c->options);
 		take_results(c);
+		if (c->options->gauges)
+			gauge(c);
 	}
 	batch_clear(&c->batch);
 	emit(c);
@@ -220,6 +248,8 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		entry.block_time = c->block_time;
 		ledger_add(&c->ledger, &entry);
 		c->found = true;
+		if (c->options->gauges && stance == STANCE_OVERLAP)
+			journal_add_room(&c->journal, c->block, &(struct check_room){.pair = runner->pair});
 		runner_found(&c->crew.runners[i], c->block);
 	}
 	c->stats->seconds_check += now() - start;
@@ -266,6 +296,7 @@ static bool on_step(void *context, const struct motion_step *step)
 		strbuf_clear(&c->line_file);
 		strbuf_add(&c->line_file, step->file, strlen(step->file));
 	}
+	c->steps++;
 	c->position = step->span.q1;
 	c->time = step->time + step->seconds;
 	c->block_time = step->block_time + step->seconds;
@@ -290,15 +321,44 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 	return !c->stopped;
 }
 
+/* What was measured of a block that is complete, and checked if it was timed. */
+static void record_block(struct checker *c, const char *file, long line, double seconds)
+{
+	double check = c->stats->seconds_check - c->read_check;
+	const struct journal_block block = {
+		.block = c->block, .line = line, .steps = c->steps, .seconds = seconds,
+		.interpret = now() - c->read_from - check, .check = check - c->gauging,
+	};
+
+	journal_close_block(&c->journal, &block, file);
+}
+
+/* Reading the next block begins. */
+static void start_block(struct checker *c)
+{
+	c->steps = 0;
+	c->gauging = 0;
+	c->read_check = c->stats->seconds_check;
+	c->read_from = now();
+}
+
 static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	struct checker *c = context;
+	/* Blocks without steps gather too. */
+	bool due = c->batch.step_count >= BATCH_STEPS || c->ledger.block_count + 1 >= BATCH_STEPS || enough(c) ||
+		   c->limit_found || c->options->times;
 
 	ledger_close_block(&c->ledger, c->block, file, line, text, seconds, moves);
 	c->block_time = 0;
-	/* Blocks without steps gather too. */
-	if (c->batch.step_count >= BATCH_STEPS || c->ledger.block_count >= BATCH_STEPS || enough(c) || c->limit_found)
+	if (due)
 		process(c);
+	if (c->sink->block) {
+		record_block(c, file, line, seconds);
+		if (due)
+			journal_emit(&c->journal, c->last_block, c->sink);
+		start_block(c);
+	}
 	c->block++;
 	c->held.block = c->block;
 	return !c->stopped;
@@ -307,6 +367,9 @@ static bool on_block(void *context, const char *file, long line, const char *tex
 /* What is left when the program has ended, or stopped at a fault in the middle of a block. */
 static void finish(struct checker *c, bool complete)
 {
+	/* Such a block has been checked as far as it goes. */
+	bool broken_off = !c->stopped && c->steps;
+
 	if (!c->moved && !c->stopped && complete) {
 		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
 			     c->options->method == CHECK_NOTHING
@@ -318,6 +381,11 @@ static void finish(struct checker *c, bool complete)
 		ledger_close_block(&c->ledger, c->block, c->line ? strbuf_text(&c->line_file) : c->file,
 				   c->line ? c->line : 1, "", c->block_time, 1);
 		process(c);
+	}
+	if (c->sink->block) {
+		if (broken_off)
+			record_block(c, c->line ? strbuf_text(&c->line_file) : c->file, c->line, c->block_time);
+		journal_emit(&c->journal, c->last_block, c->sink);
 	}
 }
 
@@ -375,6 +443,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	held_init(&c.held);
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
+	c.last_block = LONG_MAX;
+	start_block(&c);
 	if (options->method == CHECK_NOTHING || crew_init(&c.crew, scene, options, proven != NULL, diag)) {
 		complete = run_program(&c, in) || c.stopped;
 		finish(&c, complete);
@@ -386,6 +456,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	crew_release(&c.crew);
 	batch_release(&c.batch);
 	ledger_release(&c.ledger);
+	journal_release(&c.journal);
 	held_release(&c.held);
 	strbuf_release(&c.line_file);
 	sweep_release(&c.sweep);

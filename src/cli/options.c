@@ -160,7 +160,7 @@ static bool check_formats(const struct parser *parser)
 
 static bool names_file(const struct options *o)
 {
-	bool named = o->output && strcmp(o->output, "-") != 0;
+	bool named = (o->output && strcmp(o->output, "-") != 0) || o->clearance_report || o->timing;
 
 	for (int i = 0; i < FORMAT_COUNT; i++)
 		named = named || o->formats[i].path;
@@ -190,6 +190,12 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--record needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
+	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
+		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
+	else if (o->check.gauge_cap > 0 && !o->clearance_report)
+		fault = "--clearance-cap is for --clearance-report";
+	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
+		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
 		diag_error(parser->diag, nowhere, "%s", fault);
 	return !fault;
@@ -261,6 +267,10 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)
 		options->check.method = CHECK_NOTHING;
+	if (!(options->check.gauge_cap > 0))
+		options->check.gauge_cap = 10;
+	options->check.gauges = options->clearance_report;
+	options->check.times = options->timing;
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;

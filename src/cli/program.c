@@ -111,6 +111,13 @@ static bool on_progress(void *context, long lines)
 	return !interrupt_seen();
 }
 
+static void on_block(void *context, const struct check_block *block)
+{
+	const struct program *program = context;
+
+	tables_add(program->context->tables, program->context->scene, program->name, block);
+}
+
 static bool has_text(const struct channels *channels)
 {
 	for (size_t i = 0; i < channels->count; i++) {
@@ -177,7 +184,7 @@ static enum run_status status_of(enum check_result result)
 static void run(struct program *program, struct program_file *file, const char *path)
 {
 	const struct program_context *context = program->context;
-	const struct check_sink sink = {program, on_finding, on_progress};
+	const struct check_sink sink = {program, on_finding, on_progress, context->tables ? on_block : NULL};
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->voice->diag;
 	double *proven = NULL;
