@@ -12,7 +12,7 @@
  */
 #define BUDGET_SHARE 0.15
 
-/* How much of a distance that turned out to be too small is tried next when the smallest clearance is measured. */
+/* How much of a distance beyond the clearance, where it turned out too small, is tried next when the smallest is measured. */
 #define MEASURE_SHARE 0.8
 
 /* And how sharply: where exactly the target is missed does not matter. */
@@ -37,6 +37,11 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	follower->target = measure ? INFINITY : clearance;
 	follower->bodies.memory = &follower->memory;
 	budget_init(&follower->budget, bodies->chain);
+}
+
+void follower_cap(struct follower *follower, double most)
+{
+	follower->target = most;
 }
 
 /* Its memory is its own. */
@@ -146,7 +151,7 @@ static struct passing question(const struct follower *follower, struct sweep *sw
 		.sweep = sweep,
 		.bodies = &follower->bodies,
 		.clearance = follower->target,
-		.tolerance = any ? fmax(tolerance, MEASURE_GRAIN * follower->target) : tolerance,
+		.tolerance = any ? fmax(tolerance, MEASURE_GRAIN * (follower->target - follower->clearance)) : tolerance,
 		.any = any,
 		.box_visits = BOX_VISITS,
 	};
@@ -198,7 +203,8 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 
 		/* Neither a finding nor undecided yet: less than was hoped for may remain. */
 		if (passage == PASSAGE_CONTACT)
-			less = MEASURE_SHARE * fmin(contact->distance, follower->target);
+			less = follower->clearance +
+			       MEASURE_SHARE * (fmin(contact->distance, follower->target) - follower->clearance);
 		follower->target = less > follower->clearance + tolerance ? less : follower->clearance;
 		budget_resume(&follower->budget, &step->span.q0);
 	}

@@ -9,6 +9,7 @@
 #include "base/held.h"
 #include "base/mem.h"
 #include "check/batch.h"
+#include "check/course.h"
 #include "check/crew.h"
 #include "check/journal.h"
 #include "check/ledger.h"
@@ -297,6 +298,8 @@ static bool on_step(void *context, const struct motion_step *step)
 		strbuf_add(&c->line_file, step->file, strlen(step->file));
 	}
 	c->steps++;
+	if (c->options->course)
+		course_step(c->options->course, step);
 	c->position = step->span.q1;
 	c->time = step->time + step->seconds;
 	c->block_time = step->block_time + step->seconds;
@@ -349,6 +352,8 @@ static bool on_block(void *context, const char *file, long line, const char *tex
 	bool due = c->batch.step_count >= BATCH_STEPS || c->ledger.block_count + 1 >= BATCH_STEPS || enough(c) ||
 		   c->limit_found || c->options->times;
 
+	if (c->options->course)
+		course_block(c->options->course, line, c->tool, &c->position);
 	ledger_close_block(&c->ledger, c->block, file, line, text, seconds, moves);
 	c->block_time = 0;
 	if (due)
@@ -418,6 +423,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.include_count = c->options->include_count,
 		.input_root = c->options->input_root,
 		.watch = c->options->watch,
+		.change = c->options->change,
 		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};

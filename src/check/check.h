@@ -34,6 +34,9 @@ struct check_options {
 	bool gauges;	/* measures what clearance remains in each block, which takes more time */
 	double gauge_cap;	/* mm: and no more than this of it */
 	bool times;	/* checks each block by itself and takes its time, which takes more of it */
+	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
+	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
+	struct course *course;	/* records the way that the program takes, or compares it; or NULL */
 };
 
 /* What clearance a pair keeps in a block. */

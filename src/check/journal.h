@@ -1,4 +1,4 @@
-/* journal.h - what is measured of each block, until the block is complete and it is known that the check went so far. */
+/* journal.h - what is measured of each block, until it is complete and the check is known to have gone so far. */
 #ifndef FIVECHECK_CHECK_JOURNAL_H
 #define FIVECHECK_CHECK_JOURNAL_H
 

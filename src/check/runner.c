@@ -29,6 +29,8 @@ bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const 
 		.found_block = -1,
 	};
 	follower_init(&runner->follower, &bodies, p->clearance, measure);
+	if (measure && options->measure_cap > 0)
+		follower_cap(&runner->follower, p->clearance + options->measure_cap);
 	sampler_init(&runner->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
 	gauge_init(&runner->gauge, &bodies, options->gauge_cap);
 	return true;

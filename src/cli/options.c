@@ -167,6 +167,12 @@ static bool names_file(const struct options *o)
 	return named;
 }
 
+bool options_seek_turns(const struct options *o)
+{
+	return o->sensitivity[CHANGE_X] > 0 || o->sensitivity[CHANGE_Y] > 0 || o->sensitivity[CHANGE_Z] > 0 ||
+	       o->sensitivity[CHANGE_LENGTH] > 0;
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -194,6 +200,10 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
 	else if (o->check.gauge_cap > 0 && !o->clearance_report)
 		fault = "--clearance-cap is for --clearance-report";
+	else if (options_seek_turns(o) && o->check.method != CHECK_CERTIFIED)
+		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+	else if (options_seek_turns(o) && (o->baseline || o->fail_on))
+		fault = "--sensitivity cannot go together with --baseline or --fail-on: it is about the verdict without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
 		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
