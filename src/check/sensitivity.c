@@ -191,11 +191,15 @@ static void close_in(struct search *search, double low, double high, bool proved
 		double middle = 0.5 * (low + high);
 		struct probe probe = run(search, middle, 0);
 
+		if (probe.result == CHECK_INCOMPLETE) {
+			give_up(search, &probe, middle);
+			return;
+		}
 		if (probe.result == CHECK_FOUND)
 			high = middle;
 		else
 			low = middle;
-		proved = proved && probe.orderly && probe.result != CHECK_INCOMPLETE;
+		proved = proved && probe.orderly;
 		free(probe.why);
 	}
 	/* The last run that found something is the one to tell of. */
@@ -223,7 +227,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	free(probe.why);
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
 	if (probe.result == CHECK_FOUND && !stalls)
-		close_in(search, *low, next, *proved);
+		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
 		turn(search, next);
 	if (probe.result == CHECK_FOUND)
@@ -296,6 +300,10 @@ static void search_found(struct search *search)
 		double middle = 0.5 * (low + high);
 		struct probe probe = run(search, middle, 0);
 
+		if (probe.result == CHECK_INCOMPLETE) {
+			give_up(search, &probe, middle);
+			return;
+		}
 		free(probe.why);
 		if (probe.result == CHECK_CLEAR)
 			high = middle;

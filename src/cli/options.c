@@ -202,6 +202,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-cap is for --clearance-report";
 	else if (options_seek_turns(o) && o->check.method != CHECK_CERTIFIED)
 		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+	else if (options_seek_turns(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
+		fault = "--sensitivity is told by --format=text and --format=ndjson";
 	else if (options_seek_turns(o) && (o->baseline || o->fail_on))
 		fault = "--sensitivity cannot go together with --baseline or --fail-on: it is about the verdict without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))

@@ -64,3 +64,4 @@ for value in 1 1,2,3 1,2,3,4,5 1,2,3,x 1,2,3,-4 0,0,0,0 1,,1,1 20000,1,1,1; do
 done 2>&1 | grep -v note
 status fivecheck --sensitivity 1,1,1,1 --method conventional m.xml a.nc
 status fivecheck --sensitivity 1,1,1,1 --fail-on limit m.xml a.nc
+status fivecheck --sensitivity 1,1,1,1 -f junit m.xml a.nc
