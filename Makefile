@@ -112,7 +112,7 @@ check-asan:
 	@$(MAKE) --no-print-directory SANITIZE=address,undefined check-unit check-program
 
 check-tsan:
-	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all"
+	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all clearance-report"
 
 check-valgrind: $(BUILD)/fivecheck $(UNIT_PROGRAMS)
 	@sh scripts/check-valgrind $(BUILD)
