@@ -36,6 +36,7 @@ struct checker {
 	struct batch batch;
 	struct ledger ledger;
 	struct sweep sweep;	/* for poses that stand still */
+	bool measures;	/* the smallest clearance of each pair */
 	const char *file;
 	long block;	/* number of the block that is being read */
 	int tool;
@@ -228,7 +229,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 	double start = now();
 
 	for (size_t i = 0; i < c->crew.count && !enough(c); i++) {
-		const struct runner *runner = &c->crew.runners[i];
+		struct runner *runner = &c->crew.runners[i];
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
 		struct contact contact;
@@ -239,6 +240,8 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);
 		c->failed |= stance == STANCE_FAILED;
+		if (stance == STANCE_CLEAR && c->measures)
+			runner_stand(runner, &c->sweep, &c->position, c->options);
 		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
 			continue;
 		entry.finding = pair_finding(c, pair,
@@ -251,7 +254,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		c->found = true;
 		if (c->options->gauges && stance == STANCE_OVERLAP)
 			journal_add_room(&c->journal, c->block, &(struct check_room){.pair = runner->pair});
-		runner_found(&c->crew.runners[i], c->block);
+		runner_found(runner, c->block);
 	}
 	c->stats->seconds_check += now() - start;
 }
@@ -437,7 +440,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    double *proven)
 {
 	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
-			    .file = name};
+			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name};
 	const size_t errors = diag->errors;
 	double start = now();
 	bool complete = false;

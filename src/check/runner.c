@@ -4,6 +4,8 @@
 
 #include "base/ablation.h"
 #include "base/mem.h"
+#include "motion/path.h"
+#include "motion/span.h"
 #include "scene/overlap.h"
 
 static int tool_of(const struct scene *scene, const struct scene_pair *pair)
@@ -153,6 +155,19 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 		}
 		runner_found(runner, step->block);
 	}
+}
+
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
+		  const struct check_options *options)
+{
+	const struct path path = {.kind = PATH_STRAIGHT, .start = *at, .end = *at};
+	struct motion_step still = {.line = 1};
+	struct contact contact;
+
+	span_init(&still.span, &path);
+	/* Clear or not: it was looked at before, more exactly. */
+	follower_step(&runner->follower, sweep, &still, options->tolerance, &contact);
+	follower_lose(&runner->follower);
 }
 
 /* The gauge's room for the step's block. */

@@ -63,6 +63,10 @@ void runner_found(struct runner *runner, long block);
 void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);
 
+/* Measures the clearance where the axes stand, as runner_run does where they move. The pair is apart there. */
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
+		  const struct check_options *options);
+
 /*
  * Measures what clearance the pair keeps in the batch's blocks, one room for each in which it is checked. To
  * be called after runner_run, whose findings it does not depend on.

@@ -21,6 +21,9 @@ brackets() {
 }
 fivecheck -q --sensitivity 5,5,5,5 -s s.xml m.xml a.nc | brackets 2 1
 fivecheck -q --sensitivity 5,0,20,0.5 -s s.xml m.xml tool.nc | brackets 0.5 0.5
+# A tool that is put in, and never moved, counts as well.
+printf '%s\n' 'G54 G0 X0 Z0' 'T1 M6' >put.nc
+fivecheck -q --sensitivity 0,0,5,0 -s s.xml m.xml put.nc | brackets 0.5
 # The clearance that is required is no room to move; the same answers for any number of threads.
 fivecheck -q --sensitivity 0,0,5,0 --clearance 0.25 -s s.xml m.xml a.nc | brackets 0.75
 fivecheck -q --sensitivity 5,5,5,5 -s s.xml m.xml a.nc tool.nc >one
