@@ -61,3 +61,14 @@ status fivecheck -q --clearance-report /dev/full -o /dev/null m.xml a.nc
 # make is told of it.
 fivecheck -q --clearance-report report.csv --depfile d -o /dev/null m.xml a.nc
 head -n 1 d
+# On a whole machine, with the tool guided (TCP): the least clearance of all is kept, and is near the least that is.
+top=${LIB%/*}/../..
+check() {
+	fivecheck -q "$@" -s "$top/examples/ac-trunnion/setup.xml" "$top/machines/ac-trunnion/machine.xml" "$top/examples/ac-trunnion/clear.nc"
+}
+check --clearance-report report.csv -o /dev/null
+least=$(tail -n +2 report.csv | cut -d , -f 7 | sort -n | head -n 1)
+check -o /dev/null --clearance "$least"
+echo "kept: status $?"
+check -o /dev/null --clearance "$(awk -v least="$least" 'BEGIN { print least / 0.85 + 0.01 }')"
+echo "and no more: status $?"
