@@ -48,4 +48,11 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
 		       const axis_values *q1, const axis_values *off);
 
+/*
+ * mm of the room that are left wherever between low and high the axes stand; below 0, or
+ * -INFINITY when nothing is known: nothing is proven there. Uses nothing up.
+ */
+double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
+		   const axis_values *off);
+
 #endif

@@ -41,6 +41,9 @@ struct follower {
  */
 void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure);
 
+/* A follower that measures does not look for more than `most` mm; that counts as proven where it was never measured. */
+void follower_cap(struct follower *follower, double most);
+
 /*
  * A part of the steps can be followed by a fork, without what led to them. Its
  * findings are the whole's; follower_join, part by part in order, brings back the

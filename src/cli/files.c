@@ -20,7 +20,7 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 3 };
+enum { WRITTEN_MAX = FORMAT_COUNT + 5 };
 
 static size_t list_written(struct written *list, const struct options *options)
 {
@@ -35,6 +35,10 @@ static size_t list_written(struct written *list, const struct options *options)
 	}
 	if (options->depfile)
 		list[count++] = (struct written){"depfile", options->depfile};
+	if (options->clearance_report)
+		list[count++] = (struct written){"clearance-report", options->clearance_report};
+	if (options->timing)
+		list[count++] = (struct written){"timing", options->timing};
 	if (options->pose)
 		list[count++] = (struct written){"pose", options->pose};
 	return count;

@@ -130,6 +130,10 @@ bool inputs_write_depfile(const struct inputs *inputs, const struct options *opt
 		if (options->formats[i].path)
 			good = depfile_add_name(&text, options->formats[i].path, true, diag) && good;
 	}
+	if (options->clearance_report)
+		good = depfile_add_name(&text, options->clearance_report, true, diag) && good;
+	if (options->timing)
+		good = depfile_add_name(&text, options->timing, true, diag) && good;
 	strbuf_addf(&text, ":");
 	for (size_t i = 0; i < inputs->count; i++) {
 		strbuf_addf(&text, " \\\n ");

@@ -160,11 +160,17 @@ static bool check_formats(const struct parser *parser)
 
 static bool names_file(const struct options *o)
 {
-	bool named = o->output && strcmp(o->output, "-") != 0;
+	bool named = (o->output && strcmp(o->output, "-") != 0) || o->clearance_report || o->timing;
 
 	for (int i = 0; i < FORMAT_COUNT; i++)
 		named = named || o->formats[i].path;
 	return named;
+}
+
+bool options_seek_turns(const struct options *o)
+{
+	return o->sensitivity[CHANGE_X] > 0 || o->sensitivity[CHANGE_Y] > 0 || o->sensitivity[CHANGE_Z] > 0 ||
+	       o->sensitivity[CHANGE_LENGTH] > 0;
 }
 
 static bool check_combinations(const struct parser *parser)
@@ -190,6 +196,18 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--record needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
+	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
+		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
+	else if (o->check.gauge_cap > 0 && !o->clearance_report)
+		fault = "--clearance-cap is for --clearance-report";
+	else if (options_seek_turns(o) && o->check.method != CHECK_CERTIFIED)
+		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+	else if (options_seek_turns(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
+		fault = "--sensitivity is told by --format=text and --format=ndjson";
+	else if (options_seek_turns(o) && (o->baseline || o->fail_on))
+		fault = "--sensitivity cannot go together with --baseline or --fail-on: it is about the verdict without them";
+	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
+		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
 		diag_error(parser->diag, nowhere, "%s", fault);
 	return !fault;
@@ -264,6 +282,10 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)
 		options->check.method = CHECK_NOTHING;
+	if (!(options->check.gauge_cap > 0))
+		options->check.gauge_cap = 10;
+	options->check.gauges = options->clearance_report;
+	options->check.times = options->timing;
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;

@@ -101,6 +101,12 @@ void state_init(struct state *state, const struct gcode_config *config)
 		state->work[system] = from_canonical(&config->work_offsets[i].value);
 		state->work_known[system] = true;
 	}
+	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
+		const double change[3] = {config->work_change.x, config->work_change.y, config->work_change.z};
+
+		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+			state->work[system].v[slot] += config->has_axis[slot] ? change[slot] : 0;
+	}
 	init_references(state, config);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		state_set_position(state, slot, state_from_canonical(slot, config->home.v[slot]));

@@ -129,6 +129,15 @@ static void glue_setup(struct glue *glue, const struct setup *setup)
 	config->length_count = setup->length_count;
 }
 
+static void glue_change(struct glue *glue, const struct setup_change *change)
+{
+	glue->config.work_change = change->work;
+	for (size_t i = 0; i < glue->config.tool_count; i++)
+		glue->tools[i].length_offset += change->length;
+	for (size_t i = 0; i < glue->config.length_count; i++)
+		glue->lengths[i].length += change->length;
+}
+
 static void glue_release(struct glue *glue)
 {
 	free(glue->mcodes);
@@ -169,6 +178,8 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 	glue_machine(&glue, machine);
 	if (setup)
 		glue_setup(&glue, setup);
+	if (options->change)
+		glue_change(&glue, options->change);
 	drive_init(&run.drive, machine, setup, options, sink, diag, name, summary);
 	run.interp = interp_new(&glue.config, &canon, diag);
 	ok = interp_run(run.interp, in, name);
