@@ -194,6 +194,12 @@ struct bad {
 	const char *message;
 };
 
+#define ORDER(what)                                                                                                   \
+	what " in a block that moves: whether it comes before or after the move depends on the control; write two "  \
+	     "blocks"
+
+static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}};
+
 static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G81 X1 Z-1", 1, "G81 needs R"},
     {GCODE_LINUXCNC, "G81 X1 R1", 1, "G81 needs its depth in Z"},
@@ -245,6 +251,11 @@ static const struct bad bads[] = {
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
     {GCODE_FANUC, "G28 P2 X0.", 5, "no code in the block uses the word P"},
+    /* Which comes first, the tool or the move? */
+    {GCODE_HAAS, "G1 X5. T2 M6", 11, ORDER("M6")},
+    {GCODE_FANUC, "G91 G28 Z0. T2 M6", 16, ORDER("M6")},
+    {GCODE_HAAS, "T2 M6 G28", 4, ORDER("M6")},
+    {GCODE_FANUC, "G0 X5. M428", 8, ORDER("an M-code that switches TCP")},
 };
 
 START_TEST(refused)
@@ -255,6 +266,9 @@ START_TEST(refused)
 
 	case_init(&c);
 	c.config.dialect = bad->dialect;
+	c.config.tool_change.given = true;
+	c.config.mcodes = mcodes;
+	c.config.mcode_count = 1;
 	strbuf_addf(&program, "F9\n%s\n", bad->block);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
 	strbuf_addf(&expected, "p.nc:2:%d: error: %s\n    %s\n    %*s\n", bad->column, bad->message, bad->block,
