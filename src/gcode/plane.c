@@ -138,6 +138,7 @@ static bool turn_back(struct interp *interp)
 	slot_values before = frame_straight(state);
 
 	state->frame = (struct frame){0};
+	state->cycle.turned = true;
 	if (state->tcp == TCP_BY_PLANE &&
 	    !tooling_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
 		return false;
@@ -204,6 +205,7 @@ bool plane_turn(struct interp *interp)
 
 	if (code == CODE_NONE || code == G69)
 		return true;
+	state->cycle.turned = true;
 	if (state->frame.on)
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
 	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */

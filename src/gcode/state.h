@@ -54,6 +54,9 @@ struct cycle_memory {
 	double word[26];	/* Z is the depth, whatever the plane */
 	bool has_level;
 	double level;	/* program coordinate of the drilling axis before the first cycle */
+	double height;	/* its straight position there, mm */
+	double scale;	/* mm per unit of length there */
+	bool turned;	/* coordinates were turned since, or turned back */
 };
 
 struct state {
