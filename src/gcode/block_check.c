@@ -213,6 +213,14 @@ static bool check_call(struct block *block, const struct line_place *at, enum gc
 	return true;
 }
 
+/* Its axis words would name the axes whose mirror image ends, and move nothing. */
+static bool check_idle(const struct block *block, const struct line_place *at)
+{
+	if (block->idle == CODE_NONE || !(block->letters & AXIS_BITS))
+		return true;
+	return fault(at, block->idle_column, "G%g needs a block without axis words", block->idle / 10.0);
+}
+
 /* Only LinuxCNC says what comes first ("Order of Execution"). */
 static bool check_order(const struct block *block, const struct line_place *at, const struct gcode_config *config)
 {
@@ -234,6 +242,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 {
 	uint32_t unused;
 
+	if (!check_idle(block, at))
+		return false;
 	if (!(config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
 		return false;
 	if (config->dialect == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
