@@ -172,6 +172,9 @@ bool reference_change_tool(struct interp *interp)
 		values.v[slot] = state_from_canonical(slot, place->value.v[slot]);
 		moves[slot] = place->has[slot];
 	}
-	return tooling_suspend(interp, column, &suspended) &&
-	       go_to_place(interp, place, &values, moves, column) && tooling_resume(interp, column, &suspended);
+	if (!tooling_suspend(interp, column, &suspended) || !go_to_place(interp, place, &values, moves, column) ||
+	    !tooling_resume(interp, column, &suspended))
+		return false;
+	tooling_after_machine(interp, DOUBT_M6, moves);
+	return true;
 }

@@ -224,6 +224,10 @@ struct bad {
 	const char *message;
 };
 
+#define BY_MACHINE(what)                                                                                              \
+	what " while G68 is in force: whether the way there and the coordinates behind it are turned depends on "     \
+	     "the control; G69 first"
+
 #define TILT "G68.2 X0. I180. J90."
 
 static const struct bad bads[] = {
@@ -243,6 +247,10 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
     {GCODE_FANUC, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
     {GCODE_FANUC, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
+    {GCODE_HAAS, "G0\nG68 R5.", "G53 X0.", 1, BY_MACHINE("G53 with X")},
+    {GCODE_HAAS, "G68 R5.", "G91 G28 Y0. Z0.", 5, BY_MACHINE("G28 with Y")},
+    {GCODE_HAAS, "G68 R5.", "G28", 1, BY_MACHINE("G28 with X")},
+    {GCODE_HAAS, "G18 G68 R5.", "G30 Z5.", 1, BY_MACHINE("G30 with Z")},
     /* The same: the first move after G69 is absolute. */
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
      "Y by an increment after G69: the first move after it is absolute"},
