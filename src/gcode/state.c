@@ -90,7 +90,7 @@ static void init_references(struct state *state, const struct gcode_config *conf
 void state_init(struct state *state, const struct gcode_config *config)
 {
 	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .retract = CODE_NONE, .selected = -1,
-				.length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
+				.length_number = -1, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
 	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {

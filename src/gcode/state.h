@@ -99,6 +99,7 @@ struct state {
 	bool probed[SLOT_COUNT];	/* a probe stopped the axis somewhere, and no coordinate led it on since */
 	int tool;	/* in the spindle */
 	int selected;	/* by T, or -1 */
+	int length_number;	/* the H that was given last, or -1 */
 	bool blend;
 	double blend_tolerance;
 	bool blend_before;	/* and what G5.1 Q0, G8 P0 restore */

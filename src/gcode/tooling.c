@@ -157,24 +157,37 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	return true;
 }
 
-/* Hn is an entry of the table; without H, and in LinuxCNC with H0, it is the tool in the spindle. */
+/*
+ * The number of an entry of the table. Without H, LinuxCNC takes 0; for Fanuc's mills H is modal data (C
+ * Executer manual B-62443EN-3, reading modal data); of Haas's nothing is known.
+ */
+static bool find_length_number(struct interp *interp, int *number)
+{
+	const struct block *block = &interp->block;
+	enum gcode_dialect dialect = interp->config->dialect;
+	const char *code = block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4";
+
+	if (block_has(block, 'H'))
+		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
+	*number = dialect == GCODE_LINUXCNC ? 0 : interp->state.length_number;
+	if (dialect == GCODE_HAAS)
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
+	if (*number < 0)
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before", code);
+	return true;
+}
+
+/* Hn is an entry of the table; in LinuxCNC H0 is the tool in the spindle. */
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
 	const struct gcode_length *entry;
 	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
-	int column = block->g_column[G_LENGTH], number = 0;
+	int column = block_has(block, 'H') ? block_column(block, 'H') : block->g_column[G_LENGTH], number;
 
-	if (block_has(block, 'H')) {
-		column = block_column(block, 'H');
-		if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
-			return false;
-	} else if (!linuxcnc) {
-		return fault(&interp->at, column, "G%s needs H",
-			     block->g[G_LENGTH] == G43	  ? "43"
-			     : block->g[G_LENGTH] == G234 ? "234"
-							  : "43.4");
-	}
+	if (!find_length_number(interp, &number))
+		return false;
+	interp->state.length_number = number;
 	if (number == 0 && linuxcnc)
 		return find_spindle_length(interp, column, length);
 	*length = 0;

@@ -184,7 +184,7 @@ static const struct bad fanuc[] = {
     {"G92.1 X0\n", 1, 1, "G92.1: workpiece coordinate system preset is not supported yet"},
     /* "Reference position return (G28)": the axes that return are named. */
     {"G28\n", 1, 1, "G28 without an axis word"},
-    {"G0 G43 Z1.\n", 1, 4, "G43 needs H"},
+    {"G0 G43 Z1.\n", 1, 4, "G43 needs H, of which none was given before"},
     /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
     {"G10 L10 P1 R1.\n", 1, 5, "G10 L10 is not supported yet"},

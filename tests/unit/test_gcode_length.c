@@ -52,6 +52,17 @@ START_TEST(either_way)
 }
 END_TEST
 
+/* C Executer manual B-62443EN-3, reading modal data: H stays; the Mori post-processor counts on it after G49. */
+START_TEST(number_stays)
+{
+	run(GCODE_FANUC, GCODE_NO, "G43 H1 G0 Z5.\nG49\nG43 Z6.\nG49\nG43 H2 Z7.\nG49 Z0.\nG43 Z8.\nM30\n",
+	    "rapid 0 0 105 0 0\nrapid 0 0 106 0 0\nrapid 0 0 47 0 0\nrapid 0 0 0 0 0\nrapid 0 0 48 0 0\n");
+	run(GCODE_FANUC, GCODE_NO, "G43 H1 G0 Z5.\nG49\nG43.4 Z6.\nM30\n",
+	    "rapid 0 0 105 0 0\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\n"
+	    "rapid 0 0 6 0 0 tcp\n");
+}
+END_TEST
+
 /* Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift Types": parameter TOS at 1. */
 START_TEST(axes_stand)
 {
@@ -175,6 +186,7 @@ int main(void)
 
 	tcase_add_test(tcase, either_way);
 	tcase_add_test(tcase, axes_stand);
+	tcase_add_test(tcase, number_stays);
 	tcase_add_test(tcase, axes_move);
 	tcase_add_test(tcase, tool_change_leaves_doubt);
 	tcase_add_loop_test(tcase, open, 0, (int)(sizeof(bads) / sizeof(bads[0])));
