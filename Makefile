@@ -122,13 +122,8 @@ coverage:
 		check-unit check-program
 	@sh scripts/coverage build-coverage
 
-# Taken back, as cppcheck errs: an array of what is to be filled is no use of it (options.c); a finding is looked at only
-# once there is one (limits.c); positions beyond the first two are always given (reference.c).
 lint: $(SCHEMA_HEADERS)
-	@clang-tidy --quiet $(SOURCES) src/main.c -- $(CPPFLAGS) -std=c17
-	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-		--suppress=missingIncludeSystem --suppress=ctuuninitvar:src/cli/options.c \
-		--suppress=uninitvar:src/motion/limits.c --suppress=arrayIndexOutOfBoundsCond:src/gcode/reference.c -Isrc -I$(BUILD)/gen src
+	@sh scripts/lint $(BUILD) $(CPPFLAGS)
 
 # Needs clang; objects of its own. FUZZ_SECONDS each (60), FUZZ="stl machine ..." only some of them.
 FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))

@@ -122,7 +122,7 @@ static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
 		}
 		if (!decode_record(&mesh->triangles[mesh->count], r->buffer + r->at))
 			return fail(r, "triangle %zu, byte %llu: a coordinate is not a finite number", mesh->count + 1,
-				    (unsigned long long)(r->buffer_start + r->at + CORNERS_AT));
+				    (unsigned long long)r->buffer_start + r->at + CORNERS_AT);
 		mesh->count++;
 		r->at += RECORD_SIZE;
 	}
