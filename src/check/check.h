@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "base/diag.h"
+#include "base/quit.h"
 #include "base/watch.h"
 #include "check/finding.h"
 #include "motion/motion.h"
@@ -31,6 +32,7 @@ struct check_options {
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
+	const struct quit *quit;	/* breaks off in the middle of a batch, of which nothing is told then; or NULL */
 };
 
 struct check_stats {

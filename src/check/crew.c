@@ -22,6 +22,8 @@ bool crew_init(struct crew *crew, struct scene *scene, const struct check_option
 	crew->runners = mem_zalloc(scene->pair_count, sizeof(*crew->runners));
 	crew->visits = mem_zalloc(scene->pair_count, sizeof(*crew->visits));
 	crew->sweeps = mem_zalloc((size_t)crew->threads, sizeof(*crew->sweeps));
+	for (int i = 0; i < crew->threads; i++)
+		crew->sweeps[i].quit = options->quit;
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		enum pair_status status = scene->pairs[i].status;
 
@@ -191,9 +193,10 @@ static void gather(struct crew *crew)
 	}
 }
 
-void crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
+bool crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
 {
 	struct shift shift = {.crew = crew, .batch = batch, .options = options};
+	bool complete = true;
 
 	shift.visits = mem_zalloc(crew->count + 1, sizeof(*shift.visits));
 	plan(crew, batch, tool, options);
@@ -205,6 +208,9 @@ void crew_run(struct crew *crew, const struct batch *batch, int tool, const stru
 		crew->work += crew->visits[i];
 	}
 	free(shift.visits);
+	for (int i = 0; i < crew->threads; i++)
+		complete = complete && !crew->sweeps[i].broken_off;
+	return complete;
 }
 
 void crew_collect(const struct crew *crew, struct check_stats *stats, double *proven)
