@@ -1,34 +1,12 @@
 # SIGINT in the middle of one long proof: a ball turns in a bowl that leaves it hundredths of a mm, which takes minutes to prove.
 command -v python3 >/dev/null || { cat "$(dirname "$LIB")/interrupt-sweep.sh.stdout.exact"; exit 0; }
-cat >make.py <<'PY'
-import math
-import struct
-
-def point(radius, i, j, n):
-	t, f = math.pi * i / n, math.pi * j / n
-	return [radius * math.sin(t) * math.cos(f), radius * math.sin(t) * math.sin(f), radius * math.cos(t)]
-
-def sphere(name, radius, n):
-	triangles = []
-	for i in range(n):
-		for j in range(2 * n):
-			a, b, c, d = (point(radius, i + di, j + dj, n) for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)))
-			triangles += [a + b + c] if i < n - 1 else []
-			triangles += [a + c + d] if i > 0 else []
-	with open(name, "wb") as out:
-		out.write(bytes(80) + struct.pack("<I", len(triangles)))
-		for t in triangles:
-			out.write(struct.pack("<12fH", 0, 0, 0, *t, 0))
-
-sphere("ball.stl", 99.95, 80)
-sphere("bowl.stl", 100, 80)
-PY
 cat >start.py <<'PY'
 import os, signal, sys
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])
 PY
-python3 make.py
+sphere ball 99.95 80
+sphere bowl 100 80
 machine m.xml <<'XML'
   <axis name="A" type="rotary" direction="1 0 0" location="0 0 0" rate_max="3600">
     <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" rate_max="3600">
