@@ -77,6 +77,16 @@ void budget_resume(struct budget *budget, const axis_values *q)
 		use_at(budget, q, budget->used);
 }
 
+bool budget_holds(const struct budget *budget, const axis_values *q)
+{
+	double used[VIEWS];
+
+	if (!budget->known)
+		return false;
+	use_at(budget, q, used);
+	return smaller(used[0], used[1]) < budget->room;
+}
+
 bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off)
 {
 	double used[VIEWS], play[VIEWS] = {0, 0};

@@ -35,6 +35,9 @@ void budget_set(struct budget *budget, const axis_values *q, const struct chain_
 /* The axes stand at q again without having been followed from `at`. */
 void budget_resume(struct budget *budget, const axis_values *q);
 
+/* Is q covered? */
+bool budget_holds(const struct budget *budget, const axis_values *q);
+
 /*
  * Is the motion from where the budget was last used to q1 covered, when each
  * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used.

@@ -222,7 +222,7 @@ void crew_collect(const struct crew *crew, struct check_stats *stats, double *pr
 	for (size_t i = 0; i < crew->count; i++) {
 		const struct runner *runner = &crew->runners[i];
 
-		stats->budgets += runner->follower.budgets;
+		stats->budgets += runner->follower.covered_steps;
 		stats->queries += runner->follower.queries;
 		stats->samples += runner->sampler.samples;
 		if (proven)

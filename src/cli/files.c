@@ -30,7 +30,8 @@ static size_t list_written(struct written *list, const struct options *options)
 		list[count++] = (struct written){"output", options->output};
 	for (int i = 0; i < FORMAT_COUNT; i++) {
 		if (options->formats[i].path)
-			list[count++] = (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
+			list[count++] =
+			    (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
 	}
 	if (options->depfile)
 		list[count++] = (struct written){"depfile", options->depfile};

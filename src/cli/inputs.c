@@ -105,7 +105,8 @@ bool inputs_digest(struct inputs *inputs, struct diag *diag)
 			diag_error(diag, (struct srcloc){0}, "--record: %s is no regular file", file->path);
 			good = false;
 		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
-			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path, strerror(errno));
+			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
+				   strerror(errno));
 			good = false;
 		} else if (is_later(&status.st_ctim, &inputs->started)) {
 			diag_error(diag, (struct srcloc){0}, "--record: %s changed while it was checked", file->path);

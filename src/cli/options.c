@@ -218,9 +218,11 @@ static bool check_operands(const struct parser *parser)
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
 	else if (inputs > 0 && o->record)
-		diag_error(parser->diag, nowhere, "--record cannot tell which program came from standard input: give it as a file");
+		diag_error(parser->diag, nowhere,
+			   "--record cannot tell which program came from standard input: give it as a file");
 	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
-		diag_error(parser->diag, nowhere, "standard input cannot be both a program and the list of --files-from");
+		diag_error(parser->diag, nowhere,
+			   "standard input cannot be both a program and the list of --files-from");
 	else if (inputs > 1)
 		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
 	else
@@ -253,7 +255,8 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) ||
+	    !check_operands(&parser))
 		return false;
 	if (options->files_from && (!list_read(options, diag) || !check_listed(&parser)))
 		return false;

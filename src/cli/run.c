@@ -176,7 +176,8 @@ static enum run_status run_pairs(const struct job *job, struct output *out)
 	return RUN_CLEAR;
 }
 
-static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag, struct output *out)
+static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag,
+				struct output *out)
 {
 	switch (options->mode) {
 	case RUN_DUMP_PATH:

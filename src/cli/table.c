@@ -89,7 +89,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
 	 .help = "exit with 0 where something was found, too"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
-	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
+	 .help = "text (the default), ndjson, junit, sarif or github,\n"
+		 "into FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output),
 	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),

@@ -160,7 +160,7 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
-	/* B-63944EN, "Undefined variable"; Haas, "Address substitution": the word counts as not written. */
+	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
 	if (word->vacant)
 		return true;
 	switch (word->letter) {

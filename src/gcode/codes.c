@@ -14,7 +14,7 @@ enum {
 
 /*
  * Sorted by number. LinuxCNC's manual, "G-Codes"; Fanuc 30i-B operator's
- * manual (B-64484EN), "Preparatory function"; Haas mill operator's manual, "G-codes".
+ * manual (B-64484EN), preparatory function; Haas mill operator's manual, G-codes.
  */
 static const struct code g_codes[] = {
 	{G0, ALL, G_MOTION, NULL},
@@ -191,8 +191,8 @@ static const struct code g_codes[] = {
 	{G187, H, G_CONTOUR, NULL},
 	{G234, H, G_LENGTH, NULL},
 	{2530, H, NO, "spindle orientation to the feature coordinates"},
-	{2540, H, NO, "dynamic work offset, which carries the work origin along with the rotary table,"},
-	{2550, H, NO, "cancelling of the dynamic work offset"},
+	{G254, H, G_DYNAMIC, NULL},
+	{G255, H, G_DYNAMIC, NULL},
 	{2680, H, NO, "feature coordinate system"},
 	{2690, H, NO, "cancelling of the feature coordinate system"},
 };
@@ -208,13 +208,13 @@ static const struct code m_codes[] = {
 	{7, ALL, M_COOLANT, NULL},
 	{8, ALL, M_COOLANT, NULL},
 	{9, ALL, M_COOLANT, NULL},
-	/* Haas mill operator's manual, "M-codes": brakes of the rotary axes. */
+	/* Haas mill operator's manual, M-codes: brakes of the rotary axes. */
 	{10, H, IDLE, NULL},
 	{11, H, IDLE, NULL},
 	{12, H, IDLE, NULL},
 	{13, H, IDLE, NULL},
 	{19, ALL, NO, "spindle orientation"},
-	/* B-63944EN, "Rigid tapping": M29, unless parameter 5210 gives it another number. */
+	/* B-63944EN, rigid tapping: M29, unless parameter 5210 gives it another number. */
 	{29, F, IDLE, NULL},
 	{30, ALL, M_STOP, NULL},
 	/* Haas: chip conveyor, gears; further on the air jet (M83, M84) and coolant through the spindle (M88, M89). */

@@ -55,7 +55,7 @@ static bool cycle_word(struct cycle *cycle, char letter, bool kept, double *valu
 	return true;
 }
 
-/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: "Drilling data"). */
+/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: drilling data). */
 static bool keeps_words(const struct cycle *cycle)
 {
 	int before = cycle->interp->state.motion;

@@ -68,8 +68,8 @@ static void mark_unsure(struct state *state, const slot_values *before, int code
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), "Coordinate system rotation (G68,
- * G69)"; Haas mill operator's manual, "G68 Rotation": by R degrees about a
+ * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68,
+ * G69); Haas mill operator's manual, "G68 Rotation": by R degrees about a
  * centre in the plane, counter-clockwise.
  */
 static bool turn_in_plane(struct interp *interp)
@@ -99,7 +99,7 @@ static bool turn_in_plane(struct interp *interp)
 }
 
 /*
- * Fanuc 30i-B operator's manual, "Tilted working plane indexing", G68.2 by
+ * Fanuc 30i-B operator's manual, tilted working plane indexing, G68.2 by
  * Euler's angles: about Z by I, about the new X by J, about the new Z by K.
  */
 static bool tilt(struct interp *interp)
@@ -214,8 +214,8 @@ bool plane_turn(struct interp *interp)
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), "Tool axis direction control
- * (G53.1)": the rotary axes turn at the rapid rate and the linear ones stand
+ * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
+ * (G53.1): the rotary axes turn at the rapid rate and the linear ones stand
  * still. From here on a tool point is meant on the workpiece, which may have
  * turned with its table.
  */

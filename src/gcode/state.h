@@ -40,6 +40,14 @@ struct frame {
 	vec3 origin;	/* mm, from the offsets in force */
 };
 
+/* The work zero carried along with the table: dynamic_offset.h. */
+struct dynamic_offset {
+	bool on;
+	slot_values zero;	/* X, Y and Z, in place of the work offset's */
+	int unsure_code;	/* G254 or G255, or CODE_NONE: nothing is unsure */
+	bool unsure[SLOT_COUNT];	/* its offset has changed and no absolute coordinate led the axis on since */
+};
+
 /* What canned cycles remember from block to block: the bare numbers, in the units of the block that gave them. */
 struct cycle_memory {
 	uint32_t known;	/* letter bits */
@@ -65,6 +73,7 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct frame frame;
+	struct dynamic_offset dynamic;
 	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: plane.h */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */

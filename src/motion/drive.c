@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/units.h"
+#include "motion/carry.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
 #include "motion/timing.h"
@@ -402,6 +403,13 @@ bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *or
 	struct drive *drive = context;
 
 	return orient_tool(drive->machine, loc, drive->diag, orientation);
+}
+
+bool drive_carry(void *context, struct srcloc loc, axis_values *place)
+{
+	struct drive *drive = context;
+
+	return carry_point(drive->machine, loc, drive->diag, place);
 }
 
 bool drive_block(void *context, const char *file, long line, const char *text, int moves)

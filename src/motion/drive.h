@@ -32,6 +32,7 @@ void drive_init(struct drive *drive, const struct machine *machine, const struct
 bool drive_move(void *context, const struct canon_move *move);
 bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, axis_values *position);
 bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *orientation);
+bool drive_carry(void *context, struct srcloc loc, axis_values *place);
 bool drive_block(void *context, const char *file, long line, const char *text, int moves);
 
 #endif

@@ -149,7 +149,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
 	struct drive drive;
-	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient};
+	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient, drive_carry};
 	struct interp *interp;
 	bool ok;
 

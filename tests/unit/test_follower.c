@@ -74,8 +74,8 @@ static int skip_some(struct program *p, struct follower *follower, int first, lo
 	if (!follower_skip(follower, &low, &high, &p->corners[first + count], (size_t)count))
 		return 0;
 	for (int i = first; i < first + count; i++)
-		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART, &contact,
-			     "skipped step", number);
+		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
+			     &contact, "skipped step", number);
 	return count;
 }
 
@@ -87,8 +87,8 @@ static int leap_over(struct program *p, struct follower *follower, struct sweep 
 	int count = (int)follower_leap(follower, sweep, &steps[first], (size_t)(STEPS - first), p->tolerance);
 
 	for (int i = first; i < first + count; i++)
-		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART, &contact,
-			     "leaped step", number);
+		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
+			     &contact, "leaped step", number);
 	return count;
 }
 
@@ -227,7 +227,8 @@ START_TEST(clear_wherever_the_control_may_go)
 				xform pose;
 
 				for (int j = 0; j < SLOT_COUNT; j++)
-					at.v[j] += (q1->v[j] - q0->v[j]) * (kind == PATH_BOX ? random_in(&p.random, 0, 1) : s);
+					at.v[j] +=
+					    (q1->v[j] - q0->v[j]) * (kind == PATH_BOX ? random_in(&p.random, 0, 1) : s);
 				pose = duo_pose(&p.duo, &at, &at, 0, &off);
 				d = brute_distance(p.duo.a, p.duo.b, &pose, p.clearance + 1);
 				require(d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);

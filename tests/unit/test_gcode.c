@@ -261,7 +261,7 @@ START_TEST(path_control)
 }
 END_TEST
 
-/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-64484EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
+/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-63534EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
 START_TEST(wrapped_axes)
 {
 	struct gcode_case c;
@@ -352,10 +352,10 @@ START_TEST(last_duplicate_wins)
 END_TEST
 
 /*
- * Fanuc B-64484EN, "Program configuration" (O, N, /2), "Dwell (G04)": P in ms, X
- * and U in s; "Machine coordinate system (G53)": at the rapid rate, whatever the
- * motion; "Reference position return (G28)". Haas mill operator's manual, setting
- * 162, "Default To Float".
+ * Fanuc B-64484EN, program configuration (O, N, /2), dwell (G04): P in ms, X
+ * and U in s; machine coordinate system (G53): at the rapid rate, whatever the
+ * motion; reference position return (G28). Haas mill operator's manual, setting
+ * 162, default to float.
  */
 START_TEST(fanuc_programs)
 {

@@ -27,8 +27,8 @@ END_TEST
 
 /*
  * G99 stays at R; the level of G98 is that before the first of the cycles; words
- * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, "Canned cycle for
- * drilling", "Drilling data", "Return point level G98/G99").
+ * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, canned cycle for
+ * drilling, drilling data, return point level G98/G99).
  */
 START_TEST(retract)
 {
@@ -67,7 +67,7 @@ START_TEST(dwell_and_feed_out)
 	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
 	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 1\nfeed 3 0 3 0 0\n"
 	    "rapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\ndwell 1\nfeed 4 0 3 0 0\n");
-	/* Fanuc B-64484EN, "Tapping cycle (G84)", "Drilling cycle, counter boring (G82)": P in ms; feeds end at R. */
+	/* Fanuc B-64484EN, tapping cycle (G84), drilling cycle, counter boring (G82): P in ms; feeds end at R. */
 	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
@@ -95,9 +95,9 @@ START_TEST(back_boring)
 END_TEST
 
 /*
- * Fanuc B-64484EN, "Canned cycle for drilling", "Repeat": K holes; K0 keeps the
+ * Fanuc B-64484EN, canned cycle for drilling, repeat: K holes; K0 keeps the
  * words; rotary axes go to the hole with the rest. Haas mill operator's manual,
- * "Canned Cycles": L, and L0 likewise.
+ * canned cycles: L, and L0 likewise.
  */
 START_TEST(repeats)
 {
@@ -163,7 +163,7 @@ START_TEST(tool_change_moves)
 }
 END_TEST
 
-/* Fanuc B-64484EN, "Reference position return (G28)", "2nd, 3rd, and 4th reference position return (G30)". */
+/* Fanuc B-64484EN, reference position return (G28), 2nd, 3rd, and 4th reference position return (G30). */
 START_TEST(reference_positions)
 {
 	struct gcode_case c;
@@ -237,13 +237,13 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
     {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
     {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
-    /* Fanuc B-64484EN, "Canned cycle for drilling", "Repeat", "Fine boring cycle (G76)"; Haas, "G87". */
+    /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
     {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {GCODE_FANUC, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
     {GCODE_FANUC, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
     {GCODE_HAAS, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
-    /* B-64484EN, "2nd, 3rd, and 4th reference position return (G30)": P2 to P4. */
+    /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
     {GCODE_FANUC, "G30 P3 X0.", 5,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},

@@ -61,7 +61,7 @@ START_TEST(axes_stand)
 END_TEST
 
 /*
- * TOS at 0. Fanuc 0i-MB operator's manual (B-63844EN), "Tool length offset": in
+ * TOS at 0. Fanuc 0i-MB operator's manual (B-63844EN), tool length offset: in
  * its example increments and the offset add up.
  */
 START_TEST(axes_move)
