@@ -109,7 +109,7 @@ check-rs274: $(BUILD)/fivecheck
 # The unit and program tests in builds of their own that watch memory and threads; FIVECHECK_CASES=1 tries as many
 # random cases as check does. Threads are started by the program alone.
 check-asan:
-	@FIVECHECK_CASES=$${FIVECHECK_CASES:-0.05} CK_TIMEOUT_MULTIPLIER=$${CK_TIMEOUT_MULTIPLIER:-10} \
+	@FIVECHECK_CASES=$${FIVECHECK_CASES:-0.1} CK_TIMEOUT_MULTIPLIER=$${CK_TIMEOUT_MULTIPLIER:-10} \
 		$(MAKE) --no-print-directory SANITIZE=address,undefined -k check-unit check-program
 
 check-tsan:
@@ -126,7 +126,7 @@ check-long:
 
 # Line coverage of src by the unit and program tests, at least 95 percent; COVERAGE_ROWS of the worst files are shown, all are in the folder.
 coverage:
-	@FIVECHECK_CASES=0.05 $(MAKE) --no-print-directory BUILD=build-coverage HARDEN= OPTIMISE='-O1 -g --coverage' \
+	@FIVECHECK_CASES=0.1 $(MAKE) --no-print-directory BUILD=build-coverage HARDEN= OPTIMISE='-O1 -g --coverage' \
 		check-unit check-program
 	@sh scripts/coverage build-coverage
 

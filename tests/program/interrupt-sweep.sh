@@ -1,4 +1,4 @@
-# SIGINT in the middle of one long proof: a ball turns in a bowl that leaves it hundredths of a mm, which takes minutes to prove.
+# SIGINT in the middle of one long proof: a ball turns in a bowl, hundredths of a mm away, which takes minutes.
 command -v python3 >/dev/null || { cat "$(dirname "$LIB")/interrupt-sweep.sh.stdout.exact"; exit 0; }
 cat >start.py <<'PY'
 import os, signal, sys
