@@ -107,29 +107,32 @@ check-machines: $(BUILD)/fivecheck
 check-rs274: $(BUILD)/fivecheck
 	@sh scripts/check-rs274 $(abspath $(BUILD)/fivecheck) $(abspath $(BUILD)/rs274) $(RS274_OPTIONS)
 
-# The unit and program tests in builds of their own that watch memory and threads.
+# The unit and program tests in builds of their own that watch memory and threads; FIVECHECK_CASES=1 tries as many
+# random cases as check does. Threads are started by the program alone.
 check-asan:
-	@$(MAKE) --no-print-directory SANITIZE=address,undefined check-unit check-program
+	@FIVECHECK_CASES=$${FIVECHECK_CASES:-0.1} CK_TIMEOUT_MULTIPLIER=$${CK_TIMEOUT_MULTIPLIER:-10} \
+		$(MAKE) --no-print-directory SANITIZE=address,undefined -k check-unit check-program
 
 check-tsan:
-	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all clearance-report"
+	@$(MAKE) --no-print-directory SANITIZE=thread check-program
 
 check-valgrind: $(BUILD)/fivecheck $(UNIT_PROGRAMS)
 	@sh scripts/check-valgrind $(BUILD)
 
-# Line coverage of src by the unit and program tests; COVERAGE_ROWS of the worst files are shown, all are in the folder.
+# What looks closer than check does and takes longer: a quarter of an hour, together with the fuzzers' minute each.
+LONG_CHECKS := lint check-asan check-tsan check-valgrind fuzz
+check-long:
+	@sh scripts/install-deps long
+	@$(MAKE) --no-print-directory -k $(LONG_CHECKS)
+
+# Line coverage of src by the unit and program tests, at least 95 percent; COVERAGE_ROWS of the worst files are shown, all are in the folder.
 coverage:
-	@FIVECHECK_CASES=0.05 $(MAKE) --no-print-directory BUILD=build-coverage HARDEN= OPTIMISE='-O1 -g --coverage' \
+	@FIVECHECK_CASES=0.1 $(MAKE) --no-print-directory BUILD=build-coverage HARDEN= OPTIMISE='-O1 -g --coverage' \
 		check-unit check-program
 	@sh scripts/coverage build-coverage
 
-# Taken back, as cppcheck errs: an array of what is to be filled is no use of it (options.c); a finding is looked at only
-# once there is one (limits.c); positions beyond the first two are always given (reference.c).
 lint: $(SCHEMA_HEADERS)
-	@clang-tidy --quiet $(SOURCES) src/main.c -- $(CPPFLAGS) -std=c17
-	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-		--suppress=missingIncludeSystem --suppress=ctuuninitvar:src/cli/options.c \
-		--suppress=uninitvar:src/motion/limits.c --suppress=arrayIndexOutOfBoundsCond:src/gcode/reference.c -Isrc -I$(BUILD)/gen src
+	@sh scripts/lint $(BUILD) $(CPPFLAGS)
 
 # Needs clang; objects of its own. FUZZ_SECONDS each (60), FUZZ="stl machine ..." only some of them.
 FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
@@ -188,6 +191,7 @@ help:
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
 	@echo 'make stress          awkward geometry at length (STRESS_CASES=20 times what check does, FIVECHECK_SEED=n)'
 	@echo 'make check-asan      and check-tsan check-valgrind: the tests in builds that watch memory and threads'
+	@echo 'make check-long      all of $(LONG_CHECKS)'
 	@echo 'make coverage        and lint: lines of src that the tests reach; clang-tidy and cppcheck'
 	@echo 'make fuzz            fuzzers on programs, machines, setups, STL (clang; FUZZ_SECONDS=60 each, FUZZ="stl ...")'
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
@@ -199,6 +203,6 @@ help:
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

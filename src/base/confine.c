@@ -1,13 +1,25 @@
-/* realpath is an XSI extension. */
-#define _XOPEN_SOURCE 700
+/* For O_PATH, where the system has it. */
+#define _GNU_SOURCE
 
 #include "base/confine.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/mem.h"
+
+/* A folder that is only passed through need not be readable. */
+#ifdef O_PATH
+#define PASS_THROUGH (O_PATH | O_DIRECTORY | O_CLOEXEC)
+#else
+#define PASS_THROUGH (O_RDONLY | O_DIRECTORY | O_CLOEXEC)
+#endif
+
+#define READ_ONLY (O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)
 
 /* The resolved path of the file or, if there is none, of its folder; NULL: neither is there. */
 static char *resolve(const char *path)
@@ -23,21 +35,75 @@ static char *resolve(const char *path)
 	return real;
 }
 
+/* What is left of a resolved path below a resolved root, without a slash in front; NULL: it is not below. */
+static char *below(const char *root, char *path)
+{
+	size_t length = strlen(root);
+
+	if (strncmp(root, path, length) != 0)
+		return NULL;
+	/* The root of all files ends in the slash that others lack. */
+	if (root[length - 1] == '/')
+		return path + length;
+	return path[length] == '/' ? path + length + 1 : path[length] == '\0' ? path + length : NULL;
+}
+
 bool confine_holds(const char *root, const char *path)
 {
 	char *outer, *inner;
-	size_t length;
 	bool holds;
 
 	if (!root)
 		return true;
 	outer = realpath(root, NULL);
 	inner = resolve(path);
-	length = outer ? strlen(outer) : 0;
-	/* The root of all files ends in the slash that others lack. */
-	holds = outer && inner && strncmp(outer, inner, length) == 0 &&
-		(inner[length] == '/' || inner[length] == '\0' || outer[length - 1] == '/');
+	holds = outer && inner && below(outer, inner);
 	free(outer);
 	free(inner);
 	return holds;
+}
+
+/* Step by step along a path without links: where one has appeared since, it is not followed. */
+static int walk(int folder, char *path)
+{
+	for (char *slash; folder >= 0 && (slash = strchr(path, '/')); path = slash + 1) {
+		int outer = folder;
+
+		*slash = '\0';
+		folder = openat(outer, path, PASS_THROUGH | O_NOFOLLOW);
+		close(outer);
+	}
+	if (folder >= 0) {
+		int file = openat(folder, *path ? path : ".", READ_ONLY | O_NOFOLLOW);
+		int error = errno;
+
+		close(folder);
+		errno = error;
+		return file;
+	}
+	return -1;
+}
+
+int confine_open(const char *root, const char *path)
+{
+	char *outer, *inner, *rest;
+	int fd = -1, error;
+
+	if (!root)
+		return open(path, READ_ONLY);
+	outer = realpath(root, NULL);
+	inner = outer ? realpath(path, NULL) : NULL;
+	if (inner) {
+		rest = below(outer, inner);
+		errno = EXDEV;
+		fd = rest ? walk(open(outer, PASS_THROUGH | O_NOFOLLOW), rest) : -1;
+		/* A link or something that is no folder has taken the place of what was there. */
+		if (fd < 0 && (errno == ELOOP || errno == ENOTDIR))
+			errno = EXDEV;
+	}
+	error = errno;
+	free(outer);
+	free(inner);
+	errno = error;
+	return fd;
 }

@@ -26,8 +26,8 @@ static void add_path(struct batch *batch, const struct path *path)
 	batch->paths = mem_grow(batch->paths, &batch->path_capacity, batch->path_count + 1, sizeof(*batch->paths));
 	batch->path_tcp = mem_grow(batch->path_tcp, &batch->path_tcp_capacity, batch->path_count + 1,
 				   sizeof(*batch->path_tcp));
-	if (path->tcp &&
-	    (!batch->tcp_count || memcmp(&batch->tcps[batch->tcp_count - 1], path->tcp, sizeof(*path->tcp)))) {
+	/* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): of two that differ in padding alone both are kept. */
+	if (path->tcp && (!batch->tcp_count || memcmp(&batch->tcps[batch->tcp_count - 1], path->tcp, sizeof(*path->tcp)))) {
 		batch->tcps = mem_grow(batch->tcps, &batch->tcp_capacity, batch->tcp_count + 1, sizeof(*batch->tcps));
 		memcpy(&batch->tcps[batch->tcp_count++], path->tcp, sizeof(*path->tcp));
 	}

@@ -46,10 +46,11 @@ struct checker {
 	bool found;	/* two bodies; without `all`, nothing later needs to be looked at */
 	bool limit_found;
 	bool stopped;	/* by us or by the sink */
+	bool broken_off;	/* since the last batch that was checked whole */
 	axis_values position;
 	double time, block_time;	/* where the last step ended */
-	long line;	/* of the last step's block, and its file */
-	struct strbuf line_file;
+	long line, checked_line;	/* of the last step's block, and of the last one that was checked */
+	struct strbuf line_file;	/* of `line` */
 	struct motion_summary summary;	/* of what was read so far */
 	struct journal journal;
 	long last_block;	/* the check ends with it */
@@ -184,12 +185,13 @@ static void take_results(struct checker *c)
 	}
 }
 
-static void gauge(struct checker *c)
+/* False: broken off. */
+static bool gauge(struct checker *c)
 {
 	double start = now();
+	bool complete = crew_gauge(&c->crew, &c->batch, c->tool, c->options);
 
-	crew_gauge(&c->crew, &c->batch, c->tool, c->options);
-	for (size_t i = 0; i < c->crew.count; i++) {
+	for (size_t i = 0; i < c->crew.count && complete; i++) {
 		const struct runner *runner = &c->crew.runners[i];
 
 		for (size_t k = 0; k < runner->room_count; k++) {
@@ -200,6 +202,7 @@ static void gauge(struct checker *c)
 		}
 	}
 	c->gauging += now() - start;
+	return complete;
 }
 
 /* Checks what has gathered. */
@@ -207,19 +210,27 @@ static void process(struct checker *c)
 {
 	double start = now();
 
-	if (!enough(c) && c->batch.step_count) {
+	if (!enough(c) && !c->broken_off && c->batch.step_count) {
 		batch_close(&c->batch);
-		crew_run(&c->crew, &c->batch, c->tool, c->options);
-		take_results(c);
-		if (c->options->gauges)
-			gauge(c);
+		c->broken_off = !crew_run(&c->crew, &c->batch, c->tool, c->options);
+		if (!c->broken_off) {
+			take_results(c);
+			c->broken_off = c->options->gauges && !gauge(c);
+		}
+		if (c->broken_off)
+			c->last_block = c->batch.steps[0].block - 1;
 	}
 	batch_clear(&c->batch);
-	emit(c);
+	/* Of a batch that is not checked whole nobody knows what comes first. */
+	if (!c->broken_off) {
+		emit(c);
+		c->checked_line = c->line;
+	}
 	c->stats->seconds_check += now() - start;
-	if (c->sink->progress && !c->stopped && !c->sink->progress(c->sink->context, c->line)) {
+	if (!c->stopped &&
+	    (c->broken_off || (c->sink->progress && !c->sink->progress(c->sink->context, c->checked_line)))) {
 		diag_error(c->diag, (struct srcloc){c->file, 0, 0},
-			   "interrupted after line %ld: what follows was not checked", c->line);
+			   "interrupted after line %ld: what follows was not checked", c->checked_line);
 		c->stopped = c->failed = true;
 	}
 	if (c->stopped)
@@ -231,7 +242,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 {
 	double start = now();
 
-	for (size_t i = 0; i < c->crew.count && !enough(c); i++) {
+	for (size_t i = 0; i < c->crew.count && !enough(c) && !c->broken_off; i++) {
 		struct runner *runner = &c->crew.runners[i];
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
@@ -242,6 +253,9 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 			continue;
 		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);
+		c->broken_off = c->sweep.broken_off || quit_asked(c->options->quit);
+		if (c->broken_off)
+			break;
 		c->failed |= stance == STANCE_FAILED;
 		if (stance == STANCE_CLEAR && c->measures)
 			runner_stand(runner, &c->sweep, &c->position, c->options);
@@ -308,7 +322,7 @@ static bool on_step(void *context, const struct motion_step *step)
 	c->position = step->span.q1;
 	c->time = step->time + step->seconds;
 	c->block_time = step->block_time + step->seconds;
-	if (c->batch.step_count >= MID_BLOCK)
+	if (c->batch.step_count >= MID_BLOCK || c->broken_off)
 		process(c);
 	return !c->stopped;
 }
@@ -326,6 +340,8 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 	crew_change_tool(&c->crew);
 	if (c->moved)
 		check_stance(c, true, 0);
+	if (c->broken_off)
+		process(c);
 	return !c->stopped;
 }
 
@@ -458,6 +474,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 		proven[i] = INFINITY;
 	count_pairs(scene, stats);
 	held_init(&c.held);
+	c.sweep.quit = options->quit;
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	c.last_block = LONG_MAX;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "base/diag.h"
+#include "base/quit.h"
 #include "base/watch.h"
 #include "check/finding.h"
 #include "motion/motion.h"
@@ -37,6 +38,7 @@ struct check_options {
 	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
 	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
 	struct course *course;	/* records the way that the program takes, or compares it; or NULL */
+	const struct quit *quit;	/* breaks off in the middle of a batch, of which nothing is told then; or NULL */
 };
 
 /* What clearance a pair keeps in a block. */

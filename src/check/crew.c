@@ -22,6 +22,8 @@ bool crew_init(struct crew *crew, struct scene *scene, const struct check_option
 	crew->runners = mem_zalloc(scene->pair_count, sizeof(*crew->runners));
 	crew->visits = mem_zalloc(scene->pair_count, sizeof(*crew->visits));
 	crew->sweeps = mem_zalloc((size_t)crew->threads, sizeof(*crew->sweeps));
+	for (int i = 0; i < crew->threads; i++)
+		crew->sweeps[i].quit = options->quit;
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		enum pair_status status = scene->pairs[i].status;
 
@@ -195,7 +197,15 @@ static void gather(struct crew *crew)
 	}
 }
 
-void crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
+static bool is_complete(const struct crew *crew)
+{
+	for (int i = 0; i < crew->threads; i++)
+		if (crew->sweeps[i].broken_off)
+			return false;
+	return true;
+}
+
+bool crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
 {
 	struct shift shift = {.crew = crew, .batch = batch, .options = options};
 
@@ -209,9 +219,10 @@ void crew_run(struct crew *crew, const struct batch *batch, int tool, const stru
 		crew->work += crew->visits[i];
 	}
 	free(shift.visits);
+	return is_complete(crew);
 }
 
-void crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
+bool crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
 {
 	struct shift shift = {.crew = crew, .batch = batch, .options = options, .gauges = true};
 
@@ -224,6 +235,7 @@ void crew_gauge(struct crew *crew, const struct batch *batch, int tool, const st
 	}
 	work_together(&shift, crew->threads);
 	free(shift.visits);
+	return is_complete(crew);
 }
 
 void crew_collect(const struct crew *crew, struct check_stats *stats, double *proven)

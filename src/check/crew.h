@@ -35,12 +35,15 @@ void crew_release(struct crew *crew);
 /*
  * Sends every active runner through the batch and gathers the results. They do
  * not depend on the number of threads: what is split among them is decided by
- * counts of work alone.
+ * counts of work alone. False: broken off, the results are worth nothing.
  */
-void crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
+bool crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
 
-/* Measures with every active runner what clearance remains in the batch's blocks (runner_gauge); after crew_run. */
-void crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
+/*
+ * Measures with every active runner what clearance remains in the batch's blocks (runner_gauge); after
+ * crew_run. False: broken off.
+ */
+bool crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
 
 /* Another tool is in the spindle: what its pairs knew of their position holds no longer. */
 void crew_change_tool(struct crew *crew);

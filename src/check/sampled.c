@@ -167,8 +167,11 @@ bool sampler_step(struct sampler *sampler, struct sweep *sweep, const struct mot
 		axis_cache_clear(sampler->cache);
 	if (!started && look(sampler, sweep, step, ends, 0, contact))
 		return true;
-	for (double n = first; n * sampler->step <= end; n++)
-		if (look(sampler, sweep, step, ends, (n * sampler->step - step->time) / step->seconds, contact))
+	for (long n = 0; (first + (double)n) * sampler->step <= end && !sweep->broken_off; n++) {
+		sweep->broken_off = quit_asked(sweep->quit);
+		if (look(sampler, sweep, step, ends, ((first + (double)n) * sampler->step - step->time) / step->seconds,
+			 contact))
 			return true;
+	}
 	return false;
 }

@@ -94,11 +94,12 @@ bool files_spare_meshes(const struct options *options, const struct machine *mac
 	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
 }
 
-static bool holds(const char *root, const struct body *bodies, size_t count, struct diag *diag)
+static bool confine(const char *root, struct body *bodies, size_t count, struct diag *diag)
 {
 	bool good = true;
 
 	for (size_t i = 0; i < count; i++) {
+		bodies[i].mesh_root = root;
 		if (!bodies[i].mesh_path || confine_holds(root, bodies[i].mesh_path))
 			continue;
 		diag_error(diag, bodies[i].loc, "the mesh %s is outside of the input root %s, or a link leads there",
@@ -108,8 +109,8 @@ static bool holds(const char *root, const struct body *bodies, size_t count, str
 	return good;
 }
 
-bool files_confined(const struct options *options, const struct machine *machine, const struct setup *setup,
-		    struct diag *diag)
+bool files_confine(const struct options *options, const struct machine *machine, const struct setup *setup,
+		   struct diag *diag)
 {
 	const char *root = options->check.input_root;
 	struct stat status;
@@ -118,6 +119,6 @@ bool files_confined(const struct options *options, const struct machine *machine
 		diag_error(diag, (struct srcloc){0}, "--input-root %s is no folder", root);
 		return false;
 	}
-	return holds(root, machine->bodies, machine->body_count, diag) &&
-	       (!setup || holds(root, setup->bodies, setup->body_count, diag));
+	return confine(root, machine->bodies, machine->body_count, diag) &&
+	       (!setup || confine(root, setup->bodies, setup->body_count, diag));
 }

@@ -16,8 +16,11 @@ bool files_differ(const struct options *options, struct diag *diag);
 bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);
 
-/* Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. */
-bool files_confined(const struct options *options, const struct machine *machine, const struct setup *setup,
-		    struct diag *diag);
+/*
+ * Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. The bodies
+ * remember the root: what is read later is held to it, too.
+ */
+bool files_confine(const struct options *options, const struct machine *machine, const struct setup *setup,
+		   struct diag *diag);
 
 #endif

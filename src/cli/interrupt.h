@@ -4,9 +4,12 @@
 
 #include <stdbool.h>
 
-/* From now on the first SIGINT is only noted; the second ends the process as ever. */
+/* From now on the first SIGINT is only noted, and SIGALRM is taken; the second ends the process as ever. */
 void interrupt_watch(void);
 
 bool interrupt_seen(void);
+
+/* Has what was under way then had its time to come to an end? */
+bool interrupt_presses(void);
 
 #endif

@@ -1,5 +1,6 @@
 #include "cli/options.h"
 
+#include <assert.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -219,6 +220,7 @@ static bool check_operands(const struct parser *parser)
 	bool runs = o->mode == RUN_CHECK || o->mode == RUN_PARSE_ONLY || o->mode == RUN_DUMP_PATH;
 	size_t inputs = 0;
 
+	assert(runs || parser->mode);
 	for (size_t i = 0; i < o->program_count; i++)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)

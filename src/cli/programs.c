@@ -98,6 +98,12 @@ static enum run_status status_of(const struct session *session)
 	return status;
 }
 
+static bool is_pressed(void *context)
+{
+	(void)context;
+	return interrupt_presses();
+}
+
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
 			       struct console *console, struct channels *channels, struct inputs *inputs,
 			       const struct baseline *baseline, struct tables *tables)
@@ -111,6 +117,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 				options->fail_on, options->exit_zero, options->quiet},
 		},
 	};
+	static const struct quit quit = {NULL, is_pressed};
 	enum run_status status;
 	int threads = options->check.threads;
 
@@ -120,6 +127,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	if (tables)
 		threads = 1;
 	session.context.check.watch = &inputs->watch;
+	session.context.check.quit = &quit;
 	/* What is accepted must not hide what comes after it. */
 	session.context.check.all = options->check.all || options->baseline || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;

@@ -76,7 +76,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
-	if (!files_confined(options, job->machine, job->setup, diag))
+	if (!files_confine(options, job->machine, job->setup, diag))
 		return false;
 	if (options->dialect >= 0)
 		job->machine->controller.dialect = (enum dialect)options->dialect;

@@ -204,10 +204,10 @@ static bool check_call(struct block *block, const struct line_place *at, enum gc
 {
 	uint32_t mine = letter_bit('P') | letter_bit('L'), used = used_letters(block, dialect) & mine & block->letters;
 
-	for (char letter = 'L'; letter <= 'P'; letter++) {
-		if (used & letter_bit(letter))
-			return fault(at, block_column(block, letter),
-				     "%c belongs to M%d and to another code of the block; write two blocks", letter,
+	for (const char *letter = "LP"; *letter; letter++) {
+		if (used & letter_bit(*letter))
+			return fault(at, block_column(block, *letter),
+				     "%c belongs to M%d and to another code of the block; write two blocks", *letter,
 				     block->m[M_STOP]);
 	}
 	return true;

@@ -1,5 +1,6 @@
 #include "gcode/cycle.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 
@@ -199,6 +200,10 @@ static bool find_peck(struct cycle *cycle, bool kept)
 	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
 		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
 			     COUNT_MAX);
+	/* Else rounding would swallow it, and the pecks would never come to the bottom. */
+	if (cycle->peck < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
+		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
+			     cycle->code / 10);
 	return true;
 }
 
@@ -325,10 +330,13 @@ static bool rest(struct cycle *cycle)
 
 static bool make_pecks(struct cycle *cycle)
 {
-	for (double depth = cycle->r - cycle->peck; depth > cycle->bottom; depth -= cycle->peck) {
+	double depth = cycle->r - cycle->peck;
+
+	while (depth > cycle->bottom) {
 		if (!feed(cycle, depth) || (cycle->code == G83 && !rapid(cycle, cycle->r)) ||
 		    !rapid(cycle, depth + PECK_CLEARANCE))
 			return false;
+		depth -= cycle->peck;
 	}
 	return feed(cycle, cycle->bottom) && rapid(cycle, cycle->clear);
 }

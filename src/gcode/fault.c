@@ -7,14 +7,13 @@ struct srcloc line_loc(const struct line_place *at, int column)
 	return (struct srcloc){at->file, at->line, column};
 }
 
-bool fault(const struct line_place *at, int column, const char *format, ...)
+void fault_report(const struct line_place *at, int column, const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
 	diag_report(at->diag, DIAG_ERROR, line_loc(at, column), at->text, format, args);
 	va_end(args);
-	return false;
 }
 
 void caution(const struct line_place *at, int column, const char *format, ...)

@@ -14,10 +14,15 @@ struct line_place {
 	const char *text;	/* as read, without its line end */
 };
 
-/* Reports an error at a column (from 1) of the line; false, so that a check can end in `return fault(...)`. */
-bool fault(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/*
+ * Reports an error at a column (from 1) of the line; false, so that a check can end in `return fault(...)`.
+ * A macro, so that compilers and analysers see that nothing goes on behind a fault.
+ */
+#define fault(...) (fault_report(__VA_ARGS__), false)
+void fault_report(const struct line_place *at, int column, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
 
-/* The same as a warning. */
+/* Reports a warning. */
 void caution(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The place itself, for those who report on their own. */

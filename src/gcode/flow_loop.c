@@ -32,10 +32,10 @@ static struct control *expect_control(struct interp *interp, const struct oword 
 		return top;
 	oword_title(oword->name, title);
 	if (!top)
-		fault(&interp->at, oword->column, "%s %s without its %s", title, oword_keyword(oword->kind),
+		fault_report(&interp->at, oword->column, "%s %s without its %s", title, oword_keyword(oword->kind),
 		      oword_keyword(kind));
 	else
-		fault(&interp->at, oword->column, "%s %s inside of the %s of line %ld, which is not closed", title,
+		fault_report(&interp->at, oword->column, "%s %s inside of the %s of line %ld, which is not closed", title,
 		      oword_keyword(oword->kind), oword_keyword(top->kind), top->label->at.line);
 	return NULL;
 }

@@ -58,7 +58,7 @@ static void condense(const char *text, char *out)
 
 static void read_gist(const char *text, struct gist *gist)
 {
-	char buffer[GIST_MAX];
+	char buffer[GIST_MAX] = "";
 	const char *at = buffer;
 
 	condense(text, buffer);

@@ -9,6 +9,12 @@ enum { WORK_STEP = 20, WORK_SLOTS = 6 };
 
 enum { F = 1 << GCODE_FANUC, H = 1 << GCODE_HAAS };
 
+/* The number of a code that has no tenths. */
+static int whole_code(int code)
+{
+	return code / 10;
+}
+
 /* What is known to the machine only, or differs from one to the next. */
 static const struct {
 	int first, last;
@@ -66,10 +72,10 @@ static bool read_group(struct interp *interp, int number, int column, double *va
 	}
 	switch (number) {
 	case 4001:
-		*value = state->motion / 10;
+		*value = whole_code(state->motion);
 		return (state->motion >= G0 && state->motion <= G3) || fault_not_followed(interp, number, column);
 	case 4002:
-		*value = state->plane / 10;
+		*value = whole_code(state->plane);
 		return true;
 	case 4003:
 		*value = state->incremental ? 91 : 90;

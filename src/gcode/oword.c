@@ -111,7 +111,7 @@ enum oword_result oword_read(struct lexer *lexer, bool called, struct oword *owo
 	oword->kind = O_PROGRAM;
 	if (byte == '\0' || byte == '(' || byte == ';')
 		return OWORD_READ;
-	fault(lexer->at, lexer_column(lexer),
+	fault_report(lexer->at, lexer_column(lexer),
 	      "an o-word needs one of sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, "
 	      "repeat, endrepeat, break, continue");
 	return OWORD_FAULT;

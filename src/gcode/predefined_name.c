@@ -1,3 +1,4 @@
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -174,6 +175,7 @@ bool predefined_name(struct interp *interp, const char *name, int column, double
 	const struct state *state = &interp->state;
 	const struct known_name *known = find_name(name);
 
+	assert(known);
 	switch (known->what) {
 	case NAME_MACHINE:
 		return fault(&interp->at, column,

@@ -1,6 +1,6 @@
 #include "gcode/source.h"
 
-#include <fcntl.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,14 +59,16 @@ struct position source_next(struct source *source)
 }
 
 /* A regular file; a pipe of that name must not make the program wait. */
-static FILE *open_regular(const char *path)
+static FILE *open_regular(struct sources *sources, const char *root, const char *path)
 {
-	int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+	int fd = confine_open(root, path);
 	struct stat status;
 	FILE *file = NULL;
 
-	if (fd < 0)
+	if (fd < 0) {
+		sources->led_out |= errno == EXDEV;
 		return NULL;
+	}
 	if (!fstat(fd, &status) && S_ISREG(status.st_mode))
 		file = fdopen(fd, "rb");
 	if (!file)
@@ -90,10 +92,7 @@ static struct source *find_in(struct sources *sources, const char *root, const c
 		if (!strcmp(sources->items[i]->name, path.text))
 			source = sources->items[i];
 	}
-	if (!source && (file = open_regular(path.text)) && !confine_holds(root, path.text)) {
-		sources->led_out = true;
-		fclose(file);
-	} else if (!source && file) {
+	if (!source && (file = open_regular(sources, root, path.text))) {
 		source = add(sources, file, path.text);
 		source->file = file;
 		if (sources->watch)

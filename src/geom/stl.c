@@ -1,7 +1,6 @@
 #include "geom/stl.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <float.h>
 #include <locale.h>
 #include <math.h>
@@ -12,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/confine.h"
 #include "base/mem.h"
 #include "geom/decimal.h"
 
@@ -122,7 +122,7 @@ static bool read_binary(struct reader *r, struct mesh *mesh, uint32_t count)
 		}
 		if (!decode_record(&mesh->triangles[mesh->count], r->buffer + r->at))
 			return fail(r, "triangle %zu, byte %llu: a coordinate is not a finite number", mesh->count + 1,
-				    (unsigned long long)(r->buffer_start + r->at + CORNERS_AT));
+				    (unsigned long long)r->buffer_start + r->at + CORNERS_AT);
 		mesh->count++;
 		r->at += RECORD_SIZE;
 	}
@@ -378,11 +378,13 @@ static bool read_either(struct reader *r, struct soup *soup)
 }
 
 /* A FIFO must not make us wait for its writer, nor a device hang. */
-static bool open_regular(struct reader *r)
+static bool open_regular(struct reader *r, const char *root)
 {
 	struct stat status;
 
-	r->fd = open(r->loc.file, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+	r->fd = confine_open(root, r->loc.file);
+	if (r->fd < 0 && errno == EXDEV)
+		return fail(r, "is outside of the input root %s, or a link leads there", root);
 	if (r->fd < 0)
 		return fail(r, "cannot be opened: %s", strerror(errno));
 	if (fstat(r->fd, &status) != 0)
@@ -395,12 +397,17 @@ static bool open_regular(struct reader *r)
 
 bool stl_read(struct mesh *out, const char *path, struct diag *diag)
 {
+	return stl_read_below(out, NULL, path, diag);
+}
+
+bool stl_read_below(struct mesh *out, const char *root, const char *path, struct diag *diag)
+{
 	struct reader r = {.fd = -1, .diag = diag, .loc = {.file = path}};
 	struct soup soup = {0};
 	bool ok;
 
 	r.buffer = mem_alloc(BUFFER_SIZE + 1);
-	ok = open_regular(&r) && read_either(&r, &soup);
+	ok = open_regular(&r, root) && read_either(&r, &soup);
 	if (ok)
 		*out = soup.mesh;
 	else

@@ -20,4 +20,7 @@
  */
 bool stl_read(struct mesh *out, const char *path, struct diag *diag);
 
+/* The same; a file outside of the folder `root` (NULL: no such folder) is an error, too. */
+bool stl_read_below(struct mesh *out, const char *root, const char *path, struct diag *diag);
+
 #endif

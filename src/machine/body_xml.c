@@ -25,7 +25,7 @@ static const char *resolve(const char *file, const char *mesh, struct arena *are
 		folder = 0;
 	path = arena_alloc(arena, folder + length + 1);
 	memcpy(path, file, folder);
-	memcpy(path + folder, mesh, length);
+	memcpy(path + folder, mesh, length + 1);
 	return path;
 }
 

@@ -78,6 +78,7 @@ struct body {
 	int link;
 	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
 	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
+	const char *mesh_root;	/* the folder that the mesh must be in, whoever set it outlives the body; or NULL */
 	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */

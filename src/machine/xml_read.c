@@ -257,7 +257,7 @@ vec3 xml_vector(struct xml_reader *xml, const xmlNode *node, const char *name)
 
 		text = skip_number(start);
 		v[i] = text ? to_double(start) : INFINITY;
-		if (!isfinite(v[i])) {
+		if (!text || !isfinite(v[i])) {
 			complain(xml, node, name, "is not three numbers that can be used");
 			return (vec3){0, 0, 0};
 		}

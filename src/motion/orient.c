@@ -26,11 +26,11 @@ struct problem {
 };
 
 struct solution {
-	bool found;	/* some turn of it lies within the limits */
 	double angle[2];	/* of the chain's joints, radians */
-	bool free[2];	/* any angle would do */
 	double way[2];	/* of each joint from here */
 	int half_turn;	/* the joint that could as well go the other way round, or -1 */
+	bool found;	/* some turn of it lies within the limits */
+	bool free[2];	/* any angle would do */
 };
 
 /* The angle about the unit axis that turns `from` to `to`, both with the same part along the axis. */
@@ -291,7 +291,7 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		 struct canon_orientation *orientation)
 {
-	struct solution solutions[2] = {{0}};
+	struct solution solutions[2] = {{.found = false}};
 	struct problem problem;
 	size_t count, chosen = 0;
 

@@ -60,7 +60,7 @@ static bool add_program(struct reading *reading, json_t *object)
 	if (!name)
 		return refuse(reading, "a program without a name");
 	baseline->programs = mem_grow(baseline->programs, &baseline->program_capacity, baseline->program_count + 1,
-				      sizeof(*baseline->programs));
+				      sizeof(json_t *));
 	baseline->programs[baseline->program_count++] = json_incref(object);
 	while (reading->named < baseline->count)
 		baseline->entries[reading->named++].program = name;

@@ -22,7 +22,8 @@ static char *xml_text(const char *text)
 		if ((unsigned char)*c < 0x20 && *c != '\t' && *c != '\n')
 			*c = ' ';
 		if (!strncmp(c, "\xef\xbf\xbe", 3) || !strncmp(c, "\xef\xbf\xbf", 3))
-			memcpy(c, "\xef\xbf\xbd", 3);
+			/* In the middle of the text. */
+			memcpy(c, "\xef\xbf\xbd", 3); /* NOLINT(bugprone-not-null-terminated-result) */
 	}
 	strbuf_release(&clean);
 	return out;

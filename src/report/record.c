@@ -80,7 +80,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	(void)run;
 	json_put(object, "file", json_text(program->name));
 	json_put(object, "verdict", json_string(word));
-	json_put(object, "blocks_proved", json_integer(!strcmp(word, "clear") ? verdict->stats->motion.blocks : 0));
+	json_put(object, "blocks_proved",
+		 json_integer(verdict && !strcmp(word, "clear") ? verdict->stats->motion.blocks : 0));
 	json_put(object, "findings", json_integer(verdict ? verdict->stats->findings : 0));
 	json_put(object, "pairs_required", json_integer(verdict ? (json_int_t)verdict->stats->pairs_required : 0));
 	json_put(object, "cautions", ndjson_cautions(verdict));

@@ -153,7 +153,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_play, no_stray);
 	push(&search, &a, &b, 0);
 	recall(&search);
-	while (search.depth && search.found > enough && sweep->visits < visits_end) {
+	while (search.depth && search.found > enough && sweep->visits < visits_end && !sweep_breaks_off(sweep)) {
 		struct branch_pair entry = sweep->queue[--search.depth];
 
 		if (dismiss(&search, entry.least))

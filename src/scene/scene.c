@@ -73,7 +73,7 @@ static bool read_mesh(const struct body *body, struct mesh *out, struct diag *di
 		mesh.triangles = mem_realloc(NULL, mesh.count, sizeof(*mesh.triangles));
 		memcpy(mesh.triangles, body->solid->triangles, mesh.count * sizeof(*mesh.triangles));
 	} else {
-		if (!stl_read(&mesh, body->mesh_path, diag)) {
+		if (!stl_read_below(&mesh, body->mesh_root, body->mesh_path, diag)) {
 			diag_note(diag, body->loc, "body '%s' names that mesh", body->name);
 			return false;
 		}

@@ -23,6 +23,9 @@
 /* Node pairs that could be looked at in the time that halving a region takes. */
 #define HALVING_VISITS 20
 
+/* Node pairs looked at, some 100 us, between two questions whether to go on. */
+#define ASK_VISITS 10000
+
 struct sweep_entry {
 	struct region *region;
 	struct branch a, b;
@@ -49,6 +52,15 @@ void sweep_release(struct sweep *sweep)
 		free(sweep->regions[i]);
 	free(sweep->regions);
 	*sweep = (struct sweep){0};
+}
+
+bool sweep_breaks_off(struct sweep *sweep)
+{
+	if (sweep->visits >= sweep->ask_at) {
+		sweep->ask_at = sweep->visits + ASK_VISITS;
+		sweep->broken_off = sweep->broken_off || quit_asked(sweep->quit);
+	}
+	return sweep->broken_off;
 }
 
 struct branch_pair *sweep_queue_reserve(struct sweep *sweep, size_t count)
@@ -208,7 +220,7 @@ static enum progress run(struct walk *walk, struct region *whole)
 
 		if (entry.region->s0 >= walk->contact->s)
 			continue;
-		if (walk->visits_end && walk->sweep->visits > walk->visits_end)
+		if (sweep_breaks_off(walk->sweep) || (walk->visits_end && walk->sweep->visits > walk->visits_end))
 			return TOO_DEEP;
 		progress = step(walk, &entry);
 	}

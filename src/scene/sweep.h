@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/quit.h"
 #include "scene/branch.h"
 #include "scene/leaf.h"
 #include "scene/region.h"
@@ -23,7 +24,13 @@ struct sweep {
 	long certificates;	/* node and triangle pairs proved apart over a region */
 	long bisections;	/* regions halved */
 	long visits;	/* node pairs looked at */
+	const struct quit *quit;	/* borrowed; or NULL */
+	long ask_at;	/* visits when it is asked next */
+	bool broken_off;	/* it said yes: since then nothing is proved, nor found */
 };
+
+/* Must the walk break off? To be called again and again on the way. */
+bool sweep_breaks_off(struct sweep *sweep);
 
 /* Room for `count` entries of the queue, which is for the walks that look at one pose. */
 struct branch_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
@@ -33,7 +40,7 @@ void sweep_release(struct sweep *sweep);
 enum sweep_answer {
 	SWEEP_APART,	/* proved: farther apart than the clearance all the way */
 	SWEEP_CONTACT,	/* *contact is the first instant, to within the tolerance */
-	SWEEP_UNDECIDED	/* the limit of work is reached, or rounding alone exceeds the tolerance */
+	SWEEP_UNDECIDED	/* the limit of work is reached, the sweep was broken off, or rounding alone exceeds the tolerance */
 };
 
 /*
@@ -57,8 +64,8 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 /*
  * A lower bound on the distance (mm) when the axes stand at q: at least `share`
  * (0 to 1) of it, less rounding; a large share costs more. As soon as the distance turns out
- * to be below `enough`, or after max_visits node pairs (0: no limit), the search ends and the result is just
- * some lower bound.
+ * to be below `enough`, after max_visits node pairs (0: no limit), or when the sweep is broken off, the search ends
+ * and the result is just some lower bound.
  */
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough, long max_visits);

@@ -27,8 +27,8 @@ writer=$!
 interrupt -a m.xml -
 kill $writer 2>/dev/null
 wait $writer 2>/dev/null
-# The writer says nothing more.
-{ yes 'G1 X1 F100' | head -n 100000; : >consumed; exec sleep 20; } >endless &
+# The writer says nothing more, and what it said has been checked.
+{ yes 'G1 X1 F100' | head -n 100000; sleep 2; : >consumed; exec sleep 20; } >endless &
 writer=$!
 interrupt -q m.xml -
 kill $writer 2>/dev/null

@@ -42,6 +42,33 @@ tetrahedron() {
 	}' >"$1.stl"
 }
 
+# sphere NAME RADIUS N - writes NAME.stl: about the origin, N rings of 2 N facets, its corners on the sphere
+sphere() {
+	awk -v name="$1" -v radius="$2" -v n="$3" '
+	function corner(i, j, t, f) {
+		t = pi * i / n
+		f = pi * (j % (2 * n)) / n
+		return sprintf("vertex %.9g %.9g %.9g\n", radius * sin(t) * cos(f), radius * sin(t) * sin(f),
+			       i == n ? -radius : radius * cos(t))
+	}
+	function facet(a, b, c) {
+		printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c
+	}
+	BEGIN {
+		pi = atan2(0, -1)
+		print "solid " name
+		for (i = 0; i < n; i++) {
+			for (j = 0; j < 2 * n; j++) {
+				if (i < n - 1)
+					facet(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1))
+				if (i > 0)
+					facet(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1))
+			}
+		}
+		print "endsolid " name
+	}' >"$1.stl"
+}
+
 # machine FILE - wraps standard input, the content of <base> and what follows it, into a machine file.
 # A line that is just "--" ends the base.
 machine() {

@@ -274,6 +274,9 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q0", 15, "Q of G83 must be greater than 0"},
     {GCODE_LINUXCNC, "G73 X1 Z-1 R1 Q-1", 15, "Q of G73 must be greater than 0"},
     {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q.0000001", 15, "Q1e-07 of G83 makes more than 1000000 pecks"},
+    /* A peck below half a unit in the last place would never end. */
+    {GCODE_LINUXCNC, "G83 X1 Z9999999 R9999999.0005 Q.0000000009", 31,
+     "Q9e-10 of G83 is too small to be told from 0 at this height"},
     {GCODE_LINUXCNC, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
     {GCODE_LINUXCNC, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
     {GCODE_LINUXCNC, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
