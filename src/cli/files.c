@@ -54,7 +54,7 @@ bool files_differ(const struct options *options, struct diag *diag)
 
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
-		    !is_free(&list[i], options->baseline, diag))
+		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
 			if (!is_free(&list[i], options->programs[k], diag))

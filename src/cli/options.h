@@ -54,6 +54,7 @@ struct options {
 	const char *depfile;	/* or NULL */
 	const char *record;	/* or NULL; the path of formats[FORMAT_RECORD], too */
 	const char *baseline;	/* or NULL */
+	const char *waivers;	/* or NULL */
 	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
 	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;

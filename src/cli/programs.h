@@ -17,6 +17,6 @@
  */
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
 			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline);
+			       const struct baseline *baseline, const struct waiving *waiving);
 
 #endif

@@ -17,7 +17,7 @@ enum {
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
-	KEY_RECORD
+	KEY_RECORD, KEY_WAIVERS
 };
 
 static const char *const methods[] = {
@@ -84,6 +84,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "use N threads (1)"},
 	{KEY_BASELINE, "baseline", "FILE", IN_CHECK | IN_PARSE, TEXT(baseline),
 	 .help = "accept the findings of an earlier run, which wrote\nthem with --all --format=ndjson=FILE"},
+	{KEY_WAIVERS, "waivers", "FILE.xml", IN_CHECK | IN_PARSE, TEXT(waivers),
+	 .help = "accept the findings that FILE.xml names, each with its\nreason and until its last day"},
 	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
 	 .help = "findings of these kinds fail, others are warnings:\ncollision, clearance, limit, start-overlap"},
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),

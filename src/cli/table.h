@@ -33,7 +33,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 32 };
+enum { OPTION_COUNT = 33 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

@@ -116,6 +116,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	}
 	if (program->verdict) {
 		text_verdict(&verdict, program->verdict);
+		strbuf_addf(&verdict, "%s", program->waived);
 		add_text_node(testcase, "system-out", verdict.text);
 	}
 	strbuf_clear(out);

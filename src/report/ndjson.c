@@ -35,8 +35,11 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_add_line(out, object);
 }
 
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
-		    enum weight weight)
+static const char *const accepted[] = {
+	[WEIGHT_FAILS] = NULL, [WEIGHT_KNOWN] = "baseline", [WEIGHT_WAIVED] = "waiver", [WEIGHT_LEFT_OUT] = "fail-on",
+};
+
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
@@ -59,15 +62,19 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "axis", json_string(axis));
 		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
 	}
-	if (weight != WEIGHT_FAILS)
-		json_put(object, "accepted", json_string(weight == WEIGHT_KNOWN ? "baseline" : "fail-on"));
+	if (accepted[manner.weight])
+		json_put(object, "accepted", json_string(accepted[manner.weight]));
+	if (manner.waiver) {
+		json_put(object, "reason", json_text(manner.waiver->reason));
+		json_put(object, "expires", json_string(manner.waiver->expires));
+	}
 	json_add_line(out, object);
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
 			struct manner manner)
 {
-	ndjson_finding(out, run->scene->machine, finding, manner.weight);
+	ndjson_finding(out, run->scene->machine, finding, manner);
 }
 
 json_t *ndjson_cautions(const struct verdict *verdict)

@@ -37,6 +37,8 @@ static json_t *options_of(const struct report_run *run)
 	json_put(object, "max_blocks", options->max_blocks ? json_integer(options->max_blocks) : json_null());
 	json_put(object, "fail_on", kinds);
 	json_put(object, "exit_zero", json_boolean(run->exit_zero));
+	/* On another day other waivers may have expired. */
+	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
 	return object;
 }
 
@@ -82,6 +84,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "verdict", json_string(word));
 	json_put(object, "blocks_proved", json_integer(!strcmp(word, "clear") ? verdict->stats->motion.blocks : 0));
 	json_put(object, "findings", json_integer(verdict ? verdict->stats->findings : 0));
+	json_put(object, "waived", json_integer(verdict ? verdict->waived : 0));
 	json_put(object, "pairs_required", json_integer(verdict ? (json_int_t)verdict->stats->pairs_required : 0));
 	json_put(object, "cautions", ndjson_cautions(verdict));
 	json_add_line(out, object);

@@ -11,6 +11,7 @@
 #include "report/digest.h"
 #include "report/stats.h"
 #include "report/verdict.h"
+#include "report/waive.h"
 #include "scene/scene.h"
 
 enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB, FORMAT_RECORD };
@@ -21,6 +22,7 @@ enum { FORMAT_CHOICES = FORMAT_RECORD, FORMAT_COUNT };
 enum weight {
 	WEIGHT_FAILS,
 	WEIGHT_KNOWN,	/* in the baseline */
+	WEIGHT_WAIVED,	/* by a waiver */
 	WEIGHT_LEFT_OUT	/* of a kind that --fail-on does not name */
 };
 
@@ -28,6 +30,7 @@ enum weight {
 struct manner {
 	enum weight weight;
 	bool colour;
+	const struct waiver *waiver;	/* of what is waived; borrowed */
 };
 
 /* What a run is about. Borrows everything. */
@@ -39,6 +42,7 @@ struct report_run {
 	unsigned fail_on;	/* a bit for each kind of finding that fails; 0: all */
 	bool exit_zero;
 	bool quiet;	/* no statistics */
+	const struct waiving *waiving;
 };
 
 /* What made a check incomplete. */
@@ -56,6 +60,7 @@ struct report_program {
 	const double *proven;	/* check_run's; NULL: not asked for */
 	const struct report_fault *faults;	/* the first of them */
 	size_t fault_count;
+	const char *waived;	/* what was waived and why, a line each */
 };
 
 /* A file that was read. Borrows everything. */

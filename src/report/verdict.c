@@ -21,28 +21,36 @@ size_t verdict_pairs(const struct scene *scene, enum pair_status status)
 	return count;
 }
 
-/* "2 findings known from the baseline and 1 finding of a kind that --fail-on leaves out" */
+static long accepted(const struct verdict *v)
+{
+	return v->known + v->waived + v->left_out;
+}
+
+/* "2 findings known from the baseline, 1 finding waived, 1 finding of kinds that --fail-on leaves out" */
 static void add_accepted(struct strbuf *out, const struct verdict *v)
 {
-	if (v->known) {
-		quantity_add_count(out, (size_t)v->known, "finding");
-		strbuf_addf(out, " known from the baseline%s", v->left_out ? " and " : "");
-	}
-	if (v->left_out) {
-		quantity_add_count(out, (size_t)v->left_out, "finding");
-		strbuf_addf(out, " of kinds that --fail-on leaves out");
+	const long counts[] = {v->known, v->waived, v->left_out};
+	static const char *const words[] = {"known from the baseline", "waived", "of kinds that --fail-on leaves out"};
+	const char *comma = "";
+
+	for (int i = 0; i < 3; i++) {
+		if (!counts[i])
+			continue;
+		strbuf_addf(out, "%s", comma);
+		quantity_add_count(out, (size_t)counts[i], "finding");
+		strbuf_addf(out, " %s", words[i]);
+		comma = ", ";
 	}
 }
 
 bool verdict_is_accepted(const struct verdict *v)
 {
-	return v->result == CHECK_FOUND && v->known + v->left_out == v->stats->findings;
+	return v->result == CHECK_FOUND && accepted(v) == v->stats->findings;
 }
 
 static void add_findings(struct strbuf *out, const struct verdict *v)
 {
-	long accepted = v->known + v->left_out;
-	size_t findings = (size_t)(v->stats->findings - accepted);
+	size_t findings = (size_t)(v->stats->findings - accepted(v));
 
 	if (!findings) {
 		strbuf_addf(out, "nothing that fails: ");
@@ -53,7 +61,7 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
 	if (v->first_file && strcmp(v->first_file, v->file))
 		strbuf_addf(out, " of %s", v->first_file);
-	if (accepted) {
+	if (accepted(v)) {
 		strbuf_addf(out, ", besides ");
 		add_accepted(out, v);
 	}
@@ -176,14 +184,24 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* A finding is the first of its block and pair: what is not reported cannot be accepted either. */
+static bool caution_accepted(struct strbuf *out, const struct verdict *v)
+{
+	if (!accepted(v))
+		return false;
+	strbuf_addf(out, "what the same bodies or axis do after an accepted finding, in the rest of its block, is not checked");
+	return true;
+}
+
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
+		caution_accepted,
 	};
 
 	/* Without a check of bodies, what is said of them would be said of nothing. */
-	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend)
+	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted)
 		return false;
 	return cautions[i](out, v);
 }

@@ -15,7 +15,8 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	long known, left_out;	/* findings that do not fail the run: in the baseline, of other kinds than --fail-on's */
+	/* Findings that do not fail the run: in the baseline, waived, of other kinds than --fail-on's. */
+	long known, waived, left_out;
 	long first_line;	/* of the first finding that does */
 	const char *first_file;	/* the same; NULL: `file` */
 };
@@ -35,7 +36,7 @@ const char *verdict_word(const struct verdict *verdict);
 /* Is every finding accepted, and the check complete? */
 bool verdict_is_accepted(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 6 };
+enum { VERDICT_CAUTIONS = 7 };
 
 /*
  * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;
