@@ -236,6 +236,25 @@ static bool check_listed(const struct parser *parser)
 	return o->program_count > 0 && check_operands(parser);
 }
 
+/* --shard: of several programs some, of one program some of its blocks. */
+static bool share_out(const struct parser *parser)
+{
+	struct options *o = parser->options;
+
+	if (!o->shards || o->program_count > 1) {
+		list_share(o);
+		return true;
+	}
+	o->check.shard = o->shard;
+	o->check.shards = o->shards;
+	if (o->shards > 1 && (o->baseline || o->waivers)) {
+		diag_error(parser->diag, nowhere, "--%s cannot go with --shard of one program: each shard would accept what "
+						  "may be accepted once", o->baseline ? "baseline" : "waivers");
+		return false;
+	}
+	return true;
+}
+
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
 {
 	struct parser parser = {.options = options, .diag = diag};
@@ -264,8 +283,7 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;
-	list_share(options);
-	return true;
+	return share_out(&parser);
 }
 
 void options_release(struct options *options)

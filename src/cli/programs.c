@@ -134,7 +134,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 			.options = options, .check = options->check, .scene = scene, .channels = channels,
 			.baseline = baseline,
 			.run = {scene, &options->check, options->clearance, options->program_count,
-				options->fail_on, options->exit_zero, options->quiet, waiving},
+				options->fail_on, options->exit_zero, options->quiet, waiving, options->shard,
+				options->shards},
 		},
 	};
 	enum run_status status;

@@ -77,7 +77,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
 	 .help = "check the programs that FILE names, too, one a line;\n- is standard input"},
 	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARE, FIELD(shard),
-	 .help = "check the K-th of N parts of the programs only"},
+	 .help = "check the K-th of N parts of the programs only, or\nof the blocks of a single one"},
 	{KEY_PROGRESS, "progress", "KIND", IN_CHECK | IN_PARSE, CHOICE(progress, progress),
 	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,

@@ -32,6 +32,7 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_put(object, "clearance", json_real(run->clearance));
 	json_put(object, "all", json_boolean(options->all));
 	json_put(object, "programs", json_integer((json_int_t)run->programs));
+	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
 	json_add_line(out, object);
 }
 
@@ -118,6 +119,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "file", json_text(program->name));
 	json_put(object, "verdict", json_string(verdict_word(program->verdict)));
 	json_put(object, "blocks", json_integer(stats ? stats->motion.blocks : 0));
+	json_put(object, "checked", json_integer(stats ? stats->blocks_checked : 0));
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
 	json_put(object, "cautions", ndjson_cautions(program->verdict));
 	json_put(object, "errors", faults_of(program));

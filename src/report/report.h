@@ -43,6 +43,7 @@ struct report_run {
 	bool exit_zero;
 	bool quiet;	/* no statistics */
 	const struct waiving *waiving;
+	int shard, shards;	/* of the programs, or of the blocks of one; 0: all */
 };
 
 /* What made a check incomplete. */

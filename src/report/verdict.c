@@ -69,14 +69,19 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 		strbuf_addf(out, "; stopped there (--all goes on)");
 }
 
+bool verdict_is_shard(const struct verdict *v)
+{
+	return v->options->shards > 1;
+}
+
 static void add_clear(struct strbuf *out, const struct verdict *v)
 {
 	const struct check_stats *stats = v->stats;
-	size_t blocks = (size_t)stats->motion.blocks;
+	size_t blocks = (size_t)stats->blocks_checked;
 
 	switch (v->options->method) {
 	case CHECK_CERTIFIED:
-		strbuf_addf(out, "clear: ");
+		strbuf_addf(out, verdict_is_shard(v) ? "nothing found in this shard: " : "clear: ");
 		quantity_add_count(out, blocks, "block");
 		strbuf_addf(out, " proved, ");
 		quantity_add_count(out, stats->pairs_required, "pair");
@@ -124,7 +129,7 @@ const char *verdict_word(const struct verdict *v)
 		return "incomplete";
 	if (v->result == CHECK_FOUND)
 		return verdict_is_accepted(v) ? "accepted" : "found";
-	return v->options->method == CHECK_CERTIFIED ? "clear" : "passed";
+	return v->options->method == CHECK_CERTIFIED && !verdict_is_shard(v) ? "clear" : "passed";
 }
 
 /* Where nothing was found the sentence itself says it. */
@@ -193,15 +198,25 @@ static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+static bool caution_shard(struct strbuf *out, const struct verdict *v)
+{
+	if (!verdict_is_shard(v))
+		return false;
+	strbuf_addf(out, "shard %d/%d: %ld of %ld blocks were checked here; the program is clear if all shards are",
+		    v->options->shard, v->options->shards, v->stats->blocks_checked, v->stats->motion.blocks);
+	return true;
+}
+
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
-		caution_accepted,
+		caution_accepted, caution_shard,
 	};
 
 	/* Without a check of bodies, what is said of them would be said of nothing. */
-	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted)
+	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
+	    cautions[i] != caution_shard)
 		return false;
 	return cautions[i](out, v);
 }

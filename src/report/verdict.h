@@ -28,7 +28,7 @@ struct verdict {
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
 /*
- * The same as one word: "clear", "passed" where no proof was asked for, "found", "accepted" where nothing
+ * The same as one word: "clear", "passed" where no proof was asked for or only a part of the blocks is proved, "found", "accepted" where nothing
  * found fails the run, "incomplete"; NULL is incomplete.
  */
 const char *verdict_word(const struct verdict *verdict);
@@ -36,7 +36,10 @@ const char *verdict_word(const struct verdict *verdict);
 /* Is every finding accepted, and the check complete? */
 bool verdict_is_accepted(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 7 };
+/* Was only a part of the program's blocks checked? */
+bool verdict_is_shard(const struct verdict *verdict);
+
+enum { VERDICT_CAUTIONS = 8 };
 
 /*
  * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;
