@@ -21,4 +21,4 @@ done
 fivecheck -q --parse-only --shard 3/4 -f ndjson m.xml p1.nc p2.nc
 # Totals, and progress in plain lines.
 fivecheck --parse-only --progress=plain m.xml p1.nc p2.nc bad.nc nowhere.nc 2>&1 | grep -e '^fivecheck: [0-9]' -e '^  programs'
-fivecheck --parse-only --progress=none m.xml p1.nc p2.nc 2>&1 | grep -c '^fivecheck: [0-9]'
+fivecheck --parse-only --progress=none m.xml p1.nc p2.nc 2>&1 | grep -c '^fivecheck: [0-9]' || true
