@@ -51,6 +51,8 @@ struct program {
 	struct voice *voice;
 	struct program_outcome *outcome;
 	const char *name;
+	FILE *stream;
+	off_t size;	/* of the file; 0: not known */
 	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
 	bool *used;	/* of the baseline */
 	int *matched;	/* of the waivers */
@@ -155,11 +157,19 @@ static void tell_unused(struct program *program)
 	}
 }
 
+/* How much of the program's file has been read; below 0: that is not known, or all of it, and what is left are loops. */
+static double share_read(const struct program *program)
+{
+	off_t at = program->size > 0 ? ftello(program->stream) : -1;
+
+	return at < 0 || at >= program->size ? -1 : (double)at / (double)program->size;
+}
+
 static bool on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
-	voice_progress(program->voice, program->name, lines);
+	voice_progress(program->voice, program->name, lines, share_read(program));
 	return !interrupt_seen();
 }
 
@@ -268,6 +278,7 @@ void program_check(const struct program_context *context, const char *path, stru
 {
 	struct program program = {.context = context, .voice = voice, .outcome = outcome};
 	struct program_file file;
+	struct stat status;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
 	if (context->baseline)
@@ -276,6 +287,9 @@ void program_check(const struct program_context *context, const char *path, stru
 		program.matched = mem_zalloc(context->run.waiving->file->count + 1, sizeof(*program.matched));
 	if (program_open(&file, path, &voice->diag)) {
 		program.name = file.name;
+		program.stream = file.stream;
+		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
+			program.size = status.st_size;
 		run(&program, &file, path);
 	} else {
 		program.name = path;

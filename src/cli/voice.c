@@ -107,11 +107,11 @@ bool voice_say(struct voice *voice, size_t channel, struct strbuf *text)
 	return good;
 }
 
-void voice_progress(struct voice *voice, const char *file, long lines)
+void voice_progress(struct voice *voice, const char *file, long lines, double share)
 {
 	pthread_mutex_lock(&voice->stage->lock);
 	if (is_heard(voice))
-		console_progress(voice->stage->console, file, lines);
+		console_progress(voice->stage->console, file, lines, share);
 	pthread_mutex_unlock(&voice->stage->lock);
 }
 

@@ -46,7 +46,7 @@ bool stage_is_lost(struct stage *stage);
 bool voice_say(struct voice *voice, size_t channel, struct strbuf *text);
 
 /* Shows how far the program is, if it is its turn. */
-void voice_progress(struct voice *voice, const char *file, long lines);
+void voice_progress(struct voice *voice, const char *file, long lines, double share);
 
 /* Nothing more will come: the next has its turn. */
 void voice_end(struct voice *voice);
