@@ -54,7 +54,8 @@ bool files_differ(const struct options *options, struct diag *diag)
 
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
-		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag))
+		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag) ||
+		    !is_free(&list[i], options->files_from, diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
 			if (!is_free(&list[i], options->programs[k], diag))
@@ -87,6 +88,20 @@ bool files_spare_meshes(const struct options *options, const struct machine *mac
 {
 	return spares(options, machine->bodies, machine->body_count, diag) &&
 	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
+}
+
+bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag)
+{
+	struct written list[WRITTEN_MAX];
+	size_t listed = list_written(list, options);
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		for (size_t k = 0; k < listed; k++) {
+			if (!is_free(&list[k], inputs->items[i].path, diag))
+				return false;
+		}
+	}
+	return true;
 }
 
 static bool holds(const char *root, const struct body *bodies, size_t count, struct diag *diag)

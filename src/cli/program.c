@@ -203,8 +203,11 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 static void report(struct program *program, const struct verdict *verdict, const double *proven)
 {
 	const struct program_context *context = program->context;
-	const struct report_program about = {program->name, verdict, proven, program->voice->faults,
-					     program->voice->fault_count, strbuf_text(&program->waived_text)};
+	const struct faults *faults = &program->voice->faults;
+	const struct report_program about = {
+		.name = program->name, .verdict = verdict, .unread = "the program could not be opened", .proven = proven,
+		.faults = faults->items, .fault_count = faults->count, .waived = strbuf_text(&program->waived_text),
+	};
 
 	if (verdict && !has_text(context->channels))
 		tell_verdict(program, verdict);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
 #include "report/pose.h"
@@ -117,7 +118,7 @@ static enum run_status status_of(const struct session *session)
 	}
 	if (session->options->exit_zero && status == RUN_FOUND)
 		status = RUN_CLEAR;
-	if (session->options->pose && !write_pose(session) && status < RUN_INCOMPLETE)
+	if (session->options->pose && session->stage.channels->count && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->stage.console->diag.errors && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
@@ -156,6 +157,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	console_finish(console);
 	tell_strange_waivers(&session, waiving->file);
 	inputs_sort(inputs);
+	if (!files_spare_inputs(options, inputs, &console->diag))
+		channels_discard(channels);
 	if (options->record)
 		inputs_digest(inputs, &console->diag);
 	status = status_of(&session);

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include "cli/broken.h"
+#include "cli/faults.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/program.h"
@@ -36,6 +38,7 @@ static enum run_status print_text(struct strbuf *text, struct diag *diag)
 
 /* What a run works with; all zero is nothing. */
 struct job {
+	struct baseline *baseline;	/* or NULL */
 	struct waivers *waivers;	/* or NULL */
 	struct waiving waiving;
 	struct machine *machine;
@@ -47,6 +50,7 @@ struct job {
 
 static void job_release(struct job *job)
 {
+	baseline_free(job->baseline);
 	waivers_free(job->waivers);
 	scene_free(job->scene);
 	setup_free(job->loaded);
@@ -84,7 +88,6 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 {
 	double start = console_seconds();
 
-	*job = (struct job){0};
 	job->machine = machine_load(options->machine, diag);
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
@@ -136,34 +139,58 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 	return true;
 }
 
+/* All that a check reads before the programs; false: reported. */
+static bool load_all(struct job *job, const struct options *options, struct diag *diag)
+{
+	if (options->baseline) {
+		job->baseline = baseline_load(options->baseline, diag);
+		if (!job->baseline)
+			return false;
+	}
+	return job_load(job, options, diag) && check_kinds(options, job->scene, diag);
+}
+
 /* Checks the programs; a report says itself what it lacks, and so is kept whatever came of the check. */
+static enum run_status check_programs(struct job *job, const struct options *options, struct console *console,
+				      struct channels *channels, struct inputs *inputs)
+{
+	/* Without collisions there is no need of bodies: their meshes stay unread. */
+	struct scene bare = {.machine = job->machine, .setup = job->setup};
+	struct diag *diag = &console->diag;
+	enum run_status status;
+
+	inputs_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
+	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, channels, inputs,
+				job->baseline, &job->waiving);
+	/* Without a channel, nothing may be written. */
+	if (channels->count && !inputs_write_depfile(inputs, options, diag))
+		status = worst(status, RUN_INCOMPLETE);
+	if (!channels_commit(channels, diag))
+		status = worst(status, RUN_INCOMPLETE);
+	return status;
+}
+
 static enum run_status run_programs(struct job *job, const struct options *options, struct console *console)
 {
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct channels channels = {0};
-	struct baseline *baseline = NULL;
 	struct inputs inputs;
+	struct tap tap;
 
+	/* Before anything is read: what changes from here on is noticed. */
 	inputs_init(&inputs);
-	if (options->baseline)
-		baseline = baseline_load(options->baseline, diag);
-	if (!diag->errors && open_channels(&channels, options, diag) && job_load(job, options, diag) &&
-	    files_spare_meshes(options, job->machine, job->setup, diag) && check_kinds(options, job->scene, diag)) {
-		/* Without collisions there is no need of bodies: their meshes stay unread. */
-		struct scene bare = {.machine = job->machine, .setup = job->setup};
-
-		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
-		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
-					&inputs, baseline, &job->waiving);
-		if (!inputs_write_depfile(&inputs, options, diag))
-			status = worst(status, RUN_INCOMPLETE);
-		if (!channels_commit(&channels, diag))
-			status = worst(status, RUN_INCOMPLETE);
+	tap_init(&tap, diag);
+	if (!open_channels(&channels, options, diag)) {
+		/* There is nowhere to tell it. */
+	} else if (!load_all(job, options, &tap.diag)) {
+		broken_report(options, &tap.faults, &channels, diag);
+	} else if (files_spare_meshes(options, job->machine, job->setup, diag)) {
+		status = check_programs(job, options, console, &channels, &inputs);
 	}
 	channels_discard(&channels);
+	tap_release(&tap);
 	inputs_release(&inputs);
-	baseline_free(baseline);
 	return status;
 }
 

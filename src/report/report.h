@@ -57,7 +57,8 @@ struct report_fault {
 /* One program at its end. Borrows everything. */
 struct report_program {
 	const char *name;
-	const struct verdict *verdict;	/* NULL: the program could not be opened */
+	const struct verdict *verdict;	/* NULL: it was not read */
+	const char *unread;	/* why not */
 	const double *proven;	/* check_run's; NULL: not asked for */
 	const struct report_fault *faults;	/* the first of them */
 	size_t fault_count;
@@ -85,6 +86,7 @@ struct report_end {
  */
 struct report_writer {
 	const char *name;	/* as --format calls it */
+	const char *mark;	/* what all files that it writes begin with, and no input does; NULL: nothing */
 	bool whole;
 	bool collects;	/* nothing is written before the end, which receives all items */
 	const char *separator;	/* between items, which are lines; NULL: none */

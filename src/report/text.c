@@ -173,7 +173,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 {
 	/* A list of verdicts without it would look complete. */
 	if (!program->verdict) {
-		strbuf_addf(out, "%s: incomplete: the program could not be opened\n", program->name);
+		strbuf_addf(out, "%s: incomplete: %s\n", program->name, program->unread);
 		return;
 	}
 	text_verdict(out, program->verdict);
