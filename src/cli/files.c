@@ -4,6 +4,30 @@
 #include <sys/stat.h>
 
 #include "base/confine.h"
+#include "base/strbuf.h"
+
+/* The same name in the same folder, however that is spelled. */
+static bool is_same_entry(const char *a, const char *b)
+{
+	const char *names[2] = {a, b};
+	struct stat folders[2];
+
+	for (int i = 0; i < 2; i++) {
+		const char *slash = strrchr(names[i], '/');
+		struct strbuf folder = {0};
+		bool good;
+
+		if (slash)
+			strbuf_add(&folder, names[i], (size_t)(slash - names[i]) + 1);
+		good = !stat(slash ? strbuf_text(&folder) : ".", &folders[i]);
+		strbuf_release(&folder);
+		if (!good)
+			return false;
+		names[i] = slash ? slash + 1 : names[i];
+	}
+	return !strcmp(names[0], names[1]) && folders[0].st_dev == folders[1].st_dev &&
+	       folders[0].st_ino == folders[1].st_ino;
+}
 
 /* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
 static bool is_same(const char *a, const char *b)
@@ -11,7 +35,7 @@ static bool is_same(const char *a, const char *b)
 	struct stat sa, sb;
 
 	if (stat(a, &sa) || stat(b, &sb))
-		return !strcmp(a, b);
+		return !strcmp(a, b) || is_same_entry(a, b);
 	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
