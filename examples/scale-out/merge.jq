@@ -49,16 +49,21 @@ def sum_up($method; $all):
   | .[0]
     + {verdict: (["incomplete", "found", "accepted"] - (["incomplete", "found", "accepted"] - $verdicts)
                  | .[0] // (if $method == "certified" then "clear" else "passed" end)),
-       $blocks, $checked, findings: (map(.findings) | add),
+       $blocks, $checked,
        cautions: (map(.cautions[] | select(startswith("shard ") | not)) | unique),
        errors: (map(.errors[]) | unique)};
+# Without --all a run ends at the first finding that fails; each shard has gone on to its own.
+def up_to_first: (map(has("accepted") | not) | index(true)) as $i | if $i == null then . else .[:$i + 1] end;
+
 def joined:
   .[0].header as $header
   | map(.lines[]) as $lines
   | if ([$lines[] | select(.kind == "program") | .file] | unique | length) != 1
     then fail("the shards are of different programs") else . end
-  | ([$lines[] | select(is_finding)] | sort_by(.time))
-    + [[$lines[] | select(.kind == "program")] | sum_up($header.method; $header.all)];
+  # Where a block ends when the next begins, the end comes first.
+  | ([$lines[] | select(is_finding)] | sort_by(.time, -.fraction) | if $header.all then . else up_to_first end) as $found
+  | $found + [[$lines[] | select(.kind == "program")] | sum_up($header.method; $header.all)
+              | .findings = ($found | length)];
 
 [parts | checked($files)][0] as $parts
 | ($parts[0].shard.of == "blocks") as $blocks

@@ -39,6 +39,17 @@ for n in 1 2 3; do
 	tail -n 1 merged.json
 	sed '$d' merged.json >lines && same lines whole.json
 done
+echo "stops at the first that fails:"
+{ echo 'G0 X250'; cat long.nc; } >limit.nc
+fivecheck -q --fail-on collision -f ndjson=whole.json m.xml limit.nc 2>/dev/null
+for k in 1 2 3; do
+	fivecheck -q --fail-on collision --shard $k/3 -f ndjson=s$k.json m.xml limit.nc 2>/dev/null
+done
+status "$merge" s?.json >merged.json
+tail -n 1 merged.json
+grep -v -e '"program"' -e '"summary"' merged.json | sed '$d' >lines
+grep -v -e '"program"' -e '"summary"' whole.json >rest.json
+same lines rest.json
 shards 2 m.xml p1.nc
 status "$merge" s*.json | sed -n 's/.*\("verdict":"[a-z]*"\).*/\1/p;$p'
 fivecheck -q -f ndjson=s1.json m.xml p1.nc 2>/dev/null
