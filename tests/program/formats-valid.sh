@@ -36,10 +36,10 @@ else
 fi
 if ! python3 -c 'import jsonschema' 2>/dev/null; then
 	skip "there is no python3-jsonschema"
-elif [ ! -e "${SARIF_SCHEMA:-}" ]; then
-	skip "SARIF_SCHEMA does not name the schema of SARIF 2.1.0"
 else
-	python3 - "$SARIF_SCHEMA" out.sarif clear.sarif <<'PY'
+	[ -e "${SARIF_SCHEMA:-}" ] || skip "SARIF_SCHEMA does not name the published schema: only the narrower one of this folder"
+	for schema in "$(dirname "$LIB")/sarif.schema.json" ${SARIF_SCHEMA:+"$SARIF_SCHEMA"}; do
+		python3 - "$schema" out.sarif clear.sarif <<'PY'
 import json, sys, jsonschema
 schema = json.load(open(sys.argv[1]))
 kind = jsonschema.validators.validator_for(schema)
@@ -52,6 +52,7 @@ document['runs'][0]['results'] = [{'ruleId': 7}]
 if kind(schema).is_valid(document):
     print('the schema accepts anything')
 PY
+	done
 fi
 
 # NDJSON and the record against their own schemas, which are installed.
