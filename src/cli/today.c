@@ -10,7 +10,7 @@
 static bool read_epoch(time_t *out, const char *text)
 {
 	size_t digits = strspn(text, "0123456789");
-	long long seconds = digits && digits < 13 && !text[digits] ? atoll(text) : -1;
+	long long seconds = digits && digits < 13 && !text[digits] ? strtoll(text, NULL, 10) : -1;
 
 	if (seconds < 0 || seconds > EPOCH_MAX)
 		return false;

@@ -193,13 +193,13 @@ static bool is_integer(const char *text)
 static bool is_date(const char *text)
 {
 	static const int lengths[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-	int year, month, day;
+	long year, month, day;
 
 	if (strlen(text) != 10 || text[4] != '-' || text[7] != '-' || strspn(text, "0123456789-") != 10)
 		return false;
-	year = atoi(text);
-	month = atoi(text + 5);
-	day = atoi(text + 8);
+	year = strtol(text, NULL, 10);
+	month = strtol(text + 5, NULL, 10);
+	day = strtol(text + 8, NULL, 10);
 	if (month < 1 || month > 12 || day < 1 || year < 1)
 		return false;
 	return day <= lengths[month - 1] + (month == 2 && (year % 400 == 0 || (year % 4 == 0 && year % 100 != 0)));

@@ -59,7 +59,7 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 	}
 	quantity_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
-	if (v->first_file && strcmp(v->first_file, v->file))
+	if (v->first_file && strcmp(v->first_file, v->file) != 0)
 		strbuf_addf(out, " of %s", v->first_file);
 	if (accepted(v)) {
 		strbuf_addf(out, ", besides ");
