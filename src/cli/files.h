@@ -17,7 +17,7 @@ bool files_differ(const struct options *options, struct diag *diag);
 bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);
 
-/* The same of all that was read: files of subprograms are known only after the check. Before anything takes its place. */
+/* The same of all that was read: files of subprograms are known only when the programs have been checked. */
 bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag);
 
 /* Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. */

@@ -248,8 +248,9 @@ static bool share_out(const struct parser *parser)
 	o->check.shard = o->shard;
 	o->check.shards = o->shards;
 	if (o->shards > 1 && (o->baseline || o->waivers)) {
-		diag_error(parser->diag, nowhere, "--%s cannot go with --shard of one program: each shard would accept what "
-						  "may be accepted once", o->baseline ? "baseline" : "waivers");
+		diag_error(parser->diag, nowhere,
+			   "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
+			   o->baseline ? "baseline" : "waivers");
 		return false;
 	}
 	return true;

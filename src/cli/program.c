@@ -157,7 +157,7 @@ static void tell_unused(struct program *program)
 	}
 }
 
-/* How much of the program's file has been read; below 0: that is not known, or all of it, and what is left are loops. */
+/* How much of the program's file has been read; below 0: not known, or all of it, and what is left are loops. */
 static double share_read(const struct program *program)
 {
 	off_t at = program->size > 0 ? ftello(program->stream) : -1;
@@ -205,7 +205,8 @@ static void report(struct program *program, const struct verdict *verdict, const
 	const struct program_context *context = program->context;
 	const struct faults *faults = &program->voice->faults;
 	const struct report_program about = {
-		.name = program->name, .verdict = verdict, .unread = "the program could not be opened", .proven = proven,
+		.name = program->name, .verdict = verdict, .unread = "the program could not be opened",
+		.proven = proven,
 		.faults = faults->items, .fault_count = faults->count, .waived = strbuf_text(&program->waived_text),
 	};
 

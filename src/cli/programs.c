@@ -103,8 +103,8 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 		count += !is_named(session->options, file->items[i].program);
 	if (count)
 		diag_note(&session->stage.console->diag, (struct srcloc){file->path, 0, 0},
-			  "%zu of %zu waivers %s of programs that were not checked now (program=\"\" is the name as the "
-			  "command line has it)", count, file->count, count == 1 ? "is" : "are");
+			  "%zu of %zu waivers %s of programs that were not checked now (program=\"\" is the name as "
+			  "the command line has it)", count, file->count, count == 1 ? "is" : "are");
 }
 
 /* The worst of the programs, of --pose, and of what was reported besides. */

@@ -131,8 +131,9 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 
 		if ((pair->status != PAIR_CHECKED && pair->status != PAIR_OUT_OF_REACH) || !(pair->clearance > 0))
 			continue;
-		diag_error(diag, nowhere, "--fail-on names collision without clearance, but '%s' and '%s' must keep %g mm, and "
-					  "where such bodies collide the finding is of the kind clearance: name it, too",
+		diag_error(diag, nowhere,
+			   "--fail-on names collision without clearance, but '%s' and '%s' must keep %g mm, and where "
+			   "such bodies collide the finding is of the kind clearance: name it, too",
 			   scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name, pair->clearance);
 		return false;
 	}

@@ -60,8 +60,9 @@ static void read_axes(struct xml_reader *xml, const xmlNode *node, const struct 
 
 		at = read_position(at, &slot, &value);
 		if (!at || seen[slot] || !machine_axis(machine, slot)) {
-			xml_error(xml, node, "axes=\"%s\" of <waiver> are no positions of this machine's axes such as the "
-					     "reports have, \"X 10.0000 mm, C 90.0000 deg\"", xml_quote(text).text);
+			xml_error(xml, node, "axes=\"%s\" of <waiver> are no positions of this machine's axes such as "
+					     "the reports have, \"X 10.0000 mm, C 90.0000 deg\"",
+				  xml_quote(text).text);
 			return;
 		}
 		seen[slot] = true;

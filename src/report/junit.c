@@ -147,6 +147,7 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 }
 
 const struct report_writer junit_writer = {
-	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ", .whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,
+	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",
+	.whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,
 	.program = add_program, .end = add_all,
 };

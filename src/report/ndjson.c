@@ -145,5 +145,6 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 }
 
 const struct report_writer ndjson_writer = {
-	.name = "ndjson", .mark = "{\"kind\":\"header\"", .begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
+	.name = "ndjson", .mark = "{\"kind\":\"header\"",
+	.begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
 };

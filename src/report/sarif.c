@@ -202,6 +202,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 }
 
 const struct report_writer sarif_writer = {
-	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/", .separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,
+	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/",
+	.separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,
 	.end = add_end,
 };

@@ -194,7 +194,8 @@ static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 {
 	if (!accepted(v))
 		return false;
-	strbuf_addf(out, "what the same bodies or axis do after an accepted finding, in the rest of its block, is not checked");
+	strbuf_addf(out, "what the same bodies or axis do after an accepted finding, in the rest of its block, "
+			 "is not checked");
 	return true;
 }
 

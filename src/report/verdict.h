@@ -28,8 +28,8 @@ struct verdict {
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
 /*
- * The same as one word: "clear", "passed" where no proof was asked for or only a part of the blocks is proved, "found", "accepted" where nothing
- * found fails the run, "incomplete"; NULL is incomplete.
+ * The same as one word: "clear", "passed" where no proof was asked for or only a part of the blocks is proved, "found",
+ * "accepted" where nothing found fails the run, "incomplete"; NULL is incomplete.
  */
 const char *verdict_word(const struct verdict *verdict);
 

@@ -109,8 +109,9 @@ END_TEST
 /* Every axis within 0.01, in mm and degrees, or what the waiver says: no radians, no sum over the axes. */
 START_TEST(stays_at_its_place)
 {
-	const char *const text = WAIVERS(WAIVER("block='G1 X10' axes='X10C-90' expires='2026-12-31' times='100'")
-					 WAIVER("block='G1 X20' axes='X10C-90' expires='2026-12-31' times='100' within='0.5'"));
+	static const char text[] =
+		WAIVERS(WAIVER("block='G1 X10' axes='X10C-90' expires='2026-12-31' times='100'")
+			WAIVER("block='G1 X20' axes='X10C-90' expires='2026-12-31' times='100' within='0.5'"));
 	struct finding f;
 
 	load(text, "2026-01-01");
@@ -146,8 +147,9 @@ END_TEST
 START_TEST(knows_the_calendar)
 {
 	static const char *const good[] = {"2024-02-29", "2000-02-29", "2026-04-30", "9999-12-31"};
-	static const char *const bad[] = {"2026-02-29", "1900-02-29", "2026-04-31", "2026-00-10", "2026-13-01", "0000-01-01",
-					  "2026-1-1", "2026-01-01Z", "26-01-01", "2026/01/01", "", "2026-01--1", "20-6-01-01"};
+	static const char *const bad[] = {"2026-02-29", "1900-02-29", "2026-04-31", "2026-00-10", "2026-13-01",
+					  "0000-01-01", "2026-1-1", "2026-01-01Z", "26-01-01",
+					  "2026/01/01", "", "2026-01--1", "20-6-01-01"};
 	char text[512];
 
 	for (size_t i = 0; i < sizeof(good) / sizeof(good[0]) + sizeof(bad) / sizeof(bad[0]); i++) {
