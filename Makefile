@@ -30,6 +30,7 @@ Q := $(if $(V),,@)
 SOURCES := $(sort $(wildcard src/*/*.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(wildcard src/machine/*.rng))
+JSON_SCHEMAS := $(sort $(wildcard src/report/*.schema.json))
 SCHEMA_HEADERS := $(SCHEMAS:src/machine/%.rng=$(BUILD)/gen/%.rng.h)
 UNITS := $(sort $(wildcard tests/unit/test_*.c))
 UNIT_PROGRAMS := $(UNITS:tests/unit/%.c=$(BUILD)/tests/%)
@@ -168,14 +169,13 @@ demo:
 install: all
 	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	install -m 755 $(BUILD)/fivecheck "$(DESTDIR)$(PREFIX)/bin/fivecheck"
-	install -m 644 $(SCHEMAS) $(PLOTS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
+	install -m 644 $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	for m in $(MANUALS); do s=$${m##*.}; install -d "$(DESTDIR)$(PREFIX)/share/man/man$$s" && \
 		install -m 644 $$m "$(DESTDIR)$(PREFIX)/share/man/man$$s" || exit 1; done
 
 uninstall:
 	rm -f "$(DESTDIR)$(PREFIX)/bin/fivecheck"
-	rm -f $(SCHEMAS:src/machine/%="$(DESTDIR)$(PREFIX)/share/fivecheck/%")
-	rm -f $(PLOTS:examples/plots/%="$(DESTDIR)$(PREFIX)/share/fivecheck/%")
+	rm -f $(addprefix "$(DESTDIR)$(PREFIX)"/share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS)))
 	-rmdir "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	for m in $(MANUALS); do rm -f "$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$${m##*/}"; done
 

@@ -47,6 +47,7 @@ struct checker {
 	bool limit_found;
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* since the last batch that was checked whole */
+	bool skipped;	/* blocks of other shards since the last step of ours */
 	axis_values position;
 	double time, block_time;	/* where the last step ended */
 	long line, checked_line;	/* of the last step's block, and of the last one that was checked */
@@ -69,6 +70,14 @@ static double now(void)
 static bool enough(const struct checker *c)
 {
 	return c->found && !c->options->all;
+}
+
+/* Is the block that is being read one to check? */
+static bool is_ours(const struct checker *c, long block)
+{
+	const struct check_options *options = c->options;
+
+	return options->shards < 2 || (block / SHARE_BLOCKS) % options->shards == options->shard - 1;
 }
 
 static const char *link_of(const struct checker *c, int body)
@@ -242,7 +251,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 {
 	double start = now();
 
-	for (size_t i = 0; i < c->crew.count && !enough(c) && !c->broken_off; i++) {
+	for (size_t i = 0; i < c->crew.count && !enough(c) && !c->broken_off && is_ours(c, c->block); i++) {
 		struct runner *runner = &c->crew.runners[i];
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
@@ -281,7 +290,7 @@ static bool on_limit(void *context, const struct motion_limit *limit)
 	struct checker *c = context;
 	struct ledger_entry entry = {.block = c->block, .rank = -1};
 
-	if (enough(c))
+	if (enough(c) || !is_ours(c, c->block))
 		return !c->stopped;
 	entry.finding = (struct finding){
 		.kind = FINDING_LIMIT,
@@ -309,8 +318,12 @@ static bool on_step(void *context, const struct motion_step *step)
 		c->time = step->time;
 		check_stance(c, false, step->move);
 	}
-	if (!enough(c) && c->options->method != CHECK_NOTHING)
+	if (!enough(c) && c->options->method != CHECK_NOTHING && is_ours(c, c->block)) {
+		if (c->skipped)
+			crew_jump(&c->crew);
+		c->skipped = false;
 		batch_add(&c->batch, step, c->block);
+	}
 	c->line = step->line;
 	if (strcmp(strbuf_text(&c->line_file), step->file)) {
 		strbuf_clear(&c->line_file);
@@ -369,14 +382,17 @@ static void start_block(struct checker *c)
 static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	struct checker *c = context;
-	/* Blocks without steps gather too. */
+	bool ours = is_ours(c, c->block);
+	/* Blocks without steps gather too. The steps of a batch follow on each other. */
 	bool due = c->batch.step_count >= BATCH_STEPS || c->ledger.block_count + 1 >= BATCH_STEPS || enough(c) ||
-		   c->limit_found || c->options->times;
+		   c->limit_found || c->options->times || (ours && !is_ours(c, c->block + 1));
 
 	if (c->options->course)
 		course_block(c->options->course, line, c->tool, &c->position);
 	ledger_close_block(&c->ledger, c->block, file, line, text, seconds, moves);
 	c->block_time = 0;
+	c->stats->blocks_checked += ours;
+	c->skipped |= !ours;
 	if (due)
 		process(c);
 	if (c->sink->block) {

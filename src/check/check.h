@@ -39,6 +39,7 @@ struct check_options {
 	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
 	struct course *course;	/* records the way that the program takes, or compares it; or NULL */
 	const struct quit *quit;	/* breaks off in the middle of a batch, of which nothing is told then; or NULL */
+	int shard, shards;	/* check the shard-th, from 1, of so many parts of the blocks; shards 0: all blocks */
 };
 
 /* What clearance a pair keeps in a block. */
@@ -62,6 +63,7 @@ struct check_block {
 
 struct check_stats {
 	struct motion_summary motion;
+	long blocks_checked;	/* of the shard; else all */
 	long findings;
 	size_t pairs_required, pairs_excused, pairs_skipped;	/* checked; adjacent; rigid, out of reach, waived */
 	long budgets;	/* steps of pairs passed on a proven distance alone */
@@ -87,6 +89,13 @@ enum check_result {
 	CHECK_FOUND,	/* at least one finding */
 	CHECK_INCOMPLETE	/* a fault was reported to diag: not everything was checked */
 };
+
+/*
+ * Of a program that is shared out, each shard interprets everything and checks every shards-th
+ * run of SHARE_BLOCKS blocks: each block, with its limits and what stands in it, is
+ * checked by exactly one shard. Together they find what one run with `all` finds.
+ */
+enum { SHARE_BLOCKS = 1024 };
 
 /*
  * Checks one program. Without `all` it stops at the first finding. Statistics

@@ -57,6 +57,12 @@ void crew_change_tool(struct crew *crew)
 			follower_lose(&crew->runners[i].follower);
 }
 
+void crew_jump(struct crew *crew)
+{
+	for (size_t i = 0; i < crew->count; i++)
+		runner_jump(&crew->runners[i]);
+}
+
 /* ------------------------------------------------------------------ tasks */
 
 static void add_task(struct crew *crew, struct runner *runner, struct runner *copy, size_t from, size_t to)

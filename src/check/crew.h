@@ -48,6 +48,9 @@ bool crew_gauge(struct crew *crew, const struct batch *batch, int tool, const st
 /* Another tool is in the spindle: what its pairs knew of their position holds no longer. */
 void crew_change_tool(struct crew *crew);
 
+/* The next steps do not begin where the last ones ended, and nothing is known of what was between. */
+void crew_jump(struct crew *crew);
+
 /* Adds up the counters; proven may be NULL. */
 void crew_collect(const struct crew *crew, struct check_stats *stats, double *proven);
 

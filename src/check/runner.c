@@ -59,6 +59,14 @@ void runner_found(struct runner *runner, long block)
 	follower_lose(&runner->follower);
 }
 
+void runner_jump(struct runner *runner)
+{
+	runner->entangled = true;
+	/* The samples of a program are the same whoever takes them: only its start has one of its own. */
+	runner->sampler.started = true;
+	follower_lose(&runner->follower);
+}
+
 static void add_result(struct runner *runner, size_t step, enum passage passage, const struct contact *contact)
 {
 	runner->results = mem_grow(runner->results, &runner->result_capacity, runner->result_count + 1,

@@ -32,7 +32,7 @@ struct runner {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
-	bool entangled;	/* it has met, and its surfaces may have parted with one body inside the other */
+	bool entangled;	/* it has met or may have, and its surfaces may have parted with one body inside the other */
 	struct follower follower;	/* CERTIFIED */
 	struct sampler sampler;	/* the sampled methods */
 	struct runner_result *results;	/* of this batch */
@@ -55,6 +55,9 @@ bool runner_is_active(const struct runner *runner, int tool);
 
 /* The pair has a finding in this block already. */
 void runner_found(struct runner *runner, long block);
+
+/* Steps were left out of which nothing is known: the bodies may even be one inside the other by now. */
+void runner_jump(struct runner *runner);
 
 /*
  * Goes through the batch's steps from `from`, which starts a chunk, to before

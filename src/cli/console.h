@@ -16,7 +16,7 @@ struct console {
 	size_t programs, done;	/* of the run; done, in any order */
 	double started;	/* by console_seconds */
 	bool progress;	/* a progress line stands on the terminal */
-	double shown;	/* when it was last renewed, by console_seconds */
+	double shown;	/* when it was last renewed, or a plain line printed, by console_seconds */
 };
 
 /* Not to be moved afterwards: its diag points back at it. */
@@ -31,10 +31,10 @@ void console_done(struct console *console);
 void console_finish(struct console *console);
 
 /*
- * Shows how far a program is, and with several how far the run is, its rate and the time left:
- * a few times a second on a terminal, or as plain lines every ten seconds.
+ * Shows how far a program is, at which line and at which share of its file (0 to 1; below 0: not known), with several
+ * how far the run is, its rate and the time left: a few times a second on a terminal, or as plain lines every ten seconds.
  */
-void console_progress(struct console *console, const char *file, long lines);
+void console_progress(struct console *console, const char *file, long lines, double share);
 
 /* Takes the progress line away, before something else is printed. */
 void console_clear(struct console *console);

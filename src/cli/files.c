@@ -4,6 +4,30 @@
 #include <sys/stat.h>
 
 #include "base/confine.h"
+#include "base/strbuf.h"
+
+/* The same name in the same folder, however that is spelled. */
+static bool is_same_entry(const char *a, const char *b)
+{
+	const char *names[2] = {a, b};
+	struct stat folders[2];
+
+	for (int i = 0; i < 2; i++) {
+		const char *slash = strrchr(names[i], '/');
+		struct strbuf folder = {0};
+		bool good;
+
+		if (slash)
+			strbuf_add(&folder, names[i], (size_t)(slash - names[i]) + 1);
+		good = !stat(slash ? strbuf_text(&folder) : ".", &folders[i]);
+		strbuf_release(&folder);
+		if (!good)
+			return false;
+		names[i] = slash ? slash + 1 : names[i];
+	}
+	return !strcmp(names[0], names[1]) && folders[0].st_dev == folders[1].st_dev &&
+	       folders[0].st_ino == folders[1].st_ino;
+}
 
 /* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
 static bool is_same(const char *a, const char *b)
@@ -11,7 +35,7 @@ static bool is_same(const char *a, const char *b)
 	struct stat sa, sb;
 
 	if (stat(a, &sa) || stat(b, &sb))
-		return !strcmp(a, b);
+		return !strcmp(a, b) || is_same_entry(a, b);
 	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
@@ -59,7 +83,8 @@ bool files_differ(const struct options *options, struct diag *diag)
 
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
-		    !is_free(&list[i], options->baseline, diag))
+		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag) ||
+		    !is_free(&list[i], options->files_from, diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
 			if (!is_free(&list[i], options->programs[k], diag))
@@ -92,6 +117,20 @@ bool files_spare_meshes(const struct options *options, const struct machine *mac
 {
 	return spares(options, machine->bodies, machine->body_count, diag) &&
 	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
+}
+
+bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag)
+{
+	struct written list[WRITTEN_MAX];
+	size_t listed = list_written(list, options);
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		for (size_t k = 0; k < listed; k++) {
+			if (!is_free(&list[k], inputs->items[i].path, diag))
+				return false;
+		}
+	}
+	return true;
 }
 
 static bool confine(const char *root, struct body *bodies, size_t count, struct diag *diag)

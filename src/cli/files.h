@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/diag.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
@@ -15,6 +16,9 @@ bool files_differ(const struct options *options, struct diag *diag);
 /* The same of the meshes of the machine and the setup, which may be NULL. */
 bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);
+
+/* The same of all that was read: files of subprograms are known only when the programs have been checked. */
+bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag);
 
 /*
  * Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. The bodies

@@ -35,8 +35,8 @@ void inputs_init(struct inputs *inputs)
 {
 	*inputs = (struct inputs){.watch = {inputs, on_opened}};
 	pthread_mutex_init(&inputs->lock, NULL);
-	/* The clock that files are stamped with. */
-	clock_gettime(CLOCK_REALTIME_COARSE, &inputs->started);
+	/* Not the coarse clock: newer kernels stamp files with the fine one where it matters. */
+	clock_gettime(CLOCK_REALTIME, &inputs->started);
 }
 
 void inputs_release(struct inputs *inputs)
@@ -63,6 +63,8 @@ void inputs_add_files(struct inputs *inputs, const struct options *options, cons
 		add(inputs, "setup", options->setup);
 	if (options->baseline)
 		add(inputs, "baseline", options->baseline);
+	if (options->waivers)
+		add(inputs, "waivers", options->waivers);
 	if (meshes)
 		add_meshes(inputs, machine->bodies, machine->body_count);
 	if (meshes && setup)

@@ -205,8 +205,9 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
 	else if (options_seek_turns(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
 		fault = "--sensitivity is told by --format=text and --format=ndjson";
-	else if (options_seek_turns(o) && (o->baseline || o->fail_on))
-		fault = "--sensitivity cannot go together with --baseline or --fail-on: it is about the verdict without them";
+	else if (options_seek_turns(o) && (o->baseline || o->waivers || o->fail_on))
+		fault = "--sensitivity cannot go together with --baseline, --waivers or --fail-on: it is about the verdict "
+			"without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
 		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
@@ -258,6 +259,32 @@ static bool check_listed(const struct parser *parser)
 	return o->program_count > 0 && check_operands(parser);
 }
 
+/* --shard: of several programs some, of one program some of its blocks. */
+static bool share_out(const struct parser *parser)
+{
+	struct options *o = parser->options;
+
+	if (!o->shards || o->program_count > 1) {
+		list_share(o);
+		return true;
+	}
+	o->check.shard = o->shard;
+	o->check.shards = o->shards;
+	if (o->shards > 1 && (o->baseline || o->waivers)) {
+		diag_error(parser->diag, nowhere,
+			   "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
+			   o->baseline ? "baseline" : "waivers");
+		return false;
+	}
+	if (o->shards > 1 && (o->clearance_report || o->timing || options_seek_turns(o))) {
+		diag_error(parser->diag, nowhere,
+			   "--%s cannot go with --shard of one program: it is about all of its blocks",
+			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : "sensitivity");
+		return false;
+	}
+	return true;
+}
+
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
 {
 	struct parser parser = {.options = options, .diag = diag};
@@ -291,8 +318,7 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;
-	list_share(options);
-	return true;
+	return share_out(&parser);
 }
 
 void options_release(struct options *options)

@@ -57,6 +57,7 @@ struct options {
 	const char *baseline;	/* or NULL */
 	const char *clearance_report, *timing;	/* or NULL */
 	double sensitivity[CHANGES];	/* mm: how far to look; all 0: not asked for */
+	const char *waivers;	/* or NULL */
 	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
 	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;

@@ -9,7 +9,9 @@
 #include "base/mem.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
+#include "report/text.h"
 #include "report/verdict.h"
+#include "report/waive.h"
 
 static const struct srcloc nowhere;
 
@@ -51,14 +53,19 @@ struct program {
 	const char *name;
 	struct sensitivity sensitivity[2 * CHANGES];
 	size_t sensitivity_count;
+	FILE *stream;
+	off_t size;	/* of the file; 0: not known */
 	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
 	bool *used;	/* of the baseline */
-	long known, left_out;	/* findings that do not fail the run */
+	int *matched;	/* of the waivers */
+	struct strbuf waived_text;	/* what was waived and why, a line each */
+	long known, waived, left_out;	/* findings that do not fail the run */
 	long first_line;	/* of the first finding; 0: none yet */
 	char *first_file;	/* the same; owned */
 };
 
-static bool tell_finding(struct program *program, const struct finding *finding, enum weight weight)
+static bool tell_finding(struct program *program, const struct finding *finding, enum weight weight,
+			 const struct waiver *waiver)
 {
 	const struct program_context *context = program->context;
 	bool good = true;
@@ -67,49 +74,104 @@ static bool tell_finding(struct program *program, const struct finding *finding,
 		const struct channel *channel = &context->channels->items[i];
 
 		channel->writer->finding(&program->text[i], &context->run, finding,
-					 (struct manner){weight, channel->colour});
+					 (struct manner){weight, channel->colour, waiver});
 		if (!channel->writer->whole)
 			good = voice_say(program->voice, i, &program->text[i]) && good;
 	}
 	return good;
 }
 
-static enum weight weigh(const struct program *program, const struct finding *finding)
+/* Sets *waiver to the one that counts. One that has expired is told, and counts no more. */
+static enum weight weigh(struct program *program, const struct finding *finding, const struct waiver **waiver)
 {
 	const struct program_context *context = program->context;
+	const struct waiving *waiving = context->run.waiving;
 	unsigned fail_on = context->options->fail_on;
 
+	*waiver = waive_find(waiving, program->matched, context->scene->machine, program->name, finding);
+	if (*waiver && !waive_is_expired(waiving, *waiver))
+		return WEIGHT_WAIVED;
+	if (*waiver)
+		diag_warning(&program->voice->diag, (struct srcloc){waiving->file->path, (*waiver)->line, 0},
+			     "this waiver expired on %s: the finding in line %ld of %s is waived no more",
+			     (*waiver)->expires, finding->line, finding->file);
+	*waiver = NULL;
 	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
 						program->name, finding, context->options->check.tolerance + 1e-6))
 		return WEIGHT_KNOWN;
 	return fail_on && !(fail_on & 1U << finding->kind) ? WEIGHT_LEFT_OUT : WEIGHT_FAILS;
 }
 
+static void keep_waived(struct program *program, const struct finding *finding, const struct waiver *waiver)
+{
+	struct strbuf *out = &program->waived_text;
+
+	strbuf_addf(out, "%s:%ld:%d: %s: ", finding->file, finding->line, finding->column,
+		    finding_kind_name(finding->kind));
+	text_message(out, finding);
+	strbuf_addf(out, ", waived ");
+	waive_add_reason(out, waiver);
+	strbuf_addf(out, "\n");
+}
+
+static void keep_first(struct program *program, const struct finding *finding)
+{
+	program->outcome->has_first = true;
+	program->outcome->first_axes = finding->axes;
+	program->outcome->first_tool = finding->tool;
+	program->first_line = finding->line;
+	program->first_file = mem_strndup(finding->file, strlen(finding->file));
+}
+
 static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
-
-	enum weight weight = weigh(program, finding);
+	const struct waiver *waiver;
+	enum weight weight = weigh(program, finding, &waiver);
 	bool fails = weight == WEIGHT_FAILS;
 
 	program->known += weight == WEIGHT_KNOWN;
+	program->waived += weight == WEIGHT_WAIVED;
 	program->left_out += weight == WEIGHT_LEFT_OUT;
-	if (fails && !program->outcome->has_first) {
-		program->outcome->has_first = true;
-		program->outcome->first_axes = finding->axes;
-		program->outcome->first_tool = finding->tool;
-		program->first_line = finding->line;
-		program->first_file = mem_strndup(finding->file, strlen(finding->file));
-	}
+	if (waiver)
+		keep_waived(program, finding, waiver);
+	if (fails && !program->outcome->has_first)
+		keep_first(program, finding);
 	/* What is accepted does not stop the check, whether or not the rest does. */
-	return tell_finding(program, finding, weight) && (!fails || program->context->options->check.all);
+	return tell_finding(program, finding, weight, waiver) && (!fails || program->context->options->check.all);
+}
+
+/* A waiver that is not needed any more would wait for a contact that nobody has looked at. */
+static void tell_unused(struct program *program)
+{
+	const struct waivers *file = program->context->run.waiving->file;
+	bool limits_only = program->context->options->check.method == CHECK_NOTHING;
+
+	for (size_t i = 0; file && i < file->count; i++) {
+		const struct waiver *waiver = &file->items[i];
+
+		if (strcmp(waiver->program, program->name) != 0 || program->matched[i] == waiver->times ||
+		    (limits_only && strcmp(waiver->kind, finding_kind_name(FINDING_LIMIT)) != 0))
+			continue;
+		diag_warning(&program->voice->diag, (struct srcloc){file->path, waiver->line, 0},
+			     program->matched[i] ? "this waiver accepts more findings of %s than there are (times=\"\")"
+						 : "this waiver matches no finding of %s; take it out", program->name);
+	}
+}
+
+/* How much of the program's file has been read; below 0: not known, or all of it, and what is left are loops. */
+static double share_read(const struct program *program)
+{
+	off_t at = program->size > 0 ? ftello(program->stream) : -1;
+
+	return at < 0 || at >= program->size ? -1 : (double)at / (double)program->size;
 }
 
 static bool on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
-	voice_progress(program->voice, program->name, lines);
+	voice_progress(program->voice, program->name, lines, share_read(program));
 	return !interrupt_seen();
 }
 
@@ -150,9 +212,13 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 static void report(struct program *program, const struct verdict *verdict, const double *proven)
 {
 	const struct program_context *context = program->context;
-	const struct report_program about = {program->name, verdict, proven, program->voice->faults,
-					     program->voice->fault_count, program->sensitivity,
-					     program->sensitivity_count};
+	const struct faults *faults = &program->voice->faults;
+	const struct report_program about = {
+		.name = program->name, .verdict = verdict, .unread = "the program could not be opened",
+		.proven = proven,
+		.sensitivity = program->sensitivity, .sensitivity_count = program->sensitivity_count,
+		.faults = faults->items, .fault_count = faults->count, .waived = strbuf_text(&program->waived_text),
+	};
 
 	if (verdict && !has_text(context->channels))
 		tell_verdict(program, verdict);
@@ -238,9 +304,13 @@ static void run(struct program *program, struct program_file *file, const char *
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
 	verdict = (struct verdict){
 		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
-		program->known, program->left_out, program->first_line, program->first_file,
+		program->known, program->waived, program->left_out, program->first_line, program->first_file,
 	};
 	outcome->accepted = verdict_is_accepted(&verdict);
+	outcome->waived = program->waived;
+	if (outcome->result == CHECK_CLEAR || outcome->accepted ||
+	    (outcome->result == CHECK_FOUND && context->options->check.all))
+		tell_unused(program);
 	if (outcome->accepted)
 		outcome->status = RUN_CLEAR;
 	report(program, &verdict, proven);
@@ -258,14 +328,20 @@ void program_check(const struct program_context *context, const char *path, stru
 	struct program_file file;
 	bool opened;
 	off_t start;
+	struct stat status;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
 	if (context->baseline)
 		program.used = mem_zalloc(baseline_count(context->baseline) + 1, sizeof(*program.used));
 	program.name = path;
+	if (context->run.waiving->file)
+		program.matched = mem_zalloc(context->run.waiving->file->count + 1, sizeof(*program.matched));
 	opened = program_open(&file, path, &voice->diag);
 	if (opened && find_start(&program, &file, &start)) {
 		program.name = file.name;
+		program.stream = file.stream;
+		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
+			program.size = status.st_size;
 		run(&program, &file, path, start);
 	} else {
 		report(&program, NULL, NULL);
@@ -274,6 +350,8 @@ void program_check(const struct program_context *context, const char *path, stru
 	}
 	sensitivity_release(program.sensitivity, program.sensitivity_count);
 	free(program.used);
+	free(program.matched);
+	strbuf_release(&program.waived_text);
 	free(program.first_file);
 	for (size_t i = 0; i < FORMAT_COUNT; i++)
 		strbuf_release(&program.text[i]);

@@ -41,6 +41,7 @@ struct program_outcome {
 	enum run_status status;
 	enum check_result result;
 	struct check_stats stats;
+	long waived;	/* findings */
 	bool accepted;	/* what was found does not fail the run */
 	bool has_first;	/* something was found; then: */
 	axis_values first_axes;	/* where the machine stood */

@@ -3,8 +3,10 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/mem.h"
+#include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
 #include "report/pose.h"
@@ -57,9 +59,12 @@ static void tell_end(const struct session *session, double seconds, const struct
 	struct report_end end = {.sums = &sums, .status = (int)status,
 				 .files = inputs->items, .file_count = inputs->count};
 
-	for (size_t i = 0; i < session->options->program_count; i++)
-		stats_sum(&sums, &session->outcomes[i].stats, session->outcomes[i].result,
-			  session->outcomes[i].accepted);
+	for (size_t i = 0; i < session->options->program_count; i++) {
+		const struct program_outcome *outcome = &session->outcomes[i];
+
+		stats_sum(&sums, &outcome->stats, outcome->result, outcome->accepted);
+		sums.waived += outcome->waived;
+	}
 	channels_end(session->stage.channels, &session->context.run, &end);
 }
 
@@ -80,6 +85,28 @@ static bool write_pose(const struct session *session)
 	return true;
 }
 
+static bool is_named(const struct options *options, const char *program)
+{
+	for (size_t i = 0; i < options->program_count; i++) {
+		if (!strcmp(options->programs[i], program))
+			return true;
+	}
+	return false;
+}
+
+/* Likely a name that is spelled in another way; of a shard they may be the others'. */
+static void tell_strange_waivers(const struct session *session, const struct waivers *file)
+{
+	size_t count = 0;
+
+	for (size_t i = 0; file && !session->options->shards && i < file->count; i++)
+		count += !is_named(session->options, file->items[i].program);
+	if (count)
+		diag_note(&session->stage.console->diag, (struct srcloc){file->path, 0, 0},
+			  "%zu of %zu waivers %s of programs that were not checked now (program=\"\" is the name as "
+			  "the command line has it)", count, file->count, count == 1 ? "is" : "are");
+}
+
 /* The worst of the programs, of --pose, and of what was reported besides. */
 static enum run_status status_of(const struct session *session)
 {
@@ -91,7 +118,7 @@ static enum run_status status_of(const struct session *session)
 	}
 	if (session->options->exit_zero && status == RUN_FOUND)
 		status = RUN_CLEAR;
-	if (session->options->pose && !write_pose(session) && status < RUN_INCOMPLETE)
+	if (session->options->pose && session->stage.channels->count && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->stage.console->diag.errors && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
@@ -106,7 +133,7 @@ static bool is_pressed(void *context)
 
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
 			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline, struct tables *tables)
+			       const struct baseline *baseline, const struct waiving *waiving, struct tables *tables)
 {
 	struct session session = {
 		.options = options,
@@ -114,7 +141,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 			.options = options, .check = options->check, .scene = scene, .channels = channels,
 			.baseline = baseline, .tables = tables,
 			.run = {scene, &options->check, options->clearance, options->program_count,
-				options->fail_on, options->exit_zero, options->quiet},
+				options->fail_on, options->exit_zero, options->quiet, waiving, options->shard,
+				options->shards},
 		},
 	};
 	static const struct quit quit = {NULL, is_pressed};
@@ -129,7 +157,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	session.context.check.watch = &inputs->watch;
 	session.context.check.quit = &quit;
 	/* What is accepted must not hide what comes after it. */
-	session.context.check.all = options->check.all || options->baseline || options->fail_on;
+	session.context.check.all = options->check.all || options->baseline || options->waivers || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
 	stage_init(&session.stage, options->program_count, console, channels);
@@ -138,7 +166,10 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	interrupt_watch();
 	work_together(&session, threads);
 	console_finish(console);
+	tell_strange_waivers(&session, waiving->file);
 	inputs_sort(inputs);
+	if (!files_spare_inputs(options, inputs, &console->diag))
+		channels_discard(channels);
 	if (options->record)
 		inputs_digest(inputs, &console->diag);
 	status = status_of(&session);

@@ -14,11 +14,12 @@
  * Checks the programs that the options name, on as many threads as they allow, and
  * reports in the order in which they were given. `seconds` is what loading took,
  * the files
- * of subprograms are added to the inputs, which are then sorted and complete; the baseline may be NULL, and so may the
- * tables, without which programs are checked one after the other.
+ * of subprograms are added to the inputs, which are then sorted and complete; the baseline may be NULL, and so may
+ * the tables: with them programs are checked one after the other. If a file that is to be written turns out
+ * to be an input, that is reported, and the channels are discarded.
  */
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
 			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline, struct tables *tables);
+			       const struct baseline *baseline, const struct waiving *waiving, struct tables *tables);
 
 #endif

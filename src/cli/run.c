@@ -2,10 +2,13 @@
 
 #include <unistd.h>
 
+#include "cli/broken.h"
+#include "cli/faults.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/program.h"
 #include "cli/programs.h"
+#include "cli/today.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "report/dump.h"
@@ -35,6 +38,9 @@ static enum run_status print_text(struct strbuf *text, struct diag *diag)
 
 /* What a run works with; all zero is nothing. */
 struct job {
+	struct baseline *baseline;	/* or NULL */
+	struct waivers *waivers;	/* or NULL */
+	struct waiving waiving;
 	struct machine *machine;
 	const struct setup *setup;	/* the machine's own, or the next */
 	struct setup *loaded;
@@ -44,6 +50,8 @@ struct job {
 
 static void job_release(struct job *job)
 {
+	baseline_free(job->baseline);
+	waivers_free(job->waivers);
 	scene_free(job->scene);
 	setup_free(job->loaded);
 	machine_free(job->machine);
@@ -62,6 +70,15 @@ static bool load_setup(struct job *job, const struct options *options, struct di
 	return job->loaded != NULL;
 }
 
+static bool load_waivers(struct job *job, const struct options *options, struct diag *diag)
+{
+	if (!options->waivers)
+		return true;
+	job->waivers = waivers_load(options->waivers, job->machine, diag);
+	job->waiving.file = job->waivers;
+	return job->waivers && today_get(job->waiving.today, diag);
+}
+
 static bool needs_scene(enum run_mode mode)
 {
 	return mode == RUN_CHECK || mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
@@ -71,12 +88,11 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 {
 	double start = console_seconds();
 
-	*job = (struct job){0};
 	job->machine = machine_load(options->machine, diag);
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
-	if (!files_confine(options, job->machine, job->setup, diag))
+	if (!files_confine(options, job->machine, job->setup, diag) || !load_waivers(job, options, diag))
 		return false;
 	if (options->dialect >= 0)
 		job->machine->controller.dialect = (enum dialect)options->dialect;
@@ -103,39 +119,84 @@ static bool open_channels(struct channels *channels, const struct options *optio
 	return true;
 }
 
+/* A pair with a clearance has no findings of the kind collision: to leave out their kind would let collisions pass. */
+static bool check_kinds(const struct options *options, const struct scene *scene, struct diag *diag)
+{
+	const unsigned both = 1U << FINDING_COLLISION | 1U << FINDING_CLEARANCE;
+
+	if (!scene || (options->fail_on & both) != 1U << FINDING_COLLISION)
+		return true;
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if ((pair->status != PAIR_CHECKED && pair->status != PAIR_OUT_OF_REACH) || !(pair->clearance > 0))
+			continue;
+		diag_error(diag, nowhere,
+			   "--fail-on names collision without clearance, but '%s' and '%s' must keep %g mm, and where "
+			   "such bodies collide the finding is of the kind clearance: name it, too",
+			   scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name, pair->clearance);
+		return false;
+	}
+	return true;
+}
+
+/* All that a check reads before the programs; false: reported. */
+static bool load_all(struct job *job, const struct options *options, struct diag *diag)
+{
+	if (options->baseline) {
+		job->baseline = baseline_load(options->baseline, diag);
+		if (!job->baseline)
+			return false;
+	}
+	return job_load(job, options, diag) && check_kinds(options, job->scene, diag);
+}
+
 /* Checks the programs; a report says itself what it lacks, and so is kept whatever came of the check. */
+static enum run_status check_programs(struct job *job, const struct options *options, struct console *console,
+				      struct channels *channels, struct tables *tables, struct inputs *inputs)
+{
+	/* Without collisions there is no need of bodies: their meshes stay unread. */
+	struct scene bare = {.machine = job->machine, .setup = job->setup};
+	struct diag *diag = &console->diag;
+	enum run_status status;
+
+	inputs_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
+	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, channels, inputs,
+				job->baseline, &job->waiving, tables_are_wanted(tables) ? tables : NULL);
+	/* Without a channel, nothing may be written. */
+	if (channels->count && !inputs_write_depfile(inputs, options, diag))
+		status = worst(status, RUN_INCOMPLETE);
+	if (channels->count && !tables_commit(tables, diag))
+		status = worst(status, RUN_INCOMPLETE);
+	if (!channels_commit(channels, diag))
+		status = worst(status, RUN_INCOMPLETE);
+	return status;
+}
+
 static enum run_status run_programs(struct job *job, const struct options *options, struct console *console)
 {
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct channels channels = {0};
 	struct tables tables = {0};
-	struct baseline *baseline = NULL;
 	struct inputs inputs;
+	struct tap tap;
 
+	/* Before anything is read: what changes from here on is noticed. */
 	inputs_init(&inputs);
-	if (options->baseline)
-		baseline = baseline_load(options->baseline, diag);
-	if (!diag->errors && open_channels(&channels, options, diag) &&
-	    tables_open(&tables, options->clearance_report, options->timing, diag) && job_load(job, options, diag) &&
-	    files_spare_meshes(options, job->machine, job->setup, diag)) {
-		/* Without collisions there is no need of bodies: their meshes stay unread. */
-		struct scene bare = {.machine = job->machine, .setup = job->setup};
-
-		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
-		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
-					&inputs, baseline, tables_are_wanted(&tables) ? &tables : NULL);
-		if (!inputs_write_depfile(&inputs, options, diag))
-			status = worst(status, RUN_INCOMPLETE);
-		if (!tables_commit(&tables, diag))
-			status = worst(status, RUN_INCOMPLETE);
-		if (!channels_commit(&channels, diag))
-			status = worst(status, RUN_INCOMPLETE);
+	tap_init(&tap, diag);
+	if (!open_channels(&channels, options, diag) ||
+	    !tables_open(&tables, options->clearance_report, options->timing, diag)) {
+		/* There is nowhere to tell it. */
+	} else if (!load_all(job, options, &tap.diag)) {
+		broken_report(options, &tap.faults, &channels, diag);
+	} else if (files_spare_meshes(options, job->machine, job->setup, diag)) {
+		status = check_programs(job, options, console, &channels, &tables, &inputs);
 	}
 	tables_discard(&tables);
 	channels_discard(&channels);
+	tap_release(&tap);
 	inputs_release(&inputs);
-	baseline_free(baseline);
 	return status;
 }
 

@@ -17,7 +17,7 @@ enum {
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
-	KEY_RECORD, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
+	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
 };
 
 static const char *const methods[] = {
@@ -77,13 +77,15 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
 	 .help = "check the programs that FILE names, too, one a line;\n- is standard input"},
 	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARE, FIELD(shard),
-	 .help = "check the K-th of N parts of the programs only"},
+	 .help = "check the K-th of N parts of the programs only, or\nof the blocks of a single one"},
 	{KEY_PROGRESS, "progress", "KIND", IN_CHECK | IN_PARSE, CHOICE(progress, progress),
 	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
 	{KEY_BASELINE, "baseline", "FILE", IN_CHECK | IN_PARSE, TEXT(baseline),
 	 .help = "accept the findings of an earlier run, which wrote\nthem with --all --format=ndjson=FILE"},
+	{KEY_WAIVERS, "waivers", "FILE.xml", IN_CHECK | IN_PARSE, TEXT(waivers),
+	 .help = "accept the findings that FILE.xml names, each with its\nreason and until its last day"},
 	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
 	 .help = "findings of these kinds fail, others are warnings:\ncollision, clearance, limit, start-overlap"},
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),

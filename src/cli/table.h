@@ -34,7 +34,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 36 };
+enum { OPTION_COUNT = 37 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

@@ -11,29 +11,11 @@ static bool is_heard(const struct voice *voice)
 	return voice == &voice->stage->voices[voice->stage->turn];
 }
 
-static void keep_fault(struct voice *voice, const struct diag_entry *entry)
-{
-	const char *file = entry->loc.file;
-	struct report_fault *fault;
-
-	if (voice->fault_count == VOICE_FAULTS)
-		return;
-	voice->faults = mem_realloc(voice->faults, voice->fault_count + 1, sizeof(*voice->faults));
-	fault = &voice->faults[voice->fault_count++];
-	*fault = (struct report_fault){
-		.file = file ? mem_strndup(file, strlen(file)) : NULL,
-		.line = entry->loc.line,
-		.column = entry->loc.column,
-		.text = mem_strndup(entry->text, strlen(entry->text)),
-	};
-}
-
 static void report(void *context, const struct diag_entry *entry)
 {
 	struct voice *voice = context;
 
-	if (entry->severity == DIAG_ERROR)
-		keep_fault(voice, entry);
+	faults_keep(&voice->faults, entry);
 	pthread_mutex_lock(&voice->stage->lock);
 	diag_pass(is_heard(voice) ? &voice->stage->console->diag : &voice->held.diag, entry);
 	pthread_mutex_unlock(&voice->stage->lock);
@@ -61,11 +43,7 @@ void stage_release(struct stage *stage)
 		held_release(&voice->held);
 		for (size_t k = 0; k < FORMAT_COUNT; k++)
 			strbuf_release(&voice->text[k]);
-		for (size_t k = 0; k < voice->fault_count; k++) {
-			free(voice->faults[k].file);
-			free(voice->faults[k].text);
-		}
-		free(voice->faults);
+		faults_release(&voice->faults);
 	}
 	free(stage->voices);
 	pthread_mutex_destroy(&stage->lock);
@@ -107,11 +85,11 @@ bool voice_say(struct voice *voice, size_t channel, struct strbuf *text)
 	return good;
 }
 
-void voice_progress(struct voice *voice, const char *file, long lines)
+void voice_progress(struct voice *voice, const char *file, long lines, double share)
 {
 	pthread_mutex_lock(&voice->stage->lock);
 	if (is_heard(voice))
-		console_progress(voice->stage->console, file, lines);
+		console_progress(voice->stage->console, file, lines, share);
 	pthread_mutex_unlock(&voice->stage->lock);
 }
 

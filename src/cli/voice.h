@@ -9,10 +9,8 @@
 #include "base/held.h"
 #include "base/strbuf.h"
 #include "cli/console.h"
+#include "cli/faults.h"
 #include "report/channel.h"
-
-/* Errors of a program that are kept for its reports. */
-enum { VOICE_FAULTS = 10 };
 
 /* Where everybody speaks. */
 struct stage {
@@ -30,8 +28,7 @@ struct voice {
 	struct diag diag;	/* for its diagnostics; counts them whether they were heard or not */
 	struct held held;	/* diagnostics that wait */
 	struct strbuf text[FORMAT_COUNT];	/* for each channel, that waits */
-	struct report_fault *faults;	/* the first of its errors; owned */
-	size_t fault_count;
+	struct faults faults;	/* the first of its errors */
 	bool ended;
 };
 
@@ -46,7 +43,7 @@ bool stage_is_lost(struct stage *stage);
 bool voice_say(struct voice *voice, size_t channel, struct strbuf *text);
 
 /* Shows how far the program is, if it is its turn. */
-void voice_progress(struct voice *voice, const char *file, long lines);
+void voice_progress(struct voice *voice, const char *file, long lines, double share);
 
 /* Nothing more will come: the next has its turn. */
 void voice_end(struct voice *voice);

@@ -90,7 +90,7 @@ static char *read_all(struct xml_reader *xml, int fd, size_t *length)
 		have += (size_t)got;
 	}
 	if (have > FILE_SIZE_MAX) {
-		xml_error_at(xml, 0, "larger than %zu MiB: this is no machine or setup file",
+		xml_error_at(xml, 0, "larger than %zu MiB: this is no machine, setup or waivers file",
 			     FILE_SIZE_MAX / 1024 / 1024);
 		free(bytes);
 		return NULL;
@@ -106,7 +106,7 @@ static char *read_file(struct xml_reader *xml, size_t *length)
 	int fd;
 
 	if (strcmp(xml->path, "-") == 0) {
-		xml_error_at(xml, 0, "machine and setup files are not read from standard input: name a file");
+		xml_error_at(xml, 0, "XML files are not read from standard input: name a file");
 		return NULL;
 	}
 	/* O_NONBLOCK: opening a FIFO must not wait for its writer. */

@@ -24,7 +24,7 @@ struct xml_reader {
 };
 
 /*
- * Parses the file, whose root element is `root` ("machine" or "setup"), and
+ * Parses the file, whose root element is `root` ("machine", "setup" or "waivers"), and
  * validates it against that schema; a fault is reported with its line. No
  * network, no entities, no document type. False: there is nothing to close.
  */

@@ -17,6 +17,9 @@ static const char setup_schema[] =
 static const char machine_schema[] =
 #include "machine.rng.h"
 	;
+static const char waivers_schema[] =
+#include "waivers.rng.h"
+	;
 
 /* Deeper than any chain of nine axes needs. */
 #define DEPTH_MAX 64
@@ -186,6 +189,22 @@ static bool is_integer(const char *text)
 	return *text && strspn(text, "0123456789") == strlen(text);
 }
 
+/* "2026-12-31", and the month has that day: less than XML Schema's dates, which may have a zone and odd years. */
+static bool is_date(const char *text)
+{
+	static const int lengths[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+	long year, month, day;
+
+	if (strlen(text) != 10 || text[4] != '-' || text[7] != '-' || strspn(text, "0123456789-") != 10)
+		return false;
+	year = strtol(text, NULL, 10);
+	month = strtol(text + 5, NULL, 10);
+	day = strtol(text + 8, NULL, 10);
+	if (month < 1 || month > 12 || day < 1 || year < 1)
+		return false;
+	return day <= lengths[month - 1] + (month == 2 && (year % 400 == 0 || (year % 4 == 0 && year % 100 != 0)));
+}
+
 /* Holds the value of an attribute against its pattern; `node` is the document's element, for the place. */
 static void check_value(struct validation *v, const xmlNode *node, const char *name, const char *text,
 			const xmlNode *pattern)
@@ -208,6 +227,9 @@ static void check_value(struct validation *v, const xmlNode *node, const char *n
 			strbuf_addf(&words, "is not a number");
 		else if (!isfinite(number))
 			strbuf_addf(&words, "is too large");
+	} else if (xml_is(type, "data") && strcmp(value_of(type, "type"), "date") == 0) {
+		if (!is_date(text))
+			strbuf_addf(&words, "is no date like 2026-12-31");
 	} else if (xml_is(type, "data")) {
 		bool positive = strcmp(value_of(type, "type"), "positiveInteger") == 0;
 
@@ -316,11 +338,11 @@ static bool check_root(struct xml_reader *xml, const char *root)
 	const char *version = xml_attribute(node, "version");
 
 	if (!xml_is(node, root)) {
-		if (xml_is(node, "setup"))
-			xml_error(xml, node,
-				  "this is a setup file where a machine file is wanted: give it with --setup");
+		if (xml_is(node, "setup") || xml_is(node, "waivers"))
+			xml_error(xml, node, "this is a %s file where a %s file is wanted: give it with --%s",
+				  (const char *)node->name, root, (const char *)node->name);
 		else if (xml_is(node, "machine"))
-			xml_error(xml, node, "this is a machine file where a setup file is wanted");
+			xml_error(xml, node, "this is a machine file where a %s file is wanted", root);
 		else
 			xml_error(xml, node, "the root element is <%s>, but a %s file starts with <%s version=\"1\">",
 				  xml_quote((const char *)node->name).text, root, root);
@@ -338,15 +360,13 @@ static bool check_root(struct xml_reader *xml, const char *root)
  * The machine's schema includes the setup's, as it would from a folder: the
  * <include> gives way to its own <start> and the other schema's definitions.
  */
-static xmlDoc *load_schema(const char *root)
+static xmlDoc *load_machine_schema(void)
 {
 	xmlDoc *setup = xmlReadMemory(setup_schema, (int)sizeof(setup_schema) - 1, "setup.rng", NULL, XML_PARSE_NONET);
-	xmlDoc *machine;
+	xmlDoc *machine = xmlReadMemory(machine_schema, (int)sizeof(machine_schema) - 1, "machine.rng", NULL,
+					XML_PARSE_NONET);
 	xmlNode *grammar, *include;
 
-	if (strcmp(root, "setup") == 0)
-		return setup;
-	machine = xmlReadMemory(machine_schema, (int)sizeof(machine_schema) - 1, "machine.rng", NULL, XML_PARSE_NONET);
 	if (machine && setup) {
 		grammar = xmlDocGetRootElement(machine);
 		include = xml_first(grammar);
@@ -360,6 +380,16 @@ static xmlDoc *load_schema(const char *root)
 	}
 	xmlFreeDoc(setup);
 	return machine;
+}
+
+static xmlDoc *load_schema(const char *root)
+{
+	if (strcmp(root, "setup") == 0)
+		return xmlReadMemory(setup_schema, (int)sizeof(setup_schema) - 1, "setup.rng", NULL, XML_PARSE_NONET);
+	if (strcmp(root, "waivers") == 0)
+		return xmlReadMemory(waivers_schema, (int)sizeof(waivers_schema) - 1, "waivers.rng", NULL,
+				     XML_PARSE_NONET);
+	return load_machine_schema();
 }
 
 static const xmlNode *start_pattern(const xmlDoc *schema)

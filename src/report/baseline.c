@@ -69,7 +69,7 @@ static bool add_program(struct reading *reading, json_t *object)
 
 static bool take_object(struct reading *reading, json_t *object)
 {
-	const char *kind = text_of(object, "kind");
+	const char *kind = text_of(object, "kind"), *accepted = text_of(object, "accepted");
 
 	if (!kind)
 		return refuse(reading, "a line without a kind");
@@ -85,7 +85,8 @@ static bool take_object(struct reading *reading, json_t *object)
 	reading->ended = !strcmp(kind, "summary");
 	if (!strcmp(kind, "program"))
 		return add_program(reading, object);
-	if (!reading->ended)
+	/* What is waived is accepted for a while only. */
+	if (!reading->ended && (!accepted || strcmp(accepted, "waiver") != 0))
 		add_finding(reading->baseline, object);
 	return true;
 }

@@ -47,7 +47,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 {
 	struct strbuf text = {0};
 
-	if (manner.weight == WEIGHT_KNOWN)
+	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
 		return;
 	text_message(&text, f);
 	strbuf_addf(&text, ", at ");
@@ -75,6 +75,9 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 {
 	(void)run;
 	(void)items;
+	/* One notice for all: ten places are few enough for what fails. */
+	if (end->sums->waived)
+		strbuf_addf(out, "::notice title=fivecheck::%ld waived (--waivers)\n", end->sums->waived);
 	if (end->left_out)
 		strbuf_addf(out, "::error title=fivecheck::%zu more %s not shown here\n", end->left_out,
 			    end->left_out == 1 ? "is" : "are");

@@ -42,6 +42,19 @@ json_t *json_text(const char *text)
 	return string;
 }
 
+json_t *json_share(int shard, int shards, bool of_blocks)
+{
+	json_t *object;
+
+	if (!shards)
+		return json_null();
+	object = json_object();
+	json_put(object, "part", json_integer(shard));
+	json_put(object, "parts", json_integer(shards));
+	json_put(object, "of", json_string(of_blocks ? "blocks" : "programs"));
+	return object;
+}
+
 json_t *json_axes(const struct machine *machine, const axis_values *axes)
 {
 	json_t *object = json_object();

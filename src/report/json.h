@@ -3,6 +3,7 @@
 #define FIVECHECK_REPORT_JSON_H
 
 #include <jansson.h>
+#include <stdbool.h>
 
 #include "base/axes.h"
 #include "base/strbuf.h"
@@ -20,6 +21,9 @@ void json_push(json_t *array, json_t *value);
 
 /* A string; bytes that are no UTF-8 become U+FFFD. null for NULL. */
 json_t *json_text(const char *text);
+
+/* {"part":2,"parts":5,"of":"blocks"}, or of "programs"; null for 0 of 0. */
+json_t *json_share(int shard, int shards, bool of_blocks);
 
 /* Axes by name in the order X Y Z A B C U V W, in mm and degrees. */
 json_t *json_axes(const struct machine *machine, const axis_values *axes);

@@ -117,6 +117,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	}
 	if (program->verdict) {
 		text_verdict(&verdict, program->verdict);
+		strbuf_addf(&verdict, "%s", program->waived);
 		add_text_node(testcase, "system-out", verdict.text);
 	}
 	strbuf_clear(out);
@@ -147,6 +148,7 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 }
 
 const struct report_writer junit_writer = {
-	.name = "junit", .whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,
+	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",
+	.whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,
 	.program = add_program, .end = add_all,
 };

@@ -33,11 +33,15 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_put(object, "clearance", json_real(run->clearance));
 	json_put(object, "all", json_boolean(options->all));
 	json_put(object, "programs", json_integer((json_int_t)run->programs));
+	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
 	json_add_line(out, object);
 }
 
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
-		    enum weight weight)
+static const char *const accepted[] = {
+	[WEIGHT_FAILS] = NULL, [WEIGHT_KNOWN] = "baseline", [WEIGHT_WAIVED] = "waiver", [WEIGHT_LEFT_OUT] = "fail-on",
+};
+
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
@@ -60,15 +64,19 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "axis", json_string(axis));
 		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
 	}
-	if (weight != WEIGHT_FAILS)
-		json_put(object, "accepted", json_string(weight == WEIGHT_KNOWN ? "baseline" : "fail-on"));
+	if (accepted[manner.weight])
+		json_put(object, "accepted", json_string(accepted[manner.weight]));
+	if (manner.waiver) {
+		json_put(object, "reason", json_text(manner.waiver->reason));
+		json_put(object, "expires", json_string(manner.waiver->expires));
+	}
 	json_add_line(out, object);
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
 			struct manner manner)
 {
-	ndjson_finding(out, run->scene->machine, finding, manner.weight);
+	ndjson_finding(out, run->scene->machine, finding, manner);
 }
 
 json_t *ndjson_cautions(const struct verdict *verdict)
@@ -112,6 +120,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "file", json_text(program->name));
 	json_put(object, "verdict", json_string(verdict_word(program->verdict)));
 	json_put(object, "blocks", json_integer(stats ? stats->motion.blocks : 0));
+	json_put(object, "checked", json_integer(stats ? stats->blocks_checked : 0));
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
 	json_put(object, "cautions", ndjson_cautions(program->verdict));
 	json_put(object, "errors", faults_of(program));
@@ -139,5 +148,6 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 }
 
 const struct report_writer ndjson_writer = {
-	.name = "ndjson", .begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
+	.name = "ndjson", .mark = "{\"kind\":\"header\"",
+	.begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
 };

@@ -30,9 +30,9 @@ enum { NDJSON_FORMAT = 1 };
  * degrees, times in seconds, with 12 digits; `axes` by name in the order X Y Z
  * A B C U V W. What a kind does not have is null: a limit has no bodies but two
  * more keys, `axis` and `bound`. What does not fail the run has `accepted`,
- * "baseline" or "fail-on". Bytes that are no UTF-8 become U+FFFD.
+ * "baseline", "waiver" or "fail-on"; what is waived, `reason` and `expires`. Bytes that are no UTF-8 become U+FFFD.
  */
 void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
-		    enum weight weight);
+		    struct manner manner);
 
 #endif

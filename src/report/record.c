@@ -37,6 +37,9 @@ static json_t *options_of(const struct report_run *run)
 	json_put(object, "max_blocks", options->max_blocks ? json_integer(options->max_blocks) : json_null());
 	json_put(object, "fail_on", kinds);
 	json_put(object, "exit_zero", json_boolean(run->exit_zero));
+	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
+	/* On another day other waivers may have expired. */
+	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
 	return object;
 }
 
@@ -70,19 +73,25 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	(void)manner;
 }
 
-/* Nothing is claimed of a program whose verdict is not clear: no block of it counts as proved. */
+/* Nothing is claimed of a program in which something was found: no block of it counts as proved. */
+static long proved(const struct verdict *verdict)
+{
+	bool all = verdict && verdict->result == CHECK_CLEAR && verdict->options->method == CHECK_CERTIFIED;
+
+	return all ? verdict->stats->blocks_checked : 0;
+}
+
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	const struct verdict *verdict = program->verdict;
-	const char *word = verdict_word(verdict);
 	json_t *object = json_object();
 
 	(void)run;
 	json_put(object, "file", json_text(program->name));
-	json_put(object, "verdict", json_string(word));
-	json_put(object, "blocks_proved",
-		 json_integer(verdict && !strcmp(word, "clear") ? verdict->stats->motion.blocks : 0));
+	json_put(object, "verdict", json_string(verdict_word(verdict)));
+	json_put(object, "blocks_proved", json_integer(proved(verdict)));
 	json_put(object, "findings", json_integer(verdict ? verdict->stats->findings : 0));
+	json_put(object, "waived", json_integer(verdict ? verdict->waived : 0));
 	json_put(object, "pairs_required", json_integer(verdict ? (json_int_t)verdict->stats->pairs_required : 0));
 	json_put(object, "cautions", ndjson_cautions(verdict));
 	json_add_line(out, object);

@@ -12,6 +12,7 @@
 #include "report/digest.h"
 #include "report/stats.h"
 #include "report/verdict.h"
+#include "report/waive.h"
 #include "scene/scene.h"
 
 enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB, FORMAT_RECORD };
@@ -22,6 +23,7 @@ enum { FORMAT_CHOICES = FORMAT_RECORD, FORMAT_COUNT };
 enum weight {
 	WEIGHT_FAILS,
 	WEIGHT_KNOWN,	/* in the baseline */
+	WEIGHT_WAIVED,	/* by a waiver */
 	WEIGHT_LEFT_OUT	/* of a kind that --fail-on does not name */
 };
 
@@ -29,6 +31,7 @@ enum weight {
 struct manner {
 	enum weight weight;
 	bool colour;
+	const struct waiver *waiver;	/* of what is waived; borrowed */
 };
 
 /* What a run is about. Borrows everything. */
@@ -40,6 +43,8 @@ struct report_run {
 	unsigned fail_on;	/* a bit for each kind of finding that fails; 0: all */
 	bool exit_zero;
 	bool quiet;	/* no statistics */
+	const struct waiving *waiving;
+	int shard, shards;	/* of the programs, or of the blocks of one; 0: all */
 };
 
 /* What made a check incomplete. */
@@ -53,12 +58,14 @@ struct report_fault {
 /* One program at its end. Borrows everything. */
 struct report_program {
 	const char *name;
-	const struct verdict *verdict;	/* NULL: the program could not be opened */
+	const struct verdict *verdict;	/* NULL: it was not read */
+	const char *unread;	/* why not */
 	const double *proven;	/* check_run's; NULL: not asked for */
 	const struct report_fault *faults;	/* the first of them */
 	size_t fault_count;
 	const struct sensitivity *sensitivity;	/* how long the verdict holds */
 	size_t sensitivity_count;	/* 0: not asked for, or not known */
+	const char *waived;	/* what was waived and why, a line each */
 };
 
 /* A file that was read. Borrows everything. */
@@ -82,6 +89,7 @@ struct report_end {
  */
 struct report_writer {
 	const char *name;	/* as --format calls it */
+	const char *mark;	/* what all files that it writes begin with, and no input does; NULL: nothing */
 	bool whole;
 	bool collects;	/* nothing is written before the end, which receives all items */
 	const char *separator;	/* between items, which are lines; NULL: none */

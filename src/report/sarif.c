@@ -111,21 +111,33 @@ static json_t *suppressions_of(const char *reason)
 	return array;
 }
 
-static void add_result(struct strbuf *out, int rule, enum weight weight, const char *text, json_t *location,
+static void add_suppression(json_t *result, struct manner manner)
+{
+	struct strbuf reason = {0};
+
+	if (manner.waiver)
+		waive_add_reason(&reason, manner.waiver);
+	else
+		strbuf_addf(&reason, "known from the baseline");
+	json_put(result, "suppressions", suppressions_of(strbuf_text(&reason)));
+	strbuf_release(&reason);
+}
+
+static void add_result(struct strbuf *out, int rule, struct manner manner, const char *text, json_t *location,
 		       json_t *properties)
 {
 	json_t *result = json_object(), *locations = json_array();
 
 	json_put(result, "ruleId", json_string(rules[rule].id));
 	json_put(result, "ruleIndex", json_integer(rule));
-	json_put(result, "level", json_string(weight == WEIGHT_LEFT_OUT ? "warning" : "error"));
+	json_put(result, "level", json_string(manner.weight == WEIGHT_LEFT_OUT ? "warning" : "error"));
 	json_put(result, "message", message_of(text));
 	json_push(locations, location);
 	json_put(result, "locations", locations);
 	if (properties)
 		json_put(result, "properties", properties);
-	if (weight == WEIGHT_KNOWN)
-		json_put(result, "suppressions", suppressions_of("known from the baseline"));
+	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
+		add_suppression(result, manner);
 	json_add_line(out, result);
 }
 
@@ -155,7 +167,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	strbuf_add(&block, line, strcspn(line, "\r\n"));
 	text_message(&text, f);
 	/* The finding's column is where the block starts, and it goes to the end of the line. */
-	add_result(out, (int)f->kind, manner.weight, strbuf_text(&text),
+	add_result(out, (int)f->kind, manner, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
 			       strbuf_text(&block)),
 		   properties_of(machine, f));
@@ -170,7 +182,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 		const struct report_fault *fault = &program->faults[i];
 
 		/* A fault's column counts bytes; without the line's text it cannot be told in other units. */
-		add_result(out, RULE_INCOMPLETE, WEIGHT_FAILS, fault->text,
+		add_result(out, RULE_INCOMPLETE, (struct manner){0}, fault->text,
 			   location_of(fault->file ? fault->file : program->name, fault->line, 0, 0, NULL), NULL);
 	}
 }
@@ -191,6 +203,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 }
 
 const struct report_writer sarif_writer = {
-	.name = "sarif", .separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,
+	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/",
+	.separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,
 	.end = add_end,
 };

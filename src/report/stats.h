@@ -13,6 +13,7 @@
 struct run_stats {
 	size_t programs;
 	size_t clear, incomplete, accepted;	/* of them; accepted: findings that do not fail the run */
+	long waived;	/* findings */
 	struct check_stats check;
 	double seconds_load;	/* machine, setup, meshes, pairs */
 };

@@ -98,11 +98,13 @@ static void add_head(struct strbuf *out, const struct finding *f, struct manner 
 
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
 {
-	const char *kind = finding_kind_name(f->kind);
+	static const char *const marks[] = {
+		[WEIGHT_FAILS] = "", [WEIGHT_KNOWN] = ", known", [WEIGHT_WAIVED] = ", waived", [WEIGHT_LEFT_OUT] = "",
+	};
 
 	add_head(out, f, manner);
 	text_message(out, f);
-	strbuf_addf(out, " [%s%s]\n    block    ", kind, manner.weight == WEIGHT_KNOWN ? ", known" : "");
+	strbuf_addf(out, " [%s%s]\n    block    ", finding_kind_name(f->kind), marks[manner.weight]);
 	quantity_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
 	add_place(out, f);
@@ -111,7 +113,11 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 	strbuf_addf(out, "\n");
 	if (f->kind != FINDING_LIMIT)
 		add_contact(out, f);
-	if (f->kind == FINDING_START_OVERLAP) {
+	if (manner.waiver) {
+		strbuf_addf(out, "    waived   ");
+		waive_add_reason(out, manner.waiver);
+		strbuf_addf(out, "\n");
+	} else if (f->kind == FINDING_START_OVERLAP) {
 		strbuf_addf(out, "    to waive <pair");
 		add_attribute(out, "a", f->a);
 		add_attribute(out, "b", f->b);
@@ -168,7 +174,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 {
 	/* A list of verdicts without it would look complete. */
 	if (!program->verdict) {
-		strbuf_addf(out, "%s: incomplete: the program could not be opened\n", program->name);
+		strbuf_addf(out, "%s: incomplete: %s\n", program->name, program->unread);
 		return;
 	}
 	text_verdict(out, program->verdict);

@@ -21,28 +21,36 @@ size_t verdict_pairs(const struct scene *scene, enum pair_status status)
 	return count;
 }
 
-/* "2 findings known from the baseline and 1 finding of a kind that --fail-on leaves out" */
+static long accepted(const struct verdict *v)
+{
+	return v->known + v->waived + v->left_out;
+}
+
+/* "2 findings known from the baseline, 1 finding waived, 1 finding of kinds that --fail-on leaves out" */
 static void add_accepted(struct strbuf *out, const struct verdict *v)
 {
-	if (v->known) {
-		quantity_add_count(out, (size_t)v->known, "finding");
-		strbuf_addf(out, " known from the baseline%s", v->left_out ? " and " : "");
-	}
-	if (v->left_out) {
-		quantity_add_count(out, (size_t)v->left_out, "finding");
-		strbuf_addf(out, " of kinds that --fail-on leaves out");
+	const long counts[] = {v->known, v->waived, v->left_out};
+	static const char *const words[] = {"known from the baseline", "waived", "of kinds that --fail-on leaves out"};
+	const char *comma = "";
+
+	for (int i = 0; i < 3; i++) {
+		if (!counts[i])
+			continue;
+		strbuf_addf(out, "%s", comma);
+		quantity_add_count(out, (size_t)counts[i], "finding");
+		strbuf_addf(out, " %s", words[i]);
+		comma = ", ";
 	}
 }
 
 bool verdict_is_accepted(const struct verdict *v)
 {
-	return v->result == CHECK_FOUND && v->known + v->left_out == v->stats->findings;
+	return v->result == CHECK_FOUND && accepted(v) == v->stats->findings;
 }
 
 static void add_findings(struct strbuf *out, const struct verdict *v)
 {
-	long accepted = v->known + v->left_out;
-	size_t findings = (size_t)(v->stats->findings - accepted);
+	size_t findings = (size_t)(v->stats->findings - accepted(v));
 
 	if (!findings) {
 		strbuf_addf(out, "nothing that fails: ");
@@ -51,9 +59,9 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 	}
 	quantity_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
-	if (v->first_file && strcmp(v->first_file, v->file))
+	if (v->first_file && strcmp(v->first_file, v->file) != 0)
 		strbuf_addf(out, " of %s", v->first_file);
-	if (accepted) {
+	if (accepted(v)) {
 		strbuf_addf(out, ", besides ");
 		add_accepted(out, v);
 	}
@@ -61,14 +69,19 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 		strbuf_addf(out, "; stopped there (--all goes on)");
 }
 
+bool verdict_is_shard(const struct verdict *v)
+{
+	return v->options->shards > 1;
+}
+
 static void add_clear(struct strbuf *out, const struct verdict *v)
 {
 	const struct check_stats *stats = v->stats;
-	size_t blocks = (size_t)stats->motion.blocks;
+	size_t blocks = (size_t)stats->blocks_checked;
 
 	switch (v->options->method) {
 	case CHECK_CERTIFIED:
-		strbuf_addf(out, "clear: ");
+		strbuf_addf(out, verdict_is_shard(v) ? "nothing found in this shard: " : "clear: ");
 		quantity_add_count(out, blocks, "block");
 		strbuf_addf(out, " proved, ");
 		quantity_add_count(out, stats->pairs_required, "pair");
@@ -116,7 +129,7 @@ const char *verdict_word(const struct verdict *v)
 		return "incomplete";
 	if (v->result == CHECK_FOUND)
 		return verdict_is_accepted(v) ? "accepted" : "found";
-	return v->options->method == CHECK_CERTIFIED ? "clear" : "passed";
+	return v->options->method == CHECK_CERTIFIED && !verdict_is_shard(v) ? "clear" : "passed";
 }
 
 /* Where nothing was found the sentence itself says it. */
@@ -176,14 +189,35 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* A finding is the first of its block and pair: what is not reported cannot be accepted either. */
+static bool caution_accepted(struct strbuf *out, const struct verdict *v)
+{
+	if (!accepted(v))
+		return false;
+	strbuf_addf(out, "what the same bodies or axis do after an accepted finding, in the rest of its block, "
+			 "is not checked");
+	return true;
+}
+
+static bool caution_shard(struct strbuf *out, const struct verdict *v)
+{
+	if (!verdict_is_shard(v))
+		return false;
+	strbuf_addf(out, "shard %d/%d: %ld of %ld blocks were checked here; the program is clear if all shards are",
+		    v->options->shard, v->options->shards, v->stats->blocks_checked, v->stats->motion.blocks);
+	return true;
+}
+
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
+		caution_accepted, caution_shard,
 	};
 
 	/* Without a check of bodies, what is said of them would be said of nothing. */
-	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend)
+	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
+	    cautions[i] != caution_shard)
 		return false;
 	return cautions[i](out, v);
 }

@@ -15,7 +15,8 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	long known, left_out;	/* findings that do not fail the run: in the baseline, not of --fail-on's kinds */
+	/* Findings that do not fail the run: in the baseline, waived, of other kinds than --fail-on's. */
+	long known, waived, left_out;
 	long first_line;	/* of the first finding that does */
 	const char *first_file;	/* the same; NULL: `file` */
 };
@@ -27,15 +28,18 @@ struct verdict {
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
 /*
- * The same as one word: "clear", "passed" where no proof was asked for, "found", "accepted" where nothing
- * found fails the run, "incomplete"; NULL is incomplete.
+ * The same as one word: "clear", "passed" where no proof was asked for or only a part of the blocks is proved, "found",
+ * "accepted" where nothing found fails the run, "incomplete"; NULL is incomplete.
  */
 const char *verdict_word(const struct verdict *verdict);
 
 /* Is every finding accepted, and the check complete? */
 bool verdict_is_accepted(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 6 };
+/* Was only a part of the program's blocks checked? */
+bool verdict_is_shard(const struct verdict *verdict);
+
+enum { VERDICT_CAUTIONS = 8 };
 
 /*
  * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;

@@ -1,5 +1,5 @@
 # Validators that know nothing of fivecheck read its documents. SARIF_SCHEMA names the published JSON schema of SARIF
-# 2.1.0 and JUNIT_SCHEMA an XML schema of JUnit's reports, where there are such; what is not there is skipped.
+# 2.1.0 where there is a copy of it (OASIS has it: sarif-schema-2.1.0.json); what is not there is skipped.
 skip() {
 	echo "formats-valid: skipped: $*" >&2
 }
@@ -9,9 +9,17 @@ printf 'G0 X300\nG0 X-300\nG0 X300\nG0 Z400\n' >limits.nc
 echo 'G0 X10' >good.nc
 echo 'G0 B90' >bad.nc
 : >empty.list
-status fivecheck -a -f sarif=out.sarif -f junit=out.xml m.xml 'a b,c:d%.nc' good.nc bad.nc nowhere.nc \
-	limits.nc 2>/dev/null
-status fivecheck -f sarif=clear.sarif -f junit=clear.xml m.xml good.nc 2>/dev/null
+cat >waivers.xml <<'XML'
+<waivers version="1">
+<waiver program="limits.nc" kind="limit" axis="X" block="G0 X300" axes="X200Z0C0" reason="the &lt;stop> &#228;" expires="9999-12-31"/>
+</waivers>
+XML
+status fivecheck -a -f sarif=out.sarif -f junit=out.xml -f ndjson=out.json --waivers waivers.xml m.xml 'a b,c:d%.nc' good.nc \
+	bad.nc nowhere.nc limits.nc 2>/dev/null
+status fivecheck -q -o /dev/null --waivers waivers.xml --record out.record m.xml 'a b,c:d%.nc' good.nc bad.nc limits.nc 2>/dev/null
+status fivecheck -f sarif=clear.sarif -f junit=clear.xml -f ndjson=clear.json --record clear.record --shard 1/2 \
+	--max-blocks 7 m.xml good.nc 2>/dev/null
+fivecheck -f ndjson=turns.json --sensitivity 1,0,1000,0 m.xml good.nc 2>/dev/null
 
 if command -v xmllint >/dev/null; then
 	xmllint --noout out.xml clear.xml
@@ -19,17 +27,20 @@ if command -v xmllint >/dev/null; then
 		//testsuite/@failures, //testsuite/@errors)' out.xml)" != 522522 ]; then
 		echo "the counts differ"
 	fi
-	[ -z "${JUNIT_SCHEMA:-}" ] || xmllint --noout --schema "$JUNIT_SCHEMA" out.xml clear.xml 2>xml.log ||
-		cat xml.log
+	schema="$(dirname "$LIB")/junit.xsd"
+	xmllint --noout --schema "$schema" out.xml clear.xml 2>xml.log || cat xml.log
+	# What cannot fail proves nothing.
+	sed 's/type="collision"/type="crash"/' out.xml >wrong.xml
+	xmllint --noout --schema "$schema" wrong.xml 2>/dev/null && echo "the schema of JUnit accepts anything"
 else
 	skip "there is no xmllint (libxml2-utils)"
 fi
 if ! python3 -c 'import jsonschema' 2>/dev/null; then
 	skip "there is no python3-jsonschema"
-elif [ ! -e "${SARIF_SCHEMA:-}" ]; then
-	skip "SARIF_SCHEMA does not name the schema of SARIF 2.1.0"
 else
-	python3 - "$SARIF_SCHEMA" out.sarif clear.sarif <<'PY'
+	[ -e "${SARIF_SCHEMA:-}" ] || skip "SARIF_SCHEMA does not name the published schema: only the narrower one of this folder"
+	for schema in "$(dirname "$LIB")/sarif.schema.json" ${SARIF_SCHEMA:+"$SARIF_SCHEMA"}; do
+		python3 - "$schema" out.sarif clear.sarif <<'PY'
 import json, sys, jsonschema
 schema = json.load(open(sys.argv[1]))
 kind = jsonschema.validators.validator_for(schema)
@@ -41,6 +52,38 @@ for name in sys.argv[2:]:
 document['runs'][0]['results'] = [{'ruleId': 7}]
 if kind(schema).is_valid(document):
     print('the schema accepts anything')
+PY
+	done
+fi
+
+# NDJSON and the record against their own schemas, which are installed.
+if python3 -c 'import jsonschema' 2>/dev/null; then
+	python3 - "$(dirname "$LIB")/../../src/report" <<'PY'
+import copy, json, sys, jsonschema
+def validator(name):
+    schema = json.load(open(sys.argv[1] + '/' + name))
+    kind = jsonschema.validators.validator_for(schema)
+    kind.check_schema(schema)
+    return kind(schema)
+lines = [json.loads(line) for name in ('out.json', 'clear.json', 'turns.json') for line in open(name, encoding='utf-8')]
+ndjson, record = validator('ndjson.schema.json'), validator('record.schema.json')
+records = [json.load(open(name, encoding='utf-8')) for name in ('out.record', 'clear.record')]
+for schema, documents in (ndjson, lines), (record, records):
+    for document in documents:
+        for fault in schema.iter_errors(document):
+            print(document, fault.message)
+        # Every key is needed, and no other is known; what cannot fail proves nothing.
+        for key in document:
+            wrong = {k: v for k, v in document.items() if k != key}
+            if schema.is_valid(wrong) and key not in ('accepted', 'sensitivity'):
+                print(document, 'is valid without', key)
+        if schema.is_valid({**document, 'more': 1}):
+            print('the schema accepts anything')
+if not any('sensitivity' in line for line in lines):
+    print('no sensitivity was looked at')
+kinds = {line['kind'] for line in lines}
+if kinds != {'header', 'collision', 'limit', 'program', 'summary'}:
+    print('not everything was looked at:', kinds)
 PY
 fi
 

@@ -7,7 +7,7 @@
 START_TEST(refuses_what_is_no_file)
 {
 	assert_refused("none.xml", "none.xml: error: cannot open: No such file or directory\n");
-	assert_refused("-", "-: error: machine and setup files are not read from standard input: name a file\n");
+	assert_refused("-", "-: error: XML files are not read from standard input: name a file\n");
 	assert_refused("/", "/: error: is a directory, not an XML file\n");
 	assert_refused("/dev/null", "/dev/null: error: is not a regular file\n");
 	ck_assert_int_eq(mkfifo("fifo", 0600), 0);
@@ -22,7 +22,7 @@ START_TEST(refuses_giants)
 
 	memset(bytes, ' ', size);
 	write_bytes("m.xml", bytes, size);
-	assert_refused("m.xml", "m.xml: error: larger than 4 MiB: this is no machine or setup file\n");
+	assert_refused("m.xml", "m.xml: error: larger than 4 MiB: this is no machine, setup or waivers file\n");
 	memcpy(bytes, "<machine version='1' name='", 27);
 	memset(bytes + 27, 'x', size - 28);
 	memcpy(bytes + size - 31, "'><base/></machine>", 19);

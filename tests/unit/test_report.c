@@ -92,7 +92,7 @@ START_TEST(test_names)
 		for (int i = 0; i < 4; i++)
 			name[i] = (char)(rand() % 3 ? 0x80 + rand() % 0x80 : 1 + rand() % 0x7f);
 		finding.file = name;
-		ndjson_finding(&out, &machine, &finding, WEIGHT_FAILS);
+		ndjson_finding(&out, &machine, &finding, (struct manner){0});
 		ck_assert_ptr_eq(strchr(out.text, '\n'), out.text + out.length - 1);
 		object = json_loads(out.text, 0, NULL);
 		ck_assert_ptr_nonnull(object);
@@ -132,7 +132,7 @@ START_TEST(test_finding)
 
 	finding.axes.v[SLOT_X] = -123.456789012;
 	finding.axes.v[SLOT_C] = radians(33.3333333333);
-	ndjson_finding(&out, &machine, &finding, WEIGHT_FAILS);
+	ndjson_finding(&out, &machine, &finding, (struct manner){0});
 	object = json_loads(out.text, JSON_REJECT_DUPLICATES, NULL);
 	ck_assert_ptr_nonnull(object);
 	ck_assert_uint_eq(json_object_size(object), 12);

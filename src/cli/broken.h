@@ -1,0 +1,18 @@
+/* broken.h - the reports of a run whose machine, setup or other file is at fault, so that no program was checked. */
+#ifndef FIVECHECK_CLI_BROKEN_H
+#define FIVECHECK_CLI_BROKEN_H
+
+#include "base/diag.h"
+#include "cli/faults.h"
+#include "cli/options.h"
+#include "report/channel.h"
+
+/*
+ * Writes them, every program incomplete, and closes the channels: a CI server must not take the reports of an earlier
+ * run for this one's. A file that is there and is no such report stays, with a note: a machine that
+ * cannot be read does not tell its meshes, which must not be overwritten. False: not all could be written, reported.
+ */
+bool broken_report(const struct options *options, const struct faults *faults, struct channels *channels,
+		   struct diag *diag);
+
+#endif

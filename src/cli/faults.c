@@ -1,0 +1,49 @@
+#include "cli/faults.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+void faults_keep(struct faults *faults, const struct diag_entry *entry)
+{
+	const char *file = entry->loc.file;
+
+	if (entry->severity != DIAG_ERROR || faults->count == FAULTS_MAX)
+		return;
+	faults->items = mem_realloc(faults->items, faults->count + 1, sizeof(*faults->items));
+	faults->items[faults->count++] = (struct report_fault){
+		.file = file ? mem_strndup(file, strlen(file)) : NULL,
+		.line = entry->loc.line,
+		.column = entry->loc.column,
+		.text = mem_strndup(entry->text, strlen(entry->text)),
+	};
+}
+
+void faults_release(struct faults *faults)
+{
+	for (size_t i = 0; i < faults->count; i++) {
+		free(faults->items[i].file);
+		free(faults->items[i].text);
+	}
+	free(faults->items);
+	*faults = (struct faults){0};
+}
+
+static void pass(void *context, const struct diag_entry *entry)
+{
+	struct tap *tap = context;
+
+	faults_keep(&tap->faults, entry);
+	diag_pass(tap->out, entry);
+}
+
+void tap_init(struct tap *tap, struct diag *out)
+{
+	*tap = (struct tap){.diag = {.handle = pass, .context = tap}, .out = out};
+}
+
+void tap_release(struct tap *tap)
+{
+	faults_release(&tap->faults);
+}

@@ -1,0 +1,33 @@
+/* faults.h - the first errors that were reported, kept for the reports. */
+#ifndef FIVECHECK_CLI_FAULTS_H
+#define FIVECHECK_CLI_FAULTS_H
+
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "report/report.h"
+
+enum { FAULTS_MAX = 10 };
+
+/* All zero is none. */
+struct faults {
+	struct report_fault *items;	/* owned */
+	size_t count;	/* FAULTS_MAX at most */
+};
+
+/* Keeps a copy of an error; what is none, or one too many, is let go. */
+void faults_keep(struct faults *faults, const struct diag_entry *entry);
+void faults_release(struct faults *faults);
+
+/* Give `diag` to whom reports: all goes on to `out`, and errors are kept. */
+struct tap {
+	struct diag diag;
+	struct diag *out;	/* borrowed */
+	struct faults faults;
+};
+
+/* Not to be moved afterwards: its diag points back at it. */
+void tap_init(struct tap *tap, struct diag *out);
+void tap_release(struct tap *tap);
+
+#endif

@@ -1,0 +1,44 @@
+/* waivers.h - findings that a person accepts for a while, with the reason: the file of --waivers. */
+#ifndef FIVECHECK_MACHINE_WAIVERS_H
+#define FIVECHECK_MACHINE_WAIVERS_H
+
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/axes.h"
+#include "base/diag.h"
+#include "machine/machine.h"
+
+/* "2026-12-31" and its end; two of them compare as texts do. */
+enum { DATE_SIZE = 11 };
+
+/*
+ * Names one finding: the same bodies with every axis where it was are the same
+ * contact, and the same text of the block keeps small what comes after it in the block.
+ */
+struct waiver {
+	const char *program;	/* as the command line names it */
+	const char *kind;	/* of the finding */
+	const char *a, *b;	/* bodies, in either order; NULL for a limit */
+	int slot;	/* of a limit */
+	const char *block;	/* its text */
+	axis_values axes;	/* mm and radians */
+	double within;	/* mm and degrees: how far each axis may be from there */
+	int times;	/* how many findings of one run of the program it accepts */
+	const char *reason;
+	char expires[DATE_SIZE];	/* the last day on which it counts, UTC */
+	long line;
+};
+
+struct waivers {
+	struct arena arena;
+	const char *path;
+	struct waiver *items;
+	size_t count;
+};
+
+/* Reads a file for this machine. NULL: faults were reported. */
+struct waivers *waivers_load(const char *path, const struct machine *machine, struct diag *diag);
+void waivers_free(struct waivers *waivers);
+
+#endif

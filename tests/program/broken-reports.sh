@@ -1,0 +1,36 @@
+# Where the machine is at fault the reports say so: that of an earlier run must not be taken for this one's.
+small_machine
+echo 'G0 X10' >a.nc
+echo 'G0 X20' >b.nc
+run() {
+	fivecheck "$@" -f text -f ndjson=out.json -f sarif=out.sarif -f junit=out.xml -f github=out.txt --record out.record m.xml \
+		a.nc b.nc
+}
+status run -q
+sed -i 's/rate_max="3600"/rate="3600"/' m.xml
+echo "broken:"
+status run 2>&1
+cat out.json out.xml
+grep -o -e '"ruleId".*"uri":"[a-z.]*"' -e '"exit.*' out.sarif
+# What people read, and a record, stay; so does whatever else stands there: it might be a mesh of the machine.
+cat out.txt
+grep -c clear out.record
+cp head.stl before.stl
+status fivecheck -q -f sarif=head.stl m.xml a.nc 2>/dev/null
+cmp head.stl before.stl
+status fivecheck -f github m.xml a.nc 2>/dev/null
+echo "no setup, no baseline, no waivers:"
+sed -i 's/rate="3600"/rate_max="3600"/' m.xml
+for option in -s --baseline --waivers; do
+	status fivecheck -q $option nowhere.xml m.xml a.nc 2>/dev/null
+done
+echo "subprograms and lists are inputs, too:"
+printf 'o<sub> sub\nG0 X1\no<sub> endsub\n' >sub.ngc
+echo 'o<sub> call' >c.nc
+echo c.nc >list
+for arguments in '-o sub.ngc' '-o /dev/null --record sub.ngc' '-o x --depfile sub.ngc' '--pose sub.ngc -o /dev/null' '-o list'; do
+	# shellcheck disable=SC2086 # words, on purpose
+	status fivecheck -q $arguments --files-from list m.xml 2>&1
+done
+head -n 1 sub.ngc list
+ls

@@ -1,0 +1,81 @@
+# The results of shards, joined by examples/scale-out/merge, are those of one run; whatever is missing is an error.
+if ! command -v jq >/dev/null; then
+	echo "merge: skipped: there is no jq" >&2
+	cat "$(dirname "$LIB")/merge.sh.stdout.exact"
+	exit 0
+fi
+merge="$(dirname "$LIB")/../../examples/scale-out/merge"
+small_machine
+printf 'G0 X300\nG0 X10\nG1 Z-120 F6000\n' >a.nc
+for i in 1 2 4 5 6 7; do echo "G0 X${i}0" >p$i.nc; done
+echo 'G0 B1' >p3.nc
+awk 'BEGIN { for (i = 0; i < 4000; i++) printf "G0 X%d Z%d\n", i % 203, -(7 * i % 103) }' >long.nc
+same() { # A B
+	jq -c . "$1" >a.lines
+	jq -c . "$2" >b.lines
+	cmp a.lines b.lines && echo same
+}
+shards() { # N OPTION...
+	n=$1
+	shift
+	rm -f s*.json
+	for k in $(seq "$n"); do
+		fivecheck -q -a --shard "$k/$n" -f ndjson=s"$k".json "$@" 2>/dev/null
+	done
+}
+# A list, dealt out.
+fivecheck -q -a -f ndjson=whole.json m.xml a.nc p?.nc 2>/dev/null
+for n in 1 2 3 10; do
+	shards $n m.xml a.nc p?.nc
+	status "$merge" s*.json >merged.json 2>messages
+	tail -n 1 merged.json
+	sed '$d' merged.json >lines && same lines whole.json
+done
+# One program.
+fivecheck -q -a -f ndjson=whole.json m.xml long.nc 2>/dev/null
+for n in 1 2 3; do
+	shards $n m.xml long.nc
+	status "$merge" s*.json >merged.json
+	tail -n 1 merged.json
+	sed '$d' merged.json >lines && same lines whole.json
+done
+echo "stops at the first that fails:"
+{ echo 'G0 X250'; cat long.nc; } >limit.nc
+fivecheck -q --fail-on collision -f ndjson=whole.json m.xml limit.nc 2>/dev/null
+for k in 1 2 3; do
+	fivecheck -q --fail-on collision --shard $k/3 -f ndjson=s$k.json m.xml limit.nc 2>/dev/null
+done
+status "$merge" s?.json >merged.json
+tail -n 1 merged.json
+grep -v -e '"program"' -e '"summary"' merged.json | sed '$d' >lines
+grep -v -e '"program"' -e '"summary"' whole.json >rest.json
+same lines rest.json
+shards 2 m.xml p1.nc
+status "$merge" s*.json | sed -n 's/.*\("verdict":"[a-z]*"\).*/\1/p;$p'
+fivecheck -q -f ndjson=s1.json m.xml p1.nc 2>/dev/null
+status "$merge" s1.json >merged.json
+sed '$d' merged.json >lines && same lines s1.json
+echo "faults:"
+shards 3 m.xml long.nc
+status "$merge" s1.json s3.json 2>&1
+status "$merge" s1.json s2.json s2.json s3.json 2>&1
+sed '$d' s2.json >cut.json
+status "$merge" s1.json cut.json s3.json 2>&1
+: >empty.json
+status "$merge" s1.json empty.json s3.json 2>&1
+head -c 1000 s2.json >torn.json
+"$merge" s1.json torn.json s3.json >out 2>/dev/null
+echo "status $?, $(wc -c <out) bytes"
+fivecheck -q -a --clearance 1 --shard 2/3 -f ndjson=other.json m.xml long.nc 2>/dev/null
+status "$merge" s1.json other.json s3.json 2>&1
+fivecheck -q -a --shard 2/3 -f ndjson=other.json m.xml a.nc 2>/dev/null
+status "$merge" s1.json other.json s3.json 2>&1
+fivecheck -q -a --shard 2/3 -f ndjson=other.json m.xml a.nc p1.nc 2>/dev/null
+status "$merge" s1.json other.json s3.json 2>&1
+sed 's/"checked":[0-9]*/"checked":1/' s3.json >other.json
+status "$merge" s1.json s2.json other.json 2>&1
+grep -v '"kind":"program"' s2.json >other.json
+status "$merge" s1.json other.json s3.json 2>&1
+status "$merge" s1.json nowhere.json 2>&1
+cat s1.json s2.json >other.json
+status "$merge" other.json s3.json 2>&1

@@ -1,0 +1,40 @@
+# What a terminal shows while programs run: a line that fits into it, with whole seconds, gone when results are printed.
+if ! command -v script >/dev/null; then
+	echo "progress-terminal: skipped: there is no script (bsdutils)" >&2
+	cat "$(dirname "$LIB")/progress-terminal.sh.stdout.exact"
+	exit 0
+fi
+small_machine
+echo 'G0 X10' >a.nc
+cp a.nc b.nc
+many() { # enough for the check to look around, after a while
+	sleep 0.4
+	awk 'BEGIN { for (i = 0; i < 3000; i++) print "G0 X" i % 100 }'
+}
+cat >run <<'RUN'
+stty cols 60
+many | "$FIVECHECK" --parse-only -o out m.xml a.nc b.nc -
+RUN
+export FIVECHECK
+shown() { # COLUMNS ROWS - what a terminal was sent, a line for each time the cursor went to the left
+	tr -d '\n' <log | tr '\r' '\n' | sed 's/\x1b\[K//g' | grep -e '^\[' -e ': line '
+}
+awk '/^many\(\)/, /^}/' "$0" | cat - run >both
+script -q -e -c 'sh ./both' log >/dev/null </dev/null
+shown >lines
+grep -c . lines | sed 's/^[1-9][0-9]*$/some/'
+awk 'length($0) > 59' lines
+grep -v -E '^\[#+ *\] 2 of 3 programs, [0-9.]+/s, [0-9]+ s left; <' lines
+# A name cannot steer the terminal, and one program without an end has no bar.
+cat >run <<'RUN'
+stty cols 30
+name=$(printf 'red \033[31m.nc')
+mkfifo "$name"
+many >"$name" &
+"$FIVECHECK" --parse-only -o out m.xml "$name"
+RUN
+awk '/^many\(\)/, /^}/' "$0" | cat - run >both
+script -q -e -c 'sh ./both' log >/dev/null </dev/null
+shown >lines
+awk 'length($0) > 29' lines
+sed 's/: line [0-9]*,.*/: line/' lines | sort -u
