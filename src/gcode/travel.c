@@ -265,8 +265,9 @@ static bool go_arc(struct interp *interp)
 			     "an arc needs a centre (I, J, K) or a radius (R)");
 	if (!travel_feed(interp, &move.feed) || !target_find(interp, false, &target))
 		return false;
-	/* A G64 in the block claims P as well; LinuxCNC gives it to both. */
-	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 1, INT_MAX, &turns))
+	/* LinuxCNC alone has turns; a G64 in the block claims P as well, and it gives it to both. */
+	if (interp->config->dialect == GCODE_LINUXCNC && block_has(block, 'P') &&
+	    !block_integer(block, &interp->at, 'P', 1, INT_MAX, &turns))
 		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};

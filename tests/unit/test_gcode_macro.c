@@ -328,6 +328,22 @@ START_TEST(increments)
 }
 END_TEST
 
+/* The P of an arc's block is the call's: these controls have no turns. */
+START_TEST(arc_and_call)
+{
+	static const enum gcode_dialect dialects[] = {GCODE_FANUC, GCODE_HAAS};
+
+	for (int i = 0; i < 2; i++) {
+		struct gcode_case c;
+
+		case_init(&c);
+		c.config.dialect = dialects[i];
+		case_expect(&c, "G17 G2 I5. F9. M98 P3\nM30\nO3\nG0 X1.\nM99\n",
+			    "arc 0 0 0 0 0 centre 5 0 0 normal 0 0 1 sweep -360\nrapid 1 0 0 0 0\n");
+	}
+}
+END_TEST
+
 /* FM ATAN, ASIN: parameter NAT (6004#0) at 0 gives 0 to 360 and 270 to 90. */
 START_TEST(angles)
 {
