@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/program.h"
@@ -19,18 +20,6 @@ static const struct srcloc nowhere;
 static enum run_status worst(enum run_status a, enum run_status b)
 {
 	return a > b ? a : b;
-}
-
-/* --help and --version */
-static enum run_status print_text(struct strbuf *text, struct diag *diag)
-{
-	struct output out;
-	bool good = output_open(&out, NULL, diag);
-
-	output_text(&out, text);
-	good = output_commit(&out, diag) && good;
-	strbuf_release(text);
-	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
 /* What a run works with; all zero is nothing. */
@@ -222,11 +211,11 @@ enum run_status run_options(const struct options *options, struct console *conso
 	console->kind = (enum progress_kind)options->progress;
 	if (options->mode == RUN_HELP) {
 		options_help(&text);
-		return print_text(&text, diag);
+		return command_print(&text, diag);
 	}
 	if (options->mode == RUN_VERSION) {
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
-		return print_text(&text, diag);
+		return command_print(&text, diag);
 	}
 	if (files_differ(options, diag)) {
 		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;
