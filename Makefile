@@ -193,6 +193,10 @@ check-install: all
 check-reproducible:
 	@sh scripts/check-reproducible
 
+# The Debian package of the last commit, and lintian's opinion of it (debhelper, lintian).
+check-deb:
+	@sh scripts/check-deb
+
 # The last commit as an archive that is the same wherever it is made.
 DIST := fivecheck-$(VERSION)
 dist:
@@ -223,12 +227,13 @@ help:
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away; make check-install tries'
 	@echo 'make dist            the last commit as $(BUILD)/$(DIST).tar.gz'
 	@echo 'make check-reproducible   two builds in different folders have the same bytes'
+	@echo 'make check-deb       the Debian package builds, from the last commit, and passes lintian'
 	@echo 'make check-short     the tests of a Debian package: no network, no peers'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-deb check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

@@ -101,7 +101,7 @@ static enum word_result take_option(void *context, const struct option_row *row,
 	}
 	if (row->key != PLAN_OUTPUT)
 		return plan_set(&request->plan, row, argument, request->diag) ? WORD_NEXT : WORD_FAULT;
-	request->output = argument;
+	request->output = strcmp(argument, "-") ? argument : NULL;
 	return WORD_NEXT;
 }
 
@@ -109,7 +109,7 @@ static bool is_new(const char *path, struct diag *diag)
 {
 	struct stat status;
 
-	if (!path || lstat(path, &status) != 0 || S_ISCHR(status.st_mode))
+	if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode))
 		return true;
 	diag_error(diag, nowhere, "%s exists already, and may have been edited: remove it, or name another file with "
 				  "--output", path);
@@ -129,19 +129,38 @@ static bool write_file(const char *path, struct strbuf *text, struct diag *diag)
 	return good;
 }
 
-/* Tells what stands in the file, and what comes next. */
-static void tell(const struct plan *plan, const char *path, struct diag *diag)
+/* Is the mesh there? Its path is relative to the folder of the machine file. */
+static bool has_mesh(const char *output, const char *mesh)
 {
-	struct strbuf text = {0};
+	const char *slash = output && *mesh != '/' ? strrchr(output, '/') : NULL;
+	struct strbuf path = {0};
+	bool there;
+
+	strbuf_addf(&path, "%.*s%s", slash ? (int)(slash - output + 1) : 0, slash ? output : "", mesh);
+	there = access(strbuf_text(&path), R_OK) == 0;
+	strbuf_release(&path);
+	return there;
+}
+
+/* Tells what stands in the file, and what comes next. */
+static void tell(const struct plan *plan, const char *output, struct diag *diag)
+{
+	const char *name = output ? output : "MACHINE.xml";
+	struct strbuf text = {0}, missing = {0};
 
 	plan_xml_chains(&text, plan);
 	diag_note(diag, nowhere, "%s", strbuf_text(&text));
-	strbuf_clear(&text);
-	for (size_t i = 0; i < plan->body_count; i++)
-		strbuf_addf(&text, "%s%s", i ? ", " : "", plan->bodies[i].path);
-	diag_note(diag, nowhere, "next: export the bodies from the CAD assembly, every axis at 0, to %s; then run "
-				 "'fivecheck --check-machine %s'", strbuf_text(&text), path ? path : "MACHINE.xml");
+	for (size_t i = 0; i < plan->body_count; i++) {
+		if (!has_mesh(output, plan->bodies[i].path))
+			strbuf_addf(&missing, "%s%s", missing.length ? ", " : "", plan->bodies[i].path);
+	}
+	if (missing.length)
+		diag_note(diag, nowhere, "next: with every axis at 0, export from the CAD assembly what %s names, or change the "
+					 "names there: %s", name, strbuf_text(&missing));
+	diag_note(diag, nowhere, "%s: look through its TODO lines and run 'fivecheck --check-machine %s'",
+		  missing.length ? "then" : "next", name);
 	strbuf_release(&text);
+	strbuf_release(&missing);
 }
 
 /* Questions go to the terminal; so must not the file, unless that was asked for. */

@@ -146,7 +146,7 @@ static bool check_operands(const struct parser *parser)
 	for (size_t i = 0; i < o->program_count; i++)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)
-		diag_error(parser->diag, nowhere, "no machine file was named");
+		diag_error(parser->diag, nowhere, "no machine file was named ('fivecheck init' writes one to begin with)");
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
 			   "machine and setup cannot come from standard input; only a program can");

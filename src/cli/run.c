@@ -1,5 +1,6 @@
 #include "cli/run.h"
 
+#include <string.h>
 #include <unistd.h>
 
 #include "cli/command.h"
@@ -56,12 +57,24 @@ static bool needs_scene(enum run_mode mode)
 	return mode == RUN_CHECK || mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
 }
 
+/* Operands the other way round. */
+static void tell_order(const struct options *options, struct diag *diag)
+{
+	const char *first = options->program_count ? options->programs[0] : "";
+	size_t length = strlen(first);
+
+	if (length > 4 && !strcmp(first + length - 4, ".xml"))
+		diag_note(diag, nowhere, "the machine file comes first: fivecheck %s %s", first, options->machine);
+}
+
 static bool job_load(struct job *job, const struct options *options, struct diag *diag)
 {
 	double start = console_seconds();
 
 	*job = (struct job){0};
 	job->machine = machine_load(options->machine, diag);
+	if (!job->machine)
+		tell_order(options, diag);
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
