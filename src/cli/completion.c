@@ -45,7 +45,8 @@ static enum word_result take_option(void *context, const struct option_row *row,
 static void add_help(struct strbuf *out)
 {
 	strbuf_addf(out, "Usage: fivecheck completion bash|zsh|fish\n"
-			 "Prints the completions of a shell, which 'make install' puts in their places. For one shell only:\n"
+			 "Prints the completions of a shell, which 'make install' puts in their places. For the\n"
+			 "running shell only:\n"
 			 "    eval \"$(fivecheck completion bash)\"\n\n");
 	words_help(out, completion_table, COMPLETION_OPTION_COUNT);
 }

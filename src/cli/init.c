@@ -155,8 +155,8 @@ static void tell(const struct plan *plan, const char *output, struct diag *diag)
 			strbuf_addf(&missing, "%s%s", missing.length ? ", " : "", plan->bodies[i].path);
 	}
 	if (missing.length)
-		diag_note(diag, nowhere, "next: with every axis at 0, export from the CAD assembly what %s names, or change the "
-					 "names there: %s", name, strbuf_text(&missing));
+		diag_note(diag, nowhere, "next: with every axis at 0, export from the CAD assembly what %s names, or "
+					 "change the names there: %s", name, strbuf_text(&missing));
 	diag_note(diag, nowhere, "%s: look through its TODO lines and run 'fivecheck --check-machine %s'",
 		  missing.length ? "then" : "next", name);
 	strbuf_release(&text);
@@ -198,7 +198,8 @@ static enum run_status print_help(struct diag *diag)
 	strbuf_addf(&text, "Usage: fivecheck init [OPTIONS] FAMILY\n"
 			   "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
 			   "head-table: what the two rotary axes turn. Everything is told in machine coordinates with\n"
-			   "every axis at 0. What is missing is asked for on a terminal, and is an error elsewhere.\n\n");
+			   "every axis at 0. What is missing is asked for on a terminal, and is an error\n"
+			   "elsewhere.\n\n");
 	words_help(&text, init_table, INIT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
 			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"

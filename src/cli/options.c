@@ -146,7 +146,8 @@ static bool check_operands(const struct parser *parser)
 	for (size_t i = 0; i < o->program_count; i++)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)
-		diag_error(parser->diag, nowhere, "no machine file was named ('fivecheck init' writes one to begin with)");
+		diag_error(parser->diag, nowhere,
+			   "no machine file was named ('fivecheck init' writes one to begin with)");
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
 			   "machine and setup cannot come from standard input; only a program can");
@@ -181,10 +182,11 @@ static bool check_listed(const struct parser *parser)
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
 {
 	struct parser parser = {.options = options, .diag = diag};
+	const struct words words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
 	bool good;
 
 	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
-	good = words_parse(&(struct words){option_table, OPTION_COUNT, add_option, add_operand, &parser}, argc, argv, diag);
+	good = words_parse(&words, argc, argv, diag);
 	options->programs = parser.operand;
 	if (parser.operands) {
 		options->machine = parser.operand[0];

@@ -50,7 +50,8 @@ struct plan_body {
 struct plan {
 	struct arena arena;	/* owns the texts */
 	int family;	/* enum family; -1: not told */
-	struct plan_chain rotary, head, table;	/* the last two: linear axes as told, all axes once plan_finish is done */
+	struct plan_chain rotary;
+	struct plan_chain head, table;	/* linear axes as told; all axes once plan_finish is done */
 	bool has_table, has_head;
 	struct plan_axis axes[SLOT_COUNT];
 	bool has_spindle;

@@ -79,8 +79,8 @@ static bool check_axis(const struct plan *plan, int slot, struct diag *diag)
 
 	if (!plan_has_axis(plan, slot)) {
 		if (is_told(axis))
-			diag_error(diag, nowhere, "the options speak of %c, but the machine has X, Y, Z, %c and %c", letter,
-				   AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
+			diag_error(diag, nowhere, "the options speak of %c, but the machine has X, Y, Z, %c and %c",
+				   letter, AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
 		return !is_told(axis);
 	}
 	if ((axis->has_min && axis->home < axis->min) || (axis->has_max && axis->home > axis->max)) {
@@ -97,20 +97,23 @@ static bool check_bodies(const struct plan *plan, struct diag *diag)
 		const struct plan_body *body = &plan->bodies[i];
 
 		if (body_name_is_reserved(body->name)) {
-			diag_error(diag, nowhere, "--body: a body cannot be called '%s', which means something else in a "
-						  "machine file: give the file %s another name", body->name, body->path);
+			diag_error(diag, nowhere,
+				   "--body: a body cannot be called '%s', which means something else in a "
+				   "machine file: give the file %s another name",
+				   body->name, body->path);
 			return false;
 		}
 		if (body->slot >= 0 && !plan_has_axis(plan, body->slot)) {
-			diag_error(diag, nowhere, "--body: %s hangs on %c, but the machine has no such axis", body->path,
-				   AXIS_LETTERS[body->slot]);
+			diag_error(diag, nowhere, "--body: %s hangs on %c, but the machine has no such axis",
+				   body->path, AXIS_LETTERS[body->slot]);
 			return false;
 		}
 		for (size_t k = 0; k < i; k++) {
 			if (strcmp(plan->bodies[k].name, body->name) != 0)
 				continue;
-			diag_error(diag, nowhere, "--body: two bodies would be called '%s': give the file %s another name",
-				   body->name, body->path);
+			diag_error(diag, nowhere,
+				   "--body: two bodies would be called '%s': give the file %s another name", body->name,
+				   body->path);
 			return false;
 		}
 	}
@@ -173,7 +176,7 @@ bool plan_finish(struct plan *plan, struct diag *diag)
 		plan->inch = 0;
 	if (plan->dialect < 0)
 		plan->dialect = DIALECT_LINUXCNC;
-	/* LinuxCNC's rapids are straight. What another control does is a matter of its parameters: until it is known, all ways. */
+	/* LinuxCNC's rapids are straight. Other controls have a parameter for it: until it is known, all ways. */
 	if (plan->rapid < 0)
 		plan->rapid = plan->dialect == DIALECT_LINUXCNC ? RAPID_LINEAR : RAPID_ANY;
 	return true;

@@ -51,7 +51,7 @@ static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
 	strbuf_addf(out, " %s=\"%.12g %.12g %.12g\"", attribute, v.x, v.y, v.z);
 }
 
-/* How the axis moves what it carries: along or about its own coordinate axis, and the table against the sense of the tool. */
+/* How the axis moves what it carries: along or about its own coordinate axis; the table against the sense of the tool. */
 static vec3 direction_of(const struct plan *plan, int slot)
 {
 	double sense = plan_turns_table(plan, slot) ? -1 : 1;
@@ -165,11 +165,12 @@ static bool has_rates(const struct plan *plan)
 
 static void add_controller(struct strbuf *out, const struct plan *plan)
 {
-	strbuf_addf(out, "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis at its "
-			 "own rate);\n       any (not known: every way between start and end is checked).");
+	strbuf_addf(out, "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
+			 "       at its own rate); any (not known: every way between start and end is checked).");
 	if (plan->dialect != DIALECT_LINUXCNC)
-		strbuf_addf(out, "\n       What M6 and G43 move is a matter of this control's parameters; a program that needs it "
-				 "says so:\n       <tool_change Z=\"0\"/>, length_offset_moves, least_input.");
+		strbuf_addf(out, "\n       What M6 and G43 move is a matter of this control's parameters; the check of a\n"
+				 "       program that needs it says so: <tool_change Z=\"0\"/>, length_offset_moves,\n"
+				 "       least_input.");
 	strbuf_addf(out, " -->\n  <controller");
 	add_text(out, "dialect", plan_dialects[plan->dialect]);
 	add_text(out, "rapid", plan_rapids[plan->rapid]);
@@ -180,8 +181,9 @@ static void add_head(struct strbuf *out, const struct plan *plan)
 {
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
 			 "<!--\n"
-			 "  A %s machine to begin with, written by fivecheck init. man 5 fivecheck-machine explains each element,\n"
-			 "  man 7 fivecheck leads from the CAD assembly to the first verdict. TODO marks what has to be looked at.\n"
+			 "  A %s machine to begin with, written by fivecheck init. man 5 fivecheck-machine\n"
+			 "  explains each element, man 7 fivecheck leads from the CAD assembly to the first verdict.\n"
+			 "  TODO marks what has to be looked at.\n"
 			 "-->\n", plan_families[plan->family]);
 	strbuf_addf(out, "<machine version=\"1\"");
 	add_text(out, "name", plan->name);
@@ -194,22 +196,22 @@ void plan_xml_write(struct strbuf *out, const struct plan *plan)
 {
 	add_head(out, plan);
 	strbuf_addf(out, "  <base>\n"
-			 "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that moves as one\n"
-			 "         as STL: machine coordinates, %s, one file a body. What an axis carries stands inside its <axis>.\n"
-			 "         Rename, add and delete <body> lines as the machine is built. -->\n",
+			 "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that\n"
+			 "         moves as one as STL: machine coordinates, %s, one file a body. What an axis carries\n"
+			 "         stands inside its <axis>. Rename, add and delete <body> lines as the machine is built. -->\n",
 		    plan->inch ? "inches" : "mm");
 	add_bodies(out, plan, -1, 2);
 	if (!has_rates(plan))
-		strbuf_addf(out, "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a guess; times "
-				 "depend on it. -->\n", plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE, plan_units[plan->inch],
-			    ROTARY_RATE);
+		strbuf_addf(out, "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a\n"
+				 "         guess; times depend on it. -->\n", plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE,
+			    plan_units[plan->inch], ROTARY_RATE);
 	strbuf_addf(out, "    <!-- From the base to the spindle. -->\n");
 	add_chain(out, plan, &plan->head);
 	strbuf_addf(out, "    <!-- From the base to the work. -->\n");
 	add_chain(out, plan, &plan->table);
 	strbuf_addf(out, "  </base>\n"
-			 "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is special is\n"
-			 "       said here:\n"
+			 "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is\n"
+			 "       special is said here:\n"
 			 "  <pairs>\n"
 			 "    <pair a=\"Z\" b=\"base\" clearance=\"2\"/>\n"
 			 "    <pair a=\"head\" b=\"bed\" check=\"never\" reason=\"the bellows yields\"/>\n"

@@ -9,10 +9,10 @@ static const struct srcloc nowhere;
 
 struct question {
 	enum plan_key key;
-	int slot;	/* the axis it is about; -1: none */
-	const char *text;	/* what is asked for; %s stands for the unit */
-	const char *example;	/* behind the axis */
-	bool optional;	/* what holds without an answer is said in the text; asked, but not missed */
+	int slot; /* the axis it is about; -1: none */
+	const char *text; /* what is asked for; %s stands for the unit */
+	const char *example; /* behind the axis */
+	bool optional; /* what holds without an answer is said in the text; asked, but not missed */
 };
 
 enum { QUESTIONS_MAX = 32 };
@@ -45,12 +45,14 @@ static void add_axis(struct questions *list, const struct plan *plan, int slot)
 	    (struct question){PLAN_LIMITS, slot, "the travel in %s, or none where there is no limit",
 			      rotary ? "-120:30" : "-300:300", false});
 	add(list, !axis->has_home && without_zero,
-	    (struct question){PLAN_HOME, slot, "where programs start, as 0 is outside of the travel, in %s", "100", false});
-	add(list, !axis->has_rate && plan->rapid == RAPID_DOGLEG,
-	    (struct question){PLAN_RATES, slot, "the rate of rapids, in %s a minute", rotary ? "7200" : "30000", false});
-	add(list, rotary && !axis->has_location,
-	    (struct question){PLAN_LOCATION, slot, "a point on the axis of rotation in %s, with every axis at 0", "0,0,120",
+	    (struct question){PLAN_HOME, slot, "where programs start, as 0 is outside of the travel, in %s", "100",
 			      false});
+	add(list, !axis->has_rate && plan->rapid == RAPID_DOGLEG,
+	    (struct question){PLAN_RATES, slot, "the rate of rapids, in %s a minute", rotary ? "7200" : "30000",
+			      false});
+	add(list, rotary && !axis->has_location,
+	    (struct question){PLAN_LOCATION, slot, "a point on the axis of rotation in %s, with every axis at 0",
+			      "0,0,120", false});
 }
 
 /* What is open, as far as is known by now. */
@@ -58,23 +60,27 @@ static void list_open(struct questions *list, const struct plan *plan)
 {
 	list->count = 0;
 	add(list, plan->family < 0,
-	    (struct question){PLAN_FAMILY, -1, "the family: do both rotary axes turn the table, both the head, or one each",
+	    (struct question){PLAN_FAMILY, -1,
+			      "the family: do both rotary axes turn the table, both the head, or one each",
 			      "table-table", false});
 	add(list, !plan->rotary.count,
-	    (struct question){PLAN_ROTARY, -1, "the rotary axes, first the one that carries the other (head-table: the head's)",
-			      "A,C", false});
+	    (struct question){PLAN_ROTARY, -1,
+			      "the rotary axes, first the one that carries the other (head-table: the head's)", "A,C",
+			      false});
 	add(list, !plan->has_table && !plan->has_head,
-	    (struct question){PLAN_TABLE, -1, "the linear axes that move the table, from the base on, or none (the default)",
-			      "Y,X", true});
+	    (struct question){PLAN_TABLE, -1,
+			      "the linear axes that move the table, from the base on, or none (the default)", "Y,X",
+			      true});
 	for (int slot = 0; slot <= SLOT_C; slot++) {
 		if (plan_has_axis(plan, slot))
 			add_axis(list, plan, slot);
 	}
 	add(list, !plan->has_spindle,
-	    (struct question){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520", false});
+	    (struct question){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520",
+			      false});
 	add(list, plan->dialect < 0,
-	    (struct question){PLAN_DIALECT, -1, "the dialect of the programs: linuxcnc (the default), fanuc or haas", "fanuc",
-			      true});
+	    (struct question){PLAN_DIALECT, -1, "the dialect of the programs: linuxcnc (the default), fanuc or haas",
+			      "fanuc", true});
 }
 
 /* "the travel of X in mm" would need grammar; "X: the travel in mm" does not. */
@@ -85,8 +91,8 @@ static void add_text(struct strbuf *out, const struct plan *plan, const struct q
 	if (question->slot >= 0)
 		strbuf_addf(out, "%c: ", AXIS_LETTERS[question->slot]);
 	if (unit)
-		strbuf_addf(out, "%.*s%s%s", (int)(unit - question->text), question->text,
-			    unit_of(plan, question), unit + 2);
+		strbuf_addf(out, "%.*s%s%s", (int)(unit - question->text), question->text, unit_of(plan, question),
+			    unit + 2);
 	else
 		strbuf_addf(out, "%s", question->text);
 }
@@ -127,7 +133,8 @@ bool question_report(const struct plan *plan, struct diag *diag)
 		add_text(&text, plan, question);
 		add_answer(&example, question, question->example);
 		if (question->key == PLAN_FAMILY)
-			diag_error(diag, nowhere, "missing: %s; one of table-table, head-head, head-table", strbuf_text(&text));
+			diag_error(diag, nowhere, "missing: %s; one of table-table, head-head, head-table",
+				   strbuf_text(&text));
 		else
 			diag_error(diag, nowhere, "missing: %s; like --%s %s", strbuf_text(&text),
 				   init_row(question->key)->name, strbuf_text(&example));

@@ -77,7 +77,8 @@ static void bash_options(struct strbuf *out, const struct shell_scope *scope)
 
 static void bash_value(struct strbuf *out, const char *command, const struct option_row *row)
 {
-	static const char *const actions[] = {[SHELL_FILE] = "kind=-f", [SHELL_FOLDER] = "kind=-d", [SHELL_OTHER] = "kind="};
+	static const char *const actions[] = {
+		[SHELL_FILE] = "kind=-f", [SHELL_FOLDER] = "kind=-d", [SHELL_OTHER] = "kind="};
 	struct strbuf words = {0};
 	enum shell_value value = shell_value(&words, row);
 
@@ -95,13 +96,15 @@ static void bash_value(struct strbuf *out, const char *command, const struct opt
 
 void shell_bash(struct strbuf *out)
 {
-	strbuf_addf(out, "# Completions of fivecheck for bash, as 'fivecheck completion bash' writes them.\n"
-			 "_fivecheck()\n{\n"
-			 "\tlocal cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command= words= kind=-f IFS=$' \\t\\n'\n"
-			 "\t# bash takes --option=value apart at the =.\n"
-			 "\tif [[ $cur == = ]]; then\n\t\tcur=\n"
-			 "\telif [[ $prev == = && $COMP_CWORD -gt 1 ]]; then\n\t\tprev=${COMP_WORDS[COMP_CWORD - 2]}\n\tfi\n"
-			 "\tif ((COMP_CWORD > 1)); then\n\t\tcase ${COMP_WORDS[1]} in\n\t\t");
+	strbuf_addf(out,
+		    "# Completions of fivecheck for bash, as 'fivecheck completion bash' writes them.\n"
+		    "_fivecheck()\n{\n"
+		    "\tlocal cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command= words= kind=-f "
+		    "IFS=$' \\t\\n'\n"
+		    "\t# bash takes --option=value apart at the =.\n"
+		    "\tif [[ $cur == = ]]; then\n\t\tcur=\n"
+		    "\telif [[ $prev == = && $COMP_CWORD -gt 1 ]]; then\n\t\tprev=${COMP_WORDS[COMP_CWORD - 2]}\n\tfi\n"
+		    "\tif ((COMP_CWORD > 1)); then\n\t\tcase ${COMP_WORDS[1]} in\n\t\t");
 	add_commands(out, " | ");
 	strbuf_addf(out, ") command=${COMP_WORDS[1]} ;;\n\t\tesac\n\tfi\n"
 			 "\t# What the option before it takes; else an option; else an operand.\n"
@@ -138,7 +141,8 @@ void shell_bash(struct strbuf *out)
 
 static void zsh_option(struct strbuf *out, const struct option_row *row)
 {
-	static const char *const actions[] = {[SHELL_FILE] = "_files", [SHELL_FOLDER] = "_files -/", [SHELL_OTHER] = " "};
+	static const char *const actions[] = {
+		[SHELL_FILE] = "_files", [SHELL_FOLDER] = "_files -/", [SHELL_OTHER] = " "};
 	struct strbuf words = {0};
 	enum shell_value value = shell_value(&words, row);
 
@@ -189,7 +193,8 @@ void shell_zsh(struct strbuf *out)
 	strbuf_addf(out, " )\n\tif (( CURRENT == 2 )); then\n\t\t_describe -t commands command commands\n"
 			 "\telif [[ $words[2] == (");
 	add_commands(out, "|");
-	strbuf_addf(out, ") ]]; then\n\t\tcommand=$words[2]\n\t\tshift words\n\t\t(( CURRENT-- ))\n\tfi\n\tcase $command in\n");
+	strbuf_addf(
+	    out, ") ]]; then\n\t\tcommand=$words[2]\n\t\tshift words\n\t\t(( CURRENT-- ))\n\tfi\n\tcase $command in\n");
 	for (int i = 1; i <= COMMAND_COUNT + 1; i++) {
 		struct shell_scope scope = shell_scope(i <= COMMAND_COUNT ? i : 0);
 
@@ -201,7 +206,10 @@ void shell_zsh(struct strbuf *out)
 static void fish_option(struct strbuf *out, const struct shell_scope *scope, const struct option_row *row)
 {
 	static const char *const actions[] = {
-		[SHELL_NONE] = "", [SHELL_FILE] = " -r -F", [SHELL_FOLDER] = " -x -a '(__fish_complete_directories)'", [SHELL_OTHER] = " -x",
+		[SHELL_NONE] = "",
+		[SHELL_FILE] = " -r -F",
+		[SHELL_FOLDER] = " -x -a '(__fish_complete_directories)'",
+		[SHELL_OTHER] = " -x",
 	};
 	struct strbuf words = {0};
 	enum shell_value value = shell_value(&words, row);
@@ -238,7 +246,8 @@ void shell_fish(struct strbuf *out)
 			    scope.command->summary);
 		if (!scope.command->choices)
 			continue;
-		strbuf_addf(out, "complete -c fivecheck -n '__fish_seen_subcommand_from %s' -f -a '", scope.command->name);
+		strbuf_addf(out, "complete -c fivecheck -n '__fish_seen_subcommand_from %s' -f -a '",
+			    scope.command->name);
 		add_choices(out, scope.command->choices);
 		strbuf_addf(out, "'\n");
 	}
