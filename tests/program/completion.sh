@@ -2,6 +2,7 @@
 options() { # of a command, or of the check
 	"$FIVECHECK" "$@" --help | sed -n 's/^  \(-., \|    \)--\([a-z-]*\).*/--\2/p'
 }
+commands=$("$FIVECHECK" --help | sed -n 's/^       fivecheck \([a-z][a-z]*\) .*/\1/p')
 skip() {
 	echo "completion: skipped: there is no $1" >&2
 }
@@ -19,7 +20,7 @@ BASH
 	ask() {
 		bash ask.bash fivecheck "$@"
 	}
-	for command in '' init completion; do
+	for command in '' $commands; do
 		# shellcheck disable=SC2086 # no word if there is no command
 		options $command >wanted
 		# shellcheck disable=SC2086
@@ -46,7 +47,7 @@ if command -v fish >/dev/null; then
 	fish_ask() {
 		HOME=$PWD fish --no-config -c "source completion.fish; complete -C '$1'" | cut -f 1
 	}
-	for command in '' init; do
+	for command in '' $commands; do
 		# shellcheck disable=SC2086
 		options $command | sort >wanted
 		fish_ask "fivecheck $command --" | grep '^--' | sort | cmp - wanted
@@ -65,7 +66,7 @@ words=(fivecheck "$@")
 CURRENT=$(($# + 1))
 source ./completion.zsh
 ZSH
-	for command in '' init; do
+	for command in '' $commands; do
 		# shellcheck disable=SC2086
 		options $command >wanted
 		# shellcheck disable=SC2086
