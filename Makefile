@@ -18,8 +18,8 @@ XML_FLAGS := $(shell xml2-config --cflags 2>/dev/null || echo -I/usr/include/lib
 HARDEN ?= $(if $(SANITIZE),,1)
 HARDEN_CFLAGS := $(if $(HARDEN),-fstack-protector-strong -fPIE $(if $(filter -O0,$(OPTIMISE)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
 HARDEN_LDFLAGS := $(if $(HARDEN),-pie -Wl$(comma)-z$(comma)relro$(comma)-z$(comma)now)
-# Contraction would make a verdict depend on the compiler.
-override CFLAGS += -std=c17 -ffp-contract=off $(WARNINGS) $(HARDEN_CFLAGS) $(SANITIZE_FLAGS)
+# Contraction would make a verdict depend on the compiler. No path of this computer gets into the program.
+override CFLAGS += -std=c17 -ffp-contract=off -ffile-prefix-map="$(CURDIR)"=. $(WARNINGS) $(HARDEN_CFLAGS) $(SANITIZE_FLAGS)
 override CPPFLAGS += -D_POSIX_C_SOURCE=200809L -DFIVECHECK_VERSION='"$(VERSION)"' -Isrc -I$(BUILD)/gen $(XML_FLAGS)
 override LDFLAGS += $(HARDEN_LDFLAGS) $(SANITIZE_FLAGS) -pthread
 LDLIBS := -lxml2 -ljansson -lnettle -lm
@@ -37,8 +37,15 @@ UNIT_PROGRAMS := $(UNITS:tests/unit/%.c=$(BUILD)/tests/%)
 MANUALS := $(sort $(wildcard man/*.[1-9]))
 PLOTS := $(sort $(wildcard examples/plots/*.gnuplot))
 MACHINES := $(sort $(wildcard machines/*/machine.xml))
+COMPLETIONS := $(patsubst %,$(BUILD)/completion/fivecheck.%,bash zsh fish)
+# Where zsh looks for functions differs: Debian's packages have share/zsh/vendor-completions.
+ZSH_FUNCTIONS ?= share/zsh/site-functions
+# What install puts below PREFIX, all of it, and uninstall removes.
+INSTALLED := bin/fivecheck $(addprefix share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS))) \
+	$(foreach m,$(MANUALS),share/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m))) \
+	share/bash-completion/completions/fivecheck $(ZSH_FUNCTIONS)/_fivecheck share/fish/vendor_completions.d/fivecheck.fish
 
-all: $(BUILD)/fivecheck
+all: $(BUILD)/fivecheck $(COMPLETIONS)
 
 $(BUILD)/fivecheck: $(BUILD)/src/main.o $(BUILD)/libfivecheck.a
 	@echo '  LD $@'
@@ -53,6 +60,11 @@ $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	@echo '  CC $@'
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+
+# Made from the table of options by the program itself.
+$(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
+	@mkdir -p $(@D)
+	$(Q)$(BUILD)/fivecheck completion $* > $@.new && mv $@.new $@
 
 # A schema as a C string: quotes and backslashes escaped, a line a literal.
 $(BUILD)/gen/%.rng.h: src/machine/%.rng
@@ -71,7 +83,12 @@ check:
 	@sh scripts/install-deps
 	@$(MAKE) --no-print-directory check-layers check-man
 	@$(MAKE) --no-print-directory all
-	@$(MAKE) --no-print-directory check-unit check-program check-faults check-machines check-rs274
+	@$(MAKE) --no-print-directory check-unit check-program check-install check-faults check-machines check-rs274
+
+# What a package's build can afford: nothing is installed or downloaded, and there are no peers.
+check-short:
+	@$(MAKE) --no-print-directory check-layers check-man all
+	@$(MAKE) --no-print-directory check-unit check-program check-machines
 
 check-layers:
 	@sh scripts/check-layers
@@ -167,17 +184,31 @@ demo:
 	@sh scripts/demo $(BUILD)/fivecheck
 
 install: all
-	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/share/fivecheck"
-	install -m 755 $(BUILD)/fivecheck "$(DESTDIR)$(PREFIX)/bin/fivecheck"
-	install -m 644 $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
-	for m in $(MANUALS); do s=$${m##*.}; install -d "$(DESTDIR)$(PREFIX)/share/man/man$$s" && \
-		install -m 644 $$m "$(DESTDIR)$(PREFIX)/share/man/man$$s" || exit 1; done
+	sh scripts/install "$(BUILD)" "$(DESTDIR)$(PREFIX)" $(INSTALLED)
 
 uninstall:
-	rm -f "$(DESTDIR)$(PREFIX)/bin/fivecheck"
-	rm -f $(addprefix "$(DESTDIR)$(PREFIX)"/share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS)))
-	-rmdir "$(DESTDIR)$(PREFIX)/share/fivecheck"
-	for m in $(MANUALS); do rm -f "$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$${m##*/}"; done
+	sh scripts/install --remove "$(DESTDIR)$(PREFIX)" $(INSTALLED)
+
+# What install puts is there, works, and is gone after uninstall.
+check-install: all
+	@sh scripts/check-install "$(BUILD)"
+
+# Two builds in folders of their own have the same bytes.
+check-reproducible:
+	@sh scripts/check-reproducible
+
+# The Debian package of the last commit, and lintian's opinion of it (debhelper, lintian).
+check-deb:
+	@sh scripts/check-deb
+
+# The last commit as an archive that is the same wherever it is made.
+DIST := fivecheck-$(VERSION)
+dist:
+	@mkdir -p $(BUILD)
+	@git diff --quiet HEAD || echo 'dist: changes that are not committed are left out' >&2
+	@git -c tar.umask=0022 archive --format=tar --prefix=$(DIST)/ -o $(BUILD)/$(DIST).tar HEAD
+	@gzip -9nf $(BUILD)/$(DIST).tar
+	@echo '$(BUILD)/$(DIST).tar.gz'
 
 clean:
 	rm -rf $(BUILD)
@@ -186,7 +217,8 @@ help:
 	@echo 'make                 build $(BUILD)/fivecheck'
 	@echo 'make demo            build, then check a clear and a colliding program'
 	@echo 'make check           layers, manual pages, unit tests, program tests, machines'
-	@echo 'make check-layers    and check-man check-unit check-program check-faults check-machines check-rs274: one of them'
+	@echo 'make check-layers    and check-man check-unit check-program check-install check-faults check-machines check-rs274:'
+	@echo '                     one of them'
 	@echo '                     (check-program TESTS="name ...": some of the program tests;'
 	@echo '                     check-rs274 RS274_OPTIONS="--seed 1 --blocks 100000")'
 	@echo 'make stress          awkward geometry at length (STRESS_CASES=20 times what check does, FIVECHECK_SEED=n)'
@@ -197,12 +229,16 @@ help:
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
-	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
+	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away; make check-install tries'
+	@echo 'make dist            the last commit as $(BUILD)/$(DIST).tar.gz'
+	@echo 'make check-reproducible   two builds in different folders have the same bytes'
+	@echo 'make check-deb       the Debian package builds, from the last commit, and passes lintian'
+	@echo 'make check-short     the tests of a Debian package: no network, no peers'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-deb check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include "cli/command.h"
 #include "cli/console.h"
 #include "cli/options.h"
 #include "cli/run.h"
@@ -27,11 +28,24 @@ static void hold_standard_files(void)
 	}
 }
 
-int main(int argc, char **argv)
+/* A check, or another run of the machine's file. */
+static enum run_status run_check(int argc, char **argv, struct console *console)
 {
 	struct options options;
-	struct console console;
 	enum run_status status = RUN_INCOMPLETE;
+
+	if (options_parse(&options, argc, argv, &console->diag))
+		status = run_options(&options, console);
+	else
+		diag_note(&console->diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
+	options_release(&options);
+	return status;
+}
+
+int main(int argc, char **argv)
+{
+	const struct command *command = argc > 1 ? command_of(argv[1]) : NULL;
+	struct console console;
 
 	hold_standard_files();
 	/* A reader that left, or a file at its limit, is an error of a write, not the end of the process. */
@@ -40,10 +54,5 @@ int main(int argc, char **argv)
 	signal(SIGABRT, on_abort);
 	json_init();
 	console_init(&console);
-	if (options_parse(&options, argc, argv, &console.diag))
-		status = run_options(&options, &console);
-	else
-		diag_note(&console.diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
-	options_release(&options);
-	return (int)status;
+	return (int)(command ? command->run(argc - 1, argv + 1, &console) : run_check(argc, argv, &console));
 }

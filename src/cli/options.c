@@ -1,14 +1,15 @@
 #include "cli/options.h"
 
 #include <assert.h>
-#include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
+#include "cli/command.h"
 #include "cli/list.h"
 #include "cli/table.h"
 #include "cli/value.h"
+#include "cli/words.h"
 
 struct parser {
 	struct options *options;
@@ -21,34 +22,6 @@ struct parser {
 
 static const struct srcloc nowhere;
 
-/* getopt's two forms of the table. */
-struct getopt_tables {
-	char letters[3 + 2 * OPTION_COUNT];
-	struct option names[OPTION_COUNT + 1];
-};
-
-static void getopt_tables_init(struct getopt_tables *tables)
-{
-	char *letter = tables->letters;
-
-	*tables = (struct getopt_tables){0};
-	/* Operands come in turn, whatever POSIXLY_CORRECT says; a missing argument is told apart. */
-	*letter++ = '-';
-	*letter++ = ':';
-	for (int i = 0; i < OPTION_COUNT; i++) {
-		const struct option_row *row = &option_table[i];
-
-		tables->names[i].name = row->name;
-		tables->names[i].has_arg = row->argument ? required_argument : no_argument;
-		tables->names[i].val = row->key;
-		if (row->key > 255)
-			continue;
-		*letter++ = (char)row->key;
-		if (row->argument)
-			*letter++ = ':';
-	}
-}
-
 static bool set_mode(struct parser *parser, const struct option_row *row)
 {
 	if (parser->mode && parser->mode != row) {
@@ -60,25 +33,10 @@ static bool set_mode(struct parser *parser, const struct option_row *row)
 	return true;
 }
 
-/* What getopt_long could not make sense of. */
-static bool refuse(struct parser *parser, int result, char **argv)
+static void add_operand(void *context, char *word)
 {
-	const struct option_row *row = option_of(optopt);
-	const char *word = argv[optind - 1];
+	struct parser *parser = context;
 
-	if (result == ':')
-		diag_error(parser->diag, nowhere, "--%s needs its argument: %s", row->name, row->argument);
-	else if (row && !row->argument && strchr(word, '='))
-		diag_error(parser->diag, nowhere, "--%s takes no argument", row->name);
-	else if (optopt)
-		diag_error(parser->diag, nowhere, "unknown option -%c", optopt);
-	else
-		diag_error(parser->diag, nowhere, "unknown or ambiguous option %s", word);
-	return false;
-}
-
-static void add_operand(struct parser *parser, char *word)
-{
 	parser->operand = mem_grow(parser->operand, &parser->capacity, parser->operands + 1, sizeof(*parser->operand));
 	parser->operand[parser->operands++] = word;
 }
@@ -88,35 +46,19 @@ static bool is_final(enum run_mode mode)
 	return mode == RUN_HELP || mode == RUN_VERSION;
 }
 
-static bool parse_words(struct parser *parser, int argc, char **argv)
+static enum word_result add_option(void *context, const struct option_row *row, const char *argument)
 {
-	struct getopt_tables tables;
-	int result;
+	struct parser *parser = context;
 
-	getopt_tables_init(&tables);
-	opterr = 0;
-	while ((result = getopt_long(argc, argv, tables.letters, tables.names, NULL)) != -1) {
-		const struct option_row *row;
-
-		if (result == 1) {
-			add_operand(parser, optarg);
-			continue;
-		}
-		if (result == '?' || result == ':')
-			return refuse(parser, result, argv);
-		row = option_of(result);
-		parser->seen[row - option_table] = true;
-		if (row->kind == VALUE_MODE && is_final(row->mode)) {
-			parser->options->mode = row->mode;
-			return true;
-		}
-		if (row->kind == VALUE_MODE ? !set_mode(parser, row)
-					    : !value_set(parser->options, row, optarg, parser->diag))
-			return false;
+	parser->seen[row - option_table] = true;
+	if (row->kind == VALUE_MODE && is_final(row->mode)) {
+		parser->options->mode = row->mode;
+		return WORD_LAST;
 	}
-	while (optind < argc)
-		add_operand(parser, argv[optind++]);
-	return true;
+	if (row->kind == VALUE_MODE ? !set_mode(parser, row)
+				    : !value_set(parser->options, row, argument, parser->diag))
+		return WORD_FAULT;
+	return WORD_NEXT;
 }
 
 static bool check_modes(const struct parser *parser)
@@ -225,7 +167,8 @@ static bool check_operands(const struct parser *parser)
 	for (size_t i = 0; i < o->program_count; i++)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)
-		diag_error(parser->diag, nowhere, "no machine file was named");
+		diag_error(parser->diag, nowhere,
+			   "no machine file was named ('fivecheck init' writes one to begin with)");
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
 			   "machine and setup cannot come from standard input; only a program can");
@@ -288,10 +231,11 @@ static bool share_out(const struct parser *parser)
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
 {
 	struct parser parser = {.options = options, .diag = diag};
+	const struct words words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
 	bool good;
 
 	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
-	good = parse_words(&parser, argc, argv);
+	good = words_parse(&words, argc, argv, diag);
 	options->programs = parser.operand;
 	if (parser.operands) {
 		options->machine = parser.operand[0];
@@ -331,25 +275,17 @@ void options_release(struct options *options)
 
 void options_help(struct strbuf *out)
 {
-	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n"
+	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n");
+	for (int i = 0; i < COMMAND_COUNT; i++) {
+		const struct command *command = &command_table[i];
+
+		strbuf_addf(out, "       fivecheck %-10s %-8s %s\n", command->name, command->operands,
+			    command->summary);
+	}
+	strbuf_addf(out,
 			 "Proves that a machine does not hit itself while it runs the programs, or names the\n"
 			 "first block in which it does. A program named - is standard input.\n\n");
-	for (int i = 0; i < OPTION_COUNT; i++) {
-		const struct option_row *row = &option_table[i];
-		struct strbuf name = {0};
-
-		if (row->key > 255)
-			strbuf_addf(&name, "      --%s", row->name);
-		else
-			strbuf_addf(&name, "  -%c, --%s", row->key, row->name);
-		if (row->argument)
-			strbuf_addf(&name, "=%s", row->argument);
-		strbuf_addf(out, "%-30s", name.text);
-		for (const char *c = row->help; *c; c++)
-			strbuf_addf(out, *c == '\n' ? "\n%31s" : "%.1s", *c == '\n' ? " " : c);
-		strbuf_addf(out, "\n");
-		strbuf_release(&name);
-	}
+	words_help(out, option_table, OPTION_COUNT);
 	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is incomplete\n"
 			 "(usage, unreadable or unsupported input), 3 internal error.\n");
 }

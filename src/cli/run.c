@@ -1,8 +1,10 @@
 #include "cli/run.h"
 
+#include <string.h>
 #include <unistd.h>
 
 #include "cli/broken.h"
+#include "cli/command.h"
 #include "cli/faults.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
@@ -22,18 +24,6 @@ static const struct srcloc nowhere;
 static enum run_status worst(enum run_status a, enum run_status b)
 {
 	return a > b ? a : b;
-}
-
-/* --help and --version */
-static enum run_status print_text(struct strbuf *text, struct diag *diag)
-{
-	struct output out;
-	bool good = output_open(&out, NULL, diag);
-
-	output_text(&out, text);
-	good = output_commit(&out, diag) && good;
-	strbuf_release(text);
-	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
 /* What a run works with; all zero is nothing. */
@@ -84,11 +74,23 @@ static bool needs_scene(enum run_mode mode)
 	return mode == RUN_CHECK || mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
 }
 
+/* Operands the other way round. */
+static void tell_order(const struct options *options, struct diag *diag)
+{
+	const char *first = options->program_count ? options->programs[0] : "";
+	size_t length = strlen(first);
+
+	if (length > 4 && !strcmp(first + length - 4, ".xml"))
+		diag_note(diag, nowhere, "the machine file comes first: fivecheck %s %s", first, options->machine);
+}
+
 static bool job_load(struct job *job, const struct options *options, struct diag *diag)
 {
 	double start = console_seconds();
 
 	job->machine = machine_load(options->machine, diag);
+	if (!job->machine)
+		tell_order(options, diag);
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
@@ -289,11 +291,11 @@ enum run_status run_options(const struct options *options, struct console *conso
 	console->kind = (enum progress_kind)options->progress;
 	if (options->mode == RUN_HELP) {
 		options_help(&text);
-		return print_text(&text, diag);
+		return command_print(&text, diag);
 	}
 	if (options->mode == RUN_VERSION) {
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
-		return print_text(&text, diag);
+		return command_print(&text, diag);
 	}
 	if (files_differ(options, diag)) {
 		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;

@@ -114,12 +114,3 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_VERSION, "version", NULL, MODE(RUN_VERSION), .help = "print the version"},
 	{KEY_HELP, "help", NULL, MODE(RUN_HELP), .help = "print this help"},
 };
-
-const struct option_row *option_of(int key)
-{
-	for (int i = 0; i < OPTION_COUNT; i++) {
-		if (option_table[i].key == key)
-			return &option_table[i];
-	}
-	return NULL;
-}

@@ -38,7 +38,4 @@ enum { OPTION_COUNT = 37 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 
-/* The row of a key; NULL: there is none. */
-const struct option_row *option_of(int key);
-
 #endif

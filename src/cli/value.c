@@ -9,7 +9,7 @@
 static const struct srcloc nowhere;
 
 /* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
-static bool parse_number(double *out, const char *text)
+bool value_number(double *out, const char *text)
 {
 	char *end;
 	double value;
@@ -27,7 +27,7 @@ static bool read_number(double *out, const struct option_row *row, const char *t
 {
 	double value;
 
-	if (!parse_number(&value, text)) {
+	if (!value_number(&value, text)) {
 		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s", row->name, text, row->unit ? " of " : "",
 			   row->unit ? row->unit : "");
 		return false;

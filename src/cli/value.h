@@ -15,4 +15,7 @@
  */
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag);
 
+/* A plain decimal number, finite; false: it is none, *out untouched. */
+bool value_number(double *out, const char *text);
+
 #endif

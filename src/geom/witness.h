@@ -8,8 +8,8 @@
 
 /*
  * Triangle a stands still; b's corners go from b0 to b1, each on its chord to
- * within a stray that is the caller's (he adds it to `apart`). DESIGN.md,
- * section 7.
+ * within a stray that is the caller's (he adds it to `apart`). fivecheck(7),
+ * "Certificates".
  */
 
 /* One axis: a fixed unit direction along which the gap exceeds `apart` at both ends does so all the way. */

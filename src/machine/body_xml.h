@@ -11,9 +11,6 @@
 /* Names are compared each with each. */
 #define BODIES_MAX 4096
 
-/* What stands for an axis or a role in a <pair>, and so names no body. */
-bool body_name_is_reserved(const char *name);
-
 /* Sets mesh_path (relative to the file's folder) and scale; false if it was reported as faulty. */
 bool body_read_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena, struct body *body);
 

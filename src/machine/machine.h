@@ -151,6 +151,9 @@ void machine_free(struct machine *machine);
  */
 bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
 
+/* What stands for an axis or a role in a <pair>, and so names no body. */
+bool body_name_is_reserved(const char *name);
+
 /* The axis on a slot, or NULL. */
 const struct axis *machine_axis(const struct machine *machine, int slot);
 

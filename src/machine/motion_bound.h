@@ -31,7 +31,7 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 /*
  * Over a motion along which every joint goes linearly from q0 to q1 and strays
  * by at most `deviation` from that, and by at most `tolerance` (NULL: not at all)
- * besides (DESIGN.md, section 7):
+ * besides (fivecheck(7), "How far a point can move"):
  */
 struct chord_bound {
 	double length;	/* L: no point moves farther, deviations apart (the better of both views) */

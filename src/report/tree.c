@@ -193,7 +193,7 @@ bool tree_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 
 	strbuf_addf(out, "machine: ");
 	quantity_add_plain(out, machine->name);
-	strbuf_addf(out, " (%s)\n", machine->path);
+	strbuf_addf(out, "%s(%s)\n", *machine->name ? " " : "", machine->path);
 	add_controller(out, &machine->controller);
 	strbuf_addf(out, "\nbase\n");
 	if (!add_link(&tree, 0, 1))

@@ -12,7 +12,7 @@
  */
 #define REACH_MARGIN 1e-3
 
-/* Fills scene->pairs (DESIGN.md, section 7, "Required pairs"). False: a mesh was faulty, reported. */
+/* Fills scene->pairs (fivecheck(7), "Pairs"). False: a mesh was faulty, reported. */
 bool pairs_derive(struct scene *scene, double clearance, struct diag *diag);
 
 #endif

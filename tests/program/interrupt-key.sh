@@ -7,6 +7,17 @@ import os, signal, sys
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])
 PY
+# The reader has emptied the pipe and waits for more: it sleeps, several looks in a row.
+wait_for_sleep() {
+	looks=0
+	while [ $looks -lt 5 ]; do
+		looks=$((looks + 1))
+		if [ -e "/proc/$1/status" ]; then
+			grep -q '^State:.S' "/proc/$1/status" || looks=0
+		fi
+		sleep 0.1
+	done
+}
 interrupt() {
 	python3 start.py "$FIVECHECK" "$@" <endless >out 2>err &
 	checker=$!
@@ -14,6 +25,7 @@ interrupt() {
 		sleep 0.1
 	done
 	rm consumed
+	[ -z "${asleep:-}" ] || wait_for_sleep $checker
 	kill -INT $checker
 	wait $checker
 	echo "status $?"
@@ -30,5 +42,6 @@ wait $writer 2>/dev/null
 # The writer says nothing more, and what it said has been checked.
 { yes 'G1 X1 F100' | head -n 100000; sleep 2; : >consumed; exec sleep 20; } >endless &
 writer=$!
+asleep=1
 interrupt -q m.xml -
 kill $writer 2>/dev/null

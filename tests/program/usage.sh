@@ -87,3 +87,4 @@ bad m.xml --list-pairs --exit-zero
 bad m.xml a.nc --record -
 bad m.xml - --record r.json
 bad m.xml a.nc --record a.nc
+bad -o /dev/null part.nc m.xml

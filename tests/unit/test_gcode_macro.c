@@ -505,6 +505,7 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {expressions, random_expressions, comparisons, ways, skipped_blocks, increments,
+				      arc_and_call,
 				      angles,
 				      contour,     pipes};
 

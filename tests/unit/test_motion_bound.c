@@ -263,7 +263,7 @@ START_TEST(tolerances_add)
 }
 END_TEST
 
-/* The same formula with the joints numbered from the moved body: DESIGN.md says that it is wrong, and it is. */
+/* The same formula with the joints numbered from the moved body: the bound does not hold. */
 static double bend_numbered_backwards(const struct scene_of_chain *c, int view)
 {
 	double turned = 0, acceleration = 0;

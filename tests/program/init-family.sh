@@ -1,0 +1,70 @@
+# Whatever the options, what init writes is a machine file that passes as soon as its meshes are there.
+mkdir stl
+make_meshes() { # MACHINE.xml: a small box for each body, apart from the others
+	i=0
+	for mesh in $(sed -n 's/.*<body .*mesh="\([^"]*\)".*/\1/p' "$1"); do
+		i=$((i + 1))
+		rectangle "${mesh%.stl}" 1 1 1 $((i * 10)) 0 0
+	done
+}
+for family in table-table head-head head-table; do
+	for rotary in A,C C,B B,A; do
+		for more in '' '--units inch --dialect fanuc' '--dialect haas --rapid linear --table X' '--head Z,Y'; do
+			rm -f m.xml stl/*
+			first=${rotary%,*} second=${rotary#*,}
+			# shellcheck disable=SC2086 # words, on purpose
+			"$FIVECHECK" init $family --rotary $rotary --limits X=-300:300,Y=:250,Z=-400:0 \
+				--limits $first=-30:120,$second=none --location $first=0,0,120 --location $second=1e1,-2.5,0 \
+				--spindle 0,0,520 $more >m.xml 2>notes || cat notes
+			if "$FIVECHECK" -q --check-machine m.xml >/dev/null 2>errors; then
+				echo "the meshes were not missed"
+			fi
+			make_meshes m.xml
+			"$FIVECHECK" --check-machine m.xml >tree 2>errors || cat errors
+			grep -c 'body ' tree
+		done
+	done
+done | sort | uniq -c
+# A title with everything that XML minds; an axis that is tilted; a home, as 0 is no place to start.
+init() {
+	status fivecheck init table-table --rotary B,C --limits X=-300:300,Y=-1:1,Z=-400:0,B=0:180,C=none \
+		--location B=0,0,0 --location C=0,0,0 --spindle 0,0,0 "$@"
+}
+init --title 'B=a<b & "c" > d' --name 'Fräse' --direction B=0,1,1 --limits Z=100:400 --home Z=150 >odd.xml 2>&1
+make_meshes odd.xml
+grep -v '^fivecheck\|^status' odd.xml >m.xml
+fivecheck --check-machine m.xml | grep 'machine:\|B "\|Z:'
+echo "nothing is overwritten:"
+init --output odd.xml
+echo "faults:"
+rm -f m.xml
+fault() {
+	"$FIVECHECK" init "$@" --output m.xml 2>&1 </dev/null | grep -v "lists the options" | sed 's/[^ -~]/?/g'
+	[ ! -e m.xml ] || echo "a file was written"
+}
+fault
+fault table-table --rotary A
+fault gantry
+fault table-table head-head
+fault head-table --rotary B,C --rapid dogleg
+complete() {
+	fault table-table --rotary A,C --limits X=-300:300,Y=-1:1,Z=-400:0,A=-1:1,C=none --location A=0,0,0 \
+		--location C=0,0,0 --spindle 0,0,0 "$@"
+}
+complete --limits X=300:-300
+complete --limits X
+complete --limits X=1e9:
+complete --limits Z=100:400
+complete --location A=0,0
+complete --rotary A,X
+complete --limits B=0:1
+complete --table X --head X,Y
+complete --table X --head Y
+complete --body C=part.stl
+complete --body base=a/head.stl
+complete --body W=w.stl
+complete --dialect siemens
+complete --direction A=0,0,0
+complete --rates X=0
+complete --nonsense
+complete --title "A=$(printf '\377')"

@@ -1,0 +1,37 @@
+# On a terminal init asks, again where an answer makes no sense, and writes what the options would have written.
+command -v python3 >/dev/null || { cat "$(dirname "$LIB")/init-terminal.sh.stdout.exact"; exit 0; }
+cat >terminal.py <<'PY'
+import os, pty, select, sys
+answers = sys.argv[1].split("/")
+child, terminal = pty.fork()
+if not child:
+    os.execv(sys.argv[2], sys.argv[2:])
+# Each answer is given when it is asked for: a question ends in "): ".
+said = b""
+while True:
+    try:
+        piece = os.read(terminal, 4096)
+    except OSError:
+        break
+    if not piece:
+        break
+    said += piece
+    if said.endswith(b"): "):
+        os.write(terminal, (answers.pop(0) + "\n").encode() if answers else b"\x04")
+sys.stdout.write(said.decode().replace("\r", ""))
+sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+PY
+ask() {
+	python3 terminal.py "$@"
+	echo "status $?"
+}
+ask 'table-table/A,C/none/-300:300/-250:250/oops/400:100/100:400/100/-120:30/0,0,120/none/0 0 120/0,0,520/' "$FIVECHECK" init
+fivecheck init table-table --rotary A,C --limits X=-300:300,Y=-250:250,Z=100:400,A=-120:30,C=none --home Z=100 \
+	--location A=0,0,120 --location C=0,0,120 --spindle 0,0,520 2>/dev/null | cmp - machine.xml
+echo "only what is missing:"
+ask 0,0,500/fanuc "$FIVECHECK" init head-head --rotary C,B --table X --limits X=none,Y=none,Z=none,C=none,B=none \
+	--location C=0,0,0 --location B=0,0,0 --output other.xml
+grep -c 'rapid="any"' other.xml
+echo "no answer:"
+ask head-head "$FIVECHECK" init --output third.xml
+ls
