@@ -144,6 +144,26 @@ $(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libfivecheck.a M
 		-DFUZZ_SETUP='"examples/ac-trunnion/setup.xml"' $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $< \
 		$(BUILD)/libfivecheck.a $(LDLIBS)
 
+# Random machines and programs against FCL; a case in which they disagree is kept in $(BUILD)/campaign.
+campaign:
+	@sh scripts/install-deps campaign
+	@$(MAKE) --no-print-directory all
+	@CXX="$(CXX)" sh scripts/campaign run_campaign $(BUILD) $(BUILD)/fivecheck $(BUILD)/campaign $(CAMPAIGN_OPTIONS)
+
+# FCL's own flags ask for an older C++.
+CAMPAIGN := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/campaign/*.cpp)))
+PEER_FLAGS = $$(pkg-config --cflags fcl jansson) -std=c++17 -O2 -Wall -Wextra -Wshadow -MMD -MP
+PEER_LIBS = $$(pkg-config --libs fcl jansson)
+
+$(BUILD)/tests/campaign/%.o: tests/campaign/%.cpp Makefile
+	@mkdir -p $(@D)
+	@echo '  CXX $@'
+	$(Q)$(CXX) $(PEER_FLAGS) -c -o $@ $<
+
+$(BUILD)/tests/run_campaign: $(CAMPAIGN)
+	@echo '  LD $@'
+	$(Q)$(CXX) -o $@ $^ $(PEER_LIBS)
+
 # Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
 bench:
 	@sh scripts/install-deps bench
@@ -191,12 +211,13 @@ help:
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
+	@echo 'make campaign        random machines and programs against FCL (CAMPAIGN_OPTIONS="--seed 7 --cases 2000")'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
-	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
+	@echo 'bench, campaign, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers campaign fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
 
--include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
+-include $(OBJECTS:.o=.d) $(CAMPAIGN:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
