@@ -189,6 +189,7 @@ int main(int argc, char **argv)
 
 		std::printf("campaign: seed %lu, cases %ld to %ld\n", options.seed, options.from,
 			    options.from + options.cases - 1);
+		std::fflush(stdout);
 		run(options, t);
 	} catch (const std::exception &fault) {
 		std::fprintf(stderr, "campaign: %s\n", fault.what());
