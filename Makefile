@@ -155,7 +155,7 @@ CAMPAIGN := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/campaign/*.cpp
 PEER_FLAGS = $$(pkg-config --cflags fcl jansson) -std=c++17 -O2 -Wall -Wextra -Wshadow -MMD -MP
 PEER_LIBS = $$(pkg-config --libs fcl jansson)
 
-$(BUILD)/tests/campaign/%.o: tests/campaign/%.cpp Makefile
+$(BUILD)/tests/%.o: tests/%.cpp Makefile
 	@mkdir -p $(@D)
 	@echo '  CXX $@'
 	$(Q)$(CXX) $(PEER_FLAGS) -c -o $@ $<
@@ -163,6 +163,17 @@ $(BUILD)/tests/campaign/%.o: tests/campaign/%.cpp Makefile
 $(BUILD)/tests/run_campaign: $(CAMPAIGN)
 	@echo '  LD $@'
 	$(Q)$(CXX) -o $@ $^ $(PEER_LIBS)
+
+# Awkward triangles and encounters, the truth, FCL's answers, and fivecheck's: the tables of doc/stress.md.
+stress-table:
+	@sh scripts/install-deps campaign >&2
+	@CXX="$(CXX)" sh scripts/campaign stress_table $(BUILD)
+
+$(BUILD)/tests/stress_table: tests/stress/stress_table.c $(BUILD)/tests/stress/fcl_answer.o $(BUILD)/libfivecheck.a
+	@echo '  CC $@'
+	$(Q)$(CC) $(CPPFLAGS) -Itests/unit $(CFLAGS) -MMD -MP -MF $@.d -c -o $@.o $<
+	$(Q)$(CXX) $(LDFLAGS) -o $@ $@.o $(BUILD)/tests/stress/fcl_answer.o $(BUILD)/libfivecheck.a \
+		$$(pkg-config --libs fcl check) $(LDLIBS)
 
 # Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
 bench:
@@ -212,12 +223,13 @@ help:
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
 	@echo 'make campaign        random machines and programs against FCL (CAMPAIGN_OPTIONS="--seed 7 --cases 2000")'
+	@echo 'make stress-table    awkward geometry, what FCL answers, and what fivecheck does: doc/stress.md'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, campaign, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers campaign fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers campaign fuzz check check-asan check-faults check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-machines check-rs274 demo install stress stress-table uninstall clean help
 
--include $(OBJECTS:.o=.d) $(CAMPAIGN:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
+-include $(OBJECTS:.o=.d) $(CAMPAIGN:.o=.d) $(BUILD)/tests/stress/fcl_answer.d $(BUILD)/tests/stress_table.d $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
