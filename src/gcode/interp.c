@@ -187,8 +187,8 @@ static void warn_of_missing_end(struct interp *interp, const struct line_reader 
 		diag_warning(interp->diag, loc, "the program ends without M2, M30 or %%; is the file complete?");
 	else if (reader->open_end)
 		diag_warning(interp->diag, loc,
-			     "the file stops in the middle of this line, and no M2 or M30 came before: if it is not complete, "
-			     "write it again; if it is, end it with M2 or M30, or the line with a line feed");
+			     "the file stops in the middle of this line, and no M2 or M30 came before: if it is not "
+			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
 }
 
 bool interp_run(struct interp *interp, FILE *in, const char *name)

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 struct Totals {
 	long cases = 0, runs = 0, clear = 0, found = 0, contacts = 0, between = 0, limits = 0, moves = 0, looks = 0;
 	long disagreeing = 0;
+	long kinds[4] = {0, 0, 0, 0};	/* of moves, by Path */
 };
 
 struct Options {
@@ -137,7 +138,8 @@ void Case::graze(const Terms &terms, double nearest)
 	judge(below, false);
 }
 
-static std::vector<std::string> run_case(const Options &options, Random &random, const std::string &folder, Totals &totals)
+static std::vector<std::string> run_case(const Options &options, Random &random, const std::string &folder,
+					 Totals &totals)
 {
 	static const double tolerances[] = {0.001, 0.001, 0.01, 0.1, 0.0001};
 	Terms terms = {tolerances[random.below(5)], random.chance(0.7) ? 0 : std::stod(decimal(random.in(0.01, 4), 3))};
@@ -150,6 +152,8 @@ static std::vector<std::string> run_case(const Options &options, Random &random,
 	write_machine(one.machine, folder);
 	std::ofstream(folder + "/p.nc") << one.program.text;
 	totals.moves += (long)one.program.moves.size();
+	for (const Move &move : one.program.moves)
+		totals.kinds[(int)move.path]++;
 	nearest = one.judge(terms, true);
 	if (nearest > 0 && nearest < 100)
 		one.graze(terms, nearest);
@@ -173,7 +177,8 @@ static void run(const Options &options, Totals &totals)
 		totals.disagreeing++;
 		for (const std::string &text : disagreements)
 			std::printf("case %ld: %s\n", k, text.c_str());
-		std::printf("case %ld: kept in %s; again: --seed %lu --from %ld --cases 1\n", k, place.c_str(), options.seed, k);
+		std::printf("case %ld: kept in %s; again: --seed %lu --from %ld --cases 1\n", k, place.c_str(),
+			    options.seed, k);
 		std::fflush(stdout);
 	}
 	if (!totals.disagreeing)
@@ -195,10 +200,11 @@ int main(int argc, char **argv)
 		std::fprintf(stderr, "campaign: %s\n", fault.what());
 		return 2;
 	}
-	std::printf("campaign: %ld programs with %ld moves, judged %ld times by %ld looks of FCL's\n", t.cases, t.moves, t.runs,
-		    t.looks);
-	std::printf("campaign: %ld clear; %ld not: %ld contacts that FCL sees, %ld between its looks, %ld limits\n", t.clear,
-		    t.found, t.contacts, t.between, t.limits);
+	std::printf("campaign: %ld programs, judged %ld times by %ld looks of FCL's\n", t.cases, t.runs, t.looks);
+	std::printf("campaign: %ld moves: %ld straight, %ld doglegs, %ld arcs, %ld of the tool's tip\n", t.moves,
+		    t.kinds[0], t.kinds[1], t.kinds[2], t.kinds[3]);
+	std::printf("campaign: %ld clear; %ld not: %ld contacts that FCL sees, %ld between its looks, %ld limits\n",
+		    t.clear, t.found, t.contacts, t.between, t.limits);
 	std::printf("campaign: %ld programs with a disagreement\n", t.disagreeing);
 	/* What never meets, or always does, compares nothing. */
 	if (t.cases >= 100 && (t.clear < t.cases / 20 || t.found < t.cases / 20)) {

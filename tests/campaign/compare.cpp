@@ -16,7 +16,8 @@ static const int LIMIT_LOOKS = 400;
 
 class Judge {
 public:
-	Judge(const Machine &machine, const Program &program, const Truth &truth, const Verdict &all, const Terms &terms)
+	Judge(const Machine &machine, const Program &program, const Truth &truth, const Verdict &all,
+	      const Terms &terms)
 		: machine_(machine), program_(program), truth_(truth), all_(all), terms_(terms)
 	{
 	}
@@ -61,7 +62,8 @@ const Move *Judge::move_at(int line) const
 
 static bool names(const Machine &machine, const Pair &pair, const Finding &finding)
 {
-	const std::string &a = machine.bodies[(size_t)pair.bodies.a].name, &b = machine.bodies[(size_t)pair.bodies.b].name;
+	const std::string &a = machine.bodies[(size_t)pair.bodies.a].name;
+	const std::string &b = machine.bodies[(size_t)pair.bodies.b].name;
 
 	return (a == finding.a && b == finding.b) || (a == finding.b && b == finding.a);
 }

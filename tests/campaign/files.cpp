@@ -27,8 +27,8 @@ static void write_body(std::ostream &xml, const char *element, const Machine &ma
 	std::string mesh = "body-" + std::to_string(i) + ".stl";
 
 	write_stl(folder + "/" + mesh, body.drawn);
-	xml << "<" << element << " name='" << body.name << "' mesh='" << mesh << "' location='" << text_of(body.location)
-	    << "' rotation='" << text_of(body.turns) << "'/>\n";
+	xml << "<" << element << " name='" << body.name << "' mesh='" << mesh << "' location='"
+	    << text_of(body.location) << "' rotation='" << text_of(body.turns) << "'/>\n";
 }
 
 static void write_link(std::ostream &xml, const Machine &machine, int link, const std::string &folder)
@@ -37,8 +37,8 @@ static void write_link(std::ostream &xml, const Machine &machine, int link, cons
 		if (machine.bodies[i].link == link && machine.bodies[i].role == Role::MACHINE)
 			write_body(xml, "body", machine, i, folder);
 	if (link == machine.spindle)
-		xml << "<spindle location='" << text_of(machine.gauge) << "' direction='" << text_of(machine.tool_direction)
-		    << "'/>\n";
+		xml << "<spindle location='" << text_of(machine.gauge) << "' direction='"
+		    << text_of(machine.tool_direction) << "'/>\n";
 	if (link == machine.table)
 		xml << "<workholding location='" << text_of(machine.work) << "'/>\n";
 	for (int i = 0; i < machine.world.axis_count; i++) {
@@ -47,10 +47,10 @@ static void write_link(std::ostream &xml, const Machine &machine, int link, cons
 
 		if (axis.parent != link)
 			continue;
-		xml << "<axis name='" << axis.letter << "' type='" << (axis.rotary ? "rotary" : "linear") << "' direction='"
-		    << text_of(axis.direction) << "' location='" << text_of(axis.location) << "' limit_min='"
-		    << text_of(travel.low) << "' limit_max='" << text_of(travel.high) << "' rate_max='"
-		    << text_of(60 * travel.rate) << "' home='" << text_of(axis.home) << "'>\n";
+		xml << "<axis name='" << axis.letter << "' type='" << (axis.rotary ? "rotary" : "linear")
+		    << "' direction='" << text_of(axis.direction) << "' location='" << text_of(axis.location)
+		    << "' limit_min='" << text_of(travel.low) << "' limit_max='" << text_of(travel.high)
+		    << "' rate_max='" << text_of(60 * travel.rate) << "' home='" << text_of(axis.home) << "'>\n";
 		write_link(xml, machine, i + 1, folder);
 		xml << "</axis>\n";
 	}
@@ -72,11 +72,11 @@ static void write_setup(std::ostream &xml, const Machine &machine, const std::st
 			write_body(xml, "part", machine, i, folder);
 	}
 	for (const Tool &tool : machine.tools)
-		xml << "<tool number='" << tool.number << "' length='" << text_of(tool.length) << "'>\n<holder><section length='"
-		    << text_of(tool.holder_length) << "' diameter='" << text_of(tool.holder_diameter)
-		    << "'/></holder>\n<cutter tip='" << (tool.ball ? "ball" : "flat") << "'><section length='"
-		    << decimal(tool.length - tool.holder_length, 2) << "' diameter='" << text_of(tool.diameter)
-		    << "'/></cutter>\n</tool>\n";
+		xml << "<tool number='" << tool.number << "' length='" << text_of(tool.length)
+		    << "'>\n<holder><section length='" << text_of(tool.holder_length) << "' diameter='"
+		    << text_of(tool.holder_diameter) << "'/></holder>\n<cutter tip='" << (tool.ball ? "ball" : "flat")
+		    << "'><section length='" << decimal(tool.length - tool.holder_length, 2) << "' diameter='"
+		    << text_of(tool.diameter) << "'/></cutter>\n</tool>\n";
 	xml << "</setup>\n";
 }
 
@@ -84,9 +84,9 @@ void write_machine(const Machine &machine, const std::string &folder)
 {
 	std::ofstream xml(folder + "/m.xml");
 
-	xml << "<machine version='1' units='mm'>\n<controller dialect='" << machine.dialect << "' rapid='" << machine.rapid
-	    << "'"
-	    << (machine.dialect == "linuxcnc" ? "" : " length_offset_moves='no'") << "><tool_change/></controller>\n<base>\n";
+	xml << "<machine version='1' units='mm'>\n<controller dialect='" << machine.dialect << "' rapid='"
+	    << machine.rapid << "'" << (machine.dialect == "linuxcnc" ? "" : " length_offset_moves='no'")
+	    << "><tool_change/></controller>\n<base>\n";
 	write_link(xml, machine, 0, folder);
 	xml << "</base>\n</machine>\n";
 	if (!xml.flush())

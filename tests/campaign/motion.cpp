@@ -65,7 +65,8 @@ static vec tip_of(const Machine &machine, double length)
 
 vec tip_at(const Machine &machine, const Position &q, double length)
 {
-	pose head = turned(machine, machine.spindle, q), table = turned(machine, machine.table, q), back = inverse(&table);
+	pose head = turned(machine, machine.spindle, q), table = turned(machine, machine.table, q);
+	pose back = inverse(&table);
 
 	return apply(&back, add(shift_of(machine, q), apply(&head, tip_of(machine, length))));
 }

@@ -134,49 +134,56 @@ void Writer::straight()
 	line(text + (rapid ? "" : feed()));
 }
 
+/* From the start about the centre to the end, at least a little: where both are the same, a full circle. */
+static double sweep_of(const Move &move, bool clockwise, bool full)
+{
+	auto i = (size_t)move.first, j = (size_t)move.second;
+	double sweep = std::atan2(move.to[j] - move.centre[1], move.to[i] - move.centre[0]) -
+		       std::atan2(move.from[j] - move.centre[1], move.from[i] - move.centre[0]);
+
+	sweep = full ? 0 : sweep;
+	if (clockwise)
+		return sweep > -1e-9 ? sweep - 2 * PI : sweep;
+	return sweep < 1e-9 ? sweep + 2 * PI : sweep;
+}
+
+/* In G17, G18 or G19, the other axes sometimes with it; one that leaves the travel is mostly given up. */
 void Writer::arc()
 {
 	static const char *const planes[] = {"XY", "ZX", "YZ"};
 	int plane = random_.below(3);
-	char first = planes[plane][0], second = planes[plane][1];
 	bool clockwise = random_.chance(0.5), full = random_.chance(0.2);
-	double radius = random_.size(1, 50), start = random_.in(0, 2 * PI), turn = random_.in(0.1, 6), read[2], centre[2];
+	double radius = random_.size(1, 50), start = random_.in(0, 2 * PI);
+	double end = start + (clockwise ? -1 : 1) * random_.in(0.1, 6), read;
 	std::string text = "G" + std::to_string(17 + plane) + (clockwise ? " G2" : " G3");
 	Move move;
 
 	move.path = Path::ARC;
-	move.first = machine_.axis(first);
-	move.second = machine_.axis(second);
-	move.to = at_;
-	turn = clockwise ? -turn : turn;
-	for (int k = 0; k < 2 && !full; k++) {
-		int i = k ? move.second : move.first;
-		double wanted = radius * (k ? std::sin(start + turn) - std::sin(start) : std::cos(start + turn) - std::cos(start));
-		double origin = relative_ ? at_[(size_t)i] : shift(i);
-
-		text += word(k ? second : first, at_[(size_t)i] + wanted - origin, &read[k]);
-		move.to[(size_t)i] = origin + read[k];
-	}
+	move.first = machine_.axis(planes[plane][0]);
+	move.second = machine_.axis(planes[plane][1]);
+	move.from = move.to = at_;
 	for (int i = 0; i < machine_.world.axis_count; i++) {
-		double origin = relative_ ? at_[(size_t)i] : shift(i), value;
+		double origin = relative_ ? at_[(size_t)i] : shift(i), wanted;
 
-		if (i == move.first || i == move.second || random_.chance(0.7))
+		if (i == move.first)
+			wanted = at_[(size_t)i] + radius * (std::cos(end) - std::cos(start));
+		else if (i == move.second)
+			wanted = at_[(size_t)i] + radius * (std::sin(end) - std::sin(start));
+		else
+			wanted = target(i);
+		/* A full circle has no words for its plane. */
+		if (i == move.first || i == move.second ? full : random_.chance(0.7))
 			continue;
-		text += word(machine_.world.axes[i].letter, target(i) - origin, &value);
-		move.to[(size_t)i] = origin + value;
+		text += word(machine_.world.axes[i].letter, wanted - origin, &read);
+		move.to[(size_t)i] = origin + read;
 	}
-	text += word((char)('I' + first - 'X'), -radius * std::cos(start), &read[0]);
-	text += word((char)('I' + second - 'X'), -radius * std::sin(start), &read[1]);
-	for (int k = 0; k < 2; k++)
-		centre[k] = move.centre[k] = at_[(size_t)(k ? move.second : move.first)] + read[k];
-	move.sweep = std::atan2(move.to[(size_t)move.second] - centre[1], move.to[(size_t)move.first] - centre[0]) -
-		     std::atan2(at_[(size_t)move.second] - centre[1], at_[(size_t)move.first] - centre[0]);
-	move.sweep = full ? 0 : move.sweep;
-	if (clockwise)
-		move.sweep -= move.sweep > -1e-9 ? 2 * PI : 0;
-	else
-		move.sweep += move.sweep < 1e-9 ? 2 * PI : 0;
-	move.from = at_;
+	for (int k = 0; k < 2; k++) {
+		double wanted = -radius * (k ? std::sin(start) : std::cos(start));
+
+		text += word((char)('I' + planes[plane][k] - 'X'), wanted, &read);
+		move.centre[k] = at_[(size_t)(k ? move.second : move.first)] + read;
+	}
+	move.sweep = sweep_of(move, clockwise, full);
 	if (!stays_inside(move) && random_.chance(0.95)) {
 		straight();
 		return;

@@ -102,7 +102,8 @@ static Surface ball(double radius, int rings, int sides)
 	std::vector<Ring> profile;
 
 	for (int i = 0; i <= rings; i++)
-		profile.push_back({i % rings ? radius * std::sin(PI * i / rings) : 0, -radius * std::cos(PI * i / rings)});
+		profile.push_back({i % rings ? radius * std::sin(PI * i / rings) : 0,
+				   -radius * std::cos(PI * i / rings)});
 	return revolved(profile, sides);
 }
 
@@ -127,7 +128,8 @@ Surface random_shape(Random &random, double size)
 		return angle(size * random.in(0.5, 2), size * random.in(0.5, 2), size * random.in(0.05, 0.4),
 			     size * random.in(0.05, 0.4), size * random.in(0.05, 1));
 	if (kind < 15)
-		return torus(size * random.in(0.6, 1), size * random.in(0.05, 0.4), 3 + random.below(30), 3 + random.below(12));
+		return torus(size * random.in(0.6, 1), size * random.in(0.05, 0.4), 3 + random.below(30),
+			     3 + random.below(12));
 	if (kind < 17) {
 		surface = box(half, 1);
 		for (int k = 0; k < 3; k++)

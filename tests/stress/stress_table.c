@@ -56,7 +56,7 @@ static bool is_wrong(double distance, double truth, double size)
 
 typedef void ask_fn(const tri *a, const tri *b, bool *meet, double *distance);
 
-static struct opinion answer_of(ask_fn *ask, const struct position *position)
+static struct opinion opinion_of(ask_fn *ask, const struct position *position)
 {
 	struct opinion answer = {0};
 
@@ -84,7 +84,8 @@ static void print_wrong(long wrong)
 static void print_answer(const struct opinion *answer, const struct position *position)
 {
 	double size = tri_pair_size(&position->a, &position->b);
-	bool wrong = answer->meet != (position->distance <= 0), off = is_wrong(answer->distance, position->distance, size);
+	bool wrong = answer->meet != (position->distance <= 0);
+	bool off = is_wrong(answer->distance, position->distance, size);
 
 	printf(" | %s%s%s, ", wrong ? "**" : "", answer->meet ? "meet" : "apart", wrong ? "**" : "");
 	printf("%s%.3g%s | ", off ? "**" : "", answer->distance, off ? "**" : "");
@@ -98,7 +99,8 @@ static void print_positions(void)
 	printf("| two triangles | distance, mm | FCL %s | wrong | fivecheck %s | wrong |\n|---|---|---|---|---|---|\n",
 	       fcl_version(), FIVECHECK_VERSION);
 	for (size_t i = 0; i < POSITIONS; i++) {
-		struct opinion fcl = answer_of(ask_fcl, &positions[i]), fivecheck = answer_of(ask_fivecheck, &positions[i]);
+		struct opinion fcl = opinion_of(ask_fcl, &positions[i]);
+		struct opinion fivecheck = opinion_of(ask_fivecheck, &positions[i]);
 
 		printf("| %s | %.3g", positions[i].name, positions[i].distance);
 		print_answer(&fcl, &positions[i]);
@@ -124,9 +126,9 @@ static struct fcl_body *fcl_mesh(const struct mesh *mesh)
 static void pose_at(const struct duo *duo, const struct stress_case *c, double s, double pose[12])
 {
 	xform x = duo_pose(duo, &c->chord.q0, &c->chord.q1, s, NULL);
-	const double entries[12] = {x.rotation.x.x, x.rotation.y.x, x.rotation.z.x, x.rotation.x.y, x.rotation.y.y, x.rotation.z.y,
-				 x.rotation.x.z, x.rotation.y.z, x.rotation.z.z, x.translation.x, x.translation.y,
-				 x.translation.z};
+	const mat3 *r = &x.rotation;
+	const double entries[12] = {r->x.x, r->y.x, r->z.x, r->x.y, r->y.y, r->z.y, r->x.z, r->y.z, r->z.z,
+				    x.translation.x, x.translation.y, x.translation.z};
 
 	memcpy(pose, entries, sizeof(entries));
 }
@@ -205,8 +207,8 @@ static void print_encounter(const struct stress_row *row)
 int main(void)
 {
 	print_positions();
-	printf("\n| first contact | at | FCL, %d samples | FCL, conservative advancement | fivecheck |\n|---|---|---|---|---|\n",
-	       SAMPLES);
+	printf("\n| first contact | at | FCL, %d samples | FCL, conservative advancement | fivecheck |\n"
+	       "|---|---|---|---|---|\n", SAMPLES);
 	for (size_t i = 0; i < ROWS; i++)
 		print_encounter(&rows[i]);
 	return 0;

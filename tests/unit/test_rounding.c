@@ -1,6 +1,6 @@
 /*
- * The allowances for rounding that proofs carry, against long double: each is kept, and each is used to a share that its
- * comment can explain: such bounds add up the worst of every operation, which never come together.
+ * The allowances for rounding that proofs carry, against long double: each is kept, and each is used to a share that
+ * its comment can explain: such bounds add up the worst of every operation, which never come together.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,8 +43,9 @@ START_TEST(poses_are_off_by_no_more_than_allowed)
 		double allowed;
 
 		for (size_t i = 0; i < chain.count; i++)
-			q.v[chain.joints[i].slot] = chain.joints[i].rotary ? random_sign(&random) * random_size(&random, 1e-3, 1e4)
-									   : random_in(&random, -size, size);
+			q.v[chain.joints[i].slot] = chain.joints[i].rotary
+							    ? random_sign(&random) * random_size(&random, 1e-3, 1e4)
+							    : random_in(&random, -size, size);
 		duo_init(&duo, &chain, &a, &b, &place_a, &place_b);
 		pose = body_pair_pose(&duo.pair, &q);
 		allowed = body_pair_rounding(&duo.pair, &q, pose.translation);
@@ -58,7 +59,7 @@ START_TEST(poses_are_off_by_no_more_than_allowed)
 		duo_release(&duo);
 	}
 	printf("poses: largest rounding / bound %.4f\n", most);
-	/* 256 units of the sum of all lengths are allowed; the operations' errors are of each length alone, and cancel. */
+	/* 256 units of the sum of all lengths are allowed; errors are of each length alone, and cancel. */
 	ck_assert_double_gt(most, 1e-3);
 }
 END_TEST

@@ -44,7 +44,7 @@ static real x_at(const struct dance *d, real s)
 {
 	const real degree = acosl(-1) / 180, arm = PIVOT + LENGTH;
 	real tilt0 = d->tilt[0] * degree, turn0 = d->turn[0] * degree;
-	real tilt = ((1 - s) * d->tilt[0] + s * d->tilt[1]) * degree, turn = ((1 - s) * d->turn[0] + s * d->turn[1]) * degree;
+	real tilt = (1 - s) * tilt0 + s * d->tilt[1] * degree, turn = (1 - s) * turn0 + s * d->turn[1] * degree;
 
 	switch (d->family) {
 	case TABLE_TABLE:
