@@ -68,13 +68,13 @@ static int add_axis(Random &random, Machine &machine, char letter, int parent, b
 	bool rotary = letter >= 'A' && letter <= 'C';
 	int k = rotary ? letter - 'A' : letter >= 'X' ? letter - 'X' : letter - 'U';
 	double along[3] = {0, 0, 0}, width = rotary ? random.in(60, 360) : random.in(40, 300);
-	double middle = random.in(-0.3, 0.3) * width;
+	double middle = random.in(-0.3, 0.3) * width, skew = random.in(0.05, 0.4);
 	Travel travel;
 
 	along[k] = random.chance(0.8) ? 1 : -1;
 	axis.direction = vec_of(along[0], along[1], along[2]);
 	if (askew && random.chance(0.3))
-		axis.direction = add(axis.direction, times(random.in(0.05, 0.4), random.direction()));
+		axis.direction = add(axis.direction, times(skew, random.direction()));
 	else if (rotary && random.chance(0.2))
 		axis.direction = random.chance(0.5) ? vec_of(0, 1, 1) : random.direction();
 	axis.direction = rounded(axis.direction, 6);
@@ -97,8 +97,7 @@ static void five_axes(Random &random, Machine &machine)
 {
 	std::vector<char> linear = {'X', 'Y', 'Z'}, rotary = {'A', 'B', 'C'};
 	bool askew = random.chance(0.3);
-	int family = random.below(3), count = 1 + random.below(2) + random.chance(0.1);
-	int head = 0, table = 0;
+	int family = random.below(3), count = 1 + random.below(2), head = 0, table = 0;
 
 	random.shuffle(linear);
 	random.shuffle(rotary);
@@ -107,6 +106,8 @@ static void five_axes(Random &random, Machine &machine)
 
 		side = add_axis(random, machine, letter, side, askew);
 	}
+	if (random.chance(0.1))
+		count++;
 	for (int i = 0; i < count; i++) {
 		int &side = family == 0 || (family == 2 && i % 2) ? table : head;
 

@@ -109,27 +109,28 @@ static Surface ball(double radius, int rings, int sides)
 
 Surface random_shape(Random &random, double size)
 {
-	double half[3], inner[3], share = random.in(0.5, 0.95);
-	double r = size * random.in(0.1, 1), h = size * random.in(0.1, 1);
+	/* Drawn one by one: compilers differ in the order in which they see to arguments. */
+	double half[3], inner[3], share = random.in(0.5, 0.95), top = random.in(-0.8, 0.8);
+	double r = size * random.in(0.1, 1), h = size * random.in(0.1, 1), arms[4];
 	Surface surface, cavity;
-	int kind = random.below(20);
+	int kind = random.below(20), sides = 3 + random.below(60), rings = 3 + random.below(10);
 
 	for (double &x : half)
 		x = size * random.in(0.2, 1);
+	for (int k = 0; k < 4; k++)
+		arms[k] = size * (k < 2 ? random.in(0.5, 2) : random.in(0.05, 0.4));
 	if (kind < 5)
 		return box(half, random.chance(0.7) ? 1 : 2 + random.below(8));
 	if (kind < 8)
-		return revolved({{r, -h}, {r, h}}, 3 + random.below(60));
+		return revolved({{r, -h}, {r, h}}, sides);
 	if (kind < 10)
-		return revolved({{r, -h}, {r * random.below(2) * random.in(0.1, 0.9), h}}, 3 + random.below(60));
+		return revolved({{r, -h}, {r * std::fmax(top, 0), h}}, sides);
 	if (kind < 12)
-		return ball(r, 2 + random.below(12), 3 + random.below(30));
+		return ball(r, rings, 3 + sides / 2);
 	if (kind < 14)
-		return angle(size * random.in(0.5, 2), size * random.in(0.5, 2), size * random.in(0.05, 0.4),
-			     size * random.in(0.05, 0.4), size * random.in(0.05, 1));
+		return angle(arms[0], arms[1], arms[2], arms[3], h);
 	if (kind < 15)
-		return torus(size * random.in(0.6, 1), size * random.in(0.05, 0.4), 3 + random.below(30),
-			     3 + random.below(12));
+		return torus(half[0], 0.4 * std::fmin(r, half[0]), 3 + sides / 2, rings);
 	if (kind < 17) {
 		surface = box(half, 1);
 		for (int k = 0; k < 3; k++)
