@@ -34,6 +34,7 @@ SCHEMA_HEADERS := $(SCHEMAS:src/machine/%.rng=$(BUILD)/gen/%.rng.h)
 UNITS := $(sort $(wildcard tests/unit/test_*.c))
 UNIT_PROGRAMS := $(UNITS:tests/unit/%.c=$(BUILD)/tests/%)
 MANUALS := $(sort $(wildcard man/*.[1-9]))
+PLOTS := $(sort $(wildcard examples/plots/*.gnuplot))
 MACHINES := $(sort $(wildcard machines/*/machine.xml))
 
 all: $(BUILD)/fivecheck
@@ -111,7 +112,7 @@ check-asan:
 	@$(MAKE) --no-print-directory SANITIZE=address,undefined check-unit check-program
 
 check-tsan:
-	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all"
+	@$(MAKE) --no-print-directory SANITIZE=thread check-program TESTS="threads threads-programs several-programs verdict-all clearance-report"
 
 check-valgrind: $(BUILD)/fivecheck $(UNIT_PROGRAMS)
 	@sh scripts/check-valgrind $(BUILD)
@@ -195,13 +196,14 @@ demo:
 install: all
 	install -d "$(DESTDIR)$(PREFIX)/bin" "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	install -m 755 $(BUILD)/fivecheck "$(DESTDIR)$(PREFIX)/bin/fivecheck"
-	install -m 644 $(SCHEMAS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
+	install -m 644 $(SCHEMAS) $(PLOTS) "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	for m in $(MANUALS); do s=$${m##*.}; install -d "$(DESTDIR)$(PREFIX)/share/man/man$$s" && \
 		install -m 644 $$m "$(DESTDIR)$(PREFIX)/share/man/man$$s" || exit 1; done
 
 uninstall:
 	rm -f "$(DESTDIR)$(PREFIX)/bin/fivecheck"
 	rm -f $(SCHEMAS:src/machine/%="$(DESTDIR)$(PREFIX)/share/fivecheck/%")
+	rm -f $(PLOTS:examples/plots/%="$(DESTDIR)$(PREFIX)/share/fivecheck/%")
 	-rmdir "$(DESTDIR)$(PREFIX)/share/fivecheck"
 	for m in $(MANUALS); do rm -f "$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$${m##*/}"; done
 

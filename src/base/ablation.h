@@ -11,6 +11,12 @@ enum { WITH_BUDGET = 0 };
 enum { WITH_BUDGET = 1 };	/* a proven distance is spent over later steps */
 #endif
 
+#ifdef FIVECHECK_WITHOUT_KEPT_BUDGETS
+enum { WITH_KEPT_BUDGETS = 0 };
+#else
+enum { WITH_KEPT_BUDGETS = 1 };	/* and kept for when the axes come back */
+#endif
+
 #ifdef FIVECHECK_WITHOUT_CHUNKS
 enum { WITH_CHUNKS = 0 };
 #else
@@ -33,6 +39,12 @@ enum { WITH_SIMD = 1 };	/* boxes are tested eight at a time */
 enum { WITH_CACHED_AXES = 0 };
 #else
 enum { WITH_CACHED_AXES = 1 };	/* the axes that separated last are tried first */
+#endif
+
+#ifdef FIVECHECK_WITHOUT_SUPPORTS
+enum { WITH_SUPPORTS = 0 };
+#else
+enum { WITH_SUPPORTS = 1 };	/* and tell whole branches apart by how far their triangles reach */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_INTERPOLATED_AXES

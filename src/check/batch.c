@@ -90,12 +90,17 @@ static void sum_up_chunks(struct batch *batch)
 	}
 }
 
-void batch_close(struct batch *batch)
+void batch_settle(struct batch *batch)
 {
-	sum_up_chunks(batch);
 	for (size_t i = 0; i < batch->path_count; i++)
 		if (batch->paths[i].tcp)
 			batch->paths[i].tcp = &batch->tcps[batch->path_tcp[i]];
 	for (size_t i = 0; i < batch->step_count; i++)
 		batch->steps[i].motion.span.path = &batch->paths[batch->steps[i].path];
+}
+
+void batch_close(struct batch *batch)
+{
+	sum_up_chunks(batch);
+	batch_settle(batch);
 }

@@ -12,7 +12,7 @@
 
 /* Where a step stands: `block` numbers the program's blocks from 0. */
 struct batch_step {
-	struct motion_step motion;	/* its path is the batch's once batch_close was called */
+	struct motion_step motion;	/* its path is the batch's once it is settled */
 	size_t path;	/* index into paths */
 	long block;
 	bool beyond;	/* past a limit, or near enough for the path tolerance: nothing is out of reach */
@@ -46,7 +46,10 @@ void batch_clear(struct batch *batch);
 /* Copies a step and, if it is curved, its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block);
 
-/* Points the steps to the batch's own paths and sums up the chunks; call it before using them. */
+/* Points the steps to the batch's own paths; call it before using them. */
+void batch_settle(struct batch *batch);
+
+/* The same, and sums up the chunks. */
 void batch_close(struct batch *batch);
 
 #endif

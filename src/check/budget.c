@@ -77,6 +77,16 @@ void budget_resume(struct budget *budget, const axis_values *q)
 		use_at(budget, q, budget->used);
 }
 
+bool budget_holds(const struct budget *budget, const axis_values *q)
+{
+	double used[VIEWS];
+
+	if (!budget->known)
+		return false;
+	use_at(budget, q, used);
+	return smaller(used[0], used[1]) < budget->room;
+}
+
 bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off)
 {
 	double used[VIEWS], play[VIEWS] = {0, 0};
@@ -98,18 +108,26 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 	return false;
 }
 
-bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off)
+/* As use_within, for every position between low and high. */
+static void use_in_box(const struct budget *budget, const axis_values *low, const axis_values *high,
+		       const axis_values *off, double used[VIEWS])
 {
 	axis_values amount;
-	double used[VIEWS];
 
-	if (!budget->known)
-		return false;
 	for (int i = 0; i < SLOT_COUNT; i++)
 		amount.v[i] = larger(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i])) +
 			      (off ? off->v[i] : 0);
 	use_within(budget, &amount, used);
+}
+
+bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
+		       const axis_values *q1, const axis_values *off)
+{
+	double used[VIEWS];
+
+	if (!budget->known)
+		return false;
+	use_in_box(budget, low, high, off, used);
 	for (int v = 0; v < VIEWS; v++) {
 		if (used[v] < budget->room) {
 			use_at(budget, q1, budget->used);
@@ -117,4 +135,15 @@ bool budget_covers_box(struct budget *budget, const axis_values *low, const axis
 		}
 	}
 	return false;
+}
+
+double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
+		   const axis_values *off)
+{
+	double used[VIEWS];
+
+	if (!budget->known)
+		return -INFINITY;
+	use_in_box(budget, low, high, off, used);
+	return budget->room - fmin(used[0], used[1]);
 }

@@ -35,6 +35,9 @@ void budget_set(struct budget *budget, const axis_values *q, const struct chain_
 /* The axes stand at q again without having been followed from `at`. */
 void budget_resume(struct budget *budget, const axis_values *q);
 
+/* Is q covered? */
+bool budget_holds(const struct budget *budget, const axis_values *q);
+
 /*
  * Is the motion from where the budget was last used to q1 covered, when each
  * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used.
@@ -44,5 +47,12 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const axis_valu
 /* The same for every position between low and high, after which the axes stand at q1. */
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
 		       const axis_values *q1, const axis_values *off);
+
+/*
+ * mm of the room that are left wherever between low and high the axes stand; below 0, or
+ * -INFINITY when nothing is known: nothing is proven there. Uses nothing up.
+ */
+double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
+		   const axis_values *off);
 
 #endif

@@ -3,9 +3,8 @@
 #include <math.h>
 
 #include "base/ablation.h"
+#include "check/step.h"
 #include "check/stretch.h"
-#include "motion/path.h"
-#include "motion/span.h"
 
 /*
  * The share of a distance that a budget is content with. Measured: 0.1 to 0.25
@@ -13,13 +12,23 @@
  */
 #define BUDGET_SHARE 0.15
 
-/* How much of a distance that turned out to be too small is tried next when the smallest clearance is measured. */
+/*
+ * And of one that is to last longer, asked for where the first is of no use but the distance is there.
+ * It may cost as much as the sweeps since the last such query. Measured: 0.35 to 0.5 are about equally good.
+ */
+#define SHARP_SHARE 0.5
+#define SHARP_NEED 2	/* ways of the step that must be there */
+
+/* Ways of the step that a query must prove to have been worth its time. */
+#define PAYING_ROOM 4
+
+/* How much of a distance beyond the clearance that turned out too small is tried next when the smallest is measured. */
 #define MEASURE_SHARE 0.8
 
 /* And how sharply: where exactly the target is missed does not matter. */
 #define MEASURE_GRAIN 0.1
 
-/* Steps that a follower at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more in close work. */
+/* Steps that a follower at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more nearby. */
 #define PATIENCE_MAX 256
 
 /*
@@ -37,7 +46,12 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
 	follower->bodies.memory = &follower->memory;
-	budget_init(&follower->budget, bodies->chain);
+	budgets_init(&follower->budgets, bodies->chain);
+}
+
+void follower_cap(struct follower *follower, double most)
+{
+	follower->target = most;
 }
 
 /* Its memory is its own. */
@@ -50,17 +64,17 @@ static void copy_state(struct follower *to, const struct follower *from)
 void follower_fork(const struct follower *whole, struct follower *part)
 {
 	copy_state(part, whole);
-	part->budgets = part->queries = 0;
+	part->covered_steps = part->queries = 0;
 	follower_lose(part);
 }
 
 void follower_join(struct follower *whole, const struct follower *part)
 {
-	long budgets = whole->budgets + part->budgets, queries = whole->queries + part->queries;
+	long covered_steps = whole->covered_steps + part->covered_steps, queries = whole->queries + part->queries;
 	double target = fmin(whole->target, part->target);
 
 	copy_state(whole, part);
-	whole->budgets = budgets;
+	whole->covered_steps = covered_steps;
 	whole->queries = queries;
 	whole->target = target;
 }
@@ -76,59 +90,20 @@ void follower_lose(struct follower *follower)
 	follower->settled = false;
 }
 
-static bool moves(const struct chain *chain, const struct span *span)
-{
-	for (size_t i = 0; i < chain->count; i++) {
-		int slot = chain->joints[i].slot;
-
-		if (span->q1.v[slot] < span->q0.v[slot] || span->q1.v[slot] > span->q0.v[slot] ||
-		    span->deviation.v[slot] > 0)
-			return true;
-	}
-	return false;
-}
-
-/* By how much each axis may be off the straight line; false: by nothing. */
-static bool off_the_line(const struct chain *chain, const struct motion_step *step, axis_values *off)
-{
-	bool any = false;
-
-	for (size_t i = 0; i < chain->count; i++) {
-		int slot = chain->joints[i].slot;
-
-		off->v[slot] = step->span.deviation.v[slot] + step->tolerance.v[slot];
-		any |= off->v[slot] > 0;
-	}
-	return any;
-}
-
-static bool is_box(const struct motion_step *step)
-{
-	return step->span.path->kind == PATH_BOX;
-}
-
-static void box_of_span(const struct span *span, axis_values *low, axis_values *high)
-{
-	for (int i = 0; i < SLOT_COUNT; i++) {
-		low->v[i] = fmin(span->q0.v[i], span->q1.v[i]);
-		high->v[i] = fmax(span->q0.v[i], span->q1.v[i]);
-	}
-}
-
 static bool covered(struct follower *follower, const struct motion_step *step, const axis_values *off)
 {
 	const struct span *span = &step->span;
 	axis_values low, high;
 	bool good;
 
-	if (is_box(step)) {
-		box_of_span(span, &low, &high);
-		good = budget_covers_box(&follower->budget, &low, &high, &span->q1, off);
+	if (step_is_box(step)) {
+		step_box(step, &low, &high);
+		good = budgets_cover_box(&follower->budgets, &low, &high, &span->q1, off);
 	} else {
-		good = budget_covers(&follower->budget, &span->q1, off);
+		good = budgets_cover(&follower->budgets, &span->q0, &span->q1, off);
 	}
 	if (good) {
-		follower->budgets++;
+		follower->covered_steps++;
 		follower->settled = true;
 		follower->sweeps = false;
 	}
@@ -149,6 +124,39 @@ static double way_of(const struct follower *follower, const struct chain_state *
 	return way;
 }
 
+/*
+ * mm, a lower bound on the distance at q: coarsely first, and once more sharply where there is enough
+ * of it but too little was proved.
+ */
+static double ask_distance(struct follower *follower, struct sweep *sweep, const axis_values *q, double way)
+{
+	double enough = follower->target + way;
+	double distance = sweep_distance(sweep, &follower->bodies, q, BUDGET_SHARE, enough, 0);
+
+	follower->queries++;
+	if (!WITH_KEPT_BUDGETS || follower->sweep_visits <= 0 || distance - follower->target > PAYING_ROOM * way ||
+	    !(follower->memory.near - follower->target > SHARP_NEED * way))
+		return distance;
+	distance = fmax(distance,
+			sweep_distance(sweep, &follower->bodies, q, SHARP_SHARE, enough, follower->sweep_visits));
+	follower->queries++;
+	follower->sweep_visits = 0;
+	return distance;
+}
+
+/* As sharply as the smallest clearance is measured. */
+static double measure_distance(struct follower *follower, struct sweep *sweep, const axis_values *q, double way)
+{
+	bool first = isinf(follower->target);
+	double distance = sweep_distance(sweep, &follower->bodies, q, MEASURE_SHARE,
+					 first ? follower->clearance : follower->target + way, 0);
+
+	follower->queries++;
+	if (first)
+		follower->target = fmax(follower->clearance, MEASURE_SHARE * distance);
+	return distance;
+}
+
 /* Asks for the distance where the step ends and starts a new budget with it. */
 static void renew(struct follower *follower, struct sweep *sweep, const struct motion_step *step)
 {
@@ -156,20 +164,15 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 	const struct span *span = &step->span;
 	struct chain_state state;
 	double way, distance, room;
-	bool unmeasured;
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(follower, &state, span);
-	unmeasured = isinf(follower->target);
-	distance = sweep_distance(sweep, bodies, &span->q1, follower->measures ? MEASURE_SHARE : BUDGET_SHARE,
-				  unmeasured ? follower->clearance : follower->target + way);
-	follower->queries++;
-	if (unmeasured)
-		follower->target = fmax(follower->clearance, MEASURE_SHARE * distance);
+	distance = follower->measures ? measure_distance(follower, sweep, &span->q1, way)
+				      : ask_distance(follower, sweep, &span->q1, way);
 	room = distance - follower->target;
-	budget_set(&follower->budget, &span->q1, &state, room);
-	budget_resume(&follower->budget, &span->q0);
-	if (room > 4 * way) {
+	budgets_set(&follower->budgets, &span->q1, &state, room);
+	budgets_resume(&follower->budgets, &span->q0);
+	if (room > PAYING_ROOM * way) {
 		follower->patience = 1;
 	} else {
 		follower->wait = follower->patience;
@@ -177,78 +180,19 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 	}
 }
 
-static void halve(const struct chord *whole, struct chord *first, struct chord *second)
+/* The question that is open: does the target hold? Above the clearance any contact answers it, and roughly will do. */
+static struct passing question(const struct follower *follower, struct sweep *sweep, double tolerance)
 {
-	const struct span span = {whole->q0, whole->q1, whole->deviation, whole->curve, whole->u0, whole->u1};
-	struct span halves[2];
-	struct chord *out[2] = {first, second};
+	bool any = follower->target > follower->clearance;
 
-	span_halve(&span, &halves[0], &halves[1]);
-	for (int i = 0; i < 2; i++)
-		*out[i] = (struct chord){halves[i].q0, halves[i].q1, halves[i].deviation, whole->curve,
-					 halves[i].u0, halves[i].u1, whole->halve};
-}
-
-/* mm: how far the control may carry a point off the programmed path. */
-static double freedom(const struct follower *follower, const struct chord *chord, const axis_values *tolerance)
-{
-	const struct body_pair *bodies = &follower->bodies;
-	struct chain_state start, end;
-	struct chord_bound both, path;
-
-	chain_state_init(&start, bodies->chain, &chord->q0, &bodies->ball_a, &bodies->ball_b);
-	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
-	chord_bound_init(&both, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, tolerance);
-	chord_bound_init(&path, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, NULL);
-	/* The sweep accounts for the path's own deviation, which shrinks as it bisects. */
-	return fmax(both.drift[0] - path.drift[0], both.drift[1] - path.drift[1]);
-}
-
-static bool has_tolerance(const struct chain *chain, const struct motion_step *step)
-{
-	for (size_t i = 0; i < chain->count; i++)
-		if (step->tolerance.v[chain->joints[i].slot] > 0)
-			return true;
-	return false;
-}
-
-static enum sweep_answer sweep_positions(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-					 double tolerance, struct contact *contact)
-{
-	axis_values low, high;
-
-	box_of_span(&step->span, &low, &high);
-	for (int i = 0; i < SLOT_COUNT; i++) {
-		low.v[i] -= step->tolerance.v[i];
-		high.v[i] += step->tolerance.v[i];
-	}
-	return sweep_box(sweep, &follower->bodies, &low, &high, follower->target, tolerance, BOX_VISITS, contact);
-}
-
-/* Sweeps along a chord, which the control may leave by `play`, where that is not NULL. */
-static enum sweep_answer sweep_along(struct follower *follower, struct sweep *sweep, const struct chord *chord,
-				     const axis_values *play, double tolerance, struct contact *contact)
-{
-	double clearance = follower->target;
-
-	if (play)
-		clearance += freedom(follower, chord, play);
-	if (follower->target > follower->clearance)
-		return sweep_chord_any(sweep, &follower->bodies, chord, clearance,
-				       fmax(tolerance, MEASURE_GRAIN * follower->target), contact);
-	return sweep_chord(sweep, &follower->bodies, chord, clearance, tolerance, contact);
-}
-
-static enum sweep_answer sweep_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-				    double tolerance, struct contact *contact)
-{
-	const struct span *span = &step->span;
-	struct chord chord = {span->q0, span->q1, span->deviation, span->path, span->u0, span->u1, halve};
-
-	if (is_box(step))
-		return sweep_positions(follower, sweep, step, tolerance, contact);
-	return sweep_along(follower, sweep, &chord,
-			   has_tolerance(follower->bodies.chain, step) ? &step->tolerance : NULL, tolerance, contact);
+	return (struct passing){
+		.sweep = sweep,
+		.bodies = &follower->bodies,
+		.clearance = follower->target,
+		.tolerance = any ? fmax(tolerance, MEASURE_GRAIN * (follower->target - follower->clearance)) : tolerance,
+		.any = any,
+		.box_visits = BOX_VISITS,
+	};
 }
 
 /* The step with the target as it stands. */
@@ -257,12 +201,13 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 {
 	const struct chain *chain = follower->bodies.chain;
 	enum sweep_answer answer;
+	struct passing passing;
 	axis_values off;
 	bool any_off;
 
-	if (follower->settled && !moves(chain, &step->span) && !has_tolerance(chain, step))
+	if (follower->settled && !step_moves(chain, step) && !step_may_stray(chain, step))
 		return PASSAGE_CLEAR;
-	any_off = off_the_line(chain, step, &off);
+	any_off = step_off_the_line(chain, step, &off);
 	if (covered(follower, step, any_off ? &off : NULL))
 		return PASSAGE_CLEAR;
 	if (!WITH_BUDGET && !isinf(follower->target)) {
@@ -274,9 +219,12 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 		if (covered(follower, step, any_off ? &off : NULL))
 			return PASSAGE_CLEAR;
 	}
-	answer = sweep_step(follower, sweep, step, tolerance, contact);
+	passing = question(follower, sweep, tolerance);
+	follower->sweep_visits -= sweep->visits;
+	answer = step_sweep(&passing, step, contact);
+	follower->sweep_visits += sweep->visits;
 	follower->sweeps = true;
-	budget_resume(&follower->budget, &step->span.q1);
+	budgets_resume(&follower->budgets, &step->span.q1);
 	follower->settled = answer == SWEEP_APART;
 	return answer == SWEEP_APART ? PASSAGE_CLEAR : answer == SWEEP_CONTACT ? PASSAGE_CONTACT : PASSAGE_UNDECIDED;
 }
@@ -287,7 +235,7 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 	enum passage passage;
 
 	if (follower->lost)
-		budget_resume(&follower->budget, &step->span.q0);
+		budgets_resume(&follower->budgets, &step->span.q0);
 	follower->lost = false;
 	while ((passage = attempt(follower, sweep, step, tolerance, contact)) != PASSAGE_CLEAR &&
 	       follower->target > follower->clearance) {
@@ -295,9 +243,10 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 
 		/* Neither a finding nor undecided yet: less than was hoped for may remain. */
 		if (passage == PASSAGE_CONTACT)
-			less = MEASURE_SHARE * fmin(contact->distance, follower->target);
+			less = follower->clearance +
+			       MEASURE_SHARE * (fmin(contact->distance, follower->target) - follower->clearance);
 		follower->target = less > follower->clearance + tolerance ? less : follower->clearance;
-		budget_resume(&follower->budget, &step->span.q0);
+		budgets_resume(&follower->budgets, &step->span.q0);
 	}
 	return passage;
 }
@@ -312,7 +261,7 @@ static const axis_values *play_of_steps(const struct chain *chain, const struct 
 	for (size_t i = 0; i < count; i++) {
 		for (int k = 0; k < SLOT_COUNT; k++)
 			play->v[k] = fmax(play->v[k], steps[i].motion.tolerance.v[k]);
-		any |= has_tolerance(chain, &steps[i].motion);
+		any |= step_may_stray(chain, &steps[i].motion);
 	}
 	return any ? play : NULL;
 }
@@ -354,34 +303,41 @@ size_t follower_leap(struct follower *follower, struct sweep *sweep, const struc
 		     double tolerance)
 {
 	struct contact contact;
+	enum sweep_answer answer;
+	struct passing passing;
 	struct chord chord;
 	axis_values play;
 	size_t stride;
 
 	if (!WITH_STRETCHES || !follower->sweeps || follower->wait <= 0 || isinf(follower->target))
 		return 0;
+	if (budgets_recall(&follower->budgets, &steps[0].motion.span.q0, &steps[0].motion.span.q1, NULL))
+		return 0;
 	stride = choose_stretch(follower, steps, count, &chord);
 	follower->stride = stride;
 	if (stride < 2)
 		return 0;
-	if (sweep_along(follower, sweep, &chord, play_of_steps(follower->bodies.chain, steps, stride, &play), tolerance,
-			&contact) != SWEEP_APART) {
+	passing = question(follower, sweep, tolerance);
+	follower->sweep_visits -= sweep->visits;
+	answer = chord_sweep(&passing, &chord, play_of_steps(follower->bodies.chain, steps, stride, &play), &contact);
+	follower->sweep_visits += sweep->visits;
+	if (answer != SWEEP_APART) {
 		follower->sweeps = false;
 		return 0;
 	}
 	follower->wait -= (int)stride;
 	follower->settled = true;
 	follower->lost = false;
-	budget_resume(&follower->budget, &chord.q1);
+	budgets_resume(&follower->budgets, &chord.q1);
 	return stride;
 }
 
 bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
 		   const axis_values *end, size_t steps)
 {
-	if (!budget_covers_box(&follower->budget, low, high, end, NULL))
+	if (!budgets_cover_box(&follower->budgets, low, high, end, NULL))
 		return false;
-	follower->budgets += (long)steps;
+	follower->covered_steps += (long)steps;
 	follower->settled = true;
 	follower->lost = false;
 	follower->sweeps = false;

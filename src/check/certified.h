@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "check/batch.h"
-#include "check/budget.h"
+#include "check/budgets.h"
 #include "motion/motion.h"
 #include "scene/memory.h"
 #include "scene/scene.h"
@@ -24,14 +24,15 @@ struct follower {
 	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
 	bool measures;	/* the smallest clearance */
 	struct memory memory;
-	struct budget budget;
+	struct budgets budgets;
 	bool settled;	/* the pair is apart where the last step ended */
 	bool lost;	/* steps were left out since the last one */
 	int wait;	/* steps before the next distance query is worth its time */
 	int patience;	/* how long to wait after the next query that does not pay */
 	bool sweeps;	/* the last step had to be swept, as distances do not pay */
 	size_t stride;	/* how many steps to try at once; 0: not tried yet */
-	long budgets, queries;
+	long sweep_visits;	/* that sweeps took since the last sharp query */
+	long covered_steps, queries;
 };
 
 /*
@@ -39,6 +40,9 @@ struct follower {
  * MEASURE_SHARE; it takes more time. The follower must stay where it is from here on.
  */
 void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure);
+
+/* A follower that measures does not look for more than `most` mm; that counts as proven where it was never measured. */
+void follower_cap(struct follower *follower, double most);
 
 /*
  * A part of the steps can be followed by a fork, without what led to them. Its

@@ -1,5 +1,6 @@
 #include "check/check.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,8 +9,11 @@
 #include "base/held.h"
 #include "base/mem.h"
 #include "check/batch.h"
+#include "check/course.h"
 #include "check/crew.h"
+#include "check/journal.h"
 #include "check/ledger.h"
+#include "check/relay.h"
 #include "scene/overlap.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
@@ -33,6 +37,7 @@ struct checker {
 	struct batch batch;
 	struct ledger ledger;
 	struct sweep sweep;	/* for poses that stand still */
+	bool measures;	/* the smallest clearance of each pair */
 	const char *file;
 	long block;	/* number of the block that is being read */
 	int tool;
@@ -45,7 +50,11 @@ struct checker {
 	double time, block_time;	/* where the last step ended */
 	long line;	/* of the last step's block, and its file */
 	struct strbuf line_file;
-	const char *step_file;	/* what line_file is a copy of */
+	struct motion_summary summary;	/* of what was read so far */
+	struct journal journal;
+	long last_block;	/* the check ends with it */
+	long steps;	/* of the block that is being read */
+	double read_from, read_check, gauging;	/* where reading it began; seconds_check then; s spent on gauges since */
 };
 
 static double now(void)
@@ -126,8 +135,10 @@ static void emit(struct checker *c)
 		held_deliver(&c->held, c->diag, c->options->all ? c->block : c->ledger.entries[done].block);
 		c->stats->findings++;
 		done++;
-		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all)
+		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all) {
 			c->stopped = true;
+			c->last_block = c->ledger.entries[done - 1].block;
+		}
 	}
 	ledger_drop(&c->ledger, done);
 	if (!c->found || c->options->all)
@@ -173,6 +184,24 @@ static void take_results(struct checker *c)
 	}
 }
 
+static void gauge(struct checker *c)
+{
+	double start = now();
+
+	crew_gauge(&c->crew, &c->batch, c->tool, c->options);
+	for (size_t i = 0; i < c->crew.count; i++) {
+		const struct runner *runner = &c->crew.runners[i];
+
+		for (size_t k = 0; k < runner->room_count; k++) {
+			double clearance = runner->rooms[k].clearance;
+
+			journal_add_room(&c->journal, runner->rooms[k].block,
+					 &(struct check_room){runner->pair, clearance, clearance >= c->options->gauge_cap});
+		}
+	}
+	c->gauging += now() - start;
+}
+
 /* Checks what has gathered. */
 static void process(struct checker *c)
 {
@@ -182,6 +211,8 @@ static void process(struct checker *c)
 		batch_close(&c->batch);
 		crew_run(&c->crew, &c->batch, c->tool, c->options);
 		take_results(c);
+		if (c->options->gauges)
+			gauge(c);
 	}
 	batch_clear(&c->batch);
 	emit(c);
@@ -191,6 +222,8 @@ static void process(struct checker *c)
 			   "interrupted after line %ld: what follows was not checked", c->line);
 		c->stopped = c->failed = true;
 	}
+	if (c->stopped)
+		c->stats->motion = c->summary;
 }
 
 /* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
@@ -199,7 +232,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 	double start = now();
 
 	for (size_t i = 0; i < c->crew.count && !enough(c); i++) {
-		const struct runner *runner = &c->crew.runners[i];
+		struct runner *runner = &c->crew.runners[i];
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
 		struct contact contact;
@@ -210,6 +243,8 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);
 		c->failed |= stance == STANCE_FAILED;
+		if (stance == STANCE_CLEAR && c->measures)
+			runner_stand(runner, &c->sweep, &c->position, c->options);
 		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
 			continue;
 		entry.finding = pair_finding(c, pair,
@@ -220,7 +255,9 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		entry.block_time = c->block_time;
 		ledger_add(&c->ledger, &entry);
 		c->found = true;
-		runner_found(&c->crew.runners[i], c->block);
+		if (c->options->gauges && stance == STANCE_OVERLAP)
+			journal_add_room(&c->journal, c->block, &(struct check_room){.pair = runner->pair});
+		runner_found(runner, c->block);
 	}
 	c->stats->seconds_check += now() - start;
 }
@@ -261,11 +298,13 @@ static bool on_step(void *context, const struct motion_step *step)
 	if (!enough(c) && c->options->method != CHECK_NOTHING)
 		batch_add(&c->batch, step, c->block);
 	c->line = step->line;
-	if (c->step_file != step->file) {
-		c->step_file = step->file;
+	if (strcmp(strbuf_text(&c->line_file), step->file)) {
 		strbuf_clear(&c->line_file);
 		strbuf_add(&c->line_file, step->file, strlen(step->file));
 	}
+	c->steps++;
+	if (c->options->course)
+		course_step(c->options->course, step);
 	c->position = step->span.q1;
 	c->time = step->time + step->seconds;
 	c->block_time = step->block_time + step->seconds;
@@ -290,15 +329,46 @@ static bool on_tool(void *context, int tool, const axis_values *position)
 	return !c->stopped;
 }
 
+/* What was measured of a block that is complete, and checked if it was timed. */
+static void record_block(struct checker *c, const char *file, long line, double seconds)
+{
+	double check = c->stats->seconds_check - c->read_check;
+	const struct journal_block block = {
+		.block = c->block, .line = line, .steps = c->steps, .seconds = seconds,
+		.interpret = now() - c->read_from - check, .check = check - c->gauging,
+	};
+
+	journal_close_block(&c->journal, &block, file);
+}
+
+/* Reading the next block begins. */
+static void start_block(struct checker *c)
+{
+	c->steps = 0;
+	c->gauging = 0;
+	c->read_check = c->stats->seconds_check;
+	c->read_from = now();
+}
+
 static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
 {
 	struct checker *c = context;
+	/* Blocks without steps gather too. */
+	bool due = c->batch.step_count >= BATCH_STEPS || c->ledger.block_count + 1 >= BATCH_STEPS || enough(c) ||
+		   c->limit_found || c->options->times;
 
+	if (c->options->course)
+		course_block(c->options->course, line, c->tool, &c->position);
 	ledger_close_block(&c->ledger, c->block, file, line, text, seconds, moves);
 	c->block_time = 0;
-	/* Blocks without steps gather too. */
-	if (c->batch.step_count >= BATCH_STEPS || c->ledger.block_count >= BATCH_STEPS || enough(c) || c->limit_found)
+	if (due)
 		process(c);
+	if (c->sink->block) {
+		record_block(c, file, line, seconds);
+		if (due)
+			journal_emit(&c->journal, c->last_block, c->sink);
+		start_block(c);
+	}
 	c->block++;
 	c->held.block = c->block;
 	return !c->stopped;
@@ -307,6 +377,9 @@ static bool on_block(void *context, const char *file, long line, const char *tex
 /* What is left when the program has ended, or stopped at a fault in the middle of a block. */
 static void finish(struct checker *c, bool complete)
 {
+	/* Such a block has been checked as far as it goes. */
+	bool broken_off = !c->stopped && c->steps;
+
 	if (!c->moved && !c->stopped && complete) {
 		diag_warning(c->diag, (struct srcloc){c->file, 0, 0},
 			     c->options->method == CHECK_NOTHING
@@ -318,6 +391,11 @@ static void finish(struct checker *c, bool complete)
 		ledger_close_block(&c->ledger, c->block, c->line ? strbuf_text(&c->line_file) : c->file,
 				   c->line ? c->line : 1, "", c->block_time, 1);
 		process(c);
+	}
+	if (c->sink->block) {
+		if (broken_off)
+			record_block(c, c->line ? strbuf_text(&c->line_file) : c->file, c->line, c->block_time);
+		journal_emit(&c->journal, c->last_block, c->sink);
 	}
 }
 
@@ -340,6 +418,7 @@ static void count_pairs(const struct scene *scene, struct check_stats *stats)
 	}
 }
 
+/* False: a fault was reported. */
 static bool run_program(struct checker *c, FILE *in)
 {
 	const struct motion_options options = {
@@ -350,12 +429,18 @@ static bool run_program(struct checker *c, FILE *in)
 		.include_count = c->options->include_count,
 		.input_root = c->options->input_root,
 		.watch = c->options->watch,
+		.change = c->options->change,
 		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};
+	/* What reading a block takes is not to be had while it is read ahead. */
+	bool ahead = c->options->threads > 1 && !c->options->times;
+	bool complete = (ahead ? relay_run : motion_run)(c->scene->machine, c->scene->setup, &options, in, c->file,
+							 &sink, &c->held.diag, &c->summary);
 
-	return motion_run(c->scene->machine, c->scene->setup, &options, in, c->file, &sink, &c->held.diag,
-			  &c->stats->motion);
+	if (!c->stopped)
+		c->stats->motion = c->summary;
+	return complete || c->stopped;
 }
 
 enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
@@ -363,7 +448,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    double *proven)
 {
 	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
-			    .file = name};
+			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name};
 	const size_t errors = diag->errors;
 	double start = now();
 	bool complete = false;
@@ -375,8 +460,10 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	held_init(&c.held);
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
+	c.last_block = LONG_MAX;
+	start_block(&c);
 	if (options->method == CHECK_NOTHING || crew_init(&c.crew, scene, options, proven != NULL, diag)) {
-		complete = run_program(&c, in) || c.stopped;
+		complete = run_program(&c, in);
 		finish(&c, complete);
 		crew_collect(&c.crew, stats, proven);
 	}
@@ -386,6 +473,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	crew_release(&c.crew);
 	batch_release(&c.batch);
 	ledger_release(&c.ledger);
+	journal_release(&c.journal);
 	held_release(&c.held);
 	strbuf_release(&c.line_file);
 	sweep_release(&c.sweep);

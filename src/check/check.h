@@ -31,6 +31,31 @@ struct check_options {
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 	int threads;	/* >= 1 */
+	bool gauges;	/* measures what clearance remains in each block, which takes more time */
+	double gauge_cap;	/* mm: and no more than this of it */
+	bool times;	/* checks each block by itself and takes its time, which takes more of it */
+	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
+	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
+	struct course *course;	/* records the way that the program takes, or compares it; or NULL */
+};
+
+/* What clearance a pair keeps in a block. */
+struct check_room {
+	size_t pair;	/* of the scene */
+	double clearance;	/* mm: proven; the cap is the most that is told */
+	bool capped;
+};
+
+/* A block that was checked. Lives during the call that hands it over. */
+struct check_block {
+	const char *file;
+	long line;
+	long number;	/* of the blocks carried out, from 1 */
+	double seconds;	/* of motion, dwells excluded */
+	long steps;	/* straight pieces of it that were checked */
+	double interpret, check;	/* s of wall time; with `times` */
+	const struct check_room *rooms;	/* in the order of the pairs; with `gauges` */
+	size_t room_count;
 };
 
 struct check_stats {
@@ -51,6 +76,8 @@ struct check_sink {
 	bool (*finding)(void *context, const struct finding *finding);
 	/* Now and then: how far the program is. False: break off, which is a fault of its own. May be NULL. */
 	bool (*progress)(void *context, long lines);
+	/* Each block up to the one that ended the check, in order. NULL without `gauges` and `times`. */
+	void (*block)(void *context, const struct check_block *block);
 };
 
 enum check_result {

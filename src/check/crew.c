@@ -112,6 +112,7 @@ struct shift {
 	const struct check_options *options;
 	atomic_size_t next;	/* task */
 	atomic_long *visits;	/* of each runner */
+	bool gauges;	/* the tasks' runners measure, and find nothing */
 };
 
 struct hand {
@@ -132,8 +133,11 @@ static void *work(void *context)
 		const struct task *task = &crew->tasks[i];
 		long before = sweep.visits;
 
-		runner_run(task->copy ? task->copy : task->runner, &sweep, shift->batch, task->from, task->to,
-			   shift->options);
+		if (shift->gauges)
+			runner_gauge(task->runner, &sweep, shift->batch, shift->options);
+		else
+			runner_run(task->copy ? task->copy : task->runner, &sweep, shift->batch, task->from, task->to,
+				   shift->options);
 		atomic_fetch_add(&shift->visits[task->runner - crew->runners], sweep.visits - before);
 	}
 	*hand->sweep = sweep;
@@ -141,10 +145,10 @@ static void *work(void *context)
 }
 
 /* A thread that cannot start is no loss: the others do its share. */
-static void work_together(struct shift *shift)
+static void work_together(struct shift *shift, int wanted)
 {
 	struct crew *crew = shift->crew;
-	int wanted = crew->work > HEAVY ? crew->threads : 1, started = 0;
+	int started = 0;
 	pthread_t *threads = mem_zalloc((size_t)wanted, sizeof(*threads));
 	struct hand *hands = mem_zalloc((size_t)wanted, sizeof(*hands));
 
@@ -197,13 +201,28 @@ void crew_run(struct crew *crew, const struct batch *batch, int tool, const stru
 
 	shift.visits = mem_zalloc(crew->count + 1, sizeof(*shift.visits));
 	plan(crew, batch, tool, options);
-	work_together(&shift);
+	work_together(&shift, crew->work > HEAVY ? crew->threads : 1);
 	gather(crew);
 	crew->work = 0;
 	for (size_t i = 0; i < crew->count; i++) {
 		crew->visits[i] = shift.visits[i];
 		crew->work += crew->visits[i];
 	}
+	free(shift.visits);
+}
+
+void crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options)
+{
+	struct shift shift = {.crew = crew, .batch = batch, .options = options, .gauges = true};
+
+	shift.visits = mem_zalloc(crew->count + 1, sizeof(*shift.visits));
+	crew->task_count = 0;
+	for (size_t i = 0; i < crew->count; i++) {
+		crew->runners[i].room_count = 0;
+		if (runner_is_active(&crew->runners[i], tool))
+			add_task(crew, &crew->runners[i], NULL, 0, batch->step_count);
+	}
+	work_together(&shift, crew->threads);
 	free(shift.visits);
 }
 
@@ -216,7 +235,7 @@ void crew_collect(const struct crew *crew, struct check_stats *stats, double *pr
 	for (size_t i = 0; i < crew->count; i++) {
 		const struct runner *runner = &crew->runners[i];
 
-		stats->budgets += runner->follower.budgets;
+		stats->budgets += runner->follower.covered_steps;
 		stats->queries += runner->follower.queries;
 		stats->samples += runner->sampler.samples;
 		if (proven)

@@ -39,6 +39,9 @@ void crew_release(struct crew *crew);
  */
 void crew_run(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
 
+/* Measures with every active runner what clearance remains in the batch's blocks (runner_gauge); after crew_run. */
+void crew_gauge(struct crew *crew, const struct batch *batch, int tool, const struct check_options *options);
+
 /* Another tool is in the spindle: what its pairs knew of their position holds no longer. */
 void crew_change_tool(struct crew *crew);
 

@@ -4,6 +4,8 @@
 
 #include "base/ablation.h"
 #include "base/mem.h"
+#include "motion/path.h"
+#include "motion/span.h"
 #include "scene/overlap.h"
 
 static int tool_of(const struct scene *scene, const struct scene_pair *pair)
@@ -29,7 +31,10 @@ bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const 
 		.found_block = -1,
 	};
 	follower_init(&runner->follower, &bodies, p->clearance, measure);
+	if (measure && options->measure_cap > 0)
+		follower_cap(&runner->follower, p->clearance + options->measure_cap);
 	sampler_init(&runner->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
+	gauge_init(&runner->gauge, &bodies, options->gauge_cap);
 	return true;
 }
 
@@ -37,7 +42,9 @@ void runner_release(struct runner *runner)
 {
 	sampler_release(&runner->sampler);
 	free(runner->results);
+	free(runner->rooms);
 	runner->results = NULL;
+	runner->rooms = NULL;
 }
 
 bool runner_is_active(const struct runner *runner, int tool)
@@ -48,7 +55,7 @@ bool runner_is_active(const struct runner *runner, int tool)
 void runner_found(struct runner *runner, long block)
 {
 	runner->found_block = block;
-	runner->entangled = true;
+	runner->entangled = runner->gauge.entangled = true;
 	follower_lose(&runner->follower);
 }
 
@@ -147,5 +154,67 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 			return;
 		}
 		runner_found(runner, step->block);
+	}
+}
+
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
+		  const struct check_options *options)
+{
+	const struct path path = {.kind = PATH_STRAIGHT, .start = *at, .end = *at};
+	struct motion_step still = {.line = 1};
+	struct contact contact;
+
+	span_init(&still.span, &path);
+	/* Clear or not: it was looked at before, more exactly. */
+	follower_step(&runner->follower, sweep, &still, options->tolerance, &contact);
+	follower_lose(&runner->follower);
+}
+
+/* The gauge's room for the step's block. */
+static void start_room(struct runner *runner, long block)
+{
+	if (runner->room_count && runner->rooms[runner->room_count - 1].block == block)
+		return;
+	runner->rooms = mem_grow(runner->rooms, &runner->room_capacity, runner->room_count + 1, sizeof(*runner->rooms));
+	runner->rooms[runner->room_count++] = (struct runner_room){block, runner->gauge.cap};
+	gauge_start(&runner->gauge);
+}
+
+/* The gauge sees surfaces only: as long as one body may be wholly inside the other, it has to be looked at. */
+static void gauge_entangled(struct runner *runner, const struct motion_step *step)
+{
+	struct gauge *gauge = &runner->gauge;
+	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	vec3 point;
+
+	gauge->entangled = !(gauge->bound > 0);
+	if (!gauge->entangled && scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0,
+						 &point, &unheard)) {
+		gauge->bound = 0;
+		gauge->entangled = true;
+	}
+}
+
+void runner_gauge(struct runner *runner, struct sweep *sweep, const struct batch *batch,
+		  const struct check_options *options)
+{
+	struct gauge *gauge = &runner->gauge;
+	bool clears = false;
+
+	runner->room_count = 0;
+	for (size_t i = 0; i < batch->step_count; i++) {
+		const struct batch_step *step = &batch->steps[i];
+		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+		if (i % CHUNK_STEPS == 0)
+			clears = gauge_clears(gauge, &chunk->low, &chunk->high);
+		if (runner->past_limits_only && !step->beyond)
+			continue;
+		start_room(runner, step->block);
+		if (!clears)
+			gauge_step(gauge, sweep, &step->motion, options->tolerance);
+		if (gauge->entangled || !(gauge->bound > 0))
+			gauge_entangled(runner, &step->motion);
+		runner->rooms[runner->room_count - 1].clearance = gauge->bound;
 	}
 }

@@ -8,6 +8,7 @@
 #include "check/batch.h"
 #include "check/certified.h"
 #include "check/check.h"
+#include "check/gauge.h"
 #include "check/sampled.h"
 #include "scene/scene.h"
 
@@ -17,6 +18,12 @@ struct runner_result {
 	size_t step;	/* of the batch */
 	enum passage passage;	/* CONTACT or UNDECIDED */
 	struct contact contact;
+};
+
+/* What clearance the pair keeps in those steps of a block that the batch holds. */
+struct runner_room {
+	long block;
+	double clearance;	/* mm: proven, up to the cap */
 };
 
 struct runner {
@@ -30,6 +37,9 @@ struct runner {
 	struct sampler sampler;	/* the sampled methods */
 	struct runner_result *results;	/* of this batch */
 	size_t result_count, result_capacity;
+	struct gauge gauge;
+	struct runner_room *rooms;	/* of this batch */
+	size_t room_count, room_capacity;
 };
 
 /*
@@ -52,5 +62,16 @@ void runner_found(struct runner *runner, long block);
  */
 void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);
+
+/* Measures the clearance where the axes stand, as runner_run does where they move. The pair is apart there. */
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
+		  const struct check_options *options);
+
+/*
+ * Measures what clearance the pair keeps in the batch's blocks, one room for each in which it is checked. To
+ * be called after runner_run, whose findings it does not depend on.
+ */
+void runner_gauge(struct runner *runner, struct sweep *sweep, const struct batch *batch,
+		  const struct check_options *options);
 
 #endif

@@ -118,7 +118,8 @@ static void show(struct console *console, const char *file, long lines)
 
 static bool is_wanted(const struct console *console)
 {
-	return !console->quiet && (console->kind == PROGRESS_PLAIN || (console->kind == PROGRESS_AUTO && console->terminal));
+	return !console->quiet &&
+	       (console->kind == PROGRESS_PLAIN || (console->kind == PROGRESS_AUTO && console->terminal));
 }
 
 static bool is_due(const struct console *console)

@@ -20,7 +20,7 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 3 };
+enum { WRITTEN_MAX = FORMAT_COUNT + 5 };
 
 static size_t list_written(struct written *list, const struct options *options)
 {
@@ -30,10 +30,15 @@ static size_t list_written(struct written *list, const struct options *options)
 		list[count++] = (struct written){"output", options->output};
 	for (int i = 0; i < FORMAT_COUNT; i++) {
 		if (options->formats[i].path)
-			list[count++] = (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
+			list[count++] =
+			    (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
 	}
 	if (options->depfile)
 		list[count++] = (struct written){"depfile", options->depfile};
+	if (options->clearance_report)
+		list[count++] = (struct written){"clearance-report", options->clearance_report};
+	if (options->timing)
+		list[count++] = (struct written){"timing", options->timing};
 	if (options->pose)
 		list[count++] = (struct written){"pose", options->pose};
 	return count;

@@ -105,7 +105,8 @@ bool inputs_digest(struct inputs *inputs, struct diag *diag)
 			diag_error(diag, (struct srcloc){0}, "--record: %s is no regular file", file->path);
 			good = false;
 		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
-			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path, strerror(errno));
+			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
+				   strerror(errno));
 			good = false;
 		} else if (is_later(&status.st_ctim, &inputs->started)) {
 			diag_error(diag, (struct srcloc){0}, "--record: %s changed while it was checked", file->path);
@@ -129,6 +130,10 @@ bool inputs_write_depfile(const struct inputs *inputs, const struct options *opt
 		if (options->formats[i].path)
 			good = depfile_add_name(&text, options->formats[i].path, true, diag) && good;
 	}
+	if (options->clearance_report)
+		good = depfile_add_name(&text, options->clearance_report, true, diag) && good;
+	if (options->timing)
+		good = depfile_add_name(&text, options->timing, true, diag) && good;
 	strbuf_addf(&text, ":");
 	for (size_t i = 0; i < inputs->count; i++) {
 		strbuf_addf(&text, " \\\n ");

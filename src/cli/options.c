@@ -160,11 +160,17 @@ static bool check_formats(const struct parser *parser)
 
 static bool names_file(const struct options *o)
 {
-	bool named = o->output && strcmp(o->output, "-") != 0;
+	bool named = (o->output && strcmp(o->output, "-") != 0) || o->clearance_report || o->timing;
 
 	for (int i = 0; i < FORMAT_COUNT; i++)
 		named = named || o->formats[i].path;
 	return named;
+}
+
+bool options_seek_turns(const struct options *o)
+{
+	return o->sensitivity[CHANGE_X] > 0 || o->sensitivity[CHANGE_Y] > 0 || o->sensitivity[CHANGE_Z] > 0 ||
+	       o->sensitivity[CHANGE_LENGTH] > 0;
 }
 
 static bool check_combinations(const struct parser *parser)
@@ -190,6 +196,18 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--record needs the name of a file: standard output has the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output has the report";
+	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
+		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
+	else if (o->check.gauge_cap > 0 && !o->clearance_report)
+		fault = "--clearance-cap is for --clearance-report";
+	else if (options_seek_turns(o) && o->check.method != CHECK_CERTIFIED)
+		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+	else if (options_seek_turns(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
+		fault = "--sensitivity is told by --format=text and --format=ndjson";
+	else if (options_seek_turns(o) && (o->baseline || o->fail_on))
+		fault = "--sensitivity cannot go together with --baseline or --fail-on: it is about the verdict without them";
+	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
+		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
 		diag_error(parser->diag, nowhere, "%s", fault);
 	return !fault;
@@ -216,9 +234,11 @@ static bool check_operands(const struct parser *parser)
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
 	else if (inputs > 0 && o->record)
-		diag_error(parser->diag, nowhere, "--record cannot tell which program came from standard input: give it as a file");
+		diag_error(parser->diag, nowhere,
+			   "--record cannot tell which program came from standard input: give it as a file");
 	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
-		diag_error(parser->diag, nowhere, "standard input cannot be both a program and the list of --files-from");
+		diag_error(parser->diag, nowhere,
+			   "standard input cannot be both a program and the list of --files-from");
 	else if (inputs > 1)
 		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
 	else
@@ -251,7 +271,8 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) || !check_operands(&parser))
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) ||
+	    !check_operands(&parser))
 		return false;
 	if (options->files_from && (!list_read(options, diag) || !check_listed(&parser)))
 		return false;
@@ -261,6 +282,10 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)
 		options->check.method = CHECK_NOTHING;
+	if (!(options->check.gauge_cap > 0))
+		options->check.gauge_cap = 10;
+	options->check.gauges = options->clearance_report;
+	options->check.times = options->timing;
 	options->check.includes = options->includes.items;
 	options->check.include_count = options->includes.count;
 	options->check.last_duplicate_wins = options->duplicates == 1;

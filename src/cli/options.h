@@ -8,6 +8,7 @@
 #include "base/diag.h"
 #include "base/strbuf.h"
 #include "check/check.h"
+#include "check/sensitivity.h"
 #include "machine/machine.h"
 #include "report/report.h"
 
@@ -54,6 +55,8 @@ struct options {
 	const char *depfile;	/* or NULL */
 	const char *record;	/* or NULL; the path of formats[FORMAT_RECORD], too */
 	const char *baseline;	/* or NULL */
+	const char *clearance_report, *timing;	/* or NULL */
+	double sensitivity[CHANGES];	/* mm: how far to look; all 0: not asked for */
 	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
 	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;
@@ -61,6 +64,9 @@ struct options {
 	int dialect;	/* enum dialect; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };
+
+/* Was --sensitivity given, with any amount above 0? */
+bool options_seek_turns(const struct options *options);
 
 /*
  * Reads the command line; options and operands in any order. Whatever is

@@ -49,6 +49,8 @@ struct program {
 	struct voice *voice;
 	struct program_outcome *outcome;
 	const char *name;
+	struct sensitivity sensitivity[2 * CHANGES];
+	size_t sensitivity_count;
 	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
 	bool *used;	/* of the baseline */
 	long known, left_out;	/* findings that do not fail the run */
@@ -111,6 +113,13 @@ static bool on_progress(void *context, long lines)
 	return !interrupt_seen();
 }
 
+static void on_block(void *context, const struct check_block *block)
+{
+	const struct program *program = context;
+
+	tables_add(program->context->tables, program->context->scene, program->name, block);
+}
+
 static bool has_text(const struct channels *channels)
 {
 	for (size_t i = 0; i < channels->count; i++) {
@@ -142,7 +151,8 @@ static void report(struct program *program, const struct verdict *verdict, const
 {
 	const struct program_context *context = program->context;
 	const struct report_program about = {program->name, verdict, proven, program->voice->faults,
-					     program->voice->fault_count};
+					     program->voice->fault_count, program->sensitivity,
+					     program->sensitivity_count};
 
 	if (verdict && !has_text(context->channels))
 		tell_verdict(program, verdict);
@@ -173,11 +183,42 @@ static enum run_status status_of(enum check_result result)
 	return RUN_INTERNAL;
 }
 
-/* The check itself, and what it says. */
-static void run(struct program *program, struct program_file *file, const char *path)
+/* How long the verdict holds, if that was asked for and there is one. */
+static void seek_turns(struct program *program, FILE *in, off_t start, const struct check_sink *sink)
 {
 	const struct program_context *context = program->context;
-	const struct check_sink sink = {program, on_finding, on_progress};
+	struct diag *diag = &program->voice->diag;
+
+	if (!options_seek_turns(context->options) || program->outcome->result == CHECK_INCOMPLETE)
+		return;
+	if (fseeko(in, start, SEEK_SET)) {
+		diag_error(diag, nowhere, "--sensitivity reads %s again, and cannot: %s", program->name, strerror(errno));
+		return;
+	}
+	program->sensitivity_count = sensitivity_run(context->scene, &context->check, context->options->sensitivity,
+						     program->outcome->result, in, program->name, sink, diag,
+						     program->sensitivity);
+	if (interrupt_seen())
+		diag_error(diag, (struct srcloc){program->name, 0, 0}, "interrupted before --sensitivity came to its end");
+}
+
+/* A pipe cannot be read again: that is said before it is read at all. False: reported. */
+static bool find_start(const struct program *program, const struct program_file *file, off_t *start)
+{
+	*start = ftello(file->stream);
+	if (*start >= 0 || !options_seek_turns(program->context->options))
+		return true;
+	diag_error(&program->voice->diag, nowhere,
+		   "--sensitivity reads a program several times, and %s is a pipe, or the like: give it as a file",
+		   file->name);
+	return false;
+}
+
+/* The check itself, and what it says. */
+static void run(struct program *program, struct program_file *file, const char *path, off_t start)
+{
+	const struct program_context *context = program->context;
+	const struct check_sink sink = {program, on_finding, on_progress, context->tables ? on_block : NULL};
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->voice->diag;
 	double *proven = NULL;
@@ -187,7 +228,10 @@ static void run(struct program *program, struct program_file *file, const char *
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
 	outcome->result = check_run(context->scene, &context->check, file->stream, file->name, &sink, diag,
 				    &outcome->stats, proven);
-	if (!program_close(file, diag) || diag->errors)
+	if (ferror(file->stream) || diag->errors)
+		outcome->result = CHECK_INCOMPLETE;
+	seek_turns(program, file->stream, start, &sink);
+	if (!program_close(file, diag))
 		outcome->result = CHECK_INCOMPLETE;
 	outcome->status = status_of(outcome->result);
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
@@ -212,17 +256,23 @@ void program_check(const struct program_context *context, const char *path, stru
 {
 	struct program program = {.context = context, .voice = voice, .outcome = outcome};
 	struct program_file file;
+	bool opened;
+	off_t start;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
 	if (context->baseline)
 		program.used = mem_zalloc(baseline_count(context->baseline) + 1, sizeof(*program.used));
-	if (program_open(&file, path, &voice->diag)) {
+	program.name = path;
+	opened = program_open(&file, path, &voice->diag);
+	if (opened && find_start(&program, &file, &start)) {
 		program.name = file.name;
-		run(&program, &file, path);
+		run(&program, &file, path, start);
 	} else {
-		program.name = path;
 		report(&program, NULL, NULL);
+		if (opened)
+			program_close(&file, &voice->diag);
 	}
+	sensitivity_release(program.sensitivity, program.sensitivity_count);
 	free(program.used);
 	free(program.first_file);
 	for (size_t i = 0; i < FORMAT_COUNT; i++)

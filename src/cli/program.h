@@ -11,6 +11,7 @@
 #include "cli/voice.h"
 #include "report/baseline.h"
 #include "report/channel.h"
+#include "report/tables.h"
 #include "scene/scene.h"
 
 struct program_file {
@@ -32,6 +33,7 @@ struct program_context {
 	struct report_run run;
 	const struct baseline *baseline;	/* or NULL */
 	const struct channels *channels;	/* where it is reported */
+	struct tables *tables;	/* or NULL: nothing is measured, and several programs may be checked at once */
 };
 
 /* What became of one program. */

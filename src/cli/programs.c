@@ -100,13 +100,13 @@ static enum run_status status_of(const struct session *session)
 
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
 			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline)
+			       const struct baseline *baseline, struct tables *tables)
 {
 	struct session session = {
 		.options = options,
 		.context = {
 			.options = options, .check = options->check, .scene = scene, .channels = channels,
-			.baseline = baseline,
+			.baseline = baseline, .tables = tables,
 			.run = {scene, &options->check, options->clearance, options->program_count,
 				options->fail_on, options->exit_zero, options->quiet},
 		},
@@ -116,6 +116,9 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 
 	if ((size_t)threads > options->program_count)
 		threads = options->program_count ? (int)options->program_count : 1;
+	/* Rows that waited for another program's would take memory; and times are told apart. */
+	if (tables)
+		threads = 1;
 	session.context.check.watch = &inputs->watch;
 	/* What is accepted must not hide what comes after it. */
 	session.context.check.all = options->check.all || options->baseline || options->fail_on;

@@ -109,25 +109,30 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	struct diag *diag = &console->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct channels channels = {0};
+	struct tables tables = {0};
 	struct baseline *baseline = NULL;
 	struct inputs inputs;
 
 	inputs_init(&inputs);
 	if (options->baseline)
 		baseline = baseline_load(options->baseline, diag);
-	if (!diag->errors && open_channels(&channels, options, diag) && job_load(job, options, diag) &&
+	if (!diag->errors && open_channels(&channels, options, diag) &&
+	    tables_open(&tables, options->clearance_report, options->timing, diag) && job_load(job, options, diag) &&
 	    files_spare_meshes(options, job->machine, job->setup, diag)) {
 		/* Without collisions there is no need of bodies: their meshes stay unread. */
 		struct scene bare = {.machine = job->machine, .setup = job->setup};
 
 		inputs_add_files(&inputs, options, job->machine, job->setup, job->scene != NULL);
 		status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, &channels,
-					&inputs, baseline);
+					&inputs, baseline, tables_are_wanted(&tables) ? &tables : NULL);
 		if (!inputs_write_depfile(&inputs, options, diag))
+			status = worst(status, RUN_INCOMPLETE);
+		if (!tables_commit(&tables, diag))
 			status = worst(status, RUN_INCOMPLETE);
 		if (!channels_commit(&channels, diag))
 			status = worst(status, RUN_INCOMPLETE);
 	}
+	tables_discard(&tables);
 	channels_discard(&channels);
 	inputs_release(&inputs);
 	baseline_free(baseline);
@@ -176,7 +181,8 @@ static enum run_status run_pairs(const struct job *job, struct output *out)
 	return RUN_CLEAR;
 }
 
-static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag, struct output *out)
+static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag,
+				struct output *out)
 {
 	switch (options->mode) {
 	case RUN_DUMP_PATH:

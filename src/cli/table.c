@@ -17,7 +17,7 @@ enum {
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
-	KEY_RECORD
+	KEY_RECORD, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
 };
 
 static const char *const methods[] = {
@@ -89,13 +89,23 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
 	 .help = "exit with 0 where something was found, too"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
-	 .help = "text (the default), ndjson, junit, sarif or github,\ninto FILE; may be given again for another format"},
+	 .help = "text (the default), ndjson, junit, sarif or github,\n"
+		 "into FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output),
 	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),
 	 .help = "write a make rule into FILE: the files written here\ndepend on every file that was read"},
 	{KEY_RECORD, "record", "FILE.json", IN_CHECK | IN_PARSE, TEXT(record),
 	 .help = "write what was checked into FILE.json, with digests\nof all that was read"},
+	{KEY_CLEARANCE_REPORT, "clearance-report", "FILE", IN_CHECK, TEXT(clearance_report),
+	 .help = "write the proven clearance of each block and pair\ninto FILE (CSV), which takes more time"},
+	{KEY_CLEARANCE_CAP, "clearance-cap", "MM", IN_CHECK, NUMBER(check.gauge_cap, 1e-3, 1e5, "mm"),
+	 .help = "measure no more than this (10)"},
+	{KEY_TIMING, "timing", "FILE", IN_CHECK, TEXT(timing),
+	 .help = "write the time that each block took into FILE\n(CSV), which takes more of it"},
+	{KEY_SENSITIVITY, "sensitivity", "DX,DY,DZ,DL", IN_CHECK, .kind = VALUE_AMOUNTS, FIELD(sensitivity), .least = 0,
+	 .greatest = 1e4, .unit = "mm",
+	 .help = "by how many mm, up to these, the work offsets or tool\nlengths may be off before the verdict turns"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "the smallest proven clearance of each pair as well"},

@@ -16,6 +16,7 @@ enum value_kind {
 	VALUE_FORMAT,	/* struct format_choice[], one of them: a name, or NAME=FILE */
 	VALUE_SHARE,	/* two int, K of K/N and N */
 	VALUE_KINDS,	/* unsigned, a bit for each kind of finding */
+	VALUE_AMOUNTS,	/* four double from least to greatest, separated by commas */
 	VALUE_MODE	/* the run's mode becomes `mode` */
 };
 
@@ -33,7 +34,7 @@ struct option_row {
 	const char *help;	/* a newline breaks it */
 };
 
-enum { OPTION_COUNT = 32 };
+enum { OPTION_COUNT = 36 };
 
 extern const struct option_row option_table[OPTION_COUNT];
 

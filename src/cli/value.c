@@ -156,6 +156,34 @@ static bool read_kinds(unsigned *out, const struct option_row *row, const char *
 	return true;
 }
 
+/* A,B,C,D */
+static bool read_amounts(double out[CHANGES], const struct option_row *row, const char *text, struct diag *diag)
+{
+	double amounts[CHANGES], most = 0;
+	const char *at = text;
+
+	for (int i = 0; i < CHANGES; i++) {
+		size_t length = strcspn(at, ",");
+		char *part = mem_strndup(at, length);
+		bool whole = (at[length] == ',') == (i < CHANGES - 1);
+		bool good = whole && read_number(&amounts[i], row, part, diag);
+
+		if (!whole)
+			diag_error(diag, nowhere, "--%s: '%s' is not four numbers like 1,1,1,0.5: of X, Y, Z and the tool length",
+				   row->name, text);
+		free(part);
+		if (!good)
+			return false;
+		most = fmax(most, amounts[i]);
+		at += length + 1;
+	}
+	if (!(most > 0))
+		diag_error(diag, nowhere, "--%s: '%s' looks for nothing: all four are 0", row->name, text);
+	else
+		memcpy(out, amounts, sizeof(amounts));
+	return most > 0;
+}
+
 bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
@@ -189,6 +217,8 @@ bool value_set(struct options *options, const struct option_row *row, const char
 		return read_share(field, row, text, diag);
 	case VALUE_KINDS:
 		return read_kinds(field, row, text, diag);
+	case VALUE_AMOUNTS:
+		return read_amounts(field, row, text, diag);
 	case VALUE_MODE:
 		break;
 	}

@@ -16,6 +16,7 @@ static void block_clear(struct block *block)
 	block->m_count = 0;
 	block->m_ignored = false;
 	block->motion = CODE_NONE;
+	block->idle = CODE_NONE;
 	for (int i = 0; i < G_GROUPS; i++)
 		block->g[i] = CODE_NONE;
 	for (int i = 0; i < M_GROUPS; i++)
@@ -56,6 +57,11 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	if (code->group == GROUP_UNSUPPORTED) {
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
 		return fault_g(at, word, number, text);
+	}
+	if (code->group == GROUP_HARMLESS) {
+		block->idle = number;
+		block->idle_column = word->column;
+		return true;
 	}
 	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
 	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
@@ -160,7 +166,7 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
-	/* B-63944EN, "Undefined variable"; Haas, "Address substitution": the word counts as not written. */
+	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
 	if (word->vacant)
 		return true;
 	switch (word->letter) {

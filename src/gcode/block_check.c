@@ -213,17 +213,45 @@ static bool check_call(struct block *block, const struct line_place *at, enum gc
 	return true;
 }
 
+/* Its axis words would name the axes whose mirror image ends, and move nothing. */
+static bool check_idle(const struct block *block, const struct line_place *at)
+{
+	if (block->idle == CODE_NONE || !(block->letters & AXIS_BITS))
+		return true;
+	return fault(at, block->idle_column, "G%g needs a block without axis words", block->idle / 10.0);
+}
+
+/* Only LinuxCNC says what comes first ("Order of Execution"). */
+static bool check_order(const struct block *block, const struct line_place *at, const struct gcode_config *config)
+{
+	int code = block->g[G_NONMODAL];
+	bool moves = (code != G4 && (block->letters & AXIS_BITS)) || code == G28 || code == G30 || code == G53_1 ||
+		     (block->g[G_LENGTH] != CODE_NONE && config->length_moves == GCODE_YES);
+	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
+
+	if (config->dialect == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)
+		return true;
+	return fault(at, block->m_column[group],
+		     "%s in a block that moves: whether it comes before or after the move depends on the control; "
+		     "write two blocks",
+		     group == M_TOOL ? "M6" : "an M-code that switches TCP");
+}
+
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		 const struct block_modes *modes)
 {
 	uint32_t unused;
 
+	if (!check_idle(block, at))
+		return false;
 	if (!(config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
 		return false;
 	if (config->dialect == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
 	    !(block->letters & AXIS_BITS))
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
+		return false;
+	if (!check_order(block, at, config))
 		return false;
 	if (is_call(block, config->dialect) && !check_call(block, at, config->dialect))
 		return false;

@@ -93,6 +93,13 @@ struct canon_sink {
 	 * limits, the nearest to where the axes are. False: reported at loc.
 	 */
 	bool (*orient)(void *context, struct srcloc loc, struct canon_orientation *orientation);
+	/*
+	 * Where turning the table takes a point: *place holds the position of the
+	 * linear axes that reaches it while the rotary ones are at the machine's zero,
+	 * and where these are now; X Y Z receive the position that reaches it now. No
+	 * axis moves, no tool length counts. False: reported at loc.
+	 */
+	bool (*carry)(void *context, struct srcloc loc, axis_values *place);
 };
 
 #endif

@@ -14,7 +14,7 @@ enum {
 
 /*
  * Sorted by number. LinuxCNC's manual, "G-Codes"; Fanuc 30i-B operator's
- * manual (B-64484EN), "Preparatory function"; Haas mill operator's manual, "G-codes".
+ * manual (B-64484EN), preparatory function; Haas mill operator's manual, G-codes.
  */
 static const struct code g_codes[] = {
 	{G0, ALL, G_MOTION, NULL},
@@ -41,7 +41,8 @@ static const struct code g_codes[] = {
 	{G10, ALL, G_NONMODAL, NULL},
 	{120, H, NO, "circular pocket milling"},
 	{130, H, NO, "circular pocket milling"},
-	{150, F, NO, "polar coordinate command"},
+	/* G15, G50, G50.1, G100 take back what is an error where it is switched on. */
+	{150, F, IDLE, NULL},
 	{160, F, NO, "polar coordinate command"},
 	{G17, ALL, G_PLANE, NULL},
 	{171, L, NO, "arc plane of U V W"},
@@ -84,8 +85,8 @@ static const struct code g_codes[] = {
 	{440, F | H, NO, "negative tool length compensation"},
 	{470, H, NO, "text engraving"},
 	{G49, ALL, G_LENGTH, NULL},
-	{500, F | H, NO, "cancelling of scaling"},
-	{501, F, NO, "cancelling of the mirror image"},
+	{500, F | H, IDLE, NULL},
+	{501, F, IDLE, NULL},
 	{510, F | H, NO, "scaling"},
 	{511, F, NO, "mirror image"},
 	{G52, ALL, G_NONMODAL, NULL},
@@ -160,7 +161,7 @@ static const struct code g_codes[] = {
 	{970, L | F, G_SPINDLE, NULL},	/* the mode that is always in force here */
 	{G98, ALL, G_RETRACT, NULL},
 	{G99, ALL, G_RETRACT, NULL},
-	{1000, H, NO, "cancelling of the mirror image"},
+	{1000, H, IDLE, NULL},
 	{1010, H, NO, "mirror image"},
 	{G103, H, G_CONTOUR, NULL},
 	{1100, H, G_SYSTEM, NULL},
@@ -191,8 +192,8 @@ static const struct code g_codes[] = {
 	{G187, H, G_CONTOUR, NULL},
 	{G234, H, G_LENGTH, NULL},
 	{2530, H, NO, "spindle orientation to the feature coordinates"},
-	{2540, H, NO, "dynamic work offset, which carries the work origin along with the rotary table,"},
-	{2550, H, NO, "cancelling of the dynamic work offset"},
+	{G254, H, G_DYNAMIC, NULL},
+	{G255, H, G_DYNAMIC, NULL},
 	{2680, H, NO, "feature coordinate system"},
 	{2690, H, NO, "cancelling of the feature coordinate system"},
 };
@@ -208,13 +209,13 @@ static const struct code m_codes[] = {
 	{7, ALL, M_COOLANT, NULL},
 	{8, ALL, M_COOLANT, NULL},
 	{9, ALL, M_COOLANT, NULL},
-	/* Haas mill operator's manual, "M-codes": brakes of the rotary axes. */
+	/* Haas mill operator's manual, M-codes: brakes of the rotary axes. */
 	{10, H, IDLE, NULL},
 	{11, H, IDLE, NULL},
 	{12, H, IDLE, NULL},
 	{13, H, IDLE, NULL},
 	{19, ALL, NO, "spindle orientation"},
-	/* B-63944EN, "Rigid tapping": M29, unless parameter 5210 gives it another number. */
+	/* B-63944EN, rigid tapping: M29, unless parameter 5210 gives it another number. */
 	{29, F, IDLE, NULL},
 	{30, ALL, M_STOP, NULL},
 	/* Haas: chip conveyor, gears; further on the air jet (M83, M84) and coolant through the spindle (M88, M89). */

@@ -80,7 +80,9 @@ enum {
 	G129 = 1290,
 	G154 = 1540,
 	G187 = 1870,
-	G234 = 2340
+	G234 = 2340,
+	G254 = 2540,
+	G255 = 2550
 };
 
 /*
@@ -103,6 +105,7 @@ enum g_group {
 	G_CONTOUR,	/* how exactly the control keeps to the path: G5.1, G8, G187 */
 	G_SPINDLE,
 	G_ROTATION,
+	G_DYNAMIC,	/* G254, G255 */
 	G_GROUPS
 };
 

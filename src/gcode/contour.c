@@ -21,7 +21,7 @@ static bool fault_other(struct interp *interp, const char *what)
 	return fault(&interp->at, interp->block.g_column[G_CONTOUR], "%s is not supported yet", what);
 }
 
-/* B-63944EN, "AI contour control": Q1 on, Q0 off, R is the level of smoothness; Q2 and Q3 interpolate splines. */
+/* B-63944EN, AI contour control: Q1 on, Q0 off, R is the level of smoothness; Q2 and Q3 interpolate splines. */
 static bool select_ai(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -42,7 +42,7 @@ static bool select_ai(struct interp *interp)
 	return true;
 }
 
-/* B-63944EN, "High-speed cycle machining" (G5 P1 to P999), "G05 P10000" on, "G05 P0" off; "G08 P1" on, "G08 P0" off. */
+/* B-63944EN, high-speed cycle machining (G5 P1 to P999), "G05 P10000" on, "G05 P0" off; "G08 P1" on, "G08 P0" off. */
 static bool select_by_p(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -59,7 +59,7 @@ static bool select_by_p(struct interp *interp)
 	return true;
 }
 
-/* Haas mill operator's manual, "G187": E is the greatest rounding of corners; alone it restores the settings. */
+/* Haas mill operator's manual, G187: E is the greatest rounding of corners; alone it restores the settings. */
 static bool select_accuracy(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -90,7 +90,7 @@ bool contour_select(struct interp *interp)
 	case G187:
 		return select_accuracy(interp);
 	default:
-		/* Haas, "G103": how far the control reads ahead; what depends on that cannot be read here at all. */
+		/* Haas, G103: how far the control reads ahead; what depends on that cannot be read here at all. */
 		return !block_has(&interp->block, 'P') || block_integer(&interp->block, &interp->at, 'P', 0, 15, &p);
 	}
 }

@@ -3,6 +3,7 @@
 #include "base/units.h"
 #include "gcode/comp.h"
 #include "gcode/contour.h"
+#include "gcode/dynamic_offset.h"
 #include "gcode/offsets.h"
 #include "gcode/plane.h"
 #include "gcode/reference.h"
@@ -102,7 +103,7 @@ static bool is_count(const struct block *block, char letter)
 }
 
 /*
- * Fanuc 30i-B operator's manual, "Decimal point programming"; Haas, setting
+ * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting
  * 162: whole numbers count least input increments, of which an inch has ten
  * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */
@@ -169,7 +170,9 @@ bool convert_block(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
-	if (!plane_start_block(interp) || !comp_start_block(interp) || !convert_feed(interp) || !convert_speed(interp))
+	if (!plane_start_block(interp) || !dynamic_offset_start_block(interp) || !comp_start_block(interp))
+		return false;
+	if (!convert_feed(interp) || !convert_speed(interp))
 		return false;
 	if (!tooling_select(interp) || !tooling_change(interp) || !tooling_mcode(interp))
 		return false;
@@ -187,7 +190,7 @@ bool convert_block(struct interp *interp)
 	    !convert_path(interp) || !contour_select(interp))
 		return false;
 	convert_modes(interp);
-	if (!plane_turn(interp))
+	if (!plane_turn(interp) || !dynamic_offset_switch(interp))
 		return false;
 	if (!convert_nonmodal(interp) || !travel_motion(interp))
 		return false;

@@ -14,6 +14,9 @@
  */
 #define PECK_CLEARANCE 0.254
 
+/* mm: heights that differ by less are the same. */
+#define SAME_COORDINATE 1e-6
+
 /* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
 #define COUNT_MAX 1000000
 
@@ -54,7 +57,7 @@ static bool cycle_word(struct cycle *cycle, char letter, bool kept, double *valu
 	return true;
 }
 
-/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: "Drilling data"). */
+/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: drilling data). */
 static bool keeps_words(const struct cycle *cycle)
 {
 	int before = cycle->interp->state.motion;
@@ -109,6 +112,23 @@ static double find_clear(struct cycle *cycle, double level)
 	return cycle->linuxcnc ? fmax(level, cycle->r) : level;
 }
 
+/* For LinuxCNC the level is a coordinate; the other manuals do not say that it is none. */
+static bool check_level(const struct cycle *cycle, double level)
+{
+	struct interp *interp = cycle->interp;
+	const struct state *state = &interp->state;
+	const struct cycle_memory *memory = &state->cycle;
+	bool used = state->retract != G99 || state->incremental;
+	bool moved = used && fabs(level - memory->height) > SAME_COORDINATE;
+	bool rescaled = memory->scale < state->scale || memory->scale > state->scale;
+
+	if (cycle->linuxcnc || !(moved || rescaled || memory->turned))
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "the coordinates have changed since the first of the cycles: whether its level and words change "
+		     "with them depends on the control; G80 first");
+}
+
 /* The height before the first of the cycles, and what R, the depth and G98 or G99 make of it. */
 static bool find_heights(struct cycle *cycle, bool kept)
 {
@@ -121,8 +141,13 @@ static bool find_heights(struct cycle *cycle, bool kept)
 	if (!state->cycle.has_level) {
 		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
 		state->cycle.has_level = true;
+		state->cycle.height = cycle->at.v[cycle->depth];
+		state->cycle.scale = scale;
+		state->cycle.turned = false;
 	}
 	level = state->cycle.level * scale + offset;
+	if (!check_level(cycle, level))
+		return false;
 	cycle->r = r * scale + (state->incremental ? level : offset);
 	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
 	if (cycle->r < cycle->bottom)
@@ -400,13 +425,30 @@ static bool make_cycle(struct cycle *cycle)
 	return good;
 }
 
+/* Fanuc and Haas drill in blocks that name an axis. */
+static bool is_to_drill(struct cycle *cycle, bool *good)
+{
+	const struct block *block = &cycle->interp->block;
+	bool axes = block->letters & AXIS_BITS;
+
+	*good = true;
+	if (cycle->linuxcnc)
+		return true;
+	if (cycle->repeats > 0 && !axes && block_has(block, 'R'))
+		*good = fault(&cycle->interp->at, block_column(block, 'R'),
+			      "R of G%d without an axis: whether the tool drills where it stands depends on the "
+			      "control; name an axis",
+			      cycle->code / 10);
+	return cycle->repeats > 0 && axes;
+}
+
 bool cycle_run(struct interp *interp)
 {
 	struct state *state = &interp->state;
 	struct cycle cycle = {.interp = interp, .code = interp->block.motion,
 			      .linuxcnc = interp->config->dialect == GCODE_LINUXCNC, .at = frame_straight(state)};
 	int column = block_motion_column(&interp->block);
-	bool kept;
+	bool kept, good;
 
 	if (state->feed_mode == FEED_INVERSE_TIME)
 		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
@@ -420,8 +462,5 @@ bool cycle_run(struct interp *interp)
 	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
 		return false;
 	state->motion = cycle.code;
-	/* Fanuc and Haas drill in blocks that name an axis. */
-	if (!cycle.linuxcnc && (cycle.repeats == 0 || !(interp->block.letters & AXIS_BITS)))
-		return true;
-	return make_cycle(&cycle);
+	return is_to_drill(&cycle, &good) ? make_cycle(&cycle) : good;
 }

@@ -9,8 +9,8 @@
 /*
  * Carries out the block's cycle (code_is_cycle) as the moves that the control
  * makes, in its order. LinuxCNC: manual, "Canned Cycles", and the moves of its
- * 2.9 interpreter; Fanuc 30i-B operator's manual (B-64484EN), "Canned cycle for
- * drilling"; Haas mill operator's manual, "Canned Cycles".
+ * 2.9 interpreter; Fanuc 30i-B operator's manual (B-64484EN), canned cycle for
+ * drilling; Haas mill operator's manual, canned cycles.
  */
 bool cycle_run(struct interp *interp);
 

@@ -55,6 +55,7 @@ struct gcode_config {
 		axis_values value;
 	} *work_offsets;
 	size_t work_offset_count;
+	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
 	const struct gcode_tool {
 		int number;
 		double length_offset;

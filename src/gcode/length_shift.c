@@ -60,7 +60,7 @@ static bool is_plain(const struct interp *interp, const struct length_change *ch
  * Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift
  * Types": parameter 5006#6 (TOS) tells whether the axes move or the coordinates
  * are shifted, and then nothing moves without a move command; operator's manual,
- * "Tool length compensation": where they move, a block's increments and the shift add up.
+ * tool length compensation: where they move, a block's increments and the shift add up.
  */
 bool length_shift_settle(struct interp *interp, const struct length_change *change)
 {

@@ -18,7 +18,7 @@ void macro_release(struct macro *macro)
 	strbuf_release(&macro->line);
 }
 
-/* Fanuc: the first two letters will do (B-63944EN, "Abbreviation"). */
+/* Fanuc: the first two letters will do (B-63944EN, abbreviation). */
 static bool keyword(struct interp *interp, struct lexer *lexer, const char *word)
 {
 	const char two[3] = {word[0], word[1], '\0'};
@@ -258,7 +258,7 @@ static bool skip_start(struct interp *interp, struct lexer *lexer)
 	return lexer_skip_comments(lexer);
 }
 
-/* B-63944EN, "External output commands"; Haas, "DPRNT": text to a port or a file. */
+/* B-63944EN, external output commands; Haas, DPRNT: text to a port or a file. */
 static bool is_output(struct lexer *lexer)
 {
 	return lexer_keyword(lexer, "popen") || lexer_keyword(lexer, "pclos") || lexer_keyword(lexer, "bprnt") ||

@@ -8,7 +8,7 @@
 #include "gcode/macro_vars.h"
 #include "gcode/source.h"
 
-/* DO1 to DO3 (B-63944EN, "Repetition"; Haas mill operator's manual, "Looping"). */
+/* DO1 to DO3 (B-63944EN, repetition; Haas mill operator's manual, looping). */
 #define MACRO_LOOPS 3
 
 struct interp;

@@ -67,7 +67,7 @@ static bool leave(struct interp *interp, int column)
 
 /* --------------------------------------------------------------- arguments */
 
-/* B-63944EN, "Argument specification I"; Haas, "Alphabetic addressing": 0 is none. */
+/* B-63944EN, argument specification I; Haas, alphabetic addressing: 0 is none. */
 static int argument_of(char letter)
 {
 	static const char numbers[26] = {1,  2,	 3, 7, 8,  9,  0,  11, 4,  5,  6,  0,  13,
@@ -78,7 +78,7 @@ static int argument_of(char letter)
 
 /*
  * I, J and K by argument specification II: sets of three from #4 on, a new one
- * with each letter that does not come after the one before (Haas: "Alternate addressing").
+ * with each letter that does not come after the one before (Haas: alternate addressing).
  */
 static int argument_of_set(char letter, int *set, char *last)
 {
@@ -89,8 +89,9 @@ static int argument_of_set(char letter, int *set, char *last)
 }
 
 /*
- * B-63944EN, "Units of argument data": without a decimal point a value counts increments of its address. Which those
- * are differs for E and F, and in inches for A, B and C, which need not be axes.
+ * B-63944EN, macro calls, units of arguments: without a decimal point a value
+ * counts increments of its address. Which those are differs for E and F, and in
+ * inches for A, B and C, which need not be axes.
  */
 static bool scale_argument(struct interp *interp, const struct word *word, double *value)
 {
@@ -129,7 +130,7 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 		return fault(&interp->at, word->column, "more than ten sets of I, J and K");
 	if (!word->vacant && !scale_argument(interp, word, &value))
 		return false;
-	/* Of a mixture the later one is valid (B-63944EN, "Mixture of argument specifications I and II"). */
+	/* Of a mixture the later one is valid (B-63944EN, mixture of argument specifications I and II). */
 	request->arguments[number] = value;
 	return true;
 }
@@ -170,7 +171,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 
 /* --------------------------------------------------------------- G65, G66 */
 
-/* B-63944EN, "Simple call (G65)": variables of the call's own, vacant but for its arguments. */
+/* B-63944EN, simple call (G65): variables of the call's own, vacant but for its arguments. */
 static bool call_macro(struct interp *interp, enum macro_call_kind kind, const struct request *request, int column)
 {
 	struct macro_vars *vars = &interp->macro.vars;
@@ -208,7 +209,7 @@ bool macro_call_g65(struct interp *interp, struct lexer *lexer, int column)
 	       call_macro(interp, MACRO_G65, &request, column);
 }
 
-/* B-63944EN, "Modal call (G66)": from the next block on, after each that moves; the block itself calls nothing. */
+/* B-63944EN, modal call (G66): from the next block on, after each that moves; the block itself calls nothing. */
 bool macro_call_g66(struct interp *interp, struct lexer *lexer, int column)
 {
 	struct macro *macro = &interp->macro;
@@ -268,8 +269,8 @@ bool macro_after_block(struct interp *interp)
 /* ------------------------------------------------------------ M97, M98, M99 */
 
 /*
- * B-63944EN, "Subprogram call": P is the program, or without L, of more than four
- * digits, the repetitions and its last four; Haas, "M98": P and L.
+ * B-63944EN, subprogram call: P is the program, or without L, of more than four
+ * digits, the repetitions and its last four; Haas, M98: P and L.
  */
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {
@@ -310,7 +311,7 @@ static bool do_m98(struct interp *interp, int column)
 }
 
 /*
- * M99 P: Fanuc goes to that block of the caller (B-63944EN, "Subprogram"), Haas to
+ * M99 P: Fanuc goes to that block of the caller (B-63944EN, subprogram), Haas to
  * one of the subprogram itself (operator's manual, "Conditional Expressions").
  */
 static bool do_m99(struct interp *interp, int column)

@@ -129,7 +129,7 @@ bool macro_expr_variable(struct lexer *lexer, int *number)
 	return true;
 }
 
-/* FIX towards zero, FUP away from it (B-63944EN, "Rounding up and down to an integer"; Haas, "FIX": truncates). */
+/* FIX towards zero, FUP away from it (B-63944EN, rounding up and down to an integer; Haas, FIX: truncates). */
 static bool compute_fix(struct lexer *lexer, int column, enum expr_function function, double *value)
 {
 	double nearest = round(*value);
@@ -145,7 +145,7 @@ static bool compute_fix(struct lexer *lexer, int column, enum expr_function func
 	return true;
 }
 
-/* To a whole number, or behind an address to its increment (B-63944EN, "ROUND function"; Haas, "ROUND"). */
+/* To a whole number, or behind an address to its increment (B-63944EN, ROUND function; Haas, ROUND). */
 static bool compute_round(struct lexer *lexer, int column, double *value)
 {
 	double scaled;
@@ -162,7 +162,7 @@ static bool compute_round(struct lexer *lexer, int column, double *value)
 }
 
 /*
- * B-63944EN, "ASIN", "ATAN", by parameter NAT (No. 6004#0), 0 as it comes:
+ * B-63944EN, ASIN, ATAN, by parameter NAT (No. 6004#0), 0 as it comes:
  * angles of 0 to 360, and 270 to 90, where they are -180 to 180 and -90 to 90 with 1.
  */
 static void wrap_angle(struct lexer *lexer, int column, double *value)
@@ -224,7 +224,7 @@ static bool read_arc_tangent(struct lexer *lexer, int column, struct macro_opera
 	return true;
 }
 
-/* Fanuc: two letters will do (B-63944EN, "Abbreviation"). */
+/* Fanuc: two letters will do (B-63944EN, abbreviation). */
 static bool read_function_name(struct lexer *lexer, enum expr_function *function)
 {
 	size_t position = lexer->position;
@@ -356,8 +356,8 @@ bool macro_expr_follows(struct lexer *lexer)
 
 /*
  * Steps of the address's least increment: IS-B where the machine file does not
- * say, 0.001 mm and degrees or 0.0001 inch (B-63944EN, "Variable reference";
- * Haas, "Address substitution"). 0: not rounded.
+ * say, 0.001 mm and degrees or 0.0001 inch (B-63944EN, variable reference;
+ * Haas, address substitution). 0: not rounded.
  */
 static double steps_of(const struct lexer *lexer, char letter)
 {

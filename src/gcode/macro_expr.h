@@ -6,12 +6,12 @@
 
 #include "gcode/lexer.h"
 
-/* Brackets inside each other; Fanuc has five (B-63944EN, "Bracket nesting"). */
+/* Brackets inside each other; Fanuc has five (B-63944EN, bracket nesting). */
 #define MACRO_EXPR_DEPTH_MAX 32
 
 /*
  * Fanuc Series 30i/31i/32i operator's manual (B-63944EN), custom macro,
- * "Variables" and "Arithmetic and logic operation"; Haas mill operator's
+ * variables and arithmetic and logic operation; Haas mill operator's
  * manual, "Macros". Where Haas's is silent (the order of AND, OR and XOR
  * among others, sums of undefined values), it is a fault and no guess. All read
  * at the lexer's position and leave it behind what they read. False: reported.

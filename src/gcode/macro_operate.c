@@ -5,7 +5,7 @@
 #include "gcode/state.h"
 
 /*
- * Controls compute with about nine digits (B-63944EN, "Operation error"): of
+ * Controls compute with about nine digits (B-63944EN, operation error): of
  * numbers that are nearer to each other, but not equal, nobody knows the order.
  */
 #define NEAR 1e-8
@@ -16,7 +16,7 @@ static bool is_fanuc(const struct lexer *lexer)
 	return lexer->interp->config->dialect == GCODE_FANUC;
 }
 
-/* B-63944EN, "Priority of operations": functions; * / AND MOD; + - OR XOR; and comparisons last. */
+/* B-63944EN, priority of operations: functions; * / AND MOD; + - OR XOR; and comparisons last. */
 int macro_operation_rank(enum macro_operation operation)
 {
 	return operation >= MACRO_TIMES ? 3 : operation >= MACRO_PLUS ? 2 : operation != MACRO_NO_OPERATION ? 1 : 0;
@@ -27,7 +27,7 @@ bool macro_operation_is_logic(enum macro_operation operation)
 	return operation == MACRO_AND || operation == MACRO_OR || operation == MACRO_XOR;
 }
 
-/* A vacant operand counts as 0 (B-63944EN, "Undefined variable"); what Haas makes of one is not in its manual. */
+/* A vacant operand counts as 0 (B-63944EN, undefined variable); what Haas makes of one is not in its manual. */
 bool macro_operand_fill(struct lexer *lexer, int column, struct macro_operand *value)
 {
 	if (!isnan(value->number))
@@ -64,7 +64,7 @@ static bool holds(enum macro_operation operation, double left, double right)
 	}
 }
 
-/* B-63944EN, "Undefined variable": in conditions a vacant value differs from 0 for EQ and NE only. */
+/* B-63944EN, undefined variable: in conditions a vacant value differs from 0 for EQ and NE only. */
 static bool compare(struct lexer *lexer, int column, enum macro_operation operation, struct macro_operand *left,
 		    struct macro_operand *right)
 {
@@ -93,7 +93,7 @@ bool macro_is_whole(double value)
 	return fabs(value) <= LARGEST_WHOLE && !(floor(value) < value);
 }
 
-/* Bit by bit (B-63944EN, "Logical operations"; Haas, "Logical operators": of the integer portion). */
+/* Bit by bit (B-63944EN, logical operations; Haas, "Logical operators": of the integer portion). */
 static bool apply_logic(struct lexer *lexer, int column, enum macro_operation operation, struct macro_operand *left,
 			struct macro_operand *right)
 {
@@ -117,7 +117,7 @@ static bool apply_logic(struct lexer *lexer, int column, enum macro_operation op
 	return true;
 }
 
-/* B-63944EN, "MOD": of whole numbers, with the sign of the first; other controls differ in both. */
+/* B-63944EN, MOD: of whole numbers, with the sign of the first; other controls differ in both. */
 static bool apply_modulo(struct lexer *lexer, int column, struct macro_operand *left, double right)
 {
 	bool negative = right < 0 || (left->number < 0 && !is_fanuc(lexer));

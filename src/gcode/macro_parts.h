@@ -17,7 +17,7 @@ bool macro_jump(struct interp *interp, const struct position *to, int column);
 
 /*
  * To the block N<number> of the program in hand. Fanuc searches forward and then
- * from the start (B-63944EN, "Unconditional branch"); Haas's manual does not say
+ * from the start (B-63944EN, unconditional branch); Haas's manual does not say
  * in which order, so that there must be one such block only.
  */
 bool macro_goto(struct interp *interp, int number, int column);

@@ -103,7 +103,7 @@ static int loop_number(const char *rest, bool end)
 
 /* ------------------------------------------------------------------ a search */
 
-/* The loops of B-63944EN, "Nesting": up to three, one inside the other, that do not cross. */
+/* The loops of B-63944EN, nesting: up to three, one inside the other, that do not cross. */
 static bool meet_loop(struct interp *interp, struct search *search, const struct gist *gist, long line, int column)
 {
 	int opens = loop_number(gist->rest, false), closes = loop_number(gist->rest, true);

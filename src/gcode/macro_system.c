@@ -133,7 +133,8 @@ static bool read_position(struct interp *interp, int number, int column, double 
 	const struct state *state = &interp->state;
 	int slot;
 
-	if (!find_slot(interp, number, number - 5001, column, &slot) || !predefined_position_is_plain(interp, slot, column))
+	if (!find_slot(interp, number, number - 5001, column, &slot) ||
+	    !predefined_position_is_plain(interp, slot, column))
 		return false;
 	if (interp->macro.work_stale)
 		return fault(&interp->at, column,

@@ -51,7 +51,7 @@ static bool was_assigned(const struct interp *interp, int number)
 	return false;
 }
 
-/* B-63944EN, "Common variables": #100 to #199 are vacant from the start, #500 to #999 are kept; Haas keeps them all. */
+/* B-63944EN, common variables: #100 to #199 are vacant from the start, #500 to #999 are kept; Haas keeps them all. */
 static bool read_common(struct interp *interp, int number, int index, int column, double *value)
 {
 	const struct macro_vars *vars = &interp->macro.vars;

@@ -6,7 +6,7 @@
 
 /* #1 to #33 are a call's own. */
 #define MACRO_LOCALS 33
-/* Calls inside each other (Fanuc 30i/31i/32i operator's manual, B-63944EN, "Call nesting": fifteen). */
+/* Calls inside each other (Fanuc 30i/31i/32i operator's manual, B-63944EN, call nesting: fifteen). */
 #define MACRO_CALLS_MAX 15
 /* Of which so many by G65 and G66 (the same; Haas's differ by version, so that only the other limit counts there). */
 #define MACRO_G65_MAX 5
@@ -36,8 +36,8 @@ bool macro_vars_read(struct interp *interp, int number, int column, double *valu
 bool macro_vars_write(struct interp *interp, int number, int column, double value);
 
 /*
- * The same for #1000 and on (B-63944EN, "System variables"; Haas mill
- * operator's manual, "System variables"). What only the machine knows when it
+ * The same for #1000 and on (B-63944EN, system variables; Haas mill
+ * operator's manual, system variables). What only the machine knows when it
  * runs is a fault that says so. Lengths are in the program's unit.
  */
 bool macro_system_read(struct interp *interp, int number, int column, double *value);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dynamic_offset.h"
 #include "gcode/target.h"
 #include "gcode/tool_write.h"
 #include "gcode/tooling.h"
@@ -42,12 +43,13 @@ static bool find_system(struct interp *interp, int code, int *system)
 bool offsets_select(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM];
+	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM], system = state->system;
 
 	if (code == CODE_NONE)
 		return true;
-	if (!find_system(interp, code, &state->system))
+	if (!find_system(interp, code, &system) || !dynamic_offset_check_system(interp, system))
 		return false;
+	state->system = system;
 	if (interp->config->has_setup && !state->work_known[state->system]) {
 		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
 			state_system_name(state->system));
@@ -97,7 +99,7 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 	return true;
 }
 
-/* Fanuc 30i-B, "Changing workpiece coordinate system", and Haas, "G10 Set Offsets": with G91 the words are added. */
+/* Fanuc 30i-B, changing workpiece coordinate system, and Haas, G10: with G91 the words are added. */
 static void change_work(struct interp *interp, int system, int slot, double word)
 {
 	double *value = &interp->state.work[system].v[slot];
@@ -137,7 +139,7 @@ static bool find_written(struct interp *interp, int mode, int *system)
 	return true;
 }
 
-/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, "G10". */
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;

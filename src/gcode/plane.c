@@ -68,8 +68,8 @@ static void mark_unsure(struct state *state, const slot_values *before, int code
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), "Coordinate system rotation (G68,
- * G69)"; Haas mill operator's manual, "G68 Rotation": by R degrees about a
+ * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68,
+ * G69); Haas mill operator's manual, "G68 Rotation": by R degrees about a
  * centre in the plane, counter-clockwise.
  */
 static bool turn_in_plane(struct interp *interp)
@@ -99,7 +99,7 @@ static bool turn_in_plane(struct interp *interp)
 }
 
 /*
- * Fanuc 30i-B operator's manual, "Tilted working plane indexing", G68.2 by
+ * Fanuc 30i-B operator's manual, tilted working plane indexing, G68.2 by
  * Euler's angles: about Z by I, about the new X by J, about the new Z by K.
  */
 static bool tilt(struct interp *interp)
@@ -138,6 +138,7 @@ static bool turn_back(struct interp *interp)
 	slot_values before = frame_straight(state);
 
 	state->frame = (struct frame){0};
+	state->cycle.turned = true;
 	if (state->tcp == TCP_BY_PLANE &&
 	    !tooling_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
 		return false;
@@ -204,6 +205,7 @@ bool plane_turn(struct interp *interp)
 
 	if (code == CODE_NONE || code == G69)
 		return true;
+	state->cycle.turned = true;
 	if (state->frame.on)
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
 	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
@@ -214,8 +216,8 @@ bool plane_turn(struct interp *interp)
 }
 
 /*
- * Fanuc 30i-B operator's manual (B-64484EN), "Tool axis direction control
- * (G53.1)": the rotary axes turn at the rapid rate and the linear ones stand
+ * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
+ * (G53.1): the rotary axes turn at the rapid rate and the linear ones stand
  * still. From here on a tool point is meant on the workpiece, which may have
  * turned with its table.
  */
@@ -253,12 +255,30 @@ static bool changes_offsets(const struct block *block)
 	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
 }
 
-/* Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": none of these while it is in force. */
-static bool goes_by_machine(const struct block *block)
+/*
+ * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": no
+ * G28, G30, G53 while it is in force. Of Haas nothing is said: across the plane
+ * they mean the same either way.
+ */
+static bool check_by_machine(struct interp *interp)
 {
-	int code = block->g[G_NONMODAL];
+	const struct block *block = &interp->block;
+	int code = block->g[G_NONMODAL], across = across_of(interp->state.plane);
 
-	return code == G28 || code == G30 || code == G53;
+	if (code != G28 && code != G30 && code != G53)
+		return true;
+	if (interp->config->dialect == GCODE_FANUC)
+		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
+			     code / 10);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (slot != across && (block_has(block, AXIS_LETTERS[slot]) ||
+				       (code != G53 && !(block->letters & AXIS_BITS))))
+			return fault(&interp->at, block->g_column[G_NONMODAL],
+				     "G%d with %c while G68 is in force: whether the way there and the coordinates "
+				     "behind it are turned depends on the control; G69 first",
+				     code / 10, AXIS_LETTERS[slot]);
+	}
+	return true;
 }
 
 bool plane_start_block(struct interp *interp)
@@ -282,9 +302,8 @@ bool plane_start_block(struct interp *interp)
 		return fault(&interp->at, block->m_column[M_TCP],
 			     "tool centre point control while %s is in force; G69 first", name);
 	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
-		if (interp->config->dialect == GCODE_FANUC && goes_by_machine(block))
-			return fault(&interp->at, column, "G%d while G68 is in force; G69 first",
-				     block->g[G_NONMODAL] / 10);
+		if (!check_by_machine(interp))
+			return false;
 		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
 			return fault(&interp->at, block->g_column[G_PLANE],
 				     "a change of the plane while G68 is in force; G69 first");

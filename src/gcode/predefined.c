@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dynamic_offset.h"
 #include "gcode/params.h"
 #include "gcode/state.h"
 #include "gcode/target.h"
@@ -88,7 +89,7 @@ bool predefined_position_is_plain(struct interp *interp, int slot, int column)
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
-		return target_is_known(interp, slot, column);
+		return dynamic_offset_check_read(interp, slot, column) && target_is_known(interp, slot, column);
 	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 

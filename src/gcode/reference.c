@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dynamic_offset.h"
 #include "gcode/target.h"
 #include "gcode/tooling.h"
 #include "gcode/travel.h"
@@ -79,9 +80,21 @@ static slot_values place_values(const struct interp *interp, int index)
 	return values;
 }
 
+/* Haas mill operator's manual, "G254 Dynamic Work Offset": G28 ignores it. */
+static bool go_on_the_way(struct interp *interp)
+{
+	slot_values target;
+	bool suspended, good;
+
+	dynamic_offset_suspend(&interp->state, &suspended);
+	good = target_find(interp, false, &target);
+	dynamic_offset_resume(&interp->state, suspended);
+	return good && go_rapid(interp, &target);
+}
+
 /*
- * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, "Reference
- * position return"; Haas, "G28": by way of the point that the axis words name,
+ * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference
+ * position return; Haas, G28: by way of the point that the axis words name,
  * which is a rapid of its own, and on with these axes, or with all.
  */
 bool reference_go(struct interp *interp)
@@ -89,16 +102,14 @@ bool reference_go(struct interp *interp)
 	const struct block *block = &interp->block;
 	int column = block->g_column[G_NONMODAL], index;
 	struct suspended suspended;
-	slot_values target, values;
+	slot_values values;
 	bool moves[SLOT_COUNT];
 
 	if (!find_number(interp, &index))
 		return false;
 	values = place_values(interp, index);
-	if (block->letters & AXIS_BITS) {
-		if (!target_find(interp, false, &target) || !go_rapid(interp, &target))
-			return false;
-	}
+	if ((block->letters & AXIS_BITS) && !go_on_the_way(interp))
+		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		moves[slot] = is_named(interp, slot);
 	if (!tooling_suspend(interp, column, &suspended) ||
@@ -161,6 +172,9 @@ bool reference_change_tool(struct interp *interp)
 		values.v[slot] = state_from_canonical(slot, place->value.v[slot]);
 		moves[slot] = place->has[slot];
 	}
-	return tooling_suspend(interp, column, &suspended) &&
-	       go_to_place(interp, place, &values, moves, column) && tooling_resume(interp, column, &suspended);
+	if (!tooling_suspend(interp, column, &suspended) || !go_to_place(interp, place, &values, moves, column) ||
+	    !tooling_resume(interp, column, &suspended))
+		return false;
+	tooling_after_machine(interp, DOUBT_M6, moves);
+	return true;
 }

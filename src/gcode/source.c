@@ -136,7 +136,8 @@ bool sources_find(struct sources *sources, const struct gcode_config *config, co
 	if (folder)
 		*source = find_in(sources, config->input_root, folder, length, name.text);
 	for (size_t i = 0; i < config->include_count && !*source; i++)
-		*source = find_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), name.text);
+		*source =
+		    find_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), name.text);
 	strbuf_release(&name);
 	return stays_in(sources, config->input_root, at, column);
 }
@@ -183,8 +184,8 @@ bool sources_find_program(struct sources *sources, const struct gcode_config *co
 	if (folder && !find_program_in(sources, config->input_root, folder, length, number, at, column, source))
 		return false;
 	for (size_t i = 0; i < config->include_count && !*source; i++) {
-		if (!find_program_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), number,
-				     at, column, source))
+		if (!find_program_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]),
+				     number, at, column, source))
 			return false;
 	}
 	return stays_in(sources, config->input_root, at, column);

@@ -67,6 +67,8 @@ void state_update_offset(struct state *state)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		state->offset.v[slot] = state->work[state->system].v[slot] + state->shift.v[slot];
+	for (int slot = SLOT_X; slot <= SLOT_Z && state->dynamic.on; slot++)
+		state->offset.v[slot] = state->dynamic.zero.v[slot];
 	/* Under TCP the length acts along the spindle and is the sink's business. */
 	if (state->tcp == TCP_OFF)
 		state->offset.v[SLOT_Z] += state->length;
@@ -88,7 +90,8 @@ static void init_references(struct state *state, const struct gcode_config *conf
 void state_init(struct state *state, const struct gcode_config *config)
 {
 	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .retract = CODE_NONE, .selected = -1,
-				.length_doubt = CODE_NONE, .unsure_code = CODE_NONE};
+				.length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
+				.dynamic.unsure_code = CODE_NONE};
 	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {
 		int system = system_of_name(config->work_offsets[i].name);
@@ -97,6 +100,12 @@ void state_init(struct state *state, const struct gcode_config *config)
 			continue;
 		state->work[system] = from_canonical(&config->work_offsets[i].value);
 		state->work_known[system] = true;
+	}
+	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
+		const double change[3] = {config->work_change.x, config->work_change.y, config->work_change.z};
+
+		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+			state->work[system].v[slot] += config->has_axis[slot] ? change[slot] : 0;
 	}
 	init_references(state, config);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)

@@ -26,6 +26,9 @@ typedef struct slot_values {
 	double v[SLOT_COUNT];
 } slot_values;
 
+/* In place of a G-code that may have taken the length back: the tool change. */
+#define DOUBT_M6 (-2)
+
 enum feed_mode { FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_INVERSE_TIME };
 
 enum tcp_source { TCP_OFF, TCP_BY_LENGTH, TCP_BY_MCODE, TCP_BY_PLANE };	/* G43.4, a machine's own M-code, G53.1 */
@@ -40,12 +43,23 @@ struct frame {
 	vec3 origin;	/* mm, from the offsets in force */
 };
 
+/* The work zero carried along with the table: dynamic_offset.h. */
+struct dynamic_offset {
+	bool on;
+	slot_values zero;	/* X, Y and Z, in place of the work offset's */
+	int unsure_code;	/* G254 or G255, or CODE_NONE: nothing is unsure */
+	bool unsure[SLOT_COUNT];	/* its offset has changed and no absolute coordinate led the axis on since */
+};
+
 /* What canned cycles remember from block to block: the bare numbers, in the units of the block that gave them. */
 struct cycle_memory {
 	uint32_t known;	/* letter bits */
 	double word[26];	/* Z is the depth, whatever the plane */
 	bool has_level;
 	double level;	/* program coordinate of the drilling axis before the first cycle */
+	double height;	/* its straight position there, mm */
+	double scale;	/* mm per unit of length there */
+	bool turned;	/* coordinates were turned since, or turned back */
 };
 
 struct state {
@@ -65,6 +79,7 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct frame frame;
+	struct dynamic_offset dynamic;
 	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: plane.h */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */
@@ -75,7 +90,7 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
-	int length_doubt;	/* G28, G30 or G53 that may have taken the length back, or CODE_NONE */
+	int length_doubt;	/* G28, G30, G53 or DOUBT_M6: what may have taken the length back, or CODE_NONE */
 	bool length_moves;	/* in this block the change of length moves axes by length_shift: tooling.h */
 	slot_values length_shift;	/* of X, Y and Z, in program coordinates */
 	enum tcp_source tcp;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dynamic_offset.h"
 #include "gcode/frame.h"
 #include "gcode/plane.h"
 #include "gcode/tooling.h"
@@ -10,8 +11,8 @@
 #define WRAP_TOLERANCE 1e-9
 
 /*
- * The shortest way to an aim whole turns apart (Fanuc 30i-B operator's manual,
- * B-64484EN, "Rotary axis roll-over"), which leaves open what half a turn is.
+ * The shortest way to an aim whole turns apart (Fanuc 16i/18i-MB operator's manual,
+ * B-63534EN, "Rotary axis roll-over"), which leaves open what half a turn is.
  */
 static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
 {
@@ -79,7 +80,7 @@ bool target_find(struct interp *interp, bool machine, slot_values *target)
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
-	if (!plane_check_words(interp, machine))
+	if (!plane_check_words(interp, machine) || !dynamic_offset_check_words(interp))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];

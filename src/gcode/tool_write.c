@@ -11,19 +11,11 @@
 /* G59.3, the fixture of L11. */
 #define FIXTURE_SYSTEM (SYSTEM_COUNT - 1)
 
-static double scaled_word(const struct interp *interp, char letter)
-{
-	int slot = slot_of_letter(letter);
-
-	return block_value(&interp->block, letter) *
-	       (slot >= 0 && slot_is_rotary(slot) ? 1 : interp->state.scale);
-}
-
-/* The tool's offset in the slot, whose word the block has. */
-static double offset_of(const struct interp *interp, int mode, int slot)
+/* The tool's offset in the slot, for which the block says `value`. */
+static double offset_of(const struct interp *interp, int mode, int slot, double value)
 {
 	const struct state *state = &interp->state;
-	double word = scaled_word(interp, AXIS_LETTERS[slot]);
+	double word = value * (slot_is_rotary(slot) ? 1 : state->scale);
 
 	if (mode == 1)
 		return word;
@@ -74,8 +66,8 @@ static bool check_position(struct interp *interp, int mode)
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (interp->state.probed[slot])
 			return fault(&interp->at, column,
-				     "G10 L%d measures the tool where a probe has stopped %c, which is not known before "
-				     "the program runs; give the length in the setup, or with G10 L1",
+				     "G10 L%d measures the tool where a probe has stopped %c, which is not known "
+				     "before the program runs; give the length in the setup, or with G10 L1",
 				     mode, AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -91,7 +83,7 @@ static bool check_offsets(struct interp *interp, int mode, int number)
 
 		if (!block_has(block, letter))
 			continue;
-		offset = offset_of(interp, mode, slot);
+		offset = offset_of(interp, mode, slot, block_value(block, letter));
 		if (slot != SLOT_Z && fabs(offset) > NO_OFFSET)
 			return fault(&interp->at, block_column(block, letter),
 				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply to that axis"
@@ -116,8 +108,9 @@ bool tool_write(struct interp *interp, int mode)
 	if (!check_offsets(interp, mode, number))
 		return false;
 	if (block_has(block, 'Z'))
-		tool_table_set_length(&interp->tools, number, offset_of(interp, mode, SLOT_Z));
+		tool_table_set_length(&interp->tools, number,
+				      offset_of(interp, mode, SLOT_Z, block_value(block, 'Z')));
 	if (block_has(block, 'R'))
-		tool_table_set_diameter(&interp->tools, number, 2 * scaled_word(interp, 'R'));
+		tool_table_set_diameter(&interp->tools, number, 2 * block_value(block, 'R') * interp->state.scale);
 	return true;
 }

@@ -70,7 +70,8 @@ bool tooling_resume(struct interp *interp, int column, const struct suspended *s
  * without Z, too, and what it does to G234, is not said. Fanuc 0i-MB operator's
  * manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode":
  * the length of an axis that they move is taken back, and comes back by itself
- * or with the next G43 or H, as parameter 5001#6 (EVO) says.
+ * or with the next G43 or H, as parameter 5001#6 (EVO) says. A tool change that
+ * goes to a place may do so by such codes.
  */
 void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
@@ -86,7 +87,7 @@ void tooling_after_machine(struct interp *interp, int code, const bool moved[SLO
 	if (haas && code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
 		state->length = 0;
 		state_update_offset(state);
-	} else if (haas || moved[SLOT_Z] || state->tcp != TCP_OFF) {
+	} else if ((haas && code != DOUBT_M6) || moved[SLOT_Z] || state->tcp != TCP_OFF) {
 		state->length_doubt = code;
 	}
 }
@@ -98,9 +99,10 @@ bool tooling_is_in_doubt(struct interp *interp, int slot, int column)
 	if (state->length_doubt == CODE_NONE || (state->tcp == TCP_OFF && slot != SLOT_Z))
 		return false;
 	return !fault(&interp->at, column,
-		      "G%d may have taken the tool's length compensation back: it depends on the control where %c "
+		      "%c%d may have taken the tool's length compensation back: it depends on the control where %c "
 		      "leads now; command G43, G43.4 or G49 again first",
-		      state->length_doubt / 10, AXIS_LETTERS[slot]);
+		      state->length_doubt == DOUBT_M6 ? 'M' : 'G',
+		      state->length_doubt == DOUBT_M6 ? 6 : state->length_doubt / 10, AXIS_LETTERS[slot]);
 }
 
 bool tooling_offsets_changed(struct interp *interp, int column)
@@ -227,7 +229,7 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 /* Where Fanuc's manual says that the length has been taken back, G49 has nothing left to take. */
 static bool is_taken_back(const struct interp *interp, int code, int doubt)
 {
-	return code == G49 && doubt != CODE_NONE && interp->state.tcp == TCP_OFF &&
+	return code == G49 && doubt != CODE_NONE && doubt != DOUBT_M6 && interp->state.tcp == TCP_OFF &&
 	       interp->config->dialect == GCODE_FANUC;
 }
 

@@ -38,7 +38,7 @@ struct suspended {
 	bool frame;
 };
 
-/* After G28, G30 or G53 has moved the axes marked: what became of the length compensation. */
+/* After G28, G30, G53 or DOUBT_M6 has moved the axes marked: what became of the length compensation. */
 void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
 
 /* Does it depend on such a length where a program coordinate of the axis is? True: reported at the column. */

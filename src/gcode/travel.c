@@ -7,6 +7,7 @@
 #include "gcode/arc.h"
 #include "gcode/comp.h"
 #include "gcode/cycle.h"
+#include "gcode/dynamic_offset.h"
 #include "gcode/frame.h"
 #include "gcode/length_shift.h"
 #include "gcode/synchronised.h"
@@ -44,6 +45,8 @@ bool travel_go(struct interp *interp, const slot_values *target, struct canon_mo
 	struct state *state = &interp->state;
 	slot_values position = frame_position(state, target);
 
+	if (!dynamic_offset_check_turn(interp, &position))
+		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		double here = state->position.v[slot], there = position.v[slot];
 
@@ -56,7 +59,7 @@ bool travel_go(struct interp *interp, const slot_values *target, struct canon_mo
 
 /*
  * Milliseconds without a decimal point, in P only, on Fanuc and Haas controls
- * (Haas mill operator's manual, "G04 Dwell"); LinuxCNC's P is in seconds.
+ * (Haas mill operator's manual, G04); LinuxCNC's P is in seconds.
  */
 double travel_seconds(const struct interp *interp, char letter)
 {
@@ -123,7 +126,7 @@ static bool go_straight(struct interp *interp, bool machine)
 	bool named[SLOT_COUNT];
 	int column;
 
-	/* Fanuc 30i-B operator's manual, "Machine coordinate system (G53)": always at the rapid rate. */
+	/* Fanuc 30i-B operator's manual, machine coordinate system (G53): always at the rapid rate. */
 	if (machine && interp->config->dialect == GCODE_FANUC)
 		move.kind = CANON_RAPID;
 	/* Only LinuxCNC minds a G1 without a feed that moves nothing. */
@@ -287,7 +290,7 @@ bool travel_motion(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
-	if (!length_shift_go(interp))
+	if (!dynamic_offset_check_cut(interp) || !length_shift_go(interp))
 		return false;
 	if (block->motion == CODE_NONE)
 		return true;

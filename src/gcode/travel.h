@@ -14,7 +14,8 @@ bool travel_emit(struct interp *interp, const struct canon_move *move);
 
 /*
  * Goes to a straight position (frame.h) and emits the move that its end
- * completes. False: the sink wants no more.
+ * completes. False: the sink wants no more, or a rotary axis may not turn now,
+ * which was reported.
  */
 bool travel_go(struct interp *interp, const slot_values *target, struct canon_move *move);
 

@@ -1,11 +1,11 @@
 /*
  * boxes_kernel.h - the box tests of boxes.h for one level of SIMD.
  *
- * Included once by each of boxes_scalar.c, boxes_sse2.c, boxes_avx2.c, which define
- * LANES_LEVEL and the name BOXES_APART of the one function that comes out.
+ * Included once by each of simd_scalar.c, simd_sse2.c, simd_avx2.c, which define LANES_LEVEL and
+ * AT_LEVEL(name), the name at that level of the one function that comes out.
  */
 #include "geom/boxes.h"
-#include "geom/boxes_level.h"
+#include "geom/simd_kernels.h"
 #include "geom/lanes.h"
 
 _Static_assert((int)BVH_WIDTH == (int)LANES, "a lane a child");
@@ -118,7 +118,7 @@ LANES_FUNCTION lanes distance_of(lanes square, float stray)
 	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - 0x1p-20f)), lanes_all(stray));
 }
 
-LANES_TARGET void BOXES_APART(const struct box_motion *motion, int side, const struct bvh_node *node,
+LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,
 			      const struct box *other, float enough, float apart[BVH_WIDTH],
 			      float loose[BVH_WIDTH])
 {

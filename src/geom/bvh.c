@@ -156,6 +156,8 @@ static void build(struct builder *b, size_t at, const struct run *run)
 	int used = split_wide(run, b->bvh->mesh.triangles, runs);
 
 	b->bvh->nodes[at].used = (uint8_t)used;
+	b->bvh->nodes[at].begin = (uint32_t)run->first;
+	b->bvh->nodes[at].total = (uint32_t)run->count;
 	for (int i = 0; i < BVH_WIDTH; i++)
 		set_box(&b->bvh->nodes[at], i, &runs[i < used ? i : 0], origin);
 	for (int i = 0; i < used; i++) {

@@ -20,6 +20,7 @@ struct bvh_node {
 	float half[3][BVH_WIDTH];
 	uint32_t first[BVH_WIDTH];
 	uint8_t count[BVH_WIDTH];
+	uint32_t begin, total;	/* the run of triangles below */
 	uint8_t used;	/* children in use; the boxes of the others are copies of the first */
 };
 

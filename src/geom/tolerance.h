@@ -12,6 +12,12 @@
 #define BOX_ROUNDING 0x1p-18
 
 /*
+ * Support functions run in float: a direction rounded to it, three products and two sums are off by
+ * less than 6 times 2^-24 of |n_x p_x| + |n_y p_y| + |n_z p_z|, which is at most |p|. 2^-20 leaves a factor of two.
+ */
+#define SUPPORT_ROUNDING 0x1p-20
+
+/*
  * Poses and projections run in double: nine joints of a dozen operations each,
  * and a projection of six. 2^-44 of the largest length that occurs is 256 units
  * in the last place; 5 m give 0.3 nm. The test sees 1/170 of it used: errors

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/units.h"
+#include "motion/carry.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
 #include "motion/timing.h"
@@ -26,10 +27,11 @@
 
 void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name)
+		const char *name, struct motion_summary *summary)
 {
 	*drive = (struct drive){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
-				.position = machine_home(machine)};
+				.summary = summary, .position = machine_home(machine)};
+	*summary = (struct motion_summary){0};
 	drive->controller = drive->position;
 	drive->tool = setup ? setup->initial_tool : 0;
 }
@@ -322,7 +324,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 		step.time = drive->time + step.span.u0 * seconds;
 		step.block_time = drive->block_time + step.span.u0 * seconds;
 		step.seconds = (step.span.u1 - step.span.u0) * seconds;
-		drive->summary.spans++;
+		drive->summary->spans++;
 		if (!drive->sink->step(drive->sink->context, &step))
 			return false;
 	}
@@ -348,8 +350,8 @@ static bool carry_out(struct drive *drive, const struct canon_move *move)
 		return true;
 	run.tolerance = blend_tolerance(drive, move);
 	if (move->blend && !(move->blend_tolerance > 0) && !(drive->machine->controller.path_tolerance > 0))
-		drive->summary.blend_unbounded = true;
-	drive->summary.moves++;
+		drive->summary->blend_unbounded = true;
+	drive->summary->moves++;
 	if (!report_limits(&run))
 		return false;
 	for (size_t i = 0; i < run.count; i++)
@@ -380,7 +382,7 @@ bool drive_move(void *context, const struct canon_move *move)
 		ok = drive->sink->tool(drive->sink->context, move->tool, &drive->position);
 		break;
 	}
-	drive->summary.seconds = drive->time;
+	drive->summary->seconds = drive->time;
 	return ok;
 }
 
@@ -404,12 +406,19 @@ bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *or
 	return orient_tool(drive->machine, loc, drive->diag, orientation);
 }
 
+bool drive_carry(void *context, struct srcloc loc, axis_values *place)
+{
+	struct drive *drive = context;
+
+	return carry_point(drive->machine, loc, drive->diag, place);
+}
+
 bool drive_block(void *context, const char *file, long line, const char *text, int moves)
 {
 	struct drive *drive = context;
 	double seconds = drive->block_time;
 
-	drive->summary.blocks++;
+	drive->summary->blocks++;
 	drive->block_time = 0;
 	return drive->sink->block(drive->sink->context, file, line, text, seconds, moves);
 }

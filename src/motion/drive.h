@@ -20,18 +20,19 @@ struct drive {
 	struct tcp tcp;	/* meaningful while tcp.state.on */
 	int tool;
 	double time, block_time;
-	struct motion_summary summary;	/* lines are not counted here */
+	struct motion_summary *summary;	/* its lines are not counted here */
 };
 
-/* Stands at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
+/* Stands at home with the setup's first tool, *summary all zero. All pointers are borrowed; setup may be NULL. */
 void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name);
+		const char *name, struct motion_summary *summary);
 
 /* The callbacks of a canon_sink whose context is a struct drive. */
 bool drive_move(void *context, const struct canon_move *move);
 bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, axis_values *position);
 bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *orientation);
+bool drive_carry(void *context, struct srcloc loc, axis_values *place);
 bool drive_block(void *context, const char *file, long line, const char *text, int moves);
 
 #endif

@@ -129,12 +129,35 @@ static void glue_setup(struct glue *glue, const struct setup *setup)
 	config->length_count = setup->length_count;
 }
 
+static void glue_change(struct glue *glue, const struct setup_change *change)
+{
+	glue->config.work_change = change->work;
+	for (size_t i = 0; i < glue->config.tool_count; i++)
+		glue->tools[i].length_offset += change->length;
+	for (size_t i = 0; i < glue->config.length_count; i++)
+		glue->lengths[i].length += change->length;
+}
+
 static void glue_release(struct glue *glue)
 {
 	free(glue->mcodes);
 	free(glue->offsets);
 	free(glue->tools);
 	free(glue->lengths);
+}
+
+/* The drive comes first: it is the context of the interpreter's calls. */
+struct run {
+	struct drive drive;
+	struct interp *interp;
+};
+
+static bool end_block(void *context, const char *file, long line, const char *text, int moves)
+{
+	struct run *run = context;
+
+	run->drive.summary->lines = interp_lines(run->interp);
+	return drive_block(&run->drive, file, line, text, moves);
 }
 
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
@@ -148,20 +171,20 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .input_root = options->input_root,
 				       .watch = options->watch,
 				       .max_blocks = options->max_blocks}};
-	struct drive drive;
-	struct canon_sink canon = {&drive, drive_move, drive_tcp, drive_block, drive_orient};
-	struct interp *interp;
+	struct run run;
+	const struct canon_sink canon = {&run, drive_move, drive_tcp, end_block, drive_orient, drive_carry};
 	bool ok;
 
 	glue_machine(&glue, machine);
 	if (setup)
 		glue_setup(&glue, setup);
-	drive_init(&drive, machine, setup, options, sink, diag, name);
-	interp = interp_new(&glue.config, &canon, diag);
-	ok = interp_run(interp, in, name);
-	*summary = drive.summary;
-	summary->lines = interp_lines(interp);
-	interp_free(interp);
+	if (options->change)
+		glue_change(&glue, options->change);
+	drive_init(&run.drive, machine, setup, options, sink, diag, name, summary);
+	run.interp = interp_new(&glue.config, &canon, diag);
+	ok = interp_run(run.interp, in, name);
+	summary->lines = interp_lines(run.interp);
+	interp_free(run.interp);
 	glue_release(&glue);
 	return ok;
 }

@@ -51,6 +51,12 @@ struct motion_sink {
 	bool (*block)(void *context, const char *file, long line, const char *text, double seconds, int moves);
 };
 
+/* By how much the setup is taken to differ from what was given: mm, added to the control's values. */
+struct setup_change {
+	vec3 work;	/* every work offset, X Y Z */
+	double length;	/* every tool's length offset; the tool's body stays */
+};
+
 struct motion_options {
 	double flatness;	/* mm: no axis of a step's chord deviates by more */
 	bool block_delete;
@@ -59,6 +65,7 @@ struct motion_options {
 	size_t include_count;
 	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
+	const struct setup_change *change;	/* or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };
 
@@ -75,7 +82,7 @@ struct motion_summary {
 /*
  * Runs the program from home to its end; setup may be NULL. Memory does not
  * grow with the program. False: a fault was reported to diag, or the sink
- * stopped. *summary is filled in either case.
+ * stopped. *summary is filled in either case, and up to date whenever the sink is called.
  */
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,

@@ -98,8 +98,8 @@ static int compare(double a, double b)
 }
 
 /*
- * Fanuc 16i/18i-B operator's manual (B-63534EN) and 30i-B (B-64484EN), "Tool
- * axis direction control", "Angle of rotation axis": the smaller way of the
+ * Fanuc 16i/18i-B operator's manual (B-63534EN) and 30i-B (B-64484EN), tool
+ * axis direction control, "Angle of rotation axis": the smaller way of the
  * first axis decides, then that of the second, then which first axis stands
  * nearer to a whole turn, then which second. The first axis is the one that
  * carries the other; of a table and a head, the table. Negative: a is taken.

@@ -7,7 +7,8 @@ bool depfile_add_name(struct strbuf *out, const char *name, bool target, struct 
 	size_t backslashes = 0;
 
 	if (strpbrk(name, "\r\n")) {
-		diag_error(diag, (struct srcloc){0}, "--depfile: a makefile cannot name a file with a line break in its name");
+		diag_error(diag, (struct srcloc){0},
+			   "--depfile: a makefile cannot name a file with a line break in its name");
 		return false;
 	}
 	if (out->length && !strchr(" \n", out->text[out->length - 1]))

@@ -65,8 +65,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	for (size_t i = 0; i < program->fault_count; i++) {
 		const struct report_fault *fault = &program->faults[i];
 
-		add_command(out, "error", fault->file ? fault->file : program->name, fault->line, fault->column, "incomplete",
-			    fault->text);
+		add_command(out, "error", fault->file ? fault->file : program->name, fault->line, fault->column,
+			    "incomplete", fault->text);
 	}
 }
 

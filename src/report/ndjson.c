@@ -4,6 +4,7 @@
 
 #include "report/json.h"
 #include "report/quantity.h"
+#include "report/turns.h"
 
 const char *ndjson_method(enum check_method method)
 {
@@ -114,6 +115,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
 	json_put(object, "cautions", ndjson_cautions(program->verdict));
 	json_put(object, "errors", faults_of(program));
+	if (program->sensitivity_count)
+		json_put(object, "sensitivity", json_sensitivity(program->sensitivity, program->sensitivity_count));
 	json_add_line(out, object);
 }
 

@@ -8,6 +8,7 @@
 #include "base/strbuf.h"
 #include "check/check.h"
 #include "check/finding.h"
+#include "check/sensitivity.h"
 #include "report/digest.h"
 #include "report/stats.h"
 #include "report/verdict.h"
@@ -56,6 +57,8 @@ struct report_program {
 	const double *proven;	/* check_run's; NULL: not asked for */
 	const struct report_fault *faults;	/* the first of them */
 	size_t fault_count;
+	const struct sensitivity *sensitivity;	/* how long the verdict holds */
+	size_t sensitivity_count;	/* 0: not asked for, or not known */
 };
 
 /* A file that was read. Borrows everything. */

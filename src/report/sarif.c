@@ -69,7 +69,8 @@ static void add_begin(struct strbuf *out, const struct report_run *run)
 	json_put(driver, "rules", rules_of());
 	json_put(tool, "driver", driver);
 	strbuf_addf(out, "{\"$schema\":\"https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/"
-			 "sarif-schema-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{\"columnKind\":\"utf16CodeUnits\",\n"
+			 "sarif-schema-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{"
+			 "\"columnKind\":\"utf16CodeUnits\",\n"
 			 "\"tool\":");
 	json_add_line(out, tool);
 	strbuf_addf(out, ",\"results\":[\n");

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "report/quantity.h"
+#include "report/turns.h"
 
 static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
 {
@@ -173,6 +174,9 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	text_verdict(out, program->verdict);
 	if (program->proven && program->verdict->result == CHECK_CLEAR)
 		text_proven(out, run->scene, program->proven);
+	if (program->sensitivity_count)
+		text_sensitivity(out, program->sensitivity, program->sensitivity_count,
+				 program->verdict->result == CHECK_CLEAR);
 }
 
 static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,

@@ -15,7 +15,7 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	long known, left_out;	/* findings that do not fail the run: in the baseline, of other kinds than --fail-on's */
+	long known, left_out;	/* findings that do not fail the run: in the baseline, not of --fail-on's kinds */
 	long first_line;	/* of the first finding that does */
 	const char *first_file;	/* the same; NULL: `file` */
 };

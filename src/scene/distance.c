@@ -1,5 +1,6 @@
 #include "scene/sweep.h"
 
+#include <limits.h>
 #include <math.h>
 
 #include "base/extremes.h"
@@ -51,8 +52,8 @@ static void push_children(struct search *search, const struct branch_pair *entry
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 	int order[BVH_WIDTH];
 
-	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box, (float)(search->share * search->found) * (1 + 0x1p-20f),
-		    apart, loose);
+	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box,
+		    (float)(search->share * search->found) * (1 + 0x1p-20f), apart, loose);
 	search->sweep->visits += node->used;
 	for (int i = 0; i < node->used; i++) {
 		int at = i;
@@ -137,12 +138,13 @@ static void measure_leaves(struct search *search, struct leaf a, struct leaf b)
 }
 
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
-		      double enough)
+		      double enough, long max_visits)
 {
 	struct search search = {.sweep = sweep, .pair = pair, .share = share, .found = INFINITY, .proven = INFINITY};
 	struct branch a = branch_root(pair->a), b = branch_root(pair->b);
 	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
 	const double no_stray[VIEWS] = {0, 0};
+	long visits_end = max_visits ? sweep->visits + max_visits : LONG_MAX;
 	double rounding;
 	xform ends[2];
 
@@ -151,7 +153,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_play, no_stray);
 	push(&search, &a, &b, 0);
 	recall(&search);
-	while (search.depth && search.found > enough) {
+	while (search.depth && search.found > enough && sweep->visits < visits_end) {
 		struct branch_pair entry = sweep->queue[--search.depth];
 
 		if (dismiss(&search, entry.least))
@@ -176,7 +178,7 @@ void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct con
 	tri a, b;
 
 	bodies.memory = &memory;
-	sweep_distance(sweep, &bodies, &contact->q, 1, 0);
+	sweep_distance(sweep, &bodies, &contact->q, 1, 0, 0);
 	pose = body_pair_pose(pair, &contact->q);
 	a = tri_of(&pair->a->mesh, memory.near_a);
 	b = tri_of(&pair->b->mesh, memory.near_b);

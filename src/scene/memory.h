@@ -7,6 +7,7 @@
 
 #include "geom/boxes.h"
 #include "geom/tri.h"
+#include "scene/branch.h"
 #include "scene/region.h"
 
 enum { MEMORY_AXES = 4 };
@@ -25,6 +26,7 @@ struct memory_axis {
 struct memory {
 	struct memory_axis axes[MEMORY_AXES];
 	int axis_count;
+	int idle, idleness;	/* branches not to be tried for now, and after the next failure */
 	uint32_t near_a, near_b;	/* triangles of the trees */
 	double near;	/* mm: how close they, or others, were when the distance was last asked for */
 };
@@ -42,6 +44,13 @@ void memory_prefer(struct memory *memory, int axis);
  */
 bool memory_parts_triangles(struct memory *memory, const struct region *region, const tri *a, const tri *b0,
 			    const tri *b1, double clearance);
+
+/*
+ * The same for all triangles under two branches, while they are few and this has been of use lately: where two
+ * surfaces bulge towards each other one axis tells many triangles apart that no boxes do.
+ */
+bool memory_parts_branches(struct memory *memory, const struct region *region, const struct body_pair *pair,
+			   const struct branch *a, const struct branch *b, double clearance);
 
 /* The largest gap that an axis shows between two boxes at one pose, mm; negative: none does. */
 double memory_gap(struct memory *memory, const xform *pose, const struct body_pair *pair, const struct box *a,

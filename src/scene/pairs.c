@@ -112,7 +112,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 
 	if (!scene_pair_bodies(scene, pair, &bodies, diag))
 		return false;
-	if (neighbours && !(sweep_distance(&scene->sweep, &bodies, &home, 0.7, within) > within)) {
+	if (neighbours && !(sweep_distance(&scene->sweep, &bodies, &home, 0.7, within, 0) > within)) {
 		struct chord still = {.q0 = home, .q1 = home};
 		struct contact contact;
 		vec3 point;

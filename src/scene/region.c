@@ -21,6 +21,7 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 		.ball_a = ball_around(a, place_a),
 		.ball_b = ball_around(b, place_b),
 		.slop = a->mesh.slop + b->mesh.slop,
+		.reach = vec3_norm(a->origin) + a->radius + vec3_norm(b->origin) + b->radius,
 	};
 }
 
@@ -40,9 +41,8 @@ xform body_pair_pose(const struct body_pair *pair, const axis_values *q)
 
 double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t)
 {
-	double turned = 0, size = vec3_norm(t) + pair->a->radius + pair->b->radius + vec3_norm(pair->a->origin) +
-		      vec3_norm(pair->b->origin) + vec3_norm(pair->place_a.translation) +
-		      vec3_norm(pair->place_b.translation);
+	double turned = 0, size = vec3_norm(t) + pair->reach + vec3_norm(pair->place_a.translation) +
+				  vec3_norm(pair->place_b.translation);
 
 	for (size_t i = 0; i < pair->chain->count; i++) {
 		const struct joint *joint = &pair->chain->joints[i];

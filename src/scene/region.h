@@ -21,6 +21,7 @@ struct body_pair {
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double slop;	/* mm: both meshes' together */
+	double reach;	/* mm: of both meshes' farthest corners from the origins of their coordinates, together, or more */
 	struct memory *memory;	/* what helped last time; NULL: none is kept */
 };
 

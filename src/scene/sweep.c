@@ -5,6 +5,7 @@
 
 #include "base/mem.h"
 #include "scene/branch.h"
+#include "scene/memory.h"
 
 /* Halving more often than a double has bits brings nothing new. */
 #define DEPTH_MAX 60
@@ -119,7 +120,8 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 	struct region *region = entry->region;
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)walk->clearance * (1 + 0x1p-20f), apart, loose);
+	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)walk->clearance * (1 + 0x1p-20f), apart,
+		    loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;
@@ -147,6 +149,13 @@ static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 	return false;
 }
 
+static bool apart_by_memory(const struct walk *walk, const struct sweep_entry *entry)
+{
+	struct memory *memory = walk->pair->memory;
+
+	return memory && memory_parts_branches(memory, entry->region, walk->pair, &entry->a, &entry->b, walk->clearance);
+}
+
 /*
  * Where boxes are loose because they move, not because they are large, halving the
  * motion gains more than opening them.
@@ -167,7 +176,10 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 	if (!final && is_loose(entry))
 		return push_halves(walk, entry);
 	if (!entry->a.leaf.count || !entry->b.leaf.count) {
-		push_children(walk, entry);
+		if (apart_by_memory(walk, entry))
+			walk->sweep->certificates++;
+		else
+			push_children(walk, entry);
 		return GOES_ON;
 	}
 	walk->sweep->visits += entry->a.leaf.count * entry->b.leaf.count;

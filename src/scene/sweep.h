@@ -57,10 +57,11 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 /*
  * A lower bound on the distance (mm) when the axes stand at q: at least `share`
  * (0 to 1) of it, less rounding; a large share costs more. As soon as the distance turns out
- * to be below `enough` the search ends and the result is just some lower bound.
+ * to be below `enough`, or after max_visits node pairs (0: no limit), the search ends and the result is just
+ * some lower bound.
  */
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
-		      double enough);
+		      double enough, long max_visits);
 
 /*
  * Makes the contact's distance and point those of the nearest triangles at its

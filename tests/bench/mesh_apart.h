@@ -110,7 +110,8 @@ static inline double triangles_apart(const struct apart_walk *walk, int i, int j
 /* What is left between two boxes on three axes of a frame: the other box reaches `reach` along them. */
 static inline double gap_on_axes(vec way, vec half, vec reach)
 {
-	double x = fabs(way.x) - half.x - reach.x, y = fabs(way.y) - half.y - reach.y, z = fabs(way.z) - half.z - reach.z;
+	double x = fabs(way.x) - half.x - reach.x, y = fabs(way.y) - half.y - reach.y,
+	       z = fabs(way.z) - half.z - reach.z;
 
 	x = x > 0 ? x : 0;
 	y = y > 0 ? y : 0;

@@ -47,7 +47,8 @@ struct Peer {
 			if (!pair.looked || !is_there(world, &pair, tool))
 				continue;
 			if (fcl::collide(models[(size_t)pair.a].get(), transforms[world->solids[pair.a].link],
-					 models[(size_t)pair.b].get(), transforms[world->solids[pair.b].link], request, result))
+					 models[(size_t)pair.b].get(), transforms[world->solids[pair.b].link],
+					 request, result))
 				return &pair;
 		}
 		return nullptr;

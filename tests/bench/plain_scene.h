@@ -252,7 +252,8 @@ static inline void read_body(struct solid *solid, const char *text)
 
 	if (sscanf(text, "%d %d %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %n", &solid->link, &solid->tool,
 		   &place.r[0][0], &place.r[0][1], &place.r[0][2], &place.r[1][0], &place.r[1][1], &place.r[1][2],
-		   &place.r[2][0], &place.r[2][1], &place.r[2][2], &place.t.x, &place.t.y, &place.t.z, &unit, &at) != 15)
+		   &place.r[2][0], &place.r[2][1], &place.r[2][2], &place.t.x, &place.t.y, &place.t.z, &unit,
+		   &at) != 15)
 		die("is no body", text);
 	snprintf(mesh, sizeof(mesh), "%s", text + at);
 	mesh[strcspn(mesh, "\n")] = 0;
@@ -274,7 +275,8 @@ static inline void read_item(struct scene *scene, const char *line)
 		axis->rotary = !strcmp(kind, "rotary");
 		scene->axis_count++;
 	} else if (!strncmp(line, "body ", 5)) {
-		scene->solids = (struct solid *)grown(scene->solids, (size_t)scene->solid_count, sizeof(*scene->solids));
+		scene->solids =
+		    (struct solid *)grown(scene->solids, (size_t)scene->solid_count, sizeof(*scene->solids));
 		read_body(&scene->solids[scene->solid_count++], line + 5);
 	} else if (!strncmp(line, "name ", 5) && scene->solid_count) {
 		struct solid *last = &scene->solids[scene->solid_count - 1];
@@ -282,7 +284,8 @@ static inline void read_item(struct scene *scene, const char *line)
 		snprintf(last->name, sizeof(last->name), "%s", line + 5);
 		last->name[strcspn(last->name, "\n")] = 0;
 	} else if (sscanf(line, "pair %d %d %lf %d", &pair.a, &pair.b, &pair.clearance, &pair.looked) == 4) {
-		scene->pairs = (struct solid_pair *)grown(scene->pairs, (size_t)scene->pair_count, sizeof(*scene->pairs));
+		scene->pairs =
+		    (struct solid_pair *)grown(scene->pairs, (size_t)scene->pair_count, sizeof(*scene->pairs));
 		scene->pairs[scene->pair_count++] = pair;
 	} else {
 		die("is no item of a scene", line);

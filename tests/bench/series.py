@@ -21,9 +21,11 @@ COLUMNS = ['varied', 'value', 'method', 'setting', 'seconds_per_block', 'peak_by
 ABLATIONS = [
     ('nothing', '', ''),
     ('budget', 'BUDGET', ''),
+    ('kept budgets', 'KEPT_BUDGETS', ''),
     ('chunks', 'CHUNKS', ''),
     ('stretches', 'STRETCHES', ''),
     ('cached axes', 'CACHED_AXES', ''),
+    ('supports', 'SUPPORTS', ''),
     ('interpolated axes', 'INTERPOLATED_AXES', ''),
     ('second order', 'SECOND_ORDER', ''),
     ('SIMD', 'SIMD', '-fno-tree-vectorize'),

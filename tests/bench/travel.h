@@ -52,7 +52,8 @@ static inline double travel_bound(const struct scene *scene, const struct solid_
 	pose poses[AXES_MAX + 1];
 
 	link_poses(scene, q0, poses);
-	return way_of_body(scene, poses, pair->a, pair->b, q0, q1) + way_of_body(scene, poses, pair->b, pair->a, q0, q1);
+	return way_of_body(scene, poses, pair->a, pair->b, q0, q1) +
+	       way_of_body(scene, poses, pair->b, pair->a, q0, q1);
 }
 
 /* b's coordinates to a's, both those of the zero pose. */
@@ -72,7 +73,9 @@ static inline double farthest_corner(const struct solid *solid, const pose *from
 
 	for (size_t i = 0; i < solid->count; i += stride)
 		for (int k = 0; k < 3; k++)
-			most = fmax(most, norm(sub(apply(to, solid->triangles[i].p[k]), apply(from, solid->triangles[i].p[k]))));
+			most =
+			    fmax(most,
+				 norm(sub(apply(to, solid->triangles[i].p[k]), apply(from, solid->triangles[i].p[k]))));
 	return most;
 }
 

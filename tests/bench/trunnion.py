@@ -181,7 +181,8 @@ def bore(folder, blocks, length=1.0, feed=150.0):
     """The probe measures a bore of the arbor, A and C turning a little along: blocks of 1 mm at 150 mm/min."""
     os.makedirs(folder, exist_ok=True)
     program, points = started(feed, 3), []
-    for end in ({'Y': 49.5}, {'X': 144.5}, {'Y': 40.5}, {'X': 135.5}, {'X': 141, 'Y': 46, 'Z': -244, 'A': -0.2, 'C': 0.4}):
+    for end in ({'Y': 49.5}, {'X': 144.5}, {'Y': 40.5}, {'X': 135.5},
+                {'X': 141, 'Y': 46, 'Z': -244, 'A': -0.2, 'C': 0.4}):
         seconds = 60 * math.dist(*([p[x] for x in 'XYZ'] for p in (BORE, dict(BORE, **end)))) / feed
         points += [(BORE, seconds), (dict(BORE, **end), seconds)]
     points.append((BORE, seconds))

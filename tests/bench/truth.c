@@ -127,7 +127,8 @@ static double travel_between(const struct search *search, const struct solid_pai
 	double sum = 0;
 
 	for (size_t i = 1; i < search->track->count; i++) {
-		double start = search->track->rows[i - 1].time, end = search->track->rows[i].time, q0[AXES_MAX], q1[AXES_MAX];
+		double start = search->track->rows[i - 1].time, end = search->track->rows[i].time, q0[AXES_MAX],
+		       q1[AXES_MAX];
 		double from = fmax(start, fmin(t0, t1)), to = fmin(end, fmax(t0, t1));
 
 		if (!(to > from))

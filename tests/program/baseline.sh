@@ -5,7 +5,8 @@ status fivecheck -q -a -f ndjson=known.json m.xml a.nc 2>/dev/null
 status fivecheck -q --baseline known.json m.xml a.nc
 echo "moved down:"
 { echo '(a new first line)'; cat a.nc; } >b.nc && mv b.nc a.nc
-status fivecheck -q --baseline known.json -f text -f ndjson=out.json -f sarif=out.sarif -f junit=out.xml -f github=out.txt m.xml a.nc |
+status fivecheck -q --baseline known.json -f text -f ndjson=out.json -f sarif=out.sarif -f junit=out.xml \
+	-f github=out.txt m.xml a.nc |
 	grep -e '^[a-z]'
 grep -c '"accepted":"baseline"' out.json
 grep -c '"suppressions":' out.sarif

@@ -4,7 +4,8 @@ if ! command -v git >/dev/null; then
 	cat "$(dirname "$LIB")/ci-hook.sh.stdout.exact"
 	exit 0
 fi
-export HOME="$PWD" GIT_CONFIG_NOSYSTEM=1 GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
+export HOME="$PWD" GIT_CONFIG_NOSYSTEM=1 GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b
+export GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
 small_machine
 mv m.xml machine.xml
 git init -q .

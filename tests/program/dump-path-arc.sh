@@ -26,5 +26,6 @@ for tolerance in 1 0.01; do
 		if ($7 > e) print "not flat enough:", $0
 		x = $4; y = $5; spans++
 	}
-	END { print (spans > 1 ? "several spans" : "one span"), "end at", x, (y < 1e-9 && y > -1e-9), ($6 > 9.7247 && $6 < 9.7249) }' path
+	END { print (spans > 1 ? "several spans" : "one span"), "end at", x,
+	            (y < 1e-9 && y > -1e-9), ($6 > 9.7247 && $6 < 9.7249) }' path
 done

@@ -12,4 +12,5 @@ status fivecheck -q "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E '
 status fivecheck --duplicates last "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'warning|clear|status'
 status fivecheck -q "$paper" - <"$root/examples/paper-block-corrected.nc" | grep -E 'clear|status'
 # Of the ten pairs of the paper's links, Z-A and Z-C are left.
-fivecheck --list-pairs "$paper" | grep -E '^(bridge|carriage|head|cradle|table)	(bridge|carriage|head|cradle|table)	' | cut -f 1-3
+fivecheck --list-pairs "$paper" |
+	grep -E '^(bridge|carriage|head|cradle|table)	(bridge|carriage|head|cradle|table)	' | cut -f 1-3

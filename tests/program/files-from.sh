@@ -20,7 +20,8 @@ for k in 1 2 3; do
 done
 fivecheck -q --parse-only --shard 3/4 -f ndjson m.xml p1.nc p2.nc
 # Totals, and progress in plain lines.
-fivecheck --parse-only --progress=plain m.xml p1.nc p2.nc bad.nc nowhere.nc 2>&1 | grep -e '^fivecheck: [0-9]' -e '^  programs'
+fivecheck --parse-only --progress=plain m.xml p1.nc p2.nc bad.nc nowhere.nc 2>&1 |
+	grep -e '^fivecheck: [0-9]' -e '^  programs'
 fivecheck --parse-only --progress=none m.xml p1.nc p2.nc 2>&1 | grep -c '^fivecheck: [0-9]'
 # The results of shards, joined as the manual page says.
 for k in 1 2 3; do
@@ -29,6 +30,7 @@ done
 joined='{"shards":3,"status":2,"programs":6,"findings":1}'
 if command -v jq >/dev/null; then
 	joined=$(cat [1-3].json | jq -c -s '[.[] | select(.kind == "summary")] |
-		{shards: length, status: map(.status) | max, programs: map(.programs) | add, findings: map(.findings) | add}')
+		{shards: length, status: map(.status) | max, programs: map(.programs) | add,
+		 findings: map(.findings) | add}')
 fi
 echo "$joined"

@@ -9,7 +9,8 @@ printf 'G0 X300\nG0 X-300\nG0 X300\nG0 Z400\n' >limits.nc
 echo 'G0 X10' >good.nc
 echo 'G0 B90' >bad.nc
 : >empty.list
-status fivecheck -a -f sarif=out.sarif -f junit=out.xml m.xml 'a b,c:d%.nc' good.nc bad.nc nowhere.nc limits.nc 2>/dev/null
+status fivecheck -a -f sarif=out.sarif -f junit=out.xml m.xml 'a b,c:d%.nc' good.nc bad.nc nowhere.nc \
+	limits.nc 2>/dev/null
 status fivecheck -f sarif=clear.sarif -f junit=clear.xml m.xml good.nc 2>/dev/null
 
 if command -v xmllint >/dev/null; then
@@ -18,7 +19,8 @@ if command -v xmllint >/dev/null; then
 		//testsuite/@failures, //testsuite/@errors)' out.xml)" != 522522 ]; then
 		echo "the counts differ"
 	fi
-	[ -z "${JUNIT_SCHEMA:-}" ] || xmllint --noout --schema "$JUNIT_SCHEMA" out.xml clear.xml 2>xml.log || cat xml.log
+	[ -z "${JUNIT_SCHEMA:-}" ] || xmllint --noout --schema "$JUNIT_SCHEMA" out.xml clear.xml 2>xml.log ||
+		cat xml.log
 else
 	skip "there is no xmllint (libxml2-utils)"
 fi
@@ -51,9 +53,11 @@ ROWS
 if command -v jq >/dev/null; then
 	jq -r '.runs[0] as $run | $run.results[] | select(.ruleId != "limit") | "\(.ruleId) \(
 		$run.tool.driver.rules[.ruleIndex].id) \(.message.text)|\(.locations[0].physicalLocation |
-		"\(.artifactLocation.uri)|\(.region.startLine)|\(.region.startColumn)|\(.region.endColumn)")"' out.sarif |
+		"\(.artifactLocation.uri)|\(.region.startLine)|\(.region.startColumn)|\(.region.endColumn)")"' \
+		out.sarif |
 		diff expected -
-	jq -e '.runs[0].invocations[0] | .exitCode == 2 and (.executionSuccessful | not)' out.sarif >/dev/null || echo wrong end
+	jq -e '.runs[0].invocations[0] | .exitCode == 2 and (.executionSuccessful | not)' out.sarif >/dev/null ||
+		echo wrong end
 else
 	skip "there is no jq"
 fi

@@ -13,6 +13,7 @@ cat out.txt
 
 cat out.xml
 # The results are the same for any number of threads.
-fivecheck -j 4 -f sarif=four.sarif -f junit=four.xml -f github=four.txt -f ndjson=four.json m.xml 'a b,c:d%.nc' good.nc \
+fivecheck -j 4 -f sarif=four.sarif -f junit=four.xml -f github=four.txt -f ndjson=four.json \
+	m.xml 'a b,c:d%.nc' good.nc \
 	bad.nc nowhere.nc ./sub/good.nc 2>four.messages
 cmp out.sarif four.sarif && cmp out.xml four.xml && cmp out.txt four.txt && cmp out.json four.json

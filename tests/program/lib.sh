@@ -97,7 +97,8 @@ status() {
 	echo "status $?"
 }
 
-# findings ARGUMENT... - runs the program and prints a row a finding: kind line a b fraction(5 digits) distance(4 digits)
+# findings ARGUMENT... - runs the program and prints a row a finding: kind line a b fraction(5 digits)
+# distance(4 digits)
 findings() {
 	"$FIVECHECK" -q -f ndjson "$@" | awk '
 	function value(key,    rest) {
@@ -119,6 +120,7 @@ rectangle() {
 	# shellcheck disable=SC2046 # six words are wanted
 	box "$1" $(awk -v h="$2 $3 $4" -v m="${5:-0} ${6:-0} ${7:-0}" 'BEGIN {
 		split(h, s, " "); split(m, c, " ")
-		printf "%.9g %.9g %.9g %.9g %.9g %.9g", c[1] - s[1], c[2] - s[2], c[3] - s[3], c[1] + s[1], c[2] + s[2], c[3] + s[3]
+		printf "%.9g %.9g %.9g %.9g %.9g %.9g", c[1] - s[1], c[2] - s[2], c[3] - s[3],
+		       c[1] + s[1], c[2] + s[2], c[3] + s[3]
 	}')
 }

@@ -1,4 +1,4 @@
-# Programs of G65 and M98 are found in the program's own file, in files beside it, in --include folders, and nowhere else.
+# Programs of G65 and M98 are found in the program's own file, in files beside it, in --include folders, nowhere else.
 small_machine
 mkdir lib
 printf '%%\nO1 (MAIN)\nG65 P2 A1.\nM98 P3\nM98 P4\nG65 P5\nM30\nO2\nG0 X#1\nM99\n%%\n' >a.nc
@@ -16,7 +16,8 @@ printf 'M98 P7\nM30\n' >b.nc
 printf 'O8\nM99\n' >O7.nc
 fivecheck --dialect=fanuc --parse-only m.xml b.nc >/dev/null
 echo "exit $?"
-printf 'O1\n#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG0 X[#1*10.]\nEND1\nM30\n' | fivecheck --dialect=haas --dump-path m.xml -
+printf 'O1\n#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG0 X[#1*10.]\nEND1\nM30\n' |
+	fivecheck --dialect=haas --dump-path m.xml -
 echo "exit $?"
 printf 'N1 G0 X1.\nGOTO 1\n' >c.nc
 fivecheck --dialect=fanuc --parse-only --max-blocks=500 m.xml c.nc >/dev/null

@@ -1,6 +1,8 @@
 # The same bytes of findings and verdict for every number of threads, and on every run.
 small_machine
-awk 'BEGIN { for (i = 0; i < 2000; i++) printf "G1 X%.3f Z%.3f C%d F60000\n", (i * 37) % 300 - 150, -(i * 61 % 149), i * 7 }' >a.nc
+awk 'BEGIN {
+	for (i = 0; i < 2000; i++)
+		printf "G1 X%.3f Z%.3f C%d F60000\n", (i * 37) % 300 - 150, -(i * 61 % 149), i * 7 }' >a.nc
 fivecheck -q -a m.xml a.nc >one
 fivecheck -q -a -j 3 m.xml a.nc >three
 fivecheck -q -a -f ndjson m.xml a.nc >one.json
@@ -8,7 +10,7 @@ fivecheck -q -a -j 8 -f ndjson m.xml a.nc >eight.json
 cmp one three && cmp one.json eight.json
 grep -c '' one.json | awk '{ print ($1 > 100) }'
 
-# The head turns within a hair of the table until it cuts a corner: what is divided among threads is the same work for all.
+# The head turns within a hair of the table until it cuts a corner: what threads share is the same work for all.
 awk 'BEGIN {
 	print "G0 X20 Z-99.99"
 	for (i = 0; i < 5000; i++)

@@ -1,6 +1,6 @@
 # Fanuc's G68.2, G53.1 and G43.4, and Haas' G234, from the program to --dump-path: the tip, put back into the workpiece
 # by the trunnion's own geometry (A about -X at Y0 Z50 carries C about -Z at X10 Y0), is where the program has it.
-# B-64484EN, "Tilted working plane indexing", "Tool center point control"; Haas mill operator's manual, "G234".
+# B-64484EN, tilted working plane indexing, tool center point control; Haas mill operator's manual, G234.
 machine base.xml <<'XML'
   <axis name="X" type="linear" direction="1 0 0" rate_max="6000">
     <axis name="Y" type="linear" direction="0 1 0" rate_max="6000">

@@ -78,7 +78,8 @@ class Generator:
         if r.random() < .5:
             turns = f' P{r.randint(1, 3)}' if r.random() < .3 else ''
             rise = f' A{self.number(30)}' if r.random() < .3 else ''
-            return f'G91.1 {plane} {code} {first[1]}{r.uniform(1, 20):.3f} {second[1]}{self.number(20)} F200{turns}{rise}'
+            return (f'G91.1 {plane} {code} {first[1]}{r.uniform(1, 20):.3f} {second[1]}{self.number(20)} '
+                    f'F200{turns}{rise}')
         x, y = r.uniform(-9, 9), r.uniform(1, 9)
         radius = r.choice(['', '-']) + f'{r.uniform(10, 30):.3f}'
         return f'G91 {plane} {code} {first[0]}{x:.3f} {second[0]}{y:.3f} R{radius} F200'
@@ -136,7 +137,8 @@ class Generator:
         place = lambda: f'{first}{self.number(30)} {second}{self.number(30)}'
         bottom = level - r.uniform(1, 20)
         if r.random() < .3:
-            lines += ['G91', f'{code} {place()} {depth}{-r.uniform(1, 20):.3f} R{r.uniform(0, 5):.3f}{words} L{r.randint(1, 3)}']
+            lines += ['G91', f'{code} {place()} {depth}{-r.uniform(1, 20):.3f} R{r.uniform(0, 5):.3f}{words} '
+                      f'L{r.randint(1, 3)}']
         else:
             lines.append(f'{r.choice(["G98", "G99"])} {code} {place()} {depth}{bottom:.3f} R{level:.3f}{words}')
         for _ in range(r.randint(0, 2)):

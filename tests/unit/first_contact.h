@@ -1,4 +1,4 @@
-/* first_contact.h - when two bodies first touch along a straight move, by brute force: what sweeps are compared with. */
+/* first_contact.h - when two bodies first touch along a straight move, by brute force: the measure of sweeps. */
 #ifndef FIVECHECK_TESTS_FIRST_CONTACT_H
 #define FIVECHECK_TESTS_FIRST_CONTACT_H
 
@@ -37,7 +37,8 @@ static inline double oracle_speed(const struct oracle *o, double s, double half)
 		real3 to = real3_sub(at, real3_of(joint->location));
 
 		if (joint->rotary)
-			rate *= (double)real3_norm(real3_cross(to, real3_of(joint->direction))) + ball->radius + half * speed;
+			rate *= (double)real3_norm(real3_cross(to, real3_of(joint->direction))) + ball->radius +
+				half * speed;
 		speed += rate;
 		at = turned_apply(&t, at);
 	}
@@ -73,7 +74,8 @@ static inline bool oracle_touches(const struct oracle *o, const struct oracle_pa
 	return false;
 }
 
-static inline double oracle_search(struct oracle *o, double s0, double s1, const struct oracle_pair *pairs, size_t count)
+static inline double oracle_search(struct oracle *o, double s0, double s1, const struct oracle_pair *pairs,
+				   size_t count)
 {
 	double middle = 0.5 * (s0 + s1), half = 0.5 * (s1 - s0), way = half * oracle_speed(o, middle, half);
 	xform pose = duo_pose(o->duo, o->q0, o->q1, middle, NULL);
@@ -136,8 +138,9 @@ static inline double oracle_motion(const struct duo *duo, const axis_values *q0,
 			for (int k = 0; k < 3; k++) {
 				vec3 p = mesh_corner(&meshes[view]->triangles[i], k);
 
-				most[view] = fmax(most[view],
-						  vec3_norm(vec3_sub(xform_apply(&poses[0], p), xform_apply(&poses[1], p))));
+				most[view] =
+				    fmax(most[view],
+					 vec3_norm(vec3_sub(xform_apply(&poses[0], p), xform_apply(&poses[1], p))));
 			}
 		}
 		poses[0] = xform_inverse(&poses[0]);
@@ -162,8 +165,9 @@ static inline double oracle_judge(const struct duo *duo, const axis_values *q0, 
 	require(contact->s >= 0 && contact->s <= 1, "%s, case %ld: s = %g", what, number, contact->s);
 	pose = duo_pose(duo, q0, q1, contact->s, NULL);
 	distance = brute_distance(duo->a, duo->b, &pose, INFINITY);
-	require(distance <= clearance + tolerance + 1e-9, "%s, case %ld: false alarm at %.12g: %.9g apart, clearance %.9g",
-		what, number, contact->s, distance, clearance);
+	require(distance <= clearance + tolerance + 1e-9,
+		"%s, case %ld: false alarm at %.12g: %.9g apart, clearance %.9g", what, number, contact->s, distance,
+		clearance);
 	require(contact->distance <= clearance + tolerance + 1e-9 && contact->distance >= distance - 1e-9,
 		"%s, case %ld: distance given as %.9g, is %.9g", what, number, contact->distance, distance);
 	for (size_t i = 0; i < duo->chain.count; i++) {
@@ -175,8 +179,8 @@ static inline double oracle_judge(const struct duo *duo, const axis_values *q0, 
 	}
 	if (first < contact->s)
 		require(oracle_motion(duo, q0, q1, first, contact->s) <= tolerance + 1e-9,
-			"%s, case %ld: contact given at %.12g, but %.12g is %g mm earlier", what, number, contact->s, first,
-			oracle_motion(duo, q0, q1, first, contact->s));
+			"%s, case %ld: contact given at %.12g, but %.12g is %g mm earlier", what, number, contact->s,
+			first, oracle_motion(duo, q0, q1, first, contact->s));
 	return first;
 }
 

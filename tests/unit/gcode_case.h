@@ -136,6 +136,19 @@ static inline bool case_orient(void *context, struct srcloc loc, struct canon_or
 	return true;
 }
 
+/* The same table, and A standing still on it. */
+static inline bool case_carry(void *context, struct srcloc loc, axis_values *place)
+{
+	struct gcode_case *c = context;
+
+	if (c->refuse_tcp) {
+		diag_error(&c->diag, loc, "nothing is carried here");
+		return false;
+	}
+	case_turn(place, place->v[SLOT_C], 0);
+	return true;
+}
+
 static inline bool case_block(void *context, const char *file, long line, const char *text, int moves)
 {
 	struct gcode_case *c = context;
@@ -147,7 +160,7 @@ static inline bool case_block(void *context, const char *file, long line, const 
 
 static inline bool case_run_stream(struct gcode_case *c, FILE *in)
 {
-	struct canon_sink sink = {c, case_move, case_tcp, case_block, case_orient};
+	struct canon_sink sink = {c, case_move, case_tcp, case_block, case_orient, case_carry};
 	struct interp *interp;
 	bool good;
 

@@ -15,6 +15,7 @@ struct record {
 	struct motion_options options;
 	struct motion_sink sink;
 	struct drive drive;
+	struct motion_summary summary;
 	struct motion_step steps[EVENTS];
 	struct path paths[EVENTS];	/* of the steps: theirs are borrowed */
 	int step_count;
@@ -104,7 +105,8 @@ static inline void listen(struct record *record)
 static inline void start(struct record *record, const struct machine *machine)
 {
 	listen(record);
-	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
+	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc",
+		   &record->summary);
 	record->last = record->drive.position;
 }
 

@@ -43,7 +43,8 @@ static inline void solid_prism(struct mesh *mesh, int n, double radius, double h
 		for (int r = 0; r < rows; r++) {
 			double z0 = half * (2.0 * r / rows - 1), z1 = half * (2.0 * (r + 1) / rows - 1);
 
-			solid_quad(mesh, vec3_mad(p, z0, up), vec3_mad(q, z0, up), vec3_mad(q, z1, up), vec3_mad(p, z1, up));
+			solid_quad(mesh, vec3_mad(p, z0, up), vec3_mad(q, z0, up), vec3_mad(q, z1, up),
+				   vec3_mad(p, z1, up));
 		}
 		solid_add(mesh, vec3_scale(half, up), vec3_mad(p, half, up), vec3_mad(q, half, up));
 		solid_add(mesh, vec3_scale(-half, up), vec3_mad(q, -half, up), vec3_mad(p, -half, up));
@@ -84,7 +85,8 @@ static inline void solid_sphere(struct mesh *mesh, double radius, int n, int m)
 			vec3 p[4];
 
 			for (int k = 0; k < 4; k++) {
-				double around = 2 * PI * ((i + (k == 1 || k == 2)) % n) / n, down = PI * (j + (k >= 2)) / m;
+				double around = 2 * PI * ((i + (k == 1 || k == 2)) % n) / n,
+				       down = PI * (j + (k >= 2)) / m;
 
 				p[k] = (vec3){radius * sin(down) * cos(around), radius * sin(down) * sin(around),
 					      radius * cos(down)};

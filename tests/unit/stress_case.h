@@ -146,7 +146,8 @@ static inline void stress_sweep(const struct stress_case *c, const char *name, c
 
 	duo_init(&duo, &c->chain, &a, &b, &c->place_a, &c->place_b);
 	for (int k = 0; k < 2; k++) {
-		enum sweep_answer answer = sweep_chord(&sweep, &duo.pair, &c->chord, c->clearance, c->tolerance, &contact);
+		enum sweep_answer answer =
+		    sweep_chord(&sweep, &duo.pair, &c->chord, c->clearance, c->tolerance, &contact);
 
 		require(answer != SWEEP_UNDECIDED, "%s, %s: undecided", name, how);
 		stress_judge(c, name, how, answer == SWEEP_CONTACT, contact.s, contact.distance);
@@ -201,9 +202,9 @@ static inline void stress_write(const struct stress_case *c)
 		double home = stress_file_value(joint, c->chord.q0.v[joint->slot]);
 		char letter = AXIS_LETTERS[joint->slot];
 
-		fprintf(xml, "<axis name='%c' type='%s' direction='%.17g %.17g %.17g' location='%.17g %.17g %.17g' ", letter,
-			joint->rotary ? "rotary" : "linear", joint->direction.x, joint->direction.y, joint->direction.z,
-			joint->location.x, joint->location.y, joint->location.z);
+		fprintf(xml, "<axis name='%c' type='%s' direction='%.17g %.17g %.17g' location='%.17g %.17g %.17g' ",
+			letter, joint->rotary ? "rotary" : "linear", joint->direction.x, joint->direction.y,
+			joint->direction.z, joint->location.x, joint->location.y, joint->location.z);
 		fprintf(xml, "rate_max='1e9' home='%.17g'>\n", home);
 		fprintf(nc, " %c%.20f", letter, stress_file_value(joint, c->chord.q1.v[joint->slot]));
 	}

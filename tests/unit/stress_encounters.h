@@ -46,8 +46,8 @@ static struct stress_case sliding(tri a, tri b, double from, double to, double t
 
 static struct stress_case coplanar_overlap(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, 0}, {0, 4, 0}, {8, 0, 0}}}, (tri){{{0, -1, 0}, {0, 1, 0}, {-4, 0, 0}}},
-				       -16, 16, 1e-3);
+	struct stress_case c = sliding((tri){{{0, -4, 0}, {0, 4, 0}, {8, 0, 0}}},
+				       (tri){{{0, -1, 0}, {0, 1, 0}, {-4, 0, 0}}}, -16, 16, 1e-3);
 
 	c.first = 0.5;
 	return c;
@@ -55,14 +55,14 @@ static struct stress_case coplanar_overlap(void)
 
 static struct stress_case coplanar_gap(void)
 {
-	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 8, 0}}}, (tri){{{-1, -GAP, 0}, {1, -GAP, 0}, {0, -4, 0}}}, -16, 16,
-		       GAP / 4);
+	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 8, 0}}}, (tri){{{-1, -GAP, 0}, {1, -GAP, 0}, {0, -4, 0}}}, -16,
+		       16, GAP / 4);
 }
 
 static struct stress_case shared_edge_departing(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, 0}, {0, 4, 0}, {-8, 0, 0}}}, (tri){{{0, -4, 0}, {0, 4, 0}, {8, 0, 3}}},
-				       0, 16, 1e-3);
+	struct stress_case c =
+	    sliding((tri){{{0, -4, 0}, {0, 4, 0}, {-8, 0, 0}}}, (tri){{{0, -4, 0}, {0, 4, 0}, {8, 0, 3}}}, 0, 16, 1e-3);
 
 	c.first = 0;
 	return c;
@@ -70,8 +70,8 @@ static struct stress_case shared_edge_departing(void)
 
 static struct stress_case shared_corner_departing(void)
 {
-	struct stress_case c = sliding((tri){{{0, 0, 0}, {-4, 4, 1}, {-8, 0, 0}}}, (tri){{{0, 0, 0}, {5, 4, 0}, {8, 0, 3}}},
-				       0, 16, 1e-3);
+	struct stress_case c =
+	    sliding((tri){{{0, 0, 0}, {-4, 4, 1}, {-8, 0, 0}}}, (tri){{{0, 0, 0}, {5, 4, 0}, {8, 0, 3}}}, 0, 16, 1e-3);
 
 	c.first = 0;
 	return c;
@@ -79,8 +79,8 @@ static struct stress_case shared_corner_departing(void)
 
 static struct stress_case corner_reaches_face_at_the_end(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 0, 0}, {5, 4, 0}, {8, 0, 3}}},
-				       16, 0, 1e-3);
+	struct stress_case c =
+	    sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 0, 0}, {5, 4, 0}, {8, 0, 3}}}, 16, 0, 1e-3);
 
 	c.first = 1;
 	return c;
@@ -89,8 +89,8 @@ static struct stress_case corner_reaches_face_at_the_end(void)
 /* An edge along Y meets one along Z. */
 static struct stress_case edges_meet(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, 0}, {0, 4, 0}, {-8, 0, 0}}}, (tri){{{0, 0, -4}, {0, 0, 4}, {8, 0, 0}}},
-				       8, -8, 1e-6);
+	struct stress_case c =
+	    sliding((tri){{{0, -4, 0}, {0, 4, 0}, {-8, 0, 0}}}, (tri){{{0, 0, -4}, {0, 0, 4}, {8, 0, 0}}}, 8, -8, 1e-6);
 
 	c.first = 0.5;
 	return c;
@@ -98,20 +98,20 @@ static struct stress_case edges_meet(void)
 
 static struct stress_case edges_miss(void)
 {
-	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 0, -4}}}, (tri){{{0, -4, GAP}, {0, 4, GAP}, {0, 0, 4}}}, -16, 16,
-		       GAP / 4);
+	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 0, -4}}}, (tri){{{0, -4, GAP}, {0, 4, GAP}, {0, 0, 4}}}, -16,
+		       16, GAP / 4);
 }
 
 static struct stress_case parallel_edges_miss(void)
 {
-	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 0, -4}}}, (tri){{{-4, 0, GAP}, {4, 0, GAP}, {0, 0, 4}}}, -16, 16,
-		       GAP / 4);
+	return sliding((tri){{{-8, 0, 0}, {8, 0, 0}, {0, 0, -4}}}, (tri){{{-4, 0, GAP}, {4, 0, GAP}, {0, 0, 4}}}, -16,
+		       16, GAP / 4);
 }
 
 static struct stress_case edges_at_a_hundred_millionth(void)
 {
-	return sliding((tri){{{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}}}, (tri){{{-1, -1e-8, GAP}, {1, 1e-8, GAP}, {0, 0, 1}}}, -2,
-		       2, GAP / 4);
+	return sliding((tri){{{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}}}, (tri){{{-1, -1e-8, GAP}, {1, 1e-8, GAP}, {0, 0, 1}}},
+		       -2, 2, GAP / 4);
 }
 
 static struct stress_case slivers_meet(void)
@@ -131,8 +131,8 @@ static struct stress_case slivers_pass(void)
 
 static struct stress_case collinear_corners_meet(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, 8,
-				       -8, 1e-6);
+	struct stress_case c =
+	    sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, 8, -8, 1e-6);
 
 	c.first = 0.5;
 	return c;
@@ -140,8 +140,8 @@ static struct stress_case collinear_corners_meet(void)
 
 static struct stress_case point_meets_face(void)
 {
-	struct stress_case c = sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}}, 8,
-				       -8, 1e-6);
+	struct stress_case c =
+	    sliding((tri){{{0, -4, -4}, {0, 4, -4}, {0, 0, 4}}}, (tri){{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}}, 8, -8, 1e-6);
 
 	c.first = 0.5;
 	return c;

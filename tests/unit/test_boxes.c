@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geom/boxes_level.h"
+#include "geom/simd_kernels.h"
 #include "solids.h"
 
 /* Two soups and a motion of b against a, seen from one of both. */
@@ -27,7 +27,8 @@ static struct bvh *random_soup(struct random *random, double size, double offset
 		vec3 at = vec3_add(middle, random_point(random, size));
 		double edge = size * random_size(random, 1e-3, 1);
 
-		solid_add(&mesh, at, vec3_add(at, random_point(random, edge)), vec3_add(at, random_point(random, edge)));
+		solid_add(&mesh, at, vec3_add(at, random_point(random, edge)),
+			  vec3_add(at, random_point(random, edge)));
 	}
 	return bvh_new(&mesh);
 }
@@ -245,7 +246,8 @@ START_TEST(nothing_is_nearer_than_claimed)
 			if (!random_below(&m.random, 4))
 				other = box_whole(m.bodies[1 - side]);
 			boxes_apart(&m.motion, side, node, &other,
-				    random_below(&m.random, 2) ? INFINITY : (float)random_in(&m.random, 0, 20), apart, loose);
+				    random_below(&m.random, 2) ? INFINITY : (float)random_in(&m.random, 0, 20), apart,
+				    loose);
 			for (int l = 0; l < node->used; l++) {
 				struct box own = box_of(node, l);
 				const struct box *a = side ? &other : &own, *b = side ? &own : &other;
@@ -255,7 +257,8 @@ START_TEST(nothing_is_nearer_than_claimed)
 				if (!(apart[l] > 0) && !(single > 0))
 					continue;
 				least = least_of(&m, a, b);
-				require(apart[l] <= least, "case %ld: the node claims %.9g, %.9g is", n, apart[l], least);
+				require(apart[l] <= least, "case %ld: the node claims %.9g, %.9g is", n, apart[l],
+					least);
 				require(single <= least, "case %ld: one claims %.9g, %.9g is", n, single, least);
 				claimed++;
 				if (least > 0)

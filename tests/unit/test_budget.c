@@ -1,6 +1,7 @@
-#include "check/budget.h"
+#include "check/budgets.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "scene/sweep.h"
 #include "solids.h"
@@ -12,11 +13,11 @@ struct walk {
 	struct random random;
 	long number;
 	struct duo duo;
-	struct budget budget;
+	struct budgets budgets;
 	double clearance;
 	axis_values centre, at;
 	double step;	/* mm, and hundredths of a radian */
-	long covered, boxes;
+	long covered, boxes, recalled;
 };
 
 static void walk_init(struct walk *w, uint64_t test, long number)
@@ -37,7 +38,7 @@ static void walk_init(struct walk *w, uint64_t test, long number)
 	place_b = place_near(random, &chain, &w->centre, &place_a,
 			     vec3_scale(size * random_in(random, 1, 4), random_unit(random)));
 	duo_init(&w->duo, &chain, &a, &b, &place_a, &place_b);
-	budget_init(&w->budget, &w->duo.chain);
+	budgets_init(&w->budgets, &w->duo.chain);
 	w->at = w->centre;
 	w->clearance = random_below(random, 2) ? 0 : random_size(random, 1e-3, 5);
 	w->step = random_size(random, 1e-2, 20);
@@ -78,23 +79,24 @@ static axis_values random_off(struct random *random, const axis_values *amount)
 static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, const axis_values *from)
 {
 	struct chain_state state;
-	double distance = sweep_distance(sweep, &w->duo.pair, at, 0.7, 0);
+	double distance = sweep_distance(sweep, &w->duo.pair, at, 0.7, 0, 0);
 
 	chain_state_init(&state, &w->duo.chain, at, &w->duo.pair.ball_a, &w->duo.pair.ball_b);
-	budget_set(&w->budget, at, &state, distance - w->clearance);
-	budget_resume(&w->budget, from);
+	budgets_set(&w->budgets, at, &state, distance - w->clearance);
+	budgets_resume(&w->budgets, from);
 }
 
 static void step_straight(struct walk *w, struct sweep *sweep)
 {
-	axis_values q1 = next_place(w), amount = {{0}};
+	axis_values q1 = next_place(w), amount = {{0}}, was = w->budgets.now.at;
 	bool strays = random_below(&w->random, 3) == 0;
 
 	for (size_t i = 0; i < w->duo.chain.count && strays; i++)
 		amount.v[w->duo.chain.joints[i].slot] =
 			random_size(&w->random, 1e-3, 1) * (w->duo.chain.joints[i].rotary ? 0.01 : 1);
-	if (budget_covers(&w->budget, &q1, strays ? &amount : NULL)) {
+	if (budgets_cover(&w->budgets, &w->at, &q1, strays ? &amount : NULL)) {
 		w->covered++;
+		w->recalled += memcmp(&was, &w->budgets.now.at, sizeof(was)) != 0;
 		for (int i = 0; i < SAMPLES; i++) {
 			axis_values off = random_off(&w->random, &amount);
 			double d = distance_at(w, &w->at, &q1, i / (SAMPLES - 1.0), &off, w->clearance + 1);
@@ -118,14 +120,15 @@ static void step_box(struct walk *w, struct sweep *sweep)
 		high.v[k] = fmax(w->at.v[k], q1.v[k]);
 		amount.v[k] = strays ? 1e-3 : 0;
 	}
-	if (budget_covers_box(&w->budget, &low, &high, &q1, strays ? &amount : NULL)) {
+	if (budgets_cover_box(&w->budgets, &low, &high, &q1, strays ? &amount : NULL)) {
 		w->boxes++;
 		for (int i = 0; i < SAMPLES; i++) {
 			axis_values q, off = random_off(&w->random, &amount);
 			double d;
 
 			for (int k = 0; k < SLOT_COUNT; k++)
-				q.v[k] = random_below(&w->random, 2) ? low.v[k] : random_in(&w->random, low.v[k], high.v[k]);
+				q.v[k] =
+				    random_below(&w->random, 2) ? low.v[k] : random_in(&w->random, low.v[k], high.v[k]);
 			d = distance_at(w, &q, &q, 0, &off, w->clearance + 1);
 			require(d > w->clearance - 1e-9, "case %ld: %.12g proved, %.12g is", w->number,
 				w->clearance, d);
@@ -139,7 +142,7 @@ static void step_box(struct walk *w, struct sweep *sweep)
 START_TEST(what_is_covered_is_apart)
 {
 	struct sweep sweep = {0};
-	long covered = 0, boxes = 0, cases = random_cases(70);
+	long covered = 0, boxes = 0, recalled = 0, cases = random_cases(70);
 
 	for (long n = 0; n < cases; n++) {
 		struct walk w;
@@ -153,15 +156,17 @@ START_TEST(what_is_covered_is_apart)
 			/* Now and then the axes go elsewhere unwatched. */
 			if (!random_below(&w.random, 20)) {
 				w.at = next_place(&w);
-				budget_resume(&w.budget, &w.at);
+				budgets_resume(&w.budgets, &w.at);
 			}
 		}
 		covered += w.covered;
 		boxes += w.boxes;
+		recalled += w.recalled;
 		duo_release(&w.duo);
 	}
 	sweep_release(&sweep);
-	require(covered > 40 * cases && boxes > 5 * cases, "covered %ld, boxes %ld", covered, boxes);
+	require(covered > 40 * cases && boxes > 5 * cases && recalled > cases, "covered %ld, boxes %ld, recalled %ld", covered,
+		boxes, recalled);
 }
 END_TEST
 

@@ -83,7 +83,8 @@ static int examine(struct mesh *mesh, long number)
 
 	require(!mesh->triangles && !mesh->count, "case %ld: the mesh was to be taken over", number);
 	after = sorted_copy(&bvh->mesh);
-	require(bvh->mesh.count == all && !memcmp(before, after, all * sizeof(*before)), "case %ld: other triangles", number);
+	require(bvh->mesh.count == all && !memcmp(before, after, all * sizeof(*before)), "case %ld: other triangles",
+		number);
 	take(&c, 0, 1, &first, &count);
 	require(first == 0 && count == all, "case %ld: %zu of %zu triangles in leaves", number, count, all);
 	for (size_t i = 0; i < all; i++) {
@@ -119,7 +120,8 @@ START_TEST(random_soups)
 
 		for (int i = 0; i < count; i++)
 			solid_add(&mesh, vec3_add(middle, random_point(&random, size)),
-				  vec3_add(middle, random_point(&random, size)), vec3_add(middle, random_point(&random, size)));
+				  vec3_add(middle, random_point(&random, size)),
+				  vec3_add(middle, random_point(&random, size)));
 		examine(&mesh, n);
 	}
 }

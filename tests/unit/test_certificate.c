@@ -97,7 +97,8 @@ static void trial_init(struct trial *t, uint64_t test, long number, double way_l
 	b = random_triangle(random, random_size(random, 1, 100));
 	duo_init(&t->duo, &chain, &a, &b, &place_a, &place_b);
 	t->least = sampled_least(t, 9);
-	t->clearance = t->least * (random_below(random, 3) ? random_in(random, 0, 1) : 1 - random_size(random, 1e-6, 1));
+	t->clearance =
+	    t->least * (random_below(random, 3) ? random_in(random, 0, 1) : 1 - random_size(random, 1e-6, 1));
 }
 
 static struct leaf the_only_leaf(const struct bvh *bvh)
@@ -156,9 +157,17 @@ static double boxes_claim(const struct trial *t, const struct region *region)
 	return fmax(claim, single);
 }
 
+static bool parted_as_branches(struct memory *memory, const struct trial *t, const struct region *region)
+{
+	const struct branch a = branch_root(t->duo.a), b = branch_root(t->duo.b);
+
+	memory->idle = 0;
+	return memory_parts_branches(memory, region, &t->duo.pair, &a, &b, t->clearance);
+}
+
 START_TEST(what_is_proved_of_a_chord_is_so)
 {
-	long proved = 0, touched = 0, by_memory = 0, boxed = 0, cases = random_cases(100000);
+	long proved = 0, touched = 0, by_memory = 0, parted = 0, boxed = 0, cases = random_cases(100000);
 	double tightest = 0;
 
 	for (long n = 0; n < cases; n++) {
@@ -167,7 +176,7 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		struct memory memory;
 		struct contact contact;
 		double claim, least;
-		bool apart, remembered;
+		bool apart, remembered, branches;
 
 		trial_init(&t, 1, n, 0.1, 150);
 		region_init(&region, &t.duo.pair, REGION_CHORD, &t.chord);
@@ -177,17 +186,21 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		if (contact.s < INFINITY) {
 			xform pose = pose_at(&t, contact.s, NULL);
 
-			require(distance_at(&t, &pose) <= t.clearance + 1e-9, "case %ld: no contact at %g", n, contact.s);
+			require(distance_at(&t, &pose) <= t.clearance + 1e-9, "case %ld: no contact at %g", n,
+				contact.s);
 		}
 		t.duo.pair.memory = &memory;
 		remembered = prove(&t, &region, &contact) == LEAF_APART;
+		branches = parted_as_branches(&memory, &t, &region);
 		claim = boxes_claim(&t, &region);
-		if (apart || remembered || claim > 0) {
+		if (apart || remembered || branches || claim > 0) {
 			least = fmin(sampled_least(&t, INSTANTS), t.least);
-			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance,
-				least);
-			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is", n,
+			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n,
 				t.clearance, least);
+			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is",
+				n, t.clearance, least);
+			require(!branches || least > t.clearance - 1e-9, "case %ld: %.12g proved of the branches, %.12g is",
+				n, t.clearance, least);
 			require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 			if ((apart || remembered) && least > 0)
 				tightest = fmax(tightest, t.clearance / least);
@@ -195,11 +208,14 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		watch_memory_gap(&t, &memory);
 		proved += apart;
 		by_memory += remembered && !apart;
+		parted += branches;
 		boxed += claim > 0;
 		duo_release(&t.duo);
 	}
-	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && boxed > cases / 10,
-		"proved %ld, touched %ld, only by memory %ld, boxes apart %ld", proved, touched, by_memory, boxed);
+	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && parted > cases / 10 &&
+			boxed > cases / 10,
+		"proved %ld, touched %ld, only by memory %ld, as branches %ld, boxes apart %ld", proved, touched, by_memory,
+		parted, boxed);
 	require(tightest > 0.999, "the proofs are slack: %g", tightest);
 }
 END_TEST
@@ -229,7 +245,8 @@ static bool hold_plate_to_bulge(struct trial *t)
 	across = vec3_scale(2000 / way, vec3_cross(n, along));
 	along = vec3_scale(2000 / way, along);
 	at = vec3_mad(top, t->duo.b->radius - height * random_in(&t->random, 0, 0.5), n);
-	solid_add(&plate, vec3_sub(vec3_sub(at, along), across), vec3_add(vec3_sub(at, along), across), vec3_add(at, along));
+	solid_add(&plate, vec3_sub(vec3_sub(at, along), across), vec3_add(vec3_sub(at, along), across),
+		  vec3_add(at, along));
 	bvh_free(t->duo.a);
 	t->duo.a = bvh_new(&plate);
 	body_pair_init(&t->duo.pair, t->duo.a, t->duo.b, &place_a, &place_b, &t->duo.chain);
@@ -276,7 +293,8 @@ START_TEST(what_is_proved_of_a_box_is_so)
 
 		trial_init(&t, 3, n, 0.1, 150);
 		for (int k = 0; k < SLOT_COUNT; k++) {
-			double low = fmin(t.chord.q0.v[k], t.chord.q1.v[k]), high = fmax(t.chord.q0.v[k], t.chord.q1.v[k]);
+			double low = fmin(t.chord.q0.v[k], t.chord.q1.v[k]),
+			       high = fmax(t.chord.q0.v[k], t.chord.q1.v[k]);
 
 			t.chord.q0.v[k] = low;
 			t.chord.q1.v[k] = high;
@@ -293,7 +311,8 @@ START_TEST(what_is_proved_of_a_box_is_so)
 
 			least = fmin(least, distance_at(&t, &pose));
 		}
-		require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance, least);
+		require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n, t.clearance,
+			least);
 		require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 		proved += apart;
 		boxed += claim > 0;

@@ -7,7 +7,7 @@
 
 enum { INSTANTS = 400 };
 
-/* A curved move of a machine with one solid on the table side and one on the head side, in the move's way or near it. */
+/* A curved move of a machine with one solid on the table side and one on the head side, in its way or near it. */
 struct curve {
 	struct random random;
 	uint64_t rig;
@@ -70,7 +70,8 @@ static void curve_init(struct curve *c, uint64_t test, long number, bool tcp)
 		struct rig_messages messages;
 
 		rig_listen(&messages);
-		require(tcp_init(&c->tcp, &c->machine, &state, (struct srcloc){0}, &messages.diag), "%s", messages.text);
+		require(tcp_init(&c->tcp, &c->machine, &state, (struct srcloc){0}, &messages.diag), "%s",
+			messages.text);
 		c->path.tcp = &c->tcp;
 	}
 	chain_init(&chain, &c->machine, c->machine.workholding.link, c->machine.spindle.link);
@@ -105,7 +106,8 @@ static double moved_between(const struct curve *c, double u, double v)
 			for (int k = 0; k < 3; k++) {
 				vec3 x = mesh_corner(&mesh->triangles[i], k);
 
-				most[view] = fmax(most[view], vec3_norm(vec3_sub(xform_apply(&p, x), xform_apply(&q, x))));
+				most[view] =
+				    fmax(most[view], vec3_norm(vec3_sub(xform_apply(&p, x), xform_apply(&q, x))));
 			}
 		}
 		p = xform_inverse(&p);
@@ -150,8 +152,8 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 		until = step.span.u0 + contact.s * (step.span.u1 - step.span.u0);
 		pose = true_place(c, until);
 		d = brute_distance(c->duo.a, c->duo.b, &pose, INFINITY);
-		require(d <= c->clearance + c->tolerance + 1e-9, "case %ld: false alarm at %g: %g, clearance %g", number, until,
-			d, c->clearance);
+		require(d <= c->clearance + c->tolerance + 1e-9, "case %ld: false alarm at %g: %g, clearance %g",
+			number, until, d, c->clearance);
 	}
 	for (int i = 0; i <= INSTANTS; i++) {
 		double u = until * i / INSTANTS, d;
@@ -161,8 +163,8 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 		if (d > c->clearance)
 			continue;
 		require(passage == PASSAGE_CONTACT, "case %ld: called clear, %g apart at %.9g", number, d, u);
-		require(moved_between(c, u, until) <= c->tolerance + 1e-9, "case %ld: contact at %.9g, but %g apart at %.9g",
-			number, until, d, u);
+		require(moved_between(c, u, until) <= c->tolerance + 1e-9,
+			"case %ld: contact at %.9g, but %g apart at %.9g", number, until, d, u);
 	}
 	return passage == PASSAGE_CONTACT;
 }
@@ -269,8 +271,8 @@ START_TEST(arcs_with_a_path_tolerance)
 			step.tolerance.v[k] = ALLOWED;
 		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
 			passage = follower_step(&follower, &sweep, &step, 1e-3, &contact);
-		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g", n, gap,
-			leap_along(normal));
+		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g",
+			n, gap, leap_along(normal));
 		duo_release(&duo);
 	}
 	sweep_release(&sweep);

@@ -261,7 +261,7 @@ START_TEST(path_control)
 }
 END_TEST
 
-/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-64484EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
+/* LinuxCNC's manual, "WRAPPED_ROTARY"; Fanuc B-63534EN, "Rotary axis roll-over": G90 the shorter way, G91 literal. */
 START_TEST(wrapped_axes)
 {
 	struct gcode_case c;
@@ -352,10 +352,10 @@ START_TEST(last_duplicate_wins)
 END_TEST
 
 /*
- * Fanuc B-64484EN, "Program configuration" (O, N, /2), "Dwell (G04)": P in ms, X
- * and U in s; "Machine coordinate system (G53)": at the rapid rate, whatever the
- * motion; "Reference position return (G28)". Haas mill operator's manual, setting
- * 162, "Default To Float".
+ * Fanuc B-64484EN, program configuration (O, N, /2), dwell (G04): P in ms, X
+ * and U in s; machine coordinate system (G53): at the rapid rate, whatever the
+ * motion; reference position return (G28). Haas mill operator's manual, setting
+ * 162, default to float.
  */
 START_TEST(fanuc_programs)
 {
@@ -370,6 +370,14 @@ START_TEST(fanuc_programs)
 	    "G28 X3. Y0.\nM6 T2\nM30\n%\n",
 	    "rapid 1 0 0 0 0\ndwell 0.5\ndwell 2.5\ndwell 1\nrapid -5 0 0 0 0\nfeed 2 0 0 0 0\nrapid 3 0 0 0 0\n"
 	    "rapid 0 0 0 0 0\ntool 2\n");
+	/* What was never switched on may be cancelled. */
+	case_init(&c);
+	c.config.dialect = GCODE_FANUC;
+	case_expect(&c, "G0 X1.\nG17 G21 G40 G49 G50 G50.1 G15 G69 G80 G90\nG0 X2.\nM30\n",
+		    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
+	case_init(&c);
+	c.config.dialect = GCODE_HAAS;
+	case_expect(&c, "G17 G21 G40 G49 G50 G100 G69 G80 G90\nG0 X2.\nM30\n", "rapid 2 0 0 0 0\n");
 	case_init(&c);
 	c.config.dialect = GCODE_HAAS;
 	ck_assert(case_run(&c, ":0002\nG0 X10 Y20\nZ30\nM30\n"));

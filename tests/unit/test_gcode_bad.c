@@ -169,7 +169,9 @@ static const struct bad with_setup[] = {
 };
 
 static const struct bad fanuc[] = {
-    /* Fanuc B-64484EN, "Program configuration": program numbers, end of block. */
+    {"G0\nG50.1 X0.\n", 2, 1, "G50.1 needs a block without axis words"},
+    {"G90 G15 G0 X1.\n", 1, 5, "G15 needs a block without axis words"},
+    /* Fanuc B-64484EN, program configuration: program numbers, end of block. */
     {"O PART\n", 1, 1, "O without a number"},
     {"O1.5\n", 1, 1, "a program number must be a whole number that is not negative"},
     {":X1\n", 1, 1, "':' without a number"},
@@ -237,9 +239,7 @@ END_TEST
 START_TEST(in_haas)
 {
 	static const struct bad bad[] = {
-	    {"G254\n", 1, 1,
-	     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not "
-	     "supported yet"},
+	    {"G143\n", 1, 1, "G143: 5-axis tool length compensation is not supported yet"},
 	    {"M97 P10\n", 1, 5, "the program has no block N10"},
 	};
 
@@ -260,7 +260,7 @@ START_TEST(wrapped_position_beyond_a_turn)
 			 "between -360 and 360 degrees\n    G0 A360\n       ^\n");
 	case_release(&c);
 	case_init(&c);
-	/* Fanuc B-64484EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
+	/* Fanuc B-63534EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
 	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
 	c.config.dialect = GCODE_FANUC;
 	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");

@@ -27,8 +27,8 @@ END_TEST
 
 /*
  * G99 stays at R; the level of G98 is that before the first of the cycles; words
- * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, "Canned cycle for
- * drilling", "Drilling data", "Return point level G98/G99").
+ * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, canned cycle for
+ * drilling, drilling data, return point level G98/G99).
  */
 START_TEST(retract)
 {
@@ -67,7 +67,7 @@ START_TEST(dwell_and_feed_out)
 	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
 	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 1\nfeed 3 0 3 0 0\n"
 	    "rapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\ndwell 1\nfeed 4 0 3 0 0\n");
-	/* Fanuc B-64484EN, "Tapping cycle (G84)", "Drilling cycle, counter boring (G82)": P in ms; feeds end at R. */
+	/* Fanuc B-64484EN, tapping cycle (G84), drilling cycle, counter boring (G82): P in ms; feeds end at R. */
 	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
@@ -95,9 +95,9 @@ START_TEST(back_boring)
 END_TEST
 
 /*
- * Fanuc B-64484EN, "Canned cycle for drilling", "Repeat": K holes; K0 keeps the
+ * Fanuc B-64484EN, canned cycle for drilling, repeat: K holes; K0 keeps the
  * words; rotary axes go to the hole with the rest. Haas mill operator's manual,
- * "Canned Cycles": L, and L0 likewise.
+ * canned cycles: L, and L0 likewise.
  */
 START_TEST(repeats)
 {
@@ -163,7 +163,7 @@ START_TEST(tool_change_moves)
 }
 END_TEST
 
-/* Fanuc B-64484EN, "Reference position return (G28)", "2nd, 3rd, and 4th reference position return (G30)". */
+/* Fanuc B-64484EN, reference position return (G28), 2nd, 3rd, and 4th reference position return (G30). */
 START_TEST(reference_positions)
 {
 	struct gcode_case c;
@@ -187,12 +187,75 @@ START_TEST(reference_positions)
 }
 END_TEST
 
+/*
+ * Fanuc B-64484EN and Haas, canned cycles: the level of G98 is where the tool was
+ * before the first of them. Whether that is a coordinate or a place is not said.
+ */
+START_TEST(level_is_kept)
+{
+	static const char *const changes[] = {"G55", "G52 Z1.", "G92 Z9.", "G43 H1", "G20", "G10 L2 P1 Z1.",
+					      "G68 R90.", "G68 R90.\nG69"};
+	static const struct gcode_length lengths[] = {{1, 100}};
+	static const struct gcode_work_offset offsets[] = {{"G54", {{0}}}, {"G55", {{1, 1, 1}}}};
+
+	for (int i = 0; i < 16; i++) {
+		struct strbuf program = {0};
+		struct gcode_case c;
+
+		case_init(&c);
+		c.config.dialect = i % 2 ? GCODE_HAAS : GCODE_FANUC;
+		c.config.length_moves = GCODE_NO;
+		c.config.lengths = lengths;
+		c.config.length_count = 1;
+		c.config.work_offsets = offsets;
+		c.config.work_offset_count = 2;
+		strbuf_addf(&program, "F9 G0 Z3.\nG98 G81 X1. Z-1. R1.\n%s\nX2. Y2.\n", changes[i / 2]);
+		ck_assert_msg(!case_run(&c, program.text), "accepted: %s", changes[i / 2]);
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
+					     ":1: error: the coordinates have changed since the first of the cycles: "
+					     "whether its level and words change with them depends on the control; "
+					     "G80 first\n    X2. Y2.\n"));
+		strbuf_release(&program);
+		case_release(&c);
+	}
+	/* Where nothing goes by the level, or another cycle begins. */
+	run(GCODE_FANUC, "F9 G0 Z3.\nG99 G81 X1. Z-1. R1.\nG52 Z1.\nX2.\nG80\nG98 G81 X3. Z-1. R1.\nM30\n",
+	    "rapid 0 0 3 0 0\nrapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\n"
+	    "rapid 2 0 1 0 0\nrapid 2 0 2 0 0\nfeed 2 0 0 0 0\nrapid 2 0 2 0 0\n"
+	    "rapid 3 0 2 0 0\nrapid 3 0 2 0 0\nfeed 3 0 0 0 0\nrapid 3 0 2 0 0\n");
+}
+END_TEST
+
+/* A block that names no axis drills nothing, but of one with R that is not certain. */
+START_TEST(drills_where_an_axis_is_named)
+{
+	struct gcode_case c;
+
+	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 P500\nX1.\nM30\n",
+	    "rapid 0 0 3 0 0\n"
+	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n");
+	case_init(&c);
+	c.config.dialect = GCODE_FANUC;
+	ck_assert(!case_run(&c, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 R2.\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:3:5: error: R of G82 without an axis: whether the tool drills where it stands depends "
+			 "on the control; name an axis\n    G82 R2.\n        ^\n");
+	case_release(&c);
+}
+END_TEST
+
 struct bad {
 	enum gcode_dialect dialect;
 	const char *block;
 	int column;
 	const char *message;
 };
+
+#define ORDER(what)                                                                                                   \
+	what " in a block that moves: whether it comes before or after the move depends on the control; write two "  \
+	     "blocks"
+
+static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}};
 
 static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G81 X1 Z-1", 1, "G81 needs R"},
@@ -234,17 +297,22 @@ static const struct bad bads[] = {
     {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
     {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
     {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
-    /* Fanuc B-64484EN, "Canned cycle for drilling", "Repeat", "Fine boring cycle (G76)"; Haas, "G87". */
+    /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
     {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {GCODE_FANUC, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
     {GCODE_FANUC, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
     {GCODE_HAAS, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
-    /* B-64484EN, "2nd, 3rd, and 4th reference position return (G30)": P2 to P4. */
+    /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
     {GCODE_FANUC, "G30 P3 X0.", 5,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
     {GCODE_FANUC, "G28 P2 X0.", 5, "no code in the block uses the word P"},
+    /* Which comes first, the tool or the move? */
+    {GCODE_HAAS, "G1 X5. T2 M6", 11, ORDER("M6")},
+    {GCODE_FANUC, "G91 G28 Z0. T2 M6", 16, ORDER("M6")},
+    {GCODE_HAAS, "T2 M6 G28", 4, ORDER("M6")},
+    {GCODE_FANUC, "G0 X5. M428", 8, ORDER("an M-code that switches TCP")},
 };
 
 START_TEST(refused)
@@ -255,6 +323,9 @@ START_TEST(refused)
 
 	case_init(&c);
 	c.config.dialect = bad->dialect;
+	c.config.tool_change.given = true;
+	c.config.mcodes = mcodes;
+	c.config.mcode_count = 1;
 	strbuf_addf(&program, "F9\n%s\n", bad->block);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
 	strbuf_addf(&expected, "p.nc:2:%d: error: %s\n    %s\n    %*s\n", bad->column, bad->message, bad->block,
@@ -270,7 +341,8 @@ int main(void)
 {
 	const TTest *const tests[] = {drilling,		 retract,	  pecking,	  dwell_and_feed_out,
 					     planes,		 back_boring,	  repeats,	  threads_and_probes,
-					     default_retract,	 tool_change_moves, reference_positions};
+					     default_retract,	 tool_change_moves, reference_positions,
+					     level_is_kept,	 drills_where_an_axis_is_named};
 	Suite *suite = suite_create("gcode_cycle");
 	TCase *tcase = tcase_create("gcode_cycle");
 	SRunner *runner;

@@ -179,8 +179,8 @@ END_TEST
 START_TEST(endless_loops_end)
 {
 	static const char *const endless[] = {"o1 while [1]\no1 endwhile\n", "G91 G0 X1\nM99\n",
-					      "o1 do\no1 while [1]\n", "o1 sub\no2 do\no2 while [1]\no1 endsub\n"
-					      "o1 call\n"};
+					      "o1 do\no1 while [1]\n",
+					      "o1 sub\no2 do\no2 while [1]\no1 endsub\no1 call\n"};
 	struct strbuf straight = {0};
 	struct gcode_case c;
 
@@ -254,7 +254,7 @@ START_TEST(subprograms_in_files)
 	char folder[] = "/tmp/fivecheck-flow-XXXXXX";
 	const char *includes[1];
 	struct gcode_case c;
-	struct canon_sink sink = {&c, count_move, case_tcp, note_file, case_orient};
+	struct canon_sink sink = {&c, count_move, case_tcp, note_file, case_orient, case_carry};
 	struct interp *interp;
 	FILE *in = tmpfile();
 

@@ -61,7 +61,7 @@ START_TEST(axes_stand)
 END_TEST
 
 /*
- * TOS at 0. Fanuc 0i-MB operator's manual (B-63844EN), "Tool length offset": in
+ * TOS at 0. Fanuc 0i-MB operator's manual (B-63844EN), tool length offset: in
  * its example increments and the offset add up.
  */
 START_TEST(axes_move)
@@ -115,6 +115,37 @@ static const struct {
     {GCODE_FANUC, GCODE_YES, "G68.2 I180. J5.", "G43 H1", 1, NOT_PLAIN},
 };
 
+/* What a tool change does on its way to its place is the machine builder's choice, or not said. */
+START_TEST(tool_change_leaves_doubt)
+{
+	static const enum gcode_dialect dialects[] = {GCODE_FANUC, GCODE_HAAS};
+	const struct gcode_place home = {.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z}, .order_count = 1};
+
+	for (int i = 0; i < 2; i++) {
+		struct gcode_case c;
+
+		length_case(&c, dialects[i], GCODE_NO);
+		c.config.tool_change = home;
+		case_expect(&c, "G0 G43 H1 Z5.\nT2 M6\nX1.\nG43 H2 Z5.\nT1 M6\nG49\nZ3.\nT2 M6\nZ4.\nM30\n",
+			    "rapid 0 0 105 0 0\nrapid 0 0 0 0 0\ntool 2\nrapid 1 0 0 0 0\nrapid 1 0 45 0 0\n"
+			    "rapid 1 0 0 0 0\ntool 1\nrapid 1 0 3 0 0\nrapid 1 0 0 0 0\ntool 2\nrapid 1 0 4 0 0\n");
+		length_case(&c, dialects[i], GCODE_NO);
+		c.config.tool_change = home;
+		ck_assert(!case_run(&c, "G0 G43 H1 Z5.\nT2 M6\nZ5.\nM30\n"));
+		ck_assert_str_eq(strbuf_text(&c.messages),
+				 "p.nc:3:1: error: M6 may have taken the tool's length compensation back: it depends "
+				 "on the control where Z leads now; command G43, G43.4 or G49 again first\n"
+				 "    Z5.\n    ^\n");
+		case_release(&c);
+		length_case(&c, dialects[i], GCODE_NO);
+		c.config.tool_change = home;
+		ck_assert(!case_run(&c, i ? "G0 G234 H1 Z5.\nT2 M6\nX5.\n" : "G0 G43.4 H1 Z5.\nT2 M6\nX5.\n"));
+		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:3:1: error: M6 may have taken"));
+		case_release(&c);
+	}
+}
+END_TEST
+
 START_TEST(open)
 {
 	struct strbuf program = {0}, expected = {0};
@@ -145,6 +176,7 @@ int main(void)
 	tcase_add_test(tcase, either_way);
 	tcase_add_test(tcase, axes_stand);
 	tcase_add_test(tcase, axes_move);
+	tcase_add_test(tcase, tool_change_leaves_doubt);
 	tcase_add_loop_test(tcase, open, 0, (int)(sizeof(bads) / sizeof(bads[0])));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

@@ -1,7 +1,7 @@
 /*
  * test_gcode_macro.c - macros of Fanuc and Haas: variables, expressions, branches, loops, calls.
  *
- * FM is the Fanuc Series 30i/31i/32i operator's manual (B-63944EN), part II, chapter "Custom macro"; HM the Haas mill
+ * FM is the Fanuc Series 30i/31i/32i operator's manual (B-63944EN), custom macros; HM the Haas mill
  * operator's manual, chapter "Macros". Expected values are worked out by hand from the manuals' rules.
  */
 #include "gcode_case.h"
@@ -21,7 +21,7 @@ static const struct {
 	const char *expression;
 	double value;
 } values[] = {
-	/* FM "Arithmetic and logic operation", "Priority of operations"; HM "Arithmetic Operators" */
+	/* FM arithmetic and logic operation, priority of operations; HM "Arithmetic Operators" */
 	{BOTH, "1+2*3", 7},
 	{BOTH, "[1+2]*3", 9},
 	{BOTH, "7-2-1", 4},
@@ -51,7 +51,7 @@ static const struct {
 	{BOTH, "SQRT[2+7]", 3},
 	{BOTH, "ABS[-2.5]", 2.5},
 	{F, "LN[EXP[2]]", 2},
-	/* FM "Rounding up and down to an integer": the manual's own four values */
+	/* FM rounding up and down to an integer: the manual's own four values */
 	{F, "FUP[1.2]", 2},
 	{F, "FIX[1.2]", 1},
 	{F, "FUP[-1.2]", -2},
@@ -60,9 +60,9 @@ static const struct {
 	{BOTH, "ROUND[3.54]", 4},
 	{BOTH, "ROUND[1.714]", 2},
 	{BOTH, "ROUND[-1.4]", -1},
-	/* FM "Abbreviation": two letters */
+	/* FM abbreviation: two letters */
 	{F, "RO[1.6]+FI[1.6]+SI[30]", 3.5},
-	/* HM "Boolean Operators": 1.0 or 0.0 */
+	/* HM Boolean operators: 1.0 or 0.0 */
 	{H, "[2 GT 1] + [1 EQ 1]", 2},
 	{H, "[1 GT 2]", 0},
 };
@@ -108,7 +108,7 @@ static const struct {
 	{BOTH, "1+1 EQ 2", true},
 	{BOTH, "[1 EQ 1] AND [2 EQ 3]", false},
 	{BOTH, "[1 EQ 1] OR [2 EQ 3]", true},
-	/* FM "Undefined variable", the table of conditions: vacant is 0, but for EQ and NE */
+	/* FM undefined variable, the table of conditions: vacant is 0, but for EQ and NE */
 	{BOTH, "#1 EQ #0", true},
 	{BOTH, "#1 NE #0", false},
 	{BOTH, "#2 EQ #0", false},
@@ -155,33 +155,33 @@ static const struct {
 	int dialects;
 	const char *program, *ways;
 } programs[] = {
-	/* FM "Variable reference": behind any address; minus; brackets; indirect */
+	/* FM variable reference: behind any address; minus; brackets; indirect */
 	{BOTH, "#1=0\n#2=5.\nG#1 X-#2\nX[#2+1.]\n#3=2\nX#[#3]\nX#[#3-1]\nM30\n", "-5 6 5 0"},
-	/* FM "Undefined variable", HM "Address substitution": a vacant word is not there */
+	/* FM undefined variable, HM address substitution: a vacant word is not there */
 	{BOTH, "G0 X1. Y#5\nX#5 Y2.\n#6=#5\nX#6 Y3.\nM30\n", "1 1 1"},
 	{F, "#6=#5*2\nG0 X1.\nX#6\n#7=#5+#5\nX2.\nX#7\nM30\n", "1 0 2 0"},
-	/* FM "Types of variables": #100 to #199 are vacant at first; one set for all levels */
+	/* FM types of variables: #100 to #199 are vacant at first; one set for all levels */
 	{F, "G0 X1. Y#100\n#150=2.\nX#150\nM30\n", "1 2"},
 	/* HM "Variable usage": #10100 is another name of #100 */
 	{H, "#10100=3.\nG0 X#100\nM30\n", "3"},
-	/* HM "ROUND": the manual's own example, inches to four places, and its automatic rounding */
+	/* HM ROUND: the manual's own example, inches to four places, and its automatic rounding */
 	{H, "G20\n#1=1.00333\nG0 X[#1+#1]\nX[ROUND[#1]+ROUND[#1]]\nM30\n", "50.97018 50.96764"},
-	/* FM "Variable reference": 12.3456 in mm is 12.346 */
+	/* FM variable reference: 12.3456 in mm is 12.346 */
 	{BOTH, "#1=12.3456\nG0 X#1\nM30\n", "12.346"},
 	/* several statements of a line, the line's number, a comment */
 	{BOTH, "N10 #1=1. #2=2. (done)\nG0 X[#1+#2];\nM30\n", "3"},
-	/* FM "Branch": forward first, then from the start, so that the second N1 is found from the second line */
+	/* FM branch: forward first, then from the start, so that the second N1 is found from the second line */
 	{F, "N1 G0 X1.\nGOTO 1\nG0 X9.\nN1 X2.\nM30\n", "1 2"},
 	{F, "#1=0\nN1 #1=#1+1\nG0 X#1\nIF [#1 LT 3] GOTO 1\nM30\n", "1 2 3"},
 	{BOTH, "#9=20\nGOTO #9\nG0 X1.\nN20 G0 X2.\nM30\n", "2"},
 	{BOTH, "#9=20\nGOTO [#9+1]\nG0 X1.\nN21 G0 X2.\nM30\n", "2"},
 	/* in the program in hand, and in none besides */
 	{BOTH, "M98 P7\nGOTO 5\nG0 X8.\nN5 M30\nO7\nGOTO 5\nG0 X9.\nN5 G0 X1.\nM99\n", "1"},
-	/* FM "Conditional branch (IF)"; HM "IF THEN" */
+	/* FM conditional branch (IF); HM IF THEN */
 	{BOTH, "#1=1\nIF [#1 EQ 1] THEN #2=5.\nIF [#1 EQ 2] THEN #2=6.\nG0 X#2\nM30\n", "5"},
 	/* HM "Conditional Expressions": M99 P of a condition */
 	{H, "#1=1\n[#1 LT 10] M99 P10\nG0 X1.\nN10 G0 X2.\nM30\n", "2"},
-	/* FM "Repetition (WHILE)"; HM "Looping" */
+	/* FM repetition (WHILE); HM looping */
 	{BOTH, "#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG0 X#1\nEND1\nX9.\nM30\n", "1 2 3 9"},
 	{BOTH, "WHILE [1 EQ 2] DO1\nG0 X1.\nEND1\nG0 X2.\nM30\n", "2"},
 	{BOTH, "#1=0\nWHILE[#1LT2]DO1\n#1=#1+1\n#2=0\nWHILE[#2LT2]DO2\n#2=#2+1\nG0X[#1*10+#2]\nEND2\nEND1\nM30\n",
@@ -199,17 +199,17 @@ static const struct {
 	 "1 2 3"},
 	/* a loop's number in a comment is none */
 	{BOTH, "#1=0\nWHILE [#1 LT 1] DO1 (END1)\n(END1)\n#1=#1+1\nG0 X1.\nEND1\nM30\n", "1"},
-	/* FM "Abbreviation" */
+	/* FM abbreviation */
 	{F, "#1=0\nWH[#1LT2]DO1\n#1=#1+1\nG0X#1\nEN1\nGO5\nX9.\nN5M30\n", "1 2"},
-	/* FM part II, "Subprogram call (M98)": L, eight digits, after the move of its own block */
+	/* FM, subprogram call (M98): L, eight digits, after the move of its own block */
 	{BOTH, "G0 X1. M98 P100 L2\nX5.\nM30\nO100\nG91 X1.\nG90\nM99\n", "1 2 3 5"},
 	{F, "G91 G0 X1.\nM98 P00020100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{F, "G91 G0 X1.\nM98 P20100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{BOTH, "M98 P1\nM30\nO0001\nG0 X1.\nM98 P2\nX3.\nM99\nO2\nX2.\nM99\n", "1 2 3"},
-	/* M98 shares the caller's local variables, G65 does not (FM "Difference between G65 and M98") */
+	/* M98 shares the caller's local variables, G65 does not (FM difference between G65 and M98) */
 	{BOTH, "#1=4.\nM98 P7\nG0 X#1\nM30\nO7\nG0 X#1\n#1=5.\nM99\n", "4 5"},
 	{BOTH, "#1=4.\nG65 P7 A2.\nG0 X#1\nM30\nO7\nG0 X#1\n#1=5.\nM99\n", "2 4"},
-	/* FM "Argument specification I" and "II", "Mixture"; HM "G65" with its alternate addresses */
+	/* FM argument specification I and II, mixture; HM G65 with its alternate addresses */
 	{BOTH, "G65 P7 Z26. D7. E8. F9. H11. M13. Q17. R18. S19. T20. U21. V22. W23. X24. Y25.\nM30\nO7\n"
 	 "G0 X[#26-#7-#8-#9]\nX[#11+#13]\nX[#17+#18+#19+#20]\nX[#21+#22+#23]\nX[#24+#25]\nM99\n",
 	 "2 24 74 66 49"},
@@ -219,21 +219,21 @@ static const struct {
 	{BOTH, "G65 P1000 A1.0 B2.0 I-3.0 I4.0 D5.0\nM30\nO1000\nG0 X#1\nX#2\nX#4\nX#7\nM99\n", "1 2 -3 5"},
 	{BOTH, "#1=3.\nG65 P7 A#1 B[#1+1.] C#9\nM30\nO7\nG0 X#1\nX#2\nX#3\nM99\n", "3 4"},
 	{BOTH, "G65 P7 A3.\nM30\nO7\nG0 X#1\nIF [#1 LE 1] GOTO 1\nG65 P7 A[#1-1.]\nX#1\nN1 M99\n", "3 2 1 2 3"},
-	/* HM "G65": the variables remain from one repetition to the next */
+	/* HM G65: the variables remain from one repetition to the next */
 	{H, "G65 P7 L3 A1.\nM30\nO7\nG0 X#1\n#1=#1+1.\nM99\n", "1 2 3"},
 	{F, "G65 P7 L2\nM30\nO7\nG91 G0 X1.\nM99\n", "1 2"},
-	/* FM "Modal call (G66)": after each move; not by its own block, the macro's moves, others' blocks */
+	/* FM modal call (G66): after each move; not by its own block, the macro's moves, others' blocks */
 	{F, "G0 X1.\nG66 P7 A5.\nX2.\nM8\n#1=1\nY3.\nG67\nX4.\nM30\nO7\nX[#1*10.]\nM99\n", "1 2 50 50 50 4"},
-	/* HM "M97": a part of the same program */
+	/* HM M97: a part of the same program */
 	{H, "M97 P100 L2\nG0 X5.\nM30\nN100 G91 G0 X1.\nG90\nM99\n", "1 2 5"},
-	/* M99 P: FM "Subprogram", to a block of the caller; HM, to one of the subprogram */
+	/* M99 P: FM subprogram, to a block of the caller; HM, to one of the subprogram */
 	{F, "M98 P7\nG0 X1.\nN20 G0 X2.\nM30\nO7\nG0 X8.\nM99 P20\n", "8 2"},
 	{H, "M98 P7\nG0 X1.\nM30\nO7\nG0 X8.\nM99 P20\nX9.\nN20 X10.\nM99\n", "8 10 1"},
 	{BOTH, "G0 X1.\nM99 P5\nX2.\nN5 X3.\nM30\n", "1 3"},
 	/* M99 of the program itself: anew, until a pass changes nothing */
 	{BOTH, "G0 X1.\nX2.\nM99\n", "1 2 1 2"},
 	{F, "#100=#100+1\nG0 X#100\nIF [#100 EQ 3] GOTO 9\nM99\nN9 M30\n", "1 2 3"},
-	/* FM "System variables": end of the block before, modes, work offsets */
+	/* FM system variables: end of the block before, modes, work offsets */
 	{BOTH, "G10 L2 P1 X10. Y0.\nG54 G0 X1. Y7.\nX[#5001+#5002]\nM30\n", "11 18"},
 	{BOTH, "G10 L2 P2 X10. Y20.\nG0 X#5241\nX[#5242-1.]\n#5241=3.\nG55 X1.\nM30\n", "10 19 4"},
 	{BOTH, "G0 X1.\n#5221=10.\nG54\nX1.\n#5221=20.\nG54 X2.\nM30\n", "1 11 22"},
@@ -242,9 +242,9 @@ static const struct {
 	{H, "G55\nG0 X#4012\nM30\n", "55"},
 	{F, "G10 L20 P3 X4.\nG0 X#7041\nM30\n", "4"},
 	{H, "G10 L20 P3 X4.\nG0 X#14041\nX1.\nX#7041\nM30\n", "4 1 4"},
-	/* FM "Macro call", "Stop with a message": a stop, as M0; clocks may be set */
+	/* FM macro call, stop with a message: a stop, as M0; clocks may be set */
 	{BOTH, "#3006=1 (TURN THE PART)\n#3001=0\n#3003=1\n#3004=3\nG0 X1.\nM30\n", "1"},
-	/* FM "External output commands", HM "DPRNT" */
+	/* FM external output commands, HM DPRNT */
 	{BOTH, "POPEN\nDPRNT[X#1[53]*Y]\nPCLOS\nG0 X1.\nM30\n", "1"},
 	/* what M-codes of these manuals move nothing */
 	{F, "M29 S100\nG0 X1.\nM30\n", "1"},
@@ -285,7 +285,7 @@ START_TEST(ways)
 }
 END_TEST
 
-/* FM part II, "Optional block skip": a skipped statement does nothing, and a loop does not end in a skipped line. */
+/* FM, optional block skip: a skipped statement does nothing, and a loop does not end in a skipped line. */
 START_TEST(skipped_blocks)
 {
 	struct gcode_case c;
@@ -303,7 +303,7 @@ START_TEST(skipped_blocks)
 }
 END_TEST
 
-/* FM, "Units of argument data": increments of the address; with a variable behind an address, never. */
+/* FM, macro calls, units of arguments: increments of the address; with a variable behind an address, never. */
 START_TEST(increments)
 {
 	struct gcode_case c;
@@ -328,7 +328,7 @@ START_TEST(increments)
 }
 END_TEST
 
-/* FM "ATAN", "ASIN": parameter NAT (6004#0) at 0 gives 0 to 360 and 270 to 90. */
+/* FM ATAN, ASIN: parameter NAT (6004#0) at 0 gives 0 to 360 and 270 to 90. */
 START_TEST(angles)
 {
 	struct gcode_case c;
@@ -347,7 +347,7 @@ START_TEST(angles)
 }
 END_TEST
 
-/* FM part II, "AI contour control"; Haas, "G187": what they leave of the path is what a G64 does. */
+/* FM, AI contour control; Haas, G187: what they leave of the path is what a G64 does. */
 START_TEST(contour)
 {
 	struct gcode_case c;

@@ -257,8 +257,7 @@ static const struct {
 	{F, "G254 H1\n",
 	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect\n    G254 H1\n    ^\n"},
 	{H, "G254 H1\n",
-	 "p.nc:1:1: error: G254: dynamic work offset, which carries the work origin along with the rotary "
-	 "table, is not supported yet\n    G254 H1\n    ^\n"},
+	 "p.nc:1:6: error: no code in the block uses the word H\n    G254 H1\n         ^\n"},
 	{F, "#1=#5004\n",
 	 "p.nc:1:4: error: #5004: which axis is the control's number 4 is the machine builder's choice and "
 	 "not known here\n    #1=#5004\n       ^\n"},
@@ -342,9 +341,9 @@ static const struct {
 	 "p.nc:2:1: error: G61 while G5.1, G8 or G5 P10000 is in force is not supported yet\n    G61\n    ^\n"},
 	{H, "G187 P4\n", "p.nc:1:6: error: P4: a whole number from 1 to 3 is needed\n    G187 P4\n         ^\n"},
 	{H, "G103 P20\n", "p.nc:1:6: error: P20: a whole number from 0 to 15 is needed\n    G103 P20\n         ^\n"},
-	{H, "G254\n",
-	 "p.nc:1:1: error: G254: dynamic work offset, which carries the work origin along with the rotary "
-	 "table, is not supported yet\n    G254\n    ^\n"},
+	{H, "G253\n",
+	 "p.nc:1:1: error: G253: spindle orientation to the feature coordinates is not supported yet\n    G253\n"
+	 "    ^\n"},
 	{H, "M34\n", "p.nc:1:1: error: M34: move of the coolant nozzle is not supported yet\n    M34\n    ^\n"},
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block needs M99 P\n    [1 EQ 1] G0 X1.\n            "

@@ -23,7 +23,7 @@ static void run(enum gcode_dialect dialect, const char *program, const char *mov
 	case_expect(&c, program, moves);
 }
 
-/* Fanuc B-64484EN, "Coordinate system rotation (G68, G69)"; Haas, "G68 Rotation (Group 16)". */
+/* Fanuc B-64484EN, coordinate system rotation (G68, G69); Haas, "G68 Rotation (Group 16)". */
 START_TEST(rotation)
 {
 	/* By 90 degrees about (10, 0): (11, 0) goes to (10, 1). */
@@ -58,7 +58,7 @@ START_TEST(rotated_arcs_and_cycles)
 END_TEST
 
 /*
- * Fanuc B-64484EN, "Tilted working plane indexing": Z-X'-Z'' by I, J, K. The
+ * Fanuc B-64484EN, tilted working plane indexing: Z-X'-Z'' by I, J, K. The
  * case's control has TCP on a table C; its G53.1 gives A = 20 here and leaves C.
  * With I 180: n = Rz(180) Rx(J) z = (0, sin J, cos J).
  */
@@ -84,7 +84,7 @@ START_TEST(tilted)
 }
 END_TEST
 
-/* The same manual, "Additional workpiece coordinate systems"; Haas, "G110-G129", "G154", "G10 L20". */
+/* The same manual, additional workpiece coordinate systems; Haas, G110-G129, G154, G10 L20. */
 START_TEST(additional_offsets)
 {
 	static const struct gcode_work_offset offsets[] = {{"G54.1 P2", {{7}}}, {"G154 P48", {{9}}}};
@@ -103,7 +103,7 @@ START_TEST(additional_offsets)
 		    "G54 P2 G0 X1.\nG52 X100.\nX1.\nG54.1 P48 X1.\nG52 X0.\nX1.\nG92 X5.\nG54 P2 X0.\nG54 X0.\nM30\n",
 		    "rapid 8 0 0 0 0\nrapid 108 0 0 0 0\nrapid 110 0 0 0 0\nrapid 10 0 0 0 0\n"
 		    "rapid 3 0 0 0 0\nrapid -4 0 0 0 0\n");
-	/* "Changing workpiece coordinate system"; Haas, "G10 Set Offsets": with G91 the words are added. */
+	/* The same manual, changing workpiece coordinate system; Haas, G10: with G91 the words are added. */
 	plane_case(&c, GCODE_HAAS);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
@@ -138,7 +138,7 @@ START_TEST(least_input)
 END_TEST
 
 /*
- * B-64484EN, "Decimal point programming", appendix "Range of command value": pecks, arc radii, offsets, shifts and ways
+ * B-64484EN, decimal point programming, appendix range of command value: pecks, arc radii, offsets, shifts and ways
  * by reference positions count increments, and so do angles, in G20 as well; P of dwells is in ms, F in mm/min.
  */
 START_TEST(least_input_by_address)
@@ -224,6 +224,10 @@ struct bad {
 	const char *message;
 };
 
+#define BY_MACHINE(what)                                                                                              \
+	what " while G68 is in force: whether the way there and the coordinates behind it are turned depends on "     \
+	     "the control; G69 first"
+
 #define TILT "G68.2 X0. I180. J90."
 
 static const struct bad bads[] = {
@@ -243,6 +247,10 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
     {GCODE_FANUC, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
     {GCODE_FANUC, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
+    {GCODE_HAAS, "G0\nG68 R5.", "G53 X0.", 1, BY_MACHINE("G53 with X")},
+    {GCODE_HAAS, "G68 R5.", "G91 G28 Y0. Z0.", 5, BY_MACHINE("G28 with Y")},
+    {GCODE_HAAS, "G68 R5.", "G28", 1, BY_MACHINE("G28 with X")},
+    {GCODE_HAAS, "G18 G68 R5.", "G30 Z5.", 1, BY_MACHINE("G30 with Z")},
     /* The same: the first move after G69 is absolute. */
     {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
      "Y by an increment after G69: the first move after it is absolute"},
@@ -278,7 +286,7 @@ static const struct bad bads[] = {
      "G68.3: tilted working plane by the direction of the tool is not supported yet"},
     {GCODE_FANUC, TILT, "G53.6", 1,
      "G53.6: tool axis direction control that keeps the tool centre point is not supported yet"},
-    /* B-64484EN, "2nd, 3rd, and 4th reference position return (G30)": which places they are, parameters say. */
+    /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): which places they are, parameters say. */
     {GCODE_FANUC, "", "G91 G30 Z0.", 5,
      "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
     {GCODE_HAAS, "", "G91 G30 P3 Z0.", 9,
@@ -291,8 +299,6 @@ static const struct bad bads[] = {
     {GCODE_FANUC, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
     {GCODE_FANUC, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
     {GCODE_HAAS, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
-    {GCODE_HAAS, "", "G254", 1, 
-     "G254: dynamic work offset, which carries the work origin along with the rotary table, is not supported yet"},
     {GCODE_FANUC, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
     {GCODE_FANUC, "", "G54.1", 1, "G54.1 needs P"},
     {GCODE_FANUC, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},

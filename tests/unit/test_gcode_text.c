@@ -207,7 +207,7 @@ START_TEST(streaming)
 {
 	struct gcode_config config = {.has_axis = {true, true, true}};
 	int count = 0, ends[2];
-	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block, NULL};
+	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block, NULL, NULL};
 	struct diag diag = {0};
 	struct interp *interp;
 	pthread_t writer;

@@ -128,7 +128,8 @@ START_TEST(no_point_is_farther_from_an_axis)
 					beyond.joints[k] = c.chain.joints[view == 0 ? i + 1 + k : k];
 				pose = true_pose(&beyond, &c.q0, &c.q0, 0, NULL);
 				for (int p = 0; p < POINTS && joint->rotary; p++) {
-					real3 to = real3_sub(place_of(&pose, view, points[p]), real3_of(joint->location));
+					real3 to =
+					    real3_sub(place_of(&pose, view, points[p]), real3_of(joint->location));
 					real3 across = real3_cross(real3_of(joint->direction), to);
 
 					observe(&c, "rho", (double)real3_norm(across), c.start.rho[view][i], &tightest);
@@ -171,19 +172,23 @@ static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
 
 		choose_points(c, view, points);
 		for (int p = 0; p < POINTS; p++) {
-			real3 first = place_of(&poses[0], view, points[p]), last = place_of(&poses[TIMES - 1], view, points[p]);
+			real3 first = place_of(&poses[0], view, points[p]),
+			      last = place_of(&poses[TIMES - 1], view, points[p]);
 			real3 before = first;
 			double way = 0;
 
 			for (int i = 0; i < TIMES; i++) {
 				real s = (real)i / (TIMES - 1);
-				real3 at = place_of(&poses[i], view, points[p]), off = place_of(&strayed[i], view, points[p]);
+				real3 at = place_of(&poses[i], view, points[p]),
+				      off = place_of(&strayed[i], view, points[p]);
 				real3 chord = real3_add(real3_scale(1 - s, first), real3_scale(s, last));
 
 				way += (double)real3_norm(real3_sub(at, before));
 				before = at;
-				observe(c, "bend", (double)real3_norm(real3_sub(at, chord)), bound.bend[view], &t->bend);
-				observe(c, "drift", (double)real3_norm(real3_sub(off, at)), bound.drift[view], &t->drift);
+				observe(c, "bend", (double)real3_norm(real3_sub(at, chord)), bound.bend[view],
+					&t->bend);
+				observe(c, "drift", (double)real3_norm(real3_sub(off, at)), bound.drift[view],
+					&t->drift);
 				observe(c, "stray", (double)real3_norm(real3_sub(off, chord)),
 					bound.bend[view] + bound.drift[view], &(double){0});
 			}
@@ -238,7 +243,8 @@ START_TEST(tolerances_add)
 
 			choose_points(&c, view, points);
 			for (int i = 0; i < TIMES; i++) {
-				axis_values off = random_off(&c.random, &less), more = random_off(&c.random, &tolerance);
+				axis_values off = random_off(&c.random, &less),
+					    more = random_off(&c.random, &tolerance);
 				real s = (real)i / (TIMES - 1);
 				struct turned pose = true_pose(&c.chain, &c.q0, &middle, s, NULL), strayed;
 
@@ -246,8 +252,9 @@ START_TEST(tolerances_add)
 					off.v[k] += more.v[k];
 				strayed = true_pose(&c.chain, &c.q0, &middle, s, &off);
 				for (int p = 0; p < POINTS; p++)
-					most = fmax(most, (double)real3_norm(real3_sub(place_of(&strayed, view, points[p]),
-										       place_of(&pose, view, points[p]))));
+					most =
+					    fmax(most, (double)real3_norm(real3_sub(place_of(&strayed, view, points[p]),
+										    place_of(&pose, view, points[p]))));
 			}
 			observe(&c, "drift with a tolerance", most, part.drift[view] + added, &tightest);
 		}
@@ -309,7 +316,8 @@ static real3 linear_share(const struct scene_of_chain *c, int view, const axis_v
 
 	for (size_t i = 0; i < c->chain.count; i++)
 		if (!c->chain.joints[i].rotary)
-			share = real3_add(share, real3_scale(off->v[c->chain.joints[i].slot], real3_of(c->start.direction[i])));
+			share = real3_add(
+			    share, real3_scale(off->v[c->chain.joints[i].slot], real3_of(c->start.direction[i])));
 	if (view == 1) {
 		struct turned pose = true_pose(&c->chain, &c->q0, &c->q0, 0, NULL);
 

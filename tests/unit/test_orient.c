@@ -1,4 +1,4 @@
-/* test_orient.c - G53.1's rotary positions: against closed forms, against forward kinematics on random machines, limits. */
+/* test_orient.c - G53.1's rotary positions: closed forms, forward kinematics of random machines, limits. */
 #include <stdlib.h>
 
 #include "machine/chain.h"
@@ -52,7 +52,11 @@ START_TEST(head_closed_form)
 	int link = 0;
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		link = rig_axis(&machine, slot, link, slot == SLOT_X ? rig_x : slot == SLOT_Y ? rig_y : rig_z, rig_origin);
+		link = rig_axis(&machine, slot, link,
+				slot == SLOT_X	 ? rig_x
+				: slot == SLOT_Y ? rig_y
+						 : rig_z,
+				rig_origin);
 	link = rig_axis(&machine, SLOT_C, link, rig_z, (vec3){3, 4, 500});
 	machine.spindle.link = rig_axis(&machine, SLOT_B, link, rig_y, (vec3){0, 0, 700});
 	for (int k = 0; k < 1000; k++) {
@@ -184,7 +188,7 @@ START_TEST(limits_choose)
 END_TEST
 
 /*
- * Fanuc 16i/18i-B operator's manual (B-63534EN), "Tool axis direction control",
+ * Fanuc 16i/18i-B operator's manual (B-63534EN), tool axis direction control,
  * "Angle of rotation axis", output judgement conditions <1> to <4>. On the
  * trunnion A carries C: A's way decides, however far C has to go.
  */
@@ -197,7 +201,7 @@ START_TEST(first_axis_decides)
 	expect_turn(&machine, euler_normal(0, 20), SLOT_A, -10, SLOT_C, 10, -20, 180);
 	/* <2> From A0 both ways of A are equal. */
 	expect_turn(&machine, euler_normal(0, 20), SLOT_A, 0, SLOT_C, 95, -20, 180);
-	/* <4> A20 C30 or A-20 C210 from A0 C120: the ways are equal, and so are 20 and -20; 30 is nearer to 0 than 210. */
+	/* <4> A20 C30 or A-20 C210 from A0 C120: equal ways, and 20 is as near to 0 as -20; 30 is nearer than 210. */
 	expect_turn(&machine, euler_normal(30, 20), SLOT_A, 0, SLOT_C, 120 - 1e-9, 20, 30);
 }
 END_TEST
@@ -221,7 +225,11 @@ START_TEST(carrier_decides_in_head)
 	int link = 0;
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		link = rig_axis(&machine, slot, link, slot == SLOT_X ? rig_x : slot == SLOT_Y ? rig_y : rig_z, rig_origin);
+		link = rig_axis(&machine, slot, link,
+				slot == SLOT_X	 ? rig_x
+				: slot == SLOT_Y ? rig_y
+						 : rig_z,
+				rig_origin);
 	link = rig_axis(&machine, SLOT_C, link, rig_z, (vec3){3, 4, 500});
 	machine.spindle.link = rig_axis(&machine, SLOT_B, link, rig_y, (vec3){0, 0, 700});
 	expect_turn(&machine, euler_normal(0, 20), SLOT_B, 60, SLOT_C, 5, -20, 90);
@@ -249,9 +257,10 @@ START_TEST(messages)
 
 	expect_message(&machine, euler_normal(10, 20), true, 0,
 		       "G53.1 turns to C10 A20; the other solution, C-170 A-20, is farther for C");
-	expect_message(&machine, euler_normal(90, 20), false, 0,
-		       "G53.1 could turn to C-90 A-20 or to C90 A20, which are as near: turn the rotary axes towards the "
-		       "one that is meant, in a block before");
+	expect_message(
+	    &machine, euler_normal(90, 20), false, 0,
+	    "G53.1 could turn to C-90 A-20 or to C90 A20, which are as near: turn the rotary axes towards the "
+	    "one that is meant, in a block before");
 	rig_find(&machine, SLOT_A)->limit_min = radians(-20);
 	rig_find(&machine, SLOT_A)->limit_max = radians(10);
 	expect_message(&machine, euler_normal(10, 20), true, 0,
@@ -261,9 +270,10 @@ START_TEST(messages)
 		       "within the limits of their travel, the rotary axes cannot stand the tool on this plane");
 	/* Half a turn of C, either way. */
 	rig_find(&machine, SLOT_A)->limit_min = radians(-90);
-	expect_message(&machine, euler_normal(0, 20), false, 0,
-		       "G53.1 could turn to C180 A-20 or to C-180 A-20, which are as near: turn the rotary axes towards "
-		       "the one that is meant, in a block before, or give half_turn to axis C in the machine file");
+	expect_message(
+	    &machine, euler_normal(0, 20), false, 0,
+	    "G53.1 could turn to C180 A-20 or to C-180 A-20, which are as near: turn the rotary axes towards "
+	    "the one that is meant, in a block before, or give half_turn to axis C in the machine file");
 	/* The machine file knows which. */
 	rig_find(&machine, SLOT_C)->half_turn = -1;
 	expect_message(&machine, euler_normal(0, 20), true, 0,

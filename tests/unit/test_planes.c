@@ -63,7 +63,7 @@ static struct v about_yz(double degrees_, struct v p)
 	return about_x(-45, about_z(degrees_, about_x(45, p)));
 }
 
-/* Fanuc B-64484EN, "Tilted working plane indexing": about Z by I, about X' by J, about Z'' by K. */
+/* Fanuc B-64484EN, tilted working plane indexing: about Z by I, about X' by J, about Z'' by K. */
 static struct v euler(const double ijk[3], struct v p)
 {
 	return about_z(ijk[0], about_x(ijk[1], about_z(ijk[2], p)));
@@ -284,7 +284,7 @@ static double shortest_way(double angle, double here)
 	return fabs(remainder(angle - here, 360));
 }
 
-/* B-63534EN, "Angle of rotation axis": the carrying axis decides, of table and head the table; A or B carry C on tables. */
+/* B-63534EN, "Angle of rotation axis": the carrying axis decides, or the table before a head; C is carried. */
 static int preferred(enum kind kind, double pairs[2][2], const double here[2])
 {
 	int first = kind == AC_TABLE || kind == BC_TABLE ? 0 : 1;
@@ -325,7 +325,8 @@ START_TEST(both_solutions)
 			say(&run, "G68.2 X1. Y2. Z3. I%.6f J%.6f K%.6f", ijk[0], ijk[1], ijk[2]);
 			line = say(&run, "G53.1");
 			ck_assert_msg(carry_out(&run, &machine), "%s", run.messages.text);
-			expect_near(tool_direction(kind, run.ends[line]), euler(ijk, (struct v){0, 0, 1}), 1e-9, &run, line);
+			expect_near(tool_direction(kind, run.ends[line]), euler(ijk, (struct v){0, 0, 1}), 1e-9, &run,
+				    line);
 			ck_assert_double_le(fabs(remainder(run.ends[line][3] - pairs[wanted][0], 360)), 1e-7);
 			ck_assert_double_le(fabs(remainder(run.ends[line][4] - pairs[wanted][1], 360)), 1e-7);
 			/* The linear axes stand still. */
@@ -346,7 +347,7 @@ struct plane {
 	double tilt, turn;	/* tcp_zero: coordinates are meant where the rotary axes stand so */
 };
 
-/* Where a point of the plane is in the workpiece: work offset, origin, turned by Euler's angles; the spindle is there. */
+/* Where a point of the plane is in the workpiece: offset, origin, turned by Euler's angles; the spindle is there. */
 static struct v on_plane(const struct plane *plane, struct v p)
 {
 	struct v at = add(add(plane->offset, plane->origin), euler(plane->ijk, p));
@@ -412,7 +413,8 @@ START_TEST(work_in_the_plane)
 		/* Z alone moves, to where the machine counts it. */
 		expect_near((struct v){run.ends[machine_z][0], run.ends[machine_z][1], run.ends[machine_z][2]},
 			    (struct v){run.ends[hole][0], run.ends[hole][1], 290}, 1e-7, &run, machine_z);
-		expect_near(tip(kind, run.ends[again], LENGTH), on_plane(&plane, (struct v){1, 2, 3}), 1e-7, &run, again);
+		expect_near(tip(kind, run.ends[again], LENGTH), on_plane(&plane, (struct v){1, 2, 3}), 1e-7, &run,
+			    again);
 		ck_assert_mem_eq(run.ends[off], run.ends[again], sizeof(run.ends[off]));
 		strbuf_release(&run.text);
 	}
@@ -435,7 +437,7 @@ static void watch_way(const struct run *run, double u, const double q[5])
 	ck_assert_double_le(distance(tip(run->kind, q, LENGTH), wanted), 1e-7);
 }
 
-/* Fanuc B-64484EN, "Tool center point control (G43.4)"; Haas mill operator's manual, "G234 Tool Center Point Control". */
+/* Fanuc B-64484EN, tool center point control (G43.4); Haas mill operator's manual, "G234 Tool Center Point Control". */
 START_TEST(tool_centre_point)
 {
 	uint64_t random = 79;

@@ -88,8 +88,9 @@ START_TEST(the_more_particular_wins)
 						   rule(link_name(1), body_name("cradle"), PAIR_NEVER, -1)};
 	const struct pair_rule both_over_one[] = {rule(body_name("head"), link_name(2), PAIR_NEVER, 5),
 						  rule(body_name("head"), body_name("cradle"), PAIR_ALWAYS, 1)};
-	const struct pair_rule body_over_roles[] = {rule(role_name(ROLE_HOLDER), role_name(ROLE_FIXTURE), PAIR_ALWAYS, -1),
-						    rule(role_name(ROLE_HOLDER), body_name("vise"), PAIR_NEVER, -1)};
+	const struct pair_rule body_over_roles[] = {
+	    rule(role_name(ROLE_HOLDER), role_name(ROLE_FIXTURE), PAIR_ALWAYS, -1),
+	    rule(role_name(ROLE_HOLDER), body_name("vise"), PAIR_NEVER, -1)};
 	const struct pair_rule role_over_link[] = {rule(role_name(ROLE_MACHINE), link_name(2), PAIR_ALWAYS, -1),
 						   rule(link_name(1), link_name(2), PAIR_NEVER, -1)};
 

@@ -19,8 +19,10 @@ static struct stress_case random_pair(struct random *random)
 		near.v[slot] = (1 - s) * c.chord.q0.v[slot] + s * c.chord.q1.v[slot];
 	}
 	if (random_below(random, 2)) {
-		solid_add(&c.a, random_point(random, size_a), random_point(random, size_a), random_point(random, size_a));
-		solid_add(&c.b, random_point(random, size_b), random_point(random, size_b), random_point(random, size_b));
+		solid_add(&c.a, random_point(random, size_a), random_point(random, size_a),
+			  random_point(random, size_a));
+		solid_add(&c.b, random_point(random, size_b), random_point(random, size_b),
+			  random_point(random, size_b));
 	} else {
 		solid_tetrahedron(&c.a, random, size_a);
 		solid_tetrahedron(&c.b, random, size_b);
@@ -79,7 +81,8 @@ START_TEST(time_reversed)
 			double last = 1 - two.s;
 
 			/* The first contact on the way back is the last on the way there. */
-			require(one.s <= last || oracle_motion(&duo, &c.chord.q0, &c.chord.q1, last, one.s) <= 2 * c.tolerance,
+			require(one.s <= last ||
+				    oracle_motion(&duo, &c.chord.q0, &c.chord.q1, last, one.s) <= 2 * c.tolerance,
 				"case %ld: first at %.12g, last at %.12g", n, one.s, last);
 		}
 		duo_release(&duo);

@@ -69,7 +69,8 @@ START_TEST(backwards)
 		duo_init(&duo, &c.chain, &a, &b, &c.place_a, &c.place_b);
 		answer = sweep_chord(&sweep, &duo.pair, &c.chord, c.clearance, c.tolerance, &contact);
 		require(answer == SWEEP_CONTACT, "%s, backwards: missed", rows[_i].name);
-		oracle_judge(&duo, &c.chord.q0, &c.chord.q1, c.clearance, c.tolerance, answer, &contact, rows[_i].name, 0);
+		oracle_judge(&duo, &c.chord.q0, &c.chord.q1, c.clearance, c.tolerance, answer, &contact, rows[_i].name,
+			     0);
 		sweep_release(&sweep);
 		duo_release(&duo);
 	}

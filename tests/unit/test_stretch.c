@@ -20,7 +20,8 @@ static struct path random_path(struct random *random, const axis_values *from)
 	double size = random_size(random, 1e-3, 10);
 
 	for (int k = 0; k < SLOT_COUNT; k++)
-		path.end.v[k] += random_below(random, 3) ? size * random_in(random, -1, 1) * (slot_is_rotary(k) ? 0.01 : 1) : 0;
+		path.end.v[k] +=
+		    random_below(random, 3) ? size * random_in(random, -1, 1) * (slot_is_rotary(k) ? 0.01 : 1) : 0;
 	if (random_below(random, 3))
 		return path;
 	path.kind = PATH_ARC;
@@ -49,13 +50,14 @@ static void way_init(struct way *way, uint64_t test, long number)
 	}
 }
 
-/* Where on the chord, from *s on, is it within the deviations of q? False: nowhere. *s is then the earliest such place. */
+/* Where on the chord, from *s on, is it within the deviations of q? *s becomes the earliest place. False: nowhere. */
 static bool is_held(const struct chord *chord, const axis_values *q, double *s)
 {
 	double low = *s, high = 1;
 
 	for (int k = 0; k < SLOT_COUNT; k++) {
-		double d = chord->q1.v[k] - chord->q0.v[k], off = q->v[k] - chord->q0.v[k], play = chord->deviation.v[k] + 1e-9;
+		double d = chord->q1.v[k] - chord->q0.v[k], off = q->v[k] - chord->q0.v[k],
+		       play = chord->deviation.v[k] + 1e-9;
 
 		if (fabs(d) < 1e-12) {
 			if (fabs(off) > play)
@@ -81,8 +83,8 @@ static void require_held(const struct way *way, const struct chord *chord, long 
 		size_t step = (size_t)u < STEPS ? (size_t)u : STEPS - 1;
 		axis_values q = path_position(&way->paths[step], u - (double)step);
 
-		require(is_held(chord, &q, &s), "case %ld: at %g of %g to %g the way is off the chord", number, u, chord->u0,
-			chord->u1);
+		require(is_held(chord, &q, &s), "case %ld: at %g of %g to %g the way is off the chord", number, u,
+			chord->u0, chord->u1);
 	}
 }
 

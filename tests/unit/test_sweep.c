@@ -98,12 +98,15 @@ START_TEST(order_does_not_matter)
 			double motion = oracle_motion(&e.duo, &e.chord.q0, &e.chord.q1, one.s, two.s);
 
 			if (motion > e.tolerance) {
-				oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, first, &one, "one", n);
-				oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, second, &two, "two", n);
+				oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, first, &one,
+					     "one", n);
+				oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, second, &two,
+					     "two", n);
 			}
 		} else if (first != second) {
 			oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, first, &one, "one", n);
-			oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, second, &two, "two", n);
+			oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, second, &two, "two",
+				     n);
 		}
 		duo_release(&e.duo);
 	}
@@ -156,13 +159,14 @@ START_TEST(boxes_of_positions)
 
 			require(distance <= e.clearance + e.tolerance + 1e-9, "case %ld: false alarm, %g", n, distance);
 			for (int k = 0; k < SLOT_COUNT; k++)
-				require(contact.q.v[k] >= low.v[k] && contact.q.v[k] <= high.v[k], "case %ld: outside", n);
+				require(contact.q.v[k] >= low.v[k] && contact.q.v[k] <= high.v[k], "case %ld: outside",
+					n);
 		}
 		duo_release(&e.duo);
 	}
 	sweep_release(&sweep);
-	require(touched > cases / 8 && apart > cases / 20 && undecided < cases / 10, "%ld contacts, %ld apart, %ld undecided",
-		touched, apart, undecided);
+	require(touched > cases / 8 && apart > cases / 20 && undecided < cases / 10,
+		"%ld contacts, %ld apart, %ld undecided", touched, apart, undecided);
 }
 END_TEST
 
@@ -186,8 +190,9 @@ START_TEST(distance_is_a_good_lower_bound)
 			truth = brute_distance(e.duo.a, e.duo.b, &pose, INFINITY);
 			enough = random_below(&e.random, 2) ? 0 : truth * random_in(&e.random, 0, 1.2);
 			share = random_in(&e.random, 0.05, 0.95);
-			bound = sweep_distance(&sweep, &e.duo.pair, q, share, enough);
-			require(bound >= 0 && bound <= truth, "case %ld: %.12g is no lower bound of %.12g", n, bound, truth);
+			bound = sweep_distance(&sweep, &e.duo.pair, q, share, enough, 0);
+			require(bound >= 0 && bound <= truth, "case %ld: %.12g is no lower bound of %.12g", n, bound,
+				truth);
 			if (truth > enough + 1e-9) {
 				require(bound >= share * truth - 1e-8, "case %ld: %.12g of %.12g", n, bound, truth);
 				counted++;

@@ -115,7 +115,8 @@ END_TEST
 START_TEST(middle_of_a_turn)
 {
 	struct chain chain = chain_of(&about_z, NULL);
-	struct mesh post = box_at((vec3){1, 1, 10}, (vec3){0, 101, 0}), bar = box_at((vec3){100.5, 0.5, 0.5}, (vec3){0, 0, 0});
+	struct mesh post = box_at((vec3){1, 1, 10}, (vec3){0, 101, 0}),
+		    bar = box_at((vec3){100.5, 0.5, 0.5}, (vec3){0, 0, 0});
 	struct chord chord = move_of(SLOT_C, 0, PI, -1, 0);
 	struct contact contact;
 	struct duo duo;
@@ -271,7 +272,8 @@ END_TEST
 START_TEST(hopeless_tolerance)
 {
 	struct chain chain = chain_of(&along_x, NULL);
-	struct mesh a = box_at((vec3){0x1p28, 64, 64}, (vec3){0x1p29, 0, 0}), b = box_at((vec3){64, 64, 64}, (vec3){0, 0, 128});
+	struct mesh a = box_at((vec3){0x1p28, 64, 64}, (vec3){0x1p29, 0, 0}),
+		    b = box_at((vec3){64, 64, 64}, (vec3){0, 0, 128});
 	struct chord chord = move_of(SLOT_X, 0, 0x1p30, -1, 0);
 	struct contact contact;
 	struct duo duo;

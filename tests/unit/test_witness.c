@@ -76,7 +76,8 @@ static struct chord_case random_chords(uint64_t test, long number)
 	c.n1 = some_axis(&random, &c.a, &c.b1);
 	c.least = least_on_chords(&c.a, &c.b0, &c.b1);
 	/* As near to the truth as can be proved, or more. */
-	c.apart = c.least * (random_below(&random, 3) ? random_in(&random, 0, 1.02) : 1 - random_size(&random, 1e-9, 1));
+	c.apart =
+	    c.least * (random_below(&random, 3) ? random_in(&random, 0, 1.02) : 1 - random_size(&random, 1e-9, 1));
 	return c;
 }
 
@@ -96,12 +97,13 @@ START_TEST(what_is_witnessed_is_apart)
 		more += by_both && !by_n0 && !by_n1;
 		if (!by_n0 && !by_n1 && !by_both)
 			continue;
-		require(c.least > c.apart * (1 - 1e-12), "case %ld: %g apart was witnessed, %g is", n, c.apart, c.least);
+		require(c.least > c.apart * (1 - 1e-12), "case %ld: %g apart was witnessed, %g is", n, c.apart,
+			c.least);
 		if (c.least > 0)
 			closest = fmax(closest, c.apart / c.least);
 	}
-	require(fixed > cases / 5 && interpolated > cases / 5 && more > cases / 1000, "fixed %ld, interpolated %ld, more %ld",
-		fixed, interpolated, more);
+	require(fixed > cases / 5 && interpolated > cases / 5 && more > cases / 1000,
+		"fixed %ld, interpolated %ld, more %ld", fixed, interpolated, more);
 	require(closest > 0.999, "the proofs are slack: %g", closest);
 }
 END_TEST
@@ -114,7 +116,8 @@ START_TEST(ends_alone_do_not_witness)
 	for (long n = 0; n < cases; n++) {
 		struct chord_case c = random_chords(2, n);
 
-		wrong += tri_gap(&c.a, &c.b0, c.n0) > c.apart && tri_gap(&c.a, &c.b1, c.n1) > c.apart && c.least < c.apart;
+		wrong +=
+		    tri_gap(&c.a, &c.b0, c.n0) > c.apart && tri_gap(&c.a, &c.b1, c.n1) > c.apart && c.least < c.apart;
 	}
 	require(wrong > cases / 10000, "%ld", wrong);
 }

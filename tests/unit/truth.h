@@ -1,4 +1,4 @@
-/* truth.h - kinematics and distances written a second time, in long double and by other formulas, for tests to compare with. */
+/* truth.h - kinematics and distances a second time, in long double and by other formulas, to compare with. */
 #ifndef FIVECHECK_TESTS_TRUTH_H
 #define FIVECHECK_TESTS_TRUTH_H
 

@@ -1,8 +1,9 @@
 #include "geom/simd_level.h"
 
 #define LANES_LEVEL LANES_AVX2
-#define BOXES_APART boxes_apart_avx2
+#define AT_LEVEL(name) name##_avx2
 
 #if LANES_LEVEL <= LANES_BEST
 #include "geom/boxes_kernel.h"
+#include "geom/support_kernel.h"
 #endif

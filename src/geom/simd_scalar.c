@@ -1,6 +1,7 @@
 #include "geom/simd_level.h"
 
 #define LANES_LEVEL LANES_SCALAR
-#define BOXES_APART boxes_apart_scalar
+#define AT_LEVEL(name) name##_scalar
 
 #include "geom/boxes_kernel.h"
+#include "geom/support_kernel.h"

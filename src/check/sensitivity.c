@@ -1,0 +1,385 @@
+#include "check/sensitivity.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "check/course.h"
+
+/* What remains of a clearance may be measured as so much less: then a change cannot be proved any farther... */
+#define STALL 2
+/* ...and one that is larger by this must find what is in the way, if it is. Both in tolerances. */
+#define PROBE 6
+
+/* Runs for one quantity in one direction, before the rest is given up. */
+#define RUNS_MAX 60
+
+/* Where something is found without a change: parts of the range that are tried, halvings of the one that turns. */
+#define PARTS 20
+#define HALVINGS 6
+
+struct search {
+	struct scene *scene;
+	struct check_options options;
+	const struct check_sink *sink;
+	FILE *in;
+	off_t start;
+	const char *name;
+	struct course course;
+	uint64_t ways[SLOT_COUNT];	/* of the recorded run */
+	bool affects[SLOT_COUNT];	/* axes that go elsewhere with the quantity changed */
+	double spread;	/* how many times a change may show in the distance of two bodies; INFINITY: it cannot be told */
+	double *proven;	/* of the run without a change, or the last that was measured */
+	struct sensitivity *answer;
+	int runs;
+};
+
+/* One run. */
+struct probe {
+	struct search *search;
+	enum check_result result;
+	bool orderly;	/* the course was the recorded one, as far as it went */
+	char *why;	/* the first error; owned */
+};
+
+static bool on_finding(void *context, const struct finding *finding)
+{
+	struct probe *probe = context;
+	struct sensitivity *answer = probe->search->answer;
+	const struct scene *scene = probe->search->scene;
+
+	if (!answer)
+		return false;
+	answer->kind = (int)finding->kind;
+	answer->line = finding->line;
+	answer->slot = finding->slot;
+	answer->a = answer->b = NULL;
+	/* The finding does not last, but the scene's names do. */
+	for (size_t i = 0; i < scene->body_count && finding->kind != FINDING_LIMIT; i++) {
+		const char *body = scene->bodies[i].body->name;
+
+		answer->a = strcmp(body, finding->a) ? answer->a : body;
+		answer->b = strcmp(body, finding->b) ? answer->b : body;
+	}
+	return false;
+}
+
+static bool on_progress(void *context, long lines)
+{
+	const struct check_sink *sink = ((struct probe *)context)->search->sink;
+
+	return !sink->progress || sink->progress(sink->context, lines);
+}
+
+static void on_fault(void *context, const struct diag_entry *entry)
+{
+	struct probe *probe = context;
+	struct strbuf text = {0};
+
+	if (entry->severity != DIAG_ERROR || probe->why)
+		return;
+	if (entry->loc.line)
+		strbuf_addf(&text, "line %ld: ", entry->loc.line);
+	strbuf_addf(&text, "%s", entry->text);
+	probe->why = text.text;
+}
+
+/*
+ * Checks with the answer's quantity changed by `amount` in its direction; measures what clearance there is (0:
+ * nothing) as far as it is of use to a further change by `measures` mm. Release the probe's `why`.
+ */
+static struct probe run(struct search *search, double amount, double measures)
+{
+	const struct sensitivity *answer = search->answer;
+	double change = answer ? answer->sign * amount : 0;
+	struct probe probe = {.search = search};
+	const struct check_sink sink = {&probe, on_finding, on_progress, NULL};
+	struct diag diag = {.handle = on_fault, .context = &probe};
+	struct setup_change changes = {{0, 0, 0}, 0};
+	struct check_stats stats;
+
+	if (answer) {
+		changes.work.x = answer->quantity == CHANGE_X ? change : 0;
+		changes.work.y = answer->quantity == CHANGE_Y ? change : 0;
+		changes.work.z = answer->quantity == CHANGE_Z ? change : 0;
+		changes.length = answer->quantity == CHANGE_LENGTH ? change : 0;
+		course_compare(&search->course);
+	} else {
+		course_record(&search->course);
+	}
+	search->options.change = &changes;
+	search->options.measure_cap = measures * fmin(search->spread, 1e3) + 2 * STALL * search->options.tolerance;
+	search->runs++;
+	if (fseeko(search->in, search->start, SEEK_SET))
+		diag_error(&diag, (struct srcloc){0}, "cannot be read again: %s", strerror(errno));
+	probe.result = check_run(search->scene, &search->options, search->in, search->name, &sink, &diag, &stats,
+				 measures > 0 ? search->proven : NULL);
+	if (diag.errors)
+		probe.result = CHECK_INCOMPLETE;
+	if (answer && probe.result == CHECK_CLEAR)
+		course_end(&search->course);
+	probe.orderly = search->course.same && !search->course.lost &&
+			search->course.way <= amount * search->spread * (1 + 1e-9) + 1e-9;
+	return probe;
+}
+
+/*
+ * A change moves the spindle, as the other end of all linear axes sees it, by its own amount. What single axes have
+ * in that is no more where their directions are orthogonal, else bounded by the least singular value of
+ * the directions, whose square is at least 1 less the cosines between them (Gershgorin).
+ */
+static double spread_of(const struct machine *machine)
+{
+	double most = 0;
+
+	for (int i = SLOT_X; i <= SLOT_Z; i++) {
+		const struct axis *a = machine_axis(machine, i);
+		double row = 0;
+
+		for (int k = SLOT_X; a && k <= SLOT_Z; k++) {
+			const struct axis *b = machine_axis(machine, k);
+
+			row += b && k != i ? fabs(vec3_dot(a->direction, b->direction)) : 0;
+		}
+		most = fmax(most, row);
+	}
+	if (most < 1e-9)
+		return 1;
+	return most < 1 ? sqrt(3 / (1 - most)) : INFINITY;
+}
+
+/* mm: any change that is smaller does no harm to the pairs, by what was measured last. */
+static double room(const struct search *search)
+{
+	double least = INFINITY;
+
+	for (size_t i = 0; i < search->scene->pair_count; i++) {
+		const struct scene_pair *pair = &search->scene->pairs[i];
+		bool affected = false;
+
+		for (size_t k = 0; k < pair->chain.count; k++)
+			affected |= search->affects[pair->chain.joints[k].slot];
+		if (affected)
+			least = fmin(least, search->proven[i] - pair->clearance);
+	}
+	return least / search->spread;
+}
+
+static void give_up(struct search *search, struct probe *probe, double at)
+{
+	search->answer->state = SENSITIVITY_UNKNOWN;
+	search->answer->turn = at;
+	search->answer->why = probe ? probe->why : NULL;
+	if (probe)
+		probe->why = NULL;
+}
+
+static void turn(struct search *search, double at)
+{
+	search->answer->state = SENSITIVITY_TURNS;
+	search->answer->turn = at;
+}
+
+/* Something is found at `high`, nothing at `low`, and between them no bodies meet: a limit, which has one side. */
+static void close_in(struct search *search, double low, double high, bool proved)
+{
+	double grain = PROBE * search->options.tolerance;
+
+	while (high - low > grain && search->runs < RUNS_MAX) {
+		double middle = 0.5 * (low + high);
+		struct probe probe = run(search, middle, 0);
+
+		if (probe.result == CHECK_INCOMPLETE) {
+			give_up(search, &probe, middle);
+			return;
+		}
+		if (probe.result == CHECK_FOUND)
+			high = middle;
+		else
+			low = middle;
+		proved = proved && probe.orderly;
+		free(probe.why);
+	}
+	/* The last run that found something is the one to tell of. */
+	free(run(search, high, 0).why);
+	search->answer->tried = low;
+	if (proved)
+		search->answer->proved = low;
+	turn(search, high);
+}
+
+/* From a change of `low`, which was measured, to the next. True: the answer is found. */
+static bool advance(struct search *search, double *low, double *stride, bool *proved)
+{
+	struct sensitivity *answer = search->answer;
+	const double e = search->options.tolerance;
+	double safe = room(search) - STALL * e;
+	bool stalls = !(safe > STALL * e);
+	double next = fmin(*low + (stalls ? *stride : safe), answer->range);
+	struct probe probe = run(search, next, answer->range - next);
+
+	if (probe.result == CHECK_INCOMPLETE) {
+		give_up(search, &probe, next);
+		return true;
+	}
+	free(probe.why);
+	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
+	if (probe.result == CHECK_FOUND && !stalls)
+		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
+	else if (probe.result == CHECK_FOUND)
+		turn(search, next);
+	if (probe.result == CHECK_FOUND)
+		return true;
+	/* Where nothing more can be proved larger and larger strides are tried. */
+	*stride = stalls ? 2 * *stride : PROBE * e;
+	*low = answer->tried = next;
+	if (*proved)
+		answer->proved = next;
+	return !(next < answer->range);
+}
+
+/* How far a clear verdict holds. Before each run, search->proven is what was measured without a change. */
+static void search_clear(struct search *search)
+{
+	struct sensitivity *answer = search->answer;
+	double stride = PROBE * search->options.tolerance, low = 0, first = fmin(stride, answer->range);
+	struct probe probe = run(search, first, 0);
+	bool proved = probe.orderly, any = false;
+
+	if (probe.result == CHECK_INCOMPLETE) {
+		give_up(search, &probe, first);
+		return;
+	}
+	free(probe.why);
+	if (probe.result == CHECK_FOUND) {
+		turn(search, first);
+		return;
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		search->affects[slot] = search->course.ways[slot] != search->ways[slot];
+		any |= search->affects[slot];
+	}
+	if (!any && probe.orderly) {
+		answer->proved = answer->tried = answer->range;
+		return;
+	}
+	answer->state = SENSITIVITY_HOLDS;
+	while (!advance(search, &low, &stride, &proved)) {
+		if (search->runs >= RUNS_MAX) {
+			give_up(search, NULL, low);
+			return;
+		}
+	}
+}
+
+/* Where something is found: the first of the tried changes at which nothing is. */
+static void search_found(struct search *search)
+{
+	struct sensitivity *answer = search->answer, found;
+	double low = 0, high = 0;
+
+	answer->state = SENSITIVITY_HOLDS;
+	for (int i = 1; i <= PARTS && !(high > 0); i++) {
+		double at = answer->range * i / PARTS;
+		struct probe probe = run(search, at, 0);
+
+		if (probe.result == CHECK_INCOMPLETE) {
+			give_up(search, &probe, at);
+			return;
+		}
+		free(probe.why);
+		if (probe.result == CHECK_CLEAR)
+			high = at;
+		else
+			low = answer->tried = at;
+	}
+	found = *answer;
+	for (int i = 0; i < HALVINGS && high > 0; i++) {
+		double middle = 0.5 * (low + high);
+		struct probe probe = run(search, middle, 0);
+
+		if (probe.result == CHECK_INCOMPLETE) {
+			give_up(search, &probe, middle);
+			return;
+		}
+		free(probe.why);
+		if (probe.result == CHECK_CLEAR)
+			high = middle;
+		else
+			low = middle;
+	}
+	*answer = found;
+	if (!(high > 0))
+		return;
+	answer->tried = low;
+	answer->kind = -1;
+	turn(search, high);
+}
+
+static void answer_one(struct search *search, enum check_result result, struct sensitivity *answer,
+		       const double *proven)
+{
+	search->answer = answer;
+	search->runs = 0;
+	memcpy(search->proven, proven, search->scene->pair_count * sizeof(*proven));
+	if (result == CHECK_CLEAR)
+		search_clear(search);
+	else
+		search_found(search);
+}
+
+static size_t list_answers(const double range[CHANGES], struct sensitivity answers[2 * CHANGES])
+{
+	size_t count = 0;
+
+	for (int quantity = 0; quantity < CHANGES; quantity++) {
+		for (int sign = 1; sign >= -1 && range[quantity] > 0; sign -= 2)
+			answers[count++] = (struct sensitivity){.quantity = quantity, .sign = sign, .kind = -1,
+								.range = range[quantity]};
+	}
+	return count;
+}
+
+size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
+		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,
+		       struct diag *diag, struct sensitivity answers[2 * CHANGES])
+{
+	struct search search = {.scene = scene, .options = *options, .sink = sink, .in = in, .start = ftello(in),
+				.name = name, .spread = spread_of(scene->machine)};
+	size_t count = 0;
+	struct probe probe;
+	double *proven;
+
+	if (!course_init(&search.course)) {
+		diag_error(diag, (struct srcloc){0}, "--sensitivity: cannot make a temporary file: %s", strerror(errno));
+		return 0;
+	}
+	search.options.all = search.options.gauges = search.options.times = false;
+	search.options.course = &search.course;
+	search.proven = mem_zalloc(scene->pair_count, sizeof(*search.proven));
+	proven = mem_zalloc(scene->pair_count, sizeof(*proven));
+	probe = run(&search, 0, fmax(fmax(range[CHANGE_X], range[CHANGE_Y]), fmax(range[CHANGE_Z], range[CHANGE_LENGTH])));
+	if (probe.result != result)
+		diag_error(diag, (struct srcloc){0}, "%s could not be checked a second time%s%s", name,
+			   probe.why ? ": " : "; it may have changed", probe.why ? probe.why : "");
+	free(probe.why);
+	if (probe.result == result) {
+		memcpy(proven, search.proven, scene->pair_count * sizeof(*proven));
+		memcpy(search.ways, search.course.ways, sizeof(search.ways));
+		count = list_answers(range, answers);
+		for (size_t i = 0; i < count; i++)
+			answer_one(&search, result, &answers[i], proven);
+	}
+	course_release(&search.course);
+	free(search.proven);
+	free(proven);
+	return count;
+}
+
+void sensitivity_release(struct sensitivity *answers, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		free(answers[i].why);
+}

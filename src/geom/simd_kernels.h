@@ -1,0 +1,22 @@
+/* simd_kernels.h - what is compiled for each level of SIMD; all give the same bits. */
+#ifndef FIVECHECK_GEOM_SIMD_KERNELS_H
+#define FIVECHECK_GEOM_SIMD_KERNELS_H
+
+#include "geom/boxes.h"
+#include "geom/simd_level.h"
+#include "geom/support.h"
+
+boxes_apart_fn boxes_apart_scalar;
+support_fn support_scalar;
+#if LANES_BEST == LANES_AVX2
+boxes_apart_fn boxes_apart_sse2;
+support_fn support_sse2;
+boxes_apart_fn boxes_apart_avx2;	/* only where simd_level() says so */
+support_fn support_avx2;
+#endif
+
+/* The functions of a level that this processor has. */
+boxes_apart_fn *boxes_at_level(int level);
+support_fn *support_at_level(int level);
+
+#endif

@@ -1,0 +1,18 @@
+/* support.h - how far triangles reach in a direction: the support function of their hull. */
+#ifndef FIVECHECK_GEOM_SUPPORT_H
+#define FIVECHECK_GEOM_SUPPORT_H
+
+#include <stddef.h>
+
+#include "geom/mesh.h"
+#include "geom/vec3.h"
+
+typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
+
+/*
+ * The greatest n.p (mm) over the corners p of `count` triangles, at least one; n is a unit vector.
+ * Off by no more than SUPPORT_ROUNDING times the largest |p|.
+ */
+double support(const mesh_triangle *triangles, size_t count, vec3 n);
+
+#endif

@@ -1,0 +1,24 @@
+#include "motion/carry.h"
+
+#include "motion/tcp.h"
+
+/* With the head at rest and no length, TCP keeps the gauge point at its place of the workpiece. */
+bool carry_point(const struct machine *machine, struct srcloc loc, struct diag *diag, axis_values *place)
+{
+	const struct canon_tcp state = {.on = true};
+	axis_values carried;
+	struct tcp tcp;
+
+	if (!tcp_init(&tcp, machine, &state, loc, diag))
+		return false;
+	if (tcp.head.count) {
+		diag_error(diag, loc,
+			   "G254 knows rotary axes that turn the table only; on this machine %c turns the spindle",
+			   AXIS_LETTERS[tcp.head.joints[0].slot]);
+		return false;
+	}
+	carried = tcp_to_machine(&tcp, place);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		place->v[slot] = carried.v[slot];
+	return true;
+}

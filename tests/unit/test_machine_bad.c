@@ -1,0 +1,224 @@
+/* test_machine_bad.c - faulty machine files, each with all that is said about it. */
+#include "machine/setup.h"
+#include "machine_case.h"
+
+static const struct xml_case bad[] = {
+    /* the file as XML */
+    {"", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
+    {"solid cube\n", "m.xml:1: error: this is not XML: it does not start with '<'\n"},
+    {"<!-- -->", "m.xml:1: error: this is not well-formed XML: Start tag expected, '<' not found\n"},
+    {"<machine version='1'>\n<base>\n</machine>",
+     "m.xml:3: error: this is not well-formed XML: Opening and ending tag mismatch: base line 2 and machine\n"},
+    {"<machine version='1'\n version='1'/>",
+     "m.xml:2: error: this is not well-formed XML: Attribute version redefined\n"},
+    {"<?xml version='1.0' encoding='UTF-8'?>\n<machine version='1' name='\xe9'/>",
+     "m.xml:2: error: this is not well-formed XML: Input is not proper UTF-8, indicate encoding !\n"},
+    {"<?xml version='1.0' encoding='klingon'?>\n<machine version='1'/>",
+     "m.xml:1: error: the encoding \"klingon\" is not supported: save the file as UTF-8\n"},
+    {"<?xml version='1.0' encoding='IBM037'?>\n<machine version='1'/>",
+     "m.xml:1: error: the encoding \"IBM037\" is not supported: save the file as UTF-8\n"},
+    {"<!DOCTYPE machine SYSTEM 'http://example.org/machine.dtd'>\n<machine version='1'/>",
+     "m.xml:1: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove it\n"},
+    {"<?xml version='1.0'?>\n<!DOCTYPE m [<!ENTITY a 'x'><!ENTITY b '&a;&a;&a;'>]>\n<machine version='&b;'/>",
+     "m.xml:2: error: document type declarations (<!DOCTYPE ...>) are not allowed; remove it\n"},
+    {"<machine version='1' name='&nbsp;'><base/></machine>",
+     "m.xml:1: error: this is not well-formed XML: Entity 'nbsp' not defined\n"},
+    {"<lathe version='1'/>",
+     "m.xml:1: error: the root element is <lathe>, but a machine file starts with <machine version=\"1\">\n"},
+    {"<setup version='1'/>",
+     "m.xml:1: error: this is a setup file where a machine file is wanted: give it with --setup\n"},
+    {"<machine version='2'><novelty/></machine>",
+     "m.xml:1: error: version \"2\" of the machine file is not supported; this program reads version 1\n"},
+    /* its form */
+    {"<machine><base/></machine>", "m.xml:1: error: <machine> lacks the attribute 'version'\n"},
+    {MACHINE(""), "m.xml:1: error: <machine> lacks <base>\n"},
+    {MACHINE("<base/>\n<base/>"), "m.xml:3: error: <machine> has a second <base>\n"},
+    {MACHINE("<base/><pairs/><pairs/>"), "m.xml:2: error: <machine> has a second <pairs>\n"},
+    {MACHINE("<base/><controler/>"),
+     "m.xml:2: error: unknown element <controler> in <machine>; did you mean <controller>?\n"},
+    {BASE("<conveyor/>"), "m.xml:2: error: unknown element <conveyor> in <base>\n"},
+    {BASE("<pair a='b' b='c'/>"), "m.xml:2: error: element <pair> does not belong in <base>\n"},
+    {BASE(AXIS_X " direcion='0 0 1'/>"),
+     "m.xml:2: error: unknown attribute 'direcion' of <axis>; did you mean 'direction'?\n"},
+    {BASE(AXIS_X " colour='red'/>"), "m.xml:2: error: unknown attribute 'colour' of <axis>\n"},
+    {BASE("<axis name='X' type='linear' direction='1 0 0'/>"),
+     "m.xml:2: error: <axis> lacks the attribute 'rate_max'\n"},
+    {BASE(AXIS_X " home='ten'/>"), "m.xml:2: error: home=\"ten\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='1,5'/>"), "m.xml:2: error: home=\"1,5\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='nan'/>"), "m.xml:2: error: home=\"nan\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='0x10'/>"), "m.xml:2: error: home=\"0x10\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='1 mm'/>"), "m.xml:2: error: home=\"1 mm\" of <axis> is not a number\n"},
+    {BASE(AXIS_X " home='1e400'/>"), "m.xml:2: error: home=\"1e400\" of <axis> is too large\n"},
+    {BASE("<spindle location='0 0' direction='0 0 -1'/>"),
+     "m.xml:2: error: location=\"0 0\" of <spindle> must be 3 numbers\n"},
+    {BASE("<spindle location='0 0 1 2' direction='0 0 down'/>"),
+     "m.xml:2: error: location=\"0 0 1 2\" of <spindle> must be 3 numbers\n"
+     "m.xml:2: error: direction=\"0 0 down\" of <spindle> must be 3 numbers\n"},
+    {MACHINE("<controller dialect='heidenhain'/><base/>"),
+     "m.xml:2: error: dialect=\"heidenhain\" of <controller> must be linuxcnc, fanuc or haas\n"},
+    {MACHINE("<controller><mcode number='-5' action='on'/></controller><base/>"),
+     "m.xml:2: error: number=\"-5\" of <mcode> must be a whole number, 0 or more\n"
+     "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off or ignore\n"},
+    {BASE("<body name='b' mesh='b.stl' units='feet'/>"),
+     "m.xml:2: error: units=\"feet\" of <body> must be mm, inch, cm or m\n"},
+    {BASE("steel"), "m.xml:2: error: <base> holds text; only elements belong there\n"},
+    {"<machine version='1' xmlns='http://example.org/'><base/></machine>",
+     "m.xml:1: error: <machine> declares a namespace; these files use none\n"
+     "m.xml:1: error: element <base> is in a namespace; these files use none\n"
+     "m.xml:1: error: <machine> lacks <base>\n"},
+    /* its meaning */
+    {BASE("<body name='b' mesh=''/>"), "m.xml:2: error: mesh=\"\" of <body> is empty\n"},
+    {BASE("<body name='' mesh='b.stl'/>"), "m.xml:2: error: name=\"\" of <body> is empty\n"},
+    {BASE("<body name='a&#9;b' mesh='b.stl'/>"), "m.xml:2: error: name=\"a?b\" of <body> holds a control character\n"},
+    {BASE("<body name='a&#155;b' mesh='b.stl'/>"),
+     "m.xml:2: error: name=\"a??b\" of <body> holds a control character\n"},
+    {BASE("<body name='b' mesh='b.stl'/>\n<body name='b' mesh='c.stl'/>"),
+     "m.xml:3: error: the name 'b' is taken: another body has it (m.xml:2)\n"},
+    {BASE("<body name='holder' mesh='b.stl'/>\n<body name='Z' mesh='c.stl'/>"),
+     "m.xml:2: error: a body cannot be named 'holder': in a <pair> that word means something else\n"
+     "m.xml:3: error: a body cannot be named 'Z': in a <pair> that word means something else\n"},
+    {BASE("<body name='b' mesh='b.stl' location='0 2e7 0'/>"),
+     "m.xml:2: error: location=\"0 2e7 0\" of <body> is beyond 10 km: check the units\n"},
+    {BASE("<body name='b' mesh='b.stl' rotation='0 0 1e300'/>"),
+     "m.xml:2: error: rotation=\"0 0 1e300\" of <body> is beyond 10 million degrees\n"},
+    {BASE("<axis name='D' type='rotary' direction='1 0 0' location='0 0 0' rate_max='1'/>"),
+     "m.xml:2: error: name=\"D\" of <axis> must be X, Y, Z, A, B, C, U, V or W\n"},
+    {BASE(AXIS_X ">\n" AXIS_X "/></axis>"), "m.xml:3: error: the machine has a second axis X\n"},
+    {BASE("<axis name='A' type='linear' direction='1 0 0' location='0 0 0' rate_max='1'/>"),
+     "m.xml:2: error: axis A cannot be linear: A B C are rotary, X Y Z U V W are linear\n"},
+    {BASE("<axis name='U' type='rotary' direction='1 0 0' location='0 0 0' rate_max='1'/>"),
+     "m.xml:2: error: axis U cannot be rotary: A B C are rotary, X Y Z U V W are linear\n"},
+    {BASE("<axis name='B' type='rotary' direction='0 1 0' rate_max='1'/>"),
+     "m.xml:2: error: axis B is rotary and lacks the attribute 'location', a point on its axis\n"},
+    {BASE(AXIS_X " wrap='shortest'/>"), "m.xml:2: error: axis X is linear: only a rotary axis can have wrap\n"},
+    {BASE(AXIS_X " half_turn='positive'/>"),
+     "m.xml:2: error: axis X is linear: only a rotary axis can have half_turn\n"},
+    {BASE("<axis name='X' type='linear' direction='0 0 0' rate_max='1'/>"),
+     "m.xml:2: error: direction=\"0 0 0\" of <axis> is no direction: its length must be between 1e-6 and 1e6\n"},
+    {BASE("<axis name='X' type='linear' direction='1 0 0' rate_max='0'/>"),
+     "m.xml:2: error: rate_max=\"0\" of axis X is not between 1e-6 and 1e9 mm a minute\n"},
+    {BASE("<axis name='C' type='rotary' direction='1 0 0' location='0 0 0' rate_max='-3'/>"),
+     "m.xml:2: error: rate_max=\"-3\" of axis C is not between 1e-6 and 1e9 degrees a minute\n"},
+    {BASE(AXIS_X " limit_min='5' limit_max='5'/>"),
+     "m.xml:2: error: limit_min=\"5\" of axis X is not less than limit_max=\"5\"\n"},
+    {BASE(AXIS_X " limit_min='5' limit_max='9'/>"),
+     "m.xml:2: error: 0, the default home, lies outside the limits of axis X: give it a home\n"},
+    {BASE(AXIS_C " limit_max='90' home='90.000002'/>"),
+     "m.xml:2: error: home=\"90.000002\" of axis C lies outside its limits\n"},
+    {BASE(AXIS_X " home='1e8'/>"), "m.xml:2: error: home=\"1e8\" of <axis> is beyond 10 km: check the units\n"},
+    {BASE("<spindle location='0 0 0' direction='0 0 1'/>" AXIS_X
+	  ">\n<spindle location='0 0 0' direction='0 0 1'/></axis>"),
+     "m.xml:3: error: the machine has a second <spindle>\n"},
+    {BASE("<workholding/>" AXIS_X ">\n<workholding/></axis>"),
+     "m.xml:3: error: the machine has a second <workholding>\n"},
+    {MACHINE("<controller least_input='0.001'/><base/>"),
+     "m.xml:2: error: least_input of <controller>: LinuxCNC has no least input increment\n"},
+    {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
+     "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
+    {MACHINE("<controller><tool_change X='1'/></controller><base/>"),
+     "m.xml:2: error: <tool_change> has a position for X, but the machine has no axis X\n"},
+    {MACHINE("<controller><tool_change order='X'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: <tool_change> gives no position\n"},
+    {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
+     "m.xml:3: error: <tool_change> is given twice\n"},
+    {MACHINE("<controller length_offset_moves='no'/><base/>"),
+     "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis then\n"},
+    {MACHINE("<controller><reference number='5'/></controller><base/>"),
+     "m.xml:2: error: number=\"5\" of <reference> is not between 1 and 4\n"
+     "m.xml:2: error: <reference> gives no position\n"},
+    {MACHINE("<controller><tool_change X='1' order='Z'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change>: it gives no position for 'Z'\n"},
+    {MACHINE("<controller><tool_change X='1' order='XX'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change> names X twice\n"},
+    {MACHINE("<controller><tool_change X='1' order=''/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:2: error: order of <tool_change> leaves out X\n"},
+    {MACHINE("<controller><tool_change X='1'/>\n<tool_change X='2'/></controller><base>" AXIS_X "/></base>"),
+     "m.xml:3: error: <tool_change> is given twice\n"},
+    {MACHINE("<controller path_tolerance='0'/><base/>"),
+     "m.xml:2: error: path_tolerance of <controller> must be more than 0\n"},
+    {MACHINE(
+	 "<controller><mcode number='6' action='ignore'/><mcode number='1000' action='ignore'/></controller><base/>"),
+     "m.xml:2: error: M6 has a fixed meaning that cannot be changed\n"
+     "m.xml:2: error: number=\"1000\" of <mcode> is not between 0 and 999\n"},
+    {MACHINE(
+	 "<controller><mcode number='50' action='ignore'/>\n<mcode number='50' action='tcp-on'/></controller><base/>"),
+     "m.xml:3: error: M50 is given twice\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='c' check='never'/></pairs>"),
+     "m.xml:2: error: <pair> with check=\"never\" needs a reason=\"...\"\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='c' check='never' reason=''/></pairs>"),
+     "m.xml:2: error: <pair> with check=\"never\" needs a reason=\"...\"\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='c' check='never' reason='r' clearance='1'/></pairs>"),
+     "m.xml:2: error: <pair>: what is never checked has no clearance\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='c' clearance='-1'/></pairs>"),
+     "m.xml:2: error: clearance=\"-1\" of <pair> is negative\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='c'/></pairs>"),
+     "m.xml:2: error: <pair> says nothing: give it a check or a clearance\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='b' check='always'/></pairs>"), "m.xml:2: error: <pair> names 'b' twice\n"},
+    {MACHINE("<base/><pairs><pair a='b' b='W' check='always'/></pairs>"),
+     "m.xml:2: error: b=\"W\" of <pair>: the machine has no axis W\n"},
+    {MACHINE("<base/><pairs adjacent_within='-1'/>"),
+     "m.xml:2: error: adjacent_within=\"-1\" of <pairs> is negative\n"},
+    {MACHINE("<base/><setup version='7'/>"), "m.xml:2: error: version=\"7\" of <setup> must be 1\n"},
+    {MACHINE("<base/><setup><fixture name='f' mesh='f.stl'/></setup>"),
+     "m.xml:2: error: the machine has no <workholding> for a <fixture>\n"},
+};
+
+START_TEST(faults)
+{
+	const struct xml_case *c = &bad[_i];
+	struct messages messages;
+
+	messages_init(&messages);
+	write_text("m.xml", c->content);
+	ck_assert_ptr_null(machine_load("m.xml", &messages.diag));
+	ck_assert_str_eq(strbuf_text(&messages.text), c->messages);
+	strbuf_release(&messages.text);
+}
+END_TEST
+
+START_TEST(unknown_names_in_pairs)
+{
+	static const char content[] = BASE("<body name='saddle' mesh='s.stl'/>" AXIS_X "><workholding/></axis>")
+		"<!-- -->";
+	struct messages messages;
+	struct machine *machine;
+	struct setup *setup;
+	struct strbuf text = {0};
+
+	strbuf_add(&text, content, strlen(content) - strlen("\n</machine>\n<!-- -->"));
+	strbuf_addf(&text,
+		    "<pairs>\n<pair a='sadle' b='X' check='always'/>\n<pair a='vise' b='saddle' clearance='1'/>\n"
+		    "<pair a='X' b='qqqqqq' clearance='1'/></pairs></machine>");
+	write_text("m.xml", strbuf_text(&text));
+	machine = load_good("m.xml");
+	messages_init(&messages);
+	ck_assert(machine_check_rules(machine, NULL, &messages.diag));
+	ck_assert_str_eq(
+	    strbuf_text(&messages.text),
+	    "m.xml:3: warning: <pair>: the machine has no body 'sadle', and there is no setup that could\n"
+	    "m.xml:4: warning: <pair>: the machine has no body 'vise', and there is no setup that could\n"
+	    "m.xml:5: warning: <pair>: the machine has no body 'qqqqqq', and there is no setup that could\n");
+	strbuf_clear(&messages.text);
+	write_text("s.xml", "<setup version='1'><fixture name='vise' mesh='v.stl'/></setup>");
+	setup = setup_load("s.xml", machine, &messages.diag);
+	ck_assert_ptr_nonnull(setup);
+	ck_assert(!machine_check_rules(machine, setup, &messages.diag));
+	ck_assert_str_eq(
+	    strbuf_text(&messages.text),
+	    "m.xml:3: error: <pair>: neither the machine nor the setup has a body 'sadle'; did you mean 'saddle'?\n"
+	    "m.xml:5: error: <pair>: neither the machine nor the setup has a body 'qqqqqq'\n");
+	setup_free(setup);
+	machine_free(machine);
+	strbuf_release(&messages.text);
+	strbuf_release(&text);
+}
+END_TEST
+
+int main(void)
+{
+	TCase *tcase = tcase_create("machine_bad");
+
+	tcase_add_loop_test(tcase, faults, 0, (int)(sizeof(bad) / sizeof(bad[0])));
+	tcase_add_test(tcase, unknown_names_in_pairs);
+	return run_in_folders(suite_create("machine_bad"), tcase);
+}

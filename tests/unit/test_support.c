@@ -1,0 +1,97 @@
+#include "geom/support.h"
+
+#include <stdlib.h>
+
+#include "geom/simd_kernels.h"
+#include "geom/tolerance.h"
+#include "solids.h"
+
+/* Triangles anywhere, of every size; counts about the sizes at which the vector loop begins and ends. */
+static struct mesh random_triangles(struct random *random)
+{
+	struct mesh mesh = {0};
+	double size = random_size(random, 1e-3, 1e5), edge = size * random_size(random, 1e-6, 1);
+	vec3 middle = random_point(random, size);
+	int count = 1 + random_below(random, 40);
+
+	for (int i = 0; i < count; i++) {
+		vec3 at = vec3_add(middle, random_point(random, edge));
+
+		solid_add(&mesh, at, vec3_add(at, random_point(random, edge)), vec3_add(at, random_point(random, edge)));
+	}
+	return mesh;
+}
+
+/* The definition. */
+static long double true_support(const struct mesh *mesh, vec3 n, double *farthest)
+{
+	long double greatest = -INFINITY;
+
+	*farthest = 0;
+	for (size_t i = 0; i < mesh->count; i++) {
+		for (int k = 0; k < 3; k++) {
+			vec3 p = mesh_corner(&mesh->triangles[i], k);
+			long double along = (long double)n.x * p.x + (long double)n.y * p.y + (long double)n.z * p.z;
+
+			greatest = fmaxl(greatest, along);
+			*farthest = fmax(*farthest, vec3_norm(p));
+		}
+	}
+	return greatest;
+}
+
+START_TEST(it_is_within_its_rounding)
+{
+	double worst = 0;
+
+	for (long n = 0; n < random_cases(100000); n++) {
+		struct random random = random_case(1, n);
+		struct mesh mesh = random_triangles(&random);
+		vec3 direction = random_unit(&random);
+		double farthest, got = support(mesh.triangles, mesh.count, direction);
+		double off = fabs((double)(true_support(&mesh, direction, &farthest) - got));
+
+		require(off <= SUPPORT_ROUNDING * farthest, "case %ld: off by %g of %g", n, off, farthest);
+		worst = fmax(worst, off / (SUPPORT_ROUNDING * farthest));
+		mesh_release(&mesh);
+	}
+	require(worst > 0.1, "the bound is slack: %g of it", worst);
+}
+END_TEST
+
+START_TEST(every_level_gives_the_same_bits)
+{
+	for (long n = 0; n < random_cases(20000); n++) {
+		struct random random = random_case(2, n);
+		struct mesh mesh = random_triangles(&random);
+		vec3 unit = random_unit(&random);
+		const float direction[3] = {(float)unit.x, (float)unit.y, (float)unit.z};
+		float want = support_scalar(mesh.triangles, mesh.count, direction);
+
+		for (int level = LANES_SCALAR + 1; level <= simd_level(); level++) {
+			float got = support_at_level(level)(mesh.triangles, mesh.count, direction);
+
+			require(!(got < want) && !(got > want), "case %ld: level %d says %a, the scalar one %a", n, level,
+				(double)got, (double)want);
+		}
+		mesh_release(&mesh);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("support");
+	TCase *tcase = tcase_create("greatest projection");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_set_timeout(tcase, 0);
+	tcase_add_test(tcase, it_is_within_its_rounding);
+	tcase_add_test(tcase, every_level_gives_the_same_bits);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
