@@ -166,6 +166,37 @@ $(BUILD)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(BUILD)/libfivecheck.a M
 		-DFUZZ_SETUP='"examples/ac-trunnion/setup.xml"' $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $< \
 		$(BUILD)/libfivecheck.a $(LDLIBS)
 
+# Random machines and programs against FCL; a case in which they disagree is kept in $(BUILD)/campaign.
+campaign:
+	@sh scripts/install-deps campaign
+	@$(MAKE) --no-print-directory all
+	@CXX="$(CXX)" sh scripts/campaign run_campaign $(BUILD) $(BUILD)/fivecheck $(BUILD)/campaign $(CAMPAIGN_OPTIONS)
+
+# FCL's own flags ask for an older C++.
+CAMPAIGN := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/campaign/*.cpp)))
+PEER_FLAGS = $$(pkg-config --cflags fcl jansson) -std=c++17 -O2 -Wall -Wextra -Wshadow -MMD -MP
+PEER_LIBS = $$(pkg-config --libs fcl jansson)
+
+$(BUILD)/tests/%.o: tests/%.cpp Makefile
+	@mkdir -p $(@D)
+	@echo '  CXX $@'
+	$(Q)$(CXX) $(PEER_FLAGS) -c -o $@ $<
+
+$(BUILD)/tests/run_campaign: $(CAMPAIGN)
+	@echo '  LD $@'
+	$(Q)$(CXX) -o $@ $^ $(PEER_LIBS)
+
+# Awkward triangles and encounters, the truth, FCL's answers, and fivecheck's: the tables of doc/stress.md.
+stress-table:
+	@sh scripts/install-deps campaign >&2
+	@CXX="$(CXX)" sh scripts/campaign stress_table $(BUILD)
+
+$(BUILD)/tests/stress_table: tests/stress/stress_table.c $(BUILD)/tests/stress/fcl_answer.o $(BUILD)/libfivecheck.a
+	@echo '  CC $@'
+	$(Q)$(CC) $(CPPFLAGS) -Itests/unit $(CFLAGS) -MMD -MP -MF $@.d -c -o $@.o $<
+	$(Q)$(CXX) $(LDFLAGS) -o $@ $@.o $(BUILD)/tests/stress/fcl_answer.o $(BUILD)/libfivecheck.a \
+		$$(pkg-config --libs fcl check) $(LDLIBS)
+
 # Run time against error, and against the peers: half an hour, on a quiet computer. The figures go to $(BUILD)/bench.
 bench:
 	@sh scripts/install-deps bench
@@ -229,6 +260,8 @@ help:
 	@echo 'make bench           run time against error and against peers, into $(BUILD)/bench; half an hour'
 	@echo '                     (BENCH_OPTIONS="--only targets --runs 3", BENCH_REAL=folder)'
 	@echo 'make bench-quick     its correctness alone, in less than two minutes'
+	@echo 'make campaign        random machines and programs against FCL (CAMPAIGN_OPTIONS="--seed 7 --cases 2000")'
+	@echo 'make stress-table    awkward geometry, what FCL answers, and what fivecheck does: tests/stress/README.md'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away; make check-install tries'
 	@echo 'make dist            the last commit as $(BUILD)/$(DIST).tar.gz'
 	@echo 'make check-reproducible   two builds in different folders have the same bytes'
@@ -237,8 +270,8 @@ help:
 	@echo 'make clean           removes $(BUILD)'
 	@echo 'make help            this'
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
-	@echo 'bench, demo and check install missing Debian packages, as root or with passwordless sudo only.'
+	@echo 'bench, campaign, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers fuzz check check-asan check-deb check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers campaign fuzz check check-asan check-deb check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress stress-table uninstall clean help
 
--include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
+-include $(OBJECTS:.o=.d) $(CAMPAIGN:.o=.d) $(BUILD)/tests/stress/fcl_answer.d $(BUILD)/tests/stress_table.d $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)

@@ -178,6 +178,19 @@ static bool next_line(struct interp *interp, bool *good)
 	return false;
 }
 
+/* All of the file was read, and nothing in it ended the program: perhaps it was still being written. */
+static void warn_of_missing_end(struct interp *interp, const struct line_reader *reader)
+{
+	struct srcloc loc = {interp->sources.items[0]->name, reader->line, 0};
+
+	if (interp->percent)
+		diag_warning(interp->diag, loc, "the program ends without M2, M30 or %%; is the file complete?");
+	else if (reader->open_end)
+		diag_warning(interp->diag, loc,
+			     "the file stops in the middle of this line, and no M2 or M30 came before: if it is not "
+			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
+}
+
 bool interp_run(struct interp *interp, FILE *in, const char *name)
 {
 	struct line_reader *reader;
@@ -200,9 +213,8 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 		interp->at.text = "";
 		good = comp_stop(interp);
 	}
-	if (good && !interp->ended && interp->percent)
-		diag_warning(interp->diag, (struct srcloc){name, reader->line, 0},
-			     "the program ends without M2, M30 or %%; is the file complete?");
+	if (good && !interp->ended)
+		warn_of_missing_end(interp, reader);
 	sources_close(&interp->sources);
 	return good;
 }

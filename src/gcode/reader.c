@@ -126,7 +126,8 @@ enum reader_status reader_next(struct line_reader *reader, const char **text)
 	if (at - reader->begin > LINE_LENGTH_MAX)
 		return READER_TOO_LONG;
 	next = at;
-	if (at < reader->end)
+	reader->open_end = at == reader->end;
+	if (!reader->open_end)
 		status = take_break(reader, at, &next);
 	/* The byte comes back with the next line: the program may jump back to this one. */
 	reader->cut = at;

@@ -32,6 +32,7 @@ struct line_reader {
 	size_t cut;	/* where the NUL of the line handed out last stands, and the byte that it replaced */
 	char cut_byte;
 	bool at_end;
+	bool open_end;	/* the line handed out last has no end: the file stops in it */
 	enum line_end style;	/* of the first line; the rest must agree */
 	long long base;	/* where the stream stood at first; -1: it cannot be repositioned */
 	long long origin;	/* of the buffer's first byte, in bytes from base */

@@ -10,16 +10,13 @@
  * FCL: https://github.com/flexible-collision-library/fcl, 0.7, fcl/narrowphase/collision.h.
  */
 #include <ctime>
-#include <memory>
-#include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBB.h>
 #include <fcl/narrowphase/collision.h>
 
-#include "plain_scene.h"
+#include "fcl_model.h"
 
-using Model = fcl::BVHModel<fcl::OBB<double>>;
+using Volume = fcl::OBB<double>;
 
 static double seconds()
 {
@@ -29,37 +26,9 @@ static double seconds()
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static std::unique_ptr<Model> model_of(const solid &solid)
-{
-	std::vector<fcl::Vector3<double>> points;
-	std::vector<fcl::Triangle> triangles;
-	std::unique_ptr<Model> model(new Model);
-
-	for (size_t i = 0; i < solid.count; i++) {
-		for (const vec &p : solid.triangles[i].p)
-			points.emplace_back(p.x, p.y, p.z);
-		triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
-	}
-	model->beginModel((int)triangles.size(), (int)points.size());
-	model->addSubModel(points, triangles);
-	model->endModel();
-	return model;
-}
-
-static fcl::Transform3<double> transform_of(const pose &p)
-{
-	fcl::Transform3<double> t = fcl::Transform3<double>::Identity();
-
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			t.matrix()(i, j) = p.r[i][j];
-	t.translation() = fcl::Vector3<double>(p.t.x, p.t.y, p.t.z);
-	return t;
-}
-
 struct Peer {
 	const scene *world;
-	std::vector<std::unique_ptr<Model>> models;
+	std::vector<std::unique_ptr<fcl::BVHModel<Volume>>> models;
 	fcl::CollisionRequest<double> request{1, false};
 
 	/* The first pair that meets, or NULL. */
@@ -138,7 +107,7 @@ int main(int argc, char **argv)
 	track = read_track(peer.world, argv[2]);
 	start = seconds();
 	for (int i = 0; i < peer.world->solid_count; i++)
-		peer.models.push_back(model_of(peer.world->solids[i]));
+		peer.models.push_back(model_of<Volume>(peer.world->solids[i]));
 	build = seconds() - start;
 	outcome = run(peer, track, atof(argv[3]), atof(argv[4]));
 	printf("%.0f\t%.0f\t%.9g\t%.9g\t%s\t%s\t%ld\t%.12g\n", outcome.total, outcome.looked, outcome.seconds, build,

@@ -237,11 +237,11 @@ static inline void stress_complain(void *context, const struct diag_entry *entry
 		fprintf(stderr, "%s\n", entry->text);
 }
 
-/* By reading files as a user would write them, and checking the program in them. */
-static inline void stress_program(const struct stress_case *c, const char *name, const char *how)
+/* Checks m.xml, with the setup in it, and p.nc as a user would. */
+static inline struct stress_found stress_run(double tolerance, const char *name, const char *how)
 {
 	struct diag diag = {.handle = stress_complain};
-	struct check_options options = {.tolerance = c->tolerance, .threads = 1};
+	struct check_options options = {.tolerance = tolerance, .threads = 1};
 	struct stress_found found = {0};
 	const struct check_sink sink = {.context = &found, .finding = stress_keep};
 	struct check_stats stats;
@@ -250,20 +250,29 @@ static inline void stress_program(const struct stress_case *c, const char *name,
 	struct scene *scene;
 	FILE *in;
 
-	stress_write(c);
 	machine = machine_load("m.xml", &diag);
 	require(machine, "%s, %s: the machine is refused", name, how);
-	scene = scene_new(machine, NULL, 0, &diag);
+	scene = scene_new(machine, machine->setup, 0, &diag);
 	require(scene && scene_build(scene, &diag), "%s, %s: the scene is refused", name, how);
 	in = fopen("p.nc", "r");
 	require(in, "p.nc");
 	result = check_run(scene, &options, in, "p.nc", &sink, &diag, &stats, NULL);
 	require(result != CHECK_INCOMPLETE, "%s, %s: incomplete", name, how);
 	require((result == CHECK_FOUND) == (found.count > 0), "%s, %s: %ld findings", name, how, found.count);
-	stress_judge(c, name, how, found.count > 0, found.s, found.distance);
 	fclose(in);
 	scene_free(scene);
 	machine_free(machine);
+	return found;
+}
+
+/* By reading files as a user would write them, and checking the program in them. */
+static inline void stress_program(const struct stress_case *c, const char *name, const char *how)
+{
+	struct stress_found found;
+
+	stress_write(c);
+	found = stress_run(c->tolerance, name, how);
+	stress_judge(c, name, how, found.count > 0, found.s, found.distance);
 }
 
 #endif

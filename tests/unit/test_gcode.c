@@ -400,7 +400,23 @@ START_TEST(program_without_end)
 			 "p.nc:2: warning: the program ends without M2, M30 or %; is the file complete?\n");
 	case_release(&c);
 	expect_moves("G0 X1\n", "rapid 1 0 0 0 0\n");
+	expect_moves("G0 X1\nM2", "rapid 1 0 0 0 0\n");
 	expect_moves("", "");
+}
+END_TEST
+
+/* X12 may have been X120. */
+START_TEST(program_cut_off)
+{
+	struct gcode_case c;
+
+	case_init(&c);
+	ck_assert(case_run(&c, "G0 X1\nG0 X12"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\nrapid 12 0 0 0 0\n");
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:2: warning: the file stops in the middle of this line, and no M2 or M30 came before: if it is not "
+			 "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed\n");
+	case_release(&c);
 }
 END_TEST
 
@@ -435,6 +451,7 @@ int main(void)
 	    last_duplicate_wins,
 	    fanuc_programs,
 	    program_without_end,
+	    program_cut_off,
 	};
 
 	return RUN_TESTS("gcode", tests);

@@ -91,7 +91,7 @@ START_TEST(line_ends)
 	expect_moves("G0 X1\nY2\nM2\n", moves);
 	expect_moves("G0 X1\r\nY2\r\nM2", moves);
 	expect_moves("G0 X1\rY2\rM2\r", moves);
-	expect_moves("\xef\xbb\xbfG0 X1\nY2", moves);
+	expect_moves("\xef\xbb\xbfG0 X1\nY2\n", moves);
 	expect_moves("\xef\xbb\xbf%\nG0 X1\nY2\n%", moves);
 }
 END_TEST
