@@ -186,7 +186,7 @@ $(BUILD)/tests/run_campaign: $(CAMPAIGN)
 	@echo '  LD $@'
 	$(Q)$(CXX) -o $@ $^ $(PEER_LIBS)
 
-# Awkward triangles and encounters, the truth, FCL's answers, and fivecheck's: the tables of doc/stress.md.
+# Awkward triangles and encounters, the truth, FCL's answers, and fivecheck's: the tables of tests/stress/README.md.
 stress-table:
 	@sh scripts/install-deps campaign >&2
 	@CXX="$(CXX)" sh scripts/campaign stress_table $(BUILD)
