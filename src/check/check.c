@@ -80,11 +80,6 @@ static bool is_ours(const struct checker *c, long block)
 	return options->shards < 2 || (block / SHARE_BLOCKS) % options->shards == options->shard - 1;
 }
 
-static const char *link_of(const struct checker *c, int body)
-{
-	return machine_link_name(c->scene->machine, c->scene->bodies[body].body->link);
-}
-
 /* What is reported beside a required clearance is the distance itself. */
 static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found)
 {
@@ -96,26 +91,12 @@ static struct contact measured(struct checker *c, const struct scene_pair *pair,
 	return contact;
 }
 
-/* A finding between the bodies of a pair; the contact's point goes from a's mesh to machine coordinates. */
 static struct finding pair_finding(struct checker *c, const struct scene_pair *pair, enum finding_kind kind,
 				   const struct contact *found)
 {
 	const struct contact contact = measured(c, pair, found);
-	const struct body *a = c->scene->bodies[pair->a].body, *b = c->scene->bodies[pair->b].body;
-	xform pose = machine_pose(c->scene->machine, a->link, &contact.q);
 
-	return (struct finding){
-		.kind = kind,
-		.axes = contact.q,
-		.tool = c->tool,
-		.a = a->name,
-		.b = b->name,
-		.link_a = link_of(c, pair->a),
-		.link_b = link_of(c, pair->b),
-		.point = xform_apply(&pose, xform_apply(&a->placement, contact.point)),
-		.clearance = contact.distance,
-		.required = pair->clearance,
-	};
+	return finding_of_pair(c->scene, pair, kind, &contact, c->tool);
 }
 
 static void add_passage(struct checker *c, const struct runner_result *result)

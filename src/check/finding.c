@@ -1,5 +1,30 @@
 #include "check/finding.h"
 
+static const char *link_of(const struct scene *scene, int body)
+{
+	return machine_link_name(scene->machine, scene->bodies[body].body->link);
+}
+
+struct finding finding_of_pair(const struct scene *scene, const struct scene_pair *pair, enum finding_kind kind,
+			       const struct contact *contact, int tool)
+{
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	xform pose = machine_pose(scene->machine, a->link, &contact->q);
+
+	return (struct finding){
+		.kind = kind,
+		.axes = contact->q,
+		.tool = tool,
+		.a = a->name,
+		.b = b->name,
+		.link_a = link_of(scene, pair->a),
+		.link_b = link_of(scene, pair->b),
+		.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
+		.clearance = contact->distance,
+		.required = pair->clearance,
+	};
+}
+
 const char *finding_kind_name(enum finding_kind kind)
 {
 	static const char *const names[] = {"collision", "clearance", "limit", "start-overlap"};

@@ -6,6 +6,8 @@
 
 #include "base/axes.h"
 #include "geom/vec3.h"
+#include "scene/leaf.h"
+#include "scene/scene.h"
 
 enum finding_kind { FINDING_COLLISION, FINDING_CLEARANCE, FINDING_LIMIT, FINDING_START_OVERLAP };
 
@@ -31,6 +33,10 @@ struct finding {
 	int slot;
 	double bound;	/* mm or radians */
 };
+
+/* Between the bodies of a pair; the contact's point is in a's mesh. Block, move and time are the caller's. */
+struct finding finding_of_pair(const struct scene *scene, const struct scene_pair *pair, enum finding_kind kind,
+			       const struct contact *contact, int tool);
 
 /* "collision", "clearance", "limit", "start-overlap" */
 const char *finding_kind_name(enum finding_kind kind);

@@ -1,5 +1,6 @@
 #include "cli/plan_xml.h"
 
+#include "base/xml_text.h"
 #include "machine/machine.h"
 
 /* What is typical of a machining centre; only times depend on it, unless rapids are doglegs, and then it was told. */
@@ -12,33 +13,10 @@ static void indent(struct strbuf *out, int depth)
 	strbuf_addf(out, "%*s", 2 * depth, "");
 }
 
-/* In an attribute. */
-static void add_escaped(struct strbuf *out, const char *text)
-{
-	for (; *text; text++) {
-		switch (*text) {
-		case '&':
-			strbuf_addf(out, "&amp;");
-			break;
-		case '<':
-			strbuf_addf(out, "&lt;");
-			break;
-		case '"':
-			strbuf_addf(out, "&quot;");
-			break;
-		default:
-			strbuf_add(out, text, 1);
-		}
-	}
-}
-
 static void add_text(struct strbuf *out, const char *attribute, const char *text)
 {
-	if (!text)
-		return;
-	strbuf_addf(out, " %s=\"", attribute);
-	add_escaped(out, text);
-	strbuf_addf(out, "\"");
+	if (text)
+		xml_text_attribute(out, attribute, text);
 }
 
 static void add_number(struct strbuf *out, const char *attribute, double value)

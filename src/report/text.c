@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/xml_text.h"
 #include "report/quantity.h"
 #include "report/turns.h"
 
@@ -31,28 +32,6 @@ void text_message(struct strbuf *out, const struct finding *f)
 			    quantity_value(f->slot, f->bound), quantity_unit(f->slot));
 		break;
 	}
-}
-
-/* Attribute values may hold anything but these; bodies' names come from XML. */
-static void add_attribute(struct strbuf *out, const char *name, const char *value)
-{
-	strbuf_addf(out, " %s=\"", name);
-	for (; *value; value++) {
-		switch (*value) {
-		case '&':
-			strbuf_addf(out, "&amp;");
-			break;
-		case '<':
-			strbuf_addf(out, "&lt;");
-			break;
-		case '"':
-			strbuf_addf(out, "&quot;");
-			break;
-		default:
-			strbuf_add(out, value, 1);
-		}
-	}
-	strbuf_addf(out, "\"");
 }
 
 static void add_place(struct strbuf *out, const struct finding *f)
@@ -119,8 +98,8 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 		strbuf_addf(out, "\n");
 	} else if (f->kind == FINDING_START_OVERLAP) {
 		strbuf_addf(out, "    to waive <pair");
-		add_attribute(out, "a", f->a);
-		add_attribute(out, "b", f->b);
+		xml_text_attribute(out, "a", f->a);
+		xml_text_attribute(out, "b", f->b);
 		strbuf_addf(out, " check=\"never\" reason=\"\"/>\n");
 	}
 }

@@ -1,0 +1,10 @@
+/* xml_text.h - text that goes into XML by hand. */
+#ifndef FIVECHECK_BASE_XML_TEXT_H
+#define FIVECHECK_BASE_XML_TEXT_H
+
+#include "base/strbuf.h"
+
+/* Appends ` name="value"` with what may not stand in it escaped. */
+void xml_text_attribute(struct strbuf *out, const char *name, const char *value);
+
+#endif
