@@ -156,6 +156,32 @@ static bool is_call(const struct block *block, enum gcode_dialect dialect)
 	return dialect != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
 }
 
+/* M50 to M53 take an on or off, M48 and M49 do not. */
+static uint32_t override_letters(int code)
+{
+	return code >= 50 ? letter_bit('P') : 0;
+}
+
+/* M62 to M65 switch the output P, M67 and M68 set E to Q. */
+static uint32_t output_letters(int code)
+{
+	return code == CODE_NONE ? 0 : code < 66 ? letter_bit('P') : letter_bit('E') | letter_bit('Q');
+}
+
+static bool check_output(const struct block *block, const struct line_place *at)
+{
+	int code = block->m[M_OUTPUT], column = block->m_column[M_OUTPUT];
+	char letter = code < 66 ? 'P' : 'E';
+
+	if (code == CODE_NONE)
+		return true;
+	if (!block_has(block, letter))
+		return fault(at, column, "M%d needs %c, the number of the output", code, letter);
+	if (letter == 'E' && block_value(block, 'E') < 0)
+		return fault(at, block_column(block, 'E'), "the number of an output cannot be negative");
+	return true;
+}
+
 /* The letters that some code of the block uses. */
 static uint32_t used_letters(const struct block *block, enum gcode_dialect dialect)
 {
@@ -194,9 +220,11 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_CONTOUR] != CODE_NONE)
 		used |= contour_letters(block->g[G_CONTOUR]);
+	if (block->g[G_SPINDLE] == G96)
+		used |= letter_bit('D');
 	if (block->m_ignored)
 		used |= letter_bit('P') | letter_bit('Q');
-	return used;
+	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
 }
 
 /* P and L of M97 to M99 can be nobody else's. */
@@ -251,8 +279,10 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
 		return false;
-	if (!check_order(block, at, config))
+	if (!check_order(block, at, config) || !check_output(block, at))
 		return false;
+	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
+		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
 	if (is_call(block, config->dialect) && !check_call(block, at, config->dialect))
 		return false;
 	unused = block->letters & ~used_letters(block, config->dialect);

@@ -73,6 +73,7 @@ enum {
 	G93 = 930,
 	G94 = 940,
 	G95 = 950,
+	G96 = 960,
 	G98 = 980,
 	G99 = 990,
 	G103 = 1030,
@@ -109,7 +110,7 @@ enum g_group {
 	G_GROUPS
 };
 
-enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_TCP, M_GROUPS };
+enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_TCP, M_GROUPS };
 
 #define GROUP_UNSUPPORTED (-1)
 /* A macro call: its words are no block's (macro.h). */
