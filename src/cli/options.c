@@ -46,10 +46,11 @@ static bool is_final(enum run_mode mode)
 	return mode == RUN_HELP || mode == RUN_VERSION;
 }
 
-/* Of two setups, lists or kinds to fail on the first would be forgotten, and the check be less than was asked for. */
+/* Of two setups, lists, shards or kinds to fail on the first would be forgotten: a check of less than was asked for. */
 static bool refuse_second(const struct parser *parser, const struct option_row *row)
 {
-	if (!parser->seen[row - option_table] || (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS))
+	if (!parser->seen[row - option_table] ||
+	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARE))
 		return false;
 	diag_error(parser->diag, nowhere, "--%s was given twice, but only one would count", row->name);
 	return true;
