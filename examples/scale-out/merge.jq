@@ -39,6 +39,9 @@ def dealt:
   map(.lines | by_program) as $hands
   | [range(0; $hands | map(length) | max // 0) as $i | $hands[] | .[$i] // empty] | add // [];
 
+# Each once, in the order in which they come; unique would sort them.
+def distinct: reduce .[] as $item ([]; if any(.[]; . == $item) then . else . + [$item] end);
+
 # Each shard checked its own blocks of one program.
 def sum_up($method; $all):
   map(.verdict) as $verdicts
@@ -50,8 +53,8 @@ def sum_up($method; $all):
     + {verdict: (["incomplete", "found", "accepted"] - (["incomplete", "found", "accepted"] - $verdicts)
                  | .[0] // (if $method == "certified" then "clear" else "passed" end)),
        $blocks, $checked,
-       cautions: (map(.cautions[] | select(startswith("shard ") | not)) | unique),
-       errors: (map(.errors[]) | unique)};
+       cautions: (map(.cautions[] | select(startswith("shard ") | not)) | distinct),
+       errors: (map(.errors[]) | distinct)};
 # Without --all a run ends at the first finding that fails; each shard has gone on to its own.
 def up_to_first: (map(has("accepted") | not) | index(true)) as $i | if $i == null then . else .[:$i + 1] end;
 

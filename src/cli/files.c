@@ -2,6 +2,7 @@
 
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/confine.h"
 #include "base/strbuf.h"
@@ -76,6 +77,22 @@ static bool is_free(const struct written *written, const char *other, struct dia
 	return false;
 }
 
+/* Results on standard output, which the shell may have sent to the file that is to be written, would be lost. */
+static bool spares_results(const struct options *options, const struct written *written, struct diag *diag)
+{
+	struct stat results, status;
+	bool has_results = false;
+
+	for (int i = 0; i < FORMAT_COUNT && !options->output; i++)
+		has_results = has_results || (options->formats[i].wanted && !options->formats[i].path);
+	if (!has_results || fstat(STDOUT_FILENO, &results) || !S_ISREG(results.st_mode) ||
+	    stat(written->path, &status) || status.st_dev != results.st_dev || status.st_ino != results.st_ino)
+		return true;
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, where the results on standard output go",
+		   written->option, written->path);
+	return false;
+}
+
 bool files_differ(const struct options *options, struct diag *diag)
 {
 	struct written list[WRITTEN_MAX];
@@ -84,7 +101,7 @@ bool files_differ(const struct options *options, struct diag *diag)
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
 		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag) ||
-		    !is_free(&list[i], options->files_from, diag))
+		    !is_free(&list[i], options->files_from, diag) || !spares_results(options, &list[i], diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {
 			if (!is_free(&list[i], options->programs[k], diag))

@@ -46,10 +46,22 @@ static bool is_final(enum run_mode mode)
 	return mode == RUN_HELP || mode == RUN_VERSION;
 }
 
+/* Of two setups, lists, shards or kinds to fail on the first would be forgotten: a check of less than was asked for. */
+static bool refuse_second(const struct parser *parser, const struct option_row *row)
+{
+	if (!parser->seen[row - option_table] ||
+	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARE))
+		return false;
+	diag_error(parser->diag, nowhere, "--%s was given twice, but only one would count", row->name);
+	return true;
+}
+
 static enum word_result add_option(void *context, const struct option_row *row, const char *argument)
 {
 	struct parser *parser = context;
 
+	if (refuse_second(parser, row))
+		return WORD_FAULT;
 	parser->seen[row - option_table] = true;
 	if (row->kind == VALUE_MODE && is_final(row->mode)) {
 		parser->options->mode = row->mode;

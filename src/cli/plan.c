@@ -163,7 +163,7 @@ static bool set(struct plan *plan, int key, const char *text)
 	case PLAN_SPINDLE_DIRECTION:
 		return plan_read_vector(&plan->spindle_direction, text) && vec3_norm(plan->spindle_direction) >= 1e-6;
 	case PLAN_WORKHOLDING:
-		return plan_read_vector(&plan->workholding, text);
+		return plan->has_workholding = plan_read_vector(&plan->workholding, text);
 	case PLAN_TITLE:
 		return set_title(plan, text);
 	case PLAN_BODY:

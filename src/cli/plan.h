@@ -54,7 +54,7 @@ struct plan {
 	struct plan_chain head, table;	/* linear axes as told; all axes once plan_finish is done */
 	bool has_table, has_head;
 	struct plan_axis axes[SLOT_COUNT];
-	bool has_spindle;
+	bool has_spindle, has_workholding;
 	vec3 spindle, spindle_direction, workholding;
 	struct plan_body *bodies;	/* owned */
 	size_t body_count, body_capacity;

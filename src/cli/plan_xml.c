@@ -110,7 +110,9 @@ static void add_end(struct strbuf *out, const struct plan *plan, const struct pl
 		add_vector(out, "direction", plan->spindle_direction);
 	} else {
 		indent(out, depth);
-		strbuf_addf(out, "<!-- The origin in which fixtures and parts of a setup are drawn. -->\n");
+		strbuf_addf(out, "<!-- %sThe origin in which fixtures and parts of a setup are drawn%s. -->\n",
+			    plan->has_workholding ? "" : "TODO ",
+			    plan->has_workholding ? "" : ": often the table's middle");
 		indent(out, depth);
 		strbuf_addf(out, "<workholding");
 		add_vector(out, "location", plan->workholding);

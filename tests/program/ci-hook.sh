@@ -22,4 +22,12 @@ git add a.nc
 echo 'notes' >notes.txt
 git add notes.txt
 status git commit -q -m notes
+# Nor may what stands in a folder slip through.
+mkdir 'side one'
+printf 'G1 Z-120 F6000\n' >'side one/c.nc'
+git add 'side one'
+status git commit -q -m folder
+git rm -q --cached 'side one/c.nc'
+git rm -q --cached a.nc
+status git commit -q -m 'no programs'
 git log --format=%s

@@ -19,6 +19,8 @@ github = yaml.safe_load(open(sys.argv[1] + '/github-workflow.yml'))
 gitlab = yaml.safe_load(open(sys.argv[1] + '/gitlab-ci.yml'))
 assert any('fivecheck -j' in step.get('run', '') for step in github['jobs']['check']['steps'])
 assert gitlab['fivecheck']['artifacts']['reports']['junit'] == 'fivecheck.xml'
+# A subprogram or a mesh that changes is a reason to check, too.
+assert {'*.nc', '*.ngc', '*.xml', '**/*.stl'} <= set(gitlab['fivecheck']['rules'][0]['changes'])
 PY
 else
 	echo "ci-jobs: the syntax is not looked at: there is no python3-yaml" >&2

@@ -29,3 +29,9 @@ same b-head-c-table head-table --rotary B,C --table Y --head X,Z --limits X=-500
 	--limits C=none --location B=0,0,720 --location C=0,0,0 --spindle 0,0,500 --rates B=10800,C=36000 \
 	--title 'B=Swivel head' --title 'C=Turning table' --name 'B head C table 560' --body X=stl/column.stl \
 	--body Z=stl/slide.stl --body Y=stl/saddle.stl --body B=stl/head.stl
+# An origin of fixtures and parts that nobody told is a guess, which is said where it stands.
+for workholding in --workholding=0,0,80 ''; do
+	# shellcheck disable=SC2086 # no word if there is none
+	"$FIVECHECK" init head-head --rotary C,B --limits X=none,Y=none,Z=none,C=none,B=none --location C=0,0,1050 \
+		--location B=0,0,1050 --spindle 0,0,800 $workholding 2>/dev/null | grep -B 1 '<workholding'
+done

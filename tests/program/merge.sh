@@ -52,6 +52,9 @@ grep -v -e '"program"' -e '"summary"' whole.json >rest.json
 same lines rest.json
 shards 2 m.xml p1.nc
 status "$merge" s*.json | sed -n 's/.*\("verdict":"[a-z]*"\).*/\1/p;$p'
+# What is said beside a verdict keeps its order, and is said once.
+sed -i -e 's/"cautions":\[/&"there was no setup",/' -e 's/"errors":\[/&"in line 9","in line 10"/' s1.json s2.json
+"$merge" s1.json s2.json | grep -o '"cautions":.*'
 fivecheck -q -f ndjson=s1.json m.xml p1.nc 2>/dev/null
 status "$merge" s1.json >merged.json
 sed '$d' merged.json >lines && same lines s1.json

@@ -27,3 +27,11 @@ cmp head.stl before.stl
 for file in *.new*; do
 	[ ! -e "$file" ] || echo "left: $file"
 done
+# Nor over the results that the shell has sent to the same file.
+"$FIVECHECK" -q --record report m.xml a.nc >report 2>messages
+echo "status $?"
+cat messages report
+# Where no results go there it is as good as any other.
+"$FIVECHECK" -q -f ndjson=/dev/stdout m.xml a.nc >report
+echo "status $?"
+grep -c '"kind"' report

@@ -83,6 +83,10 @@ bad m.xml a.nc --shard 1/2x
 bad m.xml a.nc -q --progress=plain
 bad m.xml a.nc --fail-on collision,
 bad m.xml a.nc --fail-on crash
+bad m.xml a.nc --fail-on collision --fail-on limit
+bad m.xml a.nc -s vise.xml --setup=tools.xml
+bad m.xml --files-from twice --files-from zero
+bad m.xml a.nc --shard 1/2 --shard 2/2
 bad m.xml --list-pairs --exit-zero
 bad m.xml a.nc --record -
 bad m.xml - --record r.json
