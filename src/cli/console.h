@@ -32,7 +32,8 @@ void console_finish(struct console *console);
 
 /*
  * Shows how far a program is, at which line and at which share of its file (0 to 1; below 0: not known), with several
- * how far the run is, its rate and the time left: a few times a second on a terminal, or as plain lines every ten seconds.
+ * how far the run is, its rate and the time left: a few times a second on a terminal, or as plain lines every
+ * ten seconds.
  */
 void console_progress(struct console *console, const char *file, long lines, double share);
 

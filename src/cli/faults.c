@@ -5,10 +5,26 @@
 
 #include "base/mem.h"
 
+static void keep_warning(struct faults *faults, const struct diag_entry *entry)
+{
+	struct strbuf text = {0};
+
+	if (faults->warnings++)
+		return;
+	if (entry->loc.file)
+		strbuf_addf(&text, "%s:", entry->loc.file);
+	if (entry->loc.file && entry->loc.line)
+		strbuf_addf(&text, "%ld:", entry->loc.line);
+	strbuf_addf(&text, "%s%s", text.length ? " " : "", entry->text);
+	faults->first_warning = text.text;
+}
+
 void faults_keep(struct faults *faults, const struct diag_entry *entry)
 {
 	const char *file = entry->loc.file;
 
+	if (entry->severity == DIAG_WARNING)
+		keep_warning(faults, entry);
 	if (entry->severity != DIAG_ERROR || faults->count == FAULTS_MAX)
 		return;
 	faults->items = mem_realloc(faults->items, faults->count + 1, sizeof(*faults->items));
@@ -27,6 +43,7 @@ void faults_release(struct faults *faults)
 		free(faults->items[i].text);
 	}
 	free(faults->items);
+	free(faults->first_warning);
 	*faults = (struct faults){0};
 }
 

@@ -1,4 +1,4 @@
-/* faults.h - the first errors that were reported, kept for the reports. */
+/* faults.h - the first errors that were reported, and the first warning, kept for the reports. */
 #ifndef FIVECHECK_CLI_FAULTS_H
 #define FIVECHECK_CLI_FAULTS_H
 
@@ -13,9 +13,11 @@ enum { FAULTS_MAX = 10 };
 struct faults {
 	struct report_fault *items;	/* owned */
 	size_t count;	/* FAULTS_MAX at most */
+	long warnings;
+	char *first_warning;	/* with its place; owned; NULL: none */
 };
 
-/* Keeps a copy of an error; what is none, or one too many, is let go. */
+/* Keeps a copy of an error or of the first warning; what is neither, or one too many, is let go. */
 void faults_keep(struct faults *faults, const struct diag_entry *entry);
 void faults_release(struct faults *faults);
 

@@ -29,7 +29,7 @@ static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
 	strbuf_addf(out, " %s=\"%.12g %.12g %.12g\"", attribute, v.x, v.y, v.z);
 }
 
-/* How the axis moves what it carries: along or about its own coordinate axis; the table against the sense of the tool. */
+/* How the axis moves what it carries: along or about its own coordinate axis; the table against the tool's sense. */
 static vec3 direction_of(const struct plan *plan, int slot)
 {
 	double sense = plan_turns_table(plan, slot) ? -1 : 1;

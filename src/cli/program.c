@@ -305,6 +305,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	verdict = (struct verdict){
 		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
 		program->known, program->waived, program->left_out, program->first_line, program->first_file,
+		program->voice->faults.warnings, program->voice->faults.first_warning,
 	};
 	outcome->accepted = verdict_is_accepted(&verdict);
 	outcome->waived = program->waived;

@@ -208,16 +208,25 @@ static bool caution_shard(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* A reader of the report alone must not miss what was said beside it. */
+static bool caution_warnings(struct strbuf *out, const struct verdict *v)
+{
+	if (!v->warnings)
+		return false;
+	strbuf_addf(out, "%ld %s %s", v->warnings, v->warnings == 1 ? "warning:" : "warnings, the first:", v->first_warning);
+	return true;
+}
+
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
-		caution_accepted, caution_shard,
+		caution_accepted, caution_shard, caution_warnings,
 	};
 
 	/* Without a check of bodies, what is said of them would be said of nothing. */
 	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
-	    cautions[i] != caution_shard)
+	    cautions[i] != caution_shard && cautions[i] != caution_warnings)
 		return false;
 	return cautions[i](out, v);
 }

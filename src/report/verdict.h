@@ -19,6 +19,8 @@ struct verdict {
 	long known, waived, left_out;
 	long first_line;	/* of the first finding that does */
 	const char *first_file;	/* the same; NULL: `file` */
+	long warnings;	/* of the check: what was taken for granted */
+	const char *first_warning;	/* with its place; NULL: none */
 };
 
 /*
@@ -39,7 +41,7 @@ bool verdict_is_accepted(const struct verdict *verdict);
 /* Was only a part of the program's blocks checked? */
 bool verdict_is_shard(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 8 };
+enum { VERDICT_CAUTIONS = 9 };
 
 /*
  * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;
