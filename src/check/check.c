@@ -227,9 +227,25 @@ static void process(struct checker *c)
 		c->stats->motion = c->summary;
 }
 
+/* Do the axes stand where nothing is out of reach? */
+static bool is_past_a_limit(const struct checker *c)
+{
+	const struct machine *machine = c->scene->machine;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		double at = c->position.v[axis->slot];
+
+		if (at < axis->limit_min || at > axis->limit_max)
+			return true;
+	}
+	return false;
+}
+
 /* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
 static void check_stance(struct checker *c, bool tool_only, int move)
 {
+	bool past_a_limit = is_past_a_limit(c);
 	double start = now();
 
 	for (size_t i = 0; i < c->crew.count && !enough(c) && !c->broken_off && is_ours(c, c->block); i++) {
@@ -239,7 +255,8 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		struct contact contact;
 		enum stance stance;
 
-		if (runner->past_limits_only || !runner_is_active(runner, c->tool) || (tool_only && !runner->tool))
+		if ((runner->past_limits_only && !past_a_limit) || !runner_is_active(runner, c->tool) ||
+		    (tool_only && !runner->tool))
 			continue;
 		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);

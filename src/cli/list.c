@@ -9,16 +9,24 @@
 
 static const struct srcloc nowhere;
 
-/* All of it; false: errno says why not. */
-static bool read_all(struct strbuf *text, FILE *in)
+/* Bytes: a million names. What is longer, such as a pipe that never ends, is no list. */
+#define LIST_MAX ((size_t)64 << 20)
+
+/* Reads to the end; returns what is wrong, or NULL. */
+static const char *read_all(struct strbuf *text, FILE *in)
 {
 	char bytes[4096];
 	size_t count;
 
 	errno = 0;
-	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0)
+	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0) {
+		if (memchr(bytes, 0, count))
+			return "it has a byte 0, and a list takes one name a line";
+		if (text->length + count > LIST_MAX)
+			return "it is longer than 64 MB";
 		strbuf_add(text, bytes, count);
-	return !ferror(in);
+	}
+	return ferror(in) ? strerror(errno ? errno : EIO) : NULL;
 }
 
 /* Cuts the text into lines in place; names cannot be empty. */
@@ -48,19 +56,15 @@ bool list_read(struct options *options, struct diag *diag)
 	bool standard = !strcmp(path, "-");
 	FILE *in = standard ? stdin : fopen(path, "rb");
 	struct strbuf text = {0};
-	bool good = in && read_all(&text, in);
+	const char *fault = in ? read_all(&text, in) : strerror(errno);
 
-	if (!good)
-		diag_error(diag, nowhere, "cannot read the list %s: %s", path, strerror(errno ? errno : EIO));
-	if (good && strlen(strbuf_text(&text)) != text.length) {
-		diag_error(diag, nowhere, "the list %s has a byte 0: it takes one name a line", path);
-		good = false;
-	}
+	if (fault)
+		diag_error(diag, nowhere, "cannot read the list %s: %s", path, fault);
 	if (in && !standard)
 		fclose(in);
 	options->list = text.text;
-	if (!good || !text.text)
-		return good;
+	if (fault || !text.text)
+		return !fault;
 	add_names(options, text.text);
 	return true;
 }

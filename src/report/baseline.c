@@ -13,6 +13,9 @@
 #include "report/quantity.h"
 #include "report/utf8.h"
 
+/* Bytes: a program of which very much is at fault has some megabytes. */
+#define LINE_MAX_LENGTH ((size_t)64 << 20)
+
 struct entry {
 	json_t *finding;
 	const char *program;	/* in `programs` */
@@ -91,21 +94,42 @@ static bool take_object(struct reading *reading, json_t *object)
 	return true;
 }
 
+/* The next line, or as much of it as shows that it is none; false: there are no more. */
+static bool next_line(struct strbuf *line, FILE *in)
+{
+	int c;
+
+	strbuf_clear(line);
+	while (line->length < LINE_MAX_LENGTH && (c = getc(in)) != EOF && c != '\n') {
+		const char byte = (char)c;
+
+		strbuf_add(line, &byte, 1);
+		if (!c)
+			break;
+	}
+	return !ferror(in) && (line->length || !feof(in));
+}
+
 static bool take_lines(struct reading *reading, FILE *in)
 {
-	char *line = NULL;
-	size_t size = 0;
+	struct strbuf line = {0};
 	bool good = true;
 
-	while (good && getline(&line, &size, in) > 0) {
-		json_t *object = json_loads(line, JSON_REJECT_DUPLICATES, NULL);
+	errno = 0;
+	while (good && next_line(&line, in)) {
+		json_t *object = json_loadb(strbuf_text(&line), line.length, JSON_REJECT_DUPLICATES, NULL);
 
 		reading->at.line++;
 		good = object ? take_object(reading, object) : refuse(reading, "a line that is no JSON object");
 		json_decref(object);
 	}
-	free(line);
-	if (good && (ferror(in) || !reading->ended || reading->named < reading->baseline->count))
+	strbuf_release(&line);
+	if (good && ferror(in)) {
+		diag_error(reading->diag, (struct srcloc){0}, "cannot read the baseline %s: %s", reading->at.file,
+			   strerror(errno ? errno : EIO));
+		good = false;
+	}
+	if (good && (!reading->ended || reading->named < reading->baseline->count))
 		good = refuse(reading, "it was cut short");
 	return good;
 }

@@ -26,7 +26,9 @@ head -n 3 known.json >cut.json
 sed 's/"format":1/"format":2/' known.json >other.json
 cat known.json known.json >twice.json
 : >empty.json
-for file in cut.json other.json twice.json empty.json a.nc nowhere.json; do
+tr '\n' '\0' <known.json >zeros.json
+mkdir folder
+for file in cut.json other.json twice.json empty.json zeros.json /dev/zero folder a.nc nowhere.json; do
 	fivecheck -q --baseline $file m.xml a.nc 2>&1
 done
 status fivecheck -q --baseline known.json -o known.json m.xml a.nc 2>&1

@@ -23,3 +23,10 @@ fivecheck -q --parse-only --shard 3/4 -f ndjson m.xml p1.nc p2.nc
 fivecheck --parse-only --progress=plain m.xml p1.nc p2.nc bad.nc nowhere.nc 2>&1 |
 	grep -e '^fivecheck: [0-9]' -e '^  programs'
 fivecheck --parse-only --progress=none m.xml p1.nc p2.nc 2>&1 | grep -c '^fivecheck: [0-9]' || true
+# No lists: the first byte 0 is enough, however long they are, and what never ends is too long.
+printf 'p1.nc\0p2.nc' >zeros
+for list in zeros /dev/zero . nowhere; do
+	fivecheck -q --parse-only --files-from $list m.xml 2>&1
+done
+status fivecheck -q --parse-only --files-from /dev/zero m.xml 2>/dev/null
+yes p1.nc | status fivecheck -q --parse-only --files-from - m.xml 2>&1

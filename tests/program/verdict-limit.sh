@@ -23,3 +23,26 @@ findings m.xml - <<'NC'
 G1 X40 F600
 G3 Y40 J20
 NC
+# A tool that is put in past a limit is looked at there, though nothing moves any more and the limit is accepted: wholly
+# inside the wall, through its surface, above it.
+box wall 100 -50 -50 200 50 50
+box head -5 -5 -5 5 5 5
+box probe -2 -2 -60 2 2 -50
+machine m.xml <<'XML'
+  <body name="wall" mesh="wall.stl"/>
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-50" limit_max="50" rate_max="6000">
+    <axis name="Z" type="linear" direction="0 0 1" limit_min="-50" limit_max="100" rate_max="6000">
+      <body name="head" mesh="head.stl"/>
+      <spindle location="0 0 -5" direction="0 0 -1"/>
+    </axis>
+  </axis>
+XML
+setup s.xml <<'XML'
+  <tool number="1" length="60"><holder mesh="probe.stl"/></tool>
+XML
+fivecheck --list-pairs -s s.xml m.xml | cut -f 1-3
+for z in 62 110 120; do
+	printf '%s\n' "G1 Z$z F600" X150 'T1 M6' >put.nc
+	findings -a -s s.xml m.xml put.nc
+	status fivecheck -q --fail-on collision,start-overlap -s s.xml m.xml put.nc | tail -n 1
+done
