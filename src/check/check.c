@@ -459,6 +459,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.include_count = c->options->include_count,
 		.input_root = c->options->input_root,
 		.watch = c->options->watch,
+		.quit = c->options->quit,
 		.change = c->options->change,
 		.max_blocks = c->options->max_blocks,
 	};

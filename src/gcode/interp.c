@@ -161,12 +161,20 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 	return false;
 }
 
-/* The next line of the file in hand. False: the program has ended, or a fault was reported in *good. */
+/* Lines between two questions whether to go on; blank ones, which nobody else hears of, count as well. */
+#define QUIT_LINES 4096
+
+/* The next line of the file in hand. False: the program has ended, or *good: a fault was reported, or quit. */
 static bool next_line(struct interp *interp, bool *good)
 {
 	struct source *source = interp->source;
-	enum reader_status status = reader_next(&source->reader, &interp->at.text);
+	enum reader_status status;
 
+	if (++interp->lines % QUIT_LINES == 0 && quit_asked(interp->config->quit)) {
+		*good = false;
+		return false;
+	}
+	status = reader_next(&source->reader, &interp->at.text);
 	interp->at.file = source->name;
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)

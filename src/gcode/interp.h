@@ -8,6 +8,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
+#include "base/quit.h"
 #include "base/watch.h"
 #include "gcode/canon.h"
 
@@ -71,6 +72,7 @@ struct gcode_config {
 	size_t include_count;
 	const char *input_root;	/* files of subprograms outside of this folder are an error; NULL: none is */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
+	const struct quit *quit;	/* is asked between lines; if so, the run fails without a word; or NULL */
 	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
 };
 

@@ -124,6 +124,7 @@ struct interp {
 	struct source *source;	/* that the block being carried out comes from */
 	long long first_offset;	/* where the program starts, behind a byte order mark */
 	long first_line;
+	unsigned long lines;	/* that were begun, again and again in loops */
 	struct params params;
 	struct flow flow;
 	struct macro macro;	/* of Fanuc and Haas, as flow is LinuxCNC's */

@@ -170,6 +170,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 				       .include_count = options->include_count,
 				       .input_root = options->input_root,
 				       .watch = options->watch,
+				       .quit = options->quit,
 				       .max_blocks = options->max_blocks}};
 	struct run run;
 	const struct canon_sink canon = {&run, drive_move, drive_tcp, end_block, drive_orient, drive_carry};

@@ -7,6 +7,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
+#include "base/quit.h"
 #include "base/watch.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
@@ -65,6 +66,7 @@ struct motion_options {
 	size_t include_count;
 	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
 	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
+	const struct quit *quit;	/* is asked between lines; if so, the run fails without a word; or NULL */
 	const struct setup_change *change;	/* or NULL */
 	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };
