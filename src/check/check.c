@@ -429,25 +429,6 @@ static void finish(struct checker *c, bool complete)
 	}
 }
 
-static void count_pairs(const struct scene *scene, struct check_stats *stats)
-{
-	for (size_t i = 0; i < scene->pair_count; i++) {
-		switch (scene->pairs[i].status) {
-		case PAIR_CHECKED:
-			stats->pairs_required++;
-			break;
-		case PAIR_ADJACENT:
-			stats->pairs_excused++;
-			break;
-		case PAIR_RIGID:
-		case PAIR_OUT_OF_REACH:
-		case PAIR_WAIVED:
-			stats->pairs_skipped++;
-			break;
-		}
-	}
-}
-
 /* False: a fault was reported. */
 static bool run_program(struct checker *c, FILE *in)
 {
@@ -487,7 +468,9 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	*stats = (struct check_stats){0};
 	for (size_t i = 0; proven && i < scene->pair_count; i++)
 		proven[i] = INFINITY;
-	count_pairs(scene, stats);
+	stats->pairs_required = scene_count_pairs(scene, PAIR_CHECKED);
+	stats->pairs_excused = scene_count_pairs(scene, PAIR_ADJACENT);
+	stats->pairs_skipped = scene->pair_count - stats->pairs_required - stats->pairs_excused;
 	held_init(&c.held);
 	c.sweep.quit = options->quit;
 	c.position = machine_home(scene->machine);

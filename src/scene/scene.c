@@ -147,3 +147,12 @@ bool scene_build(struct scene *scene, struct diag *diag)
 	}
 	return good;
 }
+
+size_t scene_count_pairs(const struct scene *scene, enum pair_status status)
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < scene->pair_count; i++)
+		count += scene->pairs[i].status == status;
+	return count;
+}

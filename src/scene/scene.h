@@ -76,6 +76,8 @@ bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struc
 /* Reports that rounding alone exceeds the tolerance for this pair. */
 void scene_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag);
 
+size_t scene_count_pairs(const struct scene *scene, enum pair_status status);
+
 /* "checked", "rigid", "adjacent", "out of reach", "waived" */
 const char *pair_status_name(enum pair_status status);
 
