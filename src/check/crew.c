@@ -12,8 +12,11 @@
  */
 #define HEAVY 20000
 
-/* Steps to a part of a heavy runner's batch: whole chunks. */
-#define PART_STEPS ((size_t)2 * CHUNK_STEPS)
+/*
+ * A heavy runner's batch is dealt out in parts of whole chunks, large ones first: each is this share of what is
+ * left, so that all threads come to the end at about the same time and yet few parts begin without a past.
+ */
+#define PART_SHARE 4
 
 bool crew_init(struct crew *crew, struct scene *scene, const struct check_options *options, bool measure,
 	       struct diag *diag)
@@ -81,17 +84,26 @@ static bool is_divisible(const struct crew *crew, const struct runner *runner, c
 	       !runner->entangled && !runner->past_limits_only;
 }
 
+static size_t part_of(size_t left)
+{
+	size_t part = left / PART_SHARE / CHUNK_STEPS * CHUNK_STEPS;
+
+	return part ? part : left < CHUNK_STEPS ? left : CHUNK_STEPS;
+}
+
 static void divide(struct crew *crew, struct runner *runner, const struct batch *batch)
 {
-	for (size_t from = 0; from < batch->step_count; from += PART_STEPS) {
+	size_t count;
+
+	for (size_t from = 0; from < batch->step_count; from += count) {
 		struct runner *copy = mem_zalloc(1, sizeof(*copy));
 
 		*copy = *runner;
 		copy->results = NULL;
 		copy->result_count = copy->result_capacity = 0;
 		follower_fork(&runner->follower, &copy->follower);
-		add_task(crew, runner, copy, from,
-			 from + PART_STEPS < batch->step_count ? from + PART_STEPS : batch->step_count);
+		count = part_of(batch->step_count - from);
+		add_task(crew, runner, copy, from, from + count);
 	}
 }
 

@@ -31,6 +31,7 @@ bool step_off_the_line(const struct chain *chain, const struct motion_step *step
 {
 	bool any = false;
 
+	*off = (axis_values){{0}};
 	for (size_t i = 0; i < chain->count; i++) {
 		int slot = chain->joints[i].slot;
 

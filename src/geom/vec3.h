@@ -49,6 +49,14 @@ static inline double vec3_norm(vec3 a)
 	return sqrt(vec3_norm2(a));
 }
 
+/* The unit vector of a's direction; 0 where a is so short that its square loses digits. */
+static inline vec3 vec3_unit(vec3 a)
+{
+	double norm2 = vec3_norm2(a);
+
+	return norm2 > 0x1p-900 ? vec3_scale(1 / sqrt(norm2), a) : (vec3){0, 0, 0};
+}
+
 /* (1-s) a + s b */
 static inline vec3 vec3_lerp(vec3 a, vec3 b, double s)
 {

@@ -103,18 +103,16 @@ static void recall(struct search *search)
 
 static void measure_triangles(struct search *search, size_t i, size_t j, const tri *a, const tri *b)
 {
-	vec3 on_a, on_b, way;
-	double distance = tri_distance(a, b, &on_a, &on_b);
-	double length, gap;
+	vec3 on_a, on_b, direction;
+	double distance = tri_distance(a, b, &on_a, &on_b), gap;
 
-	way = vec3_sub(on_b, on_a);
-	length = vec3_norm(way);
+	direction = vec3_unit(vec3_sub(on_b, on_a));
 	if (distance < search->found) {
 		search->found = distance;
-		remember(search, i, j, vec3_scale(length > 0 ? 1 / length : 0, way));
+		remember(search, i, j, direction);
 	}
 	/* What is proven is the gap along an axis, not the distance that some algorithm found. */
-	gap = length > 0 ? tri_gap(a, b, way) / length : 0;
+	gap = tri_gap(a, b, direction);
 	if (!(gap >= search->proven))
 		search->proven = gap > 0 ? gap : 0;
 }

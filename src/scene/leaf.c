@@ -20,12 +20,8 @@ static struct nearest nearest_of(const tri *a, const tri *b)
 	struct nearest n = {.distance = tri_distance(a, b, &on_a, &on_b)};
 
 	n.middle = vec3_lerp(on_a, on_b, 0.5);
-	if (n.distance > 0) {
-		vec3 way = vec3_sub(on_b, on_a);
-		double length = vec3_norm(way);
-
-		n.direction = length > 0 ? vec3_scale(1 / length, way) : (vec3){0, 0, 0};
-	}
+	if (n.distance > 0)
+		n.direction = vec3_unit(vec3_sub(on_b, on_a));
 	return n;
 }
 
