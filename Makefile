@@ -32,6 +32,8 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(wildcard src/machine/*.rng))
 JSON_SCHEMAS := $(sort $(wildcard src/report/*.schema.json))
 SCHEMA_HEADERS := $(SCHEMAS:src/machine/%.rng=$(BUILD)/gen/%.rng.h)
+# Compilers at a time in the targets that build before they test.
+JOBS ?= $(shell nproc)
 UNITS := $(sort $(wildcard tests/unit/test_*.c))
 UNIT_PROGRAMS := $(UNITS:tests/unit/%.c=$(BUILD)/tests/%)
 MANUALS := $(sort $(wildcard man/*.[1-9]))
@@ -82,7 +84,7 @@ $(BUILD)/tests/%: tests/unit/%.c $(BUILD)/libfivecheck.a Makefile
 check:
 	@sh scripts/install-deps
 	@$(MAKE) --no-print-directory check-layers check-man
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory -j$(JOBS) all build-units
 	@$(MAKE) --no-print-directory check-unit check-program check-install check-faults check-machines check-rs274
 
 # What a package's build can afford: nothing is installed or downloaded, and there are no peers.
@@ -95,6 +97,8 @@ check-layers:
 
 check-man:
 	@sh scripts/check-man $(MANUALS)
+
+build-units: $(UNIT_PROGRAMS)
 
 check-unit: $(UNIT_PROGRAMS)
 	@status=0; for t in $(UNIT_PROGRAMS); do $$t || status=1; done; exit $$status
@@ -128,10 +132,12 @@ check-rs274: $(BUILD)/fivecheck
 # The unit and program tests in builds of their own that watch memory and threads; FIVECHECK_CASES=1 tries as many
 # random cases as check does. Threads are started by the program alone.
 check-asan:
+	@$(MAKE) --no-print-directory -j$(JOBS) SANITIZE=address,undefined all build-units
 	@FIVECHECK_CASES=$${FIVECHECK_CASES:-0.1} CK_TIMEOUT_MULTIPLIER=$${CK_TIMEOUT_MULTIPLIER:-10} \
 		$(MAKE) --no-print-directory SANITIZE=address,undefined -k check-unit check-program
 
 check-tsan:
+	@$(MAKE) --no-print-directory -j$(JOBS) SANITIZE=thread all
 	@$(MAKE) --no-print-directory SANITIZE=thread check-program
 
 check-valgrind: $(BUILD)/fivecheck $(UNIT_PROGRAMS)
@@ -155,7 +161,7 @@ lint: $(SCHEMA_HEADERS)
 # Needs clang; objects of its own. FUZZ_SECONDS each (60), FUZZ="stl machine ..." only some of them.
 FUZZERS := $(patsubst tests/fuzz/%.c,$(BUILD)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
 fuzz:
-	@$(MAKE) --no-print-directory CC=clang BUILD=build-fuzz SANITIZE=fuzzer-no-link,address,undefined build-fuzzers
+	@$(MAKE) --no-print-directory -j$(JOBS) CC=clang BUILD=build-fuzz SANITIZE=fuzzer-no-link,address,undefined build-fuzzers
 	@sh scripts/fuzz build-fuzz $(FUZZ)
 
 build-fuzzers: $(FUZZERS)
@@ -272,6 +278,6 @@ help:
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, NO_INSTALL=1.'
 	@echo 'bench, campaign, demo and check install missing Debian packages, as root or with passwordless sudo only.'
 
-.PHONY: all bench bench-quick build-fuzzers campaign fuzz check check-asan check-deb check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress stress-table uninstall clean help
+.PHONY: all bench bench-quick build-fuzzers build-units campaign fuzz check check-asan check-deb check-faults check-long check-tsan check-valgrind coverage lint check-layers check-man check-unit check-program check-install check-machines check-reproducible check-rs274 check-short demo dist install stress stress-table uninstall clean help
 
 -include $(OBJECTS:.o=.d) $(CAMPAIGN:.o=.d) $(BUILD)/tests/stress/fcl_answer.d $(BUILD)/tests/stress_table.d $(BUILD)/src/main.d $(UNIT_PROGRAMS:=.d)
