@@ -27,11 +27,13 @@ LDLIBS := -lxml2 -ljansson -lnettle -lm
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
 
-SOURCES := $(sort $(wildcard src/*/*.c))
+# Folders may be nested; main.c alone lies in src itself and is not part of the library.
+SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
-SCHEMAS := $(sort $(wildcard src/machine/*.rng))
-JSON_SCHEMAS := $(sort $(wildcard src/report/*.schema.json))
-SCHEMA_HEADERS := $(SCHEMAS:src/machine/%.rng=$(BUILD)/gen/%.rng.h)
+SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
+JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
+SCHEMA_HEADERS := $(patsubst %,$(BUILD)/gen/%.h,$(notdir $(SCHEMAS)))
+vpath %.rng $(sort $(dir $(SCHEMAS)))
 # Compilers at a time in the targets that build before they test.
 JOBS ?= $(shell nproc)
 UNITS := $(sort $(wildcard tests/unit/test_*.c))
@@ -69,7 +71,7 @@ $(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
 	$(Q)$(BUILD)/fivecheck completion $* > $@.new && mv $@.new $@
 
 # A schema as a C string: quotes and backslashes escaped, a line a literal.
-$(BUILD)/gen/%.rng.h: src/machine/%.rng
+$(BUILD)/gen/%.rng.h: %.rng
 	@mkdir -p $(@D)
 	$(Q)sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $< > $@
 
