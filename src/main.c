@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include "cli/command.h"
-#include "cli/console.h"
+#include "cli/stderr_ui.h"
 #include "cli/options.h"
 #include "cli/run.h"
-#include "report/json.h"
+#include "report/format/json.h"
 
 /* A failed assertion is our mistake and has its own exit status. */
 static void on_abort(int signal_number)

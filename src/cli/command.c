@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "cli/completion.h"
-#include "cli/init.h"
+#include "cli/completion/completion.h"
+#include "cli/init/init.h"
 #include "report/output.h"
 
 const struct command command_table[COMMAND_COUNT] = {

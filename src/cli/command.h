@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-#include "cli/console.h"
+#include "cli/stderr_ui.h"
 #include "cli/run.h"
-#include "cli/table.h"
+#include "cli/option_table.h"
 
 struct command {
 	const char *name;

@@ -6,10 +6,10 @@
 
 #include "base/mem.h"
 #include "cli/command.h"
-#include "cli/list.h"
-#include "cli/table.h"
-#include "cli/value.h"
-#include "cli/words.h"
+#include "cli/program_list.h"
+#include "cli/option_table.h"
+#include "cli/option_value.h"
+#include "cli/argv_parser.h"
 
 struct parser {
 	struct options *options;

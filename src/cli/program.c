@@ -9,9 +9,9 @@
 #include "base/mem.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
-#include "report/text.h"
+#include "report/writers/text.h"
 #include "report/verdict.h"
-#include "report/waive.h"
+#include "report/waiver_match.h"
 
 static const struct srcloc nowhere;
 

@@ -8,10 +8,10 @@
 #include "base/axes.h"
 #include "cli/options.h"
 #include "cli/run.h"
-#include "cli/voice.h"
+#include "cli/ordered_output.h"
 #include "report/baseline.h"
-#include "report/channel.h"
-#include "report/tables.h"
+#include "report/sink.h"
+#include "report/tables/block_tables.h"
 #include "scene/scene.h"
 
 struct program_file {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "cli/files.h"
+#include "cli/path_checks.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
 #include "report/pose.h"

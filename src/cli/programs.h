@@ -2,12 +2,12 @@
 #ifndef FIVECHECK_CLI_PROGRAMS_H
 #define FIVECHECK_CLI_PROGRAMS_H
 
-#include "cli/inputs.h"
+#include "cli/input_files.h"
 #include "cli/options.h"
-#include "cli/voice.h"
+#include "cli/ordered_output.h"
 #include "report/baseline.h"
-#include "report/channel.h"
-#include "report/tables.h"
+#include "report/sink.h"
+#include "report/tables/block_tables.h"
 #include "scene/scene.h"
 
 /*

@@ -2,7 +2,7 @@
 #ifndef FIVECHECK_CLI_RUN_H
 #define FIVECHECK_CLI_RUN_H
 
-#include "cli/console.h"
+#include "cli/stderr_ui.h"
 #include "cli/options.h"
 
 /* In the order of their weight: the worst of a run is its exit status. */

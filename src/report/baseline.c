@@ -9,9 +9,9 @@
 
 #include "base/mem.h"
 #include "base/strbuf.h"
-#include "report/ndjson.h"
-#include "report/quantity.h"
-#include "report/utf8.h"
+#include "report/writers/ndjson.h"
+#include "report/format/format_units.h"
+#include "report/format/utf8.h"
 
 /* Bytes: a program of which very much is at fault has some megabytes. */
 #define LINE_MAX_LENGTH ((size_t)64 << 20)

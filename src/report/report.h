@@ -9,10 +9,10 @@
 #include "check/check.h"
 #include "check/finding.h"
 #include "check/sensitivity.h"
-#include "report/digest.h"
-#include "report/stats.h"
+#include "report/format/digest.h"
+#include "report/tables/stats.h"
 #include "report/verdict.h"
-#include "report/waive.h"
+#include "report/waiver_match.h"
 #include "scene/scene.h"
 
 enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB, FORMAT_RECORD };

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "report/quantity.h"
+#include "report/format/format_units.h"
 
 static bool is_cutting(const struct scene *scene, const struct scene_pair *pair)
 {

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/units.h"
-#include "report/ndjson.h"
-#include "report/quantity.h"
+#include "report/writers/ndjson.h"
+#include "report/format/format_units.h"
 
 static void expect(struct strbuf *out, const char *text)
 {

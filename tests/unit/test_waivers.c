@@ -2,7 +2,7 @@
 #include "base/units.h"
 #include "machine/machine.h"
 #include "machine/waivers.h"
-#include "report/waive.h"
+#include "report/waiver_match.h"
 #include "xml_case.h"
 
 static const char machine_text[] =

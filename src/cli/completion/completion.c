@@ -1,0 +1,77 @@
+#include "cli/completion/completion.h"
+
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/completion/completion_scripts.h"
+#include "cli/argv_parser.h"
+
+static const struct srcloc nowhere;
+
+const struct option_row completion_table[COMPLETION_OPTION_COUNT] = {
+	{256, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
+};
+
+enum { SHELL_BASH, SHELL_ZSH, SHELL_FISH, SHELL_COUNT };
+
+const char *const completion_shells[] = {
+	[SHELL_BASH] = "bash", [SHELL_ZSH] = "zsh", [SHELL_FISH] = "fish", [SHELL_COUNT] = NULL,
+};
+
+struct request {
+	const char *shell;	/* borrowed; NULL: none was named */
+	size_t operands;
+	bool help;
+};
+
+static void take_operand(void *context, char *word)
+{
+	struct request *request = context;
+
+	request->shell = word;
+	request->operands++;
+}
+
+static enum word_result take_option(void *context, const struct option_row *row, const char *argument)
+{
+	struct request *request = context;
+
+	(void)row;
+	(void)argument;
+	request->help = true;
+	return WORD_LAST;
+}
+
+static void add_help(struct strbuf *out)
+{
+	strbuf_addf(out, "Usage: fivecheck completion bash|zsh|fish\n"
+			 "Prints the completions of a shell, which 'make install' puts in their places. For the\n"
+			 "running shell only:\n"
+			 "    eval \"$(fivecheck completion bash)\"\n\n");
+	words_help(out, completion_table, COMPLETION_OPTION_COUNT);
+}
+
+enum run_status completion_run(int argc, char **argv, struct console *console)
+{
+	static void (*const writers[])(struct strbuf *) = {
+		[SHELL_BASH] = shell_bash, [SHELL_ZSH] = shell_zsh, [SHELL_FISH] = shell_fish,
+	};
+	struct request request = {0};
+	struct words words = {completion_table, COMPLETION_OPTION_COUNT, take_option, take_operand, &request};
+	struct strbuf text = {0};
+
+	if (!words_parse(&words, argc, argv, &console->diag))
+		return RUN_INCOMPLETE;
+	if (request.help) {
+		add_help(&text);
+		return command_print(&text, &console->diag);
+	}
+	for (int i = 0; request.operands == 1 && i < SHELL_COUNT; i++) {
+		if (strcmp(completion_shells[i], request.shell) != 0)
+			continue;
+		writers[i](&text);
+		return command_print(&text, &console->diag);
+	}
+	diag_error(&console->diag, nowhere, "completion takes the name of one shell: bash, zsh or fish");
+	return RUN_INCOMPLETE;
+}

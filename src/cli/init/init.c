@@ -1,0 +1,223 @@
+#include "cli/init/init.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "cli/init/machine_plan_xml.h"
+#include "cli/init/init_prompts.h"
+#include "cli/argv_parser.h"
+#include "report/output.h"
+
+static const struct srcloc nowhere;
+
+/* The key, and what --help and the completions need. */
+#define TEXT .modes = 0, .kind = VALUE_TEXT
+#define CHOICE(names) .modes = 0, .kind = VALUE_CHOICE, .choices = (names)
+
+const struct option_row init_table[INIT_OPTION_COUNT] = {
+	{PLAN_ROTARY, "rotary", "AXIS,AXIS", TEXT,
+	 .help = "the rotary axes, first the one that carries the other\n(head-table: first the head's): A,C"},
+	{PLAN_TABLE, "table", "AXIS,...", TEXT,
+	 .help = "the linear axes that move the table, from the base on\n(none)"},
+	{PLAN_HEAD, "head", "AXIS,...", TEXT,
+	 .help = "those that move the head (the others, as Y,X,Z)"},
+	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", TEXT,
+	 .help = "the travel, in mm or degrees; X=none: unlimited"},
+	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", TEXT,
+	 .help = "a point on a rotary axis; once for each"},
+	{PLAN_SPINDLE, "spindle", "X,Y,Z", TEXT,
+	 .help = "the gauge point, where tools are mounted"},
+	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", TEXT,
+	 .help = "from the gauge point to the tip of a tool (0,0,-1)"},
+	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", TEXT,
+	 .help = "the origin of fixtures and parts (0,0,0)"},
+	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", TEXT,
+	 .help = "how an axis moves what it carries, for a positive\nvalue, if not as is usual"},
+	{PLAN_RATES, "rates", "AXIS=RATE,...", TEXT,
+	 .help = "the rates of rapids, a minute (30000 mm, 7200\ndegrees)"},
+	{PLAN_HOME, "home", "AXIS=VALUE,...", TEXT,
+	 .help = "where programs start (0)"},
+	{PLAN_TITLE, "title", "AXIS=TEXT", TEXT,
+	 .help = "what reports call an axis; once for each"},
+	{PLAN_BODY, "body", "LINK=FILE.stl", TEXT,
+	 .help = "a mesh on an axis, or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given again"},
+	{PLAN_NAME, "name", "TEXT", TEXT,
+	 .help = "the name of the machine"},
+	{PLAN_UNITS, "units", "UNIT", CHOICE(plan_units),
+	 .help = "mm (the default) or inch, of the file and the options"},
+	{PLAN_DIALECT, "dialect", "NAME", CHOICE(plan_dialects),
+	 .help = "linuxcnc (the default), fanuc or haas"},
+	{PLAN_RAPID, "rapid", "KIND", CHOICE(plan_rapids),
+	 .help = "how G0 moves: linear, dogleg, or any, which is not\nknown (linear for linuxcnc, else any)"},
+	{PLAN_OUTPUT, "output", "FILE", TEXT,
+	 .help = "write the machine file to FILE, which must not exist"},
+	{PLAN_HELP, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
+};
+
+static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(plan_families)};
+/* A file in place of standard output, where that is a terminal. */
+static const char usual_file[] = "machine.xml";
+
+const struct option_row *init_row(enum plan_key key)
+{
+	for (int i = 0; i < INIT_OPTION_COUNT; i++) {
+		if (init_table[i].key == (int)key)
+			return &init_table[i];
+	}
+	return &family_row;
+}
+
+struct request {
+	struct plan plan;
+	struct diag *diag;
+	const char *output;	/* borrowed; NULL: standard output */
+	bool help;
+	bool good;	/* of the operands */
+};
+
+static void take_operand(void *context, char *word)
+{
+	struct request *request = context;
+
+	if (request->plan.family < 0 && request->good) {
+		request->good = plan_set(&request->plan, &family_row, word, request->diag);
+		return;
+	}
+	if (request->good)
+		diag_error(request->diag, nowhere, "init takes one family, but '%s' was named as well", word);
+	request->good = false;
+}
+
+static enum word_result take_option(void *context, const struct option_row *row, const char *argument)
+{
+	struct request *request = context;
+
+	if (row->key == PLAN_HELP) {
+		request->help = true;
+		return WORD_LAST;
+	}
+	if (row->key != PLAN_OUTPUT)
+		return plan_set(&request->plan, row, argument, request->diag) ? WORD_NEXT : WORD_FAULT;
+	request->output = strcmp(argument, "-") ? argument : NULL;
+	return WORD_NEXT;
+}
+
+static bool is_new(const char *path, struct diag *diag)
+{
+	struct stat status;
+
+	if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+		return true;
+	diag_error(diag, nowhere, "%s exists already, and may have been edited: remove it, or name another file with "
+				  "--output", path);
+	return false;
+}
+
+static bool write_file(const char *path, struct strbuf *text, struct diag *diag)
+{
+	struct output out;
+	bool good = is_new(path, diag) && output_open(&out, path, diag);
+
+	if (good) {
+		output_text(&out, text);
+		good = output_commit(&out, diag);
+	}
+	strbuf_release(text);
+	return good;
+}
+
+/* Is the mesh there? Its path is relative to the folder of the machine file. */
+static bool has_mesh(const char *output, const char *mesh)
+{
+	const char *slash = output && *mesh != '/' ? strrchr(output, '/') : NULL;
+	struct strbuf path = {0};
+	bool there;
+
+	strbuf_addf(&path, "%.*s%s", slash ? (int)(slash - output + 1) : 0, slash ? output : "", mesh);
+	there = access(strbuf_text(&path), R_OK) == 0;
+	strbuf_release(&path);
+	return there;
+}
+
+/* Tells what stands in the file, and what comes next. */
+static void tell(const struct plan *plan, const char *output, struct diag *diag)
+{
+	const char *name = output ? output : "MACHINE.xml";
+	struct strbuf text = {0}, missing = {0};
+
+	plan_xml_chains(&text, plan);
+	diag_note(diag, nowhere, "%s", strbuf_text(&text));
+	for (size_t i = 0; i < plan->body_count; i++) {
+		if (!has_mesh(output, plan->bodies[i].path))
+			strbuf_addf(&missing, "%s%s", missing.length ? ", " : "", plan->bodies[i].path);
+	}
+	if (missing.length)
+		diag_note(diag, nowhere, "next: with every axis at 0, export from the CAD assembly what %s names, or "
+					 "change the names there: %s", name, strbuf_text(&missing));
+	diag_note(diag, nowhere, "%s: look through its TODO lines and run 'fivecheck --check-machine %s'",
+		  missing.length ? "then" : "next", name);
+	strbuf_release(&text);
+	strbuf_release(&missing);
+}
+
+/* Questions go to the terminal; so must not the file, unless that was asked for. */
+static bool ask(struct request *request)
+{
+	if (!isatty(STDIN_FILENO))
+		return question_report(&request->plan, request->diag);
+	if (!question_is_open(&request->plan))
+		return true;
+	if (!question_ask(&request->plan, stdin, request->diag))
+		return false;
+	if (!request->output && isatty(STDOUT_FILENO))
+		request->output = usual_file;
+	return true;
+}
+
+static enum run_status make_file(struct request *request)
+{
+	struct strbuf text = {0};
+
+	/* Before any question is answered in vain. */
+	if (!is_new(request->output, request->diag) || !ask(request) || !plan_finish(&request->plan, request->diag))
+		return RUN_INCOMPLETE;
+	plan_xml_write(&text, &request->plan);
+	if (!write_file(request->output, &text, request->diag))
+		return RUN_INCOMPLETE;
+	tell(&request->plan, request->output, request->diag);
+	return RUN_CLEAR;
+}
+
+static enum run_status print_help(struct diag *diag)
+{
+	struct strbuf text = {0};
+
+	strbuf_addf(&text, "Usage: fivecheck init [OPTIONS] FAMILY\n"
+			   "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
+			   "head-table: what the two rotary axes turn. Everything is told in machine coordinates with\n"
+			   "every axis at 0. What is missing is asked for on a terminal, and is an error\n"
+			   "elsewhere.\n\n");
+	words_help(&text, init_table, INIT_OPTION_COUNT);
+	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
+			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
+			   "    --spindle=0,0,520 --output=machine.xml\n");
+	return command_print(&text, diag);
+}
+
+enum run_status init_run(int argc, char **argv, struct console *console)
+{
+	struct request request = {.diag = &console->diag, .good = true};
+	struct words words = {init_table, INIT_OPTION_COUNT, take_option, take_operand, &request};
+	enum run_status status = RUN_INCOMPLETE;
+
+	plan_init(&request.plan);
+	if (words_parse(&words, argc, argv, &console->diag) && request.good)
+		status = request.help ? print_help(&console->diag) : make_file(&request);
+	if (status == RUN_INCOMPLETE)
+		diag_note(&console->diag, nowhere, "'fivecheck init --help' lists the options");
+	plan_release(&request.plan);
+	return status;
+}

@@ -1,0 +1,183 @@
+#include "cli/init/machine_plan.h"
+
+#include <string.h>
+
+#include "machine/machine.h"
+
+static const struct srcloc nowhere;
+
+/* The order in which linear axes carry each other on the paper's machine. */
+static const int linear_slots[] = {SLOT_Y, SLOT_X, SLOT_Z};
+enum { LINEAR_COUNT = sizeof(linear_slots) / sizeof(linear_slots[0]) };
+
+static bool chain_has(const struct plan_chain *chain, int slot)
+{
+	for (size_t i = 0; i < chain->count; i++) {
+		if (chain->slots[i] == slot)
+			return true;
+	}
+	return false;
+}
+
+bool plan_has_axis(const struct plan *plan, int slot)
+{
+	return slot <= SLOT_Z || chain_has(&plan->rotary, slot);
+}
+
+bool plan_turns_table(const struct plan *plan, int slot)
+{
+	return chain_has(&plan->table, slot);
+}
+
+/* The linear axes that the one chain leaves go to the other. */
+static void add_rest(struct plan_chain *chain, const struct plan_chain *other)
+{
+	for (int i = 0; i < LINEAR_COUNT; i++) {
+		if (!chain_has(other, linear_slots[i]))
+			chain->slots[chain->count++] = linear_slots[i];
+	}
+}
+
+static bool join_linear(struct plan *plan, struct diag *diag)
+{
+	if (!plan->has_head)
+		add_rest(&plan->head, &plan->table);
+	else if (!plan->has_table)
+		add_rest(&plan->table, &plan->head);
+	for (int i = 0; i < LINEAR_COUNT; i++) {
+		int slot = linear_slots[i];
+
+		if (chain_has(&plan->head, slot) != chain_has(&plan->table, slot))
+			continue;
+		diag_error(diag, nowhere, "--head and --table must share X, Y and Z among them, but %c is in %s",
+			   AXIS_LETTERS[slot], chain_has(&plan->head, slot) ? "both" : "neither");
+		return false;
+	}
+	return true;
+}
+
+static void join_rotary(struct plan *plan)
+{
+	for (size_t i = 0; i < plan->rotary.count; i++) {
+		bool table = plan->family == FAMILY_TABLE_TABLE || (plan->family == FAMILY_HEAD_TABLE && i == 1);
+		struct plan_chain *chain = table ? &plan->table : &plan->head;
+
+		chain->slots[chain->count++] = plan->rotary.slots[i];
+	}
+}
+
+static bool is_told(const struct plan_axis *axis)
+{
+	return axis->has_limits || axis->has_location || axis->has_direction || axis->has_rate || axis->has_home ||
+	       axis->title;
+}
+
+static bool check_axis(const struct plan *plan, int slot, struct diag *diag)
+{
+	const struct plan_axis *axis = &plan->axes[slot];
+	char letter = AXIS_LETTERS[slot];
+
+	if (!plan_has_axis(plan, slot)) {
+		if (is_told(axis))
+			diag_error(diag, nowhere, "the options speak of %c, but the machine has X, Y, Z, %c and %c",
+				   letter, AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
+		return !is_told(axis);
+	}
+	if ((axis->has_min && axis->home < axis->min) || (axis->has_max && axis->home > axis->max)) {
+		diag_error(diag, nowhere, "the home of %c, %g, is outside of its travel: --home=%c=VALUE", letter,
+			   axis->home, letter);
+		return false;
+	}
+	return true;
+}
+
+static bool check_bodies(const struct plan *plan, struct diag *diag)
+{
+	for (size_t i = 0; i < plan->body_count; i++) {
+		const struct plan_body *body = &plan->bodies[i];
+
+		if (body_name_is_reserved(body->name)) {
+			diag_error(diag, nowhere,
+				   "--body: a body cannot be called '%s', which means something else in a "
+				   "machine file: give the file %s another name",
+				   body->name, body->path);
+			return false;
+		}
+		if (body->slot >= 0 && !plan_has_axis(plan, body->slot)) {
+			diag_error(diag, nowhere, "--body: %s hangs on %c, but the machine has no such axis",
+				   body->path, AXIS_LETTERS[body->slot]);
+			return false;
+		}
+		for (size_t k = 0; k < i; k++) {
+			if (strcmp(plan->bodies[k].name, body->name) != 0)
+				continue;
+			diag_error(diag, nowhere,
+				   "--body: two bodies would be called '%s': give the file %s another name", body->name,
+				   body->path);
+			return false;
+		}
+	}
+	return true;
+}
+
+/* What a link is called where nobody said so; NULL: after its axis. */
+static const char *usual_name(const struct plan *plan, const struct plan_chain *chain, size_t i)
+{
+	bool table = chain == &plan->table;
+
+	if (i + 1 == chain->count)
+		return table ? "table" : "head";
+	if (slot_is_rotary(chain->slots[i]))
+		return table ? "cradle" : "fork";
+	return NULL;
+}
+
+/* A body for the link, with a place for its file, unless one was told. */
+static void add_usual(struct plan *plan, int slot, const char *name)
+{
+	struct strbuf text = {0};
+
+	for (size_t i = 0; i < plan->body_count; i++) {
+		if (plan->bodies[i].slot == slot)
+			return;
+	}
+	if (name)
+		strbuf_addf(&text, "%s", name);
+	else
+		strbuf_addf(&text, "%c_slide", AXIS_LETTERS[slot]);
+	plan_add_body(plan, slot, "stl/", strbuf_text(&text), ".stl");
+	strbuf_release(&text);
+}
+
+static void add_usual_bodies(struct plan *plan)
+{
+	const struct plan_chain *chains[] = {&plan->head, &plan->table};
+
+	add_usual(plan, -1, "bed");
+	for (int c = 0; c < 2; c++) {
+		for (size_t i = 0; i < chains[c]->count; i++)
+			add_usual(plan, chains[c]->slots[i], usual_name(plan, chains[c], i));
+	}
+}
+
+bool plan_finish(struct plan *plan, struct diag *diag)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!check_axis(plan, slot, diag))
+			return false;
+	}
+	if (!join_linear(plan, diag))
+		return false;
+	join_rotary(plan);
+	add_usual_bodies(plan);
+	if (!check_bodies(plan, diag))
+		return false;
+	if (plan->inch < 0)
+		plan->inch = 0;
+	if (plan->dialect < 0)
+		plan->dialect = DIALECT_LINUXCNC;
+	/* LinuxCNC's rapids are straight. Other controls have a parameter for it: until it is known, all ways. */
+	if (plan->rapid < 0)
+		plan->rapid = plan->dialect == DIALECT_LINUXCNC ? RAPID_LINEAR : RAPID_ANY;
+	return true;
+}

@@ -1,0 +1,211 @@
+#include "cli/init/machine_plan_xml.h"
+
+#include "base/xml_text.h"
+#include "machine/machine.h"
+
+/* What is typical of a machining centre; only times depend on it, unless rapids are doglegs, and then it was told. */
+#define LINEAR_RATE 30000.0	/* mm/min */
+#define LINEAR_RATE_INCH 1200.0
+#define ROTARY_RATE 7200.0	/* degrees/min */
+
+static void indent(struct strbuf *out, int depth)
+{
+	strbuf_addf(out, "%*s", 2 * depth, "");
+}
+
+static void add_text(struct strbuf *out, const char *attribute, const char *text)
+{
+	if (text)
+		xml_text_attribute(out, attribute, text);
+}
+
+static void add_number(struct strbuf *out, const char *attribute, double value)
+{
+	strbuf_addf(out, " %s=\"%.12g\"", attribute, value);
+}
+
+static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
+{
+	strbuf_addf(out, " %s=\"%.12g %.12g %.12g\"", attribute, v.x, v.y, v.z);
+}
+
+/* How the axis moves what it carries: along or about its own coordinate axis; the table against the tool's sense. */
+static vec3 direction_of(const struct plan *plan, int slot)
+{
+	double sense = plan_turns_table(plan, slot) ? -1 : 1;
+	int k = slot_is_rotary(slot) ? slot - SLOT_A : slot - SLOT_X;
+
+	if (plan->axes[slot].has_direction)
+		return plan->axes[slot].direction;
+	return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, k == 2 ? sense : 0};
+}
+
+static double rate_of(const struct plan *plan, int slot)
+{
+	if (plan->axes[slot].has_rate)
+		return plan->axes[slot].rate;
+	if (slot_is_rotary(slot))
+		return ROTARY_RATE;
+	return plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE;
+}
+
+static void add_bodies(struct strbuf *out, const struct plan *plan, int slot, int depth)
+{
+	for (size_t i = 0; i < plan->body_count; i++) {
+		if (plan->bodies[i].slot != slot)
+			continue;
+		indent(out, depth);
+		strbuf_addf(out, "<body");
+		add_text(out, "name", plan->bodies[i].name);
+		add_text(out, "mesh", plan->bodies[i].path);
+		strbuf_addf(out, "/>\n");
+	}
+}
+
+/* What to look at, at the machine. */
+static void add_jog(struct strbuf *out, const struct plan *plan, int slot, int depth)
+{
+	const char *what = plan_turns_table(plan, slot) ? "table" : "head";
+	vec3 d = direction_of(plan, slot);
+
+	indent(out, depth);
+	strbuf_addf(out, "<!-- TODO Jog %c+: the %s must %s %.12g %.12g %.12g%s; else change the signs. -->\n",
+		    AXIS_LETTERS[slot], what, slot_is_rotary(slot) ? "turn about" : "move along", d.x, d.y, d.z,
+		    slot_is_rotary(slot) ? ", right-handed" : "");
+}
+
+static void add_axis(struct strbuf *out, const struct plan *plan, int slot, int depth)
+{
+	const struct plan_axis *axis = &plan->axes[slot];
+	bool rotary = slot_is_rotary(slot);
+
+	add_jog(out, plan, slot, depth);
+	indent(out, depth);
+	strbuf_addf(out, "<axis name=\"%c\"", AXIS_LETTERS[slot]);
+	add_text(out, "title", axis->title);
+	add_text(out, "type", rotary ? "rotary" : "linear");
+	add_vector(out, "direction", direction_of(plan, slot));
+	if (rotary || axis->has_location)
+		add_vector(out, "location", axis->location);
+	if (axis->has_min)
+		add_number(out, "limit_min", axis->min);
+	if (axis->has_max)
+		add_number(out, "limit_max", axis->max);
+	add_number(out, "rate_max", rate_of(plan, slot));
+	if (axis->has_home)
+		add_number(out, "home", axis->home);
+	strbuf_addf(out, ">\n");
+	add_bodies(out, plan, slot, depth + 1);
+}
+
+/* What stands at the end of a chain. */
+static void add_end(struct strbuf *out, const struct plan *plan, const struct plan_chain *chain, int depth)
+{
+	if (chain == &plan->head) {
+		indent(out, depth);
+		strbuf_addf(out, "<!-- The gauge point, and the way from there to the tip of a tool. -->\n");
+		indent(out, depth);
+		strbuf_addf(out, "<spindle");
+		add_vector(out, "location", plan->spindle);
+		add_vector(out, "direction", plan->spindle_direction);
+	} else {
+		indent(out, depth);
+		strbuf_addf(out, "<!-- %sThe origin in which fixtures and parts of a setup are drawn%s. -->\n",
+			    plan->has_workholding ? "" : "TODO ",
+			    plan->has_workholding ? "" : ": often the table's middle");
+		indent(out, depth);
+		strbuf_addf(out, "<workholding");
+		add_vector(out, "location", plan->workholding);
+	}
+	strbuf_addf(out, "/>\n");
+}
+
+static void add_chain(struct strbuf *out, const struct plan *plan, const struct plan_chain *chain)
+{
+	int depth = 2;
+
+	for (size_t i = 0; i < chain->count; i++)
+		add_axis(out, plan, chain->slots[i], depth++);
+	add_end(out, plan, chain, depth);
+	while (depth > 2) {
+		indent(out, --depth);
+		strbuf_addf(out, "</axis>\n");
+	}
+}
+
+/* Has every axis the rate that it was told? */
+static bool has_rates(const struct plan *plan)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (plan_has_axis(plan, slot) && !plan->axes[slot].has_rate)
+			return false;
+	}
+	return true;
+}
+
+static void add_controller(struct strbuf *out, const struct plan *plan)
+{
+	strbuf_addf(out, "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
+			 "       at its own rate); any (not known: every way between start and end is checked).");
+	if (plan->dialect != DIALECT_LINUXCNC)
+		strbuf_addf(out, "\n       What M6 and G43 move is a matter of this control's parameters; the check of a\n"
+				 "       program that needs it says so: <tool_change Z=\"0\"/>, length_offset_moves,\n"
+				 "       least_input.");
+	strbuf_addf(out, " -->\n  <controller");
+	add_text(out, "dialect", plan_dialects[plan->dialect]);
+	add_text(out, "rapid", plan_rapids[plan->rapid]);
+	strbuf_addf(out, "/>\n");
+}
+
+static void add_head(struct strbuf *out, const struct plan *plan)
+{
+	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+			 "<!--\n"
+			 "  A %s machine to begin with, written by fivecheck init. man 5 fivecheck-machine\n"
+			 "  explains each element, man 7 fivecheck leads from the CAD assembly to the first verdict.\n"
+			 "  TODO marks what has to be looked at.\n"
+			 "-->\n", plan_families[plan->family]);
+	strbuf_addf(out, "<machine version=\"1\"");
+	add_text(out, "name", plan->name);
+	add_text(out, "units", plan_units[plan->inch]);
+	strbuf_addf(out, ">\n");
+	add_controller(out, plan);
+}
+
+void plan_xml_write(struct strbuf *out, const struct plan *plan)
+{
+	add_head(out, plan);
+	strbuf_addf(out, "  <base>\n"
+			 "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that\n"
+			 "         moves as one as STL: machine coordinates, %s, one file a body. What an axis carries\n"
+			 "         stands inside its <axis>. Rename, add and delete <body> lines as the machine is built. -->\n",
+		    plan->inch ? "inches" : "mm");
+	add_bodies(out, plan, -1, 2);
+	if (!has_rates(plan))
+		strbuf_addf(out, "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a\n"
+				 "         guess; times depend on it. -->\n", plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE,
+			    plan_units[plan->inch], ROTARY_RATE);
+	strbuf_addf(out, "    <!-- From the base to the spindle. -->\n");
+	add_chain(out, plan, &plan->head);
+	strbuf_addf(out, "    <!-- From the base to the work. -->\n");
+	add_chain(out, plan, &plan->table);
+	strbuf_addf(out, "  </base>\n"
+			 "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is\n"
+			 "       special is said here:\n"
+			 "  <pairs>\n"
+			 "    <pair a=\"Z\" b=\"base\" clearance=\"2\"/>\n"
+			 "    <pair a=\"head\" b=\"bed\" check=\"never\" reason=\"the bellows yields\"/>\n"
+			 "  </pairs> -->\n"
+			 "</machine>\n");
+}
+
+void plan_xml_chains(struct strbuf *out, const struct plan *plan)
+{
+	strbuf_addf(out, "base");
+	for (size_t i = 0; i < plan->head.count; i++)
+		strbuf_addf(out, " > %c", AXIS_LETTERS[plan->head.slots[i]]);
+	strbuf_addf(out, " > spindle; base");
+	for (size_t i = 0; i < plan->table.count; i++)
+		strbuf_addf(out, " > %c", AXIS_LETTERS[plan->table.slots[i]]);
+	strbuf_addf(out, " > workholding");
+}

@@ -1,0 +1,158 @@
+/* For the coarse clock. */
+#define _GNU_SOURCE
+
+#include "cli/input_files.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/mem.h"
+#include "report/depfile.h"
+#include "report/output.h"
+
+static void add(struct inputs *inputs, const char *kind, const char *path)
+{
+	for (size_t i = 0; i < inputs->count; i++) {
+		if (!strcmp(inputs->items[i].path, path))
+			return;
+	}
+	inputs->items = mem_grow(inputs->items, &inputs->capacity, inputs->count + 1, sizeof(*inputs->items));
+	inputs->items[inputs->count++] = (struct report_file){kind, mem_strndup(path, strlen(path)), ""};
+}
+
+static void on_opened(void *context, const char *path)
+{
+	struct inputs *inputs = context;
+
+	pthread_mutex_lock(&inputs->lock);
+	add(inputs, "subprogram", path);
+	pthread_mutex_unlock(&inputs->lock);
+}
+
+void inputs_init(struct inputs *inputs)
+{
+	*inputs = (struct inputs){.watch = {inputs, on_opened}};
+	pthread_mutex_init(&inputs->lock, NULL);
+	/* Not the coarse clock: newer kernels stamp files with the fine one where it matters. */
+	clock_gettime(CLOCK_REALTIME, &inputs->started);
+}
+
+void inputs_release(struct inputs *inputs)
+{
+	for (size_t i = 0; i < inputs->count; i++)
+		free((char *)inputs->items[i].path);
+	free(inputs->items);
+	pthread_mutex_destroy(&inputs->lock);
+}
+
+static void add_meshes(struct inputs *inputs, const struct body *bodies, size_t count)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (bodies[i].mesh_path)
+			add(inputs, "mesh", bodies[i].mesh_path);
+	}
+}
+
+void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
+		      const struct setup *setup, bool meshes)
+{
+	add(inputs, "machine", options->machine);
+	if (options->setup)
+		add(inputs, "setup", options->setup);
+	if (options->baseline)
+		add(inputs, "baseline", options->baseline);
+	if (options->waivers)
+		add(inputs, "waivers", options->waivers);
+	if (meshes)
+		add_meshes(inputs, machine->bodies, machine->body_count);
+	if (meshes && setup)
+		add_meshes(inputs, setup->bodies, setup->body_count);
+	for (size_t i = 0; i < options->program_count; i++) {
+		if (strcmp(options->programs[i], "-") != 0)
+			add(inputs, "program", options->programs[i]);
+	}
+}
+
+static int compare(const void *a, const void *b)
+{
+	const struct report_file *x = a, *y = b;
+	int order = strcmp(x->kind, y->kind);
+
+	return order ? order : strcmp(x->path, y->path);
+}
+
+void inputs_sort(struct inputs *inputs)
+{
+	if (inputs->count)
+		qsort(inputs->items, inputs->count, sizeof(*inputs->items), compare);
+}
+
+static bool is_later(const struct timespec *a, const struct timespec *b)
+{
+	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
+}
+
+bool inputs_digest(struct inputs *inputs, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		struct report_file *file = &inputs->items[i];
+		struct stat status;
+
+		if (!stat(file->path, &status) && !S_ISREG(status.st_mode)) {
+			/* A pipe cannot be read twice, and opening it would wait for its writer. */
+			diag_error(diag, (struct srcloc){0}, "--record: %s is no regular file", file->path);
+			good = false;
+		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
+			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
+				   strerror(errno));
+			good = false;
+		} else if (is_later(&status.st_ctim, &inputs->started)) {
+			diag_error(diag, (struct srcloc){0}, "--record: %s changed while it was checked", file->path);
+			good = false;
+		}
+	}
+	return good;
+}
+
+bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag)
+{
+	struct output out = {0};
+	struct strbuf text = {0};
+	bool good = true;
+
+	if (!options->depfile)
+		return true;
+	if (options->output)
+		good = depfile_add_name(&text, options->output, true, diag);
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		if (options->formats[i].path)
+			good = depfile_add_name(&text, options->formats[i].path, true, diag) && good;
+	}
+	if (options->clearance_report)
+		good = depfile_add_name(&text, options->clearance_report, true, diag) && good;
+	if (options->timing)
+		good = depfile_add_name(&text, options->timing, true, diag) && good;
+	strbuf_addf(&text, ":");
+	for (size_t i = 0; i < inputs->count; i++) {
+		strbuf_addf(&text, " \\\n ");
+		good = depfile_add_name(&text, inputs->items[i].path, false, diag) && good;
+	}
+	strbuf_addf(&text, "\n");
+	/* A mesh that is no longer used may be deleted: a rule without a recipe keeps make from asking for it. */
+	for (size_t i = 0; i < inputs->count && good; i++) {
+		strbuf_addf(&text, "\n");
+		good = depfile_add_name(&text, inputs->items[i].path, true, diag);
+		strbuf_addf(&text, ":\n");
+	}
+	good = good && output_open(&out, options->depfile, diag);
+	if (good) {
+		output_text(&out, &text);
+		good = output_commit(&out, diag);
+	}
+	strbuf_release(&text);
+	return good;
+}

@@ -1,0 +1,226 @@
+#include "cli/option_value.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+static const struct srcloc nowhere;
+
+/* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
+bool value_number(double *out, const char *text)
+{
+	char *end;
+	double value;
+
+	if (!*text || strspn(text, "0123456789+-.eE") != strlen(text))
+		return false;
+	value = strtod(text, &end);
+	if (*end || !isfinite(value))
+		return false;
+	*out = value;
+	return true;
+}
+
+static bool read_number(double *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	double value;
+
+	if (!value_number(&value, text)) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s", row->name, text, row->unit ? " of " : "",
+			   row->unit ? row->unit : "");
+		return false;
+	}
+	if (value < row->least || value > row->greatest) {
+		diag_error(diag, nowhere, "--%s: %s is not between %.10g and %.10g%s%s", row->name, text, row->least,
+			   row->greatest, row->unit ? " " : "", row->unit ? row->unit : "");
+		return false;
+	}
+	*out = value;
+	return true;
+}
+
+static bool read_count(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	double value;
+
+	if (!*text || strspn(text, "0123456789") != strlen(text)) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a whole number", row->name, text);
+		return false;
+	}
+	if (!read_number(&value, row, text, diag))
+		return false;
+	*out = (int)value;
+	return true;
+}
+
+static bool read_choice(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	struct strbuf names = {0};
+
+	for (int i = 0; row->choices[i]; i++) {
+		if (!strcmp(text, row->choices[i])) {
+			*out = i;
+			strbuf_release(&names);
+			return true;
+		}
+		strbuf_addf(&names, "%s%s", i ? ", " : "", row->choices[i]);
+	}
+	diag_error(diag, nowhere, "--%s: '%s' is none of: %s", row->name, text, strbuf_text(&names));
+	strbuf_release(&names);
+	return false;
+}
+
+static bool add_text(struct text_list *list, const struct option_row *row, const char *text, struct diag *diag)
+{
+	if (!*text) {
+		diag_error(diag, nowhere, "--%s: the name is empty", row->name);
+		return false;
+	}
+	list->items = mem_grow(list->items, &list->capacity, list->count + 1, sizeof(*list->items));
+	list->items[list->count++] = text;
+	return true;
+}
+
+/* NAME or NAME=FILE */
+static bool add_format(struct format_choice *choices, const struct option_row *row, const char *text,
+		       struct diag *diag)
+{
+	size_t length = strcspn(text, "=");
+	const char *path = text[length] ? text + length + 1 : NULL;
+	struct strbuf names = {0};
+
+	if (path && !*path) {
+		diag_error(diag, nowhere, "--%s: the name of the file is empty", row->name);
+		return false;
+	}
+	for (int i = 0; i < FORMAT_CHOICES; i++) {
+		const char *name = report_writers[i]->name;
+
+		strbuf_addf(&names, "%s%s", i ? ", " : "", name);
+		if (strlen(name) != length || strncmp(name, text, length) != 0)
+			continue;
+		strbuf_release(&names);
+		if (choices[i].wanted)
+			diag_error(diag, nowhere, "--%s: %s was named twice", row->name, name);
+		else
+			choices[i] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};
+		return !diag->errors;
+	}
+	diag_error(diag, nowhere, "--%s: '%.*s' is none of: %s", row->name, (int)length, text, strbuf_text(&names));
+	strbuf_release(&names);
+	return false;
+}
+
+/* K/N */
+static bool read_share(int *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	size_t digits = strspn(text, "0123456789");
+	size_t more = text[digits] == '/' ? strspn(text + digits + 1, "0123456789") : 0;
+	double part = strtod(text, NULL), parts = more ? strtod(text + digits + 1, NULL) : 0;
+
+	if (!digits || !more || text[digits + 1 + more] || part < 1 || part > parts || parts > 1e6) {
+		diag_error(diag, nowhere, "--%s: '%s' is not a part like 3/8, from 1/8 to 8/8", row->name, text);
+		return false;
+	}
+	out[0] = (int)part;
+	out[1] = (int)parts;
+	return true;
+}
+
+/* KIND,KIND */
+static bool read_kinds(unsigned *out, const struct option_row *row, const char *text, struct diag *diag)
+{
+	unsigned kinds = 0;
+
+	for (const char *end;; text = end + 1) {
+		size_t length = strcspn(text, ",");
+		int kind = FINDING_COLLISION;
+
+		while (kind <= FINDING_START_OVERLAP &&
+		       (strlen(finding_kind_name((enum finding_kind)kind)) != length ||
+			strncmp(text, finding_kind_name((enum finding_kind)kind), length) != 0))
+			kind++;
+		if (kind > FINDING_START_OVERLAP) {
+			diag_error(diag, nowhere, "--%s: '%.*s' is none of: collision, clearance, limit, start-overlap",
+				   row->name, (int)length, text);
+			return false;
+		}
+		kinds |= 1U << kind;
+		end = text + length;
+		if (!*end)
+			break;
+	}
+	*out = kinds;
+	return true;
+}
+
+/* A,B,C,D */
+static bool read_amounts(double out[CHANGES], const struct option_row *row, const char *text, struct diag *diag)
+{
+	double amounts[CHANGES], most = 0;
+	const char *at = text;
+
+	for (int i = 0; i < CHANGES; i++) {
+		size_t length = strcspn(at, ",");
+		char *part = mem_strndup(at, length);
+		bool whole = (at[length] == ',') == (i < CHANGES - 1);
+		bool good = whole && read_number(&amounts[i], row, part, diag);
+
+		if (!whole)
+			diag_error(diag, nowhere, "--%s: '%s' is not four numbers like 1,1,1,0.5: of X, Y, Z and the tool length",
+				   row->name, text);
+		free(part);
+		if (!good)
+			return false;
+		most = fmax(most, amounts[i]);
+		at += length + 1;
+	}
+	if (!(most > 0))
+		diag_error(diag, nowhere, "--%s: '%s' looks for nothing: all four are 0", row->name, text);
+	else
+		memcpy(out, amounts, sizeof(amounts));
+	return most > 0;
+}
+
+bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
+{
+	void *field = (char *)options + row->field;
+	int index;
+
+	_Static_assert(sizeof(enum check_method) == sizeof(int),
+		       "choices are stored as int");
+	switch (row->kind) {
+	case VALUE_FLAG:
+		*(bool *)field = true;
+		return true;
+	case VALUE_TEXT:
+		if (!*text)
+			diag_error(diag, nowhere, "--%s: the name is empty", row->name);
+		*(const char **)field = text;
+		return *text != '\0';
+	case VALUE_LIST:
+		return add_text(field, row, text, diag);
+	case VALUE_NUMBER:
+		return read_number(field, row, text, diag);
+	case VALUE_COUNT:
+		return read_count(field, row, text, diag);
+	case VALUE_CHOICE:
+		if (!read_choice(&index, row, text, diag))
+			return false;
+		memcpy(field, &index, sizeof(index));
+		return true;
+	case VALUE_FORMAT:
+		return add_format(field, row, text, diag);
+	case VALUE_SHARE:
+		return read_share(field, row, text, diag);
+	case VALUE_KINDS:
+		return read_kinds(field, row, text, diag);
+	case VALUE_AMOUNTS:
+		return read_amounts(field, row, text, diag);
+	case VALUE_MODE:
+		break;
+	}
+	return false;
+}

@@ -1,0 +1,180 @@
+#include "cli/path_checks.h"
+
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/confine.h"
+#include "base/strbuf.h"
+
+/* The same name in the same folder, however that is spelled. */
+static bool is_same_entry(const char *a, const char *b)
+{
+	const char *names[2] = {a, b};
+	struct stat folders[2];
+
+	for (int i = 0; i < 2; i++) {
+		const char *slash = strrchr(names[i], '/');
+		struct strbuf folder = {0};
+		bool good;
+
+		if (slash)
+			strbuf_add(&folder, names[i], (size_t)(slash - names[i]) + 1);
+		good = !stat(slash ? strbuf_text(&folder) : ".", &folders[i]);
+		strbuf_release(&folder);
+		if (!good)
+			return false;
+		names[i] = slash ? slash + 1 : names[i];
+	}
+	return !strcmp(names[0], names[1]) && folders[0].st_dev == folders[1].st_dev &&
+	       folders[0].st_ino == folders[1].st_ino;
+}
+
+/* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
+static bool is_same(const char *a, const char *b)
+{
+	struct stat sa, sb;
+
+	if (stat(a, &sa) || stat(b, &sb))
+		return !strcmp(a, b) || is_same_entry(a, b);
+	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+/* A file that is to be written, and the option that says so. */
+struct written {
+	const char *option, *path;
+};
+
+enum { WRITTEN_MAX = FORMAT_COUNT + 5 };
+
+static size_t list_written(struct written *list, const struct options *options)
+{
+	size_t count = 0;
+
+	if (options->output)
+		list[count++] = (struct written){"output", options->output};
+	for (int i = 0; i < FORMAT_COUNT; i++) {
+		if (options->formats[i].path)
+			list[count++] =
+			    (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
+	}
+	if (options->depfile)
+		list[count++] = (struct written){"depfile", options->depfile};
+	if (options->clearance_report)
+		list[count++] = (struct written){"clearance-report", options->clearance_report};
+	if (options->timing)
+		list[count++] = (struct written){"timing", options->timing};
+	if (options->pose)
+		list[count++] = (struct written){"pose", options->pose};
+	return count;
+}
+
+static bool is_free(const struct written *written, const char *other, struct diag *diag)
+{
+	if (!other || !is_same(written->path, other))
+		return true;
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s", written->option, other);
+	return false;
+}
+
+/* Results on standard output, which the shell may have sent to the file that is to be written, would be lost. */
+static bool spares_results(const struct options *options, const struct written *written, struct diag *diag)
+{
+	struct stat results, status;
+	bool has_results = false;
+
+	for (int i = 0; i < FORMAT_COUNT && !options->output; i++)
+		has_results = has_results || (options->formats[i].wanted && !options->formats[i].path);
+	if (!has_results || fstat(STDOUT_FILENO, &results) || !S_ISREG(results.st_mode) ||
+	    stat(written->path, &status) || status.st_dev != results.st_dev || status.st_ino != results.st_ino)
+		return true;
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, where the results on standard output go",
+		   written->option, written->path);
+	return false;
+}
+
+bool files_differ(const struct options *options, struct diag *diag)
+{
+	struct written list[WRITTEN_MAX];
+	size_t count = list_written(list, options);
+
+	for (size_t i = 0; i < count; i++) {
+		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
+		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag) ||
+		    !is_free(&list[i], options->files_from, diag) || !spares_results(options, &list[i], diag))
+			return false;
+		for (size_t k = 0; k < options->program_count; k++) {
+			if (!is_free(&list[i], options->programs[k], diag))
+				return false;
+		}
+		for (size_t k = 0; k < i; k++) {
+			if (!is_free(&list[i], list[k].path, diag))
+				return false;
+		}
+	}
+	return true;
+}
+
+static bool spares(const struct options *options, const struct body *bodies, size_t count, struct diag *diag)
+{
+	struct written list[WRITTEN_MAX];
+	size_t listed = list_written(list, options);
+
+	for (size_t i = 0; i < count; i++) {
+		for (size_t k = 0; k < listed; k++) {
+			if (!is_free(&list[k], bodies[i].mesh_path, diag))
+				return false;
+		}
+	}
+	return true;
+}
+
+bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
+			struct diag *diag)
+{
+	return spares(options, machine->bodies, machine->body_count, diag) &&
+	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
+}
+
+bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag)
+{
+	struct written list[WRITTEN_MAX];
+	size_t listed = list_written(list, options);
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		for (size_t k = 0; k < listed; k++) {
+			if (!is_free(&list[k], inputs->items[i].path, diag))
+				return false;
+		}
+	}
+	return true;
+}
+
+static bool confine(const char *root, struct body *bodies, size_t count, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < count; i++) {
+		bodies[i].mesh_root = root;
+		if (!bodies[i].mesh_path || confine_holds(root, bodies[i].mesh_path))
+			continue;
+		diag_error(diag, bodies[i].loc, "the mesh %s is outside of the input root %s, or a link leads there",
+			   bodies[i].mesh_path, root);
+		good = false;
+	}
+	return good;
+}
+
+bool files_confine(const struct options *options, const struct machine *machine, const struct setup *setup,
+		   struct diag *diag)
+{
+	const char *root = options->check.input_root;
+	struct stat status;
+
+	if (root && (stat(root, &status) || !S_ISDIR(status.st_mode))) {
+		diag_error(diag, (struct srcloc){0}, "--input-root %s is no folder", root);
+		return false;
+	}
+	return confine(root, machine->bodies, machine->body_count, diag) &&
+	       (!setup || confine(root, setup->bodies, setup->body_count, diag));
+}

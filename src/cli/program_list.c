@@ -1,0 +1,81 @@
+#include "cli/program_list.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "base/strbuf.h"
+
+static const struct srcloc nowhere;
+
+/* Bytes: a million names. What is longer, such as a pipe that never ends, is no list. */
+#define LIST_MAX ((size_t)64 << 20)
+
+/* Reads to the end; returns what is wrong, or NULL. */
+static const char *read_all(struct strbuf *text, FILE *in)
+{
+	char bytes[4096];
+	size_t count;
+
+	errno = 0;
+	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0) {
+		if (memchr(bytes, 0, count))
+			return "it has a byte 0, and a list takes one name a line";
+		if (text->length + count > LIST_MAX)
+			return "it is longer than 64 MB";
+		strbuf_add(text, bytes, count);
+	}
+	return ferror(in) ? strerror(errno ? errno : EIO) : NULL;
+}
+
+/* Cuts the text into lines in place; names cannot be empty. */
+static void add_names(struct options *options, char *text)
+{
+	size_t capacity = options->program_count;
+
+	for (char *end; *text; text = end) {
+		size_t length = strcspn(text, "\n");
+
+		end = text + length + (text[length] == '\n');
+		/* A list from another system. */
+		if (length > 0 && text[length - 1] == '\r')
+			length--;
+		text[length] = '\0';
+		if (!length)
+			continue;
+		options->programs = mem_grow(options->programs, &capacity, options->program_count + 1,
+					     sizeof(*options->programs));
+		options->programs[options->program_count++] = text;
+	}
+}
+
+bool list_read(struct options *options, struct diag *diag)
+{
+	const char *path = options->files_from;
+	bool standard = !strcmp(path, "-");
+	FILE *in = standard ? stdin : fopen(path, "rb");
+	struct strbuf text = {0};
+	const char *fault = in ? read_all(&text, in) : strerror(errno);
+
+	if (fault)
+		diag_error(diag, nowhere, "cannot read the list %s: %s", path, fault);
+	if (in && !standard)
+		fclose(in);
+	options->list = text.text;
+	if (fault || !text.text)
+		return !fault;
+	add_names(options, text.text);
+	return true;
+}
+
+void list_share(struct options *options)
+{
+	size_t count = 0;
+
+	if (!options->shards)
+		return;
+	for (size_t i = (size_t)options->shard - 1; i < options->program_count; i += (size_t)options->shards)
+		options->programs[count++] = options->programs[i];
+	options->program_count = count;
+}

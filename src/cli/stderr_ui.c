@@ -1,0 +1,221 @@
+#include "cli/stderr_ui.h"
+
+#include "report/format/format_units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <time.h>
+#include <unistd.h>
+
+/* The first " error:" and the like in bold colour; `text` is as diag_format made it. */
+static void add_coloured(struct strbuf *out, const char *text, enum diag_severity severity)
+{
+	static const char *const words[] = {" note:", " warning:", " error:"};
+	static const char *const colours[] = {"\033[1;36m", "\033[1;35m", "\033[1;31m"};
+	const char *at = strstr(text, words[severity]);
+	size_t length = strlen(words[severity]);
+
+	if (!at) {
+		strbuf_addf(out, "%s", text);
+		return;
+	}
+	strbuf_add(out, text, (size_t)(at - text));
+	strbuf_addf(out, "%s%.*s\033[0m%s", colours[severity], (int)length, at, at + length);
+}
+
+static void print_entry(void *context, const struct diag_entry *entry)
+{
+	struct console *console = context;
+	struct strbuf text = {0}, line = {0};
+
+	if (console->quiet && entry->severity != DIAG_ERROR)
+		return;
+	console_clear(console);
+	diag_format(&text, entry);
+	if (console->colour)
+		add_coloured(&line, strbuf_text(&text), entry->severity);
+	else
+		strbuf_add(&line, strbuf_text(&text), text.length);
+	fwrite(line.text, 1, line.length, stderr);
+	strbuf_release(&text);
+	strbuf_release(&line);
+}
+
+bool console_wants_colour(int fd)
+{
+	const char *never = getenv("NO_COLOR"), *term = getenv("TERM");
+
+	return isatty(fd) && !(never && *never) && term && strcmp(term, "dumb") != 0;
+}
+
+void console_init(struct console *console)
+{
+	*console = (struct console){
+		.diag = {.handle = print_entry, .context = console},
+		.colour = console_wants_colour(STDERR_FILENO),
+		.terminal = isatty(STDERR_FILENO),
+	};
+}
+
+void console_expect(struct console *console, size_t programs)
+{
+	console->programs = programs;
+	console->done = 0;
+	console->started = console->shown = console_seconds();
+}
+
+enum { BAR_WIDTH = 20, WIDTH_DEFAULT = 80 };
+
+/* What is to be shown. */
+struct progress {
+	const char *file;	/* NULL: nothing is known of a single program */
+	long lines;
+	double share;	/* of the run; 0: not known */
+	double spent;	/* s */
+};
+
+/* "1 h 02 min", "12 s": what is estimated has no decimals. */
+static void add_estimate(struct strbuf *out, double seconds)
+{
+	double whole = ceil(seconds), minutes = floor(whole / 60);
+
+	if (whole < 60)
+		strbuf_addf(out, "%.0f s", whole);
+	else if (minutes < 60)
+		strbuf_addf(out, "%.0f min %02.0f s", minutes, whole - 60 * minutes);
+	else
+		strbuf_addf(out, "%.0f h %02.0f min", floor(minutes / 60), fmod(minutes, 60));
+}
+
+/* "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711", or of one program its rate in lines. */
+static void add_run(struct strbuf *out, const struct console *console, const struct progress *now)
+{
+	bool several = console->programs > 1;
+	double rate = now->spent > 0 ? (double)(several ? (long)console->done : now->lines) / now->spent : 0;
+
+	if (several)
+		strbuf_addf(out, "%zu of %zu programs", console->done, console->programs);
+	else
+		quantity_add_plain(out, now->file ? now->file : "");
+	if (!several)
+		strbuf_addf(out, ": line %ld", now->lines);
+	if (rate > 0)
+		strbuf_addf(out, several && rate < 1 ? ", %.3f%s" : several ? ", %.1f%s" : ", %.0f%s", rate,
+			    several ? "/s" : " lines/s");
+	if (now->share > 0 && now->share < 1) {
+		strbuf_addf(out, ", ");
+		add_estimate(out, now->spent * (1 - now->share) / now->share);
+		strbuf_addf(out, " left");
+	}
+	if (several && now->file && now->lines) {
+		strbuf_addf(out, "; ");
+		quantity_add_plain(out, now->file);
+		strbuf_addf(out, ": line %ld", now->lines);
+	}
+}
+
+static void add_bar(struct strbuf *out, double share)
+{
+	int full = (int)(share * BAR_WIDTH);
+
+	strbuf_addf(out, "[");
+	for (int i = 0; i < BAR_WIDTH; i++)
+		strbuf_addf(out, i < full ? "#" : " ");
+	strbuf_addf(out, "] ");
+}
+
+/* Columns of the terminal, less the last: a line that fills it goes on in the next, and could not be taken back. */
+static size_t width(void)
+{
+	struct winsize size;
+
+	if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) || size.ws_col < 2)
+		return WIDTH_DEFAULT - 1;
+	return (size_t)size.ws_col - 1;
+}
+
+/* As much of the text as fits, not within a character of UTF-8: every byte but those that go on counts. */
+static int cut(const char *text, size_t columns)
+{
+	size_t length = 0;
+
+	for (; text[length]; length++) {
+		bool begins = ((unsigned char)text[length] & 0xc0) != 0x80;
+
+		if (begins && !columns--)
+			break;
+	}
+	return (int)length;
+}
+
+static void show(struct console *console, const char *file, long lines, double share)
+{
+	bool plain = console->kind == PROGRESS_PLAIN;
+	double done = (double)console->done + fmax(share, 0);
+	struct progress now = {file, lines, done / (double)console->programs, console_seconds() - console->started};
+	struct strbuf text = {0};
+
+	if (!plain && (console->programs > 1 || share >= 0))
+		add_bar(&text, now.share);
+	add_run(&text, console, &now);
+	if (plain)
+		fprintf(stderr, "fivecheck: %s\n", strbuf_text(&text));
+	else
+		fprintf(stderr, "\r%.*s\033[K", cut(strbuf_text(&text), width()), strbuf_text(&text));
+	fflush(stderr);
+	strbuf_release(&text);
+	console->shown = console_seconds();
+	console->progress = !plain;
+}
+
+static bool is_wanted(const struct console *console)
+{
+	return !console->quiet &&
+	       (console->kind == PROGRESS_PLAIN || (console->kind == PROGRESS_AUTO && console->terminal));
+}
+
+/* Not at once behind what was printed either: it would flicker, and a short run needs none. */
+static bool is_due(const struct console *console)
+{
+	return console_seconds() - console->shown >= (console->kind == PROGRESS_PLAIN ? 10 : 0.2);
+}
+
+void console_progress(struct console *console, const char *file, long lines, double share)
+{
+	if (is_wanted(console) && is_due(console))
+		show(console, file, lines, share);
+}
+
+void console_done(struct console *console)
+{
+	console->done++;
+	if (console->programs > 1 && is_wanted(console) && is_due(console))
+		show(console, NULL, 0, -1);
+}
+
+void console_finish(struct console *console)
+{
+	console_clear(console);
+	/* The last of the plain lines stays as a total. */
+	if (console->kind == PROGRESS_PLAIN && is_wanted(console) && console->programs > 1)
+		show(console, NULL, 0, -1);
+}
+
+void console_clear(struct console *console)
+{
+	if (!console->progress)
+		return;
+	fputs("\r\033[K", stderr);
+	console->progress = false;
+}
+
+double console_seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}

@@ -1,0 +1,46 @@
+/* stderr_ui.h - standard error: diagnostics in the GNU form, and a line of progress while a terminal watches. */
+#ifndef FIVECHECK_CLI_STDERR_UI_H
+#define FIVECHECK_CLI_STDERR_UI_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "cli/options.h"
+
+struct console {
+	struct diag diag;	/* prints what is reported to it */
+	bool quiet;	/* errors only, no progress */
+	bool colour;
+	bool terminal;
+	enum progress_kind kind;
+	size_t programs, done;	/* of the run; done, in any order */
+	double started;	/* by console_seconds */
+	bool progress;	/* a progress line stands on the terminal */
+	double shown;	/* when it was last renewed, or a plain line printed, by console_seconds */
+};
+
+/* Not to be moved afterwards: its diag points back at it. */
+void console_init(struct console *console);
+
+/* Colour for a stream: only on a terminal that knows it, and not against NO_COLOR (no-color.org). */
+bool console_wants_colour(int fd);
+
+/* A run of so many programs begins; one of them is done; all are. */
+void console_expect(struct console *console, size_t programs);
+void console_done(struct console *console);
+void console_finish(struct console *console);
+
+/*
+ * Shows how far a program is, at which line and at which share of its file (0 to 1; below 0: not known), with several
+ * how far the run is, its rate and the time left: a few times a second on a terminal, or as plain lines every
+ * ten seconds.
+ */
+void console_progress(struct console *console, const char *file, long lines, double share);
+
+/* Takes the progress line away, before something else is printed. */
+void console_clear(struct console *console);
+
+/* Seconds of a clock that only goes forward. */
+double console_seconds(void);
+
+#endif

@@ -1,0 +1,51 @@
+#include "report/format/digest.h"
+
+#include <errno.h>
+#include <nettle/sha2.h>
+#include <nettle/version.h>
+#include <stdint.h>
+#include <stdio.h>
+
+static void finish(char digest[DIGEST_SIZE], struct sha256_ctx *context)
+{
+	uint8_t bytes[SHA256_DIGEST_SIZE];
+
+#if NETTLE_VERSION_MAJOR >= 4
+	sha256_digest(context, bytes);
+#else
+	sha256_digest(context, sizeof(bytes), bytes);
+#endif
+	for (size_t i = 0; i < sizeof(bytes); i++)
+		snprintf(digest + 2 * i, 3, "%02x", (unsigned)bytes[i]);
+}
+
+void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count)
+{
+	struct sha256_ctx context;
+
+	sha256_init(&context);
+	sha256_update(&context, count, (const uint8_t *)bytes);
+	finish(digest, &context);
+}
+
+bool digest_file(char digest[DIGEST_SIZE], const char *path)
+{
+	struct sha256_ctx context;
+	uint8_t bytes[16384];
+	FILE *in = fopen(path, "rb");
+	size_t count;
+	int error;
+
+	if (!in)
+		return false;
+	sha256_init(&context);
+	errno = 0;
+	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0)
+		sha256_update(&context, count, bytes);
+	error = ferror(in) ? (errno ? errno : EIO) : 0;
+	fclose(in);
+	errno = error;
+	if (!error)
+		finish(digest, &context);
+	return !error;
+}

@@ -1,0 +1,16 @@
+/* digest.h - SHA-256 of files and texts, as hexadecimal digits. */
+#ifndef FIVECHECK_REPORT_FORMAT_DIGEST_H
+#define FIVECHECK_REPORT_FORMAT_DIGEST_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* 64 digits and the NUL. */
+enum { DIGEST_SIZE = 65 };
+
+void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count);
+
+/* False: errno says why the file could not be read. */
+bool digest_file(char digest[DIGEST_SIZE], const char *path);
+
+#endif

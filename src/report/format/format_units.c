@@ -1,0 +1,78 @@
+#include "report/format/format_units.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/units.h"
+
+double quantity_value(int slot, double value)
+{
+	return (slot_is_rotary(slot) ? degrees(value) : value) + 0.0;
+}
+
+const char *quantity_unit(int slot)
+{
+	return slot_is_rotary(slot) ? "deg" : "mm";
+}
+
+void quantity_add(struct strbuf *out, double value)
+{
+	/* What rounds to zero must not keep its sign. */
+	strbuf_addf(out, "%.4f", fabs(value) < 0.00005 ? 0.0 : value);
+}
+
+void quantity_add_duration(struct strbuf *out, double seconds)
+{
+	/* Rounded first, or 59.9996 s would read 60.000 s. */
+	double rounded = round(seconds * 1000) / 1000;
+	double hours = floor(rounded / 3600);
+	double minutes = floor((rounded - 3600 * hours) / 60);
+	double rest = fmax(0, rounded - 3600 * hours - 60 * minutes);
+
+	if (rounded < 60)
+		strbuf_addf(out, "%.3f s", rounded);
+	else if (rounded < 3600)
+		strbuf_addf(out, "%.0f min %06.3f s", minutes, rest);
+	else
+		strbuf_addf(out, "%.0f h %02.0f min %06.3f s", hours, minutes, rest);
+}
+
+void quantity_add_axes(struct strbuf *out, const struct machine *machine, const axis_values *axes)
+{
+	const char *separator = "";
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!machine_axis(machine, slot))
+			continue;
+		strbuf_addf(out, "%s%c ", separator, AXIS_LETTERS[slot]);
+		quantity_add(out, quantity_value(slot, axes->v[slot]));
+		strbuf_addf(out, " %s", quantity_unit(slot));
+		separator = ", ";
+	}
+}
+
+static bool is_blank(char c)
+{
+	unsigned char u = (unsigned char)c;
+
+	return u <= 0x20 || u == 0x7f;
+}
+
+void quantity_add_plain(struct strbuf *out, const char *text)
+{
+	size_t length = strlen(text);
+
+	while (length && is_blank(text[length - 1]))
+		length--;
+	while (length && is_blank(*text)) {
+		text++;
+		length--;
+	}
+	for (size_t i = 0; i < length; i++)
+		strbuf_add(out, is_blank(text[i]) ? " " : &text[i], 1);
+}
+
+void quantity_add_count(struct strbuf *out, size_t count, const char *noun)
+{
+	strbuf_addf(out, "%zu %s%s", count, noun, count == 1 ? "" : "s");
+}

@@ -1,0 +1,203 @@
+#include "report/machine_report.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "report/format/format_units.h"
+
+struct tree {
+	struct strbuf *out;
+	struct scene *scene;
+	struct diag *diag;
+};
+
+static const char *role_name(enum body_role role)
+{
+	static const char *const names[] = {
+		[ROLE_MACHINE] = "body", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part",
+		[ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank", [ROLE_CUTTER] = "cutter",
+	};
+
+	return names[role];
+}
+
+static void add_indent(struct strbuf *out, int depth)
+{
+	strbuf_addf(out, "%*s", 2 * depth, "");
+}
+
+static void add_direction(struct strbuf *out, vec3 v)
+{
+	strbuf_addf(out, "%.6g %.6g %.6g", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
+
+static void add_controller(struct strbuf *out, const struct controller *controller)
+{
+	static const char *const dialects[] = {"linuxcnc", "fanuc", "haas"};
+	static const char *const rapids[] = {"linear", "dogleg", "any (anywhere in the box of the move)"};
+
+	strbuf_addf(out, "controller: %s, rapids %s, TCP's rotary zero %s", dialects[controller->dialect],
+		    rapids[controller->rapid], controller->tcp_zero_offset ? "the work offset's" : "the machine's");
+	if (controller->path_tolerance > 0)
+		strbuf_addf(out, ", path tolerance %.10g", controller->path_tolerance);
+	strbuf_addf(out, "\n");
+}
+
+static void add_travel(struct strbuf *out, const struct axis *axis)
+{
+	const char *unit = quantity_unit(axis->slot);
+
+	if (isinf(axis->limit_min) && isinf(axis->limit_max)) {
+		strbuf_addf(out, "unlimited");
+		return;
+	}
+	if (isinf(axis->limit_min))
+		strbuf_addf(out, "unlimited");
+	else
+		strbuf_addf(out, "%.10g", quantity_value(axis->slot, axis->limit_min));
+	if (isinf(axis->limit_max))
+		strbuf_addf(out, " to unlimited");
+	else
+		strbuf_addf(out, " to %.10g", quantity_value(axis->slot, axis->limit_max));
+	strbuf_addf(out, " %s", unit);
+}
+
+static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
+{
+	static const char *const wraps[] = {"", ", wraps the shortest way", ", wraps by sign"};
+
+	add_indent(out, depth);
+	strbuf_addf(out, "%s", axis->name);
+	if (axis->title) {
+		strbuf_addf(out, " \"");
+		quantity_add_plain(out, axis->title);
+		strbuf_addf(out, "\"");
+	}
+	strbuf_addf(out, ": %s ", axis->rotary ? "rotary about" : "linear along");
+	add_direction(out, axis->direction);
+	if (axis->rotary) {
+		strbuf_addf(out, " through ");
+		add_direction(out, axis->location);
+	}
+	strbuf_addf(out, ", travel ");
+	add_travel(out, axis);
+	strbuf_addf(out, ", %.10g %s/min, home %.10g%s\n",
+		    quantity_value(axis->slot, axis->rate_max) * SECONDS_PER_MINUTE, quantity_unit(axis->slot),
+		    quantity_value(axis->slot, axis->home), wraps[axis->wrap]);
+}
+
+/* Of every corner as it is placed: the bounds of a turned box would be too large. */
+static void placed_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest)
+{
+	*least = (vec3){INFINITY, INFINITY, INFINITY};
+	*greatest = vec3_scale(-1, *least);
+	for (size_t i = 0; i < mesh->count; i++) {
+		for (int k = 0; k < 3; k++) {
+			vec3 corner = xform_apply(placement, mesh_corner(&mesh->triangles[i], k));
+
+			*least = vec3_min(*least, corner);
+			*greatest = vec3_max(*greatest, corner);
+		}
+	}
+}
+
+/* Three decimals; what rounds to zero has no sign. */
+static void add_interval(struct strbuf *out, char axis, double least, double greatest)
+{
+	strbuf_addf(out, ", %c %.3f to %.3f", axis, fabs(least) < 0.0005 ? 0.0 : least,
+		    fabs(greatest) < 0.0005 ? 0.0 : greatest);
+}
+
+static bool add_body(const struct tree *tree, int index, int depth)
+{
+	const struct body *body = tree->scene->bodies[index].body;
+	const struct bvh *bvh = scene_body_bvh(tree->scene, index, tree->diag);
+	vec3 least, greatest;
+
+	if (!bvh)
+		return false;
+	placed_bounds(&bvh->mesh, &body->placement, &least, &greatest);
+	add_indent(tree->out, depth);
+	strbuf_addf(tree->out, "%s ", role_name(body->role));
+	quantity_add_plain(tree->out, body->name);
+	strbuf_addf(tree->out, ": ");
+	quantity_add_count(tree->out, bvh->mesh.count, "triangle");
+	add_interval(tree->out, 'X', least.x, greatest.x);
+	add_interval(tree->out, 'Y', least.y, greatest.y);
+	add_interval(tree->out, 'Z', least.z, greatest.z);
+	strbuf_addf(tree->out, "\n");
+	return true;
+}
+
+/* A link's bodies, its spindle and workholding, then what it carries; no deeper than a machine has axes. */
+static bool add_link(const struct tree *tree, int link, int depth)
+{
+	const struct machine *machine = tree->scene->machine;
+
+	for (size_t i = 0; i < tree->scene->body_count; i++) {
+		if (tree->scene->bodies[i].body->link == link && !add_body(tree, (int)i, depth))
+			return false;
+	}
+	if (machine->spindle.present && machine->spindle.link == link) {
+		add_indent(tree->out, depth);
+		strbuf_addf(tree->out, "spindle at ");
+		add_direction(tree->out, machine->spindle.location);
+		strbuf_addf(tree->out, ", tool along ");
+		add_direction(tree->out, machine->spindle.direction);
+		strbuf_addf(tree->out, "\n");
+	}
+	if (machine->workholding.present && machine->workholding.link == link) {
+		add_indent(tree->out, depth);
+		strbuf_addf(tree->out, "workholding at ");
+		add_direction(tree->out, machine->workholding.frame.translation);
+		strbuf_addf(tree->out, "\n");
+	}
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		if (machine->axes[i].parent != link)
+			continue;
+		add_axis(tree->out, &machine->axes[i], depth);
+		if (!add_link(tree, (int)i + 1, depth + 1))
+			return false;
+	}
+	return true;
+}
+
+static bool carries(const struct machine *machine, int carrier, int link)
+{
+	while (link > 0) {
+		link = machine->axes[link - 1].parent;
+		if (link == carrier)
+			return true;
+	}
+	return false;
+}
+
+static void add_table(struct strbuf *out, const struct machine *machine)
+{
+	strbuf_addf(out, "\nthe axis of a row carries the axes marked + (with everything on them)\n   ");
+	for (size_t i = 0; i < machine->axis_count; i++)
+		strbuf_addf(out, "  %s", machine->axes[i].name);
+	strbuf_addf(out, "\n");
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		strbuf_addf(out, "  %s", machine->axes[i].name);
+		for (size_t j = 0; j < machine->axis_count; j++)
+			strbuf_addf(out, "  %s", carries(machine, (int)i + 1, (int)j + 1) ? "+" : ".");
+		strbuf_addf(out, "\n");
+	}
+}
+
+bool tree_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+{
+	const struct tree tree = {out, scene, diag};
+	const struct machine *machine = scene->machine;
+
+	strbuf_addf(out, "machine: ");
+	quantity_add_plain(out, machine->name);
+	strbuf_addf(out, "%s(%s)\n", *machine->name ? " " : "", machine->path);
+	add_controller(out, &machine->controller);
+	strbuf_addf(out, "\nbase\n");
+	if (!add_link(&tree, 0, 1))
+		return false;
+	add_table(out, machine);
+	return true;
+}

@@ -1,0 +1,18 @@
+/* machine_report.h - what a machine file says, as it was understood (--check-machine). */
+#ifndef FIVECHECK_REPORT_MACHINE_REPORT_H
+#define FIVECHECK_REPORT_MACHINE_REPORT_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "scene/scene.h"
+
+/*
+ * Appends the tree of axes with their bodies (triangles, bounds in machine
+ * coordinates at the zero pose), the table of which axis carries which (Table
+ * I of Chen, Lin and Chang). False: a mesh is faulty, reported.
+ */
+bool tree_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+
+#endif

@@ -1,0 +1,88 @@
+#include "report/mesh_lint.h"
+
+#include "geom/topology.h"
+#include "report/format/format_units.h"
+
+/* Bodies this near at home touch: the default tolerance of a check, mm. */
+static const double TOUCH = 0.001;
+
+static void add_name(struct strbuf *out, const struct body *body)
+{
+	strbuf_addf(out, "  ");
+	quantity_add_plain(out, body->name);
+}
+
+static void add_mesh(struct strbuf *out, const struct body *body, const struct topology *topology)
+{
+	if (!topology->closed) {
+		add_name(out, body);
+		strbuf_addf(out, ": the mesh is open, ");
+		quantity_add_count(out, topology->open_edges, "edge");
+		strbuf_addf(out, " without a partner: what is inside it cannot be known\n");
+	}
+	if (topology->flipped_edges) {
+		add_name(out, body);
+		strbuf_addf(out, ": neighbouring triangles face opposite ways at ");
+		quantity_add_count(out, topology->flipped_edges, "edge");
+		strbuf_addf(out, "\n");
+	}
+	if (topology->degenerate) {
+		add_name(out, body);
+		strbuf_addf(out, ": ");
+		quantity_add_count(out, topology->degenerate, "triangle");
+		strbuf_addf(out, " with corners that coincide\n");
+	}
+}
+
+static bool add_meshes(struct strbuf *out, struct scene *scene, struct diag *diag)
+{
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct topology *topology = scene_body_topology(scene, (int)i, diag);
+
+		if (!topology)
+			return false;
+		add_mesh(out, scene->bodies[i].body, topology);
+	}
+	return true;
+}
+
+static bool is_away(const struct scene *scene, const struct body *body)
+{
+	return body->tool && (!scene->setup || body->tool != scene->setup->initial_tool);
+}
+
+/* Pairs that can move against each other, and of which the user has not already said that they may meet. */
+static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *diag)
+{
+	axis_values home = machine_home(scene->machine);
+
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+		const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+		vec3 point;
+
+		if (pair->status == PAIR_RIGID || pair->status == PAIR_WAIVED || is_away(scene, a) || is_away(scene, b))
+			continue;
+		if (!scene_overlap(scene, pair, &home, TOUCH, &point, diag))
+			continue;
+		add_name(out, a);
+		strbuf_addf(out, " and ");
+		quantity_add_plain(out, b->name);
+		strbuf_addf(out, ": touch or overlap at home, near X %.3f Y %.3f Z %.3f (%s)\n", point.x + 0.0,
+			    point.y + 0.0, point.z + 0.0, pair_status_name(pair->status));
+	}
+}
+
+bool oddities_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+{
+	size_t before, errors = diag->errors;
+
+	strbuf_addf(out, "\noddities\n");
+	before = out->length;
+	if (!add_meshes(out, scene, diag))
+		return false;
+	add_overlaps(out, scene, diag);
+	if (out->length == before)
+		strbuf_addf(out, "  none\n");
+	return diag->errors == errors;
+}

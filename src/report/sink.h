@@ -1,0 +1,51 @@
+/* sink.h - the reports of a run, each with its format, on the way to where they go. */
+#ifndef FIVECHECK_REPORT_SINK_H
+#define FIVECHECK_REPORT_SINK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "report/output.h"
+#include "report/report.h"
+
+struct channel {
+	const struct report_writer *writer;
+	const char *path;	/* borrowed; NULL: standard output */
+	bool colour;
+	struct output out;
+	struct strbuf items;	/* of a writer that collects them */
+	size_t count, left_out;	/* items written; items beyond the writer's limit */
+};
+
+/* All zero is none. */
+struct channels {
+	struct channel items[FORMAT_COUNT];
+	size_t count;
+};
+
+/* One more; a format is used once at most. False: reported. */
+bool channels_open(struct channels *channels, enum report_format format, const char *path, bool colour,
+		   struct diag *diag);
+
+/* What a report begins with. */
+void channels_begin(struct channels *channels, const struct report_run *run);
+
+/* Says what a writer made of findings or programs, which is then empty; false once a write has failed. */
+bool channel_say(struct channel *channel, struct strbuf *text);
+
+/* Hands on what was said; false once a write has failed. */
+bool channel_flush(struct channel *channel);
+
+/* What they end with. */
+void channels_end(struct channels *channels, const struct report_run *run, struct report_end *end);
+
+/* Has a write failed? */
+bool channels_are_lost(const struct channels *channels);
+
+/* As output_commit and output_discard, for all; the channels are then closed. */
+bool channels_commit(struct channels *channels, struct diag *diag);
+void channels_discard(struct channels *channels);
+
+#endif

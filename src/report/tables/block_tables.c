@@ -1,0 +1,97 @@
+#include "report/tables/block_tables.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "report/format/utf8.h"
+
+static bool open_one(struct output *out, const char *path, const char *header, struct diag *diag)
+{
+	if (!path)
+		return true;
+	if (!output_open(out, path, diag))
+		return false;
+	/* Whether that went well is known when the table is put in its place. */
+	output_write(out, header, strlen(header));
+	return true;
+}
+
+bool tables_open(struct tables *tables, const char *clearance, const char *timing, struct diag *diag)
+{
+	return open_one(&tables->clearance, clearance,
+			"program,file,line,block,body_a,body_b,clearance_mm,capped\n", diag) &&
+	       open_one(&tables->timing, timing,
+			"program,file,line,block,steps,motion_s,interpret_us,check_us\n", diag);
+}
+
+bool tables_are_wanted(const struct tables *tables)
+{
+	return tables->clearance.file || tables->timing.file;
+}
+
+/* A field that may hold anything: quoted where it has to be. */
+static void add_text(struct strbuf *row, const char *text)
+{
+	bool quoted = strpbrk(text, ",\"\r\n") != NULL;
+	struct strbuf clean = {0};
+
+	utf8_add_clean(&clean, text);
+	strbuf_add(row, "\"", quoted);
+	for (const char *c = strbuf_text(&clean); *c; c++)
+		strbuf_add(row, *c == '"' ? "\"\"" : c, *c == '"' ? 2 : 1);
+	strbuf_addf(row, quoted ? "\"," : ",");
+	strbuf_release(&clean);
+}
+
+static void add_place(struct strbuf *row, const char *program, const struct check_block *block)
+{
+	add_text(row, program);
+	add_text(row, block->file);
+	strbuf_addf(row, "%ld,%ld,", block->line, block->number);
+}
+
+static void add_room(struct tables *tables, const struct scene *scene, const char *program,
+		     const struct check_block *block, const struct check_room *room)
+{
+	const struct scene_pair *pair = &scene->pairs[room->pair];
+
+	add_place(&tables->row, program, block);
+	add_text(&tables->row, scene->bodies[pair->a].body->name);
+	add_text(&tables->row, scene->bodies[pair->b].body->name);
+	/* Rounded down: what is printed must be proven too. */
+	if (room->capped)
+		strbuf_addf(&tables->row, "%.10g,1\n", room->clearance);
+	else
+		strbuf_addf(&tables->row, "%.4f,0\n", floor(room->clearance * 1e4) / 1e4);
+	output_text(&tables->clearance, &tables->row);
+}
+
+static void add_times(struct tables *tables, const char *program, const struct check_block *block)
+{
+	add_place(&tables->row, program, block);
+	strbuf_addf(&tables->row, "%ld,%.9g,%.1f,%.1f\n", block->steps, block->seconds, 1e6 * block->interpret,
+		    1e6 * block->check);
+	output_text(&tables->timing, &tables->row);
+}
+
+void tables_add(struct tables *tables, const struct scene *scene, const char *program, const struct check_block *block)
+{
+	for (size_t i = 0; tables->clearance.file && i < block->room_count; i++)
+		add_room(tables, scene, program, block, &block->rooms[i]);
+	if (tables->timing.file)
+		add_times(tables, program, block);
+}
+
+bool tables_commit(struct tables *tables, struct diag *diag)
+{
+	bool good = !tables->clearance.file || output_commit(&tables->clearance, diag);
+
+	return (!tables->timing.file || output_commit(&tables->timing, diag)) && good;
+}
+
+void tables_discard(struct tables *tables)
+{
+	output_discard(&tables->clearance);
+	output_discard(&tables->timing);
+	strbuf_release(&tables->row);
+}

@@ -1,0 +1,36 @@
+/* block_tables.h - what is measured of each block, as comma-separated tables (--clearance-report, --timing). */
+#ifndef FIVECHECK_REPORT_TABLES_BLOCK_TABLES_H
+#define FIVECHECK_REPORT_TABLES_BLOCK_TABLES_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "report/output.h"
+#include "scene/scene.h"
+
+/* All zero is none. */
+struct tables {
+	struct output clearance, timing;
+	struct strbuf row;
+};
+
+/*
+ * Opens those that have a path and writes their headers (RFC 4180, lines ending in LF alone):
+ * program file line block body_a body_b clearance_mm capped, and
+ * program file line block steps motion_s interpret_us check_us. False: reported.
+ */
+bool tables_open(struct tables *tables, const char *clearance, const char *timing, struct diag *diag);
+
+bool tables_are_wanted(const struct tables *tables);
+
+/* Adds a block of a program. What could not be written is told by tables_commit: it is no matter of the check's. */
+void tables_add(struct tables *tables, const struct scene *scene, const char *program,
+		const struct check_block *block);
+
+/* As output_commit and output_discard, for both; the tables are then closed. */
+bool tables_commit(struct tables *tables, struct diag *diag);
+void tables_discard(struct tables *tables);
+
+#endif

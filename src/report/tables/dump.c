@@ -1,0 +1,94 @@
+#include "report/tables/dump.h"
+
+#include <math.h>
+
+#include "report/format/format_units.h"
+
+struct dump {
+	struct output *out;
+	const struct machine *machine;
+	struct diag *diag;
+	const char *name;
+	struct strbuf row;
+	bool past_limit;	/* said once */
+};
+
+static bool dump_header(struct dump *dump)
+{
+	strbuf_addf(&dump->row, "line\tmove\ttool");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (machine_axis(dump->machine, slot))
+			strbuf_addf(&dump->row, "\t%c", AXIS_LETTERS[slot]);
+	}
+	strbuf_addf(&dump->row, "\ttime\tdeviation\n");
+	return output_text(dump->out, &dump->row);
+}
+
+static double greatest_deviation(const struct span *span)
+{
+	double greatest = 0;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!slot_is_rotary(slot))
+			greatest = fmax(greatest, span->deviation.v[slot]);
+	}
+	return greatest;
+}
+
+static bool dump_step(void *context, const struct motion_step *step)
+{
+	struct dump *dump = context;
+
+	strbuf_addf(&dump->row, "%ld\t%d\t%d", step->line, step->move, step->tool);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (machine_axis(dump->machine, slot))
+			strbuf_addf(&dump->row, "\t%.12g", quantity_value(slot, step->span.q1.v[slot]));
+	}
+	strbuf_addf(&dump->row, "\t%.12g\t%.12g\n", step->time + step->seconds, greatest_deviation(&step->span));
+	return output_text(dump->out, &dump->row);
+}
+
+static bool dump_limit(void *context, const struct motion_limit *limit)
+{
+	struct dump *dump = context;
+
+	if (!dump->past_limit)
+		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
+			     "axis %c leaves its travel at the limit of %.10g %s; "
+			     "--parse-only --all lists every such place",
+			     AXIS_LETTERS[limit->slot], quantity_value(limit->slot, limit->bound),
+			     quantity_unit(limit->slot));
+	dump->past_limit = true;
+	return true;
+}
+
+static bool dump_tool(void *context, int tool, const axis_values *position)
+{
+	(void)context;
+	(void)tool;
+	(void)position;
+	return true;
+}
+
+static bool dump_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
+{
+	(void)context;
+	(void)file;
+	(void)line;
+	(void)text;
+	(void)seconds;
+	(void)moves;
+	return true;
+}
+
+bool dump_path(struct output *out, const struct machine *machine, const struct setup *setup,
+	       const struct motion_options *options, FILE *in, const char *name, struct diag *diag)
+{
+	struct dump dump = {.out = out, .machine = machine, .diag = diag, .name = name};
+	const struct motion_sink sink = {&dump, dump_limit, dump_step, dump_tool, dump_block};
+	struct motion_summary summary;
+	bool good = dump_header(&dump) && motion_run(machine, setup, options, in, name, &sink, diag, &summary);
+
+	strbuf_release(&dump.row);
+	return good;
+}

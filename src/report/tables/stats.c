@@ -1,0 +1,95 @@
+#include "report/tables/stats.h"
+
+#include "report/format/format_units.h"
+#include "report/verdict.h"
+
+void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result,
+	       bool accepted)
+{
+	struct check_stats *to = &sums->check;
+
+	sums->programs++;
+	sums->clear += result == CHECK_CLEAR;
+	sums->accepted += accepted;
+	sums->incomplete += result == CHECK_INCOMPLETE;
+	to->motion.lines += stats->motion.lines;
+	to->motion.blocks += stats->motion.blocks;
+	to->motion.moves += stats->motion.moves;
+	to->motion.spans += stats->motion.spans;
+	to->motion.seconds += stats->motion.seconds;
+	to->findings += stats->findings;
+	to->budgets += stats->budgets;
+	to->queries += stats->queries;
+	to->certificates += stats->certificates;
+	to->bisections += stats->bisections;
+	to->samples += stats->samples;
+	to->seconds_interpret += stats->seconds_interpret;
+	to->seconds_check += stats->seconds_check;
+}
+
+static void add_program(struct strbuf *out, const struct run_stats *sums)
+{
+	const struct motion_summary *motion = &sums->check.motion;
+
+	strbuf_addf(out, "  programs      %zu, %zu without a finding", sums->programs, sums->clear);
+	if (sums->accepted)
+		strbuf_addf(out, ", %zu with accepted ones only", sums->accepted);
+	if (sums->incomplete)
+		strbuf_addf(out, ", %zu incomplete", sums->incomplete);
+	strbuf_addf(out, "\n  blocks        %ld in ", motion->blocks);
+	quantity_add_count(out, (size_t)motion->lines, "line");
+	strbuf_addf(out, "\n  moves         %ld in ", motion->moves);
+	quantity_add_count(out, (size_t)motion->spans, "span");
+	strbuf_addf(out, ", ");
+	quantity_add_duration(out, motion->seconds);
+	strbuf_addf(out, " of machining\n");
+}
+
+static void add_pairs(struct strbuf *out, const struct scene *scene)
+{
+	size_t waived = verdict_pairs(scene, PAIR_WAIVED);
+	size_t required = 0, excused = 0, unbuilt = 0;
+
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		required += scene->pairs[i].status == PAIR_CHECKED;
+		excused += scene->pairs[i].status == PAIR_ADJACENT;
+	}
+	for (size_t i = 0; i < scene->body_count; i++)
+		unbuilt += !scene->bodies[i].bvh;
+	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", required, excused,
+		    scene->pair_count - required - excused);
+	strbuf_addf(out, " (%zu rigid, %zu out of reach, %zu waived, %zu cutting)\n",
+		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH), waived,
+		    scene->pair_count - verdict_pairs(scene, PAIR_CHECKED) - verdict_pairs(scene, PAIR_RIGID) -
+			    verdict_pairs(scene, PAIR_ADJACENT) - verdict_pairs(scene, PAIR_OUT_OF_REACH) - waived);
+	strbuf_addf(out, "  meshes        %zu read, %zu trees built, %zu not needed\n", scene->meshes_read,
+		    scene->body_count - unbuilt, unbuilt);
+}
+
+static void add_work(struct strbuf *out, const struct check_stats *stats, enum check_method method)
+{
+	strbuf_addf(out, "  budgets       %ld steps of pairs passed on a proven distance\n", stats->budgets);
+	strbuf_addf(out, "  queries       %ld\n", stats->queries);
+	strbuf_addf(out, "  certificates  %ld\n", stats->certificates);
+	strbuf_addf(out, "  bisections    %ld\n", stats->bisections);
+	if (method != CHECK_CERTIFIED)
+		strbuf_addf(out, "  samples       %ld\n", stats->samples);
+}
+
+void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method)
+{
+	const struct check_stats *stats = &sums->check;
+	double busy = stats->seconds_interpret + stats->seconds_check;
+
+	strbuf_addf(out, "statistics\n");
+	add_program(out, sums);
+	if (method != CHECK_NOTHING) {
+		add_pairs(out, scene);
+		add_work(out, stats, method);
+	}
+	strbuf_addf(out, "  time          %.3f s load, %.3f s interpret, %.3f s check", sums->seconds_load,
+		    stats->seconds_interpret, stats->seconds_check);
+	if (busy > 0)
+		strbuf_addf(out, "; %.0f blocks/s", (double)stats->motion.blocks / busy);
+	strbuf_addf(out, "\n");
+}

@@ -1,0 +1,27 @@
+/* stats.h - what a run cost and how it was decided: the block that closes the text report. */
+#ifndef FIVECHECK_REPORT_TABLES_STATS_H
+#define FIVECHECK_REPORT_TABLES_STATS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/strbuf.h"
+#include "check/check.h"
+#include "scene/scene.h"
+
+/* Sums over the programs of a run; all zero to begin with. */
+struct run_stats {
+	size_t programs;
+	size_t clear, incomplete, accepted;	/* of them; accepted: findings that do not fail the run */
+	long waived;	/* findings */
+	struct check_stats check;
+	double seconds_load;	/* machine, setup, meshes, pairs */
+};
+
+/* Adds a program: counts and times are summed; the pairs are the scene's. */
+void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum check_result result,
+	       bool accepted);
+
+void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method);
+
+#endif

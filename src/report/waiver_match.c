@@ -1,0 +1,82 @@
+#include "report/waiver_match.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "report/format/format_units.h"
+#include "report/format/utf8.h"
+
+bool waive_is_expired(const struct waiving *waiving, const struct waiver *waiver)
+{
+	return strcmp(waiver->expires, waiving->today) < 0;
+}
+
+/* Texts as the reports show them, which is what people copy. */
+static bool is_same_text(const char *a, const char *b)
+{
+	struct strbuf clean[2] = {{0}}, shown[2] = {{0}};
+	const char *texts[2] = {a, b};
+	bool same;
+
+	for (int i = 0; i < 2; i++) {
+		utf8_add_clean(&clean[i], texts[i] ? texts[i] : "");
+		quantity_add_plain(&shown[i], strbuf_text(&clean[i]));
+	}
+	same = !strcmp(strbuf_text(&shown[0]), strbuf_text(&shown[1]));
+	for (int i = 0; i < 2; i++) {
+		strbuf_release(&clean[i]);
+		strbuf_release(&shown[i]);
+	}
+	return same;
+}
+
+static bool has_subject(const struct waiver *waiver, const struct finding *f)
+{
+	if (f->kind == FINDING_LIMIT)
+		return waiver->slot == f->slot;
+	return (is_same_text(waiver->a, f->a) && is_same_text(waiver->b, f->b)) ||
+	       (is_same_text(waiver->a, f->b) && is_same_text(waiver->b, f->a));
+}
+
+static bool is_there(const struct waiver *waiver, const struct machine *machine, const axis_values *axes)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		double off = fabs(quantity_value(slot, axes->v[slot]) - quantity_value(slot, waiver->axes.v[slot]));
+
+		if (machine_axis(machine, slot) && !(off <= waiver->within))
+			return false;
+	}
+	return true;
+}
+
+static bool names(const struct waiver *waiver, const struct machine *machine, const char *program,
+		  const struct finding *f)
+{
+	return !strcmp(waiver->kind, finding_kind_name(f->kind)) && has_subject(waiver, f) &&
+	       is_there(waiver, machine, &f->axes) && is_same_text(waiver->program, program) &&
+	       is_same_text(waiver->block, f->text);
+}
+
+const struct waiver *waive_find(const struct waiving *waiving, int *matched, const struct machine *machine,
+				const char *program, const struct finding *finding)
+{
+	const struct waiver *found = NULL;
+
+	for (size_t i = 0; waiving->file && i < waiving->file->count; i++) {
+		const struct waiver *waiver = &waiving->file->items[i];
+
+		if (matched[i] >= waiver->times || !names(waiver, machine, program, finding))
+			continue;
+		if (!found || waive_is_expired(waiving, found))
+			found = waiver;
+	}
+	if (found)
+		matched[found - waiving->file->items]++;
+	return found;
+}
+
+void waive_add_reason(struct strbuf *out, const struct waiver *waiver)
+{
+	strbuf_addf(out, "until %s: ", waiver->expires);
+	quantity_add_plain(out, waiver->reason);
+}

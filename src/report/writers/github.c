@@ -1,0 +1,95 @@
+#include "report/writers/github.h"
+
+#include "report/format/format_units.h"
+#include "report/writers/text.h"
+#include "report/format/utf8.h"
+
+/* Ends of lines and % are escaped everywhere; what separates properties only in them. */
+static void add_escaped(struct strbuf *out, const char *text, const char *more)
+{
+	struct strbuf clean = {0};
+
+	utf8_add_clean(&clean, text);
+	for (const char *c = strbuf_text(&clean); *c; c++) {
+		bool special = *c == '%' || *c == '\r' || *c == '\n';
+
+		for (const char *m = more; *m && !special; m++)
+			special = *c == *m;
+		if (special)
+			strbuf_addf(out, "%%%02X", (unsigned)(unsigned char)*c);
+		else
+			strbuf_add(out, c, 1);
+	}
+	strbuf_release(&clean);
+}
+
+static void add_command(struct strbuf *out, const char *level, const char *file, long line, int column,
+			const char *title, const char *text)
+{
+	strbuf_addf(out, "::%s ", level);
+	if (file) {
+		strbuf_addf(out, "file=");
+		add_escaped(out, file, ":,");
+		strbuf_addf(out, ",");
+	}
+	if (line)
+		strbuf_addf(out, "line=%ld,", line);
+	if (line && column)
+		strbuf_addf(out, "col=%d,", column);
+	strbuf_addf(out, "title=");
+	add_escaped(out, title, ":,");
+	strbuf_addf(out, "::");
+	add_escaped(out, text, "");
+	strbuf_addf(out, "\n");
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
+{
+	struct strbuf text = {0};
+
+	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
+		return;
+	text_message(&text, f);
+	strbuf_addf(&text, ", at ");
+	quantity_add(&text, 100 * f->fraction);
+	strbuf_addf(&text, " %% of the block: ");
+	quantity_add_axes(&text, run->scene->machine, &f->axes);
+	add_command(out, manner.weight == WEIGHT_FAILS ? "error" : "warning", f->file, f->line, f->column,
+		    finding_kind_name(f->kind), strbuf_text(&text));
+	strbuf_release(&text);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	(void)run;
+	for (size_t i = 0; i < program->fault_count; i++) {
+		const struct report_fault *fault = &program->faults[i];
+
+		add_command(out, "error", fault->file ? fault->file : program->name, fault->line, fault->column,
+			    "incomplete", fault->text);
+	}
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	(void)run;
+	(void)items;
+	/* One notice for all: ten places are few enough for what fails. */
+	if (end->sums->waived)
+		strbuf_addf(out, "::notice title=fivecheck::%ld waived (--waivers)\n", end->sums->waived);
+	if (end->left_out)
+		strbuf_addf(out, "::error title=fivecheck::%zu more %s not shown here\n", end->left_out,
+			    end->left_out == 1 ? "is" : "are");
+}
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+const struct report_writer github_writer = {
+	.name = "github", .limit = 10, .begin = add_nothing, .finding = add_finding, .program = add_program,
+	.end = add_end,
+};

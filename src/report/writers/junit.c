@@ -1,0 +1,154 @@
+#include "report/writers/junit.h"
+
+#include <libxml/tree.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "report/writers/text.h"
+#include "report/format/utf8.h"
+
+/* What XML 1.0 can hold (section 2.2): no control characters but tab and line feed, not U+FFFE and U+FFFF. */
+static char *xml_text(const char *text)
+{
+	struct strbuf clean = {0};
+	char *out;
+
+	utf8_add_clean(&clean, text);
+	out = mem_strndup(strbuf_text(&clean), clean.length);
+	for (char *c = out; *c; c++) {
+		if ((unsigned char)*c < 0x20 && *c != '\t' && *c != '\n')
+			*c = ' ';
+		if (!strncmp(c, "\xef\xbf\xbe", 3) || !strncmp(c, "\xef\xbf\xbf", 3))
+			/* In the middle of the text. */
+			memcpy(c, "\xef\xbf\xbd", 3); /* NOLINT(bugprone-not-null-terminated-result) */
+	}
+	strbuf_release(&clean);
+	return out;
+}
+
+static void set(xmlNode *node, const char *name, const char *value)
+{
+	char *text = xml_text(value);
+
+	xmlNewProp(node, BAD_CAST name, BAD_CAST text);
+	free(text);
+}
+
+static xmlNode *add_text_node(xmlNode *parent, const char *name, const char *value)
+{
+	char *text = xml_text(value);
+	xmlNode *node = xmlNewTextChild(parent, NULL, BAD_CAST name, BAD_CAST text);
+
+	free(text);
+	return node;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	if (manner.weight == WEIGHT_FAILS)
+		text_finding(out, run->scene->machine, finding, manner);
+}
+
+static void add_fault(struct strbuf *out, const struct report_program *program, const struct report_fault *fault)
+{
+	strbuf_addf(out, "%s:", fault->file ? fault->file : program->name);
+	if (fault->line)
+		strbuf_addf(out, "%ld:", fault->line);
+	if (fault->line && fault->column)
+		strbuf_addf(out, "%d:", fault->column);
+	strbuf_addf(out, " error: %s\n", fault->text);
+}
+
+/* <failure> or <error>: the first line is the message, too. */
+static void add_outcome(xmlNode *testcase, const char *element, const char *type, const char *body)
+{
+	char *message = mem_strndup(body, strcspn(body, "\n"));
+	xmlNode *node = add_text_node(testcase, element, body);
+
+	set(node, "message", message);
+	set(node, "type", type);
+	free(message);
+}
+
+/* The kind stands in brackets at the end of the finding's first line. */
+static char *kind_of(const char *findings)
+{
+	size_t length = strcspn(findings, "\n");
+	const char *from;
+
+	for (from = findings + length; from > findings && from[-1] != '['; from--)
+		;
+	return mem_strndup(from, strcspn(from, "]\n"));
+}
+
+static void add_node(struct strbuf *out, xmlDoc *doc, xmlNode *node)
+{
+	xmlBuffer *buffer = xmlBufferCreate();
+
+	xmlNodeDump(buffer, doc, node, 2, 1);
+	strbuf_addf(out, "    %s\n", (const char *)xmlBufferContent(buffer));
+	xmlBufferFree(buffer);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	xmlDoc *doc = xmlNewDoc(BAD_CAST "1.0");
+	xmlNode *testcase = xmlNewDocNode(doc, NULL, BAD_CAST "testcase", NULL);
+	struct strbuf body = {0}, verdict = {0};
+
+	xmlDocSetRootElement(doc, testcase);
+	set(testcase, "classname", run->scene->machine->path);
+	set(testcase, "name", program->name);
+	set(testcase, "file", program->name);
+	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE) {
+		for (size_t i = 0; i < program->fault_count; i++)
+			add_fault(&body, program, &program->faults[i]);
+		strbuf_addf(&body, "%s", strbuf_text(out));
+		add_outcome(testcase, "error", "incomplete", strbuf_text(&body));
+	} else if (out->length) {
+		char *kind = kind_of(out->text);
+
+		add_outcome(testcase, "failure", kind, out->text);
+		free(kind);
+	}
+	if (program->verdict) {
+		text_verdict(&verdict, program->verdict);
+		strbuf_addf(&verdict, "%s", program->waived);
+		add_text_node(testcase, "system-out", verdict.text);
+	}
+	strbuf_clear(out);
+	add_node(out, doc, testcase);
+	strbuf_release(&body);
+	strbuf_release(&verdict);
+	xmlFreeDoc(doc);
+}
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+static void add_all(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	const struct run_stats *sums = end->sums;
+	char counts[128];
+
+	(void)run;
+	snprintf(counts, sizeof(counts), "tests=\"%zu\" failures=\"%zu\" errors=\"%zu\"", sums->programs,
+		 sums->programs - sums->clear - sums->accepted - sums->incomplete, sums->incomplete);
+	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
+	strbuf_addf(out, "  <testsuite name=\"fivecheck\" %s skipped=\"0\">\n%s  </testsuite>\n</testsuites>\n", counts,
+		    strbuf_text(items));
+}
+
+const struct report_writer junit_writer = {
+	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",
+	.whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,
+	.program = add_program, .end = add_all,
+};

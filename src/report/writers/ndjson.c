@@ -1,0 +1,153 @@
+#include "report/writers/ndjson.h"
+
+#include <stdbool.h>
+
+#include "report/format/json.h"
+#include "report/format/format_units.h"
+#include "report/sensitivity_report.h"
+
+const char *ndjson_method(enum check_method method)
+{
+	static const char *const methods[] = {
+		[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
+		[CHECK_CONVENTIONAL] = "conventional", [CHECK_NOTHING] = "parse-only",
+	};
+
+	return methods[method];
+}
+
+static void add_header(struct strbuf *out, const struct report_run *run)
+{
+	const struct check_options *options = run->options;
+	bool sampled = options->method == CHECK_INTERPOLATED || options->method == CHECK_CONVENTIONAL;
+	json_t *object = json_object();
+
+	json_put(object, "kind", json_string("header"));
+	json_put(object, "format", json_integer(NDJSON_FORMAT));
+	json_put(object, "fivecheck", json_string(FIVECHECK_VERSION));
+	json_put(object, "machine", json_text(run->scene->machine->path));
+	json_put(object, "setup", json_text(run->scene->setup ? run->scene->setup->path : NULL));
+	json_put(object, "method", json_string(ndjson_method(options->method)));
+	json_put(object, "step", sampled ? json_real(options->step) : json_null());
+	json_put(object, "tolerance", json_real(options->tolerance));
+	json_put(object, "clearance", json_real(run->clearance));
+	json_put(object, "all", json_boolean(options->all));
+	json_put(object, "programs", json_integer((json_int_t)run->programs));
+	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
+	json_add_line(out, object);
+}
+
+static const char *const accepted[] = {
+	[WEIGHT_FAILS] = NULL, [WEIGHT_KNOWN] = "baseline", [WEIGHT_WAIVED] = "waiver", [WEIGHT_LEFT_OUT] = "fail-on",
+};
+
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
+{
+	bool bodies = f->kind != FINDING_LIMIT;
+	json_t *object = json_object();
+
+	json_put(object, "kind", json_string(finding_kind_name(f->kind)));
+	json_put(object, "file", json_text(f->file));
+	json_put(object, "line", json_integer(f->line));
+	json_put(object, "column", json_integer(f->column));
+	json_put(object, "move", json_integer(f->move));
+	json_put(object, "fraction", json_real(f->fraction));
+	json_put(object, "a", json_text(bodies ? f->a : NULL));
+	json_put(object, "b", json_text(bodies ? f->b : NULL));
+	json_put(object, "axes", json_axes(machine, &f->axes));
+	json_put(object, "time", json_real(f->time));
+	json_put(object, "point", bodies ? json_point(f->point) : json_null());
+	json_put(object, "clearance", bodies ? json_real(f->clearance) : json_null());
+	if (!bodies) {
+		const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
+
+		json_put(object, "axis", json_string(axis));
+		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
+	}
+	if (accepted[manner.weight])
+		json_put(object, "accepted", json_string(accepted[manner.weight]));
+	if (manner.waiver) {
+		json_put(object, "reason", json_text(manner.waiver->reason));
+		json_put(object, "expires", json_string(manner.waiver->expires));
+	}
+	json_add_line(out, object);
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	ndjson_finding(out, run->scene->machine, finding, manner);
+}
+
+json_t *ndjson_cautions(const struct verdict *verdict)
+{
+	json_t *array = json_array();
+	struct strbuf text = {0};
+
+	for (int i = 0; verdict && i < VERDICT_CAUTIONS; i++) {
+		strbuf_clear(&text);
+		if (verdict_add_caution(&text, verdict, i))
+			json_push(array, json_text(strbuf_text(&text)));
+	}
+	strbuf_release(&text);
+	return array;
+}
+
+static json_t *faults_of(const struct report_program *program)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < program->fault_count; i++) {
+		const struct report_fault *fault = &program->faults[i];
+		json_t *object = json_object();
+
+		json_put(object, "file", json_text(fault->file));
+		json_put(object, "line", fault->line ? json_integer(fault->line) : json_null());
+		json_put(object, "column", fault->column ? json_integer(fault->column) : json_null());
+		json_put(object, "text", json_text(fault->text));
+		json_push(array, object);
+	}
+	return array;
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	const struct check_stats *stats = program->verdict ? program->verdict->stats : NULL;
+	json_t *object = json_object();
+
+	(void)run;
+	json_put(object, "kind", json_string("program"));
+	json_put(object, "file", json_text(program->name));
+	json_put(object, "verdict", json_string(verdict_word(program->verdict)));
+	json_put(object, "blocks", json_integer(stats ? stats->motion.blocks : 0));
+	json_put(object, "checked", json_integer(stats ? stats->blocks_checked : 0));
+	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
+	json_put(object, "cautions", ndjson_cautions(program->verdict));
+	json_put(object, "errors", faults_of(program));
+	if (program->sensitivity_count)
+		json_put(object, "sensitivity", json_sensitivity(program->sensitivity, program->sensitivity_count));
+	json_add_line(out, object);
+}
+
+static void add_summary(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+			const struct strbuf *items)
+{
+	const struct run_stats *sums = end->sums;
+	json_t *object = json_object();
+
+	(void)run;
+	(void)items;
+	json_put(object, "kind", json_string("summary"));
+	json_put(object, "status", json_integer(end->status));
+	json_put(object, "programs", json_integer((json_int_t)sums->programs));
+	json_put(object, "passed", json_integer((json_int_t)sums->clear));
+	json_put(object, "incomplete", json_integer((json_int_t)sums->incomplete));
+	json_put(object, "blocks", json_integer(sums->check.motion.blocks));
+	json_put(object, "findings", json_integer(sums->check.findings));
+	json_add_line(out, object);
+}
+
+const struct report_writer ndjson_writer = {
+	.name = "ndjson", .mark = "{\"kind\":\"header\"",
+	.begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,
+};

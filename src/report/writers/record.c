@@ -1,0 +1,135 @@
+#include "report/writers/record.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "report/format/digest.h"
+#include "report/format/json.h"
+#include "report/writers/ndjson.h"
+
+enum { RECORD_FORMAT = 1 };
+
+static const char *const dialects[] = {
+	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas",
+};
+
+/* Whatever can change a verdict or the exit status. */
+static json_t *options_of(const struct report_run *run)
+{
+	const struct check_options *options = run->options;
+	json_t *object = json_object(), *includes = json_array(), *kinds = json_array();
+
+	for (size_t i = 0; i < options->include_count; i++)
+		json_push(includes, json_text(options->includes[i]));
+	for (int kind = 0; kind <= FINDING_START_OVERLAP; kind++) {
+		if (!run->fail_on || run->fail_on & 1U << kind)
+			json_push(kinds, json_string(finding_kind_name((enum finding_kind)kind)));
+	}
+	json_put(object, "method", json_string(ndjson_method(options->method)));
+	json_put(object, "step", json_real(options->step));
+	json_put(object, "tolerance", json_real(options->tolerance));
+	json_put(object, "clearance", json_real(run->clearance));
+	json_put(object, "all", json_boolean(options->all));
+	json_put(object, "dialect", json_string(dialects[run->scene->machine->controller.dialect]));
+	json_put(object, "block_delete", json_boolean(options->block_delete));
+	json_put(object, "duplicates", json_string(options->last_duplicate_wins ? "last" : "error"));
+	json_put(object, "include", includes);
+	json_put(object, "max_blocks", options->max_blocks ? json_integer(options->max_blocks) : json_null());
+	json_put(object, "fail_on", kinds);
+	json_put(object, "exit_zero", json_boolean(run->exit_zero));
+	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
+	/* On another day other waivers may have expired. */
+	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
+	return object;
+}
+
+static json_t *files_of(const struct report_end *end)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < end->file_count; i++) {
+		json_t *object = json_object();
+
+		json_put(object, "kind", json_string(end->files[i].kind));
+		json_put(object, "file", json_text(end->files[i].path));
+		json_put(object, "sha256", end->files[i].digest[0] ? json_string(end->files[i].digest) : json_null());
+		json_push(array, object);
+	}
+	return array;
+}
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	(void)out;
+	(void)run;
+	(void)finding;
+	(void)manner;
+}
+
+/* Nothing is claimed of a program in which something was found: no block of it counts as proved. */
+static long proved(const struct verdict *verdict)
+{
+	bool all = verdict && verdict->result == CHECK_CLEAR && verdict->options->method == CHECK_CERTIFIED;
+
+	return all ? verdict->stats->blocks_checked : 0;
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	const struct verdict *verdict = program->verdict;
+	json_t *object = json_object();
+
+	(void)run;
+	json_put(object, "file", json_text(program->name));
+	json_put(object, "verdict", json_string(verdict_word(verdict)));
+	json_put(object, "blocks_proved", json_integer(proved(verdict)));
+	json_put(object, "findings", json_integer(verdict ? verdict->stats->findings : 0));
+	json_put(object, "waived", json_integer(verdict ? verdict->waived : 0));
+	json_put(object, "pairs_required", json_integer(verdict ? (json_int_t)verdict->stats->pairs_required : 0));
+	json_put(object, "cautions", ndjson_cautions(verdict));
+	json_add_line(out, object);
+}
+
+static json_t *programs_of(const struct strbuf *items)
+{
+	json_t *array = json_array();
+	const char *line = strbuf_text(items);
+
+	for (const char *end; (end = strchr(line, '\n')); line = end + 1)
+		json_push(array, json_loadb(line, (size_t)(end - line), 0, NULL));
+	return array;
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	json_t *object = json_object(), *options = options_of(run);
+	char *text = json_dumps(options, JSON_COMPACT | JSON_REAL_PRECISION(12));
+	char digest[DIGEST_SIZE];
+
+	digest_bytes(digest, text, strlen(text));
+	free(text);
+	json_put(object, "record", json_integer(RECORD_FORMAT));
+	json_put(object, "fivecheck", json_string(FIVECHECK_VERSION));
+	json_put(object, "status", json_integer(end->status));
+	json_put(object, "options", options);
+	json_put(object, "options_sha256", json_string(digest));
+	json_put(object, "files", files_of(end));
+	json_put(object, "programs", programs_of(items));
+	text = json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
+	strbuf_addf(out, "%s\n", text);
+	free(text);
+	json_decref(object);
+}
+
+const struct report_writer record_writer = {
+	.name = "record", .collects = true, .begin = add_nothing, .finding = add_finding, .program = add_program,
+	.end = add_end,
+};

@@ -1,0 +1,209 @@
+#include "report/writers/sarif.h"
+
+#include <string.h>
+
+#include "report/format/json.h"
+#include "report/writers/text.h"
+#include "report/format/uri.h"
+#include "report/format/utf8.h"
+
+/* In the order of enum finding_kind, and one more; the names are kept from version to version. */
+static const struct rule {
+	const char *id, *name, *brief, *help;
+} rules[] = {
+	{"collision", "Collision", "Two bodies of the machine meet.",
+	 "While the block runs, two bodies touch or go into each other. Look at the positions of the axes and at the "
+	 "point of contact (--pose writes all bodies as they stand there), then change the program, the tool, or the "
+	 "setup."},
+	{"clearance", "Clearance", "Two bodies come closer than the required clearance.",
+	 "While the block runs, two bodies come closer than --clearance or the machine file's <pair clearance> "
+	 "allows. Change the program or the setup, or require less for this pair."},
+	{"limit", "AxisLimit", "An axis leaves its travel.",
+	 "The block moves an axis past limit_min or limit_max of the machine file. Move the part on the table, choose "
+	 "another solution of the rotary axes, or change the program."},
+	{"start-overlap", "StartOverlap", "Two bodies overlap before the block moves.",
+	 "Bodies overlap where the program starts, or where a tool change puts a new body. If the models are merely "
+	 "drawn through each other there, <pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
+	{"incomplete", "Incomplete", "Not everything could be checked.",
+	 "Something could not be read, interpreted, or decided, so that nothing is proved from there on. The message "
+	 "says what it is and what to write instead."},
+};
+
+enum { RULE_INCOMPLETE = FINDING_START_OVERLAP + 1, RULE_COUNT };
+
+static json_t *message_of(const char *text)
+{
+	json_t *message = json_object();
+
+	json_put(message, "text", json_text(text));
+	return message;
+}
+
+static json_t *rules_of(void)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < RULE_COUNT; i++) {
+		json_t *rule = json_object(), *level = json_object();
+
+		json_put(level, "level", json_string("error"));
+		json_put(rule, "id", json_string(rules[i].id));
+		json_put(rule, "name", json_string(rules[i].name));
+		json_put(rule, "shortDescription", message_of(rules[i].brief));
+		json_put(rule, "fullDescription", message_of(rules[i].help));
+		json_put(rule, "help", message_of(rules[i].help));
+		json_put(rule, "defaultConfiguration", level);
+		json_push(array, rule);
+	}
+	return array;
+}
+
+/* Everything of the run but its results, which stream; `out` ends where they begin. */
+static void add_begin(struct strbuf *out, const struct report_run *run)
+{
+	json_t *tool = json_object(), *driver = json_object();
+
+	(void)run;
+	json_put(driver, "name", json_string("fivecheck"));
+	json_put(driver, "semanticVersion", json_string(FIVECHECK_VERSION));
+	json_put(driver, "rules", rules_of());
+	json_put(tool, "driver", driver);
+	strbuf_addf(out, "{\"$schema\":\"https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/"
+			 "sarif-schema-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{"
+			 "\"columnKind\":\"utf16CodeUnits\",\n"
+			 "\"tool\":");
+	json_add_line(out, tool);
+	strbuf_addf(out, ",\"results\":[\n");
+}
+
+/* line 0: the file alone; units 0: the column alone, without its end */
+static json_t *location_of(const char *file, long line, size_t column, size_t end, const char *snippet)
+{
+	json_t *location = json_object(), *physical = json_object(), *artifact = json_object(), *region = json_object();
+	struct strbuf uri = {0};
+
+	uri_add(&uri, file);
+	json_put(artifact, "uri", json_text(strbuf_text(&uri)));
+	json_put(physical, "artifactLocation", artifact);
+	if (line) {
+		json_put(region, "startLine", json_integer(line));
+		if (column)
+			json_put(region, "startColumn", json_integer((json_int_t)column));
+		if (end > column)
+			json_put(region, "endColumn", json_integer((json_int_t)end));
+		if (snippet)
+			json_put(region, "snippet", message_of(snippet));
+		json_put(physical, "region", json_incref(region));
+	}
+	json_decref(region);
+	json_put(location, "physicalLocation", physical);
+	strbuf_release(&uri);
+	return location;
+}
+
+static json_t *suppressions_of(const char *reason)
+{
+	json_t *array = json_array(), *object = json_object();
+
+	json_put(object, "kind", json_string("external"));
+	json_put(object, "justification", json_text(reason));
+	json_push(array, object);
+	return array;
+}
+
+static void add_suppression(json_t *result, struct manner manner)
+{
+	struct strbuf reason = {0};
+
+	if (manner.waiver)
+		waive_add_reason(&reason, manner.waiver);
+	else
+		strbuf_addf(&reason, "known from the baseline");
+	json_put(result, "suppressions", suppressions_of(strbuf_text(&reason)));
+	strbuf_release(&reason);
+}
+
+static void add_result(struct strbuf *out, int rule, struct manner manner, const char *text, json_t *location,
+		       json_t *properties)
+{
+	json_t *result = json_object(), *locations = json_array();
+
+	json_put(result, "ruleId", json_string(rules[rule].id));
+	json_put(result, "ruleIndex", json_integer(rule));
+	json_put(result, "level", json_string(manner.weight == WEIGHT_LEFT_OUT ? "warning" : "error"));
+	json_put(result, "message", message_of(text));
+	json_push(locations, location);
+	json_put(result, "locations", locations);
+	if (properties)
+		json_put(result, "properties", properties);
+	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
+		add_suppression(result, manner);
+	json_add_line(out, result);
+}
+
+static json_t *properties_of(const struct machine *machine, const struct finding *f)
+{
+	json_t *object = json_object();
+
+	json_put(object, "move", json_integer(f->move));
+	json_put(object, "fraction", json_real(f->fraction));
+	json_put(object, "time", json_real(f->time));
+	json_put(object, "axes", json_axes(machine, &f->axes));
+	if (f->kind != FINDING_LIMIT) {
+		json_put(object, "a", json_text(f->a));
+		json_put(object, "b", json_text(f->b));
+		json_put(object, "point", json_point(f->point));
+		json_put(object, "clearance", json_real(f->clearance));
+	}
+	return object;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
+{
+	const struct machine *machine = run->scene->machine;
+	struct strbuf text = {0}, block = {0};
+	const char *line = f->text ? f->text : "";
+
+	strbuf_add(&block, line, strcspn(line, "\r\n"));
+	text_message(&text, f);
+	/* The finding's column is where the block starts, and it goes to the end of the line. */
+	add_result(out, (int)f->kind, manner, strbuf_text(&text),
+		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
+			       strbuf_text(&block)),
+		   properties_of(machine, f));
+	strbuf_release(&text);
+	strbuf_release(&block);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	(void)run;
+	for (size_t i = 0; i < program->fault_count; i++) {
+		const struct report_fault *fault = &program->faults[i];
+
+		/* A fault's column counts bytes; without the line's text it cannot be told in other units. */
+		add_result(out, RULE_INCOMPLETE, (struct manner){0}, fault->text,
+			   location_of(fault->file ? fault->file : program->name, fault->line, 0, 0, NULL), NULL);
+	}
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	json_t *array = json_array(), *invocation = json_object();
+
+	(void)run;
+	(void)items;
+	json_put(invocation, "executionSuccessful", json_boolean(end->status <= 1));
+	json_put(invocation, "exitCode", json_integer(end->status));
+	json_push(array, invocation);
+	strbuf_addf(out, "],\"invocations\":");
+	json_add_line(out, array);
+	strbuf_addf(out, "}]}\n");
+}
+
+const struct report_writer sarif_writer = {
+	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/",
+	.separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,
+	.end = add_end,
+};

@@ -1,0 +1,177 @@
+#include "report/writers/text.h"
+
+#include <math.h>
+
+#include "base/xml_text.h"
+#include "report/format/format_units.h"
+#include "report/sensitivity_report.h"
+
+static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
+{
+	quantity_add_plain(out, f->a);
+	strbuf_addf(out, " (%s) %s ", f->link_a, verb);
+	quantity_add_plain(out, f->b);
+	strbuf_addf(out, " (%s)", f->link_b);
+}
+
+void text_message(struct strbuf *out, const struct finding *f)
+{
+	switch (f->kind) {
+	case FINDING_COLLISION:
+		add_bodies(out, f, "meets");
+		break;
+	case FINDING_CLEARANCE:
+		add_bodies(out, f, "comes too close to");
+		break;
+	case FINDING_START_OVERLAP:
+		add_bodies(out, f, "overlaps");
+		strbuf_addf(out, " before the block moves");
+		break;
+	case FINDING_LIMIT:
+		strbuf_addf(out, "axis %c leaves its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
+			    quantity_value(f->slot, f->bound), quantity_unit(f->slot));
+		break;
+	}
+}
+
+static void add_place(struct strbuf *out, const struct finding *f)
+{
+	strbuf_addf(out, "    at       ");
+	quantity_add(out, 100 * f->fraction);
+	strbuf_addf(out, " %% of the block");
+	if (f->moves > 1)
+		strbuf_addf(out, ", in its move %d of %d", f->move, f->moves);
+	strbuf_addf(out, "\n    time     ");
+	quantity_add_duration(out, f->time);
+	strbuf_addf(out, "\n");
+}
+
+static void add_contact(struct strbuf *out, const struct finding *f)
+{
+	const double point[3] = {f->point.x, f->point.y, f->point.z};
+
+	strbuf_addf(out, f->kind == FINDING_CLEARANCE ? "    near    " : "    contact ");
+	for (int i = 0; i < 3; i++) {
+		strbuf_addf(out, " %c ", "XYZ"[i]);
+		quantity_add(out, point[i]);
+	}
+	strbuf_addf(out, " mm in machine coordinates\n");
+	if (f->required > 0) {
+		strbuf_addf(out, "    distance ");
+		quantity_add(out, f->clearance);
+		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
+	}
+}
+
+/* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
+static void add_head(struct strbuf *out, const struct finding *f, struct manner manner)
+{
+	bool fails = manner.weight == WEIGHT_FAILS;
+
+	strbuf_addf(out, "%s:%ld:%d: ", f->file, f->line, f->column);
+	if (manner.colour)
+		strbuf_addf(out, fails ? "\033[1;31m" : "\033[1;35m");
+	strbuf_addf(out, fails ? "error:" : "warning:");
+	strbuf_addf(out, "%s %s: ", manner.colour ? "\033[0m" : "", finding_kind_name(f->kind));
+}
+
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
+{
+	static const char *const marks[] = {
+		[WEIGHT_FAILS] = "", [WEIGHT_KNOWN] = ", known", [WEIGHT_WAIVED] = ", waived", [WEIGHT_LEFT_OUT] = "",
+	};
+
+	add_head(out, f, manner);
+	text_message(out, f);
+	strbuf_addf(out, " [%s%s]\n    block    ", finding_kind_name(f->kind), marks[manner.weight]);
+	quantity_add_plain(out, f->text ? f->text : "");
+	strbuf_addf(out, "\n");
+	add_place(out, f);
+	strbuf_addf(out, "    axes     ");
+	quantity_add_axes(out, machine, &f->axes);
+	strbuf_addf(out, "\n");
+	if (f->kind != FINDING_LIMIT)
+		add_contact(out, f);
+	if (manner.waiver) {
+		strbuf_addf(out, "    waived   ");
+		waive_add_reason(out, manner.waiver);
+		strbuf_addf(out, "\n");
+	} else if (f->kind == FINDING_START_OVERLAP) {
+		strbuf_addf(out, "    to waive <pair");
+		xml_text_attribute(out, "a", f->a);
+		xml_text_attribute(out, "b", f->b);
+		strbuf_addf(out, " check=\"never\" reason=\"\"/>\n");
+	}
+}
+
+void text_verdict(struct strbuf *out, const struct verdict *verdict)
+{
+	struct strbuf caution = {0};
+
+	strbuf_addf(out, "%s: ", verdict->file);
+	verdict_add_sentence(out, verdict);
+	strbuf_addf(out, "\n");
+	for (int i = 0; i < VERDICT_CAUTIONS; i++) {
+		if (verdict_add_caution(&caution, verdict, i))
+			strbuf_addf(out, "    %s\n", caution.text);
+		strbuf_clear(&caution);
+	}
+	strbuf_release(&caution);
+}
+
+void text_proven(struct strbuf *out, const struct scene *scene, const double *proven)
+{
+	strbuf_addf(out, "    smallest proven clearance, each more than (mm):\n");
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (pair->status != PAIR_CHECKED && isinf(proven[i]))
+			continue;
+		strbuf_addf(out, "    ");
+		if (isinf(proven[i]))
+			strbuf_addf(out, "%12s", "not met");
+		else
+			/* Rounded down: what is printed must be proven too. */
+			strbuf_addf(out, "%12.4f", floor(proven[i] * 1e4) / 1e4);
+		strbuf_addf(out, "  %s - %s\n", scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name);
+	}
+}
+
+static void add_nothing(struct strbuf *out, const struct report_run *run)
+{
+	(void)out;
+	(void)run;
+}
+
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
+			struct manner manner)
+{
+	text_finding(out, run->scene->machine, finding, manner);
+}
+
+static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
+{
+	/* A list of verdicts without it would look complete. */
+	if (!program->verdict) {
+		strbuf_addf(out, "%s: incomplete: %s\n", program->name, program->unread);
+		return;
+	}
+	text_verdict(out, program->verdict);
+	if (program->proven && program->verdict->result == CHECK_CLEAR)
+		text_proven(out, run->scene, program->proven);
+	if (program->sensitivity_count)
+		text_sensitivity(out, program->sensitivity, program->sensitivity_count,
+				 program->verdict->result == CHECK_CLEAR);
+}
+
+static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
+		    const struct strbuf *items)
+{
+	(void)items;
+	if (!run->quiet)
+		stats_add(out, end->sums, run->scene, run->options->method);
+}
+
+const struct report_writer text_writer = {
+	.name = "text", .begin = add_nothing, .finding = add_finding, .program = add_program, .end = add_end,
+};

@@ -1,0 +1,34 @@
+/* text.h - findings and verdicts for people and for editors that jump to the line (GNU form). */
+#ifndef FIVECHECK_REPORT_WRITERS_TEXT_H
+#define FIVECHECK_REPORT_WRITERS_TEXT_H
+
+#include <stdbool.h>
+
+#include "base/strbuf.h"
+#include "check/finding.h"
+#include "machine/machine.h"
+#include "report/report.h"
+#include "report/verdict.h"
+
+/* Findings as they are found, a verdict after each program's, statistics at the end. */
+extern const struct report_writer text_writer;
+
+/* Appends what happens: "head (Z) meets table (C)". */
+void text_message(struct strbuf *out, const struct finding *finding);
+
+/*
+ * Appends a finding: one line "file:line:column: error: kind: what happens
+ * [kind]", then indented lines with the block, the place in it, the axes, the
+ * time, and for bodies the point and the distance; for a start-overlap also
+ * the <pair> line that would waive it.
+ */
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
+		  struct manner manner);
+
+/* Appends the verdict's line and, indented, what stands beside it. */
+void text_verdict(struct strbuf *out, const struct verdict *verdict);
+
+/* Appends the smallest proven clearance of each required pair; proven is check_run's. */
+void text_proven(struct strbuf *out, const struct scene *scene, const double *proven);
+
+#endif
