@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "gcode/block.h"
+#include "gcode/text/block.h"
 #include "gcode/tool_write.h"
 
 /* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */

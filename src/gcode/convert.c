@@ -186,7 +186,7 @@ bool convert_block(struct interp *interp)
 	convert_increments(interp);
 	if (!comp_select(interp) || !comp_check_block(interp))
 		return false;
-	if (!tooling_length(interp) || !offsets_select(interp) || !macro_check_work(interp) ||
+	if (!tooling_length(interp) || !offsets_select(interp) || !macro_b_check_work(interp) ||
 	    !convert_path(interp) || !contour_select(interp))
 		return false;
 	convert_modes(interp);
@@ -197,11 +197,11 @@ bool convert_block(struct interp *interp)
 	if (block->m[M_STOP] != CODE_NONE && !comp_stop(interp))
 		return false;
 	if (block->m[M_STOP] >= 97 && interp->config->dialect != GCODE_LINUXCNC)
-		return macro_end_block(interp);
+		return macro_b_end_block(interp);
 	if (block->m[M_STOP] == 99 && interp->params.level > 0)
 		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");
 	if (block->m[M_STOP] == 99)
-		return flow_restart(interp);
+		return control_flow_restart(interp);
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
-	return macro_after_block(interp);
+	return macro_b_after_block(interp);
 }

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "gcode/predefined.h"
+#include "gcode/dialect/linuxcnc/system_params.h"
 
 /* mm: coordinates that differ by less are the same. */
 #define SAME_COORDINATE 1e-6
@@ -109,7 +109,7 @@ static bool switch_on(struct interp *interp, int column)
 		return fault(&interp->at, column, "G254 while G68 is in force; G69 first");
 	if (!check_offset(interp, column))
 		return false;
-	predefined_work_is_used(interp, state->system, column);
+	system_params_work_is_used(interp, state->system, column);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!slot_is_rotary(slot))
 			zero.v[slot] = state->work[state->system].v[slot];

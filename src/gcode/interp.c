@@ -7,7 +7,7 @@
 #include "base/mem.h"
 #include "gcode/comp.h"
 #include "gcode/convert.h"
-#include "gcode/predefined.h"
+#include "gcode/dialect/linuxcnc/system_params.h"
 #include "gcode/state.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct canon_sink *sink, struct diag *diag)
@@ -19,7 +19,7 @@ struct interp *interp_new(const struct gcode_config *config, const struct canon_
 	interp->diag = diag;
 	state_init(&interp->state, config);
 	tool_table_init(&interp->tools, config);
-	macro_init(&interp->macro);
+	macro_b_init(&interp->macro);
 	interp->params.numbered[5599] = 1;	/* LinuxCNC: DEBUG comments speak */
 	return interp;
 }
@@ -30,8 +30,8 @@ void interp_free(struct interp *interp)
 	tool_table_release(&interp->tools);
 	params_release(&interp->params);
 	comp_queue_release(&interp->comp.queue);
-	flow_release(&interp->flow);
-	macro_release(&interp->macro);
+	control_flow_release(&interp->flow);
+	macro_b_release(&interp->macro);
 	free(interp);
 }
 
@@ -60,7 +60,7 @@ static bool take_percent(struct interp *interp, int column)
 /* A subprogram's file may begin with one, too. */
 static bool take_called_percent(struct interp *interp)
 {
-	return interp->source != interp->sources.items[0] && interp->at.line == 1 ? true : macro_end_of_file(interp);
+	return interp->source != interp->sources.items[0] && interp->at.line == 1 ? true : macro_b_end_of_file(interp);
 }
 
 /* What the block has assigned takes effect before its codes do, but after all of its words were read. */
@@ -72,7 +72,7 @@ static void assign(struct interp *interp)
 		const struct assignment *new = &params->pending[i];
 
 		if (new->number > 0)
-			predefined_set_number(interp, new->number, new->value);
+			system_params_set_number(interp, new->number, new->value);
 		else
 			params_make(params, new->name)->value = new->value;
 	}
@@ -110,7 +110,7 @@ static bool run_line(struct interp *interp)
 		return take_called_percent(interp);
 	if (interp->at.text[blanks] == '%' && interp->flow.skip == SKIP_NOTHING)
 		return take_percent(interp, blanks + 1);
-	if (linuxcnc ? !flow_line(interp, &done) : !macro_line(interp, &done))
+	if (linuxcnc ? !control_flow_line(interp, &done) : !macro_b_line(interp, &done))
 		return false;
 	interp->begun = interp->begun || done;
 	return done || run_block(interp);
@@ -118,15 +118,15 @@ static bool run_line(struct interp *interp)
 
 static void note_callers(struct interp *interp)
 {
-	flow_note_callers(interp);
-	macro_note_callers(interp);
+	control_flow_note_callers(interp);
+	macro_b_note_callers(interp);
 }
 
 /* A line with its messages: in a subprogram, they are followed by the calls that led there. */
 static bool run_line_called(struct interp *interp)
 {
 	size_t said = interp->diag->errors + interp->diag->warnings;
-	bool good = flow_count(interp) && run_line(interp);
+	bool good = control_flow_count(interp) && run_line(interp);
 
 	if (interp->diag->errors + interp->diag->warnings > said)
 		note_callers(interp);
@@ -179,7 +179,7 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
-	*good = status == READER_END ? flow_end_of_file(interp) && macro_end_of_file(interp)
+	*good = status == READER_END ? control_flow_end_of_file(interp) && macro_b_end_of_file(interp)
 				     : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);

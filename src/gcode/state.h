@@ -4,15 +4,15 @@
 
 #include <stdbool.h>
 
-#include "gcode/block.h"
+#include "gcode/text/block.h"
 #include "gcode/canon.h"
 #include "gcode/comp_queue.h"
-#include "gcode/fault.h"
-#include "gcode/flow.h"
+#include "gcode/text/fault.h"
+#include "gcode/dialect/linuxcnc/control_flow.h"
 #include "gcode/interp.h"
-#include "gcode/macro.h"
-#include "gcode/params.h"
-#include "gcode/source.h"
+#include "gcode/dialect/fanuc/macro_b.h"
+#include "gcode/dialect/linuxcnc/params.h"
+#include "gcode/text/source.h"
 #include "gcode/tool_table.h"
 #include "geom/xform.h"
 
@@ -126,8 +126,8 @@ struct interp {
 	long first_line;
 	unsigned long lines;	/* that were begun, again and again in loops */
 	struct params params;
-	struct flow flow;
-	struct macro macro;	/* of Fanuc and Haas, as flow is LinuxCNC's */
+	struct control_flow flow;
+	struct macro_b macro;	/* of Fanuc and Haas, as flow is LinuxCNC's */
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;

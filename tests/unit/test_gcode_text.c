@@ -6,8 +6,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "gcode/number.h"
-#include "gcode/reader.h"
+#include "gcode/text/number.h"
+#include "gcode/text/reader.h"
 #include "random.h"
 
 static double read_number(const char *text, size_t *length)

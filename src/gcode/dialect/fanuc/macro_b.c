@@ -1,0 +1,354 @@
+#include "gcode/dialect/fanuc/macro_b.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/dialect/fanuc/macro_b_parts.h"
+#include "gcode/text/number.h"
+
+void macro_b_init(struct macro_b *macro)
+{
+	macro_b_vars_init(&macro->vars);
+}
+
+void macro_b_release(struct macro_b *macro)
+{
+	strbuf_release(&macro->line);
+}
+
+/* Fanuc: the first two letters will do (B-63944EN, abbreviation). */
+static bool keyword(struct interp *interp, struct lexer *lexer, const char *word)
+{
+	const char two[3] = {word[0], word[1], '\0'};
+
+	return lexer_keyword(lexer, word) ||
+	       (interp->config->dialect == GCODE_FANUC && lexer_keyword(lexer, two));
+}
+
+static bool end_statement(struct lexer *lexer)
+{
+	if (!lexer_skip_comments(lexer))
+		return false;
+	if (lexer_peek(lexer) == '\0')
+		return true;
+	return fault(lexer->at, lexer_column(lexer), "a macro statement stands in a block of its own");
+}
+
+/* What a condition leaves out is not computed, but words behind it would be lost. */
+static bool pass_over(struct lexer *lexer)
+{
+	int depth = 0, letters;
+
+	while (lexer_skip_comments(lexer) && lexer_peek(lexer) != '\0') {
+		char byte = lexer_peek(lexer);
+		int column = lexer_column(lexer);
+
+		if (depth > 0 || !isalpha((unsigned char)byte)) {
+			depth += (byte == '[') - (byte == ']');
+			lexer_take(lexer);
+			continue;
+		}
+		if (lexer_keyword(lexer, "and") || lexer_keyword(lexer, "or") || lexer_keyword(lexer, "xor") ||
+		    lexer_keyword(lexer, "mod"))
+			continue;
+		for (letters = 0; isalpha((unsigned char)lexer_peek(lexer)); letters++)
+			lexer_take(lexer);
+		if (letters < 2 || lexer_peek(lexer) != '[')
+			return fault(lexer->at, column, "a macro statement stands in a block of its own");
+	}
+	return end_statement(lexer);
+}
+
+/* ------------------------------------------------------------- assignments */
+
+static bool assign(struct interp *interp, struct lexer *lexer)
+{
+	double value = 0;
+	int number, column;
+
+	lexer_peek(lexer);
+	column = lexer_column(lexer);
+	if (!macro_b_expr_variable(lexer, &number))
+		return false;
+	if (lexer_peek(lexer) != '=')
+		return fault(lexer->at, lexer_column(lexer), "'=' is missing after the variable");
+	lexer_take(lexer);
+	return macro_b_expr_sum(lexer, &value) && macro_b_vars_write(interp, number, column, value);
+}
+
+/* "#1=2", and more of them. */
+static bool do_assignments(struct interp *interp, struct lexer *lexer)
+{
+	do {
+		if (!assign(interp, lexer) || !lexer_skip_comments(lexer))
+			return false;
+	} while (lexer_peek(lexer) == '#');
+	return end_statement(lexer);
+}
+
+/* --------------------------------------------------------------- branches */
+
+static bool do_goto(struct interp *interp, struct lexer *lexer)
+{
+	int number, column;
+
+	lexer_peek(lexer);
+	column = lexer_column(lexer);
+	return macro_b_expr_integer(lexer, "the block number of GOTO", &number) && end_statement(lexer) &&
+	       macro_b_goto(interp, number, column);
+}
+
+static bool do_if(struct interp *interp, struct lexer *lexer)
+{
+	bool holds;
+
+	if (!macro_b_expr_condition(lexer, "IF", &holds))
+		return false;
+	if (keyword(interp, lexer, "goto"))
+		return holds ? do_goto(interp, lexer) : pass_over(lexer);
+	lexer_peek(lexer);
+	if (!keyword(interp, lexer, "then"))
+		return fault(lexer->at, lexer_column(lexer), "IF [...] needs GOTO or THEN");
+	if (lexer_peek(lexer) != '#')
+		return fault(lexer->at, lexer_column(lexer),
+			     "THEN with anything but an assignment is not supported yet");
+	return holds ? do_assignments(interp, lexer) : pass_over(lexer);
+}
+
+/* ------------------------------------------------------------------- loops */
+
+static bool same_place(const struct position *a, const struct position *b)
+{
+	return a->source == b->source && a->offset == b->offset;
+}
+
+static bool read_loop_number(struct lexer *lexer, const char *what, int *number)
+{
+	int column;
+
+	lexer_peek(lexer);
+	column = lexer_column(lexer);
+	if (!macro_b_expr_integer(lexer, what, number))
+		return false;
+	if (*number >= 1 && *number <= MACRO_LOOPS)
+		return true;
+	return fault(lexer->at, column, "%s is from 1 to %d", what, MACRO_LOOPS);
+}
+
+static bool open_loop(struct interp *interp, int number, int column)
+{
+	struct macro_b_call *call = macro_b_in_hand(interp);
+	struct macro_b_loop new = {.number = number, .start = source_here(interp->source)};
+
+	for (int i = 0; i < call->loop_count; i++) {
+		if (call->loops[i].number == number)
+			return fault(&interp->at, column, "DO%d inside of the DO%d of line %ld", number, number,
+				     call->loops[i].start.line);
+	}
+	if (!macro_b_seek_end(interp, number, column, &new.end))
+		return false;
+	call->loops[call->loop_count++] = new;
+	return true;
+}
+
+/* WHILE [...] DO1; DO1 alone is endless. */
+static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
+{
+	struct macro_b_call *call = macro_b_in_hand(interp);
+	const struct position here = source_here(interp->source);
+	bool holds = true;
+	int number, column;
+
+	if (condition && !macro_b_expr_condition(lexer, "WHILE", &holds))
+		return false;
+	lexer_peek(lexer);
+	if (condition && !lexer_keyword(lexer, "do"))
+		return fault(lexer->at, lexer_column(lexer), "WHILE [...] needs DO");
+	lexer_peek(lexer);
+	column = lexer_column(lexer);
+	if (!read_loop_number(lexer, "the number of DO", &number) || !end_statement(lexer))
+		return false;
+	if (!(call->loop_count > 0 && same_place(&call->loops[call->loop_count - 1].start, &here)) &&
+	    !open_loop(interp, number, column))
+		return false;
+	interp->macro.jumped = true;
+	if (holds)
+		return true;
+	call->loop_count--;
+	/* Behind its END: that line would lead back, but for the loop being closed. */
+	if (!macro_b_jump(interp, &call->loops[call->loop_count].end, column))
+		return false;
+	reader_next(&interp->source->reader, &interp->at.text);
+	return true;
+}
+
+static bool do_end(struct interp *interp, struct lexer *lexer, int column)
+{
+	struct macro_b_call *call = macro_b_in_hand(interp);
+	const struct macro_b_loop *top = call->loop_count > 0 ? &call->loops[call->loop_count - 1] : NULL;
+	const struct position here = source_here(interp->source);
+	int number;
+
+	if (!read_loop_number(lexer, "the number of END", &number) || !end_statement(lexer))
+		return false;
+	if (!top || !same_place(&top->end, &here))
+		return fault(lexer->at, column, "END%d without its DO%d: a loop cannot be entered but by its DO",
+			     number,
+			     number);
+	return macro_b_jump(interp, &top->start, column);
+}
+
+/* ---------------------------------------------------------------- the line */
+
+/* The program's number on its first line; any other one ends it, without the M-code that has to. */
+static bool check_program_number(struct interp *interp, struct lexer *lexer)
+{
+	const struct macro_b_call *call = macro_b_in_hand(interp);
+	const struct position here = source_here(interp->source);
+	char title[MACRO_TITLE];
+
+	if (interp->macro.level == 0 && !interp->macro.started)
+		interp->macro.calls[0].program = here;
+	interp->macro.started = true;
+	if (same_place(&call->program, &here))
+		return true;
+	if (interp->macro.level == 0)
+		return fault(lexer->at, lexer_column(lexer), "another program begins here, before M2, M30 or M99");
+	return fault(lexer->at, lexer_column(lexer), "another program begins here, inside of %s: its M99 is missing",
+		     macro_b_title(call, title));
+}
+
+/* The whole number behind a letter; nothing is taken if there is none. */
+static bool take_number(struct lexer *lexer, double *value)
+{
+	size_t position = lexer->position + 1;
+	bool point;
+
+	if (number_read(lexer->at->text, &position, value, &point) != NUMBER_OK || point)
+		return false;
+	lexer->position = position;
+	return true;
+}
+
+/* '/', O and N, as block_read reads them; what is wrong with them is its business. */
+static bool skip_start(struct interp *interp, struct lexer *lexer)
+{
+	double value;
+	char byte;
+
+	if (lexer_peek(lexer) == '/') {
+		lexer_take(lexer);
+		byte = lexer_peek(lexer);
+		if (byte >= '0' && byte <= '9')
+			lexer_take(lexer);
+	}
+	if (!lexer_skip_comments(lexer))
+		return false;
+	byte = lexer_peek(lexer);
+	if (byte == 'O' || byte == 'o' || byte == ':') {
+		if (!check_program_number(interp, lexer))
+			return false;
+		take_number(lexer, &value);
+	}
+	byte = lexer_peek(lexer);
+	if (byte == 'N' || byte == 'n')
+		take_number(lexer, &value);
+	return lexer_skip_comments(lexer);
+}
+
+/* B-63944EN, external output commands; Haas, DPRNT: text to a port or a file. */
+static bool is_output(struct lexer *lexer)
+{
+	return lexer_keyword(lexer, "popen") || lexer_keyword(lexer, "pclos") || lexer_keyword(lexer, "bprnt") ||
+	       lexer_keyword(lexer, "dprnt");
+}
+
+/* G65, G66 and G67; their words are not those of a block. */
+static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
+{
+	bool fanuc = interp->config->dialect == GCODE_FANUC;
+	size_t position = lexer->position;
+	int column = lexer_column(lexer);
+	double value;
+
+	*done = take_number(lexer, &value) && fabs(value - round(value)) < 1e-9 &&
+		(lround(value) == 65 || (fanuc && (lround(value) == 66 || lround(value) == 67)));
+	if (!*done) {
+		lexer->position = position;
+		return true;
+	}
+	if (lround(value) == 65)
+		return macro_b_call_g65(interp, lexer, column);
+	if (lround(value) == 66)
+		return macro_b_call_g66(interp, lexer, column);
+	interp->macro.modal = false;
+	return end_statement(lexer);
+}
+
+/* Haas: "[#1 LT 10] M99 P10" (operator's manual, "Conditional Expressions"). */
+static bool do_conditional_m99(struct interp *interp, struct lexer *lexer)
+{
+	bool holds;
+	int number, column;
+
+	if (!macro_b_expr_condition(lexer, "M99", &holds))
+		return false;
+	lexer_peek(lexer);
+	if (!lexer_keyword(lexer, "m99") || !lexer_keyword(lexer, "p"))
+		return fault(lexer->at, lexer_column(lexer), "a condition at the start of a block needs M99 P");
+	lexer_peek(lexer);
+	column = lexer_column(lexer);
+	return macro_b_expr_integer(lexer, "the block number of M99", &number) && end_statement(lexer) &&
+	       (!holds || macro_b_goto(interp, number, column));
+}
+
+static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
+{
+	char byte = lexer_peek(lexer);
+	int column = lexer_column(lexer);
+
+	/* Most blocks start with another letter. */
+	*done = byte != '\0' && strchr("#[GgIiWwDdEePpBb", byte);
+	if (!*done)
+		return true;
+	if (byte == '#')
+		return do_assignments(interp, lexer);
+	if (byte == '[' && interp->config->dialect == GCODE_HAAS)
+		return do_conditional_m99(interp, lexer);
+	if (keyword(interp, lexer, "goto"))
+		return do_goto(interp, lexer);
+	if (byte == 'G' || byte == 'g')
+		return do_g(interp, lexer, done);
+	if (lexer_keyword(lexer, "if"))
+		return do_if(interp, lexer);
+	if (keyword(interp, lexer, "while"))
+		return do_while(interp, lexer, true);
+	if (lexer_keyword(lexer, "do"))
+		return do_while(interp, lexer, false);
+	if (keyword(interp, lexer, "end"))
+		return do_end(interp, lexer, column);
+	*done = is_output(lexer);
+	return true;
+}
+
+bool macro_b_line(struct interp *interp, bool *done)
+{
+	const char *text = interp->at.text;
+	struct lexer lexer;
+
+	*done = false;
+	interp->macro.assigned_count = 0;
+	if (text[strspn(text, " \t")] == '\0' || (text[strspn(text, " \t")] == '/' && interp->config->block_delete))
+		return true;
+	lexer_init(&lexer, &interp->at, true);
+	lexer.interp = interp;
+	lexer.macro = MACRO_ARGUMENTS;
+	if (!skip_start(interp, &lexer))
+		return false;
+	interp->macro.started = interp->macro.started || lexer_peek(&lexer) != '\0';
+	/* Behind an address ROUND has another meaning than in a statement. */
+	lexer.macro = MACRO_WORDS;
+	return do_statement(interp, &lexer, done);
+}

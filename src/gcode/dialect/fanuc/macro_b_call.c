@@ -1,0 +1,374 @@
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/linuxcnc/control_flow.h"
+#include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/dialect/fanuc/macro_b_parts.h"
+
+/* A G65 or G66 block, read. */
+struct request {
+	int number, repeats;
+	double arguments[MACRO_LOCALS + 1];
+};
+
+const char *macro_b_title(const struct macro_b_call *call, char *buffer)
+{
+	snprintf(buffer, MACRO_TITLE, call->kind == MACRO_M97 ? "N%d" : "O%d", call->number);
+	return buffer;
+}
+
+static bool is_macro_call(enum macro_b_call_kind kind)
+{
+	return kind == MACRO_G65 || kind == MACRO_G66;
+}
+
+/* -------------------------------------------------------------- the levels */
+
+static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number, int repeats, int column,
+		  const struct position *entry)
+{
+	struct macro_b *macro = &interp->macro;
+	const struct position back = source_next(interp->source);
+	const struct position program = kind == MACRO_M97 ? macro_b_in_hand(interp)->program : *entry;
+	struct macro_b_call *call;
+
+	if (macro->level == MACRO_CALLS_MAX)
+		return fault(&interp->at, column, "more than %d calls inside each other", MACRO_CALLS_MAX);
+	if (is_macro_call(kind) && macro->macro_calls == MACRO_G65_MAX && interp->config->dialect == GCODE_FANUC)
+		return fault(&interp->at, column, "more than %d macro calls inside each other", MACRO_G65_MAX);
+	macro->level++;
+	macro->macro_calls += is_macro_call(kind);
+	macro->vars.level += is_macro_call(kind);
+	macro->jumped = true;
+	call = macro_b_in_hand(interp);
+	*call = (struct macro_b_call){.kind = kind, .number = number, .program = program, .entry = *entry, .back = back,
+				    .left = repeats - 1, .file = interp->at.file, .line = interp->at.line,
+				    .column = column};
+	return macro_b_jump(interp, entry, column);
+}
+
+static bool leave(struct interp *interp, int column)
+{
+	struct macro_b *macro = &interp->macro;
+	struct macro_b_call *call = macro_b_in_hand(interp);
+
+	if (call->left > 0) {
+		call->left--;
+		call->loop_count = 0;
+		return macro_b_jump(interp, &call->entry, column);
+	}
+	macro->level--;
+	macro->macro_calls -= is_macro_call(call->kind);
+	macro->vars.level -= is_macro_call(call->kind);
+	return macro_b_jump(interp, &call->back, column);
+}
+
+/* --------------------------------------------------------------- arguments */
+
+/* B-63944EN, argument specification I; Haas, alphabetic addressing: 0 is none. */
+static int argument_of(char letter)
+{
+	static const char numbers[26] = {1,  2,	 3, 7, 8,  9,  0,  11, 4,  5,  6,  0,  13,
+					 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+
+	return numbers[letter - 'A'];
+}
+
+/*
+ * I, J and K by argument specification II: sets of three from #4 on, a new one
+ * with each letter that does not come after the one before (Haas: alternate addressing).
+ */
+static int argument_of_set(char letter, int *set, char *last)
+{
+	if (*last && letter <= *last)
+		++*set;
+	*last = letter;
+	return 4 + 3 * *set + (letter - 'I');
+}
+
+/*
+ * B-63944EN, macro calls, units of arguments: without a decimal point a value
+ * counts increments of its address. Which those are differs for E and F, and in
+ * inches for A, B and C, which need not be axes.
+ */
+static bool scale_argument(struct interp *interp, const struct word *word, double *value)
+{
+	double increment = interp->config->least_input;
+
+	if (word->point || fpclassify(*value) == FP_ZERO || strchr("DHMST", word->letter))
+		return true;
+	if (!(increment > 0)) {
+		if (!interp->cautions.point)
+			caution(&interp->at, word->column,
+				"%c%.15g has no decimal point and is read as whole units, as all such words; a control "
+				"set to least input increments reads it a thousand times smaller, or more",
+				word->letter, *value);
+		interp->cautions.point = true;
+		return true;
+	}
+	if (strchr(interp->state.scale > 1 ? "ABCEF" : "EF", word->letter))
+		return fault(&interp->at, word->column,
+			     "%c%.15g: what an argument without a decimal point is differs here; write the point",
+			     word->letter, *value);
+	*value *= interp->state.scale > 1 ? increment / 10 : increment;
+	return true;
+}
+
+static bool read_argument(struct interp *interp, const struct word *word, struct request *request, int *set,
+			  char *last)
+{
+	double value = word->vacant ? macro_b_vacant() : word->value;
+	int number = argument_of(word->letter);
+
+	if (number == 0)
+		return fault(&interp->at, word->column, "%c is no argument of a macro", word->letter);
+	if (word->letter >= 'I' && word->letter <= 'K')
+		number = argument_of_set(word->letter, set, last);
+	if (number > MACRO_LOCALS)
+		return fault(&interp->at, word->column, "more than ten sets of I, J and K");
+	if (!word->vacant && !scale_argument(interp, word, &value))
+		return false;
+	/* Of a mixture the later one is valid (B-63944EN, mixture of argument specifications I and II). */
+	request->arguments[number] = value;
+	return true;
+}
+
+static bool read_count(struct interp *interp, const struct word *word, int most, int *value)
+{
+	if (word->vacant || word->value < 1 || word->value > most || floor(word->value) < word->value)
+		return fault(&interp->at, word->column, "%c: a whole number from 1 to %d is needed", word->letter,
+			     most);
+	*value = (int)word->value;
+	return true;
+}
+
+static bool read_request(struct interp *interp, struct lexer *lexer, int column, struct request *request)
+{
+	enum lexer_result result;
+	struct word word;
+	int set = 0;
+	char last = 0;
+
+	*request = (struct request){.repeats = 1};
+	for (int i = 0; i <= MACRO_LOCALS; i++)
+		request->arguments[i] = macro_b_vacant();
+	lexer->macro = MACRO_ARGUMENTS;
+	while ((result = lexer_next(lexer, &word)) == LEXER_WORD) {
+		if (word.letter == 'P' ? !read_count(interp, &word, 99999999, &request->number)
+		    : word.letter == 'L'
+			? !read_count(interp, &word, 9999, &request->repeats)
+			: !read_argument(interp, &word, request, &set, &last))
+			return false;
+	}
+	if (result == LEXER_FAULT)
+		return false;
+	if (request->number == 0)
+		return fault(&interp->at, column, "a macro call needs P, the number of the program");
+	return true;
+}
+
+/* --------------------------------------------------------------- G65, G66 */
+
+/* B-63944EN, simple call (G65): variables of the call's own, vacant but for its arguments. */
+static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct request *request, int column)
+{
+	struct macro_b_vars *vars = &interp->macro.vars;
+	struct position entry;
+
+	if (!macro_b_seek_program(interp, request->number, column, &entry) ||
+	    !enter(interp, kind, request->number, request->repeats, column, &entry))
+		return false;
+	memcpy(vars->local[vars->level], request->arguments, sizeof(request->arguments));
+	return true;
+}
+
+/*
+ * Haas: "the arguments are set only on the first repetition", and what the macro
+ * makes of its variables remains for the next. Fanuc's manual leaves that open.
+ */
+static bool check_repeats(struct interp *interp, const struct request *request, int column)
+{
+	if (request->repeats == 1 || interp->config->dialect == GCODE_HAAS)
+		return true;
+	for (int i = 1; i <= MACRO_LOCALS; i++) {
+		if (!isnan(request->arguments[i]))
+			return fault(&interp->at, column,
+				     "L with arguments: whether each repetition gets them anew is not supported yet; "
+				     "call it L times in a loop");
+	}
+	return true;
+}
+
+bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column)
+{
+	struct request request;
+
+	return read_request(interp, lexer, column, &request) && check_repeats(interp, &request, column) &&
+	       call_macro(interp, MACRO_G65, &request, column);
+}
+
+/* B-63944EN, modal call (G66): from the next block on, after each that moves; the block itself calls nothing. */
+bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
+{
+	struct macro_b *macro = &interp->macro;
+	struct request request;
+	struct position entry;
+
+	if (!read_request(interp, lexer, column, &request) || !check_repeats(interp, &request, column))
+		return false;
+	if (macro->modal)
+		return fault(&interp->at, column, "G66 while another one is in force is not supported yet; G67 first");
+	if (!macro_b_seek_program(interp, request.number, column, &entry))
+		return false;
+	macro->modal = true;
+	macro->modal_number = request.number;
+	macro->modal_repeats = request.repeats;
+	macro->modal_level = macro->level;
+	memcpy(macro->modal_arguments, request.arguments, sizeof(request.arguments));
+	return true;
+}
+
+/* Is this a block that G66 may call its macro after? Moves of the macro itself call nothing. */
+static bool modal_heeds(const struct interp *interp)
+{
+	const struct macro_b *macro = &interp->macro;
+
+	if (!macro->modal || !(interp->block.letters & AXIS_BITS) || interp->block.g[G_NONMODAL] == G4)
+		return false;
+	for (int level = macro->level; level > macro->modal_level; level--) {
+		if (macro->calls[level].kind == MACRO_G66)
+			return false;
+	}
+	return true;
+}
+
+/* What a subprogram's would do, when G66 stands outside, is left open. */
+bool macro_b_after_block(struct interp *interp)
+{
+	const struct macro_b *macro = &interp->macro;
+	const struct block *block = &interp->block;
+	struct request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
+	int column = block_motion_column(block);
+
+	if (!modal_heeds(interp))
+		return true;
+	if (block->m[M_STOP] >= 2)
+		return fault(&interp->at, block->m_column[M_STOP],
+			     "M%d in a block that moves, while G66 is in force; G67 first", block->m[M_STOP]);
+	if (macro->level != macro->modal_level)
+		return fault(&interp->at, column, "a move of a subprogram while G66 is in force is not supported yet");
+	if (block->g[G_NONMODAL] != CODE_NONE || block->motion == CODE_NONE || code_is_cycle(block->motion))
+		return fault(&interp->at, column,
+			     "axis words of a block that is no plain move, while G66 is in force; G67 first");
+	memcpy(request.arguments, macro->modal_arguments, sizeof(request.arguments));
+	return call_macro(interp, MACRO_G66, &request, column);
+}
+
+/* ------------------------------------------------------------ M97, M98, M99 */
+
+/*
+ * B-63944EN, subprogram call: P is the program, or without L, of more than four
+ * digits, the repetitions and its last four; Haas, M98: P and L.
+ */
+static bool read_m98(struct interp *interp, int *number, int *repeats)
+{
+	const struct block *block = &interp->block;
+	int column = block->m_column[M_STOP], most = interp->config->dialect == GCODE_HAAS ? 99999 : 99999999;
+
+	*repeats = 1;
+	if (!block_has(block, 'P'))
+		return fault(&interp->at, column, "M%d needs P, the number of the %s", block->m[M_STOP],
+			     block->m[M_STOP] == 97 ? "block" : "program");
+	if (!block_integer(block, &interp->at, 'P', 1, most, number))
+		return false;
+	if (block_has(block, 'L'))
+		return block_integer(block, &interp->at, 'L', 1, 9999, repeats);
+	if (interp->config->dialect == GCODE_FANUC && *number > 9999) {
+		*repeats = *number / 10000;
+		*number %= 10000;
+		if (*number == 0)
+			return fault(&interp->at, block_column(block, 'P'),
+				     "the program's number, the last four digits "
+									    "of P, is 0");
+	}
+	return true;
+}
+
+static bool do_m98(struct interp *interp, int column)
+{
+	int number, repeats;
+	struct position entry;
+	bool local = interp->block.m[M_STOP] == 97;
+
+	if (!read_m98(interp, &number, &repeats))
+		return false;
+	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, 'P'), &entry)
+		  : !macro_b_seek_program(interp, number, column, &entry))
+		return false;
+	return enter(interp, local ? MACRO_M97 : MACRO_M98, number, repeats, column, &entry);
+}
+
+/*
+ * M99 P: Fanuc goes to that block of the caller (B-63944EN, subprogram), Haas to
+ * one of the subprogram itself (operator's manual, "Conditional Expressions").
+ */
+static bool do_m99(struct interp *interp, int column)
+{
+	const struct block *block = &interp->block;
+	struct macro_b_call *call = macro_b_in_hand(interp);
+	int number, p = block_has(block, 'P') ? block_column(block, 'P') : 0;
+	struct position target;
+
+	if (block_has(block, 'L'))
+		return fault(&interp->at, block_column(block, 'L'), "M99 with L is not supported yet");
+	if (interp->macro.level == 0 && !p)
+		return control_flow_restart(interp);
+	if (!p)
+		return leave(interp, column);
+	if (!block_integer(block, &interp->at, 'P', 1, 99999999, &number))
+		return false;
+	if (interp->macro.level == 0 || interp->config->dialect == GCODE_HAAS)
+		return macro_b_goto(interp, number, p);
+	if (call->left > 0)
+		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");
+	if (call->kind == MACRO_G66)
+		return fault(&interp->at, p, "M99 P of a macro that G66 calls is not supported yet");
+	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) && macro_b_jump(interp, &target, p);
+}
+
+bool macro_b_end_block(struct interp *interp)
+{
+	int column = interp->block.m_column[M_STOP];
+
+	if (!macro_b_after_block(interp))
+		return false;
+	return interp->block.m[M_STOP] == 99 ? do_m99(interp, column) : do_m98(interp, column);
+}
+
+/* -------------------------------------------------------------- the reports */
+
+bool macro_b_end_of_file(struct interp *interp)
+{
+	const struct macro_b_call *call = macro_b_in_hand(interp);
+	char title[MACRO_TITLE];
+
+	if (interp->macro.level == 0)
+		return true;
+	diag_error(interp->diag, (struct srcloc){interp->source->name, interp->source->reader.line, 0},
+		   "the file ends inside of the subprogram %s: its M99 is missing", macro_b_title(call, title));
+	return false;
+}
+
+void macro_b_note_callers(struct interp *interp)
+{
+	char title[MACRO_TITLE];
+
+	for (int level = interp->macro.level; level > 0; level--) {
+		const struct macro_b_call *call = &interp->macro.calls[level];
+
+		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
+			  macro_b_title(call, title));
+	}
+}

@@ -1,0 +1,395 @@
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/linuxcnc/control_flow_parts.h"
+#include "gcode/dialect/fanuc/macro_b_parts.h"
+
+/* What a line is to those who search: its start without blanks and comments, in capitals. */
+#define GIST_MAX 256
+
+struct gist {
+	bool percent;
+	bool has_program, has_block;
+	long program, block;	/* O and N */
+	char rest[GIST_MAX];	/* what follows them */
+};
+
+/* What is looked for. */
+enum aim { AIM_BLOCK, AIM_PROGRAM, AIM_ANY_PROGRAM, AIM_END };
+
+struct search {
+	enum aim aim;
+	long number;
+	long after;	/* AIM_BLOCK: lines up to this one do not count */
+	int open[MACRO_LOOPS];	/* AIM_END: the loops in between */
+	int open_count;
+	bool own_line;	/* the search starts with the program's first line, which has its number */
+	bool failed;	/* reported */
+	bool unfinished;	/* a pipe's window ended the search */
+};
+
+/* ------------------------------------------------------------------- lines */
+
+static long take_digits(const char **at)
+{
+	long value = 0;
+
+	for (; isdigit((unsigned char)**at); ++*at)
+		value = value < 100000000 ? value * 10 + (**at - '0') : value;
+	return value;
+}
+
+static void condense(const char *text, char *out)
+{
+	size_t length = 0;
+
+	for (; *text && *text != ';' && length < GIST_MAX - 1; text++) {
+		if (*text == '(') {
+			text += strcspn(text, ")");
+			if (*text == '\0')
+				break;
+		} else if (*text != ' ' && *text != '\t') {
+			out[length++] = (char)toupper((unsigned char)*text);
+		}
+	}
+	out[length] = '\0';
+}
+
+static void read_gist(const char *text, struct gist *gist)
+{
+	char buffer[GIST_MAX] = "";
+	const char *at = buffer;
+
+	condense(text, buffer);
+	*gist = (struct gist){.percent = *at == '%'};
+	if (*at == '/')
+		at += isdigit((unsigned char)at[1]) ? 2 : 1;
+	if ((*at == 'O' || *at == ':') && isdigit((unsigned char)at[1])) {
+		at++;
+		gist->has_program = true;
+		gist->program = take_digits(&at);
+	}
+	if (*at == 'N' && isdigit((unsigned char)at[1])) {
+		at++;
+		gist->has_block = true;
+		gist->block = take_digits(&at);
+	}
+	snprintf(gist->rest, sizeof(gist->rest), "%s", at);
+}
+
+/* Most lines of a program are settled by their first byte. */
+static bool may_matter(const char *text)
+{
+	text += strspn(text, " \t");
+	return *text && strchr("NnOo:%/(WwDdEe", *text);
+}
+
+/* The number of the line's DO or END, or 0. */
+static int loop_number(const char *rest, bool end)
+{
+	const char *at = rest;
+
+	if (end)
+		return !strncmp(rest, "EN", 2) && isdigit((unsigned char)rest[rest[2] == 'D' ? 3 : 2])
+			   ? rest[rest[2] == 'D' ? 3 : 2] - '0'
+			   : 0;
+	if (!strncmp(rest, "WHILE[", 6) || !strncmp(rest, "WH[", 3)) {
+		at = strrchr(rest, ']');
+		at = at ? at + 1 : rest;
+	}
+	return !strncmp(at, "DO", 2) && isdigit((unsigned char)at[2]) ? at[2] - '0' : 0;
+}
+
+/* ------------------------------------------------------------------ a search */
+
+/* The loops of B-63944EN, nesting: up to three, one inside the other, that do not cross. */
+static bool meet_loop(struct interp *interp, struct search *search, const struct gist *gist, long line, int column)
+{
+	int opens = loop_number(gist->rest, false), closes = loop_number(gist->rest, true);
+
+	if (opens > 0) {
+		for (int i = 0; i < search->open_count; i++) {
+			if (search->open[i] != opens)
+				continue;
+			search->failed = true;
+			return fault(&interp->at, column, "line %ld has a DO%d inside of this loop's DO%d", line, opens,
+				     opens);
+		}
+		if (search->open_count < MACRO_LOOPS && opens <= MACRO_LOOPS)
+			search->open[search->open_count++] = opens;
+		return false;
+	}
+	if (closes == 0)
+		return false;
+	if (search->open[search->open_count - 1] != closes) {
+		search->failed = true;
+		return fault(&interp->at, column, "the END%d of line %ld crosses this loop: DO%d is not closed before "
+						  "it",
+			     closes, line, search->open[search->open_count - 1]);
+	}
+	return --search->open_count == 0;
+}
+
+static bool meets(struct interp *interp, struct search *search, const char *text, long line, int column, bool *over)
+{
+	struct gist gist;
+
+	*over = false;
+	if (!may_matter(text))
+		return false;
+	read_gist(text, &gist);
+	if (search->aim == AIM_PROGRAM || search->aim == AIM_ANY_PROGRAM)
+		return gist.has_program && (search->aim == AIM_ANY_PROGRAM || gist.program == search->number);
+	*over = gist.percent || gist.has_program;
+	if (search->aim == AIM_BLOCK)
+		return gist.has_block && gist.block == search->number && line > search->after;
+	if (*over || (*gist.rest && text[strspn(text, " \t")] == '/' && interp->config->block_delete))
+		return false;
+	return meet_loop(interp, search, &gist, line, column);
+}
+
+/* Lines of the text in hand are kept: others go through the reader's buffer meanwhile. */
+static void keep_line(struct interp *interp)
+{
+	struct strbuf *line = &interp->macro.line;
+
+	if (interp->at.text == line->text)
+		return;
+	strbuf_clear(line);
+	strbuf_add(line, interp->at.text, strlen(interp->at.text));
+	interp->at.text = strbuf_text(line);
+}
+
+/*
+ * The first line from `from` that is looked for, up to the line `to` (0: the end
+ * of the program, or of the file). The reader is where it was before.
+ */
+static bool look(struct interp *interp, struct search *search, const struct position *from, long to, int column,
+		 struct position *found)
+{
+	struct line_reader *reader = &from->source->reader;
+	const struct position next = source_next(from->source);
+	const long long start = reader->start;
+	const char *text;
+	bool over = false, met = false, first = search->own_line;
+
+	keep_line(interp);
+	if (!reader_seek(reader, from->offset, from->line)) {
+		search->unfinished = true;
+		return false;
+	}
+	while (!met && !over && !search->failed) {
+		if (reader->base < 0 &&
+		    reader_position(reader) > next.offset + (long long)READER_WINDOW - LINE_LENGTH_MAX) {
+			search->unfinished = true;
+			break;
+		}
+		if (reader_next(reader, &text) != READER_LINE || (to > 0 && reader->line > to))
+			break;
+		met = meets(interp, search, text, reader->line, column, &over);
+		/* The program's own first line is not the next one's. */
+		over = over && !first;
+		met = met && !over;
+		first = first && !may_matter(text);
+	}
+	if (met)
+		*found = source_here(from->source);
+	reader_seek(reader, next.offset, next.line);
+	reader->start = start;
+	return met;
+}
+
+/* ------------------------------------------------------------ what was found */
+
+/* The search of a loop is made once: its result depends on nothing but the file. */
+static struct label *remembered(struct interp *interp, const struct position *from, const char *what, long number,
+				char *key)
+{
+	snprintf(key, 96, "%p %lld %s%ld", (void *)from->source, from->offset, what, number);
+	return labels_find(&interp->flow.labels, key);
+}
+
+static void remember(struct interp *interp, const char *key, const struct position *found)
+{
+	struct label *label = labels_add(&interp->flow.labels, key, O_PROGRAM);
+
+	/* Without room for it, it is searched for again. */
+	if (label)
+		label->at = *found;
+}
+
+static bool fault_window(struct interp *interp, const char *what, int number, int column)
+{
+	return fault(&interp->at, column,
+		     "%s%d is not within the last and the next %zu MiB of the pipe; give the program as a file", what,
+			number,
+		     READER_WINDOW >> 20);
+}
+
+static struct position program_start(struct interp *interp)
+{
+	const struct macro_b_call *call = macro_b_in_hand(interp);
+
+	if (call->program.source)
+		return call->program;
+	return (struct position){interp->sources.items[0], interp->first_offset, interp->first_line};
+}
+
+bool macro_b_seek_only(struct interp *interp, int number, int column, struct position *found)
+{
+	const struct position start = program_start(interp);
+	struct search search = {.aim = AIM_BLOCK, .number = number, .own_line = true};
+	struct position second;
+	struct label *label;
+	char key[96];
+
+	if ((label = remembered(interp, &start, "only N", number, key))) {
+		*found = label->at;
+		return true;
+	}
+	if (!look(interp, &search, &start, 0, column, found))
+		return search.unfinished ? fault_window(interp, "N", number, column)
+					 : fault(&interp->at, column, "the program has no block N%d", number);
+	search.after = found->line;
+	if (look(interp, &search, &start, 0, column, &second))
+		return fault(&interp->at, column, "N%d stands in lines %ld and %ld: which of them is meant is not "
+						  "clear",
+			     number, found->line, second.line);
+	if (search.unfinished)
+		return fault_window(interp, "N", number, column);
+	remember(interp, key, found);
+	return true;
+}
+
+static bool seek_forward_first(struct interp *interp, int number, int column, struct position *found)
+{
+	const struct position next = source_next(interp->source), start = program_start(interp);
+	struct search search = {.aim = AIM_BLOCK, .number = number};
+	long here = interp->at.line;
+
+	if (look(interp, &search, &next, 0, column, found))
+		return true;
+	search.own_line = true;
+	if (!search.unfinished && look(interp, &search, &start, here, column, found))
+		return true;
+	return search.unfinished ? fault_window(interp, "N", number, column)
+				 : fault(&interp->at, column, "the program has no block N%d", number);
+}
+
+bool macro_b_goto(struct interp *interp, int number, int column)
+{
+	const struct position here = source_here(interp->source);
+	struct position target;
+	struct label *label;
+	char key[96];
+
+	interp->macro.jumped = true;
+	if (number == 0)
+		return fault(&interp->at, column, "block numbers start with 1");
+	if (interp->config->dialect == GCODE_HAAS)
+		return macro_b_seek_only(interp, number, column, &target) && macro_b_jump(interp, &target, column);
+	if ((label = remembered(interp, &here, "N", number, key)))
+		return macro_b_jump(interp, &label->at, column);
+	if (!seek_forward_first(interp, number, column, &target))
+		return false;
+	remember(interp, key, &target);
+	return macro_b_jump(interp, &target, column);
+}
+
+bool macro_b_seek_end(struct interp *interp, int number, int column, struct position *found)
+{
+	const struct position here = source_here(interp->source), next = source_next(interp->source);
+	struct search search = {.aim = AIM_END, .number = number, .open = {number}, .open_count = 1};
+	struct label *label;
+	char key[96];
+
+	if ((label = remembered(interp, &here, "END", number, key))) {
+		*found = label->at;
+		return true;
+	}
+	if (!look(interp, &search, &next, 0, column, found)) {
+		if (search.failed)
+			return false;
+		return search.unfinished ? fault_window(interp, "END", number, column)
+					 : fault(&interp->at, column, "this loop is not closed: its END%d is missing",
+						 number);
+	}
+	remember(interp, key, found);
+	return true;
+}
+
+/* In a file of its name: the program's O, or the first line if there is no O at all. */
+static bool look_in_folders(struct interp *interp, int number, int column, struct position *found)
+{
+	struct search search = {.aim = AIM_PROGRAM, .number = number}, any = {.aim = AIM_ANY_PROGRAM};
+	struct position start = {NULL, 0, 1};
+
+	if (!sources_find_program(&interp->sources, interp->config, number, &interp->at, column, &start.source))
+		return false;
+	if (!start.source)
+		return fault(&interp->at, column,
+			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include "
+			     "folder",
+			     number, interp->sources.items[0]->name);
+	if (look(interp, &search, &start, 0, column, found))
+		return true;
+	if (look(interp, &any, &start, 0, column, found))
+		return fault(&interp->at, column, "%s holds no program O%d", start.source->name, number);
+	*found = start;
+	return true;
+}
+
+/* In the program's own file; *unfinished: it is a pipe that holds neither its start nor enough of what is ahead. */
+static bool look_in_main(struct interp *interp, int number, int column, struct position *found, bool *unfinished)
+{
+	struct source *main = interp->sources.items[0];
+	const struct position start = {main, interp->first_offset, interp->first_line}, forward = source_next(main);
+	struct search search = {.aim = AIM_PROGRAM, .number = number}, rest = search;
+
+	*unfinished = false;
+	if (look(interp, &search, &start, 0, column, found))
+		return true;
+	if (search.unfinished && look(interp, &rest, &forward, 0, column, found))
+		return true;
+	*unfinished = search.unfinished;
+	return false;
+}
+
+bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found)
+{
+	const struct position in_hand = {interp->source, 0, 1};
+	struct search search = {.aim = AIM_PROGRAM, .number = number};
+	struct label *label;
+	bool unfinished;
+	char key[96];
+
+	if ((label = remembered(interp, &in_hand, "O", number, key))) {
+		*found = label->at;
+		return true;
+	}
+	if (!look_in_main(interp, number, column, found, &unfinished) &&
+	    (unfinished || !look(interp, &search, &in_hand, 0, column, found))) {
+		if (unfinished)
+			return fault_window(interp, "O", number, column);
+		if (!look_in_folders(interp, number, column, found))
+			return false;
+	}
+	remember(interp, key, found);
+	return true;
+}
+
+bool macro_b_jump(struct interp *interp, const struct position *to, int column)
+{
+	struct macro_b_call *call = macro_b_in_hand(interp);
+
+	keep_line(interp);
+	while (call->loop_count > 0) {
+		const struct macro_b_loop *top = &call->loops[call->loop_count - 1];
+
+		if (to->source == top->start.source && to->offset >= top->start.offset && to->offset <= top->end.offset)
+			break;
+		call->loop_count--;
+	}
+	return control_flow_jump(interp, to, column);
+}

@@ -1,0 +1,258 @@
+#include <math.h>
+
+#include "gcode/dialect/fanuc/macro_b_vars.h"
+#include "gcode/dialect/linuxcnc/system_params.h"
+#include "gcode/state.h"
+
+/* Work offsets: six slots each, so many numbers apart. */
+enum { WORK_STEP = 20, WORK_SLOTS = 6 };
+
+enum { F = 1 << GCODE_FANUC, H = 1 << GCODE_HAAS };
+
+/* The number of a code that has no tenths. */
+static int whole_code(int code)
+{
+	return code / 10;
+}
+
+/* What is known to the machine only, or differs from one to the next. */
+static const struct {
+	int first, last;
+	int dialects;
+	const char *what;
+} machine_only[] = {
+	{1000, 1199, F | H, "the state of inputs and outputs"},
+	{1601, 2000, H, "data of tools that the control has collected"},
+	{2001, 2999, F | H, "tool offsets of the control's own table"},
+	{3000, 3000, F | H, "no value"},
+	{3001, 3002, F | H, "a clock"},
+	{3003, 3008, F | H, "switches and settings of the control"},
+	{3011, 3012, F | H, "the date and the time"},
+	{3020, 3033, H, "clocks, counters and settings of the control"},
+	{3901, 3902, F | H, "the number of parts that were made"},
+	{5021, 5060, F | H, "where the machine is while the control reads ahead (the programmed position is in #5001)"},
+	{5061, 5080, F | H, "what a probe has found"},
+	{5081, 5100, F | H, "the tool offset of the control's own table"},
+	{5101, 5120, F | H, "the deviation of the servo drives"},
+	{5201, 5220, F | H, "an offset of the control's own that lies on all work offsets"},
+};
+
+static const char *find_machine_only(int number, enum gcode_dialect dialect)
+{
+	for (size_t i = 0; i < sizeof(machine_only) / sizeof(*machine_only); i++) {
+		if (number >= machine_only[i].first && number <= machine_only[i].last &&
+		    (machine_only[i].dialects & (1 << dialect)))
+			return machine_only[i].what;
+	}
+	return NULL;
+}
+
+static double unit_of(const struct state *state, int slot)
+{
+	return slot_is_rotary(slot) ? 1 : state->scale;
+}
+
+/* ------------------------------------------------------------- the modes */
+
+static bool fault_not_followed(struct interp *interp, int number, int column)
+{
+	return fault(&interp->at, column, "#%d, a modal code or word, is not followed here in this state of the "
+					  "program",
+		     number);
+}
+
+static bool read_group(struct interp *interp, int number, int column, double *value)
+{
+	const struct state *state = &interp->state;
+	int system_group = interp->config->dialect == GCODE_HAAS ? 4012 : 4014;
+
+	if (number == system_group && state->system < 6) {
+		*value = 54 + state->system;
+		return true;
+	}
+	switch (number) {
+	case 4001:
+		*value = whole_code(state->motion);
+		return (state->motion >= G0 && state->motion <= G3) || fault_not_followed(interp, number, column);
+	case 4002:
+		*value = whole_code(state->plane);
+		return true;
+	case 4003:
+		*value = state->incremental ? 91 : 90;
+		return true;
+	case 4005:
+		*value = state->feed_mode == FEED_INVERSE_TIME ? 93 : state->feed_mode == FEED_PER_MINUTE ? 94 : 95;
+		return true;
+	case 4006:
+		*value = state->scale > 1 ? 20 : 21;
+		return true;
+	default:
+		return fault_not_followed(interp, number, column);
+	}
+}
+
+/* #4001 to #4021 are codes of modal groups, #4101 to #4126 words, of the blocks before this one. */
+static bool read_mode(struct interp *interp, int number, int column, double *value)
+{
+	const struct state *state = &interp->state;
+
+	if (number < 4100)
+		return read_group(interp, number, column, value);
+	*value = number == 4109   ? state->feed_linear / state->scale
+		 : number == 4119 ? state->speed
+		 : number == 4120 ? state->selected
+				  : -1;
+	if (*value < 0 || (number == 4109 && state->feed_mode == FEED_INVERSE_TIME))
+		return fault_not_followed(interp, number, column);
+	return true;
+}
+
+/* ---------------------------------------------------------- axes, offsets */
+
+/*
+ * The slot of a control's axis. Haas counts X Y Z A B C; Fanuc's fourth axis and
+ * those beyond are the machine builder's choice, unless there is one only.
+ */
+static bool find_slot(struct interp *interp, int number, int index, int column, int *slot)
+{
+	int fourth = -1, others = 0;
+
+	*slot = index;
+	if (index < 3 || interp->config->dialect == GCODE_HAAS)
+		return true;
+	for (int i = SLOT_Z + 1; i < SLOT_COUNT; i++) {
+		fourth = interp->config->has_axis[i] && fourth < 0 ? i : fourth;
+		others += interp->config->has_axis[i];
+	}
+	*slot = fourth;
+	if (index == 3 && others == 1)
+		return true;
+	return fault(&interp->at, column,
+		     "#%d: which axis is the control's number %d is the machine builder's choice and not known here",
+			number,
+		     index + 1);
+}
+
+/* B-63944EN: #5001 and on hold the end of the block before in workpiece coordinates, without tool compensation. */
+static bool read_position(struct interp *interp, int number, int column, double *value)
+{
+	const struct state *state = &interp->state;
+	int slot;
+
+	if (!find_slot(interp, number, number - 5001, column, &slot) ||
+	    !system_params_position_is_plain(interp, slot, column))
+		return false;
+	if (interp->macro.work_stale)
+		return fault(&interp->at, column,
+			     "#%d after the work offset in force was assigned to; select it again first, with %s",
+				number,
+			     state_system_name(state->system));
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column, "#%d under tool centre point control is not supported yet", number);
+	*value = (state->position.v[slot] - state->offset.v[slot]) / unit_of(state, slot);
+	return true;
+}
+
+/* The work offset and its slot that #number is, *system -1 if it is none. */
+static bool find_work(struct interp *interp, int number, int column, int *system, int *slot)
+{
+	bool haas = interp->config->dialect == GCODE_HAAS;
+	int first = number >= 14001 && haas ? 14001 : number >= 7001 ? 7001 : 5221;
+	int count = first == 5221 ? 6 : first == 14001 ? EXTENDED_COUNT : haas ? 20 : 48;
+	int row = number >= first ? (number - first) / WORK_STEP : count, place = (number - first) % WORK_STEP;
+
+	*system = -1;
+	if (number < first || row >= count || place >= WORK_SLOTS)
+		return true;
+	*system = first == 5221 ? row : SYSTEM_COUNT + row;
+	return find_slot(interp, number, place, column, slot);
+}
+
+static bool fault_unknown(struct interp *interp, int number, int column)
+{
+	return fault(&interp->at, column, "the system variable #%d is not known here in the %s dialect", number,
+		     dialect_name(interp->config->dialect));
+}
+
+bool macro_b_system_read(struct interp *interp, int number, int column, double *value)
+{
+	const char *what = find_machine_only(number, interp->config->dialect);
+	int system, slot;
+
+	if (what)
+		return fault(&interp->at, column, "#%d holds %s: it is not known before the program runs", number,
+			     what);
+	if ((number >= 4001 && number <= 4030) || (number >= 4101 && number <= 4130))
+		return read_mode(interp, number, column, value);
+	if (number >= 5001 && number < 5001 + SLOT_COUNT)
+		return read_position(interp, number, column, value);
+	if (!find_work(interp, number, column, &system, &slot))
+		return false;
+	if (system < 0)
+		return fault_unknown(interp, number, column);
+	system_params_work_is_used(interp, system, column);
+	*value = interp->state.work[system].v[slot] / unit_of(&interp->state, slot);
+	return true;
+}
+
+/* ----------------------------------------------------------------- writing */
+
+static bool write_work(struct interp *interp, int number, int column, double value)
+{
+	struct state *state = &interp->state;
+	int system, slot;
+
+	if (!find_work(interp, number, column, &system, &slot))
+		return false;
+	if (system < 0)
+		return fault_unknown(interp, number, column);
+	if (isnan(value))
+		return fault(&interp->at, column, "#%d cannot be vacant", number);
+	/* When a control heeds a change of the one in force depends on how far it reads ahead. */
+	if (system == state->system)
+		interp->macro.work_stale = true;
+	state->work[system].v[slot] = value * unit_of(state, slot);
+	state->work_known[system] = true;
+	return true;
+}
+
+bool macro_b_system_write(struct interp *interp, int number, int column, double value)
+{
+	switch (number) {
+	case 3000:
+		return fault(&interp->at, column, "#3000=%.15g stops the program with an alarm here", value);
+	case 3001:
+	case 3002:	/* clocks, which cannot be read here */
+	case 3003:	/* single block, waiting for M functions: moves nothing */
+	case 3006:	/* a stop with a message, as M0 */
+		return true;
+	case 3004:
+		/* 1 holds feed hold back, 2 the override, 4 the exact stop. */
+		if (value < 4)
+			return true;
+		return fault(&interp->at, column, "#3004=%.15g switches exact stops off, which is not supported yet",
+			     value);
+	default:
+		break;
+	}
+	if (number < 5221)
+		return fault(&interp->at, column, "#%d cannot be assigned here in the %s dialect", number,
+			     dialect_name(interp->config->dialect));
+	return write_work(interp, number, column, value);
+}
+
+bool macro_b_check_work(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	if (!interp->macro.work_stale)
+		return true;
+	if (block->g[G_SYSTEM] != CODE_NONE)
+		interp->macro.work_stale = false;
+	else if (block->letters & AXIS_BITS)
+		return fault(&interp->at, block_motion_column(block),
+			     "the work offset in force was assigned to: when a control heeds that differs; select it "
+			     "again first, with %s",
+			     state_system_name(interp->state.system));
+	return true;
+}

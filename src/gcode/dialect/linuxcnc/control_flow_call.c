@@ -1,0 +1,271 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/eval/expr.h"
+#include "gcode/dialect/linuxcnc/control_flow_parts.h"
+
+static struct call *call_in_hand(struct interp *interp)
+{
+	return &interp->flow.calls[interp->params.level];
+}
+
+/* ------------------------------------------------------------ definitions */
+
+/* A sub that is met in passing is learnt, and its body skipped. */
+static bool define(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	struct label *label = labels_find(&interp->flow.labels, oword->name);
+	char title[OWORD_TITLE];
+
+	oword_title(oword->name, title);
+	if (interp->params.level > 0)
+		return fault(&interp->at, oword->column, "%s sub inside of a subprogram that is being carried out",
+			     title);
+	if (label && label->at.source == interp->source && label->at.offset == interp->source->reader.start)
+		return fault(&interp->at, oword->column,
+			     "%s sub is met again, after it was called or in a loop; LinuxCNC stops here: define it "
+			     "before its first call, once",
+			     title);
+	if (label)
+		return fault(&interp->at, oword->column, "%s is defined already, in line %ld of %s", title,
+			     label->at.line, label->at.source->name);
+	if (!oword_end(lexer, oword) || !control_flow_add_label(interp, oword, oword->name, &label))
+		return false;
+	control_flow_skip_to(interp, SKIP_DEFINITION, O_SUB, oword->name, oword->column);
+	return true;
+}
+
+/* The subprogram that a call looks for. */
+static bool found(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	struct control_flow *flow = &interp->flow;
+	struct label *label;
+	char title[OWORD_TITLE];
+
+	oword_title(oword->name, title);
+	if (call_in_hand(interp)->by_m98 != (oword->kind == O_PROGRAM))
+		return fault(&interp->at, oword->column,
+			     oword->kind == O_PROGRAM ? "%s alone is a subprogram for M98; the call needs %s sub"
+						      : "%s sub is a subprogram for %s call, not for M98",
+			     title, title);
+	if (!oword_end(lexer, oword) || !control_flow_add_label(interp, oword, oword->name, &label))
+		return false;
+	flow->skip = SKIP_NOTHING;
+	return true;
+}
+
+bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	struct control_flow *flow = &interp->flow;
+	bool same = !strcmp(oword->name, flow->skip_key);
+
+	if (flow->skip == SKIP_SEARCH)
+		return (oword->kind != O_SUB && oword->kind != O_PROGRAM) || !same || found(interp, lexer, oword);
+	if (oword->kind == O_SUB || oword->kind == O_PROGRAM)
+		return fault(&interp->at, oword->column,
+			     "a subprogram inside of the sub of line %ld, which has to end first",
+			     flow->skip_from.line);
+	if (oword->kind != O_ENDSUB || !same)
+		return true;
+	flow->skip = SKIP_NOTHING;
+	/* LinuxCNC computes an endsub's value here, with parameters that do not exist yet. */
+	interp->params.returned = 0;
+	interp->params.value_returned = false;
+	interp->params.value_unclear = lexer_peek(lexer) == '[';
+	return true;
+}
+
+/* ------------------------------------------------------------------- calls */
+
+/* To a subprogram that was met before, to the start of its own file, or forward in this file. */
+static bool go_to(struct interp *interp, const char *name, int column)
+{
+	struct label *label = labels_find(&interp->flow.labels, name);
+	bool by_m98 = call_in_hand(interp)->by_m98;
+	char title[OWORD_TITLE];
+	struct source *source;
+
+	if (label && (label->kind == O_PROGRAM) != by_m98)
+		return fault(&interp->at, column,
+			     by_m98 ? "%s is a sub for call, not for M98" : "%s is a subprogram for M98, not for call",
+			     oword_title(name, title));
+	if (label)
+		return control_flow_jump(interp, &label->body, column);
+	if (!sources_find(&interp->sources, interp->config, name, &interp->at, column, &source))
+		return false;
+	control_flow_skip_to(interp, SKIP_SEARCH, O_SUB, name, column);
+	return !source || control_flow_jump(interp, &(struct position){source, 0, 1}, column);
+}
+
+static bool enter(struct interp *interp, const char *name, int column, bool by_m98, const struct position *back)
+{
+	struct params *params = &interp->params;
+	struct call *call;
+
+	if (params->level + 1 >= PARAM_LEVELS)
+		return fault(&interp->at, column, "more than %d calls inside each other", PARAM_LEVELS - 1);
+	params_enter(params);
+	call = call_in_hand(interp);
+	snprintf(call->name, sizeof(call->name), "%s", name);
+	call->by_m98 = by_m98;
+	call->back = *back;
+	call->file = interp->at.file;
+	call->line = interp->at.line;
+	call->column = column;
+	call->controls = interp->flow.control_count;
+	call->m98_left = 0;
+	memcpy(call->saved, &params->numbered[1], sizeof(call->saved));
+	if (go_to(interp, name, column))
+		return true;
+	/* The message is the caller's own. */
+	params_leave(params);
+	return false;
+}
+
+/* o<name> call [1] [2] */
+static bool do_call(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	const struct position back = source_next(interp->source);
+	double arguments[PARAM_ARGUMENTS] = {0};
+	int count = 0;
+
+	for (;;) {
+		if (!lexer_skip_comments(lexer))
+			return false;
+		if (lexer_peek(lexer) != '[')
+			break;
+		if (count == PARAM_ARGUMENTS)
+			return fault(&interp->at, lexer_column(lexer), "a call can have at most %d arguments",
+				     PARAM_ARGUMENTS);
+		if (!expr_bracket(lexer, "call", &arguments[count++]))
+			return false;
+	}
+	if (!oword_end(lexer, oword) || !enter(interp, oword->name, oword->column, false, &back))
+		return false;
+	memcpy(&interp->params.numbered[1], arguments, sizeof(arguments));
+	return true;
+}
+
+/* P and L of M98, and nothing else. */
+static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int *program, int *count)
+{
+	bool has_program = false, has_count = false;
+
+	*count = 1;
+	for (;;) {
+		char byte;
+		bool *has;
+
+		if (!lexer_skip_comments(lexer))
+			return false;
+		byte = lexer_peek(lexer);
+		if (byte == '\0')
+			break;
+		has = byte == 'p' || byte == 'P' ? &has_program : byte == 'l' || byte == 'L' ? &has_count : NULL;
+		if (!has || *has)
+			return fault(&interp->at, lexer_column(lexer), "M98 takes P and L, once each, and nothing "
+								      "else");
+		*has = true;
+		lexer_take(lexer);
+		if (!expr_integer(lexer, has == &has_program ? program : count))
+			return false;
+	}
+	if (!has_program)
+		return fault(&interp->at, column, "M98 needs P, the number of the subprogram");
+	if (*count < 1)
+		return fault(&interp->at, column, "M98 with L%d: LinuxCNC would go on as if inside of the subprogram",
+			     *count);
+	return true;
+}
+
+/* M98 P100 L3: LinuxCNC reads the block anew before each of its calls. */
+static bool do_m98(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	struct call *caller = call_in_hand(interp);
+	struct position back = source_next(interp->source);
+	int program = 0, count;
+	char name[16];
+
+	if (!read_m98(interp, lexer, oword->column, &program, &count))
+		return false;
+	caller->m98_left = caller->m98_left > 0 ? caller->m98_left - 1 : count - 1;
+	if (caller->m98_left > 0)
+		back = source_here(interp->source);
+	snprintf(name, sizeof(name), "%d", program);
+	return enter(interp, name, oword->column, true, &back);
+}
+
+static bool leave(struct interp *interp, int column)
+{
+	struct params *params = &interp->params;
+	struct call *call = call_in_hand(interp);
+
+	if (!call->by_m98)
+		memcpy(&params->numbered[1], call->saved, sizeof(call->saved));
+	control_flow_close_controls(&interp->flow, call->controls);
+	params_leave(params);
+	return control_flow_jump(interp, &call->back, column);
+}
+
+/* endsub and return, with a value or without. */
+static bool do_return(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	struct params *params = &interp->params;
+	const struct call *call = call_in_hand(interp);
+	char title[OWORD_TITLE], other[OWORD_TITLE];
+	double value = 0;
+	bool given = lexer_peek(lexer) == '[';
+
+	oword_title(oword->name, title);
+	if (params->level == 0)
+		return fault(&interp->at, oword->column, "%s %s outside of a sub", title,
+			     oword_keyword(oword->kind));
+	if (call->by_m98)
+		return fault(&interp->at, oword->column, "a subprogram of M98 ends with M99, not with %s",
+			     oword_keyword(oword->kind));
+	if (strcmp(call->name, oword->name))
+		return fault(&interp->at, oword->column, "%s %s inside of the sub %s", title,
+			     oword_keyword(oword->kind), oword_title(call->name, other));
+	if ((given && !expr_bracket(lexer, oword_keyword(oword->kind), &value)) || !oword_end(lexer, oword))
+		return false;
+	params->returned = value;
+	params->value_returned = given;
+	params->value_unclear = false;
+	return leave(interp, oword->column);
+}
+
+static bool do_m99(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	if (!call_in_hand(interp)->by_m98)
+		return fault(&interp->at, oword->column, "a sub ends with endsub or return, not with M99");
+	if (!oword_end(lexer, oword))
+		return false;
+	interp->params.returned = 0;
+	interp->params.value_returned = false;
+	interp->params.value_unclear = false;
+	return leave(interp, oword->column);
+}
+
+bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const struct oword *oword)
+{
+	switch (oword->kind) {
+	case O_SUB:
+		return define(interp, lexer, oword);
+	case O_ENDSUB:
+	case O_RETURN:
+		return do_return(interp, lexer, oword);
+	case O_CALL:
+		return do_call(interp, lexer, oword);
+	case O_M98:
+		return do_m98(interp, lexer, oword);
+	case O_M99:
+		return do_m99(interp, lexer, oword);
+	default:
+		break;
+	}
+	/* A program's number, which names what follows: nothing happens. */
+	if (interp->params.level > 0 && !call_in_hand(interp)->by_m98)
+		return fault(&interp->at, oword->column, "a subprogram of M98 inside of a sub");
+	return oword_end(lexer, oword);
+}

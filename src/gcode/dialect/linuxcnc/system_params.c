@@ -1,0 +1,211 @@
+#include "gcode/dialect/linuxcnc/system_params.h"
+
+#include <math.h>
+
+#include "gcode/dynamic_offset.h"
+#include "gcode/dialect/linuxcnc/params.h"
+#include "gcode/state.h"
+#include "gcode/target.h"
+
+/* Ranges of numbers, each of one value a slot. */
+enum {
+	MACHINE_POSITION = 5021,
+	PROBE = 5061,
+	PROBE_RESULT = 5070,
+	LENGTH_OFFSET = 5081,
+	REFERENCE_1 = 5161,
+	REFERENCE_2 = 5181,
+	SHIFT_APPLIED = 5210,
+	SHIFT = 5211,
+	SYSTEM = 5220,
+	WORK = 5221,
+	WORK_STEP = 20,
+	WORK_END = WORK + SYSTEM_COUNT * WORK_STEP,
+	INPUT = 5399,
+	TOOL = 5400,
+	TOOL_OFFSET = 5401,
+	TOOL_DIAMETER = 5410,
+	TOOL_END = 5413,
+	POSITION = 5420,
+	CHANGER_FAULT = 5600,
+	CHANGER_REASON = 5601
+};
+
+static bool in_slots(int number, int first)
+{
+	return number >= first && number < first + SLOT_COUNT;
+}
+
+/* What only the machine knows; NULL: nothing of it. */
+static const char *real_time(int number)
+{
+	if (number >= PROBE && number <= PROBE_RESULT)
+		return "what a probe has found";
+	if (number == INPUT)
+		return "what M66 has read from an input";
+	if (number == CHANGER_FAULT || number == CHANGER_REASON)
+		return "what the tool changer reports";
+	return NULL;
+}
+
+/* A length in the control's own unit is so many mm (LinuxCNC's manual, "[TRAJ] LINEAR_UNITS"); angles are degrees. */
+static double unit_of(const struct interp *interp, int slot)
+{
+	return slot_is_rotary(slot) || !(interp->config->unit > 0) ? 1 : interp->config->unit;
+}
+
+static bool differs_by_version(int number)
+{
+	return in_slots(number, MACHINE_POSITION) || in_slots(number, LENGTH_OFFSET);
+}
+
+/* -------------------------------------------------------------- the tool */
+
+static bool tool_number(struct interp *interp, int number, int column, double *value)
+{
+	const struct gcode_tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+
+	*value = number == TOOL ? interp->state.tool : 0;
+	if (number == TOOL || interp->state.tool == 0)
+		return true;
+	if (!tool)
+		return fault(&interp->at, column, "#%d: no setup defines the tool in the spindle, T%d", number,
+			     interp->state.tool);
+	if (number > TOOL_DIAMETER)
+		return fault(&interp->at, column,
+			     "#%d: a tool's angles and orientation are the business of lathes and not known here",
+			     number);
+	if (number == TOOL_DIAMETER)
+		*value = tool->diameter / unit_of(interp, SLOT_X);
+	else if (number == TOOL_OFFSET + SLOT_Z)
+		*value = tool->length_offset / unit_of(interp, SLOT_Z);
+	return true;
+}
+
+/* ------------------------------------------------------ offsets, position */
+
+bool system_params_position_is_plain(struct interp *interp, int slot, int column)
+{
+	if (interp->comp.side != 0)
+		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
+	if (!interp->state.frame.on)
+		return dynamic_offset_check_read(interp, slot, column) && target_is_known(interp, slot, column);
+	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
+}
+
+static double program_position(const struct state *state, int slot)
+{
+	double value = state->position.v[slot] - state->offset.v[slot];
+
+	return slot_is_rotary(slot) ? value : value / state->scale;
+}
+
+void system_params_work_is_used(struct interp *interp, int system, int column)
+{
+	if (interp->config->has_setup && !interp->state.work_known[system])
+		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
+			state_system_name(system));
+	interp->state.work_known[system] = true;
+}
+
+static double own_length(const struct interp *interp, const slot_values *values, int slot)
+{
+	return values->v[slot] / unit_of(interp, slot);
+}
+
+static double work_number(struct interp *interp, int number, int column)
+{
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
+
+	if (slot >= SLOT_COUNT)
+		return slot == SLOT_COUNT ? 0 : interp->params.numbered[number];
+	system_params_work_is_used(interp, system, column);
+	return own_length(interp, &interp->state.work[system], slot);
+}
+
+bool system_params_number(struct interp *interp, int number, int column, double *value)
+{
+	const struct state *state = &interp->state;
+	const char *who = real_time(number);
+
+	*value = interp->params.numbered[number];
+	if (number < MACHINE_POSITION)
+		return true;
+	if (who)
+		return fault(&interp->at, column, "#%d holds %s, which is not known before the program runs", number,
+			     who);
+	if (differs_by_version(number))
+		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+	if (number >= TOOL && number <= TOOL_END)
+		return tool_number(interp, number, column, value);
+	if (in_slots(number, POSITION)) {
+		*value = program_position(state, number - POSITION);
+		return system_params_position_is_plain(interp, number - POSITION, column);
+	}
+	if (in_slots(number, REFERENCE_1))
+		*value = own_length(interp, &state->reference[0], number - REFERENCE_1);
+	else if (in_slots(number, REFERENCE_2))
+		*value = own_length(interp, &state->reference[1], number - REFERENCE_2);
+	else if (number == SHIFT_APPLIED)
+		*value = state->shift_applied;
+	else if (in_slots(number, SHIFT))
+		*value = own_length(interp, &state->saved_shift, number - SHIFT);
+	else if (number == SYSTEM)
+		*value = state->system + 1;
+	else if (number >= WORK && number < WORK_END)
+		*value = work_number(interp, number, column);
+	return true;
+}
+
+/* LinuxCNC takes a new value of these over at some later time, or never: nothing is guessed. */
+static bool check_work(struct interp *interp, int number, int column)
+{
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
+
+	if (slot == SLOT_COUNT)
+		return fault(&interp->at, column, "#%d: rotation of a coordinate system is not supported here", number);
+	if (slot > SLOT_COUNT || system != interp->state.system)
+		return true;
+	return fault(&interp->at, column,
+		     "#%d belongs to %s, which is in force: LinuxCNC would heed it only when %s is selected again; "
+		     "use G10 L2 P%d",
+		     number, state_system_name(system), state_system_name(system), system + 1);
+}
+
+bool system_params_check_number(struct interp *interp, int number, int column)
+{
+	if ((number >= TOOL && number <= TOOL_END) || in_slots(number, POSITION))
+		return fault(&interp->at, column, "#%d can only be read", number);
+	if (differs_by_version(number))
+		return fault(&interp->at, column, "what #%d holds differs between the versions of LinuxCNC", number);
+	if (number == SYSTEM)
+		return fault(&interp->at, column, "#%d does not select a coordinate system; use G54 to G59.3", number);
+	if (number == SHIFT_APPLIED)
+		return fault(&interp->at, column, "#%d does not apply the shift; use G92.2 and G92.3", number);
+	if (number >= WORK && number < WORK_END)
+		return check_work(interp, number, column);
+	return true;
+}
+
+static void take_length(const struct interp *interp, slot_values *values, int slot, double value)
+{
+	values->v[slot] = value * unit_of(interp, slot);
+}
+
+void system_params_set_number(struct interp *interp, int number, double value)
+{
+	struct state *state = &interp->state;
+	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
+
+	interp->params.numbered[number] = value;
+	if (in_slots(number, REFERENCE_1)) {
+		take_length(interp, &state->reference[0], number - REFERENCE_1, value);
+	} else if (in_slots(number, REFERENCE_2)) {
+		take_length(interp, &state->reference[1], number - REFERENCE_2, value);
+	} else if (in_slots(number, SHIFT)) {
+		take_length(interp, &state->saved_shift, number - SHIFT, value);
+	} else if (number >= WORK && number < WORK_END && slot < SLOT_COUNT) {
+		take_length(interp, &state->work[system], slot, value);
+		state->work_known[system] = true;
+	}
+}

@@ -1,0 +1,300 @@
+#include "gcode/text/block.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "gcode/text/lexer.h"
+
+/* LinuxCNC's limit, "Number of M codes in a block". */
+#define M_COUNT_MAX 4
+
+static void block_clear(struct block *block)
+{
+	block->words = 0;
+	block->letters = 0;
+	block->points = 0;
+	block->m_count = 0;
+	block->m_ignored = false;
+	block->motion = CODE_NONE;
+	block->idle = CODE_NONE;
+	for (int i = 0; i < G_GROUPS; i++)
+		block->g[i] = CODE_NONE;
+	for (int i = 0; i < M_GROUPS; i++)
+		block->m[i] = CODE_NONE;
+}
+
+/* "G43.4", or "G41" without tenths. */
+static bool fault_g(const struct line_place *at, const struct word *word, int number, const char *text)
+{
+	if (number % 10)
+		return fault(at, word->column, "G%d.%d%s", number / 10, number % 10, text);
+	return fault(at, word->column, "G%d%s", number / 10, text);
+}
+
+static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
+		  enum gcode_dialect dialect)
+{
+	double tenths = word->value * 10, nearest = round(tenths);
+	const struct code *code = NULL;
+	char text[128];
+	int number = 0;
+
+	if (tenths < 0)
+		return fault(at, word->column, "a G-code cannot be negative");
+	/* LinuxCNC takes what is within 0.0001 of a code for it. */
+	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
+		number = (int)nearest;
+		code = code_find_g(number, dialect);
+	}
+	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
+		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect", dialect_name(dialect));
+		return fault_g(at, word, number, text);
+	}
+	if (!code)
+		return fault(at, word->column, "%g is no G-code", word->value);
+	if (code->group == GROUP_STATEMENT)
+		return fault_g(at, word, number, " stands before every other word of its block but N");
+	if (code->group == GROUP_UNSUPPORTED) {
+		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
+		return fault_g(at, word, number, text);
+	}
+	if (code->group == GROUP_HARMLESS) {
+		block->idle = number;
+		block->idle_column = word->column;
+		return true;
+	}
+	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
+	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
+		return true;
+	if (block->g[code->group] != CODE_NONE && (block->g[code->group] != G80 || number == G80)) {
+		snprintf(text, sizeof(text),
+			 " and the G-code at column %d are of one modal group; a block can have only one of them",
+			 block->g_column[code->group]);
+		return fault_g(at, word, number, text);
+	}
+	block->g[code->group] = number;
+	block->g_column[code->group] = word->column;
+	return true;
+}
+
+static bool set_m(struct block *block, const struct line_place *at, const struct word *word, int group, int code)
+{
+	if (block->m[group] != CODE_NONE)
+		return fault(at, word->column,
+			     "M%g and the M-code at column %d are of one modal group; "
+			     "a block can have only one of them",
+			     word->value, block->m_column[group]);
+	block->m[group] = code;
+	block->m_column[group] = word->column;
+	return true;
+}
+
+static bool add_m(struct block *block, const struct line_place *at, const struct word *word,
+		  const struct gcode_config *config)
+{
+	const struct code *code;
+	int number;
+
+	if (word->value < 0)
+		return fault(at, word->column, "an M-code cannot be negative");
+	if (word->value > 32767 || word->value != floor(word->value))
+		return fault(at, word->column, "%g is no M-code", word->value);
+	if (++block->m_count > M_COUNT_MAX)
+		return fault(at, word->column, "a block can have at most %d M-codes", M_COUNT_MAX);
+	number = (int)word->value;
+	for (size_t i = 0; i < config->mcode_count; i++) {
+		if (config->mcodes[i].number != number)
+			continue;
+		if (config->mcodes[i].action != GCODE_IGNORE)
+			return set_m(block, at, word, M_TCP, (int)config->mcodes[i].action);
+		block->m_ignored = true;
+		return true;
+	}
+	if (config->dialect == GCODE_LINUXCNC && number == 98)
+		return fault(at, word->column, "M98 stands at the start of its block");
+	code = code_find_m(number, config->dialect);
+	if (!code)
+		return fault(at, word->column,
+			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
+			     "machine's <controller> says so",
+			     number, number);
+	if (code->group == GROUP_UNSUPPORTED)
+		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
+	if (code->group == GROUP_HARMLESS)
+		return true;
+	return set_m(block, at, word, code->group, number);
+}
+
+static bool check_axis_word(const struct block *block, const struct line_place *at, const struct word *word,
+			    const struct gcode_config *config)
+{
+	int slot = slot_of_letter(word->letter);
+
+	/* Fanuc's G4 takes its time in X or U, too. */
+	if (config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4)
+		return true;
+	if (slot < 0 || config->has_axis[slot])
+		return true;
+	return fault(at, word->column, "the machine has no %c axis", word->letter);
+}
+
+static bool add_value(struct block *block, const struct line_place *at, const struct word *word,
+		      const struct gcode_config *config, struct block_cautions *cautions)
+{
+	int index = word->letter - 'A';
+
+	if (block_has(block, word->letter)) {
+		if (!config->last_duplicate_wins)
+			return fault(at, word->column, "the word %c stands twice in the block, at columns %d and %d",
+				     word->letter, block->column[index], word->column);
+		if (!cautions->duplicate)
+			caution(at, word->column,
+				"the word %c stands twice in the block, at columns %d and %d; the last one is taken, "
+				"here and further on",
+				word->letter, block->column[index], word->column);
+		cautions->duplicate = true;
+	}
+	block->letters |= letter_bit(word->letter);
+	block->points &= ~letter_bit(word->letter);
+	block->points |= word->point ? letter_bit(word->letter) : 0;
+	block->value[index] = word->value;
+	block->column[index] = word->column;
+	return true;
+}
+
+static bool add_word(struct block *block, const struct line_place *at, const struct word *word,
+		     const struct gcode_config *config, struct block_cautions *cautions)
+{
+	block->words++;
+	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
+	if (word->vacant)
+		return true;
+	switch (word->letter) {
+	case 'G':
+		return add_g(block, at, word, config->dialect);
+	case 'M':
+		return add_m(block, at, word, config);
+	case 'N':
+		return fault(at, word->column, "N stands at the start of a block only");
+	case 'O':
+		return fault(at, word->column, "O stands at the start of a block only");
+	default:
+		return add_value(block, at, word, config, cautions);
+	}
+}
+
+/* One label at the start of the line: "O1234" or ":1234" of fanuc and haas, or N. */
+static bool read_label(struct block *block, struct lexer *lexer, const char *what)
+{
+	struct word word;
+	int column;
+
+	if (lexer_peek(lexer) == ':') {
+		const char *text = lexer->at->text + lexer->position + 1;
+
+		column = lexer_column(lexer);
+		if (!strspn(text + strspn(text, " \t"), "0123456789"))
+			return fault(lexer->at, column, "':' without a number");
+		lexer_take(lexer);
+		while (lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+			lexer_take(lexer);
+		block->words++;
+		return true;
+	}
+	if (lexer_next(lexer, &word) != LEXER_WORD)
+		return false;
+	block->words++;
+	if (word.point || word.value < 0 || word.vacant)
+		return fault(lexer->at, word.column, "%s must be a whole number that is not negative", what);
+	return true;
+}
+
+/* '/', program number and line number, in this order. */
+static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config, bool *skipped)
+{
+	bool linuxcnc = config->dialect == GCODE_LINUXCNC;
+	char next = lexer_peek(lexer);
+
+	if (next == '/') {
+		*skipped = config->block_delete;
+		lexer_take(lexer);
+		next = lexer_peek(lexer);
+		/* "/2": one of several switches; here one answers for all. */
+		if (!linuxcnc && next >= '0' && next <= '9') {
+			lexer_take(lexer);
+			next = lexer_peek(lexer);
+		}
+	}
+	if (*skipped)
+		return true;
+	if (!linuxcnc && (next == 'O' || next == 'o' || next == ':')) {
+		if (!read_label(block, lexer, "a program number"))
+			return false;
+		next = lexer_peek(lexer);
+	}
+	if (next == 'N' || next == 'n')
+		return read_label(block, lexer, "a line number");
+	return true;
+}
+
+/* A control with least input increments reads whole numbers as multiples of its increment. */
+static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
+			   struct block_cautions *cautions)
+{
+	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point ||
+	    block->g[G_NONMODAL] == G4)
+		return;
+	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
+			continue;
+		if (fpclassify(block_value(block, *letter)) == FP_ZERO)
+			continue;
+		/* K of Fanuc's cycles is a number of holes, Q the depth of a peck. */
+		if (*letter == 'K' && block->g[G_MOTION] != G2 && block->g[G_MOTION] != G3)
+			continue;
+		if (*letter == 'Q' && block->g[G_MOTION] != G73 && block->g[G_MOTION] != G83)
+			continue;
+		/* R of G5.1 is a level. */
+		if (*letter == 'R' && block->g[G_CONTOUR] != CODE_NONE)
+			continue;
+		caution(at, block_column(block, *letter),
+			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "
+			"least input increments reads it a thousand times smaller, or more",
+			*letter, block_value(block, *letter));
+		cautions->point = true;
+	}
+}
+
+bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
+		struct block_cautions *cautions, struct interp *interp)
+{
+	enum lexer_result result;
+	struct lexer lexer;
+	struct word word;
+	bool skipped = false;
+
+	block_clear(block);
+	lexer_init(&lexer, at, config->dialect != GCODE_LINUXCNC);
+	lexer.interp = interp;
+	lexer.macro = config->dialect == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
+	if (!read_start(block, &lexer, config, &skipped))
+		return false;
+	if (skipped)
+		return true;
+	while ((result = lexer_next(&lexer, &word)) == LEXER_WORD) {
+		if (!add_word(block, at, &word, config, cautions))
+			return false;
+	}
+	if (result == LEXER_FAULT)
+		return false;
+	block->words += lexer.assignments;
+	/* Only here is it known whether X is an axis or the time of a dwell. */
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		word.letter = AXIS_LETTERS[slot];
+		word.column = block_column(block, word.letter);
+		if (block_has(block, word.letter) && !check_axis_word(block, at, &word, config))
+			return false;
+	}
+	caution_points(block, at, config, cautions);
+	return true;
+}

@@ -1,0 +1,87 @@
+/* block.h - one line of the program as a checked set of words. */
+#ifndef FIVECHECK_GCODE_TEXT_BLOCK_H
+#define FIVECHECK_GCODE_TEXT_BLOCK_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "gcode/codes.h"
+#include "gcode/text/fault.h"
+#include "gcode/interp.h"
+
+/* No code of a group. */
+#define CODE_NONE (-1)
+
+struct block {
+	int words;	/* N and program numbers included */
+	uint32_t letters;	/* bit letter - 'A': the block has this word; G, M, N and O apart */
+	uint32_t points;	/* the same: its number has a decimal point */
+	double value[26];
+	int column[26];
+	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
+	int g_column[G_GROUPS];
+	int idle, idle_column;	/* a G-code of GROUP_HARMLESS, in tenths, or CODE_NONE */
+	int m[M_GROUPS];	/* M_TCP: an enum gcode_mcode */
+	int m_column[M_GROUPS];
+	int m_count;
+	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q */
+	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
+};
+
+/* What is said once in a program. */
+struct block_cautions {
+	bool duplicate;
+	bool point;
+};
+
+static inline uint32_t letter_bit(char letter)
+{
+	return (uint32_t)1 << (letter - 'A');
+}
+
+static inline bool block_has(const struct block *block, char letter)
+{
+	return block->letters & letter_bit(letter);
+}
+
+/* The word's number; the block has it. */
+static inline double block_value(const struct block *block, char letter)
+{
+	return block->value[letter - 'A'];
+}
+
+static inline int block_column(const struct block *block, char letter)
+{
+	return block->column[letter - 'A'];
+}
+
+#define AXIS_BITS \
+	(letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C') | \
+	 letter_bit('U') | letter_bit('V') | letter_bit('W'))
+
+/*
+ * Fills the block from the words of the line. False: a fault was reported.
+ * Values of parameters come from interp, assignments wait there (params.h).
+ * Skips a line that starts with '/' when config says so: no words.
+ */
+bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
+		struct block_cautions *cautions, struct interp *interp);
+
+/* What the checks need of the modes in force. */
+struct block_modes {
+	int motion;	/* CODE_NONE: cancelled */
+	bool incremental;
+};
+
+/* Finds the motion to be carried out and checks that every word has a code that uses it. */
+bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
+		 const struct block_modes *modes);
+
+/* The word's number as a whole number in [least, greatest], else a fault that says what it should be. */
+bool block_integer(const struct block *block, const struct line_place *at, char letter, int least, int greatest,
+		   int *value);
+
+/* The column to blame for the motion: its G word, or else the first axis or arc word. */
+int block_motion_column(const struct block *block);
+
+#endif

@@ -1,0 +1,197 @@
+#include "gcode/text/lexer.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "gcode/eval/expr.h"
+#include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/text/number.h"
+
+void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)
+{
+	*lexer = (struct lexer){.at = at, .semicolon_ends_block = semicolon_ends_block, .steps = 1};
+}
+
+int lexer_column(const struct lexer *lexer)
+{
+	return (int)lexer->position + 1;
+}
+
+char lexer_peek(struct lexer *lexer)
+{
+	const char *text = lexer->at->text;
+
+	while (text[lexer->position] == ' ' || text[lexer->position] == '\t')
+		lexer->position++;
+	return text[lexer->position];
+}
+
+void lexer_take(struct lexer *lexer)
+{
+	lexer->position++;
+}
+
+bool lexer_keyword(struct lexer *lexer, const char *keyword)
+{
+	size_t position = lexer->position;
+
+	for (; *keyword; keyword++, lexer_take(lexer)) {
+		char byte = lexer_peek(lexer);
+
+		if (byte >= 'A' && byte <= 'Z')
+			byte = (char)(byte - 'A' + 'a');
+		if (byte != *keyword) {
+			lexer->position = position;
+			return false;
+		}
+	}
+	return true;
+}
+
+/* Comments that a control obeys; LinuxCNC's manual, "Comments" (messages and the log move nothing). */
+static bool check_active_comment(const struct lexer *lexer, const char *text)
+{
+	text += strspn(text, " \t");
+	if (!strncasecmp(text, "py,", 3))
+		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python is not supported");
+	if (!strncasecmp(text, "abort,", 6))
+		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
+	return true;
+}
+
+/* Steps over "(...)"; nested comments are faults as in LinuxCNC. */
+static bool skip_comment(struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position + 1;
+	size_t length = strcspn(text, "()");
+
+	if (text[length] == '\0')
+		return fault(lexer->at, lexer_column(lexer), "this comment is not closed");
+	if (text[length] == '(')
+		return fault(lexer->at, lexer_column(lexer) + 1 + (int)length, "a comment inside a comment");
+	if (!check_active_comment(lexer, text))
+		return false;
+	lexer->position += length + 2;
+	return true;
+}
+
+static bool skip_rest(struct lexer *lexer)
+{
+	const char *rest = lexer->at->text + lexer->position + 1;
+
+	if (lexer->semicolon_ends_block && rest[strspn(rest, " \t;")] != '\0')
+		return fault(lexer->at, lexer_column(lexer),
+			     "';' ends a block on this control; write what follows on a line of its own, "
+			     "or in parentheses if it is a comment");
+	if (!check_active_comment(lexer, rest))
+		return false;
+	lexer->position += strlen(rest) + 1;
+	return true;
+}
+
+bool lexer_skip_comments(struct lexer *lexer)
+{
+	for (;;) {
+		char byte = lexer_peek(lexer);
+
+		if (byte == '(' ? !skip_comment(lexer) : byte == ';' && !skip_rest(lexer))
+			return false;
+		if (byte != '(')
+			return true;
+	}
+}
+
+static bool fault_at_byte(const struct lexer *lexer, char byte)
+{
+	int column = lexer_column(lexer);
+
+	switch (byte) {
+	case '#':
+		return fault(lexer->at, column, "an assignment stands in a block of its own");
+	case '[':
+		return fault(lexer->at, column, "an expression stands behind a letter or an assignment's '='");
+	case '$':
+		return fault(lexer->at, column, "$: spindle numbers are not supported yet");
+	case '@':
+	case '^':
+		return fault(lexer->at, column, "%c: polar coordinates are not supported yet", byte);
+	case '/':
+		return fault(lexer->at, column, "'/' stands at the start of a block only");
+	case '%':
+		return fault(lexer->at, column, "'%%' stands alone on its line");
+	default:
+		break;
+	}
+	if (byte > ' ' && byte <= '~')
+		return fault(lexer->at, column, "unexpected '%c'", byte);
+	return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
+}
+
+static bool fault_without_number(struct lexer *lexer, char letter, int column)
+{
+	const char *text = lexer->at->text;
+
+	while (strchr("+- \t", text[lexer->position]) && text[lexer->position])
+		lexer->position++;
+	if (text[lexer->position] == '#' || text[lexer->position] == '[')
+		return fault_at_byte(lexer, text[lexer->position]);
+	return fault(lexer->at, column, "%c without a number", letter);
+}
+
+static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)
+{
+	size_t position = lexer->position + 1;
+
+	word->letter = letter;
+	word->vacant = false;
+	word->column = lexer_column(lexer);
+	switch (number_read(lexer->at->text, &position, &word->value, &word->point)) {
+	case NUMBER_OK:
+		lexer->position = position;
+		return LEXER_WORD;
+	case NUMBER_TOO_LONG:
+		fault_report(lexer->at, word->column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
+		return LEXER_FAULT;
+	case NUMBER_MISSING:
+		break;
+	}
+	lexer->position++;
+	if (lexer->interp && lexer->macro != MACRO_NONE && macro_b_expr_follows(lexer))
+		return macro_b_expr_word(lexer, word) ? LEXER_WORD : LEXER_FAULT;
+	if (lexer->interp && lexer->macro == MACRO_NONE && expr_follows(lexer)) {
+		word->point = true;
+		lexer->depth = 0;
+		return expr_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
+	}
+	fault_without_number(lexer, letter, word->column);
+	return LEXER_FAULT;
+}
+
+enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
+{
+	for (;;) {
+		char byte = lexer_peek(lexer);
+
+		if (byte >= 'A' && byte <= 'Z')
+			return read_word(lexer, byte, word);
+		if (byte >= 'a' && byte <= 'z')
+			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
+		if (byte == '\0')
+			return LEXER_END;
+		if (byte == '#' && lexer->interp && lexer->macro == MACRO_NONE) {
+			lexer->depth = 0;
+			if (!expr_assignment(lexer))
+				return LEXER_FAULT;
+			lexer->assignments++;
+		} else if (byte == '(') {
+			if (!skip_comment(lexer))
+				return LEXER_FAULT;
+		} else if (byte == ';') {
+			if (!skip_rest(lexer))
+				return LEXER_FAULT;
+		} else {
+			fault_at_byte(lexer, byte);
+			return LEXER_FAULT;
+		}
+	}
+}

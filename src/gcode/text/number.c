@@ -1,0 +1,80 @@
+#include "gcode/text/number.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* 10^22 is the last power of ten that a double holds exactly. */
+#define EXACT_POWER_MAX 22
+#define EXACT_MANTISSA_MAX ((uint64_t)1 << 53)
+#define MANTISSA_DIGITS_MAX 19
+
+static const double power_of_ten[EXACT_POWER_MAX + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+							 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+							 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+static bool is_blank(char c)
+{
+	return c == ' ' || c == '\t';
+}
+
+static bool is_digit(char c)
+{
+	return c >= '0' && c <= '9';
+}
+
+/* Written as an integer with an exponent, which strtod reads alike in every locale. */
+static double slow_value(const char *text, size_t begin, size_t end, int fraction_digits)
+{
+	char clean[NUMBER_LENGTH_MAX + 16];
+	size_t length = 0;
+
+	for (size_t i = begin; i < end; i++) {
+		if (is_digit(text[i]))
+			clean[length++] = text[i];
+	}
+	snprintf(clean + length, sizeof(clean) - length, "e-%d", fraction_digits);
+	return strtod(clean, NULL);
+}
+
+enum number_status number_read(const char *text, size_t *position, double *value, bool *point)
+{
+	size_t at = *position, begin;
+	uint64_t mantissa = 0;
+	int digits = 0, significant = 0, fraction_digits = 0;
+	bool negative = false, seen_point = false;
+
+	while (is_blank(text[at]))
+		at++;
+	if (text[at] == '+' || text[at] == '-')
+		negative = text[at++] == '-';
+	for (begin = at;; at++) {
+		char c = text[at];
+
+		if (is_digit(c)) {
+			digits++;
+			fraction_digits += seen_point;
+			significant += significant > 0 || c != '0';
+			if (significant <= MANTISSA_DIGITS_MAX)
+				mantissa = 10 * mantissa + (uint64_t)(c - '0');
+		} else if (c == '.' && !seen_point) {
+			seen_point = true;
+		} else if (!is_blank(c)) {
+			break;
+		}
+	}
+	if (digits == 0)
+		return NUMBER_MISSING;
+	if (digits > NUMBER_LENGTH_MAX)
+		return NUMBER_TOO_LONG;
+	/* A quotient of two exact doubles is correctly rounded (Clinger 1990). */
+	if (significant <= MANTISSA_DIGITS_MAX && mantissa <= EXACT_MANTISSA_MAX && fraction_digits <= EXACT_POWER_MAX)
+		*value = (double)mantissa / power_of_ten[fraction_digits];
+	else
+		*value = slow_value(text, begin, at, fraction_digits);
+	if (negative)
+		*value = -*value;
+	*point = seen_point;
+	*position = at;
+	return NUMBER_OK;
+}

@@ -1,0 +1,21 @@
+/* number.h - decimal numbers as NC programs write them. */
+#ifndef FIVECHECK_GCODE_TEXT_NUMBER_H
+#define FIVECHECK_GCODE_TEXT_NUMBER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Bytes of one number, sign and blanks apart; LinuxCNC takes lines of 255. */
+#define NUMBER_LENGTH_MAX 255
+
+enum number_status { NUMBER_OK, NUMBER_MISSING, NUMBER_TOO_LONG };
+
+/*
+ * Reads [+-] digits [.] digits, with blanks anywhere and no exponent, at
+ * text[*position], and moves *position behind it. The value is the double
+ * nearest to the decimal, whatever the locale; *point tells whether a decimal
+ * point stood in it.
+ */
+enum number_status number_read(const char *text, size_t *position, double *value, bool *point);
+
+#endif

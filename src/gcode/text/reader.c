@@ -1,0 +1,161 @@
+#include "gcode/text/reader.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+/* Read at once: several lines of the greatest length, so that the rest of a line is rarely moved. */
+#define CHUNK ((size_t)4 * LINE_LENGTH_MAX)
+
+/* Loops of so many bytes run in the buffer, without the file being read again. */
+#define FILE_KEEP (CHUNK / 2)
+
+void reader_init(struct line_reader *reader, FILE *in)
+{
+	off_t base = ftello(in);
+
+	*reader = (struct line_reader){.in = in, .base = base};
+	reader->keep = base < 0 ? READER_WINDOW : FILE_KEEP;
+	reader->capacity = 2 * reader->keep + CHUNK;
+	reader->buffer = mem_alloc(reader->capacity + 1);
+}
+
+void reader_release(struct line_reader *reader)
+{
+	free(reader->buffer);
+	reader->buffer = NULL;
+	reader->begin = reader->end = 0;
+}
+
+/* Makes room for a chunk, if there is none, and reads it; false on a read error. */
+static bool refill(struct line_reader *reader)
+{
+	size_t drop = 0, want;
+
+	if (reader->capacity - reader->end < CHUNK && reader->begin > reader->keep)
+		drop = reader->begin - reader->keep;
+	memmove(reader->buffer, reader->buffer + drop, reader->end - drop);
+	reader->begin -= drop;
+	reader->end -= drop;
+	reader->origin += (long long)drop;
+	want = reader->capacity - reader->end < CHUNK ? reader->capacity - reader->end : CHUNK;
+	if (want > 0) {
+		size_t got = fread(reader->buffer + reader->end, 1, want, reader->in);
+
+		reader->end += got;
+		if (got < want && ferror(reader->in))
+			return false;
+		reader->at_end = got < want;
+	}
+	return true;
+}
+
+/* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
+static size_t find_break(const struct line_reader *reader, size_t from)
+{
+	const char *p = reader->buffer + from, *end = reader->buffer + reader->end;
+
+	for (; p < end; p++) {
+		/* Most bytes are settled by the first comparison. */
+		if ((unsigned char)*p <= '\r' && (*p == '\n' || *p == '\r' || *p == '\0'))
+			break;
+	}
+	return (size_t)(p - reader->buffer);
+}
+
+static enum reader_status check_byte_order_mark(struct line_reader *reader)
+{
+	const char *start = reader->buffer + reader->begin;
+	size_t length = reader->end - reader->begin;
+
+	if (length >= 3 && !memcmp(start, "\xef\xbb\xbf", 3))
+		reader->begin += 3;
+	if (length >= 2 && (!memcmp(start, "\xff\xfe", 2) || !memcmp(start, "\xfe\xff", 2)))
+		return READER_UTF16;
+	return READER_LINE;
+}
+
+/* Takes the line that breaks at `at`: *next is where the following one starts. */
+static enum reader_status take_break(struct line_reader *reader, size_t at, size_t *next)
+{
+	const char *p = reader->buffer + at;
+	enum line_end style = LINE_END_LF;
+
+	*next = at + 1;
+	if (*p == '\0')
+		return READER_NUL_BYTE;
+	if (*p == '\r') {
+		if (at + 1 < reader->end && p[1] == '\n')
+			*next = at + 2;
+		else
+			style = LINE_END_CR;
+	}
+	if (reader->style == LINE_END_UNKNOWN)
+		reader->style = style;
+	/* LinuxCNC drops a lone CR as a blank, others end the block there: two different programs. */
+	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
+}
+
+enum reader_status reader_next(struct line_reader *reader, const char **text)
+{
+	enum reader_status status = READER_LINE;
+	size_t at, next;
+
+	reader->buffer[reader->cut] = reader->cut_byte;
+	reader->cut = reader->end;
+	reader->cut_byte = '\0';
+	at = find_break(reader, reader->begin);
+	/* A CR at the very end of what is read may be half of a CR LF. */
+	if (!reader->at_end && at + 1 >= reader->end) {
+		if (!refill(reader))
+			return READER_FAILED;
+		if (reader->line == 0)
+			status = check_byte_order_mark(reader);
+		at = find_break(reader, reader->begin);
+		reader->cut = reader->end;
+	}
+	if (status == READER_LINE && at == reader->end && reader->begin == reader->end)
+		return READER_END;
+	reader->start = reader_position(reader);
+	if (++reader->line > reader->furthest)
+		reader->furthest = reader->line;
+	*text = reader->buffer + reader->begin;
+	if (status != READER_LINE)
+		return status;
+	if (at - reader->begin > LINE_LENGTH_MAX)
+		return READER_TOO_LONG;
+	next = at;
+	reader->open_end = at == reader->end;
+	if (!reader->open_end)
+		status = take_break(reader, at, &next);
+	/* The byte comes back with the next line: the program may jump back to this one. */
+	reader->cut = at;
+	reader->cut_byte = reader->buffer[at];
+	reader->buffer[at] = '\0';
+	reader->begin = next;
+	return status;
+}
+
+long long reader_position(const struct line_reader *reader)
+{
+	return reader->origin + (long long)reader->begin;
+}
+
+bool reader_seek(struct line_reader *reader, long long position, long line)
+{
+	if (position >= reader->origin && position <= reader->origin + (long long)reader->end) {
+		reader->begin = (size_t)(position - reader->origin);
+		reader->line = line - 1;
+		return true;
+	}
+	if (reader->base < 0 || fseeko(reader->in, (off_t)(reader->base + position), SEEK_SET))
+		return false;
+	reader->buffer[0] = '\0';
+	reader->begin = reader->end = reader->cut = 0;
+	reader->cut_byte = '\0';
+	reader->at_end = false;
+	reader->origin = position;
+	reader->line = line - 1;
+	return true;
+}

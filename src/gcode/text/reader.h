@@ -1,0 +1,66 @@
+/* reader.h - the lines of a program, streamed from a file or a pipe in bounded memory. */
+#ifndef FIVECHECK_GCODE_TEXT_READER_H
+#define FIVECHECK_GCODE_TEXT_READER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* A longer line is no NC block; LinuxCNC takes 255 bytes. */
+#define LINE_LENGTH_MAX 65536
+
+enum reader_status {
+	READER_LINE,
+	READER_END,
+	READER_TOO_LONG,
+	READER_NUL_BYTE,
+	READER_UTF16,
+	READER_MIXED_ENDS,	/* carriage returns that sometimes end a line and sometimes do not */
+	READER_FAILED	/* the file could not be read; errno says why */
+};
+
+/* So many bytes behind the line in hand a reader of a pipe can go back. */
+#define READER_WINDOW ((size_t)4 << 20)
+
+enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
+
+struct line_reader {
+	FILE *in;	/* borrowed */
+	char *buffer;	/* owned */
+	size_t capacity, keep;	/* bytes of the buffer; of what is handed out, so many stay in it */
+	size_t begin, end;	/* what is read and not handed out yet */
+	size_t cut;	/* where the NUL of the line handed out last stands, and the byte that it replaced */
+	char cut_byte;
+	bool at_end;
+	bool open_end;	/* the line handed out last has no end: the file stops in it */
+	enum line_end style;	/* of the first line; the rest must agree */
+	long long base;	/* where the stream stood at first; -1: it cannot be repositioned */
+	long long origin;	/* of the buffer's first byte, in bytes from base */
+	long long start;	/* of the line handed out last, the same */
+	long line;	/* number of the line handed out last, from 1 */
+	long furthest;	/* the greatest such number */
+};
+
+void reader_init(struct line_reader *reader, FILE *in);
+/* Frees the storage; the line number remains. */
+void reader_release(struct line_reader *reader);
+
+/*
+ * The next line, without its end (LF, CR LF or CR) and ended by a NUL; it
+ * lives until the next call. A UTF-8 byte order mark is skipped. With a fault
+ * of one line, reader->line is that line, and for READER_NUL_BYTE and
+ * READER_MIXED_ENDS *text is what precedes the faulty byte.
+ */
+enum reader_status reader_next(struct line_reader *reader, const char **text);
+
+/* Where the next line starts, for reader_seek. */
+long long reader_position(const struct line_reader *reader);
+
+/*
+ * The next line will be that which starts at `position` and has the number
+ * `line`. False: the input is a pipe, and the line has left its window, or the
+ * file could not be repositioned; nothing has changed.
+ */
+bool reader_seek(struct line_reader *reader, long long position, long line);
+
+#endif

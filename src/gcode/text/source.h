@@ -1,0 +1,64 @@
+/* source.h - the files that a program consists of: its own, and those of the subprograms that it calls. */
+#ifndef FIVECHECK_GCODE_TEXT_SOURCE_H
+#define FIVECHECK_GCODE_TEXT_SOURCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "base/watch.h"
+#include "gcode/text/fault.h"
+#include "gcode/interp.h"
+#include "gcode/text/reader.h"
+
+/* Files of subprograms that can be open at once. */
+#define SOURCE_MAX 200
+
+struct source {
+	char *name;	/* as messages call it */
+	FILE *file;	/* to be closed; NULL: borrowed */
+	struct line_reader reader;
+};
+
+/* The first is the program itself. All zero is none. */
+struct sources {
+	struct source *items[SOURCE_MAX];
+	size_t count;
+	bool led_out;	/* a file that was looked for is outside of the input root */
+	const struct watch *watch;	/* is told what else is opened; or NULL */
+};
+
+/* Where a line starts. */
+struct position {
+	struct source *source;
+	long long offset;
+	long line;
+};
+
+/* The program itself; `in` is borrowed. */
+void sources_open_main(struct sources *sources, FILE *in, const char *name);
+
+/*
+ * The file `label`.ngc, in the folder of the program or else in the folders of
+ * the configuration, and nowhere else; opened once. *source is NULL if there is none.
+ * False: reported at the column (a label that is no plain file name, too many files).
+ */
+bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
+		  const struct line_place *at, int column, struct source **source);
+
+/*
+ * The file of the program O<number> of Fanuc and Haas, in the same folders: O12, O0012 or O00012, with or without the
+ * O, and nothing, .nc, .cnc, .tap or .txt behind it. False: reported (there are two, or too many files).
+ */
+bool sources_find_program(struct sources *sources, const struct gcode_config *config, int number,
+			  const struct line_place *at, int column, struct source **source);
+
+/* Closes the files; the names live until sources_release. */
+void sources_close(struct sources *sources);
+void sources_release(struct sources *sources);
+
+/* Where the line in hand starts, and the one after it. */
+struct position source_here(struct source *source);
+struct position source_next(struct source *source);
+
+#endif
