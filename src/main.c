@@ -29,15 +29,15 @@ static void hold_standard_files(void)
 }
 
 /* A check, or another run of the machine's file. */
-static enum run_status run_check(int argc, char **argv, struct console *console)
+static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 {
 	struct options options;
 	enum run_status status = RUN_INCOMPLETE;
 
-	if (options_parse(&options, argc, argv, &console->diag))
-		status = run_options(&options, console);
+	if (options_parse(&options, argc, argv, &ui->diag))
+		status = run_options(&options, ui);
 	else
-		diag_note(&console->diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
+		diag_note(&ui->diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
 	options_release(&options);
 	return status;
 }
@@ -45,7 +45,7 @@ static enum run_status run_check(int argc, char **argv, struct console *console)
 int main(int argc, char **argv)
 {
 	const struct command *command = argc > 1 ? command_of(argv[1]) : NULL;
-	struct console console;
+	struct stderr_ui ui;
 
 	hold_standard_files();
 	/* A reader that left, or a file at its limit, is an error of a write, not the end of the process. */
@@ -53,6 +53,6 @@ int main(int argc, char **argv)
 	signal(SIGXFSZ, SIG_IGN);
 	signal(SIGABRT, on_abort);
 	json_init();
-	console_init(&console);
-	return (int)(command ? command->run(argc - 1, argv + 1, &console) : run_check(argc, argv, &console));
+	stderr_ui_init(&ui);
+	return (int)(command ? command->run(argc - 1, argv + 1, &ui) : run_check(argc, argv, &ui));
 }

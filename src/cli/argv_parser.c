@@ -14,7 +14,7 @@ struct getopt_tables {
 	struct option *names;
 };
 
-static void tables_init(struct getopt_tables *tables, const struct words *words)
+static void tables_init(struct getopt_tables *tables, const struct argv_parser *words)
 {
 	char *letter = mem_zalloc(3 + 2 * words->count, 1);
 
@@ -37,7 +37,7 @@ static void tables_init(struct getopt_tables *tables, const struct words *words)
 	}
 }
 
-static const struct option_row *row_of(const struct words *words, int key)
+static const struct option_row *row_of(const struct argv_parser *words, int key)
 {
 	for (size_t i = 0; i < words->count; i++) {
 		if (words->table[i].key == key)
@@ -47,7 +47,7 @@ static const struct option_row *row_of(const struct words *words, int key)
 }
 
 /* What getopt_long could not make sense of. */
-static bool refuse(const struct words *words, int result, char **argv, struct diag *diag)
+static bool refuse(const struct argv_parser *words, int result, char **argv, struct diag *diag)
 {
 	const struct option_row *row = row_of(words, optopt);
 	const char *word = argv[optind - 1];
@@ -63,14 +63,14 @@ static bool refuse(const struct words *words, int result, char **argv, struct di
 	return false;
 }
 
-static bool parse(const struct words *words, const struct getopt_tables *tables, int argc, char **argv,
+static bool parse(const struct argv_parser *words, const struct getopt_tables *tables, int argc, char **argv,
 		  struct diag *diag)
 {
 	int result;
 
 	opterr = 0;
 	while ((result = getopt_long(argc, argv, tables->letters, tables->names, NULL)) != -1) {
-		enum word_result next = WORD_NEXT;
+		enum argv_result next = ARGV_NEXT;
 
 		if (result == '?' || result == ':')
 			return refuse(words, result, argv, diag);
@@ -78,15 +78,15 @@ static bool parse(const struct words *words, const struct getopt_tables *tables,
 			words->operand(words->context, optarg);
 		else
 			next = words->option(words->context, row_of(words, result), optarg);
-		if (next != WORD_NEXT)
-			return next == WORD_LAST;
+		if (next != ARGV_NEXT)
+			return next == ARGV_LAST;
 	}
 	while (optind < argc)
 		words->operand(words->context, argv[optind++]);
 	return true;
 }
 
-bool words_parse(const struct words *words, int argc, char **argv, struct diag *diag)
+bool argv_parser_run(const struct argv_parser *words, int argc, char **argv, struct diag *diag)
 {
 	struct getopt_tables tables;
 	bool good;
@@ -98,7 +98,7 @@ bool words_parse(const struct words *words, int argc, char **argv, struct diag *
 	return good;
 }
 
-void words_help(struct strbuf *out, const struct option_row *table, size_t count)
+void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count)
 {
 	for (size_t i = 0; i < count; i++) {
 		const struct option_row *row = &table[i];

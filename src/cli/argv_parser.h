@@ -9,13 +9,13 @@
 #include "base/strbuf.h"
 #include "cli/option_table.h"
 
-enum word_result { WORD_NEXT, WORD_LAST, WORD_FAULT };
+enum argv_result { ARGV_NEXT, ARGV_LAST, ARGV_FAULT };
 
-struct words {
+struct argv_parser {
 	const struct option_row *table;	/* borrowed */
 	size_t count;
 	/* One option; WORD_LAST ends the reading, WORD_FAULT says that it has reported a fault. */
-	enum word_result (*option)(void *context, const struct option_row *row, const char *argument);
+	enum argv_result (*option)(void *context, const struct option_row *row, const char *argument);
 	void (*operand)(void *context, char *word);
 	void *context;
 };
@@ -25,9 +25,9 @@ struct words {
  * argv[0] is left out. What is unknown, ambiguous, or lacks its argument is
  * reported, and the result false. To be called once in a process.
  */
-bool words_parse(const struct words *words, int argc, char **argv, struct diag *diag);
+bool argv_parser_run(const struct argv_parser *words, int argc, char **argv, struct diag *diag);
 
 /* Appends what --help says of each option. */
-void words_help(struct strbuf *out, const struct option_row *table, size_t count);
+void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count);
 
 #endif

@@ -7,7 +7,7 @@
 #include "report/output.h"
 
 const struct command command_table[COMMAND_COUNT] = {
-	{"init", "FAMILY", plan_families, "write a machine file to begin with", init_table, INIT_OPTION_COUNT,
+	{"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_table, INIT_OPTION_COUNT,
 	 init_run},
 	{"completion", "SHELL", completion_shells, "write the completions of bash, zsh or fish", completion_table,
 	 COMPLETION_OPTION_COUNT, completion_run},

@@ -16,7 +16,7 @@ struct command {
 	const struct option_row *options;
 	size_t option_count;
 	/* argv[0] is the command's name. */
-	enum run_status (*run)(int argc, char **argv, struct console *console);
+	enum run_status (*run)(int argc, char **argv, struct stderr_ui *ui);
 };
 
 enum { COMMAND_COUNT = 2 };

@@ -5,30 +5,30 @@
 
 #include "base/mem.h"
 
-static void keep_warning(struct faults *faults, const struct diag_entry *entry)
+static void keep_warning(struct error_list *errors, const struct diag_entry *entry)
 {
 	struct strbuf text = {0};
 
-	if (faults->warnings++)
+	if (errors->warnings++)
 		return;
 	if (entry->loc.file)
 		strbuf_addf(&text, "%s:", entry->loc.file);
 	if (entry->loc.file && entry->loc.line)
 		strbuf_addf(&text, "%ld:", entry->loc.line);
 	strbuf_addf(&text, "%s%s", text.length ? " " : "", entry->text);
-	faults->first_warning = text.text;
+	errors->first_warning = text.text;
 }
 
-void faults_keep(struct faults *faults, const struct diag_entry *entry)
+void error_list_add(struct error_list *errors, const struct diag_entry *entry)
 {
 	const char *file = entry->loc.file;
 
 	if (entry->severity == DIAG_WARNING)
-		keep_warning(faults, entry);
-	if (entry->severity != DIAG_ERROR || faults->count == FAULTS_MAX)
+		keep_warning(errors, entry);
+	if (entry->severity != DIAG_ERROR || errors->count == ERROR_LIST_MAX)
 		return;
-	faults->items = mem_realloc(faults->items, faults->count + 1, sizeof(*faults->items));
-	faults->items[faults->count++] = (struct report_fault){
+	errors->items = mem_realloc(errors->items, errors->count + 1, sizeof(*errors->items));
+	errors->items[errors->count++] = (struct report_error){
 		.file = file ? mem_strndup(file, strlen(file)) : NULL,
 		.line = entry->loc.line,
 		.column = entry->loc.column,
@@ -36,31 +36,13 @@ void faults_keep(struct faults *faults, const struct diag_entry *entry)
 	};
 }
 
-void faults_release(struct faults *faults)
+void error_list_release(struct error_list *errors)
 {
-	for (size_t i = 0; i < faults->count; i++) {
-		free(faults->items[i].file);
-		free(faults->items[i].text);
+	for (size_t i = 0; i < errors->count; i++) {
+		free(errors->items[i].file);
+		free(errors->items[i].text);
 	}
-	free(faults->items);
-	free(faults->first_warning);
-	*faults = (struct faults){0};
-}
-
-static void pass(void *context, const struct diag_entry *entry)
-{
-	struct tap *tap = context;
-
-	faults_keep(&tap->faults, entry);
-	diag_pass(tap->out, entry);
-}
-
-void tap_init(struct tap *tap, struct diag *out)
-{
-	*tap = (struct tap){.diag = {.handle = pass, .context = tap}, .out = out};
-}
-
-void tap_release(struct tap *tap)
-{
-	faults_release(&tap->faults);
+	free(errors->items);
+	free(errors->first_warning);
+	*errors = (struct error_list){0};
 }

@@ -7,29 +7,18 @@
 #include "base/diag.h"
 #include "report/report.h"
 
-enum { FAULTS_MAX = 10 };
+enum { ERROR_LIST_MAX = 10 };
 
 /* All zero is none. */
-struct faults {
-	struct report_fault *items;	/* owned */
-	size_t count;	/* FAULTS_MAX at most */
+struct error_list {
+	struct report_error *items;	/* owned */
+	size_t count;	/* ERROR_LIST_MAX at most */
 	long warnings;
 	char *first_warning;	/* with its place; owned; NULL: none */
 };
 
-/* Keeps a copy of an error or of the first warning; what is neither, or one too many, is let go. */
-void faults_keep(struct faults *faults, const struct diag_entry *entry);
-void faults_release(struct faults *faults);
-
-/* Give `diag` to whom reports: all goes on to `out`, and errors are kept. */
-struct tap {
-	struct diag diag;
-	struct diag *out;	/* borrowed */
-	struct faults faults;
-};
-
-/* Not to be moved afterwards: its diag points back at it. */
-void tap_init(struct tap *tap, struct diag *out);
-void tap_release(struct tap *tap);
+/* Keeps a copy of an error or of the first warning; other entries are ignored, and so are errors beyond ERROR_LIST_MAX. */
+void error_list_add(struct error_list *errors, const struct diag_entry *entry);
+void error_list_release(struct error_list *errors);
 
 #endif

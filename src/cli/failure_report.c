@@ -11,17 +11,17 @@
 static const char why[] = "the machine, the setup, or what was read with them is at fault";
 
 /* May the channel's file be replaced: is it none, empty, or one that the same writer has made? */
-static bool is_replaceable(const struct channel *channel)
+static bool is_replaceable(const struct sink *sink)
 {
-	const char *mark = channel->writer->mark;
+	const char *mark = sink->writer->mark;
 	size_t length = mark ? strlen(mark) : 0, count;
 	char begin[64];
 	struct stat status;
 	FILE *file;
 
-	if (!channel->path || stat(channel->path, &status) || !S_ISREG(status.st_mode) || !status.st_size)
+	if (!sink->path || stat(sink->path, &status) || !S_ISREG(status.st_mode) || !status.st_size)
 		return true;
-	file = mark ? fopen(channel->path, "rb") : NULL;
+	file = mark ? fopen(sink->path, "rb") : NULL;
 	if (!file)
 		return false;
 	count = fread(begin, 1, length < sizeof(begin) ? length : sizeof(begin), file);
@@ -29,51 +29,51 @@ static bool is_replaceable(const struct channel *channel)
 	return count == length && !memcmp(begin, mark, length);
 }
 
-static void drop_channels(struct channels *channels, struct diag *diag)
+static void drop_channels(struct sinks *sinks, struct diag *diag)
 {
 	size_t kept = 0;
 
-	for (size_t i = 0; i < channels->count; i++) {
-		struct channel *channel = &channels->items[i];
+	for (size_t i = 0; i < sinks->count; i++) {
+		struct sink *sink = &sinks->items[i];
 
 		/* A record says what was checked, and nothing was. */
-		if (channel->writer == report_writers[FORMAT_RECORD] || !is_replaceable(channel)) {
-			diag_note(diag, (struct srcloc){0}, "%s was left as it is: nothing was checked", channel->path);
-			output_discard(&channel->out);
+		if (sink->writer == report_writers[FORMAT_RECORD] || !is_replaceable(sink)) {
+			diag_note(diag, (struct srcloc){0}, "%s was left as it is: nothing was checked", sink->path);
+			output_discard(&sink->out);
 		} else if (kept++ < i) {
-			channels->items[kept - 1] = *channel;
+			sinks->items[kept - 1] = *sink;
 		}
 	}
-	channels->count = kept;
+	sinks->count = kept;
 }
 
-/* The faults stand with the first program; the others refer to them. */
-static void tell_program(struct channels *channels, const struct report_run *run, const char *name,
-			 const struct faults *faults)
+/* The errors stand with the first program; the others refer to them. */
+static void tell_program(struct sinks *sinks, const struct report_run *run, const char *name,
+			 const struct error_list *errors)
 {
 	char text[sizeof(why) + 32];
-	const struct report_fault one = {.text = text};
+	const struct report_error one = {.text = text};
 	const struct report_program about = {
 		.name = strcmp(name, "-") ? name : "<stdin>", .unread = why, .waived = "",
-		.faults = faults ? faults->items : &one, .fault_count = faults ? faults->count : 1,
+		.errors = errors ? errors->items : &one, .error_count = errors ? errors->count : 1,
 	};
 	struct strbuf out = {0};
 
 	snprintf(text, sizeof(text), "not checked: %s", why);
-	for (size_t i = 0; i < channels->count; i++) {
-		channels->items[i].writer->program(&out, run, &about);
-		channel_say(&channels->items[i], &out);
+	for (size_t i = 0; i < sinks->count; i++) {
+		sinks->items[i].writer->program(&out, run, &about);
+		sink_write(&sinks->items[i], &out);
 	}
 	strbuf_release(&out);
 }
 
-bool broken_report(const struct options *options, const struct faults *faults, struct channels *channels,
+bool failure_report_write(const struct options *options, const struct error_list *errors, struct sinks *sinks,
 		   struct diag *diag)
 {
 	const struct machine machine = {.path = options->machine};
 	const struct setup setup = {.path = options->setup};
 	const struct scene scene = {.machine = &machine, .setup = options->setup ? &setup : NULL};
-	const struct waiving waiving = {0};
+	const struct waiver_match waiving = {0};
 	const struct report_run run = {
 		.scene = &scene, .options = &options->check, .clearance = options->clearance,
 		.programs = options->program_count, .fail_on = options->fail_on, .exit_zero = options->exit_zero,
@@ -82,10 +82,10 @@ bool broken_report(const struct options *options, const struct faults *faults, s
 	const struct run_stats sums = {.programs = options->program_count, .incomplete = options->program_count};
 	struct report_end end = {.sums = &sums, .status = 2};
 
-	drop_channels(channels, diag);
-	channels_begin(channels, &run);
+	drop_channels(sinks, diag);
+	sinks_begin(sinks, &run);
 	for (size_t i = 0; i < options->program_count; i++)
-		tell_program(channels, &run, options->programs[i], i ? NULL : faults);
-	channels_end(channels, &run, &end);
-	return channels_commit(channels, diag);
+		tell_program(sinks, &run, options->programs[i], i ? NULL : errors);
+	sinks_end(sinks, &run, &end);
+	return sinks_commit(sinks, diag);
 }

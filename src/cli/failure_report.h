@@ -12,7 +12,7 @@
  * run for this one's. A file that is there and is no such report stays, with a note: a machine that
  * cannot be read does not tell its meshes, which must not be overwritten. False: not all could be written, reported.
  */
-bool broken_report(const struct options *options, const struct faults *faults, struct channels *channels,
+bool failure_report_write(const struct options *options, const struct error_list *errors, struct sinks *sinks,
 		   struct diag *diag);
 
 #endif

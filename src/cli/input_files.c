@@ -12,7 +12,7 @@
 #include "report/depfile.h"
 #include "report/output.h"
 
-static void add(struct inputs *inputs, const char *kind, const char *path)
+static void add(struct input_files *inputs, const char *kind, const char *path)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
 		if (!strcmp(inputs->items[i].path, path))
@@ -24,22 +24,22 @@ static void add(struct inputs *inputs, const char *kind, const char *path)
 
 static void on_opened(void *context, const char *path)
 {
-	struct inputs *inputs = context;
+	struct input_files *inputs = context;
 
 	pthread_mutex_lock(&inputs->lock);
 	add(inputs, "subprogram", path);
 	pthread_mutex_unlock(&inputs->lock);
 }
 
-void inputs_init(struct inputs *inputs)
+void input_files_init(struct input_files *inputs)
 {
-	*inputs = (struct inputs){.watch = {inputs, on_opened}};
+	*inputs = (struct input_files){.watch = {inputs, on_opened}};
 	pthread_mutex_init(&inputs->lock, NULL);
 	/* Not the coarse clock: newer kernels stamp files with the fine one where it matters. */
 	clock_gettime(CLOCK_REALTIME, &inputs->started);
 }
 
-void inputs_release(struct inputs *inputs)
+void input_files_release(struct input_files *inputs)
 {
 	for (size_t i = 0; i < inputs->count; i++)
 		free((char *)inputs->items[i].path);
@@ -47,7 +47,7 @@ void inputs_release(struct inputs *inputs)
 	pthread_mutex_destroy(&inputs->lock);
 }
 
-static void add_meshes(struct inputs *inputs, const struct body *bodies, size_t count)
+static void add_meshes(struct input_files *inputs, const struct body *bodies, size_t count)
 {
 	for (size_t i = 0; i < count; i++) {
 		if (bodies[i].mesh_path)
@@ -55,7 +55,7 @@ static void add_meshes(struct inputs *inputs, const struct body *bodies, size_t 
 	}
 }
 
-void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
+void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes)
 {
 	add(inputs, "machine", options->machine);
@@ -83,7 +83,7 @@ static int compare(const void *a, const void *b)
 	return order ? order : strcmp(x->path, y->path);
 }
 
-void inputs_sort(struct inputs *inputs)
+void input_files_sort(struct input_files *inputs)
 {
 	if (inputs->count)
 		qsort(inputs->items, inputs->count, sizeof(*inputs->items), compare);
@@ -94,7 +94,7 @@ static bool is_later(const struct timespec *a, const struct timespec *b)
 	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
 }
 
-bool inputs_digest(struct inputs *inputs, struct diag *diag)
+bool input_files_digest(struct input_files *inputs, struct diag *diag)
 {
 	bool good = true;
 
@@ -118,7 +118,7 @@ bool inputs_digest(struct inputs *inputs, struct diag *diag)
 	return good;
 }
 
-bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag)
+bool input_files_write_depfile(const struct input_files *inputs, const struct options *options, struct diag *diag)
 {
 	struct output out = {0};
 	struct strbuf text = {0};

@@ -13,7 +13,7 @@
 #include "machine/setup.h"
 #include "report/report.h"
 
-struct inputs {
+struct input_files {
 	struct watch watch;	/* for programs: their subprograms */
 	pthread_mutex_t lock;
 	struct timespec started;
@@ -22,23 +22,23 @@ struct inputs {
 };
 
 /* Not to be moved afterwards: its watch points back at it. */
-void inputs_init(struct inputs *inputs);
-void inputs_release(struct inputs *inputs);
+void input_files_init(struct input_files *inputs);
+void input_files_release(struct input_files *inputs);
 
 /* Machine, setup (the file's, not the machine's own), meshes if they are read, programs but standard input. */
-void inputs_add_files(struct inputs *inputs, const struct options *options, const struct machine *machine,
+void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes);
 
 /* Sorts by kind and name. Call it when the programs have been read. */
-void inputs_sort(struct inputs *inputs);
+void input_files_sort(struct input_files *inputs);
 
 /*
  * Takes the digests of all. A file that has changed since inputs_init, is no regular one, or
  * cannot be read, is reported, and the result false: nobody could say what was checked.
  */
-bool inputs_digest(struct inputs *inputs, struct diag *diag);
+bool input_files_digest(struct input_files *inputs, struct diag *diag);
 
 /* Writes --depfile, if that was asked for; false: reported. */
-bool inputs_write_depfile(const struct inputs *inputs, const struct options *options, struct diag *diag);
+bool input_files_write_depfile(const struct input_files *inputs, const struct options *options, struct diag *diag);
 
 #endif

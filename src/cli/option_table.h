@@ -6,7 +6,7 @@
 
 #include "cli/options.h"
 
-enum value_kind {
+enum option_kind {
 	VALUE_FLAG,	/* bool, set to true */
 	VALUE_TEXT,	/* const char * */
 	VALUE_LIST,	/* struct text_list, one more */
@@ -25,7 +25,7 @@ struct option_row {
 	const char *name;
 	const char *argument;	/* as --help calls it; NULL: it takes none */
 	unsigned modes;	/* a bit for each run_mode in which it means something */
-	enum value_kind kind;
+	enum option_kind kind;
 	size_t field;	/* offset in struct options */
 	double least, greatest;
 	const char *unit;

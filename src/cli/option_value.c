@@ -9,7 +9,7 @@
 static const struct srcloc nowhere;
 
 /* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
-bool value_number(double *out, const char *text)
+bool option_value_number(double *out, const char *text)
 {
 	char *end;
 	double value;
@@ -27,7 +27,7 @@ static bool read_number(double *out, const struct option_row *row, const char *t
 {
 	double value;
 
-	if (!value_number(&value, text)) {
+	if (!option_value_number(&value, text)) {
 		diag_error(diag, nowhere, "--%s: '%s' is not a number%s%s", row->name, text, row->unit ? " of " : "",
 			   row->unit ? row->unit : "");
 		return false;
@@ -169,7 +169,8 @@ static bool read_amounts(double out[CHANGES], const struct option_row *row, cons
 		bool good = whole && read_number(&amounts[i], row, part, diag);
 
 		if (!whole)
-			diag_error(diag, nowhere, "--%s: '%s' is not four numbers like 1,1,1,0.5: of X, Y, Z and the tool length",
+			diag_error(diag, nowhere,
+				   "--%s: '%s' is not four numbers like 1,1,1,0.5: of X, Y, Z and the tool length",
 				   row->name, text);
 		free(part);
 		if (!good)
@@ -184,7 +185,7 @@ static bool read_amounts(double out[CHANGES], const struct option_row *row, cons
 	return most > 0;
 }
 
-bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
+bool option_value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
 {
 	void *field = (char *)options + row->field;
 	int index;

@@ -13,9 +13,9 @@
  * VALUE_MODE. Numbers are plain decimals, with an exponent if need be, and
  * nothing else. False: reported, *options untouched.
  */
-bool value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag);
+bool option_value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag);
 
 /* A plain decimal number, finite; false: it is none, *out untouched. */
-bool value_number(double *out, const char *text);
+bool option_value_number(double *out, const char *text);
 
 #endif

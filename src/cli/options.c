@@ -56,21 +56,21 @@ static bool refuse_second(const struct parser *parser, const struct option_row *
 	return true;
 }
 
-static enum word_result add_option(void *context, const struct option_row *row, const char *argument)
+static enum argv_result add_option(void *context, const struct option_row *row, const char *argument)
 {
 	struct parser *parser = context;
 
 	if (refuse_second(parser, row))
-		return WORD_FAULT;
+		return ARGV_FAULT;
 	parser->seen[row - option_table] = true;
 	if (row->kind == VALUE_MODE && is_final(row->mode)) {
 		parser->options->mode = row->mode;
-		return WORD_LAST;
+		return ARGV_LAST;
 	}
 	if (row->kind == VALUE_MODE ? !set_mode(parser, row)
-				    : !value_set(parser->options, row, argument, parser->diag))
-		return WORD_FAULT;
-	return WORD_NEXT;
+				    : !option_value_set(parser->options, row, argument, parser->diag))
+		return ARGV_FAULT;
+	return ARGV_NEXT;
 }
 
 static bool check_modes(const struct parser *parser)
@@ -122,7 +122,7 @@ static bool names_file(const struct options *o)
 	return named;
 }
 
-bool options_seek_turns(const struct options *o)
+bool options_want_sensitivity(const struct options *o)
 {
 	return o->sensitivity[CHANGE_X] > 0 || o->sensitivity[CHANGE_Y] > 0 || o->sensitivity[CHANGE_Z] > 0 ||
 	       o->sensitivity[CHANGE_LENGTH] > 0;
@@ -155,13 +155,14 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
 	else if (o->check.gauge_cap > 0 && !o->clearance_report)
 		fault = "--clearance-cap is for --clearance-report";
-	else if (options_seek_turns(o) && o->check.method != CHECK_CERTIFIED)
+	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
 		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
-	else if (options_seek_turns(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
+	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
 		fault = "--sensitivity is told by --format=text and --format=ndjson";
-	else if (options_seek_turns(o) && (o->baseline || o->waivers || o->fail_on))
-		fault = "--sensitivity cannot go together with --baseline, --waivers or --fail-on: it is about the verdict "
-			"without them";
+	else if (options_want_sensitivity(o) && (o->baseline || o->waivers || o->fail_on))
+		fault =
+		    "--sensitivity cannot go together with --baseline, --waivers or --fail-on: it is about the verdict "
+		    "without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
 		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
 	if (fault)
@@ -220,18 +221,19 @@ static bool share_out(const struct parser *parser)
 	struct options *o = parser->options;
 
 	if (!o->shards || o->program_count > 1) {
-		list_share(o);
+		program_list_take_shard(o);
 		return true;
 	}
 	o->check.shard = o->shard;
 	o->check.shards = o->shards;
 	if (o->shards > 1 && (o->baseline || o->waivers)) {
-		diag_error(parser->diag, nowhere,
-			   "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
-			   o->baseline ? "baseline" : "waivers");
+		diag_error(
+		    parser->diag, nowhere,
+		    "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
+		    o->baseline ? "baseline" : "waivers");
 		return false;
 	}
-	if (o->shards > 1 && (o->clearance_report || o->timing || options_seek_turns(o))) {
+	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
 			   "--%s cannot go with --shard of one program: it is about all of its blocks",
 			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : "sensitivity");
@@ -243,11 +245,11 @@ static bool share_out(const struct parser *parser)
 bool options_parse(struct options *options, int argc, char **argv, struct diag *diag)
 {
 	struct parser parser = {.options = options, .diag = diag};
-	const struct words words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
+	const struct argv_parser words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
 	bool good;
 
 	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
-	good = words_parse(&words, argc, argv, diag);
+	good = argv_parser_run(&words, argc, argv, diag);
 	options->programs = parser.operand;
 	if (parser.operands) {
 		options->machine = parser.operand[0];
@@ -259,7 +261,7 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) ||
 	    !check_operands(&parser))
 		return false;
-	if (options->files_from && (!list_read(options, diag) || !check_listed(&parser)))
+	if (options->files_from && (!program_list_read(options, diag) || !check_listed(&parser)))
 		return false;
 	if (options->output && !strcmp(options->output, "-"))
 		options->output = NULL;
@@ -297,7 +299,7 @@ void options_help(struct strbuf *out)
 	strbuf_addf(out,
 			 "Proves that a machine does not hit itself while it runs the programs, or names the\n"
 			 "first block in which it does. A program named - is standard input.\n\n");
-	words_help(out, option_table, OPTION_COUNT);
+	argv_parser_help(out, option_table, OPTION_COUNT);
 	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is incomplete\n"
 			 "(usage, unreadable or unsupported input), 3 internal error.\n");
 }

@@ -67,7 +67,7 @@ struct options {
 };
 
 /* Was --sensitivity given, with any amount above 0? */
-bool options_seek_turns(const struct options *options);
+bool options_want_sensitivity(const struct options *options);
 
 /*
  * Reads the command line; options and operands in any order. Whatever is

@@ -6,114 +6,114 @@
 
 #include "base/mem.h"
 
-static bool is_heard(const struct voice *voice)
+static bool is_current(const struct program_output *output)
 {
-	return voice == &voice->stage->voices[voice->stage->turn];
+	return output == &output->order->programs[output->order->turn];
 }
 
 static void report(void *context, const struct diag_entry *entry)
 {
-	struct voice *voice = context;
+	struct program_output *output = context;
 
-	faults_keep(&voice->faults, entry);
-	pthread_mutex_lock(&voice->stage->lock);
-	diag_pass(is_heard(voice) ? &voice->stage->console->diag : &voice->held.diag, entry);
-	pthread_mutex_unlock(&voice->stage->lock);
+	error_list_add(&output->errors, entry);
+	pthread_mutex_lock(&output->order->lock);
+	diag_pass(is_current(output) ? &output->order->ui->diag : &output->held.diag, entry);
+	pthread_mutex_unlock(&output->order->lock);
 }
 
-void stage_init(struct stage *stage, size_t count, struct console *console, struct channels *channels)
+void ordered_output_init(struct ordered_output *order, size_t count, struct stderr_ui *ui, struct sinks *sinks)
 {
-	*stage = (struct stage){.console = console, .channels = channels, .count = count};
-	pthread_mutex_init(&stage->lock, NULL);
-	stage->voices = mem_zalloc(count + 1, sizeof(*stage->voices));
+	*order = (struct ordered_output){.ui = ui, .sinks = sinks, .count = count};
+	pthread_mutex_init(&order->lock, NULL);
+	order->programs = mem_zalloc(count + 1, sizeof(*order->programs));
 	for (size_t i = 0; i < count; i++) {
-		struct voice *voice = &stage->voices[i];
+		struct program_output *output = &order->programs[i];
 
-		voice->stage = stage;
-		voice->diag = (struct diag){.handle = report, .context = voice};
-		held_init(&voice->held);
+		output->order = order;
+		output->diag = (struct diag){.handle = report, .context = output};
+		held_init(&output->held);
 	}
 }
 
-void stage_release(struct stage *stage)
+void ordered_output_release(struct ordered_output *order)
 {
-	for (size_t i = 0; i < stage->count; i++) {
-		struct voice *voice = &stage->voices[i];
+	for (size_t i = 0; i < order->count; i++) {
+		struct program_output *output = &order->programs[i];
 
-		held_release(&voice->held);
+		held_release(&output->held);
 		for (size_t k = 0; k < FORMAT_COUNT; k++)
-			strbuf_release(&voice->text[k]);
-		faults_release(&voice->faults);
+			strbuf_release(&output->text[k]);
+		error_list_release(&output->errors);
 	}
-	free(stage->voices);
-	pthread_mutex_destroy(&stage->lock);
+	free(order->programs);
+	pthread_mutex_destroy(&order->lock);
 }
 
-bool stage_is_lost(struct stage *stage)
+bool ordered_output_is_lost(struct ordered_output *order)
 {
 	bool lost;
 
-	pthread_mutex_lock(&stage->lock);
-	lost = channels_are_lost(stage->channels);
-	pthread_mutex_unlock(&stage->lock);
+	pthread_mutex_lock(&order->lock);
+	lost = sinks_are_lost(order->sinks);
+	pthread_mutex_unlock(&order->lock);
 	return lost;
 }
 
-static bool say_aloud(struct stage *stage, size_t index, struct strbuf *text)
+static bool write_now(struct ordered_output *order, size_t index, struct strbuf *text)
 {
-	struct channel *channel = &stage->channels->items[index];
+	struct sink *sink = &order->sinks->items[index];
 
-	console_clear(stage->console);
-	channel_say(channel, text);
-	return channel_flush(channel);
+	stderr_ui_clear(order->ui);
+	sink_write(sink, text);
+	return sink_flush(sink);
 }
 
-bool voice_say(struct voice *voice, size_t channel, struct strbuf *text)
+bool program_output_write(struct program_output *output, size_t sink, struct strbuf *text)
 {
-	struct stage *stage = voice->stage;
+	struct ordered_output *order = output->order;
 	bool good;
 
-	pthread_mutex_lock(&stage->lock);
-	if (is_heard(voice)) {
-		good = say_aloud(stage, channel, text);
+	pthread_mutex_lock(&order->lock);
+	if (is_current(output)) {
+		good = write_now(order, sink, text);
 	} else {
-		strbuf_add(&voice->text[channel], strbuf_text(text), text->length);
+		strbuf_add(&output->text[sink], strbuf_text(text), text->length);
 		strbuf_clear(text);
-		good = !channels_are_lost(stage->channels);
+		good = !sinks_are_lost(order->sinks);
 	}
-	pthread_mutex_unlock(&stage->lock);
+	pthread_mutex_unlock(&order->lock);
 	return good;
 }
 
-void voice_progress(struct voice *voice, const char *file, long lines, double share)
+void program_output_progress(struct program_output *output, const char *file, long lines, double share)
 {
-	pthread_mutex_lock(&voice->stage->lock);
-	if (is_heard(voice))
-		console_progress(voice->stage->console, file, lines, share);
-	pthread_mutex_unlock(&voice->stage->lock);
+	pthread_mutex_lock(&output->order->lock);
+	if (is_current(output))
+		stderr_ui_progress(output->order->ui, file, lines, share);
+	pthread_mutex_unlock(&output->order->lock);
 }
 
 /* What has waited until now. */
-static void catch_up(struct voice *voice)
+static void write_held(struct program_output *output)
 {
-	held_deliver(&voice->held, &voice->stage->console->diag, LONG_MAX);
-	for (size_t i = 0; i < voice->stage->channels->count; i++) {
-		if (voice->text[i].length)
-			say_aloud(voice->stage, i, &voice->text[i]);
+	held_deliver(&output->held, &output->order->ui->diag, LONG_MAX);
+	for (size_t i = 0; i < output->order->sinks->count; i++) {
+		if (output->text[i].length)
+			write_now(output->order, i, &output->text[i]);
 	}
 }
 
-void voice_end(struct voice *voice)
+void program_output_end(struct program_output *output)
 {
-	struct stage *stage = voice->stage;
+	struct ordered_output *order = output->order;
 
-	pthread_mutex_lock(&stage->lock);
-	voice->ended = true;
-	console_done(stage->console);
-	while (stage->turn < stage->count && stage->voices[stage->turn].ended) {
-		stage->turn++;
-		if (stage->turn < stage->count)
-			catch_up(&stage->voices[stage->turn]);
+	pthread_mutex_lock(&order->lock);
+	output->ended = true;
+	stderr_ui_done(order->ui);
+	while (order->turn < order->count && order->programs[order->turn].ended) {
+		order->turn++;
+		if (order->turn < order->count)
+			write_held(&order->programs[order->turn]);
 	}
-	pthread_mutex_unlock(&stage->lock);
+	pthread_mutex_unlock(&order->lock);
 }

@@ -13,39 +13,39 @@
 #include "report/sink.h"
 
 /* Where everybody speaks. */
-struct stage {
-	struct console *console;	/* borrowed */
-	struct channels *channels;	/* borrowed */
+struct ordered_output {
+	struct stderr_ui *ui;	/* borrowed */
+	struct sinks *sinks;	/* borrowed */
 	pthread_mutex_t lock;
-	struct voice *voices;	/* in the order in which they are heard */
+	struct program_output *programs;	/* in the order in which they are heard */
 	size_t count;
 	size_t turn;	/* whose it is */
 };
 
 /* One program's. Its words go out at once when it is its turn, else they wait. */
-struct voice {
-	struct stage *stage;
+struct program_output {
+	struct ordered_output *order;
 	struct diag diag;	/* for its diagnostics; counts them whether they were heard or not */
 	struct held held;	/* diagnostics that wait */
 	struct strbuf text[FORMAT_COUNT];	/* for each channel, that waits */
-	struct faults faults;	/* the first of its errors */
+	struct error_list errors;	/* the first of its errors */
 	bool ended;
 };
 
 /* `count` voices. */
-void stage_init(struct stage *stage, size_t count, struct console *console, struct channels *channels);
-void stage_release(struct stage *stage);
+void ordered_output_init(struct ordered_output *order, size_t count, struct stderr_ui *ui, struct sinks *sinks);
+void ordered_output_release(struct ordered_output *order);
 
 /* Has a write failed? Then nothing more needs to be said. */
-bool stage_is_lost(struct stage *stage);
+bool ordered_output_is_lost(struct ordered_output *order);
 
 /* Says a piece of a channel's report, which is then empty; false once a write has failed. */
-bool voice_say(struct voice *voice, size_t channel, struct strbuf *text);
+bool program_output_write(struct program_output *output, size_t sink, struct strbuf *text);
 
 /* Shows how far the program is, if it is its turn. */
-void voice_progress(struct voice *voice, const char *file, long lines, double share);
+void program_output_progress(struct program_output *output, const char *file, long lines, double share);
 
 /* Nothing more will come: the next has its turn. */
-void voice_end(struct voice *voice);
+void program_output_end(struct program_output *output);
 
 #endif

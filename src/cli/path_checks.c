@@ -93,7 +93,7 @@ static bool spares_results(const struct options *options, const struct written *
 	return false;
 }
 
-bool files_differ(const struct options *options, struct diag *diag)
+bool path_checks_outputs(const struct options *options, struct diag *diag)
 {
 	struct written list[WRITTEN_MAX];
 	size_t count = list_written(list, options);
@@ -129,14 +129,14 @@ static bool spares(const struct options *options, const struct body *bodies, siz
 	return true;
 }
 
-bool files_spare_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
+bool path_checks_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag)
 {
 	return spares(options, machine->bodies, machine->body_count, diag) &&
 	       (!setup || spares(options, setup->bodies, setup->body_count, diag));
 }
 
-bool files_spare_inputs(const struct options *options, const struct inputs *inputs, struct diag *diag)
+bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag)
 {
 	struct written list[WRITTEN_MAX];
 	size_t listed = list_written(list, options);
@@ -165,7 +165,7 @@ static bool confine(const char *root, struct body *bodies, size_t count, struct 
 	return good;
 }
 
-bool files_confine(const struct options *options, const struct machine *machine, const struct setup *setup,
+bool path_checks_root(const struct options *options, const struct machine *machine, const struct setup *setup,
 		   struct diag *diag)
 {
 	const char *root = options->check.input_root;

@@ -48,7 +48,7 @@ bool program_close(struct program_file *file, struct diag *diag)
 /* One program while it runs. */
 struct program {
 	const struct program_context *context;
-	struct voice *voice;
+	struct program_output *output;
 	struct program_outcome *outcome;
 	const char *name;
 	struct sensitivity sensitivity[2 * CHANGES];
@@ -64,42 +64,42 @@ struct program {
 	char *first_file;	/* the same; owned */
 };
 
-static bool tell_finding(struct program *program, const struct finding *finding, enum weight weight,
+static bool tell_finding(struct program *program, const struct finding *finding, enum finding_status status,
 			 const struct waiver *waiver)
 {
 	const struct program_context *context = program->context;
 	bool good = true;
 
-	for (size_t i = 0; i < context->channels->count; i++) {
-		const struct channel *channel = &context->channels->items[i];
+	for (size_t i = 0; i < context->sinks->count; i++) {
+		const struct sink *sink = &context->sinks->items[i];
 
-		channel->writer->finding(&program->text[i], &context->run, finding,
-					 (struct manner){weight, channel->colour, waiver});
-		if (!channel->writer->whole)
-			good = voice_say(program->voice, i, &program->text[i]) && good;
+		sink->writer->finding(&program->text[i], &context->run, finding,
+					 (struct finding_style){status, sink->colour, waiver});
+		if (!sink->writer->whole)
+			good = program_output_write(program->output, i, &program->text[i]) && good;
 	}
 	return good;
 }
 
 /* Sets *waiver to the one that counts. One that has expired is told, and counts no more. */
-static enum weight weigh(struct program *program, const struct finding *finding, const struct waiver **waiver)
+static enum finding_status weigh(struct program *program, const struct finding *finding, const struct waiver **waiver)
 {
 	const struct program_context *context = program->context;
-	const struct waiving *waiving = context->run.waiving;
+	const struct waiver_match *waiving = context->run.waiving;
 	unsigned fail_on = context->options->fail_on;
 
-	*waiver = waive_find(waiving, program->matched, context->scene->machine, program->name, finding);
-	if (*waiver && !waive_is_expired(waiving, *waiver))
-		return WEIGHT_WAIVED;
+	*waiver = waiver_match_find(waiving, program->matched, context->scene->machine, program->name, finding);
+	if (*waiver && !waiver_match_is_expired(waiving, *waiver))
+		return FINDING_WAIVED;
 	if (*waiver)
-		diag_warning(&program->voice->diag, (struct srcloc){waiving->file->path, (*waiver)->line, 0},
+		diag_warning(&program->output->diag, (struct srcloc){waiving->file->path, (*waiver)->line, 0},
 			     "this waiver expired on %s: the finding in line %ld of %s is waived no more",
 			     (*waiver)->expires, finding->line, finding->file);
 	*waiver = NULL;
 	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
 						program->name, finding, context->options->check.tolerance + 1e-6))
-		return WEIGHT_KNOWN;
-	return fail_on && !(fail_on & 1U << finding->kind) ? WEIGHT_LEFT_OUT : WEIGHT_FAILS;
+		return FINDING_KNOWN;
+	return fail_on && !(fail_on & 1U << finding->kind) ? FINDING_LEFT_OUT : FINDING_FAILS;
 }
 
 static void keep_waived(struct program *program, const struct finding *finding, const struct waiver *waiver)
@@ -110,7 +110,7 @@ static void keep_waived(struct program *program, const struct finding *finding, 
 		    finding_kind_name(finding->kind));
 	text_message(out, finding);
 	strbuf_addf(out, ", waived ");
-	waive_add_reason(out, waiver);
+	waiver_match_add_reason(out, waiver);
 	strbuf_addf(out, "\n");
 }
 
@@ -127,18 +127,18 @@ static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
 	const struct waiver *waiver;
-	enum weight weight = weigh(program, finding, &waiver);
-	bool fails = weight == WEIGHT_FAILS;
+	enum finding_status status = weigh(program, finding, &waiver);
+	bool fails = status == FINDING_FAILS;
 
-	program->known += weight == WEIGHT_KNOWN;
-	program->waived += weight == WEIGHT_WAIVED;
-	program->left_out += weight == WEIGHT_LEFT_OUT;
+	program->known += status == FINDING_KNOWN;
+	program->waived += status == FINDING_WAIVED;
+	program->left_out += status == FINDING_LEFT_OUT;
 	if (waiver)
 		keep_waived(program, finding, waiver);
 	if (fails && !program->outcome->has_first)
 		keep_first(program, finding);
 	/* What is accepted does not stop the check, whether or not the rest does. */
-	return tell_finding(program, finding, weight, waiver) && (!fails || program->context->options->check.all);
+	return tell_finding(program, finding, status, waiver) && (!fails || program->context->options->check.all);
 }
 
 /* A waiver that is not needed any more would wait for a contact that nobody has looked at. */
@@ -153,7 +153,7 @@ static void tell_unused(struct program *program)
 		if (strcmp(waiver->program, program->name) != 0 || program->matched[i] == waiver->times ||
 		    (limits_only && strcmp(waiver->kind, finding_kind_name(FINDING_LIMIT)) != 0))
 			continue;
-		diag_warning(&program->voice->diag, (struct srcloc){file->path, waiver->line, 0},
+		diag_warning(&program->output->diag, (struct srcloc){file->path, waiver->line, 0},
 			     program->matched[i] ? "this waiver accepts more findings of %s than there are (times=\"\")"
 						 : "this waiver matches no finding of %s; take it out", program->name);
 	}
@@ -171,7 +171,7 @@ static bool on_progress(void *context, long lines)
 {
 	const struct program *program = context;
 
-	voice_progress(program->voice, program->name, lines, share_read(program));
+	program_output_progress(program->output, program->name, lines, share_read(program));
 	return !interrupt_seen();
 }
 
@@ -179,13 +179,13 @@ static void on_block(void *context, const struct check_block *block)
 {
 	const struct program *program = context;
 
-	tables_add(program->context->tables, program->context->scene, program->name, block);
+	block_tables_add(program->context->tables, program->context->scene, program->name, block);
 }
 
-static bool has_text(const struct channels *channels)
+static bool has_text(const struct sinks *sinks)
 {
-	for (size_t i = 0; i < channels->count; i++) {
-		if (channels->items[i].writer == report_writers[FORMAT_TEXT])
+	for (size_t i = 0; i < sinks->count; i++) {
+		if (sinks->items[i].writer == report_writers[FORMAT_TEXT])
 			return true;
 	}
 	return false;
@@ -194,7 +194,7 @@ static bool has_text(const struct channels *channels)
 /* Where nothing that people read is written, the verdict goes to standard error. */
 static void tell_verdict(struct program *program, const struct verdict *verdict)
 {
-	struct diag *diag = &program->voice->diag;
+	struct diag *diag = &program->output->diag;
 	const struct srcloc loc = {program->name, 0, 0};
 	struct strbuf text = {0};
 
@@ -212,19 +212,19 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 static void report(struct program *program, const struct verdict *verdict, const double *proven)
 {
 	const struct program_context *context = program->context;
-	const struct faults *faults = &program->voice->faults;
+	const struct error_list *errors = &program->output->errors;
 	const struct report_program about = {
 		.name = program->name, .verdict = verdict, .unread = "the program could not be opened",
 		.proven = proven,
 		.sensitivity = program->sensitivity, .sensitivity_count = program->sensitivity_count,
-		.faults = faults->items, .fault_count = faults->count, .waived = strbuf_text(&program->waived_text),
+		.errors = errors->items, .error_count = errors->count, .waived = strbuf_text(&program->waived_text),
 	};
 
-	if (verdict && !has_text(context->channels))
+	if (verdict && !has_text(context->sinks))
 		tell_verdict(program, verdict);
-	for (size_t i = 0; i < context->channels->count; i++) {
-		context->channels->items[i].writer->program(&program->text[i], &context->run, &about);
-		voice_say(program->voice, i, &program->text[i]);
+	for (size_t i = 0; i < context->sinks->count; i++) {
+		context->sinks->items[i].writer->program(&program->text[i], &context->run, &about);
+		program_output_write(program->output, i, &program->text[i]);
 	}
 }
 
@@ -250,31 +250,33 @@ static enum run_status status_of(enum check_result result)
 }
 
 /* How long the verdict holds, if that was asked for and there is one. */
-static void seek_turns(struct program *program, FILE *in, off_t start, const struct check_sink *sink)
+static void measure_sensitivity(struct program *program, FILE *in, off_t start, const struct check_sink *sink)
 {
 	const struct program_context *context = program->context;
-	struct diag *diag = &program->voice->diag;
+	struct diag *diag = &program->output->diag;
 
-	if (!options_seek_turns(context->options) || program->outcome->result == CHECK_INCOMPLETE)
+	if (!options_want_sensitivity(context->options) || program->outcome->result == CHECK_INCOMPLETE)
 		return;
 	if (fseeko(in, start, SEEK_SET)) {
-		diag_error(diag, nowhere, "--sensitivity reads %s again, and cannot: %s", program->name, strerror(errno));
+		diag_error(diag, nowhere, "--sensitivity reads %s again, and cannot: %s", program->name,
+			   strerror(errno));
 		return;
 	}
 	program->sensitivity_count = sensitivity_run(context->scene, &context->check, context->options->sensitivity,
 						     program->outcome->result, in, program->name, sink, diag,
 						     program->sensitivity);
 	if (interrupt_seen())
-		diag_error(diag, (struct srcloc){program->name, 0, 0}, "interrupted before --sensitivity came to its end");
+		diag_error(diag, (struct srcloc){program->name, 0, 0},
+			   "interrupted before --sensitivity came to its end");
 }
 
 /* A pipe cannot be read again: that is said before it is read at all. False: reported. */
 static bool find_start(const struct program *program, const struct program_file *file, off_t *start)
 {
 	*start = ftello(file->stream);
-	if (*start >= 0 || !options_seek_turns(program->context->options))
+	if (*start >= 0 || !options_want_sensitivity(program->context->options))
 		return true;
-	diag_error(&program->voice->diag, nowhere,
+	diag_error(&program->output->diag, nowhere,
 		   "--sensitivity reads a program several times, and %s is a pipe, or the like: give it as a file",
 		   file->name);
 	return false;
@@ -286,7 +288,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	const struct program_context *context = program->context;
 	const struct check_sink sink = {program, on_finding, on_progress, context->tables ? on_block : NULL};
 	struct program_outcome *outcome = program->outcome;
-	struct diag *diag = &program->voice->diag;
+	struct diag *diag = &program->output->diag;
 	double *proven = NULL;
 	struct verdict verdict;
 
@@ -296,7 +298,7 @@ static void run(struct program *program, struct program_file *file, const char *
 				    &outcome->stats, proven);
 	if (ferror(file->stream) || diag->errors)
 		outcome->result = CHECK_INCOMPLETE;
-	seek_turns(program, file->stream, start, &sink);
+	measure_sensitivity(program, file->stream, start, &sink);
 	if (!program_close(file, diag))
 		outcome->result = CHECK_INCOMPLETE;
 	outcome->status = status_of(outcome->result);
@@ -305,7 +307,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	verdict = (struct verdict){
 		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
 		program->known, program->waived, program->left_out, program->first_line, program->first_file,
-		program->voice->faults.warnings, program->voice->faults.first_warning,
+		program->output->errors.warnings, program->output->errors.first_warning,
 	};
 	outcome->accepted = verdict_is_accepted(&verdict);
 	outcome->waived = program->waived;
@@ -316,16 +318,16 @@ static void run(struct program *program, struct program_file *file, const char *
 		outcome->status = RUN_CLEAR;
 	report(program, &verdict, proven);
 	free(proven);
-	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !stage_is_lost(program->voice->stage)) {
+	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !ordered_output_is_lost(program->output->order)) {
 		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file->name);
 		outcome->status = RUN_INTERNAL;
 	}
 }
 
-void program_check(const struct program_context *context, const char *path, struct voice *voice,
+void program_check(const struct program_context *context, const char *path, struct program_output *output,
 		   struct program_outcome *outcome)
 {
-	struct program program = {.context = context, .voice = voice, .outcome = outcome};
+	struct program program = {.context = context, .output = output, .outcome = outcome};
 	struct program_file file;
 	bool opened;
 	off_t start;
@@ -337,7 +339,7 @@ void program_check(const struct program_context *context, const char *path, stru
 	program.name = path;
 	if (context->run.waiving->file)
 		program.matched = mem_zalloc(context->run.waiving->file->count + 1, sizeof(*program.matched));
-	opened = program_open(&file, path, &voice->diag);
+	opened = program_open(&file, path, &output->diag);
 	if (opened && find_start(&program, &file, &start)) {
 		program.name = file.name;
 		program.stream = file.stream;
@@ -347,7 +349,7 @@ void program_check(const struct program_context *context, const char *path, stru
 	} else {
 		report(&program, NULL, NULL);
 		if (opened)
-			program_close(&file, &voice->diag);
+			program_close(&file, &output->diag);
 	}
 	sensitivity_release(program.sensitivity, program.sensitivity_count);
 	free(program.used);

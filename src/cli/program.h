@@ -32,8 +32,8 @@ struct program_context {
 	struct scene *scene;
 	struct report_run run;
 	const struct baseline *baseline;	/* or NULL */
-	const struct channels *channels;	/* where it is reported */
-	struct tables *tables;	/* or NULL: nothing is measured, and several programs may be checked at once */
+	const struct sinks *sinks;	/* where it is reported */
+	struct block_tables *tables;	/* or NULL: nothing is measured, and several programs may be checked at once */
 };
 
 /* What became of one program. */
@@ -49,7 +49,7 @@ struct program_outcome {
 };
 
 /* Checks one program and says its findings and its verdict. */
-void program_check(const struct program_context *context, const char *path, struct voice *voice,
+void program_check(const struct program_context *context, const char *path, struct program_output *output,
 		   struct program_outcome *outcome);
 
 #endif

@@ -10,7 +10,7 @@
 static const struct srcloc nowhere;
 
 /* Bytes: a million names. What is longer, such as a pipe that never ends, is no list. */
-#define LIST_MAX ((size_t)64 << 20)
+#define PROGRAM_LIST_MAX ((size_t)64 << 20)
 
 /* Reads to the end; returns what is wrong, or NULL. */
 static const char *read_all(struct strbuf *text, FILE *in)
@@ -22,7 +22,7 @@ static const char *read_all(struct strbuf *text, FILE *in)
 	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0) {
 		if (memchr(bytes, 0, count))
 			return "it has a byte 0, and a list takes one name a line";
-		if (text->length + count > LIST_MAX)
+		if (text->length + count > PROGRAM_LIST_MAX)
 			return "it is longer than 64 MB";
 		strbuf_add(text, bytes, count);
 	}
@@ -50,7 +50,7 @@ static void add_names(struct options *options, char *text)
 	}
 }
 
-bool list_read(struct options *options, struct diag *diag)
+bool program_list_read(struct options *options, struct diag *diag)
 {
 	const char *path = options->files_from;
 	bool standard = !strcmp(path, "-");
@@ -69,7 +69,7 @@ bool list_read(struct options *options, struct diag *diag)
 	return true;
 }
 
-void list_share(struct options *options)
+void program_list_take_shard(struct options *options)
 {
 	size_t count = 0;
 

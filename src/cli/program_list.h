@@ -11,9 +11,9 @@
  * Appends the programs that --files-from names, one a line ("-" is standard
  * input), to those of the command line. False: reported; no program at all is a fault, too.
  */
-bool list_read(struct options *options, struct diag *diag);
+bool program_list_read(struct options *options, struct diag *diag);
 
 /* Leaves the programs of --shard: of N shards the K-th has the K-th program, the (K+N)-th, and so on. */
-void list_share(struct options *options);
+void program_list_take_shard(struct options *options);
 
 #endif

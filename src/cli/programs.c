@@ -15,7 +15,7 @@
 struct session {
 	const struct options *options;
 	struct program_context context;
-	struct stage stage;
+	struct ordered_output order;
 	struct program_outcome *outcomes;	/* one a program */
 	atomic_size_t next;	/* program */
 };
@@ -27,13 +27,13 @@ static void *work(void *context)
 	size_t i;
 
 	while ((i = atomic_fetch_add(&session->next, 1)) < options->program_count) {
-		struct voice *voice = &session->stage.voices[i];
+		struct program_output *output = &session->order.programs[i];
 
 		/* When nobody can hear it any more, nothing is worth checking. */
 		session->outcomes[i].status = RUN_INCOMPLETE;
-		if (!stage_is_lost(&session->stage))
-			program_check(&session->context, options->programs[i], voice, &session->outcomes[i]);
-		voice_end(voice);
+		if (!ordered_output_is_lost(&session->order))
+			program_check(&session->context, options->programs[i], output, &session->outcomes[i]);
+		program_output_end(output);
 	}
 	return NULL;
 }
@@ -52,7 +52,7 @@ static void work_together(struct session *session, int count)
 	free(threads);
 }
 
-static void tell_end(const struct session *session, double seconds, const struct inputs *inputs,
+static void tell_end(const struct session *session, double seconds, const struct input_files *inputs,
 		     enum run_status status)
 {
 	struct run_stats sums = {.seconds_load = seconds};
@@ -65,14 +65,14 @@ static void tell_end(const struct session *session, double seconds, const struct
 		stats_sum(&sums, &outcome->stats, outcome->result, outcome->accepted);
 		sums.waived += outcome->waived;
 	}
-	channels_end(session->stage.channels, &session->context.run, &end);
+	sinks_end(session->order.sinks, &session->context.run, &end);
 }
 
 /* --pose: the first finding of the first program that has one. False: reported. */
 static bool write_pose(const struct session *session)
 {
 	const struct options *options = session->options;
-	struct diag *diag = &session->stage.console->diag;
+	struct diag *diag = &session->order.ui->diag;
 
 	for (size_t i = 0; i < options->program_count; i++) {
 		const struct program_outcome *outcome = &session->outcomes[i];
@@ -102,7 +102,7 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 	for (size_t i = 0; file && !session->options->shards && i < file->count; i++)
 		count += !is_named(session->options, file->items[i].program);
 	if (count)
-		diag_note(&session->stage.console->diag, (struct srcloc){file->path, 0, 0},
+		diag_note(&session->order.ui->diag, (struct srcloc){file->path, 0, 0},
 			  "%zu of %zu waivers %s of programs that were not checked now (program=\"\" is the name as "
 			  "the command line has it)", count, file->count, count == 1 ? "is" : "are");
 }
@@ -118,9 +118,9 @@ static enum run_status status_of(const struct session *session)
 	}
 	if (session->options->exit_zero && status == RUN_FOUND)
 		status = RUN_CLEAR;
-	if (session->options->pose && session->stage.channels->count && !write_pose(session) && status < RUN_INCOMPLETE)
+	if (session->options->pose && session->order.sinks->count && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
-	if (session->stage.console->diag.errors && status < RUN_INCOMPLETE)
+	if (session->order.ui->diag.errors && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	return status;
 }
@@ -131,14 +131,14 @@ static bool is_pressed(void *context)
 	return interrupt_presses();
 }
 
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline, const struct waiving *waiving, struct tables *tables)
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, struct stderr_ui *ui,
+			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,
+			       const struct waiver_match *waiving, struct block_tables *tables)
 {
 	struct session session = {
 		.options = options,
 		.context = {
-			.options = options, .check = options->check, .scene = scene, .channels = channels,
+			.options = options, .check = options->check, .scene = scene, .sinks = sinks,
 			.baseline = baseline, .tables = tables,
 			.run = {scene, &options->check, options->clearance, options->program_count,
 				options->fail_on, options->exit_zero, options->quiet, waiving, options->shard,
@@ -160,21 +160,21 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	session.context.check.all = options->check.all || options->baseline || options->waivers || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
-	stage_init(&session.stage, options->program_count, console, channels);
-	console_expect(console, options->program_count);
-	channels_begin(channels, &session.context.run);
+	ordered_output_init(&session.order, options->program_count, ui, sinks);
+	stderr_ui_expect(ui, options->program_count);
+	sinks_begin(sinks, &session.context.run);
 	interrupt_watch();
 	work_together(&session, threads);
-	console_finish(console);
+	stderr_ui_finish(ui);
 	tell_strange_waivers(&session, waiving->file);
-	inputs_sort(inputs);
-	if (!files_spare_inputs(options, inputs, &console->diag))
-		channels_discard(channels);
+	input_files_sort(inputs);
+	if (!path_checks_inputs(options, inputs, &ui->diag))
+		sinks_discard(sinks);
 	if (options->record)
-		inputs_digest(inputs, &console->diag);
+		input_files_digest(inputs, &ui->diag);
 	status = status_of(&session);
 	tell_end(&session, seconds, inputs, status);
-	stage_release(&session.stage);
+	ordered_output_release(&session.order);
 	free(session.outcomes);
 	return status;
 }

@@ -18,8 +18,8 @@
  * the tables: with them programs are checked one after the other. If a file that is to be written turns out
  * to be an input, that is reported, and the channels are discarded.
  */
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds,
-			       struct console *console, struct channels *channels, struct inputs *inputs,
-			       const struct baseline *baseline, const struct waiving *waiving, struct tables *tables);
+enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, struct stderr_ui *ui,
+			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,
+			       const struct waiver_match *waiving, struct block_tables *tables);
 
 #endif

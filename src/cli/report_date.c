@@ -18,7 +18,7 @@ static bool read_epoch(time_t *out, const char *text)
 	return true;
 }
 
-bool today_get(char out[DATE_SIZE], struct diag *diag)
+bool report_date_get(char out[DATE_SIZE], struct diag *diag)
 {
 	const char *epoch = getenv("SOURCE_DATE_EPOCH");
 	time_t now = time(NULL);

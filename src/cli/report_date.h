@@ -11,6 +11,6 @@
  * The day in UTC: of SOURCE_DATE_EPOCH (reproducible-builds.org: seconds since 1970) where the environment has it, so
  * that a run can be repeated, else of the clock. False: SOURCE_DATE_EPOCH is no such number, reported.
  */
-bool today_get(char out[DATE_SIZE], struct diag *diag);
+bool report_date_get(char out[DATE_SIZE], struct diag *diag);
 
 #endif

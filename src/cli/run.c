@@ -5,6 +5,7 @@
 
 #include "cli/failure_report.h"
 #include "cli/command.h"
+#include "cli/diag_tee.h"
 #include "cli/error_list.h"
 #include "cli/path_checks.h"
 #include "cli/input_files.h"
@@ -30,7 +31,7 @@ static enum run_status worst(enum run_status a, enum run_status b)
 struct job {
 	struct baseline *baseline;	/* or NULL */
 	struct waivers *waivers;	/* or NULL */
-	struct waiving waiving;
+	struct waiver_match waiving;
 	struct machine *machine;
 	const struct setup *setup;	/* the machine's own, or the next */
 	struct setup *loaded;
@@ -66,7 +67,7 @@ static bool load_waivers(struct job *job, const struct options *options, struct 
 		return true;
 	job->waivers = waivers_load(options->waivers, job->machine, diag);
 	job->waiving.file = job->waivers;
-	return job->waivers && today_get(job->waiving.today, diag);
+	return job->waivers && report_date_get(job->waiving.today, diag);
 }
 
 static bool needs_scene(enum run_mode mode)
@@ -86,7 +87,7 @@ static void tell_order(const struct options *options, struct diag *diag)
 
 static bool job_load(struct job *job, const struct options *options, struct diag *diag)
 {
-	double start = console_seconds();
+	double start = stderr_ui_seconds();
 
 	job->machine = machine_load(options->machine, diag);
 	if (!job->machine)
@@ -94,7 +95,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
-	if (!files_confine(options, job->machine, job->setup, diag) || !load_waivers(job, options, diag))
+	if (!path_checks_root(options, job->machine, job->setup, diag) || !load_waivers(job, options, diag))
 		return false;
 	if (options->dialect >= 0)
 		job->machine->controller.dialect = (enum dialect)options->dialect;
@@ -103,19 +104,19 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 		if (!job->scene || (options->mode == RUN_CHECK && !scene_build(job->scene, diag)))
 			return false;
 	}
-	job->seconds = console_seconds() - start;
+	job->seconds = stderr_ui_seconds() - start;
 	return diag->errors == 0;
 }
 
 /* False: reported. */
-static bool open_channels(struct channels *channels, const struct options *options, struct diag *diag)
+static bool open_channels(struct sinks *sinks, const struct options *options, struct diag *diag)
 {
 	for (int i = 0; i < FORMAT_COUNT; i++) {
 		const struct format_choice *choice = &options->formats[i];
 		const char *path = choice->path ? choice->path : options->output;
-		bool colour = !path && console_wants_colour(STDOUT_FILENO);
+		bool colour = !path && stderr_ui_wants_colour(STDOUT_FILENO);
 
-		if (choice->wanted && !channels_open(channels, (enum report_format)i, path, colour, diag))
+		if (choice->wanted && !sinks_open(sinks, (enum report_format)i, path, colour, diag))
 			return false;
 	}
 	return true;
@@ -154,51 +155,51 @@ static bool load_all(struct job *job, const struct options *options, struct diag
 }
 
 /* Checks the programs; a report says itself what it lacks, and so is kept whatever came of the check. */
-static enum run_status check_programs(struct job *job, const struct options *options, struct console *console,
-				      struct channels *channels, struct tables *tables, struct inputs *inputs)
+static enum run_status check_programs(struct job *job, const struct options *options, struct stderr_ui *ui,
+				      struct sinks *sinks, struct block_tables *tables, struct input_files *inputs)
 {
 	/* Without collisions there is no need of bodies: their meshes stay unread. */
 	struct scene bare = {.machine = job->machine, .setup = job->setup};
-	struct diag *diag = &console->diag;
+	struct diag *diag = &ui->diag;
 	enum run_status status;
 
-	inputs_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
-	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, console, channels, inputs,
-				job->baseline, &job->waiving, tables_are_wanted(tables) ? tables : NULL);
+	input_files_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
+	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, ui, sinks, inputs,
+				job->baseline, &job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
 	/* Without a channel, nothing may be written. */
-	if (channels->count && !inputs_write_depfile(inputs, options, diag))
+	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
 		status = worst(status, RUN_INCOMPLETE);
-	if (channels->count && !tables_commit(tables, diag))
+	if (sinks->count && !block_tables_commit(tables, diag))
 		status = worst(status, RUN_INCOMPLETE);
-	if (!channels_commit(channels, diag))
+	if (!sinks_commit(sinks, diag))
 		status = worst(status, RUN_INCOMPLETE);
 	return status;
 }
 
-static enum run_status run_programs(struct job *job, const struct options *options, struct console *console)
+static enum run_status run_programs(struct job *job, const struct options *options, struct stderr_ui *ui)
 {
-	struct diag *diag = &console->diag;
+	struct diag *diag = &ui->diag;
 	enum run_status status = RUN_INCOMPLETE;
-	struct channels channels = {0};
-	struct tables tables = {0};
-	struct inputs inputs;
-	struct tap tap;
+	struct sinks sinks = {0};
+	struct block_tables tables = {0};
+	struct input_files inputs;
+	struct diag_tee tee;
 
 	/* Before anything is read: what changes from here on is noticed. */
-	inputs_init(&inputs);
-	tap_init(&tap, diag);
-	if (!open_channels(&channels, options, diag) ||
-	    !tables_open(&tables, options->clearance_report, options->timing, diag)) {
+	input_files_init(&inputs);
+	diag_tee_init(&tee, diag);
+	if (!open_channels(&sinks, options, diag) ||
+	    !block_tables_open(&tables, options->clearance_report, options->timing, diag)) {
 		/* There is nowhere to tell it. */
-	} else if (!load_all(job, options, &tap.diag)) {
-		broken_report(options, &tap.faults, &channels, diag);
-	} else if (files_spare_meshes(options, job->machine, job->setup, diag)) {
-		status = check_programs(job, options, console, &channels, &tables, &inputs);
+	} else if (!load_all(job, options, &tee.diag)) {
+		failure_report_write(options, &tee.errors, &sinks, diag);
+	} else if (path_checks_meshes(options, job->machine, job->setup, diag)) {
+		status = check_programs(job, options, ui, &sinks, &tables, &inputs);
 	}
-	tables_discard(&tables);
-	channels_discard(&channels);
-	tap_release(&tap);
-	inputs_release(&inputs);
+	block_tables_discard(&tables);
+	sinks_discard(&sinks);
+	diag_tee_release(&tee);
+	input_files_release(&inputs);
 	return status;
 }
 
@@ -227,7 +228,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 static enum run_status run_machine(const struct job *job, struct diag *diag, struct output *out)
 {
 	struct strbuf text = {0};
-	bool good = tree_add(&text, job->scene, diag) && oddities_add(&text, job->scene, diag);
+	bool good = machine_report_add(&text, job->scene, diag) && mesh_lint_add(&text, job->scene, diag);
 
 	output_text(out, &text);
 	strbuf_release(&text);
@@ -270,7 +271,7 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	struct output out = {0};
 
 	if (output_open(&out, options->output, diag) && job_load(job, options, diag) &&
-	    files_spare_meshes(options, job->machine, job->setup, diag)) {
+	    path_checks_meshes(options, job->machine, job->setup, diag)) {
 		status = run_mode(job, options, diag, &out);
 		/* What went to a stream is out; it must be whole all the same. A write that failed has to be told. */
 		if ((!options->output || out.error || status < RUN_INCOMPLETE) && !output_commit(&out, diag))
@@ -280,15 +281,15 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	return status;
 }
 
-enum run_status run_options(const struct options *options, struct console *console)
+enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 {
-	struct diag *diag = &console->diag;
+	struct diag *diag = &ui->diag;
 	enum run_status status = RUN_INCOMPLETE;
 	struct strbuf text = {0};
 	struct job job = {0};
 
-	console->quiet = options->quiet;
-	console->kind = (enum progress_kind)options->progress;
+	ui->quiet = options->quiet;
+	ui->kind = (enum progress_kind)options->progress;
 	if (options->mode == RUN_HELP) {
 		options_help(&text);
 		return command_print(&text, diag);
@@ -297,13 +298,13 @@ enum run_status run_options(const struct options *options, struct console *conso
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
 		return command_print(&text, diag);
 	}
-	if (files_differ(options, diag)) {
+	if (path_checks_outputs(options, diag)) {
 		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;
 
-		status = checks ? run_programs(&job, options, console) : run_table(&job, options, diag);
+		status = checks ? run_programs(&job, options, ui) : run_table(&job, options, diag);
 	}
 	job_release(&job);
-	console_clear(console);
+	stderr_ui_clear(ui);
 	/* Whatever was reported as an error was left unchecked. */
 	return diag->errors ? worst(status, RUN_INCOMPLETE) : status;
 }

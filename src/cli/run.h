@@ -14,6 +14,6 @@ enum run_status {
 };
 
 /* Does what the options say. */
-enum run_status run_options(const struct options *options, struct console *console);
+enum run_status run_options(const struct options *options, struct stderr_ui *ui);
 
 #endif

@@ -28,14 +28,14 @@ static void add_coloured(struct strbuf *out, const char *text, enum diag_severit
 
 static void print_entry(void *context, const struct diag_entry *entry)
 {
-	struct console *console = context;
+	struct stderr_ui *ui = context;
 	struct strbuf text = {0}, line = {0};
 
-	if (console->quiet && entry->severity != DIAG_ERROR)
+	if (ui->quiet && entry->severity != DIAG_ERROR)
 		return;
-	console_clear(console);
+	stderr_ui_clear(ui);
 	diag_format(&text, entry);
-	if (console->colour)
+	if (ui->colour)
 		add_coloured(&line, strbuf_text(&text), entry->severity);
 	else
 		strbuf_add(&line, strbuf_text(&text), text.length);
@@ -44,27 +44,27 @@ static void print_entry(void *context, const struct diag_entry *entry)
 	strbuf_release(&line);
 }
 
-bool console_wants_colour(int fd)
+bool stderr_ui_wants_colour(int fd)
 {
 	const char *never = getenv("NO_COLOR"), *term = getenv("TERM");
 
 	return isatty(fd) && !(never && *never) && term && strcmp(term, "dumb") != 0;
 }
 
-void console_init(struct console *console)
+void stderr_ui_init(struct stderr_ui *ui)
 {
-	*console = (struct console){
-		.diag = {.handle = print_entry, .context = console},
-		.colour = console_wants_colour(STDERR_FILENO),
+	*ui = (struct stderr_ui){
+		.diag = {.handle = print_entry, .context = ui},
+		.colour = stderr_ui_wants_colour(STDERR_FILENO),
 		.terminal = isatty(STDERR_FILENO),
 	};
 }
 
-void console_expect(struct console *console, size_t programs)
+void stderr_ui_expect(struct stderr_ui *ui, size_t programs)
 {
-	console->programs = programs;
-	console->done = 0;
-	console->started = console->shown = console_seconds();
+	ui->programs = programs;
+	ui->done = 0;
+	ui->started = ui->shown = stderr_ui_seconds();
 }
 
 enum { BAR_WIDTH = 20, WIDTH_DEFAULT = 80 };
@@ -91,15 +91,15 @@ static void add_estimate(struct strbuf *out, double seconds)
 }
 
 /* "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711", or of one program its rate in lines. */
-static void add_run(struct strbuf *out, const struct console *console, const struct progress *now)
+static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now)
 {
-	bool several = console->programs > 1;
-	double rate = now->spent > 0 ? (double)(several ? (long)console->done : now->lines) / now->spent : 0;
+	bool several = ui->programs > 1;
+	double rate = now->spent > 0 ? (double)(several ? (long)ui->done : now->lines) / now->spent : 0;
 
 	if (several)
-		strbuf_addf(out, "%zu of %zu programs", console->done, console->programs);
+		strbuf_addf(out, "%zu of %zu programs", ui->done, ui->programs);
 	else
-		quantity_add_plain(out, now->file ? now->file : "");
+		format_units_add_plain(out, now->file ? now->file : "");
 	if (!several)
 		strbuf_addf(out, ": line %ld", now->lines);
 	if (rate > 0)
@@ -112,7 +112,7 @@ static void add_run(struct strbuf *out, const struct console *console, const str
 	}
 	if (several && now->file && now->lines) {
 		strbuf_addf(out, "; ");
-		quantity_add_plain(out, now->file);
+		format_units_add_plain(out, now->file);
 		strbuf_addf(out, ": line %ld", now->lines);
 	}
 }
@@ -151,68 +151,68 @@ static int cut(const char *text, size_t columns)
 	return (int)length;
 }
 
-static void show(struct console *console, const char *file, long lines, double share)
+static void show(struct stderr_ui *ui, const char *file, long lines, double share)
 {
-	bool plain = console->kind == PROGRESS_PLAIN;
-	double done = (double)console->done + fmax(share, 0);
-	struct progress now = {file, lines, done / (double)console->programs, console_seconds() - console->started};
+	bool plain = ui->kind == PROGRESS_PLAIN;
+	double done = (double)ui->done + fmax(share, 0);
+	struct progress now = {file, lines, done / (double)ui->programs, stderr_ui_seconds() - ui->started};
 	struct strbuf text = {0};
 
-	if (!plain && (console->programs > 1 || share >= 0))
+	if (!plain && (ui->programs > 1 || share >= 0))
 		add_bar(&text, now.share);
-	add_run(&text, console, &now);
+	add_run(&text, ui, &now);
 	if (plain)
 		fprintf(stderr, "fivecheck: %s\n", strbuf_text(&text));
 	else
 		fprintf(stderr, "\r%.*s\033[K", cut(strbuf_text(&text), width()), strbuf_text(&text));
 	fflush(stderr);
 	strbuf_release(&text);
-	console->shown = console_seconds();
-	console->progress = !plain;
+	ui->shown = stderr_ui_seconds();
+	ui->progress = !plain;
 }
 
-static bool is_wanted(const struct console *console)
+static bool is_wanted(const struct stderr_ui *ui)
 {
-	return !console->quiet &&
-	       (console->kind == PROGRESS_PLAIN || (console->kind == PROGRESS_AUTO && console->terminal));
+	return !ui->quiet &&
+	       (ui->kind == PROGRESS_PLAIN || (ui->kind == PROGRESS_AUTO && ui->terminal));
 }
 
 /* Not at once behind what was printed either: it would flicker, and a short run needs none. */
-static bool is_due(const struct console *console)
+static bool is_due(const struct stderr_ui *ui)
 {
-	return console_seconds() - console->shown >= (console->kind == PROGRESS_PLAIN ? 10 : 0.2);
+	return stderr_ui_seconds() - ui->shown >= (ui->kind == PROGRESS_PLAIN ? 10 : 0.2);
 }
 
-void console_progress(struct console *console, const char *file, long lines, double share)
+void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share)
 {
-	if (is_wanted(console) && is_due(console))
-		show(console, file, lines, share);
+	if (is_wanted(ui) && is_due(ui))
+		show(ui, file, lines, share);
 }
 
-void console_done(struct console *console)
+void stderr_ui_done(struct stderr_ui *ui)
 {
-	console->done++;
-	if (console->programs > 1 && is_wanted(console) && is_due(console))
-		show(console, NULL, 0, -1);
+	ui->done++;
+	if (ui->programs > 1 && is_wanted(ui) && is_due(ui))
+		show(ui, NULL, 0, -1);
 }
 
-void console_finish(struct console *console)
+void stderr_ui_finish(struct stderr_ui *ui)
 {
-	console_clear(console);
+	stderr_ui_clear(ui);
 	/* The last of the plain lines stays as a total. */
-	if (console->kind == PROGRESS_PLAIN && is_wanted(console) && console->programs > 1)
-		show(console, NULL, 0, -1);
+	if (ui->kind == PROGRESS_PLAIN && is_wanted(ui) && ui->programs > 1)
+		show(ui, NULL, 0, -1);
 }
 
-void console_clear(struct console *console)
+void stderr_ui_clear(struct stderr_ui *ui)
 {
-	if (!console->progress)
+	if (!ui->progress)
 		return;
 	fputs("\r\033[K", stderr);
-	console->progress = false;
+	ui->progress = false;
 }
 
-double console_seconds(void)
+double stderr_ui_seconds(void)
 {
 	struct timespec now;
 

@@ -7,7 +7,7 @@
 #include "base/diag.h"
 #include "cli/options.h"
 
-struct console {
+struct stderr_ui {
 	struct diag diag;	/* prints what is reported to it */
 	bool quiet;	/* errors only, no progress */
 	bool colour;
@@ -20,27 +20,27 @@ struct console {
 };
 
 /* Not to be moved afterwards: its diag points back at it. */
-void console_init(struct console *console);
+void stderr_ui_init(struct stderr_ui *ui);
 
 /* Colour for a stream: only on a terminal that knows it, and not against NO_COLOR (no-color.org). */
-bool console_wants_colour(int fd);
+bool stderr_ui_wants_colour(int fd);
 
 /* A run of so many programs begins; one of them is done; all are. */
-void console_expect(struct console *console, size_t programs);
-void console_done(struct console *console);
-void console_finish(struct console *console);
+void stderr_ui_expect(struct stderr_ui *ui, size_t programs);
+void stderr_ui_done(struct stderr_ui *ui);
+void stderr_ui_finish(struct stderr_ui *ui);
 
 /*
  * Shows how far a program is, at which line and at which share of its file (0 to 1; below 0: not known), with several
  * how far the run is, its rate and the time left: a few times a second on a terminal, or as plain lines every
  * ten seconds.
  */
-void console_progress(struct console *console, const char *file, long lines, double share);
+void stderr_ui_progress(struct stderr_ui *ui, const char *file, long lines, double share);
 
 /* Takes the progress line away, before something else is printed. */
-void console_clear(struct console *console);
+void stderr_ui_clear(struct stderr_ui *ui);
 
 /* Seconds of a clock that only goes forward. */
-double console_seconds(void);
+double stderr_ui_seconds(void);
 
 #endif

@@ -199,13 +199,14 @@ static bool is_same(const json_t *known, const struct machine *machine, const st
 	bool same = is_text(known, "kind", finding_kind_name(f->kind)) && is_text(known, "file", f->file) &&
 		    is_text(known, "a", limit ? NULL : f->a) && is_text(known, "b", limit ? NULL : f->b) &&
 		    is_text(known, "axis", limit ? axis : NULL) &&
-		    (!limit || is_near(json_object_get(known, "bound"), quantity_value(f->slot, f->bound), 1e-6));
+		    (!limit || is_near(json_object_get(known, "bound"), format_units_value(f->slot, f->bound), 1e-6));
 
 	for (int slot = 0; slot < SLOT_COUNT && same; slot++) {
 		const char name[2] = {AXIS_LETTERS[slot], '\0'};
 
 		if (machine_axis(machine, slot))
-			same = is_near(json_object_get(axes, name), quantity_value(slot, f->axes.v[slot]), tolerance);
+			same =
+			    is_near(json_object_get(axes, name), format_units_value(slot, f->axes.v[slot]), tolerance);
 	}
 	return same;
 }

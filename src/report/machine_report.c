@@ -5,7 +5,7 @@
 #include "base/units.h"
 #include "report/format/format_units.h"
 
-struct tree {
+struct machine_report {
 	struct strbuf *out;
 	struct scene *scene;
 	struct diag *diag;
@@ -45,7 +45,7 @@ static void add_controller(struct strbuf *out, const struct controller *controll
 
 static void add_travel(struct strbuf *out, const struct axis *axis)
 {
-	const char *unit = quantity_unit(axis->slot);
+	const char *unit = format_units_unit(axis->slot);
 
 	if (isinf(axis->limit_min) && isinf(axis->limit_max)) {
 		strbuf_addf(out, "unlimited");
@@ -54,11 +54,11 @@ static void add_travel(struct strbuf *out, const struct axis *axis)
 	if (isinf(axis->limit_min))
 		strbuf_addf(out, "unlimited");
 	else
-		strbuf_addf(out, "%.10g", quantity_value(axis->slot, axis->limit_min));
+		strbuf_addf(out, "%.10g", format_units_value(axis->slot, axis->limit_min));
 	if (isinf(axis->limit_max))
 		strbuf_addf(out, " to unlimited");
 	else
-		strbuf_addf(out, " to %.10g", quantity_value(axis->slot, axis->limit_max));
+		strbuf_addf(out, " to %.10g", format_units_value(axis->slot, axis->limit_max));
 	strbuf_addf(out, " %s", unit);
 }
 
@@ -70,7 +70,7 @@ static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
 	strbuf_addf(out, "%s", axis->name);
 	if (axis->title) {
 		strbuf_addf(out, " \"");
-		quantity_add_plain(out, axis->title);
+		format_units_add_plain(out, axis->title);
 		strbuf_addf(out, "\"");
 	}
 	strbuf_addf(out, ": %s ", axis->rotary ? "rotary about" : "linear along");
@@ -82,8 +82,8 @@ static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
 	strbuf_addf(out, ", travel ");
 	add_travel(out, axis);
 	strbuf_addf(out, ", %.10g %s/min, home %.10g%s\n",
-		    quantity_value(axis->slot, axis->rate_max) * SECONDS_PER_MINUTE, quantity_unit(axis->slot),
-		    quantity_value(axis->slot, axis->home), wraps[axis->wrap]);
+		    format_units_value(axis->slot, axis->rate_max) * SECONDS_PER_MINUTE, format_units_unit(axis->slot),
+		    format_units_value(axis->slot, axis->home), wraps[axis->wrap]);
 }
 
 /* Of every corner as it is placed: the bounds of a turned box would be too large. */
@@ -108,7 +108,7 @@ static void add_interval(struct strbuf *out, char axis, double least, double gre
 		    fabs(greatest) < 0.0005 ? 0.0 : greatest);
 }
 
-static bool add_body(const struct tree *tree, int index, int depth)
+static bool add_body(const struct machine_report *tree, int index, int depth)
 {
 	const struct body *body = tree->scene->bodies[index].body;
 	const struct bvh *bvh = scene_body_bvh(tree->scene, index, tree->diag);
@@ -119,9 +119,9 @@ static bool add_body(const struct tree *tree, int index, int depth)
 	placed_bounds(&bvh->mesh, &body->placement, &least, &greatest);
 	add_indent(tree->out, depth);
 	strbuf_addf(tree->out, "%s ", role_name(body->role));
-	quantity_add_plain(tree->out, body->name);
+	format_units_add_plain(tree->out, body->name);
 	strbuf_addf(tree->out, ": ");
-	quantity_add_count(tree->out, bvh->mesh.count, "triangle");
+	format_units_add_count(tree->out, bvh->mesh.count, "triangle");
 	add_interval(tree->out, 'X', least.x, greatest.x);
 	add_interval(tree->out, 'Y', least.y, greatest.y);
 	add_interval(tree->out, 'Z', least.z, greatest.z);
@@ -130,7 +130,7 @@ static bool add_body(const struct tree *tree, int index, int depth)
 }
 
 /* A link's bodies, its spindle and workholding, then what it carries; no deeper than a machine has axes. */
-static bool add_link(const struct tree *tree, int link, int depth)
+static bool add_link(const struct machine_report *tree, int link, int depth)
 {
 	const struct machine *machine = tree->scene->machine;
 
@@ -186,13 +186,13 @@ static void add_table(struct strbuf *out, const struct machine *machine)
 	}
 }
 
-bool tree_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 {
-	const struct tree tree = {out, scene, diag};
+	const struct machine_report tree = {out, scene, diag};
 	const struct machine *machine = scene->machine;
 
 	strbuf_addf(out, "machine: ");
-	quantity_add_plain(out, machine->name);
+	format_units_add_plain(out, machine->name);
 	strbuf_addf(out, "%s(%s)\n", *machine->name ? " " : "", machine->path);
 	add_controller(out, &machine->controller);
 	strbuf_addf(out, "\nbase\n");

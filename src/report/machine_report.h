@@ -13,6 +13,6 @@
  * coordinates at the zero pose), the table of which axis carries which (Table
  * I of Chen, Lin and Chang). False: a mesh is faulty, reported.
  */
-bool tree_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 
 #endif

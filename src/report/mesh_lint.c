@@ -9,7 +9,7 @@ static const double TOUCH = 0.001;
 static void add_name(struct strbuf *out, const struct body *body)
 {
 	strbuf_addf(out, "  ");
-	quantity_add_plain(out, body->name);
+	format_units_add_plain(out, body->name);
 }
 
 static void add_mesh(struct strbuf *out, const struct body *body, const struct topology *topology)
@@ -17,19 +17,19 @@ static void add_mesh(struct strbuf *out, const struct body *body, const struct t
 	if (!topology->closed) {
 		add_name(out, body);
 		strbuf_addf(out, ": the mesh is open, ");
-		quantity_add_count(out, topology->open_edges, "edge");
+		format_units_add_count(out, topology->open_edges, "edge");
 		strbuf_addf(out, " without a partner: what is inside it cannot be known\n");
 	}
 	if (topology->flipped_edges) {
 		add_name(out, body);
 		strbuf_addf(out, ": neighbouring triangles face opposite ways at ");
-		quantity_add_count(out, topology->flipped_edges, "edge");
+		format_units_add_count(out, topology->flipped_edges, "edge");
 		strbuf_addf(out, "\n");
 	}
 	if (topology->degenerate) {
 		add_name(out, body);
 		strbuf_addf(out, ": ");
-		quantity_add_count(out, topology->degenerate, "triangle");
+		format_units_add_count(out, topology->degenerate, "triangle");
 		strbuf_addf(out, " with corners that coincide\n");
 	}
 }
@@ -67,13 +67,13 @@ static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *d
 			continue;
 		add_name(out, a);
 		strbuf_addf(out, " and ");
-		quantity_add_plain(out, b->name);
+		format_units_add_plain(out, b->name);
 		strbuf_addf(out, ": touch or overlap at home, near X %.3f Y %.3f Z %.3f (%s)\n", point.x + 0.0,
 			    point.y + 0.0, point.z + 0.0, pair_status_name(pair->status));
 	}
 }
 
-bool oddities_add(struct strbuf *out, struct scene *scene, struct diag *diag)
+bool mesh_lint_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 {
 	size_t before, errors = diag->errors;
 

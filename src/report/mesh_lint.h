@@ -13,6 +13,6 @@
  * triangles, and bodies that overlap at home. False: a mesh is faulty,
  * reported.
  */
-bool oddities_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+bool mesh_lint_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 
 #endif

@@ -20,16 +20,16 @@ enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FOR
 enum { FORMAT_CHOICES = FORMAT_RECORD, FORMAT_COUNT };
 
 /* What a finding weighs. */
-enum weight {
-	WEIGHT_FAILS,
-	WEIGHT_KNOWN,	/* in the baseline */
-	WEIGHT_WAIVED,	/* by a waiver */
-	WEIGHT_LEFT_OUT	/* of a kind that --fail-on does not name */
+enum finding_status {
+	FINDING_FAILS,
+	FINDING_KNOWN,	/* in the baseline */
+	FINDING_WAIVED,	/* by a waiver */
+	FINDING_LEFT_OUT	/* of a kind that --fail-on does not name */
 };
 
 /* How it looks. */
-struct manner {
-	enum weight weight;
+struct finding_style {
+	enum finding_status status;
 	bool colour;
 	const struct waiver *waiver;	/* of what is waived; borrowed */
 };
@@ -43,12 +43,12 @@ struct report_run {
 	unsigned fail_on;	/* a bit for each kind of finding that fails; 0: all */
 	bool exit_zero;
 	bool quiet;	/* no statistics */
-	const struct waiving *waiving;
+	const struct waiver_match *waiving;
 	int shard, shards;	/* of the programs, or of the blocks of one; 0: all */
 };
 
 /* What made a check incomplete. */
-struct report_fault {
+struct report_error {
 	char *file;	/* NULL: no file is to blame */
 	long line;	/* 0: not known, likewise the column */
 	int column;
@@ -61,8 +61,8 @@ struct report_program {
 	const struct verdict *verdict;	/* NULL: it was not read */
 	const char *unread;	/* why not */
 	const double *proven;	/* check_run's; NULL: not asked for */
-	const struct report_fault *faults;	/* the first of them */
-	size_t fault_count;
+	const struct report_error *errors;	/* the first of them */
+	size_t error_count;
 	const struct sensitivity *sensitivity;	/* how long the verdict holds */
 	size_t sensitivity_count;	/* 0: not asked for, or not known */
 	const char *waived;	/* what was waived and why, a line each */
@@ -96,7 +96,7 @@ struct report_writer {
 	size_t limit;	/* of items; 0: none */
 	void (*begin)(struct strbuf *out, const struct report_run *run);
 	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
-			struct manner manner);
+			struct finding_style style);
 	void (*program)(struct strbuf *out, const struct report_run *run, const struct report_program *program);
 	void (*end)(struct strbuf *out, const struct report_run *run, const struct report_end *end,
 		    const struct strbuf *items);

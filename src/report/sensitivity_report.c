@@ -23,9 +23,9 @@ static void add_found(struct strbuf *out, const struct sensitivity *answer)
 		strbuf_addf(out, "axis %c", AXIS_LETTERS[answer->slot]);
 		return;
 	}
-	quantity_add_plain(out, answer->a ? answer->a : "");
+	format_units_add_plain(out, answer->a ? answer->a : "");
 	strbuf_addf(out, " - ");
-	quantity_add_plain(out, answer->b ? answer->b : "");
+	format_units_add_plain(out, answer->b ? answer->b : "");
 }
 
 /* "clear is proved up to 0.9961", and how far it was tried besides */
@@ -60,14 +60,14 @@ static void add_answer(struct strbuf *out, const struct sensitivity *answer, boo
 		add_found(out, answer);
 	} else if (answer->state == SENSITIVITY_UNKNOWN && answer->why) {
 		strbuf_addf(out, "; at %.4f it cannot be checked: ", answer->turn);
-		quantity_add_plain(out, answer->why);
+		format_units_add_plain(out, answer->why);
 	} else if (answer->state == SENSITIVITY_UNKNOWN) {
 		strbuf_addf(out, "; given up there: it takes too many runs");
 	}
 	strbuf_addf(out, "\n");
 }
 
-void text_sensitivity(struct strbuf *out, const struct sensitivity *answers, size_t count, bool clear)
+void sensitivity_report_text(struct strbuf *out, const struct sensitivity *answers, size_t count, bool clear)
 {
 	strbuf_addf(out, "    with one value of the setup changed (mm):\n");
 	for (size_t i = 0; i < count; i++)
@@ -102,7 +102,7 @@ static json_t *json_answer(const struct sensitivity *answer)
 	return object;
 }
 
-json_t *json_sensitivity(const struct sensitivity *answers, size_t count)
+json_t *sensitivity_report_json(const struct sensitivity *answers, size_t count)
 {
 	json_t *array = json_array();
 

@@ -10,13 +10,13 @@
 #include "check/sensitivity.h"
 
 /* Appends a line for each answer, indented, below a heading; `clear` is the verdict that they are about. */
-void text_sensitivity(struct strbuf *out, const struct sensitivity *answers, size_t count, bool clear);
+void sensitivity_report_text(struct strbuf *out, const struct sensitivity *answers, size_t count, bool clear);
 
 /*
  * An array of objects, to be released by who takes it: quantity "x" "y" "z" "length", direction "+" "-",
  * range, result "no effect" "holds" "turns" "unknown"; proved, tried and turn as in struct sensitivity, turn null
  * where nothing turns; kind, line, a, b, axis of what is found there, and why, or null.
  */
-json_t *json_sensitivity(const struct sensitivity *answers, size_t count);
+json_t *sensitivity_report_json(const struct sensitivity *answers, size_t count);
 
 #endif

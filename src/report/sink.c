@@ -2,103 +2,103 @@
 
 #include <string.h>
 
-bool channels_open(struct channels *channels, enum report_format format, const char *path, bool colour,
+bool sinks_open(struct sinks *sinks, enum report_format format, const char *path, bool colour,
 		   struct diag *diag)
 {
-	struct channel *channel = &channels->items[channels->count];
+	struct sink *sink = &sinks->items[sinks->count];
 
-	*channel = (struct channel){.writer = report_writers[format], .path = path, .colour = colour};
-	if (!output_open(&channel->out, path, diag))
+	*sink = (struct sink){.writer = report_writers[format], .path = path, .colour = colour};
+	if (!output_open(&sink->out, path, diag))
 		return false;
-	channels->count++;
+	sinks->count++;
 	return true;
 }
 
-void channels_begin(struct channels *channels, const struct report_run *run)
+void sinks_begin(struct sinks *sinks, const struct report_run *run)
 {
 	struct strbuf text = {0};
 
-	for (size_t i = 0; i < channels->count; i++) {
-		channels->items[i].writer->begin(&text, run);
-		output_text(&channels->items[i].out, &text);
-		output_flush(&channels->items[i].out);
+	for (size_t i = 0; i < sinks->count; i++) {
+		sinks->items[i].writer->begin(&text, run);
+		output_text(&sinks->items[i].out, &text);
+		output_flush(&sinks->items[i].out);
 	}
 	strbuf_release(&text);
 }
 
-static void say_item(struct channel *channel, const char *item, size_t length)
+static void write_item(struct sink *sink, const char *item, size_t length)
 {
-	const struct report_writer *writer = channel->writer;
+	const struct report_writer *writer = sink->writer;
 
-	if (writer->limit && channel->count == writer->limit) {
-		channel->left_out++;
+	if (writer->limit && sink->count == writer->limit) {
+		sink->left_out++;
 		return;
 	}
-	if (channel->count++ && writer->separator)
-		output_write(&channel->out, writer->separator, strlen(writer->separator));
-	output_write(&channel->out, item, length);
+	if (sink->count++ && writer->separator)
+		output_write(&sink->out, writer->separator, strlen(writer->separator));
+	output_write(&sink->out, item, length);
 }
 
-bool channel_say(struct channel *channel, struct strbuf *text)
+bool sink_write(struct sink *sink, struct strbuf *text)
 {
-	const struct report_writer *writer = channel->writer;
+	const struct report_writer *writer = sink->writer;
 	const char *item = strbuf_text(text);
 
 	if (writer->collects) {
-		strbuf_add(&channel->items, item, text->length);
+		strbuf_add(&sink->items, item, text->length);
 	} else if (writer->limit || writer->separator) {
 		for (const char *end; (end = strchr(item, '\n')); item = end + 1)
-			say_item(channel, item, (size_t)(end + 1 - item));
+			write_item(sink, item, (size_t)(end + 1 - item));
 	} else {
-		output_write(&channel->out, item, text->length);
+		output_write(&sink->out, item, text->length);
 	}
 	strbuf_clear(text);
-	return !channel->out.error;
+	return !sink->out.error;
 }
 
-bool channel_flush(struct channel *channel)
+bool sink_flush(struct sink *sink)
 {
-	return output_flush(&channel->out);
+	return output_flush(&sink->out);
 }
 
-void channels_end(struct channels *channels, const struct report_run *run, struct report_end *end)
+void sinks_end(struct sinks *sinks, const struct report_run *run, struct report_end *end)
 {
 	struct strbuf text = {0};
 
-	for (size_t i = 0; i < channels->count; i++) {
-		struct channel *channel = &channels->items[i];
+	for (size_t i = 0; i < sinks->count; i++) {
+		struct sink *sink = &sinks->items[i];
 
-		end->left_out = channel->left_out;
-		channel->writer->end(&text, run, end, &channel->items);
-		output_text(&channel->out, &text);
+		end->left_out = sink->left_out;
+		sink->writer->end(&text, run, end, &sink->items);
+		output_text(&sink->out, &text);
 	}
 	strbuf_release(&text);
 }
 
-bool channels_are_lost(const struct channels *channels)
+bool sinks_are_lost(const struct sinks *sinks)
 {
-	for (size_t i = 0; i < channels->count; i++) {
-		if (channels->items[i].out.error)
+	for (size_t i = 0; i < sinks->count; i++) {
+		if (sinks->items[i].out.error)
 			return true;
 	}
 	return false;
 }
 
-bool channels_commit(struct channels *channels, struct diag *diag)
+bool sinks_commit(struct sinks *sinks, struct diag *diag)
 {
 	bool good = true;
 
-	for (size_t i = 0; i < channels->count; i++)
-		good = output_commit(&channels->items[i].out, diag) && good;
-	channels_discard(channels);
+	for (size_t i = 0; i < sinks->count; i++)
+		good = output_commit(&sinks->items[i].out, diag) && good;
+	sinks_discard(sinks);
 	return good;
 }
 
-void channels_discard(struct channels *channels)
+void sinks_discard(struct sinks *sinks)
 {
-	for (size_t i = 0; i < channels->count; i++) {
-		output_discard(&channels->items[i].out);
-		strbuf_release(&channels->items[i].items);
+	for (size_t i = 0; i < sinks->count; i++) {
+		output_discard(&sinks->items[i].out);
+		strbuf_release(&sinks->items[i].items);
 	}
-	channels->count = 0;
+	sinks->count = 0;
 }

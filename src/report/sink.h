@@ -10,7 +10,7 @@
 #include "report/output.h"
 #include "report/report.h"
 
-struct channel {
+struct sink {
 	const struct report_writer *writer;
 	const char *path;	/* borrowed; NULL: standard output */
 	bool colour;
@@ -20,32 +20,32 @@ struct channel {
 };
 
 /* All zero is none. */
-struct channels {
-	struct channel items[FORMAT_COUNT];
+struct sinks {
+	struct sink items[FORMAT_COUNT];
 	size_t count;
 };
 
 /* One more; a format is used once at most. False: reported. */
-bool channels_open(struct channels *channels, enum report_format format, const char *path, bool colour,
+bool sinks_open(struct sinks *sinks, enum report_format format, const char *path, bool colour,
 		   struct diag *diag);
 
 /* What a report begins with. */
-void channels_begin(struct channels *channels, const struct report_run *run);
+void sinks_begin(struct sinks *sinks, const struct report_run *run);
 
 /* Says what a writer made of findings or programs, which is then empty; false once a write has failed. */
-bool channel_say(struct channel *channel, struct strbuf *text);
+bool sink_write(struct sink *sink, struct strbuf *text);
 
 /* Hands on what was said; false once a write has failed. */
-bool channel_flush(struct channel *channel);
+bool sink_flush(struct sink *sink);
 
 /* What they end with. */
-void channels_end(struct channels *channels, const struct report_run *run, struct report_end *end);
+void sinks_end(struct sinks *sinks, const struct report_run *run, struct report_end *end);
 
 /* Has a write failed? */
-bool channels_are_lost(const struct channels *channels);
+bool sinks_are_lost(const struct sinks *sinks);
 
 /* As output_commit and output_discard, for all; the channels are then closed. */
-bool channels_commit(struct channels *channels, struct diag *diag);
-void channels_discard(struct channels *channels);
+bool sinks_commit(struct sinks *sinks, struct diag *diag);
+void sinks_discard(struct sinks *sinks);
 
 #endif

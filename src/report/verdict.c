@@ -37,7 +37,7 @@ static void add_accepted(struct strbuf *out, const struct verdict *v)
 		if (!counts[i])
 			continue;
 		strbuf_addf(out, "%s", comma);
-		quantity_add_count(out, (size_t)counts[i], "finding");
+		format_units_add_count(out, (size_t)counts[i], "finding");
 		strbuf_addf(out, " %s", words[i]);
 		comma = ", ";
 	}
@@ -57,7 +57,7 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 		add_accepted(out, v);
 		return;
 	}
-	quantity_add_count(out, findings, "finding");
+	format_units_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
 	if (v->first_file && strcmp(v->first_file, v->file) != 0)
 		strbuf_addf(out, " of %s", v->first_file);
@@ -82,22 +82,22 @@ static void add_clear(struct strbuf *out, const struct verdict *v)
 	switch (v->options->method) {
 	case CHECK_CERTIFIED:
 		strbuf_addf(out, verdict_is_shard(v) ? "nothing found in this shard: " : "clear: ");
-		quantity_add_count(out, blocks, "block");
+		format_units_add_count(out, blocks, "block");
 		strbuf_addf(out, " proved, ");
-		quantity_add_count(out, stats->pairs_required, "pair");
+		format_units_add_count(out, stats->pairs_required, "pair");
 		strbuf_addf(out, " of bodies kept apart at every instant");
 		break;
 	case CHECK_INTERPOLATED:
 	case CHECK_CONVENTIONAL:
 		strbuf_addf(out, "no contact at the samples (not a proof): ");
-		quantity_add_count(out, blocks, "block");
+		format_units_add_count(out, blocks, "block");
 		strbuf_addf(out, ", ");
-		quantity_add_count(out, stats->pairs_required, "pair");
+		format_units_add_count(out, stats->pairs_required, "pair");
 		strbuf_addf(out, " of bodies, a sample every %.10g s", v->options->step);
 		break;
 	case CHECK_NOTHING:
 		strbuf_addf(out, "within the axis limits: ");
-		quantity_add_count(out, blocks, "block");
+		format_units_add_count(out, blocks, "block");
 		strbuf_addf(out, " interpreted; no collision was checked (--parse-only)");
 		break;
 	}
@@ -116,7 +116,7 @@ void verdict_add_sentence(struct strbuf *out, const struct verdict *v)
 		strbuf_addf(out, "incomplete: not everything was checked, see the errors");
 		if (v->stats->findings) {
 			strbuf_addf(out, "; ");
-			quantity_add_count(out, (size_t)v->stats->findings, "finding");
+			format_units_add_count(out, (size_t)v->stats->findings, "finding");
 			strbuf_addf(out, " before them");
 		}
 		break;
@@ -164,7 +164,7 @@ static bool caution_excused(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->stats->pairs_excused)
 		return false;
-	quantity_add_count(out, v->stats->pairs_excused, "pair");
+	format_units_add_count(out, v->stats->pairs_excused, "pair");
 	strbuf_addf(out, " of neighbours excused, not proved (adjacent in --list-pairs)");
 	return true;
 }
@@ -175,7 +175,7 @@ static bool caution_waived(struct strbuf *out, const struct verdict *v)
 
 	if (!waived)
 		return false;
-	quantity_add_count(out, waived, "pair");
+	format_units_add_count(out, waived, "pair");
 	strbuf_addf(out, " waived by the machine file, not proved (waived in --list-pairs)");
 	return true;
 }
@@ -213,7 +213,8 @@ static bool caution_warnings(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->warnings)
 		return false;
-	strbuf_addf(out, "%ld %s %s", v->warnings, v->warnings == 1 ? "warning:" : "warnings, the first:", v->first_warning);
+	strbuf_addf(out, "%ld %s %s", v->warnings,
+		    v->warnings == 1 ? "warning:" : "warnings, the first:", v->first_warning);
 	return true;
 }
 

@@ -6,7 +6,7 @@
 #include "report/format/format_units.h"
 #include "report/format/utf8.h"
 
-bool waive_is_expired(const struct waiving *waiving, const struct waiver *waiver)
+bool waiver_match_is_expired(const struct waiver_match *waiving, const struct waiver *waiver)
 {
 	return strcmp(waiver->expires, waiving->today) < 0;
 }
@@ -20,7 +20,7 @@ static bool is_same_text(const char *a, const char *b)
 
 	for (int i = 0; i < 2; i++) {
 		utf8_add_clean(&clean[i], texts[i] ? texts[i] : "");
-		quantity_add_plain(&shown[i], strbuf_text(&clean[i]));
+		format_units_add_plain(&shown[i], strbuf_text(&clean[i]));
 	}
 	same = !strcmp(strbuf_text(&shown[0]), strbuf_text(&shown[1]));
 	for (int i = 0; i < 2; i++) {
@@ -41,7 +41,8 @@ static bool has_subject(const struct waiver *waiver, const struct finding *f)
 static bool is_there(const struct waiver *waiver, const struct machine *machine, const axis_values *axes)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		double off = fabs(quantity_value(slot, axes->v[slot]) - quantity_value(slot, waiver->axes.v[slot]));
+		double off =
+		    fabs(format_units_value(slot, axes->v[slot]) - format_units_value(slot, waiver->axes.v[slot]));
 
 		if (machine_axis(machine, slot) && !(off <= waiver->within))
 			return false;
@@ -57,7 +58,7 @@ static bool names(const struct waiver *waiver, const struct machine *machine, co
 	       is_same_text(waiver->block, f->text);
 }
 
-const struct waiver *waive_find(const struct waiving *waiving, int *matched, const struct machine *machine,
+const struct waiver *waiver_match_find(const struct waiver_match *waiving, int *matched, const struct machine *machine,
 				const char *program, const struct finding *finding)
 {
 	const struct waiver *found = NULL;
@@ -67,7 +68,7 @@ const struct waiver *waive_find(const struct waiving *waiving, int *matched, con
 
 		if (matched[i] >= waiver->times || !names(waiver, machine, program, finding))
 			continue;
-		if (!found || waive_is_expired(waiving, found))
+		if (!found || waiver_match_is_expired(waiving, found))
 			found = waiver;
 	}
 	if (found)
@@ -75,8 +76,8 @@ const struct waiver *waive_find(const struct waiving *waiving, int *matched, con
 	return found;
 }
 
-void waive_add_reason(struct strbuf *out, const struct waiver *waiver)
+void waiver_match_add_reason(struct strbuf *out, const struct waiver *waiver)
 {
 	strbuf_addf(out, "until %s: ", waiver->expires);
-	quantity_add_plain(out, waiver->reason);
+	format_units_add_plain(out, waiver->reason);
 }

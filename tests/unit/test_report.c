@@ -19,25 +19,25 @@ START_TEST(test_quantities)
 {
 	struct strbuf out = {0};
 
-	quantity_add(&out, -0.00004);
+	format_units_add(&out, -0.00004);
 	expect(&out, "0.0000");
-	quantity_add(&out, -0.00006);
+	format_units_add(&out, -0.00006);
 	expect(&out, "-0.0001");
-	quantity_add(&out, 1234.56785);
+	format_units_add(&out, 1234.56785);
 	expect(&out, "1234.5678");
-	quantity_add_duration(&out, 59.9);
+	format_units_add_duration(&out, 59.9);
 	expect(&out, "59.900 s");
-	quantity_add_duration(&out, 61.5);
+	format_units_add_duration(&out, 61.5);
 	expect(&out, "1 min 01.500 s");
-	quantity_add_duration(&out, 2 * 3600 + 3 * 60 + 4.25);
+	format_units_add_duration(&out, 2 * 3600 + 3 * 60 + 4.25);
 	expect(&out, "2 h 03 min 04.250 s");
-	quantity_add_duration(&out, 59.9996);
+	format_units_add_duration(&out, 59.9996);
 	expect(&out, "1 min 00.000 s");
-	quantity_add_duration(&out, 3599.9999);
+	format_units_add_duration(&out, 3599.9999);
 	expect(&out, "1 h 00 min 00.000 s");
-	quantity_add_plain(&out, " \tG0 X1\r\033[31m (\x7f) \r\n");
+	format_units_add_plain(&out, " \tG0 X1\r\033[31m (\x7f) \r\n");
 	expect(&out, "G0 X1  [31m ( )");
-	quantity_add_plain(&out, " \r\n");
+	format_units_add_plain(&out, " \r\n");
 	expect(&out, "");
 	strbuf_release(&out);
 }
@@ -92,7 +92,7 @@ START_TEST(test_names)
 		for (int i = 0; i < 4; i++)
 			name[i] = (char)(rand() % 3 ? 0x80 + rand() % 0x80 : 1 + rand() % 0x7f);
 		finding.file = name;
-		ndjson_finding(&out, &machine, &finding, (struct manner){0});
+		ndjson_finding(&out, &machine, &finding, (struct finding_style){0});
 		ck_assert_ptr_eq(strchr(out.text, '\n'), out.text + out.length - 1);
 		object = json_loads(out.text, 0, NULL);
 		ck_assert_ptr_nonnull(object);
@@ -132,7 +132,7 @@ START_TEST(test_finding)
 
 	finding.axes.v[SLOT_X] = -123.456789012;
 	finding.axes.v[SLOT_C] = radians(33.3333333333);
-	ndjson_finding(&out, &machine, &finding, (struct manner){0});
+	ndjson_finding(&out, &machine, &finding, (struct finding_style){0});
 	object = json_loads(out.text, JSON_REJECT_DUPLICATES, NULL);
 	ck_assert_ptr_nonnull(object);
 	ck_assert_uint_eq(json_object_size(object), 12);

@@ -14,7 +14,7 @@ static const char machine_text[] =
 
 static struct machine *machine;
 static struct waivers *waivers;
-static struct waiving waiving;
+static struct waiver_match waiving;
 static int matched[4];
 
 static void start(void)
@@ -58,7 +58,7 @@ static struct finding finding_at(double x, double degrees_c)
 
 static const struct waiver *find(const struct finding *f)
 {
-	return waive_find(&waiving, matched, machine, "p.nc", f);
+	return waiver_match_find(&waiving, matched, machine, "p.nc", f);
 }
 
 static void assert_not_found(struct finding f)
@@ -72,7 +72,7 @@ START_TEST(accepts_what_it_names_once)
 
 	load(WAIVERS(WAIVER("block='G1 X10' axes='X 10.0000 mm, C -90.0000 deg' expires='2026-12-31'")), "2026-12-31");
 	ck_assert_ptr_eq(find(&f), &waivers->items[0]);
-	ck_assert(!waive_is_expired(&waiving, &waivers->items[0]));
+	ck_assert(!waiver_match_is_expired(&waiving, &waivers->items[0]));
 	/* The same again is another finding. */
 	ck_assert_ptr_null(find(&f));
 }
@@ -99,7 +99,7 @@ START_TEST(accepts_nothing_else)
 	f.a = f.b = NULL;
 	assert_not_found(f);
 	f = finding_at(10, -90);
-	ck_assert_ptr_null(waive_find(&waiving, matched, machine, "dir/p.nc", &f));
+	ck_assert_ptr_null(waiver_match_find(&waiving, matched, machine, "dir/p.nc", &f));
 	f.text = NULL;
 	assert_not_found(f);
 	ck_assert_int_eq(matched[0], 0);
@@ -137,9 +137,9 @@ START_TEST(expires)
 	load(WAIVERS(WAIVER("block='G1 X10' axes='X10C0' expires='2026-02-28'")
 		     WAIVER("block='G1 X10' axes='X10C0' expires='2026-03-01'")), "2026-03-01");
 	ck_assert_ptr_eq(find(&f), &waivers->items[1]);
-	ck_assert(!waive_is_expired(&waiving, &waivers->items[1]));
+	ck_assert(!waiver_match_is_expired(&waiving, &waivers->items[1]));
 	ck_assert_ptr_eq(find(&f), &waivers->items[0]);
-	ck_assert(waive_is_expired(&waiving, &waivers->items[0]));
+	ck_assert(waiver_match_is_expired(&waiving, &waivers->items[0]));
 	ck_assert_ptr_null(find(&f));
 }
 END_TEST

@@ -32,14 +32,14 @@ static void take_operand(void *context, char *word)
 	request->operands++;
 }
 
-static enum word_result take_option(void *context, const struct option_row *row, const char *argument)
+static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
 {
 	struct request *request = context;
 
 	(void)row;
 	(void)argument;
 	request->help = true;
-	return WORD_LAST;
+	return ARGV_LAST;
 }
 
 static void add_help(struct strbuf *out)
@@ -48,30 +48,32 @@ static void add_help(struct strbuf *out)
 			 "Prints the completions of a shell, which 'make install' puts in their places. For the\n"
 			 "running shell only:\n"
 			 "    eval \"$(fivecheck completion bash)\"\n\n");
-	words_help(out, completion_table, COMPLETION_OPTION_COUNT);
+	argv_parser_help(out, completion_table, COMPLETION_OPTION_COUNT);
 }
 
-enum run_status completion_run(int argc, char **argv, struct console *console)
+enum run_status completion_run(int argc, char **argv, struct stderr_ui *ui)
 {
 	static void (*const writers[])(struct strbuf *) = {
-		[SHELL_BASH] = shell_bash, [SHELL_ZSH] = shell_zsh, [SHELL_FISH] = shell_fish,
+	    [SHELL_BASH] = completion_scripts_bash,
+	    [SHELL_ZSH] = completion_scripts_zsh,
+	    [SHELL_FISH] = completion_scripts_fish,
 	};
 	struct request request = {0};
-	struct words words = {completion_table, COMPLETION_OPTION_COUNT, take_option, take_operand, &request};
+	struct argv_parser words = {completion_table, COMPLETION_OPTION_COUNT, take_option, take_operand, &request};
 	struct strbuf text = {0};
 
-	if (!words_parse(&words, argc, argv, &console->diag))
+	if (!argv_parser_run(&words, argc, argv, &ui->diag))
 		return RUN_INCOMPLETE;
 	if (request.help) {
 		add_help(&text);
-		return command_print(&text, &console->diag);
+		return command_print(&text, &ui->diag);
 	}
 	for (int i = 0; request.operands == 1 && i < SHELL_COUNT; i++) {
 		if (strcmp(completion_shells[i], request.shell) != 0)
 			continue;
 		writers[i](&text);
-		return command_print(&text, &console->diag);
+		return command_print(&text, &ui->diag);
 	}
-	diag_error(&console->diag, nowhere, "completion takes the name of one shell: bash, zsh or fish");
+	diag_error(&ui->diag, nowhere, "completion takes the name of one shell: bash, zsh or fish");
 	return RUN_INCOMPLETE;
 }

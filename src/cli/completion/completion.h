@@ -12,6 +12,6 @@ extern const struct option_row completion_table[COMPLETION_OPTION_COUNT];
 extern const char *const completion_shells[];	/* ends in NULL */
 
 /* Prints the completions for the shell that is named. argv[0] is the command's name. */
-enum run_status completion_run(int argc, char **argv, struct console *console);
+enum run_status completion_run(int argc, char **argv, struct stderr_ui *ui);
 
 #endif

@@ -5,13 +5,13 @@
 #include "check/finding.h"
 #include "report/report.h"
 
-struct shell_scope shell_scope(int i)
+struct completion_scope completion_scope(int i)
 {
 	const struct command *command = i ? &command_table[i - 1] : NULL;
 
 	if (!command)
-		return (struct shell_scope){NULL, option_table, OPTION_COUNT};
-	return (struct shell_scope){command, command->options, command->option_count};
+		return (struct completion_scope){NULL, option_table, OPTION_COUNT};
+	return (struct completion_scope){command, command->options, command->option_count};
 }
 
 static void add_word(struct strbuf *words, const char *word)
@@ -19,10 +19,10 @@ static void add_word(struct strbuf *words, const char *word)
 	strbuf_addf(words, "%s%s", words->length ? " " : "", word);
 }
 
-enum shell_value shell_value(struct strbuf *words, const struct option_row *row)
+enum completion_value completion_value(struct strbuf *words, const struct option_row *row)
 {
 	if (!row->argument)
-		return SHELL_NONE;
+		return COMPLETE_NOTHING;
 	for (int i = 0; row->choices && row->choices[i]; i++)
 		add_word(words, row->choices[i]);
 	for (int i = 0; row->kind == VALUE_FORMAT && i < FORMAT_CHOICES; i++)
@@ -30,10 +30,10 @@ enum shell_value shell_value(struct strbuf *words, const struct option_row *row)
 	for (int i = FINDING_COLLISION; row->kind == VALUE_KINDS && i <= FINDING_START_OVERLAP; i++)
 		add_word(words, finding_kind_name((enum finding_kind)i));
 	if (words->length)
-		return SHELL_WORDS;
+		return COMPLETE_WORDS;
 	if (!strncmp(row->argument, "DIR", 3))
-		return SHELL_FOLDER;
-	return !strncmp(row->argument, "FILE", 4) ? SHELL_FILE : SHELL_OTHER;
+		return COMPLETE_FOLDER;
+	return !strncmp(row->argument, "FILE", 4) ? COMPLETE_FILE : COMPLETE_OTHER;
 }
 
 /* The help in one line, within single quotes; the characters of `special` get a backslash. */
@@ -62,7 +62,7 @@ static void add_commands(struct strbuf *out, const char *between)
 		strbuf_addf(out, "%s%s", i ? between : "", command_table[i].name);
 }
 
-static void bash_options(struct strbuf *out, const struct shell_scope *scope)
+static void bash_options(struct strbuf *out, const struct completion_scope *scope)
 {
 	strbuf_addf(out, "\t%s:-*) words='", scope->command ? scope->command->name : "");
 	for (size_t i = 0; i < scope->count; i++) {
@@ -78,15 +78,15 @@ static void bash_options(struct strbuf *out, const struct shell_scope *scope)
 static void bash_value(struct strbuf *out, const char *command, const struct option_row *row)
 {
 	static const char *const actions[] = {
-		[SHELL_FILE] = "kind=-f", [SHELL_FOLDER] = "kind=-d", [SHELL_OTHER] = "kind="};
+		[COMPLETE_FILE] = "kind=-f", [COMPLETE_FOLDER] = "kind=-d", [COMPLETE_OTHER] = "kind="};
 	struct strbuf words = {0};
-	enum shell_value value = shell_value(&words, row);
+	enum completion_value value = completion_value(&words, row);
 
-	if (value != SHELL_NONE) {
+	if (value != COMPLETE_NOTHING) {
 		strbuf_addf(out, "\t%s:--%s", command, row->name);
 		if (row->key <= 255)
 			strbuf_addf(out, " | %s:-%c", command, row->key);
-		if (value == SHELL_WORDS)
+		if (value == COMPLETE_WORDS)
 			strbuf_addf(out, ") kind= words='%s' ;;\n", strbuf_text(&words));
 		else
 			strbuf_addf(out, ") %s ;;\n", actions[value]);
@@ -94,7 +94,7 @@ static void bash_value(struct strbuf *out, const char *command, const struct opt
 	strbuf_release(&words);
 }
 
-void shell_bash(struct strbuf *out)
+void completion_scripts_bash(struct strbuf *out)
 {
 	strbuf_addf(out,
 		    "# Completions of fivecheck for bash, as 'fivecheck completion bash' writes them.\n"
@@ -110,14 +110,14 @@ void shell_bash(struct strbuf *out)
 			 "\t# What the option before it takes; else an option; else an operand.\n"
 			 "\tcase $command:$prev in\n");
 	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct shell_scope scope = shell_scope(i);
+		struct completion_scope scope = completion_scope(i);
 
 		for (size_t k = 0; k < scope.count; k++)
 			bash_value(out, i ? scope.command->name : "", &scope.options[k]);
 	}
 	strbuf_addf(out, "\t*) case $command:$cur in\n");
 	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct shell_scope scope = shell_scope(i);
+		struct completion_scope scope = completion_scope(i);
 
 		bash_options(out, &scope);
 	}
@@ -142,9 +142,9 @@ void shell_bash(struct strbuf *out)
 static void zsh_option(struct strbuf *out, const struct option_row *row)
 {
 	static const char *const actions[] = {
-		[SHELL_FILE] = "_files", [SHELL_FOLDER] = "_files -/", [SHELL_OTHER] = " "};
+		[COMPLETE_FILE] = "_files", [COMPLETE_FOLDER] = "_files -/", [COMPLETE_OTHER] = " "};
 	struct strbuf words = {0};
-	enum shell_value value = shell_value(&words, row);
+	enum completion_value value = completion_value(&words, row);
 
 	strbuf_addf(out, " \\\n\t\t'*'");
 	if (row->key <= 255)
@@ -155,19 +155,19 @@ static void zsh_option(struct strbuf *out, const struct option_row *row)
 	strbuf_addf(out, "'[");
 	add_help(out, row->help, "[]:\\", "'\\''");
 	strbuf_addf(out, "]");
-	if (value != SHELL_NONE) {
+	if (value != COMPLETE_NOTHING) {
 		strbuf_addf(out, ":");
 		add_help(out, row->argument, "[]:\\", "'\\''");
 	}
-	if (value == SHELL_WORDS)
+	if (value == COMPLETE_WORDS)
 		strbuf_addf(out, ":(%s)", strbuf_text(&words));
-	else if (value != SHELL_NONE)
+	else if (value != COMPLETE_NOTHING)
 		strbuf_addf(out, ":%s", actions[value]);
 	strbuf_addf(out, "'");
 	strbuf_release(&words);
 }
 
-static void zsh_scope(struct strbuf *out, const struct shell_scope *scope)
+static void zsh_scope(struct strbuf *out, const struct completion_scope *scope)
 {
 	const char *const *choices = scope->command ? scope->command->choices : NULL;
 
@@ -183,7 +183,7 @@ static void zsh_scope(struct strbuf *out, const struct shell_scope *scope)
 	}
 }
 
-void shell_zsh(struct strbuf *out)
+void completion_scripts_zsh(struct strbuf *out)
 {
 	strbuf_addf(out, "#compdef fivecheck\n"
 			 "# Completions of fivecheck for zsh, as 'fivecheck completion zsh' writes them.\n"
@@ -196,23 +196,23 @@ void shell_zsh(struct strbuf *out)
 	strbuf_addf(
 	    out, ") ]]; then\n\t\tcommand=$words[2]\n\t\tshift words\n\t\t(( CURRENT-- ))\n\tfi\n\tcase $command in\n");
 	for (int i = 1; i <= COMMAND_COUNT + 1; i++) {
-		struct shell_scope scope = shell_scope(i <= COMMAND_COUNT ? i : 0);
+		struct completion_scope scope = completion_scope(i <= COMMAND_COUNT ? i : 0);
 
 		zsh_scope(out, &scope);
 	}
 	strbuf_addf(out, "\tesac\n}\n_fivecheck \"$@\"\n");
 }
 
-static void fish_option(struct strbuf *out, const struct shell_scope *scope, const struct option_row *row)
+static void fish_option(struct strbuf *out, const struct completion_scope *scope, const struct option_row *row)
 {
 	static const char *const actions[] = {
-		[SHELL_NONE] = "",
-		[SHELL_FILE] = " -r -F",
-		[SHELL_FOLDER] = " -x -a '(__fish_complete_directories)'",
-		[SHELL_OTHER] = " -x",
+		[COMPLETE_NOTHING] = "",
+		[COMPLETE_FILE] = " -r -F",
+		[COMPLETE_FOLDER] = " -x -a '(__fish_complete_directories)'",
+		[COMPLETE_OTHER] = " -x",
 	};
 	struct strbuf words = {0};
-	enum shell_value value = shell_value(&words, row);
+	enum completion_value value = completion_value(&words, row);
 
 	strbuf_addf(out, "complete -c fivecheck -n '%s__fish_seen_subcommand_from ", scope->command ? "" : "not ");
 	if (scope->command)
@@ -222,7 +222,7 @@ static void fish_option(struct strbuf *out, const struct shell_scope *scope, con
 	strbuf_addf(out, "' -l %s", row->name);
 	if (row->key <= 255)
 		strbuf_addf(out, " -s %c", row->key);
-	if (value == SHELL_WORDS)
+	if (value == COMPLETE_WORDS)
 		strbuf_addf(out, " -x -a '%s'", strbuf_text(&words));
 	else
 		strbuf_addf(out, "%s", actions[value]);
@@ -232,11 +232,11 @@ static void fish_option(struct strbuf *out, const struct shell_scope *scope, con
 	strbuf_release(&words);
 }
 
-void shell_fish(struct strbuf *out)
+void completion_scripts_fish(struct strbuf *out)
 {
 	strbuf_addf(out, "# Completions of fivecheck for fish, as 'fivecheck completion fish' writes them.\n");
 	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct shell_scope scope = shell_scope(i);
+		struct completion_scope scope = completion_scope(i);
 
 		for (size_t k = 0; k < scope.count; k++)
 			fish_option(out, &scope, &scope.options[k]);

@@ -9,24 +9,24 @@
 #include "cli/option_table.h"
 
 /* What an option's argument is. */
-enum shell_value { SHELL_NONE, SHELL_WORDS, SHELL_FILE, SHELL_FOLDER, SHELL_OTHER };
+enum completion_value { COMPLETE_NOTHING, COMPLETE_WORDS, COMPLETE_FILE, COMPLETE_FOLDER, COMPLETE_OTHER };
 
 /* Options that mean something together: those of a command, or of a check. */
-struct shell_scope {
+struct completion_scope {
 	const struct command *command;	/* NULL: a check */
 	const struct option_row *options;
 	size_t count;
 };
 
 /* The i-th of 1 + COMMAND_COUNT; 0 is the check. */
-struct shell_scope shell_scope(int i);
+struct completion_scope completion_scope(int i);
 
 /* What the option takes; if words, they are appended, separated by blanks. */
-enum shell_value shell_value(struct strbuf *words, const struct option_row *row);
+enum completion_value completion_value(struct strbuf *words, const struct option_row *row);
 
 /* The whole of what the shell has to read. */
-void shell_bash(struct strbuf *out);
-void shell_zsh(struct strbuf *out);
-void shell_fish(struct strbuf *out);
+void completion_scripts_bash(struct strbuf *out);
+void completion_scripts_zsh(struct strbuf *out);
+void completion_scripts_fish(struct strbuf *out);
 
 #endif

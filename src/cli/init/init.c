@@ -46,22 +46,22 @@ const struct option_row init_table[INIT_OPTION_COUNT] = {
 	 .help = "a mesh on an axis, or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given again"},
 	{PLAN_NAME, "name", "TEXT", TEXT,
 	 .help = "the name of the machine"},
-	{PLAN_UNITS, "units", "UNIT", CHOICE(plan_units),
+	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
 	 .help = "mm (the default) or inch, of the file and the options"},
-	{PLAN_DIALECT, "dialect", "NAME", CHOICE(plan_dialects),
+	{PLAN_DIALECT, "dialect", "NAME", CHOICE(machine_plan_dialects),
 	 .help = "linuxcnc (the default), fanuc or haas"},
-	{PLAN_RAPID, "rapid", "KIND", CHOICE(plan_rapids),
+	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),
 	 .help = "how G0 moves: linear, dogleg, or any, which is not\nknown (linear for linuxcnc, else any)"},
 	{PLAN_OUTPUT, "output", "FILE", TEXT,
 	 .help = "write the machine file to FILE, which must not exist"},
 	{PLAN_HELP, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
-static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(plan_families)};
+static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(machine_plan_families)};
 /* A file in place of standard output, where that is a terminal. */
 static const char usual_file[] = "machine.xml";
 
-const struct option_row *init_row(enum plan_key key)
+const struct option_row *init_row(enum machine_plan_key key)
 {
 	for (int i = 0; i < INIT_OPTION_COUNT; i++) {
 		if (init_table[i].key == (int)key)
@@ -71,7 +71,7 @@ const struct option_row *init_row(enum plan_key key)
 }
 
 struct request {
-	struct plan plan;
+	struct machine_plan plan;
 	struct diag *diag;
 	const char *output;	/* borrowed; NULL: standard output */
 	bool help;
@@ -83,7 +83,7 @@ static void take_operand(void *context, char *word)
 	struct request *request = context;
 
 	if (request->plan.family < 0 && request->good) {
-		request->good = plan_set(&request->plan, &family_row, word, request->diag);
+		request->good = machine_plan_set(&request->plan, &family_row, word, request->diag);
 		return;
 	}
 	if (request->good)
@@ -91,18 +91,18 @@ static void take_operand(void *context, char *word)
 	request->good = false;
 }
 
-static enum word_result take_option(void *context, const struct option_row *row, const char *argument)
+static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
 {
 	struct request *request = context;
 
 	if (row->key == PLAN_HELP) {
 		request->help = true;
-		return WORD_LAST;
+		return ARGV_LAST;
 	}
 	if (row->key != PLAN_OUTPUT)
-		return plan_set(&request->plan, row, argument, request->diag) ? WORD_NEXT : WORD_FAULT;
+		return machine_plan_set(&request->plan, row, argument, request->diag) ? ARGV_NEXT : ARGV_FAULT;
 	request->output = strcmp(argument, "-") ? argument : NULL;
-	return WORD_NEXT;
+	return ARGV_NEXT;
 }
 
 static bool is_new(const char *path, struct diag *diag)
@@ -143,12 +143,12 @@ static bool has_mesh(const char *output, const char *mesh)
 }
 
 /* Tells what stands in the file, and what comes next. */
-static void tell(const struct plan *plan, const char *output, struct diag *diag)
+static void tell(const struct machine_plan *plan, const char *output, struct diag *diag)
 {
 	const char *name = output ? output : "MACHINE.xml";
 	struct strbuf text = {0}, missing = {0};
 
-	plan_xml_chains(&text, plan);
+	machine_plan_xml_chains(&text, plan);
 	diag_note(diag, nowhere, "%s", strbuf_text(&text));
 	for (size_t i = 0; i < plan->body_count; i++) {
 		if (!has_mesh(output, plan->bodies[i].path))
@@ -167,10 +167,10 @@ static void tell(const struct plan *plan, const char *output, struct diag *diag)
 static bool ask(struct request *request)
 {
 	if (!isatty(STDIN_FILENO))
-		return question_report(&request->plan, request->diag);
-	if (!question_is_open(&request->plan))
+		return init_prompts_report(&request->plan, request->diag);
+	if (!init_prompts_are_missing(&request->plan))
 		return true;
-	if (!question_ask(&request->plan, stdin, request->diag))
+	if (!init_prompts_ask(&request->plan, stdin, request->diag))
 		return false;
 	if (!request->output && isatty(STDOUT_FILENO))
 		request->output = usual_file;
@@ -182,9 +182,10 @@ static enum run_status make_file(struct request *request)
 	struct strbuf text = {0};
 
 	/* Before any question is answered in vain. */
-	if (!is_new(request->output, request->diag) || !ask(request) || !plan_finish(&request->plan, request->diag))
+	if (!is_new(request->output, request->diag) || !ask(request) ||
+	    !machine_plan_finish(&request->plan, request->diag))
 		return RUN_INCOMPLETE;
-	plan_xml_write(&text, &request->plan);
+	machine_plan_xml_write(&text, &request->plan);
 	if (!write_file(request->output, &text, request->diag))
 		return RUN_INCOMPLETE;
 	tell(&request->plan, request->output, request->diag);
@@ -200,24 +201,24 @@ static enum run_status print_help(struct diag *diag)
 			   "head-table: what the two rotary axes turn. Everything is told in machine coordinates with\n"
 			   "every axis at 0. What is missing is asked for on a terminal, and is an error\n"
 			   "elsewhere.\n\n");
-	words_help(&text, init_table, INIT_OPTION_COUNT);
+	argv_parser_help(&text, init_table, INIT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
 			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
 			   "    --spindle=0,0,520 --output=machine.xml\n");
 	return command_print(&text, diag);
 }
 
-enum run_status init_run(int argc, char **argv, struct console *console)
+enum run_status init_run(int argc, char **argv, struct stderr_ui *ui)
 {
-	struct request request = {.diag = &console->diag, .good = true};
-	struct words words = {init_table, INIT_OPTION_COUNT, take_option, take_operand, &request};
+	struct request request = {.diag = &ui->diag, .good = true};
+	struct argv_parser words = {init_table, INIT_OPTION_COUNT, take_option, take_operand, &request};
 	enum run_status status = RUN_INCOMPLETE;
 
-	plan_init(&request.plan);
-	if (words_parse(&words, argc, argv, &console->diag) && request.good)
-		status = request.help ? print_help(&console->diag) : make_file(&request);
+	machine_plan_init(&request.plan);
+	if (argv_parser_run(&words, argc, argv, &ui->diag) && request.good)
+		status = request.help ? print_help(&ui->diag) : make_file(&request);
 	if (status == RUN_INCOMPLETE)
-		diag_note(&console->diag, nowhere, "'fivecheck init --help' lists the options");
-	plan_release(&request.plan);
+		diag_note(&ui->diag, nowhere, "'fivecheck init --help' lists the options");
+	machine_plan_release(&request.plan);
 	return status;
 }

@@ -7,107 +7,107 @@
 
 static const struct srcloc nowhere;
 
-struct question {
-	enum plan_key key;
+struct prompt {
+	enum machine_plan_key key;
 	int slot; /* the axis it is about; -1: none */
 	const char *text; /* what is asked for; %s stands for the unit */
 	const char *example; /* behind the axis */
 	bool optional; /* what holds without an answer is said in the text; asked, but not missed */
 };
 
-enum { QUESTIONS_MAX = 32 };
+enum { PROMPTS_MAX = 32 };
 
-struct questions {
-	struct question items[QUESTIONS_MAX];
+struct prompts {
+	struct prompt items[PROMPTS_MAX];
 	size_t count;
 };
 
-static void add(struct questions *list, bool open, struct question question)
+static void add(struct prompts *list, bool open, struct prompt prompt)
 {
 	if (open)
-		list->items[list->count++] = question;
+		list->items[list->count++] = prompt;
 }
 
-static const char *unit_of(const struct plan *plan, const struct question *question)
+static const char *unit_of(const struct machine_plan *plan, const struct prompt *prompt)
 {
-	if (question->slot >= 0 && slot_is_rotary(question->slot) && question->key != PLAN_LOCATION)
+	if (prompt->slot >= 0 && slot_is_rotary(prompt->slot) && prompt->key != PLAN_LOCATION)
 		return "degrees";
 	return plan->inch == 1 ? "inches" : "mm";
 }
 
-static void add_axis(struct questions *list, const struct plan *plan, int slot)
+static void add_axis(struct prompts *list, const struct machine_plan *plan, int slot)
 {
-	const struct plan_axis *axis = &plan->axes[slot];
+	const struct machine_plan_axis *axis = &plan->axes[slot];
 	bool rotary = slot_is_rotary(slot);
 	bool without_zero = (axis->has_min && axis->min > 0) || (axis->has_max && axis->max < 0);
 
 	add(list, !axis->has_limits,
-	    (struct question){PLAN_LIMITS, slot, "the travel in %s, or none where there is no limit",
+	    (struct prompt){PLAN_LIMITS, slot, "the travel in %s, or none where there is no limit",
 			      rotary ? "-120:30" : "-300:300", false});
 	add(list, !axis->has_home && without_zero,
-	    (struct question){PLAN_HOME, slot, "where programs start, as 0 is outside of the travel, in %s", "100",
+	    (struct prompt){PLAN_HOME, slot, "where programs start, as 0 is outside of the travel, in %s", "100",
 			      false});
 	add(list, !axis->has_rate && plan->rapid == RAPID_DOGLEG,
-	    (struct question){PLAN_RATES, slot, "the rate of rapids, in %s a minute", rotary ? "7200" : "30000",
+	    (struct prompt){PLAN_RATES, slot, "the rate of rapids, in %s a minute", rotary ? "7200" : "30000",
 			      false});
 	add(list, rotary && !axis->has_location,
-	    (struct question){PLAN_LOCATION, slot, "a point on the axis of rotation in %s, with every axis at 0",
+	    (struct prompt){PLAN_LOCATION, slot, "a point on the axis of rotation in %s, with every axis at 0",
 			      "0,0,120", false});
 }
 
 /* What is open, as far as is known by now. */
-static void list_open(struct questions *list, const struct plan *plan)
+static void list_open(struct prompts *list, const struct machine_plan *plan)
 {
 	list->count = 0;
 	add(list, plan->family < 0,
-	    (struct question){PLAN_FAMILY, -1,
+	    (struct prompt){PLAN_FAMILY, -1,
 			      "the family: do both rotary axes turn the table, both the head, or one each",
 			      "table-table", false});
 	add(list, !plan->rotary.count,
-	    (struct question){PLAN_ROTARY, -1,
+	    (struct prompt){PLAN_ROTARY, -1,
 			      "the rotary axes, first the one that carries the other (head-table: the head's)", "A,C",
 			      false});
 	add(list, !plan->has_table && !plan->has_head,
-	    (struct question){PLAN_TABLE, -1,
+	    (struct prompt){PLAN_TABLE, -1,
 			      "the linear axes that move the table, from the base on, or none (the default)", "Y,X",
 			      true});
 	for (int slot = 0; slot <= SLOT_C; slot++) {
-		if (plan_has_axis(plan, slot))
+		if (machine_plan_has_axis(plan, slot))
 			add_axis(list, plan, slot);
 	}
 	add(list, !plan->has_spindle,
-	    (struct question){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520",
+	    (struct prompt){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520",
 			      false});
 	add(list, plan->dialect < 0,
-	    (struct question){PLAN_DIALECT, -1, "the dialect of the programs: linuxcnc (the default), fanuc or haas",
+	    (struct prompt){PLAN_DIALECT, -1, "the dialect of the programs: linuxcnc (the default), fanuc or haas",
 			      "fanuc", true});
 }
 
 /* "the travel of X in mm" would need grammar; "X: the travel in mm" does not. */
-static void add_text(struct strbuf *out, const struct plan *plan, const struct question *question)
+static void add_text(struct strbuf *out, const struct machine_plan *plan, const struct prompt *prompt)
 {
-	const char *unit = strstr(question->text, "%s");
+	const char *unit = strstr(prompt->text, "%s");
 
-	if (question->slot >= 0)
-		strbuf_addf(out, "%c: ", AXIS_LETTERS[question->slot]);
+	if (prompt->slot >= 0)
+		strbuf_addf(out, "%c: ", AXIS_LETTERS[prompt->slot]);
 	if (unit)
-		strbuf_addf(out, "%.*s%s%s", (int)(unit - question->text), question->text, unit_of(plan, question),
+		strbuf_addf(out, "%.*s%s%s", (int)(unit - prompt->text), prompt->text, unit_of(plan, prompt),
 			    unit + 2);
 	else
-		strbuf_addf(out, "%s", question->text);
+		strbuf_addf(out, "%s", prompt->text);
 }
 
 /* As the option takes it. */
-static void add_answer(struct strbuf *out, const struct question *question, const char *answer)
+static void add_answer(struct strbuf *out, const struct prompt *prompt, const char *answer)
 {
-	if (question->slot >= 0)
-		strbuf_addf(out, "%c=", AXIS_LETTERS[question->slot]);
+	if (prompt->slot >= 0)
+		strbuf_addf(out, "%c=", AXIS_LETTERS[prompt->slot]);
 	strbuf_addf(out, "%s", answer);
 }
 
-bool question_is_open(const struct plan *plan)
+bool init_prompts_are_missing(const struct machine_plan *plan)
 {
-	struct questions list;
+	struct prompts list;
 
 	list_open(&list, plan);
 	for (size_t i = 0; i < list.count; i++) {
@@ -117,27 +117,27 @@ bool question_is_open(const struct plan *plan)
 	return false;
 }
 
-bool question_report(const struct plan *plan, struct diag *diag)
+bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 {
-	struct questions list;
+	struct prompts list;
 	bool complete = true;
 
 	list_open(&list, plan);
 	for (size_t i = 0; i < list.count; i++) {
-		const struct question *question = &list.items[i];
+		const struct prompt *prompt = &list.items[i];
 		struct strbuf text = {0}, example = {0};
 
-		if (question->optional)
+		if (prompt->optional)
 			continue;
 		complete = false;
-		add_text(&text, plan, question);
-		add_answer(&example, question, question->example);
-		if (question->key == PLAN_FAMILY)
+		add_text(&text, plan, prompt);
+		add_answer(&example, prompt, prompt->example);
+		if (prompt->key == PLAN_FAMILY)
 			diag_error(diag, nowhere, "missing: %s; one of table-table, head-head, head-table",
 				   strbuf_text(&text));
 		else
 			diag_error(diag, nowhere, "missing: %s; like --%s %s", strbuf_text(&text),
-				   init_row(question->key)->name, strbuf_text(&example));
+				   init_row(prompt->key)->name, strbuf_text(&example));
 		strbuf_release(&text);
 		strbuf_release(&example);
 	}
@@ -159,19 +159,19 @@ static bool read_line(struct strbuf *line, FILE *in)
 }
 
 /* False: the input has ended. */
-static bool ask(struct plan *plan, const struct question *question, FILE *in, struct diag *diag)
+static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in, struct diag *diag)
 {
 	struct strbuf text = {0}, line = {0}, answer = {0};
 	bool good;
 
-	add_text(&text, plan, question);
-	fprintf(stderr, "%s\n  (like %s): ", strbuf_text(&text), question->example);
+	add_text(&text, plan, prompt);
+	fprintf(stderr, "%s\n  (like %s): ", strbuf_text(&text), prompt->example);
 	fflush(stderr);
 	good = read_line(&line, in);
 	if (good && line.length) {
 		/* What makes no sense is said, stays open, and so is asked again. */
-		add_answer(&answer, question, strbuf_text(&line));
-		plan_set(plan, init_row(question->key), strbuf_text(&answer), diag);
+		add_answer(&answer, prompt, strbuf_text(&line));
+		machine_plan_set(plan, init_row(prompt->key), strbuf_text(&answer), diag);
 	}
 	strbuf_release(&text);
 	strbuf_release(&line);
@@ -179,10 +179,10 @@ static bool ask(struct plan *plan, const struct question *question, FILE *in, st
 	return good;
 }
 
-bool question_ask(struct plan *plan, FILE *in, struct diag *diag)
+bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag)
 {
 	bool asked[PLAN_HELP + 1] = {false};
-	struct questions list;
+	struct prompts list;
 
 	for (;;) {
 		size_t i = 0;

@@ -9,15 +9,15 @@
 #include "cli/init/machine_plan.h"
 
 /* Is anything missing that has to be told? */
-bool question_is_open(const struct plan *plan);
+bool init_prompts_are_missing(const struct machine_plan *plan);
 
 /* Reports everything that is missing, with the option that tells it; true if nothing is. */
-bool question_report(const struct plan *plan, struct diag *diag);
+bool init_prompts_report(const struct machine_plan *plan, struct diag *diag);
 
 /*
  * Asks for what is missing, on standard error, until every answer makes sense; `in` has the answers, a line each.
  * False, reported, if they end before.
  */
-bool question_ask(struct plan *plan, FILE *in, struct diag *diag);
+bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag);
 
 #endif

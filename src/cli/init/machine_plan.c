@@ -9,48 +9,49 @@
 
 static const struct srcloc nowhere;
 
-const char *const plan_families[FAMILY_COUNT + 1] = {
+const char *const machine_plan_families[FAMILY_COUNT + 1] = {
 	[FAMILY_TABLE_TABLE] = "table-table", [FAMILY_HEAD_HEAD] = "head-head", [FAMILY_HEAD_TABLE] = "head-table",
 };
-const char *const plan_dialects[] = {
+const char *const machine_plan_dialects[] = {
 	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
 };
-const char *const plan_rapids[] = {
+const char *const machine_plan_rapids[] = {
 	[RAPID_LINEAR] = "linear", [RAPID_DOGLEG] = "dogleg", [RAPID_ANY] = "any", NULL,
 };
-const char *const plan_units[] = {"mm", "inch", NULL};
+const char *const machine_plan_units[] = {"mm", "inch", NULL};
 
-void plan_init(struct plan *plan)
+void machine_plan_init(struct machine_plan *plan)
 {
-	*plan = (struct plan){.family = -1, .inch = -1, .dialect = -1, .rapid = -1, .spindle_direction = {0, 0, -1}};
+	*plan = (struct machine_plan){
+	    .family = -1, .inch = -1, .dialect = -1, .rapid = -1, .spindle_direction = {0, 0, -1}};
 }
 
-void plan_release(struct plan *plan)
+void machine_plan_release(struct machine_plan *plan)
 {
 	arena_release(&plan->arena);
 	free(plan->bodies);
-	*plan = (struct plan){0};
+	*plan = (struct machine_plan){0};
 }
 
 /* The value of one axis, `length` bytes of text. */
-static bool set_axis_value(struct plan_axis *axis, int key, const char *text, size_t length)
+static bool set_axis_value(struct machine_plan_axis *axis, int key, const char *text, size_t length)
 {
 	switch (key) {
 	case PLAN_LIMITS:
-		return plan_read_limits(axis, text, length);
+		return machine_plan_read_limits(axis, text, length);
 	case PLAN_HOME:
-		return axis->has_home = plan_read_number(&axis->home, text, length);
+		return axis->has_home = machine_plan_read_number(&axis->home, text, length);
 	default:
-		return axis->has_rate = plan_read_number(&axis->rate, text, length) && axis->rate >= 1e-3;
+		return axis->has_rate = machine_plan_read_number(&axis->rate, text, length) && axis->rate >= 1e-3;
 	}
 }
 
 /* AXIS=VALUE,AXIS=VALUE */
-static bool set_list(struct plan *plan, int key, const char *text)
+static bool set_list(struct machine_plan *plan, int key, const char *text)
 {
 	for (;;) {
 		const char *value;
-		int slot = plan_read_letter(text, &value);
+		int slot = machine_plan_read_letter(text, &value);
 		size_t length = strcspn(slot < 0 ? text : value, ",");
 
 		if (slot < 0 || !set_axis_value(&plan->axes[slot], key, value, length))
@@ -62,58 +63,60 @@ static bool set_list(struct plan *plan, int key, const char *text)
 }
 
 /* AXIS=X,Y,Z */
-static bool set_axis_vector(struct plan *plan, int key, const char *text)
+static bool set_axis_vector(struct machine_plan *plan, int key, const char *text)
 {
-	int slot = plan_read_letter(text, &text);
-	struct plan_axis *axis = slot < 0 ? NULL : &plan->axes[slot];
+	int slot = machine_plan_read_letter(text, &text);
+	struct machine_plan_axis *axis = slot < 0 ? NULL : &plan->axes[slot];
 
 	if (!axis)
 		return false;
 	if (key == PLAN_LOCATION)
-		return axis->has_location = plan_read_vector(&axis->location, text);
-	return axis->has_direction = plan_read_vector(&axis->direction, text) && vec3_norm(axis->direction) >= 1e-6;
+		return axis->has_location = machine_plan_read_vector(&axis->location, text);
+	return axis->has_direction =
+		   machine_plan_read_vector(&axis->direction, text) && vec3_norm(axis->direction) >= 1e-6;
 }
 
-static bool set_title(struct plan *plan, const char *text)
+static bool set_title(struct machine_plan *plan, const char *text)
 {
-	int slot = plan_read_letter(text, &text);
+	int slot = machine_plan_read_letter(text, &text);
 
-	if (slot < 0 || !plan_is_text(text))
+	if (slot < 0 || !machine_plan_is_text(text))
 		return false;
 	plan->axes[slot].title = arena_strdup(&plan->arena, text);
 	return true;
 }
 
-void plan_add_body(struct plan *plan, int slot, const char *folder, const char *name, const char *ending)
+void machine_plan_add_body(struct machine_plan *plan, int slot, const char *folder, const char *name,
+			   const char *ending)
 {
 	struct strbuf path = {0};
 
 	strbuf_addf(&path, "%s%s%s", folder, name, ending);
 	plan->bodies = mem_grow(plan->bodies, &plan->body_capacity, plan->body_count + 1, sizeof(*plan->bodies));
-	plan->bodies[plan->body_count++] = (struct plan_body){
+	plan->bodies[plan->body_count++] = (struct machine_plan_body){
 		slot, arena_strdup(&plan->arena, strbuf_text(&path)), arena_strdup(&plan->arena, name)};
 	strbuf_release(&path);
 }
 
 /* LINK=FILE; the body is called as the file. */
-static bool set_body(struct plan *plan, const char *text)
+static bool set_body(struct machine_plan *plan, const char *text)
 {
 	static const char base[] = "base=";
 	bool fixed = !strncmp(text, base, sizeof(base) - 1);
-	int slot = fixed ? -1 : plan_read_letter(text, &text);
+	int slot = fixed ? -1 : machine_plan_read_letter(text, &text);
 	const char *file, *dot;
 	char *folder, *name;
 
 	if (fixed)
 		text += sizeof(base) - 1;
-	if ((slot < 0 && !fixed) || !plan_is_text(text))
+	if ((slot < 0 && !fixed) || !machine_plan_is_text(text))
 		return false;
 	file = strrchr(text, '/') ? strrchr(text, '/') + 1 : text;
 	dot = strrchr(file, '.') ? strrchr(file, '.') : file + strlen(file);
 	folder = mem_strndup(text, (size_t)(file - text));
 	name = mem_strndup(file, (size_t)(dot - file));
 	if (*name)
-		plan_add_body(plan, slot, folder, name, dot);
+		machine_plan_add_body(plan, slot, folder, name, dot);
 	free(folder);
 	free(name);
 	return dot > file;
@@ -130,27 +133,27 @@ static bool set_choice(int *out, const char *const *choices, const char *text)
 	return false;
 }
 
-static bool set_rotary(struct plan *plan, const char *text)
+static bool set_rotary(struct machine_plan *plan, const char *text)
 {
-	struct plan_chain chain;
+	struct machine_plan_chain chain;
 
-	if (!plan_read_chain(&chain, text, true) || chain.count != 2)
+	if (!machine_plan_read_chain(&chain, text, true) || chain.count != 2)
 		return false;
 	plan->rotary = chain;
 	return true;
 }
 
-static bool set(struct plan *plan, int key, const char *text)
+static bool set(struct machine_plan *plan, int key, const char *text)
 {
 	switch (key) {
 	case PLAN_FAMILY:
-		return set_choice(&plan->family, plan_families, text);
+		return set_choice(&plan->family, machine_plan_families, text);
 	case PLAN_ROTARY:
 		return set_rotary(plan, text);
 	case PLAN_HEAD:
-		return plan->has_head = plan_read_chain(&plan->head, text, false);
+		return plan->has_head = machine_plan_read_chain(&plan->head, text, false);
 	case PLAN_TABLE:
-		return plan->has_table = plan_read_chain(&plan->table, text, false);
+		return plan->has_table = machine_plan_read_chain(&plan->table, text, false);
 	case PLAN_LIMITS:
 	case PLAN_HOME:
 	case PLAN_RATES:
@@ -159,24 +162,25 @@ static bool set(struct plan *plan, int key, const char *text)
 	case PLAN_DIRECTION:
 		return set_axis_vector(plan, key, text);
 	case PLAN_SPINDLE:
-		return plan->has_spindle = plan_read_vector(&plan->spindle, text);
+		return plan->has_spindle = machine_plan_read_vector(&plan->spindle, text);
 	case PLAN_SPINDLE_DIRECTION:
-		return plan_read_vector(&plan->spindle_direction, text) && vec3_norm(plan->spindle_direction) >= 1e-6;
+		return machine_plan_read_vector(&plan->spindle_direction, text) &&
+		       vec3_norm(plan->spindle_direction) >= 1e-6;
 	case PLAN_WORKHOLDING:
-		return plan->has_workholding = plan_read_vector(&plan->workholding, text);
+		return plan->has_workholding = machine_plan_read_vector(&plan->workholding, text);
 	case PLAN_TITLE:
 		return set_title(plan, text);
 	case PLAN_BODY:
 		return set_body(plan, text);
 	case PLAN_NAME:
 		plan->name = arena_strdup(&plan->arena, text);
-		return plan_is_text(text);
+		return machine_plan_is_text(text);
 	case PLAN_UNITS:
-		return set_choice(&plan->inch, plan_units, text);
+		return set_choice(&plan->inch, machine_plan_units, text);
 	case PLAN_DIALECT:
-		return set_choice(&plan->dialect, plan_dialects, text);
+		return set_choice(&plan->dialect, machine_plan_dialects, text);
 	case PLAN_RAPID:
-		return set_choice(&plan->rapid, plan_rapids, text);
+		return set_choice(&plan->rapid, machine_plan_rapids, text);
 	default:
 		return false;
 	}
@@ -200,7 +204,7 @@ static const char *hint_of(int key)
 	}
 }
 
-bool plan_set(struct plan *plan, const struct option_row *row, const char *text, struct diag *diag)
+bool machine_plan_set(struct machine_plan *plan, const struct option_row *row, const char *text, struct diag *diag)
 {
 	struct strbuf names = {0};
 

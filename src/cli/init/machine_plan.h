@@ -14,11 +14,12 @@
 /* Which of the two chains the rotary axes stand in; the paper's machine is table-table. */
 enum family { FAMILY_TABLE_TABLE, FAMILY_HEAD_HEAD, FAMILY_HEAD_TABLE, FAMILY_COUNT };
 
-extern const char *const plan_families[FAMILY_COUNT + 1];	/* ends in NULL */
-extern const char *const plan_dialects[], *const plan_rapids[], *const plan_units[];	/* likewise */
+extern const char *const machine_plan_families[FAMILY_COUNT + 1];	/* ends in NULL */
+extern const char *const machine_plan_dialects[], *const machine_plan_rapids[],
+						      *const machine_plan_units[]; /* likewise */
 
 /* What can be told; the numbers are those of the options without a letter. */
-enum plan_key {
+enum machine_plan_key {
 	PLAN_OUTPUT = 'o',
 	PLAN_FAMILY = 256,
 	PLAN_ROTARY, PLAN_HEAD, PLAN_TABLE, PLAN_LIMITS, PLAN_LOCATION, PLAN_SPINDLE,
@@ -27,7 +28,7 @@ enum plan_key {
 };
 
 /* Lengths in the units of the file that is to be written, angles in degrees, rates in these a minute. */
-struct plan_axis {
+struct machine_plan_axis {
 	bool has_limits, has_min, has_max;	/* has_limits alone: unlimited, as was said */
 	double min, max;
 	bool has_location, has_direction, has_rate, has_home;
@@ -37,50 +38,51 @@ struct plan_axis {
 };
 
 /* Axes that carry each other, from the base on. */
-struct plan_chain {
+struct machine_plan_chain {
 	int slots[SLOT_COUNT];
 	size_t count;
 };
 
-struct plan_body {
+struct machine_plan_body {
 	int slot;	/* -1: the base */
 	const char *path, *name;
 };
 
-struct plan {
+struct machine_plan {
 	struct arena arena;	/* owns the texts */
 	int family;	/* enum family; -1: not told */
-	struct plan_chain rotary;
-	struct plan_chain head, table;	/* linear axes as told; all axes once plan_finish is done */
+	struct machine_plan_chain rotary;
+	struct machine_plan_chain head, table;	/* linear axes as told; all axes once plan_finish is done */
 	bool has_table, has_head;
-	struct plan_axis axes[SLOT_COUNT];
+	struct machine_plan_axis axes[SLOT_COUNT];
 	bool has_spindle, has_workholding;
 	vec3 spindle, spindle_direction, workholding;
-	struct plan_body *bodies;	/* owned */
+	struct machine_plan_body *bodies;	/* owned */
 	size_t body_count, body_capacity;
 	const char *name;	/* or NULL */
 	int inch, dialect, rapid;	/* index of the choices; -1: not told */
 };
 
-void plan_init(struct plan *plan);
-void plan_release(struct plan *plan);
+void machine_plan_init(struct machine_plan *plan);
+void machine_plan_release(struct machine_plan *plan);
 
 /*
  * Takes one thing from text, as the option of that row has it; PLAN_OUTPUT
  * and PLAN_HELP are not for it. False: reported.
  */
-bool plan_set(struct plan *plan, const struct option_row *row, const char *text, struct diag *diag);
+bool machine_plan_set(struct machine_plan *plan, const struct option_row *row, const char *text, struct diag *diag);
 
 /* One more body on the axis of a slot, or on the base (-1); its file is the three texts in a row. */
-void plan_add_body(struct plan *plan, int slot, const char *folder, const char *name, const char *ending);
+void machine_plan_add_body(struct machine_plan *plan, int slot, const char *folder, const char *name,
+			   const char *ending);
 
 /* Puts the chains together and fills in what may be left out. False: what was told does not fit together; reported. */
-bool plan_finish(struct plan *plan, struct diag *diag);
+bool machine_plan_finish(struct machine_plan *plan, struct diag *diag);
 
 /* Is it an axis of the machine? Known once the rotary axes are. */
-bool plan_has_axis(const struct plan *plan, int slot);
+bool machine_plan_has_axis(const struct machine_plan *plan, int slot);
 
 /* Does it stand in the chain from the base to the table? After plan_finish. */
-bool plan_turns_table(const struct plan *plan, int slot);
+bool machine_plan_turns_table(const struct machine_plan *plan, int slot);
 
 #endif

@@ -10,7 +10,7 @@ static const struct srcloc nowhere;
 static const int linear_slots[] = {SLOT_Y, SLOT_X, SLOT_Z};
 enum { LINEAR_COUNT = sizeof(linear_slots) / sizeof(linear_slots[0]) };
 
-static bool chain_has(const struct plan_chain *chain, int slot)
+static bool chain_has(const struct machine_plan_chain *chain, int slot)
 {
 	for (size_t i = 0; i < chain->count; i++) {
 		if (chain->slots[i] == slot)
@@ -19,18 +19,18 @@ static bool chain_has(const struct plan_chain *chain, int slot)
 	return false;
 }
 
-bool plan_has_axis(const struct plan *plan, int slot)
+bool machine_plan_has_axis(const struct machine_plan *plan, int slot)
 {
 	return slot <= SLOT_Z || chain_has(&plan->rotary, slot);
 }
 
-bool plan_turns_table(const struct plan *plan, int slot)
+bool machine_plan_turns_table(const struct machine_plan *plan, int slot)
 {
 	return chain_has(&plan->table, slot);
 }
 
 /* The linear axes that the one chain leaves go to the other. */
-static void add_rest(struct plan_chain *chain, const struct plan_chain *other)
+static void add_rest(struct machine_plan_chain *chain, const struct machine_plan_chain *other)
 {
 	for (int i = 0; i < LINEAR_COUNT; i++) {
 		if (!chain_has(other, linear_slots[i]))
@@ -38,7 +38,7 @@ static void add_rest(struct plan_chain *chain, const struct plan_chain *other)
 	}
 }
 
-static bool join_linear(struct plan *plan, struct diag *diag)
+static bool join_linear(struct machine_plan *plan, struct diag *diag)
 {
 	if (!plan->has_head)
 		add_rest(&plan->head, &plan->table);
@@ -56,28 +56,28 @@ static bool join_linear(struct plan *plan, struct diag *diag)
 	return true;
 }
 
-static void join_rotary(struct plan *plan)
+static void join_rotary(struct machine_plan *plan)
 {
 	for (size_t i = 0; i < plan->rotary.count; i++) {
 		bool table = plan->family == FAMILY_TABLE_TABLE || (plan->family == FAMILY_HEAD_TABLE && i == 1);
-		struct plan_chain *chain = table ? &plan->table : &plan->head;
+		struct machine_plan_chain *chain = table ? &plan->table : &plan->head;
 
 		chain->slots[chain->count++] = plan->rotary.slots[i];
 	}
 }
 
-static bool is_told(const struct plan_axis *axis)
+static bool is_told(const struct machine_plan_axis *axis)
 {
 	return axis->has_limits || axis->has_location || axis->has_direction || axis->has_rate || axis->has_home ||
 	       axis->title;
 }
 
-static bool check_axis(const struct plan *plan, int slot, struct diag *diag)
+static bool check_axis(const struct machine_plan *plan, int slot, struct diag *diag)
 {
-	const struct plan_axis *axis = &plan->axes[slot];
+	const struct machine_plan_axis *axis = &plan->axes[slot];
 	char letter = AXIS_LETTERS[slot];
 
-	if (!plan_has_axis(plan, slot)) {
+	if (!machine_plan_has_axis(plan, slot)) {
 		if (is_told(axis))
 			diag_error(diag, nowhere, "the options speak of %c, but the machine has X, Y, Z, %c and %c",
 				   letter, AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
@@ -91,10 +91,10 @@ static bool check_axis(const struct plan *plan, int slot, struct diag *diag)
 	return true;
 }
 
-static bool check_bodies(const struct plan *plan, struct diag *diag)
+static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 {
 	for (size_t i = 0; i < plan->body_count; i++) {
-		const struct plan_body *body = &plan->bodies[i];
+		const struct machine_plan_body *body = &plan->bodies[i];
 
 		if (body_name_is_reserved(body->name)) {
 			diag_error(diag, nowhere,
@@ -103,7 +103,7 @@ static bool check_bodies(const struct plan *plan, struct diag *diag)
 				   body->name, body->path);
 			return false;
 		}
-		if (body->slot >= 0 && !plan_has_axis(plan, body->slot)) {
+		if (body->slot >= 0 && !machine_plan_has_axis(plan, body->slot)) {
 			diag_error(diag, nowhere, "--body: %s hangs on %c, but the machine has no such axis",
 				   body->path, AXIS_LETTERS[body->slot]);
 			return false;
@@ -121,7 +121,7 @@ static bool check_bodies(const struct plan *plan, struct diag *diag)
 }
 
 /* What a link is called where nobody said so; NULL: after its axis. */
-static const char *usual_name(const struct plan *plan, const struct plan_chain *chain, size_t i)
+static const char *usual_name(const struct machine_plan *plan, const struct machine_plan_chain *chain, size_t i)
 {
 	bool table = chain == &plan->table;
 
@@ -133,7 +133,7 @@ static const char *usual_name(const struct plan *plan, const struct plan_chain *
 }
 
 /* A body for the link, with a place for its file, unless one was told. */
-static void add_usual(struct plan *plan, int slot, const char *name)
+static void add_usual(struct machine_plan *plan, int slot, const char *name)
 {
 	struct strbuf text = {0};
 
@@ -145,13 +145,13 @@ static void add_usual(struct plan *plan, int slot, const char *name)
 		strbuf_addf(&text, "%s", name);
 	else
 		strbuf_addf(&text, "%c_slide", AXIS_LETTERS[slot]);
-	plan_add_body(plan, slot, "stl/", strbuf_text(&text), ".stl");
+	machine_plan_add_body(plan, slot, "stl/", strbuf_text(&text), ".stl");
 	strbuf_release(&text);
 }
 
-static void add_usual_bodies(struct plan *plan)
+static void add_usual_bodies(struct machine_plan *plan)
 {
-	const struct plan_chain *chains[] = {&plan->head, &plan->table};
+	const struct machine_plan_chain *chains[] = {&plan->head, &plan->table};
 
 	add_usual(plan, -1, "bed");
 	for (int c = 0; c < 2; c++) {
@@ -160,7 +160,7 @@ static void add_usual_bodies(struct plan *plan)
 	}
 }
 
-bool plan_finish(struct plan *plan, struct diag *diag)
+bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!check_axis(plan, slot, diag))

@@ -9,7 +9,7 @@
 #define COORDINATE_MAX 1e5
 #define TEXT_MAX 200	/* the reader of machine files takes no more */
 
-bool plan_read_number(double *out, const char *text, size_t length)
+bool machine_plan_read_number(double *out, const char *text, size_t length)
 {
 	char digits[64];
 	double value;
@@ -18,13 +18,13 @@ bool plan_read_number(double *out, const char *text, size_t length)
 		return false;
 	memcpy(digits, text, length);
 	digits[length] = '\0';
-	if (!value_number(&value, digits) || fabs(value) > COORDINATE_MAX)
+	if (!option_value_number(&value, digits) || fabs(value) > COORDINATE_MAX)
 		return false;
 	*out = value;
 	return true;
 }
 
-bool plan_read_vector(vec3 *out, const char *text)
+bool machine_plan_read_vector(vec3 *out, const char *text)
 {
 	double v[3];
 
@@ -33,7 +33,7 @@ bool plan_read_vector(vec3 *out, const char *text)
 
 		text += strspn(text, " ");
 		length = strcspn(text, ", ");
-		if (!plan_read_number(&v[i], text, length))
+		if (!machine_plan_read_number(&v[i], text, length))
 			return false;
 		text += length;
 		text += strspn(text, " ");
@@ -46,9 +46,9 @@ bool plan_read_vector(vec3 *out, const char *text)
 	return true;
 }
 
-bool plan_read_limits(struct plan_axis *out, const char *text, size_t length)
+bool machine_plan_read_limits(struct machine_plan_axis *out, const char *text, size_t length)
 {
-	struct plan_axis axis = *out;
+	struct machine_plan_axis axis = *out;
 	const char *colon = memchr(text, ':', length);
 	size_t before = colon ? (size_t)(colon - text) : 0, after = colon ? length - before - 1 : 0;
 
@@ -58,8 +58,8 @@ bool plan_read_limits(struct plan_axis *out, const char *text, size_t length)
 	if (!colon) {
 		if (length != 4 || strncmp(text, "none", 4) != 0)
 			return false;
-	} else if (!(before + after) || (before && !plan_read_number(&axis.min, text, before)) ||
-		   (after && !plan_read_number(&axis.max, colon + 1, after)) ||
+	} else if (!(before + after) || (before && !machine_plan_read_number(&axis.min, text, before)) ||
+		   (after && !machine_plan_read_number(&axis.max, colon + 1, after)) ||
 		   (before && after && axis.min >= axis.max)) {
 		return false;
 	}
@@ -67,9 +67,9 @@ bool plan_read_limits(struct plan_axis *out, const char *text, size_t length)
 	return true;
 }
 
-bool plan_read_chain(struct plan_chain *out, const char *text, bool rotary)
+bool machine_plan_read_chain(struct machine_plan_chain *out, const char *text, bool rotary)
 {
-	struct plan_chain chain = {.count = 0};
+	struct machine_plan_chain chain = {.count = 0};
 	bool seen[SLOT_COUNT] = {false};
 
 	if (!strcmp(text, "none"))
@@ -90,7 +90,7 @@ bool plan_read_chain(struct plan_chain *out, const char *text, bool rotary)
 	return true;
 }
 
-int plan_read_letter(const char *text, const char **rest)
+int machine_plan_read_letter(const char *text, const char **rest)
 {
 	int slot = slot_of_letter(text[0]);
 
@@ -100,7 +100,7 @@ int plan_read_letter(const char *text, const char **rest)
 	return slot;
 }
 
-bool plan_is_text(const char *text)
+bool machine_plan_is_text(const char *text)
 {
 	const char *at = text;
 

@@ -10,21 +10,21 @@
 /* All return false and leave *out as it was where the text, of `length` bytes, is nothing of the kind. */
 
 /* A coordinate or an angle: a decimal number of at most 100,000, which no machine exceeds in any unit. */
-bool plan_read_number(double *out, const char *text, size_t length);
+bool machine_plan_read_number(double *out, const char *text, size_t length);
 
 /* Three numbers, separated by commas or blanks. */
-bool plan_read_vector(vec3 *out, const char *text);
+bool machine_plan_read_vector(vec3 *out, const char *text);
 
 /* MIN:MAX, where either may be missing, or "none". */
-bool plan_read_limits(struct plan_axis *out, const char *text, size_t length);
+bool machine_plan_read_limits(struct machine_plan_axis *out, const char *text, size_t length);
 
 /* Letters of axes, all rotary or all linear, none twice, with or without commas; or "none". */
-bool plan_read_chain(struct plan_chain *out, const char *text, bool rotary);
+bool machine_plan_read_chain(struct machine_plan_chain *out, const char *text, bool rotary);
 
 /* "X=..." -> the slot of X, and where the rest begins; -1: it does not begin like that. */
-int plan_read_letter(const char *text, const char **rest);
+int machine_plan_read_letter(const char *text, const char **rest);
 
 /* A text that can stand in an XML file: UTF-8 without control characters, not empty, at most 200 bytes. */
-bool plan_is_text(const char *text);
+bool machine_plan_is_text(const char *text);
 
 #endif

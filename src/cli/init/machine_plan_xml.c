@@ -30,9 +30,9 @@ static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
 }
 
 /* How the axis moves what it carries: along or about its own coordinate axis; the table against the tool's sense. */
-static vec3 direction_of(const struct plan *plan, int slot)
+static vec3 direction_of(const struct machine_plan *plan, int slot)
 {
-	double sense = plan_turns_table(plan, slot) ? -1 : 1;
+	double sense = machine_plan_turns_table(plan, slot) ? -1 : 1;
 	int k = slot_is_rotary(slot) ? slot - SLOT_A : slot - SLOT_X;
 
 	if (plan->axes[slot].has_direction)
@@ -40,7 +40,7 @@ static vec3 direction_of(const struct plan *plan, int slot)
 	return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, k == 2 ? sense : 0};
 }
 
-static double rate_of(const struct plan *plan, int slot)
+static double rate_of(const struct machine_plan *plan, int slot)
 {
 	if (plan->axes[slot].has_rate)
 		return plan->axes[slot].rate;
@@ -49,7 +49,7 @@ static double rate_of(const struct plan *plan, int slot)
 	return plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE;
 }
 
-static void add_bodies(struct strbuf *out, const struct plan *plan, int slot, int depth)
+static void add_bodies(struct strbuf *out, const struct machine_plan *plan, int slot, int depth)
 {
 	for (size_t i = 0; i < plan->body_count; i++) {
 		if (plan->bodies[i].slot != slot)
@@ -63,9 +63,9 @@ static void add_bodies(struct strbuf *out, const struct plan *plan, int slot, in
 }
 
 /* What to look at, at the machine. */
-static void add_jog(struct strbuf *out, const struct plan *plan, int slot, int depth)
+static void add_jog(struct strbuf *out, const struct machine_plan *plan, int slot, int depth)
 {
-	const char *what = plan_turns_table(plan, slot) ? "table" : "head";
+	const char *what = machine_plan_turns_table(plan, slot) ? "table" : "head";
 	vec3 d = direction_of(plan, slot);
 
 	indent(out, depth);
@@ -74,9 +74,9 @@ static void add_jog(struct strbuf *out, const struct plan *plan, int slot, int d
 		    slot_is_rotary(slot) ? ", right-handed" : "");
 }
 
-static void add_axis(struct strbuf *out, const struct plan *plan, int slot, int depth)
+static void add_axis(struct strbuf *out, const struct machine_plan *plan, int slot, int depth)
 {
-	const struct plan_axis *axis = &plan->axes[slot];
+	const struct machine_plan_axis *axis = &plan->axes[slot];
 	bool rotary = slot_is_rotary(slot);
 
 	add_jog(out, plan, slot, depth);
@@ -99,7 +99,8 @@ static void add_axis(struct strbuf *out, const struct plan *plan, int slot, int 
 }
 
 /* What stands at the end of a chain. */
-static void add_end(struct strbuf *out, const struct plan *plan, const struct plan_chain *chain, int depth)
+static void add_end(struct strbuf *out, const struct machine_plan *plan, const struct machine_plan_chain *chain,
+		    int depth)
 {
 	if (chain == &plan->head) {
 		indent(out, depth);
@@ -120,7 +121,7 @@ static void add_end(struct strbuf *out, const struct plan *plan, const struct pl
 	strbuf_addf(out, "/>\n");
 }
 
-static void add_chain(struct strbuf *out, const struct plan *plan, const struct plan_chain *chain)
+static void add_chain(struct strbuf *out, const struct machine_plan *plan, const struct machine_plan_chain *chain)
 {
 	int depth = 2;
 
@@ -134,72 +135,78 @@ static void add_chain(struct strbuf *out, const struct plan *plan, const struct 
 }
 
 /* Has every axis the rate that it was told? */
-static bool has_rates(const struct plan *plan)
+static bool has_rates(const struct machine_plan *plan)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (plan_has_axis(plan, slot) && !plan->axes[slot].has_rate)
+		if (machine_plan_has_axis(plan, slot) && !plan->axes[slot].has_rate)
 			return false;
 	}
 	return true;
 }
 
-static void add_controller(struct strbuf *out, const struct plan *plan)
+static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 {
-	strbuf_addf(out, "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
-			 "       at its own rate); any (not known: every way between start and end is checked).");
+	strbuf_addf(out,
+		    "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
+		    "       at its own rate); any (not known: every way between start and end is checked).");
 	if (plan->dialect != DIALECT_LINUXCNC)
-		strbuf_addf(out, "\n       What M6 and G43 move is a matter of this control's parameters; the check of a\n"
-				 "       program that needs it says so: <tool_change Z=\"0\"/>, length_offset_moves,\n"
-				 "       least_input.");
+		strbuf_addf(out,
+			    "\n       What M6 and G43 move is a matter of this control's parameters; the check of a\n"
+			    "       program that needs it says so: <tool_change Z=\"0\"/>, length_offset_moves,\n"
+			    "       least_input.");
 	strbuf_addf(out, " -->\n  <controller");
-	add_text(out, "dialect", plan_dialects[plan->dialect]);
-	add_text(out, "rapid", plan_rapids[plan->rapid]);
+	add_text(out, "dialect", machine_plan_dialects[plan->dialect]);
+	add_text(out, "rapid", machine_plan_rapids[plan->rapid]);
 	strbuf_addf(out, "/>\n");
 }
 
-static void add_head(struct strbuf *out, const struct plan *plan)
+static void add_head(struct strbuf *out, const struct machine_plan *plan)
 {
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
 			 "<!--\n"
 			 "  A %s machine to begin with, written by fivecheck init. man 5 fivecheck-machine\n"
 			 "  explains each element, man 7 fivecheck leads from the CAD assembly to the first verdict.\n"
 			 "  TODO marks what has to be looked at.\n"
-			 "-->\n", plan_families[plan->family]);
+			 "-->\n", machine_plan_families[plan->family]);
 	strbuf_addf(out, "<machine version=\"1\"");
 	add_text(out, "name", plan->name);
-	add_text(out, "units", plan_units[plan->inch]);
+	add_text(out, "units", machine_plan_units[plan->inch]);
 	strbuf_addf(out, ">\n");
 	add_controller(out, plan);
 }
 
-void plan_xml_write(struct strbuf *out, const struct plan *plan)
+void machine_plan_xml_write(struct strbuf *out, const struct machine_plan *plan)
 {
 	add_head(out, plan);
-	strbuf_addf(out, "  <base>\n"
-			 "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that\n"
-			 "         moves as one as STL: machine coordinates, %s, one file a body. What an axis carries\n"
-			 "         stands inside its <axis>. Rename, add and delete <body> lines as the machine is built. -->\n",
-		    plan->inch ? "inches" : "mm");
+	strbuf_addf(
+	    out,
+	    "  <base>\n"
+	    "    <!-- TODO The bodies. Draw the assembly with every axis at 0, and export each piece that\n"
+	    "         moves as one as STL: machine coordinates, %s, one file a body. What an axis carries\n"
+	    "         stands inside its <axis>. Rename, add and delete <body> lines as the machine is built. -->\n",
+	    plan->inch ? "inches" : "mm");
 	add_bodies(out, plan, -1, 2);
 	if (!has_rates(plan))
-		strbuf_addf(out, "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a\n"
-				 "         guess; times depend on it. -->\n", plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE,
-			    plan_units[plan->inch], ROTARY_RATE);
+		strbuf_addf(out,
+			    "    <!-- TODO Every rate_max that is %g (%s a minute) or %g (degrees a minute) is a\n"
+			    "         guess; times depend on it. -->\n",
+			    plan->inch ? LINEAR_RATE_INCH : LINEAR_RATE, machine_plan_units[plan->inch], ROTARY_RATE);
 	strbuf_addf(out, "    <!-- From the base to the spindle. -->\n");
 	add_chain(out, plan, &plan->head);
 	strbuf_addf(out, "    <!-- From the base to the work. -->\n");
 	add_chain(out, plan, &plan->table);
-	strbuf_addf(out, "  </base>\n"
-			 "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is\n"
-			 "       special is said here:\n"
-			 "  <pairs>\n"
-			 "    <pair a=\"Z\" b=\"base\" clearance=\"2\"/>\n"
-			 "    <pair a=\"head\" b=\"bed\" check=\"never\" reason=\"the bellows yields\"/>\n"
-			 "  </pairs> -->\n"
-			 "</machine>\n");
+	strbuf_addf(out,
+		    "  </base>\n"
+		    "  <!-- Which pairs have to be checked is derived: the option list-pairs shows it. Only what is\n"
+		    "       special is said here:\n"
+		    "  <pairs>\n"
+		    "    <pair a=\"Z\" b=\"base\" clearance=\"2\"/>\n"
+		    "    <pair a=\"head\" b=\"bed\" check=\"never\" reason=\"the bellows yields\"/>\n"
+		    "  </pairs> -->\n"
+		    "</machine>\n");
 }
 
-void plan_xml_chains(struct strbuf *out, const struct plan *plan)
+void machine_plan_xml_chains(struct strbuf *out, const struct machine_plan *plan)
 {
 	strbuf_addf(out, "base");
 	for (size_t i = 0; i < plan->head.count; i++)

@@ -6,9 +6,9 @@
 #include "cli/init/machine_plan.h"
 
 /* The plan has to be finished. */
-void plan_xml_write(struct strbuf *out, const struct plan *plan);
+void machine_plan_xml_write(struct strbuf *out, const struct machine_plan *plan);
 
 /* One line: what carries what, from the base to the spindle and to the workholding. */
-void plan_xml_chains(struct strbuf *out, const struct plan *plan);
+void machine_plan_xml_chains(struct strbuf *out, const struct machine_plan *plan);
 
 #endif

@@ -5,23 +5,23 @@
 
 #include "base/units.h"
 
-double quantity_value(int slot, double value)
+double format_units_value(int slot, double value)
 {
 	return (slot_is_rotary(slot) ? degrees(value) : value) + 0.0;
 }
 
-const char *quantity_unit(int slot)
+const char *format_units_unit(int slot)
 {
 	return slot_is_rotary(slot) ? "deg" : "mm";
 }
 
-void quantity_add(struct strbuf *out, double value)
+void format_units_add(struct strbuf *out, double value)
 {
 	/* What rounds to zero must not keep its sign. */
 	strbuf_addf(out, "%.4f", fabs(value) < 0.00005 ? 0.0 : value);
 }
 
-void quantity_add_duration(struct strbuf *out, double seconds)
+void format_units_add_duration(struct strbuf *out, double seconds)
 {
 	/* Rounded first, or 59.9996 s would read 60.000 s. */
 	double rounded = round(seconds * 1000) / 1000;
@@ -37,7 +37,7 @@ void quantity_add_duration(struct strbuf *out, double seconds)
 		strbuf_addf(out, "%.0f h %02.0f min %06.3f s", hours, minutes, rest);
 }
 
-void quantity_add_axes(struct strbuf *out, const struct machine *machine, const axis_values *axes)
+void format_units_add_axes(struct strbuf *out, const struct machine *machine, const axis_values *axes)
 {
 	const char *separator = "";
 
@@ -45,8 +45,8 @@ void quantity_add_axes(struct strbuf *out, const struct machine *machine, const 
 		if (!machine_axis(machine, slot))
 			continue;
 		strbuf_addf(out, "%s%c ", separator, AXIS_LETTERS[slot]);
-		quantity_add(out, quantity_value(slot, axes->v[slot]));
-		strbuf_addf(out, " %s", quantity_unit(slot));
+		format_units_add(out, format_units_value(slot, axes->v[slot]));
+		strbuf_addf(out, " %s", format_units_unit(slot));
 		separator = ", ";
 	}
 }
@@ -58,7 +58,7 @@ static bool is_blank(char c)
 	return u <= 0x20 || u == 0x7f;
 }
 
-void quantity_add_plain(struct strbuf *out, const char *text)
+void format_units_add_plain(struct strbuf *out, const char *text)
 {
 	size_t length = strlen(text);
 
@@ -72,7 +72,7 @@ void quantity_add_plain(struct strbuf *out, const char *text)
 		strbuf_add(out, is_blank(text[i]) ? " " : &text[i], 1);
 }
 
-void quantity_add_count(struct strbuf *out, size_t count, const char *noun)
+void format_units_add_count(struct strbuf *out, size_t count, const char *noun)
 {
 	strbuf_addf(out, "%zu %s%s", count, noun, count == 1 ? "" : "s");
 }

@@ -9,27 +9,27 @@
 #include "machine/machine.h"
 
 /* mm stay mm, radians become degrees; never a negative zero. */
-double quantity_value(int slot, double value);
+double format_units_value(int slot, double value);
 
 /* "mm" or "deg" */
-const char *quantity_unit(int slot);
+const char *format_units_unit(int slot);
 
 /* Four digits after the point, at which a tenth of a micrometre shows. */
-void quantity_add(struct strbuf *out, double value);
+void format_units_add(struct strbuf *out, double value);
 
 /* "12.5 s", or "1 h 02 min 03.5 s" where that is easier to read. */
-void quantity_add_duration(struct strbuf *out, double seconds);
+void format_units_add_duration(struct strbuf *out, double seconds);
 
 /* The machine's axes in the order X Y Z A B C U V W: "X 1.0000 mm, A -30.0000 deg". */
-void quantity_add_axes(struct strbuf *out, const struct machine *machine, const axis_values *axes);
+void format_units_add_axes(struct strbuf *out, const struct machine *machine, const axis_values *axes);
 
 /*
  * Text from a file on one line: control characters become spaces, those at
  * either end go. A block cannot forge a line of the report or steer a terminal.
  */
-void quantity_add_plain(struct strbuf *out, const char *text);
+void format_units_add_plain(struct strbuf *out, const char *text);
 
 /* "1 pair", "2 pairs" */
-void quantity_add_count(struct strbuf *out, size_t count, const char *noun);
+void format_units_add_count(struct strbuf *out, size_t count, const char *noun);
 
 #endif

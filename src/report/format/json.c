@@ -63,7 +63,7 @@ json_t *json_axes(const struct machine *machine, const axis_values *axes)
 		const char name[2] = {AXIS_LETTERS[slot], '\0'};
 
 		if (machine_axis(machine, slot))
-			json_put(object, name, json_real(quantity_value(slot, axes->v[slot])));
+			json_put(object, name, json_real(format_units_value(slot, axes->v[slot])));
 	}
 	return object;
 }

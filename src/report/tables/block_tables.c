@@ -16,7 +16,7 @@ static bool open_one(struct output *out, const char *path, const char *header, s
 	return true;
 }
 
-bool tables_open(struct tables *tables, const char *clearance, const char *timing, struct diag *diag)
+bool block_tables_open(struct block_tables *tables, const char *clearance, const char *timing, struct diag *diag)
 {
 	return open_one(&tables->clearance, clearance,
 			"program,file,line,block,body_a,body_b,clearance_mm,capped\n", diag) &&
@@ -24,7 +24,7 @@ bool tables_open(struct tables *tables, const char *clearance, const char *timin
 			"program,file,line,block,steps,motion_s,interpret_us,check_us\n", diag);
 }
 
-bool tables_are_wanted(const struct tables *tables)
+bool block_tables_are_wanted(const struct block_tables *tables)
 {
 	return tables->clearance.file || tables->timing.file;
 }
@@ -50,7 +50,7 @@ static void add_place(struct strbuf *row, const char *program, const struct chec
 	strbuf_addf(row, "%ld,%ld,", block->line, block->number);
 }
 
-static void add_room(struct tables *tables, const struct scene *scene, const char *program,
+static void add_room(struct block_tables *tables, const struct scene *scene, const char *program,
 		     const struct check_block *block, const struct check_room *room)
 {
 	const struct scene_pair *pair = &scene->pairs[room->pair];
@@ -66,7 +66,7 @@ static void add_room(struct tables *tables, const struct scene *scene, const cha
 	output_text(&tables->clearance, &tables->row);
 }
 
-static void add_times(struct tables *tables, const char *program, const struct check_block *block)
+static void add_times(struct block_tables *tables, const char *program, const struct check_block *block)
 {
 	add_place(&tables->row, program, block);
 	strbuf_addf(&tables->row, "%ld,%.9g,%.1f,%.1f\n", block->steps, block->seconds, 1e6 * block->interpret,
@@ -74,7 +74,8 @@ static void add_times(struct tables *tables, const char *program, const struct c
 	output_text(&tables->timing, &tables->row);
 }
 
-void tables_add(struct tables *tables, const struct scene *scene, const char *program, const struct check_block *block)
+void block_tables_add(struct block_tables *tables, const struct scene *scene, const char *program,
+		      const struct check_block *block)
 {
 	for (size_t i = 0; tables->clearance.file && i < block->room_count; i++)
 		add_room(tables, scene, program, block, &block->rooms[i]);
@@ -82,14 +83,14 @@ void tables_add(struct tables *tables, const struct scene *scene, const char *pr
 		add_times(tables, program, block);
 }
 
-bool tables_commit(struct tables *tables, struct diag *diag)
+bool block_tables_commit(struct block_tables *tables, struct diag *diag)
 {
 	bool good = !tables->clearance.file || output_commit(&tables->clearance, diag);
 
 	return (!tables->timing.file || output_commit(&tables->timing, diag)) && good;
 }
 
-void tables_discard(struct tables *tables)
+void block_tables_discard(struct block_tables *tables)
 {
 	output_discard(&tables->clearance);
 	output_discard(&tables->timing);

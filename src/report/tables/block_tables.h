@@ -11,7 +11,7 @@
 #include "scene/scene.h"
 
 /* All zero is none. */
-struct tables {
+struct block_tables {
 	struct output clearance, timing;
 	struct strbuf row;
 };
@@ -21,16 +21,16 @@ struct tables {
  * program file line block body_a body_b clearance_mm capped, and
  * program file line block steps motion_s interpret_us check_us. False: reported.
  */
-bool tables_open(struct tables *tables, const char *clearance, const char *timing, struct diag *diag);
+bool block_tables_open(struct block_tables *tables, const char *clearance, const char *timing, struct diag *diag);
 
-bool tables_are_wanted(const struct tables *tables);
+bool block_tables_are_wanted(const struct block_tables *tables);
 
 /* Adds a block of a program. What could not be written is told by tables_commit: it is no matter of the check's. */
-void tables_add(struct tables *tables, const struct scene *scene, const char *program,
+void block_tables_add(struct block_tables *tables, const struct scene *scene, const char *program,
 		const struct check_block *block);
 
 /* As output_commit and output_discard, for both; the tables are then closed. */
-bool tables_commit(struct tables *tables, struct diag *diag);
-void tables_discard(struct tables *tables);
+bool block_tables_commit(struct block_tables *tables, struct diag *diag);
+void block_tables_discard(struct block_tables *tables);
 
 #endif

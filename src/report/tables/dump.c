@@ -42,7 +42,7 @@ static bool dump_step(void *context, const struct motion_step *step)
 	strbuf_addf(&dump->row, "%ld\t%d\t%d", step->line, step->move, step->tool);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (machine_axis(dump->machine, slot))
-			strbuf_addf(&dump->row, "\t%.12g", quantity_value(slot, step->span.q1.v[slot]));
+			strbuf_addf(&dump->row, "\t%.12g", format_units_value(slot, step->span.q1.v[slot]));
 	}
 	strbuf_addf(&dump->row, "\t%.12g\t%.12g\n", step->time + step->seconds, greatest_deviation(&step->span));
 	return output_text(dump->out, &dump->row);
@@ -56,8 +56,8 @@ static bool dump_limit(void *context, const struct motion_limit *limit)
 		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
 			     "axis %c leaves its travel at the limit of %.10g %s; "
 			     "--parse-only --all lists every such place",
-			     AXIS_LETTERS[limit->slot], quantity_value(limit->slot, limit->bound),
-			     quantity_unit(limit->slot));
+			     AXIS_LETTERS[limit->slot], format_units_value(limit->slot, limit->bound),
+			     format_units_unit(limit->slot));
 	dump->past_limit = true;
 	return true;
 }

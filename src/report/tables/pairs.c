@@ -8,11 +8,11 @@ void pairs_add(struct strbuf *out, const struct scene *scene)
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		const struct scene_pair *pair = &scene->pairs[i];
 
-		quantity_add_plain(out, scene->bodies[pair->a].body->name);
+		format_units_add_plain(out, scene->bodies[pair->a].body->name);
 		strbuf_addf(out, "\t");
-		quantity_add_plain(out, scene->bodies[pair->b].body->name);
+		format_units_add_plain(out, scene->bodies[pair->b].body->name);
 		strbuf_addf(out, "\t%s\t%.12g\t", pair_status_name(pair->status), pair->clearance);
-		quantity_add_plain(out, pair->reason ? pair->reason : "");
+		format_units_add_plain(out, pair->reason ? pair->reason : "");
 		strbuf_addf(out, "\n");
 	}
 }

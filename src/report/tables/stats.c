@@ -37,11 +37,11 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 	if (sums->incomplete)
 		strbuf_addf(out, ", %zu incomplete", sums->incomplete);
 	strbuf_addf(out, "\n  blocks        %ld in ", motion->blocks);
-	quantity_add_count(out, (size_t)motion->lines, "line");
+	format_units_add_count(out, (size_t)motion->lines, "line");
 	strbuf_addf(out, "\n  moves         %ld in ", motion->moves);
-	quantity_add_count(out, (size_t)motion->spans, "span");
+	format_units_add_count(out, (size_t)motion->spans, "span");
 	strbuf_addf(out, ", ");
-	quantity_add_duration(out, motion->seconds);
+	format_units_add_duration(out, motion->seconds);
 	strbuf_addf(out, " of machining\n");
 }
 

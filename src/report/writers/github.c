@@ -43,18 +43,19 @@ static void add_command(struct strbuf *out, const char *level, const char *file,
 	strbuf_addf(out, "\n");
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f,
+			struct finding_style style)
 {
 	struct strbuf text = {0};
 
-	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
+	if (style.status == FINDING_KNOWN || style.status == FINDING_WAIVED)
 		return;
 	text_message(&text, f);
 	strbuf_addf(&text, ", at ");
-	quantity_add(&text, 100 * f->fraction);
+	format_units_add(&text, 100 * f->fraction);
 	strbuf_addf(&text, " %% of the block: ");
-	quantity_add_axes(&text, run->scene->machine, &f->axes);
-	add_command(out, manner.weight == WEIGHT_FAILS ? "error" : "warning", f->file, f->line, f->column,
+	format_units_add_axes(&text, run->scene->machine, &f->axes);
+	add_command(out, style.status == FINDING_FAILS ? "error" : "warning", f->file, f->line, f->column,
 		    finding_kind_name(f->kind), strbuf_text(&text));
 	strbuf_release(&text);
 }
@@ -62,11 +63,11 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	(void)run;
-	for (size_t i = 0; i < program->fault_count; i++) {
-		const struct report_fault *fault = &program->faults[i];
+	for (size_t i = 0; i < program->error_count; i++) {
+		const struct report_error *error = &program->errors[i];
 
-		add_command(out, "error", fault->file ? fault->file : program->name, fault->line, fault->column,
-			    "incomplete", fault->text);
+		add_command(out, "error", error->file ? error->file : program->name, error->line, error->column,
+			    "incomplete", error->text);
 	}
 }
 

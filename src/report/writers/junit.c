@@ -47,20 +47,20 @@ static xmlNode *add_text_node(xmlNode *parent, const char *name, const char *val
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
-			struct manner manner)
+			struct finding_style style)
 {
-	if (manner.weight == WEIGHT_FAILS)
-		text_finding(out, run->scene->machine, finding, manner);
+	if (style.status == FINDING_FAILS)
+		text_finding(out, run->scene->machine, finding, style);
 }
 
-static void add_fault(struct strbuf *out, const struct report_program *program, const struct report_fault *fault)
+static void add_error(struct strbuf *out, const struct report_program *program, const struct report_error *error)
 {
-	strbuf_addf(out, "%s:", fault->file ? fault->file : program->name);
-	if (fault->line)
-		strbuf_addf(out, "%ld:", fault->line);
-	if (fault->line && fault->column)
-		strbuf_addf(out, "%d:", fault->column);
-	strbuf_addf(out, " error: %s\n", fault->text);
+	strbuf_addf(out, "%s:", error->file ? error->file : program->name);
+	if (error->line)
+		strbuf_addf(out, "%ld:", error->line);
+	if (error->line && error->column)
+		strbuf_addf(out, "%d:", error->column);
+	strbuf_addf(out, " error: %s\n", error->text);
 }
 
 /* <failure> or <error>: the first line is the message, too. */
@@ -105,8 +105,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	set(testcase, "name", program->name);
 	set(testcase, "file", program->name);
 	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE) {
-		for (size_t i = 0; i < program->fault_count; i++)
-			add_fault(&body, program, &program->faults[i]);
+		for (size_t i = 0; i < program->error_count; i++)
+			add_error(&body, program, &program->errors[i]);
 		strbuf_addf(&body, "%s", strbuf_text(out));
 		add_outcome(testcase, "error", "incomplete", strbuf_text(&body));
 	} else if (out->length) {

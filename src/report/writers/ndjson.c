@@ -38,10 +38,14 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 }
 
 static const char *const accepted[] = {
-	[WEIGHT_FAILS] = NULL, [WEIGHT_KNOWN] = "baseline", [WEIGHT_WAIVED] = "waiver", [WEIGHT_LEFT_OUT] = "fail-on",
+		[FINDING_FAILS] = NULL,
+		[FINDING_KNOWN] = "baseline",
+		[FINDING_WAIVED] = "waiver",
+		[FINDING_LEFT_OUT] = "fail-on",
 };
 
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
+		    struct finding_style style)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
@@ -62,21 +66,21 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
 
 		json_put(object, "axis", json_string(axis));
-		json_put(object, "bound", json_real(quantity_value(f->slot, f->bound)));
+		json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
 	}
-	if (accepted[manner.weight])
-		json_put(object, "accepted", json_string(accepted[manner.weight]));
-	if (manner.waiver) {
-		json_put(object, "reason", json_text(manner.waiver->reason));
-		json_put(object, "expires", json_string(manner.waiver->expires));
+	if (accepted[style.status])
+		json_put(object, "accepted", json_string(accepted[style.status]));
+	if (style.waiver) {
+		json_put(object, "reason", json_text(style.waiver->reason));
+		json_put(object, "expires", json_string(style.waiver->expires));
 	}
 	json_add_line(out, object);
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
-			struct manner manner)
+			struct finding_style style)
 {
-	ndjson_finding(out, run->scene->machine, finding, manner);
+	ndjson_finding(out, run->scene->machine, finding, style);
 }
 
 json_t *ndjson_cautions(const struct verdict *verdict)
@@ -93,18 +97,18 @@ json_t *ndjson_cautions(const struct verdict *verdict)
 	return array;
 }
 
-static json_t *faults_of(const struct report_program *program)
+static json_t *errors_of(const struct report_program *program)
 {
 	json_t *array = json_array();
 
-	for (size_t i = 0; i < program->fault_count; i++) {
-		const struct report_fault *fault = &program->faults[i];
+	for (size_t i = 0; i < program->error_count; i++) {
+		const struct report_error *error = &program->errors[i];
 		json_t *object = json_object();
 
-		json_put(object, "file", json_text(fault->file));
-		json_put(object, "line", fault->line ? json_integer(fault->line) : json_null());
-		json_put(object, "column", fault->column ? json_integer(fault->column) : json_null());
-		json_put(object, "text", json_text(fault->text));
+		json_put(object, "file", json_text(error->file));
+		json_put(object, "line", error->line ? json_integer(error->line) : json_null());
+		json_put(object, "column", error->column ? json_integer(error->column) : json_null());
+		json_put(object, "text", json_text(error->text));
 		json_push(array, object);
 	}
 	return array;
@@ -123,9 +127,10 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "checked", json_integer(stats ? stats->blocks_checked : 0));
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
 	json_put(object, "cautions", ndjson_cautions(program->verdict));
-	json_put(object, "errors", faults_of(program));
+	json_put(object, "errors", errors_of(program));
 	if (program->sensitivity_count)
-		json_put(object, "sensitivity", json_sensitivity(program->sensitivity, program->sensitivity_count));
+		json_put(object, "sensitivity",
+			 sensitivity_report_json(program->sensitivity, program->sensitivity_count));
 	json_add_line(out, object);
 }
 

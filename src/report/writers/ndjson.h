@@ -33,6 +33,6 @@ enum { NDJSON_FORMAT = 1 };
  * "baseline", "waiver" or "fail-on"; what is waived, `reason` and `expires`. Bytes that are no UTF-8 become U+FFFD.
  */
 void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
-		    struct manner manner);
+		    struct finding_style style);
 
 #endif

@@ -65,12 +65,12 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
-			struct manner manner)
+			struct finding_style style)
 {
 	(void)out;
 	(void)run;
 	(void)finding;
-	(void)manner;
+	(void)style;
 }
 
 /* Nothing is claimed of a program in which something was found: no block of it counts as proved. */

@@ -111,33 +111,33 @@ static json_t *suppressions_of(const char *reason)
 	return array;
 }
 
-static void add_suppression(json_t *result, struct manner manner)
+static void add_suppression(json_t *result, struct finding_style style)
 {
 	struct strbuf reason = {0};
 
-	if (manner.waiver)
-		waive_add_reason(&reason, manner.waiver);
+	if (style.waiver)
+		waiver_match_add_reason(&reason, style.waiver);
 	else
 		strbuf_addf(&reason, "known from the baseline");
 	json_put(result, "suppressions", suppressions_of(strbuf_text(&reason)));
 	strbuf_release(&reason);
 }
 
-static void add_result(struct strbuf *out, int rule, struct manner manner, const char *text, json_t *location,
+static void add_result(struct strbuf *out, int rule, struct finding_style style, const char *text, json_t *location,
 		       json_t *properties)
 {
 	json_t *result = json_object(), *locations = json_array();
 
 	json_put(result, "ruleId", json_string(rules[rule].id));
 	json_put(result, "ruleIndex", json_integer(rule));
-	json_put(result, "level", json_string(manner.weight == WEIGHT_LEFT_OUT ? "warning" : "error"));
+	json_put(result, "level", json_string(style.status == FINDING_LEFT_OUT ? "warning" : "error"));
 	json_put(result, "message", message_of(text));
 	json_push(locations, location);
 	json_put(result, "locations", locations);
 	if (properties)
 		json_put(result, "properties", properties);
-	if (manner.weight == WEIGHT_KNOWN || manner.weight == WEIGHT_WAIVED)
-		add_suppression(result, manner);
+	if (style.status == FINDING_KNOWN || style.status == FINDING_WAIVED)
+		add_suppression(result, style);
 	json_add_line(out, result);
 }
 
@@ -158,7 +158,8 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 	return object;
 }
 
-static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f, struct manner manner)
+static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *f,
+			struct finding_style style)
 {
 	const struct machine *machine = run->scene->machine;
 	struct strbuf text = {0}, block = {0};
@@ -167,7 +168,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	strbuf_add(&block, line, strcspn(line, "\r\n"));
 	text_message(&text, f);
 	/* The finding's column is where the block starts, and it goes to the end of the line. */
-	add_result(out, (int)f->kind, manner, strbuf_text(&text),
+	add_result(out, (int)f->kind, style, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
 			       strbuf_text(&block)),
 		   properties_of(machine, f));
@@ -178,12 +179,12 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	(void)run;
-	for (size_t i = 0; i < program->fault_count; i++) {
-		const struct report_fault *fault = &program->faults[i];
+	for (size_t i = 0; i < program->error_count; i++) {
+		const struct report_error *error = &program->errors[i];
 
-		/* A fault's column counts bytes; without the line's text it cannot be told in other units. */
-		add_result(out, RULE_INCOMPLETE, (struct manner){0}, fault->text,
-			   location_of(fault->file ? fault->file : program->name, fault->line, 0, 0, NULL), NULL);
+		/* A error's column counts bytes; without the line's text it cannot be told in other units. */
+		add_result(out, RULE_INCOMPLETE, (struct finding_style){0}, error->text,
+			   location_of(error->file ? error->file : program->name, error->line, 0, 0, NULL), NULL);
 	}
 }
 

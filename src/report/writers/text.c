@@ -8,9 +8,9 @@
 
 static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
 {
-	quantity_add_plain(out, f->a);
+	format_units_add_plain(out, f->a);
 	strbuf_addf(out, " (%s) %s ", f->link_a, verb);
-	quantity_add_plain(out, f->b);
+	format_units_add_plain(out, f->b);
 	strbuf_addf(out, " (%s)", f->link_b);
 }
 
@@ -29,7 +29,7 @@ void text_message(struct strbuf *out, const struct finding *f)
 		break;
 	case FINDING_LIMIT:
 		strbuf_addf(out, "axis %c leaves its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
-			    quantity_value(f->slot, f->bound), quantity_unit(f->slot));
+			    format_units_value(f->slot, f->bound), format_units_unit(f->slot));
 		break;
 	}
 }
@@ -37,12 +37,12 @@ void text_message(struct strbuf *out, const struct finding *f)
 static void add_place(struct strbuf *out, const struct finding *f)
 {
 	strbuf_addf(out, "    at       ");
-	quantity_add(out, 100 * f->fraction);
+	format_units_add(out, 100 * f->fraction);
 	strbuf_addf(out, " %% of the block");
 	if (f->moves > 1)
 		strbuf_addf(out, ", in its move %d of %d", f->move, f->moves);
 	strbuf_addf(out, "\n    time     ");
-	quantity_add_duration(out, f->time);
+	format_units_add_duration(out, f->time);
 	strbuf_addf(out, "\n");
 }
 
@@ -53,48 +53,52 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 	strbuf_addf(out, f->kind == FINDING_CLEARANCE ? "    near    " : "    contact ");
 	for (int i = 0; i < 3; i++) {
 		strbuf_addf(out, " %c ", "XYZ"[i]);
-		quantity_add(out, point[i]);
+		format_units_add(out, point[i]);
 	}
 	strbuf_addf(out, " mm in machine coordinates\n");
 	if (f->required > 0) {
 		strbuf_addf(out, "    distance ");
-		quantity_add(out, f->clearance);
+		format_units_add(out, f->clearance);
 		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
 	}
 }
 
 /* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
-static void add_head(struct strbuf *out, const struct finding *f, struct manner manner)
+static void add_head(struct strbuf *out, const struct finding *f, struct finding_style style)
 {
-	bool fails = manner.weight == WEIGHT_FAILS;
+	bool fails = style.status == FINDING_FAILS;
 
 	strbuf_addf(out, "%s:%ld:%d: ", f->file, f->line, f->column);
-	if (manner.colour)
+	if (style.colour)
 		strbuf_addf(out, fails ? "\033[1;31m" : "\033[1;35m");
 	strbuf_addf(out, fails ? "error:" : "warning:");
-	strbuf_addf(out, "%s %s: ", manner.colour ? "\033[0m" : "", finding_kind_name(f->kind));
+	strbuf_addf(out, "%s %s: ", style.colour ? "\033[0m" : "", finding_kind_name(f->kind));
 }
 
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f, struct manner manner)
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
+		  struct finding_style style)
 {
 	static const char *const marks[] = {
-		[WEIGHT_FAILS] = "", [WEIGHT_KNOWN] = ", known", [WEIGHT_WAIVED] = ", waived", [WEIGHT_LEFT_OUT] = "",
+	    [FINDING_FAILS] = "",
+	    [FINDING_KNOWN] = ", known",
+	    [FINDING_WAIVED] = ", waived",
+	    [FINDING_LEFT_OUT] = "",
 	};
 
-	add_head(out, f, manner);
+	add_head(out, f, style);
 	text_message(out, f);
-	strbuf_addf(out, " [%s%s]\n    block    ", finding_kind_name(f->kind), marks[manner.weight]);
-	quantity_add_plain(out, f->text ? f->text : "");
+	strbuf_addf(out, " [%s%s]\n    block    ", finding_kind_name(f->kind), marks[style.status]);
+	format_units_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
 	add_place(out, f);
 	strbuf_addf(out, "    axes     ");
-	quantity_add_axes(out, machine, &f->axes);
+	format_units_add_axes(out, machine, &f->axes);
 	strbuf_addf(out, "\n");
 	if (f->kind != FINDING_LIMIT)
 		add_contact(out, f);
-	if (manner.waiver) {
+	if (style.waiver) {
 		strbuf_addf(out, "    waived   ");
-		waive_add_reason(out, manner.waiver);
+		waiver_match_add_reason(out, style.waiver);
 		strbuf_addf(out, "\n");
 	} else if (f->kind == FINDING_START_OVERLAP) {
 		strbuf_addf(out, "    to waive <pair");
@@ -144,9 +148,9 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
-			struct manner manner)
+			struct finding_style style)
 {
-	text_finding(out, run->scene->machine, finding, manner);
+	text_finding(out, run->scene->machine, finding, style);
 }
 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
@@ -160,7 +164,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	if (program->proven && program->verdict->result == CHECK_CLEAR)
 		text_proven(out, run->scene, program->proven);
 	if (program->sensitivity_count)
-		text_sensitivity(out, program->sensitivity, program->sensitivity_count,
+		sensitivity_report_text(out, program->sensitivity, program->sensitivity_count,
 				 program->verdict->result == CHECK_CLEAR);
 }
 

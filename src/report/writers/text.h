@@ -23,7 +23,7 @@ void text_message(struct strbuf *out, const struct finding *finding);
  * the <pair> line that would waive it.
  */
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
-		  struct manner manner);
+		  struct finding_style style);
 
 /* Appends the verdict's line and, indented, what stands beside it. */
 void text_verdict(struct strbuf *out, const struct verdict *verdict);
