@@ -260,7 +260,7 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 			continue;
 		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);
-		c->broken_off = c->sweep.broken_off || quit_asked(c->options->quit);
+		c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
 		if (c->broken_off)
 			break;
 		c->failed |= stance == STANCE_FAILED;
@@ -434,15 +434,8 @@ static bool run_program(struct checker *c, FILE *in)
 {
 	const struct motion_options options = {
 		.flatness = FLATNESS * c->options->tolerance,
-		.block_delete = c->options->block_delete,
-		.last_duplicate_wins = c->options->last_duplicate_wins,
-		.includes = c->options->includes,
-		.include_count = c->options->include_count,
-		.input_root = c->options->input_root,
-		.watch = c->options->watch,
-		.quit = c->options->quit,
+		.read = c->options->read,
 		.change = c->options->change,
-		.max_blocks = c->options->max_blocks,
 	};
 	const struct motion_sink sink = {c, on_limit, on_step, on_tool, on_block};
 	/* What reading a block takes is not to be had while it is read ahead. */
@@ -472,7 +465,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	stats->pairs_excused = scene_count_pairs(scene, PAIR_ADJACENT);
 	stats->pairs_skipped = scene->pair_count - stats->pairs_required - stats->pairs_excused;
 	held_init(&c.held);
-	c.sweep.quit = options->quit;
+	c.sweep.cancel = options->read.cancel;
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	c.last_block = LONG_MAX;

@@ -6,9 +6,8 @@
 #include <stdio.h>
 
 #include "base/diag.h"
-#include "base/quit.h"
-#include "base/watch.h"
 #include "check/finding.h"
+#include "gcode/read_options.h"
 #include "motion/motion.h"
 #include "scene/scene.h"
 
@@ -24,13 +23,8 @@ struct check_options {
 	double step;	/* s between samples of the two sampled methods */
 	double tolerance;	/* mm: e of the verdict contract */
 	bool all;	/* go on after the first finding: the first per block and pair */
-	bool block_delete;
-	bool last_duplicate_wins;
-	const char *const *includes;	/* folders of subprogram files, after the program's own */
-	size_t include_count;
-	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
-	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
-	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
+	/* How the program is read. Its cancel also breaks off in the middle of a batch, of which nothing is told then. */
+	struct read_options read;
 	int threads;	/* >= 1 */
 	bool gauges;	/* measures what clearance remains in each block, which takes more time */
 	double gauge_cap;	/* mm: and no more than this of it */
@@ -38,7 +32,6 @@ struct check_options {
 	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
 	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
 	struct course *course;	/* records the way that the program takes, or compares it; or NULL */
-	const struct quit *quit;	/* breaks off in the middle of a batch, of which nothing is told then; or NULL */
 	int shard, shards;	/* check the shard-th, from 1, of so many parts of the blocks; shards 0: all blocks */
 };
 

@@ -26,7 +26,7 @@ bool crew_init(struct crew *crew, struct scene *scene, const struct check_option
 	crew->visits = mem_zalloc(scene->pair_count, sizeof(*crew->visits));
 	crew->sweeps = mem_zalloc((size_t)crew->threads, sizeof(*crew->sweeps));
 	for (int i = 0; i < crew->threads; i++)
-		crew->sweeps[i].quit = options->quit;
+		crew->sweeps[i].cancel = options->read.cancel;
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		enum pair_status status = scene->pairs[i].status;
 

@@ -12,7 +12,7 @@ enum { TAPES = 2 };
 struct relay {
 	const struct motion_sink *sink;
 	struct diag *diag;
-	const struct watch *watch;
+	const struct file_opened *opened_by;
 	struct motion_summary *heard;	/* the listener's */
 	struct motion_summary read;	/* the reader's */
 	atomic_bool stopped;	/* by the listener */
@@ -55,7 +55,7 @@ static void *listen(void *context)
 	bool goes_on = true;
 
 	while (goes_on && (tape = next_tape(relay))) {
-		goes_on = tape_play(tape, relay->sink, relay->diag, relay->watch, relay->heard);
+		goes_on = tape_play(tape, relay->sink, relay->diag, relay->opened_by, relay->heard);
 		tape_clear(tape);
 		put_back(relay, goes_on);
 	}
@@ -150,10 +150,10 @@ bool relay_run(const struct machine *machine, const struct setup *setup, const s
 	       FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
 	       struct motion_summary *summary)
 {
-	struct relay relay = {.sink = sink, .diag = diag, .watch = options->watch, .heard = summary,
+	struct relay relay = {.sink = sink, .diag = diag, .opened_by = options->read.opened, .heard = summary,
 			      .lock = PTHREAD_MUTEX_INITIALIZER, .changed = PTHREAD_COND_INITIALIZER};
 	const struct motion_sink writer = {&relay, on_limit, on_step, on_tool, on_block};
-	const struct watch watch = {&relay, on_opened};
+	const struct file_opened opened = {&relay, on_opened};
 	struct diag teller = {.handle = on_diag, .context = &relay};
 	struct motion_options own = *options;
 	pthread_t listener;
@@ -161,7 +161,7 @@ bool relay_run(const struct machine *machine, const struct setup *setup, const s
 
 	if (pthread_create(&listener, NULL, listen, &relay))
 		return motion_run(machine, setup, options, in, name, sink, diag, summary);
-	own.watch = options->watch ? &watch : NULL;
+	own.read.opened = options->read.opened ? &opened : NULL;
 	ok = motion_run(machine, setup, &own, in, name, &writer, &teller, &relay.read);
 	end(&relay);
 	pthread_join(listener, NULL);

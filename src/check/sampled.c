@@ -168,7 +168,7 @@ bool sampler_step(struct sampler *sampler, struct sweep *sweep, const struct mot
 	if (!started && look(sampler, sweep, step, ends, 0, contact))
 		return true;
 	for (long n = 0; (first + (double)n) * sampler->step <= end && !sweep->broken_off; n++) {
-		sweep->broken_off = quit_asked(sweep->quit);
+		sweep->broken_off = cancel_asked(sweep->cancel);
 		if (look(sampler, sweep, step, ends, ((first + (double)n) * sampler->step - step->time) / step->seconds,
 			 contact))
 			return true;

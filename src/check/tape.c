@@ -177,7 +177,7 @@ static bool play_move(const struct tape *tape, const struct tape_entry *entry, c
 	}
 }
 
-bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct watch *watch,
+bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct file_opened *opened,
 	       struct motion_summary *summary)
 {
 	bool goes_on = true;
@@ -204,7 +204,7 @@ bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct d
 			play_diag(tape, entry, diag);
 			break;
 		case TAPE_OPENED:
-			watch->opened(watch->context, text_at(tape, entry->text));
+			opened->call(opened->context, text_at(tape, entry->text));
 			break;
 		}
 	}

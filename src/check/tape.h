@@ -7,7 +7,7 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
-#include "base/watch.h"
+#include "base/callbacks.h"
 #include "check/batch.h"
 #include "motion/motion.h"
 
@@ -41,8 +41,8 @@ void tape_opened(struct tape *tape, const char *path);
 /* Call it before playing. */
 void tape_close(struct tape *tape);
 
-/* Makes the same calls in the same order, *summary set before each; false: the sink stopped. watch may be NULL. */
-bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct watch *watch,
+/* Makes the same calls in the same order, *summary set before each; false: the sink stopped. opened may be NULL. */
+bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct file_opened *opened,
 	       struct motion_summary *summary);
 
 #endif

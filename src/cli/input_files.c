@@ -33,7 +33,7 @@ static void on_opened(void *context, const char *path)
 
 void input_files_init(struct input_files *inputs)
 {
-	*inputs = (struct input_files){.watch = {inputs, on_opened}};
+	*inputs = (struct input_files){.opened = {inputs, on_opened}};
 	pthread_mutex_init(&inputs->lock, NULL);
 	/* Not the coarse clock: newer kernels stamp files with the fine one where it matters. */
 	clock_gettime(CLOCK_REALTIME, &inputs->started);

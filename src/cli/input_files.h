@@ -7,21 +7,21 @@
 #include <stddef.h>
 #include <time.h>
 
-#include "base/watch.h"
+#include "base/callbacks.h"
 #include "cli/options.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "report/report.h"
 
 struct input_files {
-	struct watch watch;	/* for programs: their subprograms */
+	struct file_opened opened;	/* for programs: their subprograms */
 	pthread_mutex_t lock;
 	struct timespec started;
 	struct report_file *items;	/* their paths are owned */
 	size_t count, capacity;
 };
 
-/* Not to be moved afterwards: its watch points back at it. */
+/* Not to be moved afterwards: its callback points back at it. */
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
 

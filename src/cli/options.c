@@ -273,9 +273,9 @@ bool options_parse(struct options *options, int argc, char **argv, struct diag *
 		options->check.gauge_cap = 10;
 	options->check.gauges = options->clearance_report;
 	options->check.times = options->timing;
-	options->check.includes = options->includes.items;
-	options->check.include_count = options->includes.count;
-	options->check.last_duplicate_wins = options->duplicates == 1;
+	options->check.read.includes = options->includes.items;
+	options->check.read.include_count = options->includes.count;
+	options->check.read.last_duplicate_wins = options->duplicates == 1;
 	return share_out(&parser);
 }
 

@@ -168,7 +168,7 @@ static bool confine(const char *root, struct body *bodies, size_t count, struct 
 bool path_checks_root(const struct options *options, const struct machine *machine, const struct setup *setup,
 		   struct diag *diag)
 {
-	const char *root = options->check.input_root;
+	const char *root = options->check.read.input_root;
 	struct stat status;
 
 	if (root && (stat(root, &status) || !S_ISDIR(status.st_mode))) {

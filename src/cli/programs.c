@@ -145,7 +145,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 				options->shards},
 		},
 	};
-	static const struct quit quit = {NULL, is_pressed};
+	static const struct cancel cancel = {NULL, is_pressed};
 	enum run_status status;
 	int threads = options->check.threads;
 
@@ -154,8 +154,8 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	/* Rows that waited for another program's would take memory; and times are told apart. */
 	if (tables)
 		threads = 1;
-	session.context.check.watch = &inputs->watch;
-	session.context.check.quit = &quit;
+	session.context.check.read.opened = &inputs->opened;
+	session.context.check.read.cancel = &cancel;
 	/* What is accepted must not hide what comes after it. */
 	session.context.check.all = options->check.all || options->baseline || options->waivers || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;

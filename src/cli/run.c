@@ -208,12 +208,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 {
 	const struct motion_options motion = {
 		.flatness = options->check.tolerance,
-		.block_delete = options->check.block_delete,
-		.last_duplicate_wins = options->check.last_duplicate_wins,
-		.includes = options->check.includes,
-		.include_count = options->check.include_count,
-		.input_root = options->check.input_root,
-		.max_blocks = options->check.max_blocks,
+		.read = options->check.read,
 	};
 	struct program_file file;
 	bool good;

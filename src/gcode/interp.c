@@ -164,13 +164,13 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 /* Lines between two questions whether to go on; blank ones, which nobody else hears of, count as well. */
 #define QUIT_LINES 4096
 
-/* The next line of the file in hand. False: the program has ended, or *good: a fault was reported, or quit. */
+/* The next line of the file in hand. False: the program has ended, or *good: a fault was reported, or the run was cancelled. */
 static bool next_line(struct interp *interp, bool *good)
 {
 	struct source *source = interp->source;
 	enum reader_status status;
 
-	if (++interp->lines % QUIT_LINES == 0 && quit_asked(interp->config->quit)) {
+	if (++interp->lines % QUIT_LINES == 0 && cancel_asked(interp->config->read.cancel)) {
 		*good = false;
 		return false;
 	}
@@ -204,7 +204,7 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	struct line_reader *reader;
 	bool good = true;
 
-	interp->sources.watch = interp->config->watch;
+	interp->sources.opened = interp->config->read.opened;
 	sources_open_main(&interp->sources, in, name);
 	interp->source = interp->sources.items[0];
 	reader = &interp->source->reader;

@@ -8,9 +8,8 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
-#include "base/quit.h"
-#include "base/watch.h"
 #include "gcode/canon.h"
+#include "gcode/read_options.h"
 
 enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
 enum gcode_wrap { GCODE_WRAP_NONE, GCODE_WRAP_SHORTEST, GCODE_WRAP_SIGN };
@@ -42,8 +41,6 @@ struct gcode_config {
 	bool tcp_zero_offset;	/* rotary zero under TCP is the work offset's, else the machine's */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	double least_input;	/* mm or degrees; what a 1 without a decimal point means; 0: a whole unit */
-	bool block_delete;	/* skip blocks that start with '/' */
-	bool last_duplicate_wins;	/* of a word that stands twice in a block; else it is an error */
 	bool has_setup;	/* tools, lengths and offsets are known; else any T is accepted, and an H is an error */
 	int initial_tool;
 	const struct gcode_mcode_meaning {
@@ -68,12 +65,7 @@ struct gcode_config {
 		double length;
 	} *lengths;
 	size_t length_count;
-	const char *const *includes;	/* folders of subprogram files, after the program's own */
-	size_t include_count;
-	const char *input_root;	/* files of subprograms outside of this folder are an error; NULL: none is */
-	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
-	const struct quit *quit;	/* is asked between lines; if so, the run fails without a word; or NULL */
-	long long max_blocks;	/* in loops and subprograms; 0: a default that ends endless loops */
+	struct read_options read;
 };
 
 struct interp;

@@ -164,14 +164,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 		FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
 		struct motion_summary *summary)
 {
-	struct glue glue = {.config = {.block_delete = options->block_delete,
-				       .last_duplicate_wins = options->last_duplicate_wins,
-				       .includes = options->includes,
-				       .include_count = options->include_count,
-				       .input_root = options->input_root,
-				       .watch = options->watch,
-				       .quit = options->quit,
-				       .max_blocks = options->max_blocks}};
+	struct glue glue = {.config = {.read = options->read}};
 	struct run run;
 	const struct canon_sink canon = {&run, drive_move, drive_tcp, end_block, drive_orient, drive_carry};
 	bool ok;

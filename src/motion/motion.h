@@ -7,8 +7,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
-#include "base/quit.h"
-#include "base/watch.h"
+#include "gcode/read_options.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "motion/span.h"
@@ -60,15 +59,8 @@ struct setup_change {
 
 struct motion_options {
 	double flatness;	/* mm: no axis of a step's chord deviates by more */
-	bool block_delete;
-	bool last_duplicate_wins;
-	const char *const *includes;	/* folders of subprogram files, after the program's own */
-	size_t include_count;
-	const char *input_root;	/* or NULL: files of subprograms must be in this folder */
-	const struct watch *watch;	/* is told which files of subprograms are opened; or NULL */
-	const struct quit *quit;	/* is asked between lines; if so, the run fails without a word; or NULL */
+	struct read_options read;
 	const struct setup_change *change;	/* or NULL */
-	int max_blocks;	/* of loops and subprograms; 0: a default that ends endless loops */
 };
 
 /* What a run was. */

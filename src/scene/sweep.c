@@ -58,7 +58,7 @@ bool sweep_breaks_off(struct sweep *sweep)
 {
 	if (sweep->visits >= sweep->ask_at) {
 		sweep->ask_at = sweep->visits + ASK_VISITS;
-		sweep->broken_off = sweep->broken_off || quit_asked(sweep->quit);
+		sweep->broken_off = sweep->broken_off || cancel_asked(sweep->cancel);
 	}
 	return sweep->broken_off;
 }

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/quit.h"
+#include "base/callbacks.h"
 #include "scene/branch.h"
 #include "scene/leaf.h"
 #include "scene/region.h"
@@ -24,7 +24,7 @@ struct sweep {
 	long certificates;	/* node and triangle pairs proved apart over a region */
 	long bisections;	/* regions halved */
 	long visits;	/* node pairs looked at */
-	const struct quit *quit;	/* borrowed; or NULL */
+	const struct cancel *cancel;	/* borrowed; or NULL */
 	long ask_at;	/* visits when it is asked next */
 	bool broken_off;	/* it said yes: since then nothing is proved, nor found */
 };

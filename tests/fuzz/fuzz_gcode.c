@@ -27,7 +27,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	static struct setup *setup;
 	struct diag diag = {.handle = fuzz_note};
 	const struct check_options options = {.method = CHECK_NOTHING, .tolerance = 1e-3, .all = true, .threads = 1,
-					      .max_blocks = BLOCKS};
+					      .read.max_blocks = BLOCKS};
 	const struct check_sink sink = {.finding = keep_going};
 	struct check_stats stats;
 	struct scene bare;

@@ -36,7 +36,7 @@ START_TEST(block_delete)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.block_delete = true;
+	c.config.read.block_delete = true;
 	case_expect(&c, "/G0 X1 Q7\nG0 Y1\n /G0 Z9\nM2\n", "rapid 0 1 0 0 0\n");
 }
 END_TEST
@@ -343,7 +343,7 @@ START_TEST(last_duplicate_wins)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.last_duplicate_wins = true;
+	c.config.read.last_duplicate_wins = true;
 	ck_assert(case_run(&c, "G01 X300 Y-200 Z-200 A-3 Z-3 F15000\nX1 X2 X3\nM2\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "feed 300 -200 -3 -3 0\nfeed 3 -200 -3 -3 0\n");
 	ck_assert_uint_eq(c.diag.warnings, 1);

@@ -186,7 +186,7 @@ START_TEST(endless_loops_end)
 
 	for (size_t i = 0; i < ROWS(endless); i++) {
 		case_init(&c);
-		c.config.max_blocks = 1000;
+		c.config.read.max_blocks = 1000;
 		ck_assert(!case_run(&c, endless[i]));
 		ck_assert_msg(strstr(c.messages.text,
 				     "error: 1000 blocks of loops and subprograms have been carried out: is this loop "
@@ -198,7 +198,7 @@ START_TEST(endless_loops_end)
 	for (int i = 0; i < 5000; i++)
 		strbuf_addf(&straight, "G0 X%d\n", i % 2);
 	case_init(&c);
-	c.config.max_blocks = 1000;
+	c.config.read.max_blocks = 1000;
 	ck_assert(case_run(&c, straight.text));
 	strbuf_release(&straight);
 	case_release(&c);
@@ -267,8 +267,8 @@ START_TEST(subprograms_in_files)
 	rewind(in);
 	case_init(&c);
 	c.diag.context = &c;
-	c.config.includes = includes;
-	c.config.include_count = 1;
+	c.config.read.includes = includes;
+	c.config.read.include_count = 1;
 	interp = interp_new(&c.config, &sink, &c.diag);
 	ck_assert(!interp_run(interp, in, "p.nc"));
 	interp_free(interp);
@@ -280,8 +280,8 @@ START_TEST(subprograms_in_files)
 	case_release(&c);
 	write_file(folder, "open.ngc", "o<open> sub\nG0 X1\n");
 	case_init(&c);
-	c.config.includes = includes;
-	c.config.include_count = 1;
+	c.config.read.includes = includes;
+	c.config.read.include_count = 1;
 	ck_assert(!case_run(&c, "o<open> call\n"));
 	ck_assert_ptr_nonnull(strstr(c.messages.text, "/open.ngc:2: error: the file ends inside of the "
 	    "subprogram o<open>: "

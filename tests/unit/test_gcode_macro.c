@@ -292,7 +292,7 @@ START_TEST(skipped_blocks)
 
 	case_init(&c);
 	c.config.dialect = GCODE_FANUC;
-	c.config.block_delete = true;
+	c.config.read.block_delete = true;
 	case_expect(&c,
 		    "#1=1\n/#1=2\n/2 GOTO 9\nG0 X#1\nWHILE [#1 LT 2] DO1\n#1=#1+1\n/END1\nY#1\nEND1\n/G65 P5\n"
 		    "/IF [1 EQ 1] GOTO 9\nX9.\nN9 M30\n",

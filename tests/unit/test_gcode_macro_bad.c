@@ -365,7 +365,7 @@ START_TEST(refused)
 			continue;
 		case_init(&c);
 		c.config.dialect = (enum gcode_dialect)dialect;
-		c.config.max_blocks = 50;
+		c.config.read.max_blocks = 50;
 		ck_assert_msg(!case_run(&c, faults[_i].program), "accepted: %s", faults[_i].program);
 		ck_assert_str_eq(strbuf_text(&c.messages), faults[_i].messages);
 		case_release(&c);

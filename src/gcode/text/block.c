@@ -144,7 +144,7 @@ static bool add_value(struct block *block, const struct line_place *at, const st
 	int index = word->letter - 'A';
 
 	if (block_has(block, word->letter)) {
-		if (!config->last_duplicate_wins)
+		if (!config->read.last_duplicate_wins)
 			return fault(at, word->column, "the word %c stands twice in the block, at columns %d and %d",
 				     word->letter, block->column[index], word->column);
 		if (!cautions->duplicate)
@@ -216,7 +216,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 	char next = lexer_peek(lexer);
 
 	if (next == '/') {
-		*skipped = config->block_delete;
+		*skipped = config->read.block_delete;
 		lexer_take(lexer);
 		next = lexer_peek(lexer);
 		/* "/2": one of several switches; here one answers for all. */

@@ -95,8 +95,8 @@ static struct source *find_in(struct sources *sources, const char *root, const c
 	if (!source && (file = open_regular(sources, root, path.text))) {
 		source = add(sources, file, path.text);
 		source->file = file;
-		if (sources->watch)
-			sources->watch->opened(sources->watch->context, path.text);
+		if (sources->opened)
+			sources->opened->call(sources->opened->context, path.text);
 	}
 	strbuf_release(&path);
 	return source;
@@ -133,12 +133,12 @@ bool sources_find(struct sources *sources, const struct gcode_config *config, co
 	strbuf_addf(&name, "%s.ngc", label);
 	folder = own_folder(sources, &length);
 	if (folder)
-		*source = find_in(sources, config->input_root, folder, length, name.text);
-	for (size_t i = 0; i < config->include_count && !*source; i++)
+		*source = find_in(sources, config->read.input_root, folder, length, name.text);
+	for (size_t i = 0; i < config->read.include_count && !*source; i++)
 		*source =
-		    find_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]), name.text);
+		    find_in(sources, config->read.input_root, config->read.includes[i], strlen(config->read.includes[i]), name.text);
 	strbuf_release(&name);
-	return stays_in(sources, config->input_root, at, column);
+	return stays_in(sources, config->read.input_root, at, column);
 }
 
 /* The one file of the folder that has a name of the program. False: there are two, which was reported. */
@@ -180,12 +180,12 @@ bool sources_find_program(struct sources *sources, const struct gcode_config *co
 	if (sources->count == SOURCE_MAX)
 		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
 	folder = own_folder(sources, &length);
-	if (folder && !find_program_in(sources, config->input_root, folder, length, number, at, column, source))
+	if (folder && !find_program_in(sources, config->read.input_root, folder, length, number, at, column, source))
 		return false;
-	for (size_t i = 0; i < config->include_count && !*source; i++) {
-		if (!find_program_in(sources, config->input_root, config->includes[i], strlen(config->includes[i]),
+	for (size_t i = 0; i < config->read.include_count && !*source; i++) {
+		if (!find_program_in(sources, config->read.input_root, config->read.includes[i], strlen(config->read.includes[i]),
 				     number, at, column, source))
 			return false;
 	}
-	return stays_in(sources, config->input_root, at, column);
+	return stays_in(sources, config->read.input_root, at, column);
 }

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "base/watch.h"
+#include "base/callbacks.h"
 #include "gcode/text/fault.h"
 #include "gcode/interp.h"
 #include "gcode/text/reader.h"
@@ -25,7 +25,7 @@ struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
 	bool led_out;	/* a file that was looked for is outside of the input root */
-	const struct watch *watch;	/* is told what else is opened; or NULL */
+	const struct file_opened *opened;	/* is told what else is opened; or NULL */
 };
 
 /* Where a line starts. */

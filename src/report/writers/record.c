@@ -19,8 +19,8 @@ static json_t *options_of(const struct report_run *run)
 	const struct check_options *options = run->options;
 	json_t *object = json_object(), *includes = json_array(), *kinds = json_array();
 
-	for (size_t i = 0; i < options->include_count; i++)
-		json_push(includes, json_text(options->includes[i]));
+	for (size_t i = 0; i < options->read.include_count; i++)
+		json_push(includes, json_text(options->read.includes[i]));
 	for (int kind = 0; kind <= FINDING_START_OVERLAP; kind++) {
 		if (!run->fail_on || run->fail_on & 1U << kind)
 			json_push(kinds, json_string(finding_kind_name((enum finding_kind)kind)));
@@ -31,10 +31,10 @@ static json_t *options_of(const struct report_run *run)
 	json_put(object, "clearance", json_real(run->clearance));
 	json_put(object, "all", json_boolean(options->all));
 	json_put(object, "dialect", json_string(dialects[run->scene->machine->controller.dialect]));
-	json_put(object, "block_delete", json_boolean(options->block_delete));
-	json_put(object, "duplicates", json_string(options->last_duplicate_wins ? "last" : "error"));
+	json_put(object, "block_delete", json_boolean(options->read.block_delete));
+	json_put(object, "duplicates", json_string(options->read.last_duplicate_wins ? "last" : "error"));
 	json_put(object, "include", includes);
-	json_put(object, "max_blocks", options->max_blocks ? json_integer(options->max_blocks) : json_null());
+	json_put(object, "max_blocks", options->read.max_blocks ? json_integer(options->read.max_blocks) : json_null());
 	json_put(object, "fail_on", kinds);
 	json_put(object, "exit_zero", json_boolean(run->exit_zero));
 	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));

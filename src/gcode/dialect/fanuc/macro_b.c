@@ -340,7 +340,7 @@ bool macro_b_line(struct interp *interp, bool *done)
 
 	*done = false;
 	interp->macro.assigned_count = 0;
-	if (text[strspn(text, " \t")] == '\0' || (text[strspn(text, " \t")] == '/' && interp->config->block_delete))
+	if (text[strspn(text, " \t")] == '\0' || (text[strspn(text, " \t")] == '/' && interp->config->read.block_delete))
 		return true;
 	lexer_init(&lexer, &interp->at, true);
 	lexer.interp = interp;

@@ -144,7 +144,7 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 	*over = gist.percent || gist.has_program;
 	if (search->aim == AIM_BLOCK)
 		return gist.has_block && gist.block == search->number && line > search->after;
-	if (*over || (*gist.rest && text[strspn(text, " \t")] == '/' && interp->config->block_delete))
+	if (*over || (*gist.rest && text[strspn(text, " \t")] == '/' && interp->config->read.block_delete))
 		return false;
 	return meet_loop(interp, search, &gist, line, column);
 }

@@ -108,7 +108,7 @@ bool control_flow_line(struct interp *interp, bool *done)
 	*done = flow->skip != SKIP_NOTHING;
 	if (*text == '\0' || !strchr("oOmMnN/", *text))
 		return true;
-	if ((*text == '/' && interp->config->block_delete) || is_computed(interp, text))
+	if ((*text == '/' && interp->config->read.block_delete) || is_computed(interp, text))
 		return true;
 	lexer_init(&lexer, &interp->at, false);
 	lexer.interp = interp;
@@ -157,7 +157,7 @@ bool control_flow_end_of_file(struct interp *interp)
 bool control_flow_count(struct interp *interp)
 {
 	struct control_flow *flow = &interp->flow;
-	long long limit = interp->config->max_blocks > 0 ? interp->config->max_blocks : FLOW_BLOCKS_MAX;
+	long long limit = interp->config->read.max_blocks > 0 ? interp->config->read.max_blocks : FLOW_BLOCKS_MAX;
 
 	if (flow->control_count == 0 && interp->params.level == 0 && !flow->repeated && !interp->macro.jumped)
 		return true;
