@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "control/dialects.h"
+
 enum {
 	IN_CHECK = 1 << RUN_CHECK,
 	IN_PARSE = 1 << RUN_PARSE_ONLY,
@@ -23,9 +25,6 @@ enum {
 static const char *const methods[] = {
 	[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
 	[CHECK_CONVENTIONAL] = "conventional", NULL,
-};
-static const char *const dialects[] = {
-	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
 };
 static const char *const progress[] = {
 	[PROGRESS_AUTO] = "auto", [PROGRESS_PLAIN] = "plain", [PROGRESS_NONE] = "none", NULL,
@@ -62,7 +61,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "print every pair of bodies and whether it is checked"},
 	{KEY_CHECK_MACHINE, "check-machine", NULL, MODE(RUN_CHECK_MACHINE),
 	 .help = "print the machine as it was understood, and what is\nodd about it"},
-	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM, CHOICE(dialect, dialects),
+	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM, CHOICE(dialect, dialect_names),
 	 .help = "linuxcnc, fanuc or haas, instead of the machine's"},
 	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),
 	 .help = "a word that stands twice in a block is an error\n(the default), or the last one counts"},

@@ -62,7 +62,7 @@ struct options {
 	bool exit_zero;	/* whatever is found */
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
-	int dialect;	/* enum dialect; -1: the machine's */
+	int dialect;	/* row of control/dialects.h; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };
 

@@ -98,7 +98,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	if (!path_checks_root(options, job->machine, job->setup, diag) || !load_waivers(job, options, diag))
 		return false;
 	if (options->dialect >= 0)
-		job->machine->controller.dialect = (enum dialect)options->dialect;
+		job->machine->controller.dialect = options->dialect;
 	if (needs_scene(options->mode)) {
 		job->scene = scene_new(job->machine, job->setup, options->clearance, diag);
 		if (!job->scene || (options->mode == RUN_CHECK && !scene_build(job->scene, diag)))

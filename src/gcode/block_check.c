@@ -82,12 +82,12 @@ static bool check_dwell(struct block *block, const struct line_place *at)
 }
 
 static bool check_machine_coordinates(const struct block *block, const struct line_place *at,
-				      enum gcode_dialect dialect, const struct block_modes *modes)
+				      const struct dialect *dialect, const struct block_modes *modes)
 {
 	bool incremental = block->g[G_DISTANCE] == CODE_NONE ? modes->incremental : block->g[G_DISTANCE] == G91;
 	bool axes = block->letters & AXIS_BITS;
 
-	if (dialect != GCODE_LINUXCNC && !axes && block->motion == CODE_NONE)
+	if (dialect->legacy != GCODE_LINUXCNC && !axes && block->motion == CODE_NONE)
 		return true;
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
@@ -96,12 +96,12 @@ static bool check_machine_coordinates(const struct block *block, const struct li
 	return true;
 }
 
-static bool check_nonmodal(struct block *block, const struct line_place *at, enum gcode_dialect dialect,
+static bool check_nonmodal(struct block *block, const struct line_place *at, const struct dialect *dialect,
 			   const struct block_modes *modes)
 {
 	int code = block->g[G_NONMODAL];
 
-	if (code == G4 && dialect != GCODE_LINUXCNC)
+	if (code == G4 && dialect->legacy != GCODE_LINUXCNC)
 		return check_dwell(block, at);
 	if (code == G4 && !block_has(block, 'P'))
 		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in P");
@@ -112,20 +112,20 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, enu
 	if (code == G53)
 		return check_machine_coordinates(block, at, dialect, modes);
 	/* Fanuc gives an alarm, the others send every axis home. */
-	if ((code == G28 || code == G30) && dialect == GCODE_FANUC && !(block->letters & AXIS_BITS))
+	if ((code == G28 || code == G30) && dialect->legacy == GCODE_FANUC && !(block->letters & AXIS_BITS))
 		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", code / 10);
 	return true;
 }
 
 /* What the words of canned cycles are: cycle.c. */
-static uint32_t cycle_letters(int code, enum gcode_dialect dialect)
+static uint32_t cycle_letters(int code, const struct dialect *dialect)
 {
 	uint32_t used = letter_bit('R');
 
-	used |= dialect == GCODE_FANUC ? letter_bit('K') : letter_bit('L');
+	used |= dialect->legacy == GCODE_FANUC ? letter_bit('K') : letter_bit('L');
 	if (code == G73 || code == G83)
 		used |= letter_bit('Q');
-	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 || dialect != GCODE_LINUXCNC)
+	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 || dialect->legacy != GCODE_LINUXCNC)
 		used |= letter_bit('P');
 	if (code == G87)
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
@@ -141,19 +141,19 @@ static uint32_t contour_letters(int code)
 }
 
 /* What G10 sets; the words of lathe tools as well: tool_write.c says that they are not supported. */
-static uint32_t data_letters(const struct block *block, enum gcode_dialect dialect)
+static uint32_t data_letters(const struct block *block, const struct dialect *dialect)
 {
 	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
 	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
 
-	if (dialect == GCODE_LINUXCNC && mode > 0 && mode < 12 && tool_write_is((int)lround(mode)))
+	if (dialect->legacy == GCODE_LINUXCNC && mode > 0 && mode < 12 && tool_write_is((int)lround(mode)))
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
 	return used;
 }
 
-static bool is_call(const struct block *block, enum gcode_dialect dialect)
+static bool is_call(const struct block *block, const struct dialect *dialect)
 {
-	return dialect != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
+	return dialect->legacy != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
 }
 
 /* M50 to M53 take an on or off, M48 and M49 do not. */
@@ -183,13 +183,13 @@ static bool check_output(const struct block *block, const struct line_place *at)
 }
 
 /* The letters that some code of the block uses. */
-static uint32_t used_letters(const struct block *block, enum gcode_dialect dialect)
+static uint32_t used_letters(const struct block *block, const struct dialect *dialect)
 {
 	uint32_t used = AXIS_BITS | letter_bit('F') | letter_bit('S') | letter_bit('T');
 
 	if (is_arc(block->motion)) {
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
-		used |= dialect == GCODE_LINUXCNC ? letter_bit('P') : 0;
+		used |= dialect->legacy == GCODE_LINUXCNC ? letter_bit('P') : 0;
 	}
 	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
 		used |= cycle_letters(block->motion, dialect);
@@ -199,7 +199,7 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('I');
 	if (block->g[G_NONMODAL] == G4)
 		used |= letter_bit('P');
-	if (block->g[G_NONMODAL] == G30 && dialect != GCODE_LINUXCNC)
+	if (block->g[G_NONMODAL] == G30 && dialect->legacy != GCODE_LINUXCNC)
 		used |= letter_bit('P');
 	if (block->g[G_NONMODAL] == G10)
 		used |= data_letters(block, dialect);
@@ -212,11 +212,11 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('P') | letter_bit('Q');
-	if (block->g[G_SYSTEM] == G54 && dialect == GCODE_FANUC)
+	if (block->g[G_SYSTEM] == G54 && dialect->legacy == GCODE_FANUC)
 		used |= letter_bit('P');
 	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
-	if (block->g[G_PATH] == G64 && dialect == GCODE_LINUXCNC)
+	if (block->g[G_PATH] == G64 && dialect->legacy == GCODE_LINUXCNC)
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_CONTOUR] != CODE_NONE)
 		used |= contour_letters(block->g[G_CONTOUR]);
@@ -228,7 +228,7 @@ static uint32_t used_letters(const struct block *block, enum gcode_dialect diale
 }
 
 /* P and L of M97 to M99 can be nobody else's. */
-static bool check_call(struct block *block, const struct line_place *at, enum gcode_dialect dialect)
+static bool check_call(struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
 	uint32_t mine = letter_bit('P') | letter_bit('L'), used = used_letters(block, dialect) & mine & block->letters;
 
@@ -257,7 +257,7 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 		     (block->g[G_LENGTH] != CODE_NONE && config->length_moves == GCODE_YES);
 	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
 
-	if (config->dialect == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)
+	if (config->dialect->legacy == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)
 		return true;
 	return fault(at, block->m_column[group],
 		     "%s in a block that moves: whether it comes before or after the move depends on the control; "
@@ -272,9 +272,9 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 
 	if (!check_idle(block, at))
 		return false;
-	if (!(config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
+	if (!(config->dialect->legacy != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
 		return false;
-	if (config->dialect == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
+	if (config->dialect->legacy == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
 	    !(block->letters & AXIS_BITS))
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))

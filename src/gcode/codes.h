@@ -1,10 +1,9 @@
-/* codes.h - which G and M codes each dialect knows, their modal groups, and what the unsupported ones would do. */
+/* codes.h - G and M codes, their modal groups, and sets of the codes that a dialect knows. */
 #ifndef FIVECHECK_GCODE_CODES_H
 #define FIVECHECK_GCODE_CODES_H
 
 #include <stdbool.h>
-
-#include "gcode/interp.h"
+#include <stddef.h>
 
 /* G codes are numbered by tenths: G43.4 is 434. */
 enum {
@@ -113,25 +112,32 @@ enum g_group {
 enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_TCP, M_GROUPS };
 
 #define GROUP_UNSUPPORTED (-1)
-/* A macro call: its words are no block's (macro.h). */
+/* A statement of its own, which is read before the block is, such as a macro call. */
 #define GROUP_STATEMENT (-2)
 /* Moves no axis and changes nothing that is followed here. */
 #define GROUP_HARMLESS (-3)
 
 struct code {
 	short number;	/* tenths for G codes */
-	short dialects;	/* bits 1 << enum gcode_dialect */
-	short group;	/* enum g_group or m_group, or GROUP_UNSUPPORTED */
+	short group;	/* enum g_group or m_group, or one of the GROUP_... above */
 	const char *what;	/* what an unsupported code would do; else NULL */
 };
 
-/* NULL: the dialect has no such code, or none that is known here. */
-const struct code *code_find_g(int number, enum gcode_dialect dialect);
-const struct code *code_find_m(int number, enum gcode_dialect dialect);
+/* Rows sorted by number. */
+struct code_set {
+	const struct code *rows;
+	size_t count;
+};
+
+#define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0])}
+
+/* The sets that a dialect can have of a kind. */
+#define CODE_SETS_MAX 4
+
+/* The row of the number in sets[0] to the last that is not NULL; NULL: there is none. */
+const struct code *code_find(const struct code_set *const sets[CODE_SETS_MAX], int number);
 
 /* A canned cycle: it drills, taps or bores where the block's axis words lead. */
 bool code_is_cycle(int number);
-
-const char *dialect_name(enum gcode_dialect dialect);
 
 #endif

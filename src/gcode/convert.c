@@ -23,7 +23,7 @@ static bool convert_feed(struct interp *interp)
 				   : block->g[G_FEED_MODE] == G94 ? FEED_PER_MINUTE
 								  : FEED_PER_REVOLUTION;
 		/* LinuxCNC forgets the feed with every G94 and G95, others where its unit changes. */
-		if (interp->config->dialect == GCODE_LINUXCNC || state->feed_mode != before)
+		if (interp->config->dialect->legacy == GCODE_LINUXCNC || state->feed_mode != before)
 			state->feed_linear = state->feed_angular = 0;
 	}
 	if (!block_has(block, 'F'))
@@ -78,7 +78,7 @@ static bool convert_path(struct interp *interp)
 			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
 	state->blend = block->g[G_PATH] == G64;
 	state->blend_tolerance = 0;
-	if (!state->blend || interp->config->dialect != GCODE_LINUXCNC || !block_has(block, 'P'))
+	if (!state->blend || interp->config->dialect->legacy != GCODE_LINUXCNC || !block_has(block, 'P'))
 		return true;
 	if (block_value(block, 'P') < 0)
 		return fault(&interp->at, block_column(block, 'P'), "a path tolerance cannot be negative");
@@ -113,7 +113,7 @@ static void convert_increments(struct interp *interp)
 	double increment = interp->config->least_input;
 	double linear = interp->state.scale > 1 ? increment / 10 : increment;
 
-	if (!(increment > 0) || interp->config->dialect == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)
+	if (!(increment > 0) || interp->config->dialect->legacy == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
 		int slot = slot_of_letter(*letter);
@@ -196,7 +196,7 @@ bool convert_block(struct interp *interp)
 		return false;
 	if (block->m[M_STOP] != CODE_NONE && !comp_stop(interp))
 		return false;
-	if (block->m[M_STOP] >= 97 && interp->config->dialect != GCODE_LINUXCNC)
+	if (block->m[M_STOP] >= 97 && interp->config->dialect->legacy != GCODE_LINUXCNC)
 		return macro_b_end_block(interp);
 	if (block->m[M_STOP] == 99 && interp->params.level > 0)
 		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");

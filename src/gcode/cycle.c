@@ -229,7 +229,7 @@ static bool find_repeats(struct cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
 	const struct block *block = &interp->block;
-	char letter = interp->config->dialect == GCODE_FANUC ? 'K' : 'L';
+	char letter = interp->config->dialect->legacy == GCODE_FANUC ? 'K' : 'L';
 
 	cycle->repeats = 1;
 	if (!block_has(block, letter))
@@ -454,7 +454,7 @@ bool cycle_run(struct interp *interp)
 {
 	struct state *state = &interp->state;
 	struct cycle cycle = {.interp = interp, .code = interp->block.motion,
-			      .linuxcnc = interp->config->dialect == GCODE_LINUXCNC, .at = frame_straight(state)};
+			      .linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC, .at = frame_straight(state)};
 	int column = block_motion_column(&interp->block);
 	bool kept, good;
 

@@ -89,7 +89,7 @@ static bool run_block(struct interp *interp)
 		return false;
 	/* LinuxCNC skips nothing but blank lines before '%', the others whatever is not a block. */
 	interp->begun = interp->begun || block->words > 0 ||
-			(interp->config->dialect == GCODE_LINUXCNC && interp->at.text[blanks] != '\0');
+			(interp->config->dialect->legacy == GCODE_LINUXCNC && interp->at.text[blanks] != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
@@ -103,14 +103,14 @@ static bool run_block(struct interp *interp)
 
 static bool run_line(struct interp *interp)
 {
-	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC, done = false;
+	bool done = false;
 	int blanks = (int)strspn(interp->at.text, " \t");
 
 	if (interp->at.text[blanks] == '%' && interp->macro.level > 0)
 		return take_called_percent(interp);
 	if (interp->at.text[blanks] == '%' && interp->flow.skip == SKIP_NOTHING)
 		return take_percent(interp, blanks + 1);
-	if (linuxcnc ? !control_flow_line(interp, &done) : !macro_b_line(interp, &done))
+	if (interp->config->dialect->statement && !interp->config->dialect->statement(interp, &done))
 		return false;
 	interp->begun = interp->begun || done;
 	return done || run_block(interp);

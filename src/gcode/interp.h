@@ -9,9 +9,9 @@
 #include "base/axes.h"
 #include "base/diag.h"
 #include "gcode/canon.h"
+#include "gcode/dialect.h"
 #include "gcode/read_options.h"
 
-enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
 enum gcode_wrap { GCODE_WRAP_NONE, GCODE_WRAP_SHORTEST, GCODE_WRAP_SIGN };
 enum gcode_answer { GCODE_UNKNOWN, GCODE_YES, GCODE_NO };
 enum gcode_mcode { GCODE_TCP_ON, GCODE_TCP_OFF, GCODE_IGNORE };
@@ -30,7 +30,7 @@ struct gcode_place {
 
 /* Borrowed, and constant while a program runs. Lengths in mm, angles in radians. */
 struct gcode_config {
-	enum gcode_dialect dialect;
+	const struct dialect *dialect;
 	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
 	enum gcode_wrap wrap[SLOT_COUNT];
 	int half_turn[SLOT_COUNT];	/* with GCODE_WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */

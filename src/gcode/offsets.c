@@ -21,7 +21,7 @@ static bool slot_word(const struct interp *interp, int slot, double *value)
 /* Fanuc 30i-B: G54.1 P1 to P48; Haas: G154 P1 to P99, and G110 to G129 for P1 to P20. */
 static bool find_system(struct interp *interp, int code, int *system)
 {
-	bool fanuc = interp->config->dialect == GCODE_FANUC;
+	bool fanuc = interp->config->dialect->legacy == GCODE_FANUC;
 	int number = 0;
 
 	/* Fanuc: G54 with P is G54.1. */
@@ -63,7 +63,7 @@ static bool refuse_incremental(struct interp *interp)
 {
 	int code = interp->block.g[G_NONMODAL];
 
-	if (interp->config->dialect == GCODE_LINUXCNC || !interp->state.incremental)
+	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !interp->state.incremental)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
 		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);
@@ -103,7 +103,7 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 static void change_work(struct interp *interp, int system, int slot, double word)
 {
 	double *value = &interp->state.work[system].v[slot];
-	bool added = interp->state.incremental && interp->config->dialect != GCODE_LINUXCNC;
+	bool added = interp->state.incremental && interp->config->dialect->legacy != GCODE_LINUXCNC;
 
 	*value = added ? *value + word : word;
 }
@@ -126,14 +126,14 @@ static void change_work_here(struct interp *interp, int system, int slot, double
 static bool find_written(struct interp *interp, int mode, int *system)
 {
 	const struct block *block = &interp->block;
-	enum gcode_dialect dialect = interp->config->dialect;
-	int least = dialect == GCODE_LINUXCNC ? 0 : 1, most = dialect == GCODE_LINUXCNC ? SYSTEM_COUNT : 6;
+	const struct dialect *dialect = interp->config->dialect;
+	int least = dialect->legacy == GCODE_LINUXCNC ? 0 : 1, most = dialect->legacy == GCODE_LINUXCNC ? SYSTEM_COUNT : 6;
 
-	if (mode == 20 && dialect != GCODE_LINUXCNC)
-		most = dialect == GCODE_FANUC ? 48 : EXTENDED_COUNT;
+	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
+		most = dialect->legacy == GCODE_FANUC ? 48 : EXTENDED_COUNT;
 	if (!block_integer(block, &interp->at, 'P', least, most, system))
 		return false;
-	if (mode == 20 && dialect != GCODE_LINUXCNC)
+	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
 		*system += SYSTEM_COUNT;
 	*system = *system == 0 ? interp->state.system : *system - 1;
 	return true;
@@ -143,7 +143,7 @@ static bool find_written(struct interp *interp, int mode, int *system)
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
 	int column = block->g_column[G_NONMODAL], mode, system;
 
 	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
@@ -205,7 +205,7 @@ bool offsets_shift(struct interp *interp)
 	if (!refuse_incremental(interp))
 		return false;
 	/* Fanuc and Haas keep a shift for each. */
-	if (interp->config->dialect != GCODE_LINUXCNC && state->shift_code != code && is_shifted(state))
+	if (interp->config->dialect->legacy != GCODE_LINUXCNC && state->shift_code != code && is_shifted(state))
 		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
 			     state->shift_code / 10);
 	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))

@@ -267,7 +267,7 @@ static bool check_by_machine(struct interp *interp)
 
 	if (code != G28 && code != G30 && code != G53)
 		return true;
-	if (interp->config->dialect == GCODE_FANUC)
+	if (interp->config->dialect->legacy == GCODE_FANUC)
 		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
 			     code / 10);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {

@@ -62,7 +62,7 @@ static bool find_number(struct interp *interp, int *index)
 		return false;
 	*index = number - 1;
 	/* LinuxCNC has its second position in parameters that G30.1 and programs write. */
-	if (interp->config->references[*index].given || (number == 2 && interp->config->dialect == GCODE_LINUXCNC))
+	if (interp->config->references[*index].given || (number == 2 && interp->config->dialect->legacy == GCODE_LINUXCNC))
 		return true;
 	return fault(&interp->at, block_has(block, 'P') ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
@@ -159,7 +159,7 @@ bool reference_change_tool(struct interp *interp)
 	bool moves[SLOT_COUNT];
 
 	if (!place->given)
-		return interp->config->dialect == GCODE_LINUXCNC || fault_no_place(interp, column);
+		return interp->config->dialect->legacy == GCODE_LINUXCNC || fault_no_place(interp, column);
 	if (interp->state.frame.on && interp->state.tcp == TCP_BY_PLANE) {
 		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 			if (place->has[slot])

@@ -52,7 +52,7 @@ bool target_absolute(struct interp *interp, int slot, double value, double origi
 	}
 	if (config->wrap[slot] == GCODE_WRAP_SHORTEST)
 		return shortest(interp, slot, value + origin, column, target);
-	if (config->dialect == GCODE_LINUXCNC && fabs(value) >= 360)
+	if (config->dialect->legacy == GCODE_LINUXCNC && fabs(value) >= 360)
 		return fault(&interp->at, column,
 			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
 			     AXIS_LETTERS[slot], value);

@@ -50,7 +50,7 @@ bool tooling_suspend(struct interp *interp, int column, struct suspended *suspen
 
 	*suspended = (struct suspended){state->tcp, state->frame.on};
 	/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
-	if (state->tcp == TCP_BY_MCODE && interp->config->dialect == GCODE_LINUXCNC)
+	if (state->tcp == TCP_BY_MCODE && interp->config->dialect->legacy == GCODE_LINUXCNC)
 		return fault(&interp->at, column,
 			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
 			     "tool point; switch TCP off first");
@@ -76,11 +76,11 @@ bool tooling_resume(struct interp *interp, int column, const struct suspended *s
 void tooling_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
 	struct state *state = &interp->state;
-	bool any = false, haas = interp->config->dialect == GCODE_HAAS;
+	bool any = false, haas = interp->config->dialect->legacy == GCODE_HAAS;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		any = any || moved[slot];
-	if (interp->config->dialect == GCODE_LINUXCNC || !any || (haas && code == G53))
+	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !any || (haas && code == G53))
 		return;
 	if (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0))
 		return;
@@ -164,13 +164,13 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 static bool find_length_number(struct interp *interp, int *number)
 {
 	const struct block *block = &interp->block;
-	enum gcode_dialect dialect = interp->config->dialect;
+	const struct dialect *dialect = interp->config->dialect;
 	const char *code = block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4";
 
 	if (block_has(block, 'H'))
 		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
-	*number = dialect == GCODE_LINUXCNC ? 0 : interp->state.length_number;
-	if (dialect == GCODE_HAAS)
+	*number = dialect->legacy == GCODE_LINUXCNC ? 0 : interp->state.length_number;
+	if (dialect->legacy == GCODE_HAAS)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
 	if (*number < 0)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before", code);
@@ -182,7 +182,7 @@ static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
 	const struct gcode_length *entry;
-	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
 	int column = block_has(block, 'H') ? block_column(block, 'H') : block->g_column[G_LENGTH], number;
 
 	if (!find_length_number(interp, &number))
@@ -221,7 +221,7 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 {
 	struct state *state = &interp->state;
 	enum tcp_source meanwhile = source == TCP_OFF ? state->tcp : source;
-	bool linuxcnc = interp->config->dialect == GCODE_LINUXCNC;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
 	int column = interp->block.g_column[G_LENGTH];
 	struct length_change change = {.column = column, .doubt = doubt, .ends_tcp = meanwhile != source};
 	slot_values before, after;
@@ -243,7 +243,7 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 static bool is_taken_back(const struct interp *interp, int code, int doubt)
 {
 	return code == G49 && doubt != CODE_NONE && doubt != DOUBT_M6 && interp->state.tcp == TCP_OFF &&
-	       interp->config->dialect == GCODE_FANUC;
+	       interp->config->dialect->legacy == GCODE_FANUC;
 }
 
 bool tooling_length(struct interp *interp)

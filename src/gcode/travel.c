@@ -66,7 +66,7 @@ double travel_seconds(const struct interp *interp, char letter)
 	const struct block *block = &interp->block;
 	double seconds = block_value(block, letter);
 
-	if (interp->config->dialect != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
+	if (interp->config->dialect->legacy != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
 		seconds /= 1000;
 	else if (interp->config->least_input > 0 && letter != 'P' && !(block->points & letter_bit(letter)))
 		seconds *= interp->config->least_input;
@@ -127,10 +127,10 @@ static bool go_straight(struct interp *interp, bool machine)
 	int column;
 
 	/* Fanuc 30i-B operator's manual, machine coordinate system (G53): always at the rapid rate. */
-	if (machine && interp->config->dialect == GCODE_FANUC)
+	if (machine && interp->config->dialect->legacy == GCODE_FANUC)
 		move.kind = CANON_RAPID;
 	/* Only LinuxCNC minds a G1 without a feed that moves nothing. */
-	if (move.kind == CANON_FEED && !(block->letters & AXIS_BITS) && interp->config->dialect != GCODE_LINUXCNC)
+	if (move.kind == CANON_FEED && !(block->letters & AXIS_BITS) && interp->config->dialect->legacy != GCODE_LINUXCNC)
 		return true;
 	if (move.kind == CANON_FEED && !travel_feed(interp, &move.feed))
 		return false;
@@ -266,7 +266,7 @@ static bool go_arc(struct interp *interp)
 	if (!travel_feed(interp, &move.feed) || !target_find(interp, false, &target))
 		return false;
 	/* LinuxCNC alone has turns; a G64 in the block claims P as well, and it gives it to both. */
-	if (interp->config->dialect == GCODE_LINUXCNC && block_has(block, 'P') &&
+	if (interp->config->dialect->legacy == GCODE_LINUXCNC && block_has(block, 'P') &&
 	    !block_integer(block, &interp->at, 'P', 1, INT_MAX, &turns))
 		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};

@@ -17,7 +17,6 @@
  * base, link i + 1 hangs on axes[i].
  */
 
-enum dialect { DIALECT_LINUXCNC, DIALECT_FANUC, DIALECT_HAAS };
 enum rapid { RAPID_LINEAR, RAPID_DOGLEG, RAPID_ANY };
 enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
 /* A control's answer to a question that only its maker or its parameters can answer. */
@@ -42,7 +41,7 @@ struct machine_place {
 #define PLACES_MAX 4
 
 struct controller {
-	enum dialect dialect;
+	int dialect;	/* row of control/dialects.h */
 	enum rapid rapid;
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */

@@ -5,6 +5,7 @@
 
 #include "base/mem.h"
 #include "base/units.h"
+#include "control/dialects.h"
 #include "machine/body_xml.h"
 #include "machine/place_xml.h"
 #include "machine/setup_xml.h"
@@ -44,23 +45,23 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, struct mcode
 static void read_length_moves(struct xml_reader *xml, const xmlNode *node, struct controller *controller)
 {
 	static const char *const answers[] = {"", "yes", "no", NULL};
+	const struct dialect_row *row = &dialect_rows[controller->dialect];
 
 	if (!xml_attribute(node, "length_offset_moves"))
 		return;
 	controller->length_moves = (enum answer)xml_choice(node, "length_offset_moves", answers);
-	if (controller->dialect == DIALECT_LINUXCNC)
-		xml_error(xml, node, "length_offset_moves of <controller>: LinuxCNC moves no axis then");
+	if (!row->has_parameters)
+		xml_error(xml, node, "length_offset_moves of <controller>: %s moves no axis then", row->title);
 }
 
 static void read_controller(struct xml_reader *xml, const xmlNode *node, struct machine *machine)
 {
-	static const char *const dialects[] = {"linuxcnc", "fanuc", "haas", NULL};
 	static const char *const rapids[] = {"linear", "dogleg", "any", NULL};
 	static const char *const zeros[] = {"machine", "offset", NULL};
 	struct controller *controller = &machine->controller;
 	struct mcode *mcodes = arena_alloc(&machine->arena, xml_count(node, "mcode") * sizeof(*mcodes));
 
-	controller->dialect = (enum dialect)xml_choice(node, "dialect", dialects);
+	controller->dialect = xml_choice(node, "dialect", dialect_names);
 	controller->rapid = (enum rapid)xml_choice(node, "rapid", rapids);
 	controller->tcp_zero_offset = xml_choice(node, "tcp_zero", zeros) == 1;
 	controller->path_tolerance = xml_length(xml, node, "path_tolerance", 0);
@@ -71,8 +72,9 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, struct 
 						    controller->least_input <= LEAST_INPUT_MAX))
 		xml_error(xml, node, "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
 			  xml_quote(xml_attribute(node, "least_input")).text);
-	if (xml_attribute(node, "least_input") && controller->dialect == DIALECT_LINUXCNC)
-		xml_error(xml, node, "least_input of <controller>: LinuxCNC has no least input increment");
+	if (xml_attribute(node, "least_input") && !dialect_rows[controller->dialect].has_parameters)
+		xml_error(xml, node, "least_input of <controller>: %s has no least input increment",
+			  dialect_rows[controller->dialect].title);
 	read_length_moves(xml, node, controller);
 	for (const xmlNode *child = xml_first(node); child; child = xml_next(child)) {
 		if (xml_is(child, "mcode"))

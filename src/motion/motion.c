@@ -3,21 +3,9 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "gcode/dialect/dialects.h"
 #include "gcode/interp.h"
 #include "motion/drive.h"
-
-static enum gcode_dialect dialect_of(enum dialect dialect)
-{
-	switch (dialect) {
-	case DIALECT_FANUC:
-		return GCODE_FANUC;
-	case DIALECT_HAAS:
-		return GCODE_HAAS;
-	case DIALECT_LINUXCNC:
-		break;
-	}
-	return GCODE_LINUXCNC;
-}
 
 static enum gcode_wrap wrap_of(enum wrap wrap)
 {
@@ -83,7 +71,7 @@ static void glue_machine(struct glue *glue, const struct machine *machine)
 	const struct controller *controller = &machine->controller;
 	struct gcode_config *config = &glue->config;
 
-	config->dialect = dialect_of(controller->dialect);
+	config->dialect = dialect_of_row(controller->dialect);
 	config->tcp_zero_offset = controller->tcp_zero_offset;
 	config->home = machine_home(machine);
 	config->unit = machine->unit;

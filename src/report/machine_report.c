@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/units.h"
+#include "control/dialects.h"
 #include "report/format/format_units.h"
 
 struct machine_report {
@@ -33,10 +34,9 @@ static void add_direction(struct strbuf *out, vec3 v)
 
 static void add_controller(struct strbuf *out, const struct controller *controller)
 {
-	static const char *const dialects[] = {"linuxcnc", "fanuc", "haas"};
 	static const char *const rapids[] = {"linear", "dogleg", "any (anywhere in the box of the move)"};
 
-	strbuf_addf(out, "controller: %s, rapids %s, TCP's rotary zero %s", dialects[controller->dialect],
+	strbuf_addf(out, "controller: %s, rapids %s, TCP's rotary zero %s", dialect_names[controller->dialect],
 		    rapids[controller->rapid], controller->tcp_zero_offset ? "the work offset's" : "the machine's");
 	if (controller->path_tolerance > 0)
 		strbuf_addf(out, ", path tolerance %.10g", controller->path_tolerance);

@@ -1,5 +1,6 @@
 /* Any bytes as a program, interpreted and turned into motion; FUZZ_DIALECT in the environment names the dialect. */
 #include "check/check.h"
+#include "control/dialects.h"
 #include "fuzz.h"
 
 enum { BLOCKS = 300 };
@@ -12,13 +13,14 @@ static bool keep_going(void *context, const struct finding *finding)
 	return true;
 }
 
-static enum dialect dialect_of_environment(void)
+static int dialect_of_environment(void)
 {
 	const char *name = getenv("FUZZ_DIALECT");
+	int row = name ? dialect_row_find(name) : 0;
 
-	if (!name || !strcmp(name, "linuxcnc"))
-		return DIALECT_LINUXCNC;
-	return strcmp(name, "fanuc") ? DIALECT_HAAS : DIALECT_FANUC;
+	if (row < 0)
+		abort();
+	return row;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

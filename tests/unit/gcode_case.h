@@ -10,6 +10,7 @@
 
 #include "base/strbuf.h"
 #include "base/units.h"
+#include "gcode/dialect/dialects.h"
 #include "gcode/interp.h"
 
 struct gcode_case {
@@ -35,7 +36,7 @@ static inline void case_note(void *context, const struct diag_entry *entry)
 /* A linear machine in X Y Z with rotary A and C. */
 static inline void case_init(struct gcode_case *c)
 {
-	*c = (struct gcode_case){.diag = {.handle = case_note}};
+	*c = (struct gcode_case){.config.dialect = &dialect_linuxcnc, .diag = {.handle = case_note}};
 	for (int slot = SLOT_X; slot <= SLOT_C; slot++)
 		c->config.has_axis[slot] = slot != SLOT_B;
 }

@@ -362,7 +362,7 @@ START_TEST(fanuc_programs)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.tool_change.given = true;
 	case_expect(
 	    &c,
@@ -372,14 +372,14 @@ START_TEST(fanuc_programs)
 	    "rapid 0 0 0 0 0\ntool 2\n");
 	/* What was never switched on may be cancelled. */
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	case_expect(&c, "G0 X1.\nG17 G21 G40 G49 G50 G50.1 G15 G69 G80 G90\nG0 X2.\nM30\n",
 		    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	case_expect(&c, "G17 G21 G40 G49 G50 G100 G69 G80 G90\nG0 X2.\nM30\n", "rapid 2 0 0 0 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	ck_assert(case_run(&c, ":0002\nG0 X10 Y20\nZ30\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 20 0 0 0\nrapid 10 20 30 0 0\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),

@@ -8,7 +8,7 @@ struct bad {
 };
 
 /* The message is the only one, and the caret stands below the column of the line that it names. */
-static void expect_bad(const struct bad *bad, enum gcode_dialect dialect, bool has_setup)
+static void expect_bad(const struct bad *bad, const struct dialect *dialect, bool has_setup)
 {
 	struct strbuf expected = {0};
 	const char *line = bad->program;
@@ -208,37 +208,37 @@ static const struct bad fanuc[] = {
 
 START_TEST(text)
 {
-	expect_bad(&texts[_i], GCODE_LINUXCNC, false);
+	expect_bad(&texts[_i], &dialect_linuxcnc, false);
 }
 END_TEST
 
 START_TEST(code)
 {
-	expect_bad(&codes[_i], GCODE_LINUXCNC, false);
+	expect_bad(&codes[_i], &dialect_linuxcnc, false);
 }
 END_TEST
 
 START_TEST(block)
 {
-	expect_bad(&blocks[_i], GCODE_LINUXCNC, false);
+	expect_bad(&blocks[_i], &dialect_linuxcnc, false);
 }
 END_TEST
 
 START_TEST(motion)
 {
-	expect_bad(&motions[_i], GCODE_LINUXCNC, false);
+	expect_bad(&motions[_i], &dialect_linuxcnc, false);
 }
 END_TEST
 
 START_TEST(setup)
 {
-	expect_bad(&with_setup[_i], GCODE_LINUXCNC, true);
+	expect_bad(&with_setup[_i], &dialect_linuxcnc, true);
 }
 END_TEST
 
 START_TEST(in_fanuc)
 {
-	expect_bad(&fanuc[_i], GCODE_FANUC, false);
+	expect_bad(&fanuc[_i], &dialect_fanuc, false);
 }
 END_TEST
 
@@ -250,7 +250,7 @@ START_TEST(in_haas)
 	};
 
 	for (size_t i = 0; i < sizeof(bad) / sizeof(bad[0]); i++)
-		expect_bad(&bad[i], GCODE_HAAS, false);
+		expect_bad(&bad[i], &dialect_haas, false);
 }
 END_TEST
 
@@ -268,7 +268,7 @@ START_TEST(wrapped_position_beyond_a_turn)
 	case_init(&c);
 	/* Fanuc B-63534EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
 	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");
 }
 END_TEST

@@ -1,7 +1,7 @@
 /* test_gcode_cycle.c - canned cycles, tapping and probing as moves; tool change and reference moves; faults of each. */
 #include "gcode_case.h"
 
-static void run(enum gcode_dialect dialect, const char *program, const char *moves)
+static void run(const struct dialect *dialect, const char *program, const char *moves)
 {
 	struct gcode_case c;
 
@@ -13,14 +13,14 @@ static void run(enum gcode_dialect dialect, const char *program, const char *mov
 /* LinuxCNC's manual, "G81 Drilling Cycle", its examples 1 to 3. */
 START_TEST(drilling)
 {
-	run(GCODE_LINUXCNC, "F9 G0 X1 Y2 Z3\nG90 G81 G98 X4 Y5 Z1.5 R2.8\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 X1 Y2 Z3\nG90 G81 G98 X4 Y5 Z1.5 R2.8\nM2\n",
 	    "rapid 1 2 3 0 0\nrapid 4 5 3 0 0\nrapid 4 5 2.8 0 0\nfeed 4 5 1.5 0 0\nrapid 4 5 3 0 0\n");
-	run(GCODE_LINUXCNC, "F9 G0 X1 Y2 Z3\nG91 G81 G98 X4 Y5 Z-0.6 R1.8 L3\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 X1 Y2 Z3\nG91 G81 G98 X4 Y5 Z-0.6 R1.8 L3\nM2\n",
 	    "rapid 1 2 3 0 0\n"
 	    "rapid 1 2 4.8 0 0\nrapid 5 7 4.8 0 0\nfeed 5 7 4.2 0 0\nrapid 5 7 4.8 0 0\n"
 	    "rapid 9 12 4.8 0 0\nfeed 9 12 4.2 0 0\nrapid 9 12 4.8 0 0\n"
 	    "rapid 13 17 4.8 0 0\nfeed 13 17 4.2 0 0\nrapid 13 17 4.8 0 0\n");
-	run(GCODE_LINUXCNC, "F9\nG90 G98 G81 X4 Y5 Z1.5 R2.8\nM2\n",
+	run(&dialect_linuxcnc, "F9\nG90 G98 G81 X4 Y5 Z1.5 R2.8\nM2\n",
 	    "rapid 0 0 2.8 0 0\nrapid 4 5 2.8 0 0\nfeed 4 5 1.5 0 0\nrapid 4 5 2.8 0 0\n");
 }
 END_TEST
@@ -32,13 +32,13 @@ END_TEST
  */
 START_TEST(retract)
 {
-	run(GCODE_LINUXCNC, "F9 G0 Z10\nG99 G81 X1 Z-1 R2\nX2\nG98 X3\nG80\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 Z10\nG99 G81 X1 Z-1 R2\nX2\nG98 X3\nG80\nM2\n",
 	    "rapid 0 0 10 0 0\n"
 	    "rapid 1 0 10 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 2 0 0\n"
 	    "rapid 2 0 2 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 2 0 0\n"
 	    /* LinuxCNC rises on the way, others over the hole. */
 	    "rapid 3 0 10 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -1 0 0\nrapid 3 0 10 0 0\n");
-	run(GCODE_FANUC, "F9 G0 Z10.\nG99 G81 X1. Z-1. R2.\nX2.\nG98 X3.\nG80\nM30\n",
+	run(&dialect_fanuc, "F9 G0 Z10.\nG99 G81 X1. Z-1. R2.\nX2.\nG98 X3.\nG80\nM30\n",
 	    "rapid 0 0 10 0 0\n"
 	    "rapid 1 0 10 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 2 0 0\n"
 	    "rapid 2 0 2 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 2 0 0\n"
@@ -49,7 +49,7 @@ END_TEST
 /* LinuxCNC 2.9 comes back to 0.254 mm above the last peck. */
 START_TEST(pecking)
 {
-	run(GCODE_LINUXCNC, "F9 G0 Z3\nG98 G83 X1 Z-4 R1 Q2\nG73 X2 Z-2 R1 Q2\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 Z3\nG98 G83 X1 Z-4 R1 Q2\nG73 X2 Z-2 R1 Q2\nM2\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\nrapid 1 0 -0.746 0 0\n"
 	    "feed 1 0 -3 0 0\nrapid 1 0 1 0 0\nrapid 1 0 -2.746 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 3 0 0\n"
@@ -60,7 +60,7 @@ END_TEST
 
 START_TEST(dwell_and_feed_out)
 {
-	run(GCODE_LINUXCNC, "F9 G0 Z3 M3 S9\nG98 G82 X1 Z-1 R1 P.5\nG85 X2 Z-1 R1\nG89 X3 Z-1 R1 P1\nG84 X4 Z-1 "
+	run(&dialect_linuxcnc, "F9 G0 Z3 M3 S9\nG98 G82 X1 Z-1 R1 P.5\nG85 X2 Z-1 R1\nG89 X3 Z-1 R1 P1\nG84 X4 Z-1 "
 	    "R1\nM2\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
@@ -68,7 +68,7 @@ START_TEST(dwell_and_feed_out)
 	    "rapid 3 0 3 0 0\nrapid 3 0 1 0 0\nfeed 3 0 -1 0 0\ndwell 1\nfeed 3 0 3 0 0\n"
 	    "rapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\ndwell 1\nfeed 4 0 3 0 0\n");
 	/* Fanuc B-64484EN, tapping cycle (G84), drilling cycle, counter boring (G82): P in ms; feeds end at R. */
-	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
+	run(&dialect_fanuc, "F9 G0 Z3.\nG98 G82 X1. Z-1. R1. P500\nG84 X2.\nG89 X3.\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n"
 	    "rapid 2 0 3 0 0\nrapid 2 0 1 0 0\nfeed 2 0 -1 0 0\ndwell 0.5\nfeed 2 0 1 0 0\nrapid 2 0 3 0 0\n"
@@ -78,7 +78,7 @@ END_TEST
 
 START_TEST(planes)
 {
-	run(GCODE_LINUXCNC, "F9 G18 G98 G81 X1 Z2 Y-3 R1\nG19 G81 Y4 Z5 X-1 R2\nM2\n",
+	run(&dialect_linuxcnc, "F9 G18 G98 G81 X1 Z2 Y-3 R1\nG19 G81 Y4 Z5 X-1 R2\nM2\n",
 	    "rapid 0 1 0 0 0\nrapid 1 1 2 0 0\nfeed 1 -3 2 0 0\nrapid 1 1 2 0 0\n"
 	    "rapid 2 1 2 0 0\nrapid 2 4 5 0 0\nfeed -1 4 5 0 0\nrapid 2 4 5 0 0\n");
 }
@@ -87,7 +87,7 @@ END_TEST
 /* LinuxCNC: interp_cycles.cc, convert_cycle_g87. */
 START_TEST(back_boring)
 {
-	run(GCODE_LINUXCNC, "F9 G0 Z5 M3\nG98 G87 X10 Z-8 R2 I1 J2 K-3\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 Z5 M3\nG98 G87 X10 Z-8 R2 I1 J2 K-3\nM2\n",
 	    "rapid 0 0 5 0 0\n"
 	    "rapid 10 0 5 0 0\nrapid 10 0 2 0 0\nrapid 11 2 2 0 0\nrapid 11 2 -8 0 0\nrapid 10 0 -8 0 0\n"
 	    "feed 10 0 -3 0 0\nfeed 10 0 -8 0 0\nrapid 11 2 -8 0 0\nrapid 11 2 5 0 0\nrapid 10 0 5 0 0\n");
@@ -101,11 +101,11 @@ END_TEST
  */
 START_TEST(repeats)
 {
-	run(GCODE_FANUC, "F9 G0 Z3.\nG91 G99 G81 X1. C90. Z-2. R-1. K2\nM30\n",
+	run(&dialect_fanuc, "F9 G0 Z3.\nG91 G99 G81 X1. C90. Z-2. R-1. K2\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 90\nrapid 1 0 2 0 90\nfeed 1 0 0 0 90\nrapid 1 0 2 0 90\n"
 	    "rapid 2 0 2 0 180\nrapid 2 0 2 0 180\nfeed 2 0 0 0 180\nrapid 2 0 2 0 180\n");
-	run(GCODE_HAAS, "F9 G0 Z3.\nG98 G81 Z-1. R1. L0\nX4.\nM30\n",
+	run(&dialect_haas, "F9 G0 Z3.\nG98 G81 Z-1. R1. L0\nX4.\nM30\n",
 	    "rapid 0 0 3 0 0\nrapid 4 0 3 0 0\nrapid 4 0 1 0 0\nfeed 4 0 -1 0 0\nrapid 4 0 3 0 0\n");
 }
 END_TEST
@@ -169,7 +169,7 @@ START_TEST(reference_positions)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.references[0] = place_at(1, 2, 3);
 	c.config.references[1] = place_at(10, 20, 30);
 	c.config.references[2] = place_at(100, 200, 300);
@@ -203,7 +203,7 @@ START_TEST(level_is_kept)
 		struct gcode_case c;
 
 		case_init(&c);
-		c.config.dialect = i % 2 ? GCODE_HAAS : GCODE_FANUC;
+		c.config.dialect = i % 2 ? &dialect_haas : &dialect_fanuc;
 		c.config.length_moves = GCODE_NO;
 		c.config.lengths = lengths;
 		c.config.length_count = 1;
@@ -219,7 +219,7 @@ START_TEST(level_is_kept)
 		case_release(&c);
 	}
 	/* Where nothing goes by the level, or another cycle begins. */
-	run(GCODE_FANUC, "F9 G0 Z3.\nG99 G81 X1. Z-1. R1.\nG52 Z1.\nX2.\nG80\nG98 G81 X3. Z-1. R1.\nM30\n",
+	run(&dialect_fanuc, "F9 G0 Z3.\nG99 G81 X1. Z-1. R1.\nG52 Z1.\nX2.\nG80\nG98 G81 X3. Z-1. R1.\nM30\n",
 	    "rapid 0 0 3 0 0\nrapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 1 0 0\n"
 	    "rapid 2 0 1 0 0\nrapid 2 0 2 0 0\nfeed 2 0 0 0 0\nrapid 2 0 2 0 0\n"
 	    "rapid 3 0 2 0 0\nrapid 3 0 2 0 0\nfeed 3 0 0 0 0\nrapid 3 0 2 0 0\n");
@@ -231,11 +231,11 @@ START_TEST(drills_where_an_axis_is_named)
 {
 	struct gcode_case c;
 
-	run(GCODE_FANUC, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 P500\nX1.\nM30\n",
+	run(&dialect_fanuc, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 P500\nX1.\nM30\n",
 	    "rapid 0 0 3 0 0\n"
 	    "rapid 1 0 3 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\ndwell 0.5\nrapid 1 0 3 0 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	ck_assert(!case_run(&c, "F9 G0 Z3.\nG98 G81 Z-1. R1. K0\nG82 R2.\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:3:5: error: R of G82 without an axis: whether the tool drills where it stands depends "
@@ -245,7 +245,7 @@ START_TEST(drills_where_an_axis_is_named)
 END_TEST
 
 struct bad {
-	enum gcode_dialect dialect;
+	const struct dialect *dialect;
 	const char *block;
 	int column;
 	const char *message;
@@ -258,64 +258,64 @@ struct bad {
 static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}};
 
 static const struct bad bads[] = {
-    {GCODE_LINUXCNC, "G81 X1 Z-1", 1, "G81 needs R"},
-    {GCODE_LINUXCNC, "G81 X1 R1", 1, "G81 needs its depth in Z"},
-    {GCODE_LINUXCNC, "G18 G81 X1 Z1 R1", 5, "G81 needs its depth in Y"},
-    {GCODE_LINUXCNC, "G81 R1", 1, "G81 without an axis word"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R-2", 1, "R of G81, -2 mm, lies below the depth, -1 mm"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 L0", 15, "G81 cannot be repeated 0 times"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 L1.5", 15, "L1.5: a whole number from 0 to 1000000 is needed"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 P1", 15, "no code in the block uses the word P"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 Q1", 15, "no code in the block uses the word Q"},
-    {GCODE_LINUXCNC, "G81 X1 Z-1 R1 A5", 15, "A in a canned cycle: it moves X, Y and Z only"},
-    {GCODE_LINUXCNC, "G82 X1 Z-1 R1", 1, "G82 needs P"},
-    {GCODE_LINUXCNC, "G82 X1 Z-1 R1 P-1", 15, "a dwell cannot be negative"},
-    {GCODE_LINUXCNC, "G83 X1 Z-1 R1", 1, "G83 needs Q"},
-    {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q0", 15, "Q of G83 must be greater than 0"},
-    {GCODE_LINUXCNC, "G73 X1 Z-1 R1 Q-1", 15, "Q of G73 must be greater than 0"},
-    {GCODE_LINUXCNC, "G83 X1 Z-1 R1 Q.0000001", 15, "Q1e-07 of G83 makes more than 1000000 pecks"},
+    {&dialect_linuxcnc, "G81 X1 Z-1", 1, "G81 needs R"},
+    {&dialect_linuxcnc, "G81 X1 R1", 1, "G81 needs its depth in Z"},
+    {&dialect_linuxcnc, "G18 G81 X1 Z1 R1", 5, "G81 needs its depth in Y"},
+    {&dialect_linuxcnc, "G81 R1", 1, "G81 without an axis word"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R-2", 1, "R of G81, -2 mm, lies below the depth, -1 mm"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L0", 15, "G81 cannot be repeated 0 times"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 L1.5", 15, "L1.5: a whole number from 0 to 1000000 is needed"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 P1", 15, "no code in the block uses the word P"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 Q1", 15, "no code in the block uses the word Q"},
+    {&dialect_linuxcnc, "G81 X1 Z-1 R1 A5", 15, "A in a canned cycle: it moves X, Y and Z only"},
+    {&dialect_linuxcnc, "G82 X1 Z-1 R1", 1, "G82 needs P"},
+    {&dialect_linuxcnc, "G82 X1 Z-1 R1 P-1", 15, "a dwell cannot be negative"},
+    {&dialect_linuxcnc, "G83 X1 Z-1 R1", 1, "G83 needs Q"},
+    {&dialect_linuxcnc, "G83 X1 Z-1 R1 Q0", 15, "Q of G83 must be greater than 0"},
+    {&dialect_linuxcnc, "G73 X1 Z-1 R1 Q-1", 15, "Q of G73 must be greater than 0"},
+    {&dialect_linuxcnc, "G83 X1 Z-1 R1 Q.0000001", 15, "Q1e-07 of G83 makes more than 1000000 pecks"},
     /* A peck below half a unit in the last place would never end. */
-    {GCODE_LINUXCNC, "G83 X1 Z9999999 R9999999.0005 Q.0000000009", 31,
+    {&dialect_linuxcnc, "G83 X1 Z9999999 R9999999.0005 Q.0000000009", 31,
      "Q9e-10 of G83 is too small to be told from 0 at this height"},
-    {GCODE_LINUXCNC, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
-    {GCODE_LINUXCNC, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
-    {GCODE_LINUXCNC, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
-    {GCODE_LINUXCNC, "M3 G18 G84 X1 Z1 Y-1 R1", 8,
+    {&dialect_linuxcnc, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
+    {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
+    {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
+    {&dialect_linuxcnc, "M3 G18 G84 X1 Z1 Y-1 R1", 8,
      "G84 in the plane of G18: LinuxCNC confuses the axes and goes elsewhere; use G33.1"},
-    {GCODE_LINUXCNC, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
-    {GCODE_LINUXCNC, "M3 G87 X1 Z-1 R1 I1 J1", 4, "G87 needs K"},
-    {GCODE_LINUXCNC, "G88 X1 Z-1 R1 P1", 1,
+    {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
+    {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1", 4, "G87 needs K"},
+    {&dialect_linuxcnc, "G88 X1 Z-1 R1 P1", 1,
      "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
-    {GCODE_LINUXCNC, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
-    {GCODE_LINUXCNC, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); canned cycles need G94 or G95"},
-    {GCODE_LINUXCNC, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
-    {GCODE_LINUXCNC, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
-    {GCODE_LINUXCNC, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
-    {GCODE_LINUXCNC, "G33 Z-1", 1, "G33 needs its pitch in K"},
-    {GCODE_LINUXCNC, "G33 Z-1 K1", 1, "G33 while the spindle stands"},
-    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed; "
+    {&dialect_linuxcnc, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},
+    {&dialect_linuxcnc, "G93 G81 X1 Z-1 R1", 5, "G81 in inverse time mode (G93); canned cycles need G94 or G95"},
+    {&dialect_linuxcnc, "G94 G81 X1 Z-1 R1", 5, "G81 without a feed rate (F)"},
+    {&dialect_linuxcnc, "G53 G81 X1 Z-1 R1", 1, "G53 needs G0 or G1"},
+    {&dialect_linuxcnc, "G92 G81 X1 Z-1 R1", 5, "G81 and G92 both need the axis words of the block; write two blocks"},
+    {&dialect_linuxcnc, "G33 Z-1", 1, "G33 needs its pitch in K"},
+    {&dialect_linuxcnc, "G33 Z-1 K1", 1, "G33 while the spindle stands"},
+    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K1 F1", 18, "F with G33, whose feed is its pitch times the spindle speed; "
      "leave F out"},
-    {GCODE_LINUXCNC, "M3 S9 G33 Z-1 K0", 15, "a pitch of 0"},
-    {GCODE_LINUXCNC, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves X, Y and Z only"},
-    {GCODE_LINUXCNC, "G38.2", 1, "G38.2 without an axis word"},
-    {GCODE_LINUXCNC, "G38.2 X0", 1, "G38.2 to where the probe is already"},
-    {GCODE_LINUXCNC, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
+    {&dialect_linuxcnc, "M3 S9 G33 Z-1 K0", 15, "a pitch of 0"},
+    {&dialect_linuxcnc, "M3 S9 G33.1 A1 K1", 13, "A with G33.1, which moves X, Y and Z only"},
+    {&dialect_linuxcnc, "G38.2", 1, "G38.2 without an axis word"},
+    {&dialect_linuxcnc, "G38.2 X0", 1, "G38.2 to where the probe is already"},
+    {&dialect_linuxcnc, "S9 G95 F1 G38.3 X1", 11, "G38.3 in feed per revolution (G95); G94 first"},
     /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
-    {GCODE_FANUC, "G81 X1. Z-1. R1. K0", 18,
+    {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
-    {GCODE_FANUC, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
-    {GCODE_FANUC, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
-    {GCODE_HAAS, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
+    {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
+    {&dialect_fanuc, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
+    {&dialect_haas, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
-    {GCODE_FANUC, "G30 P3 X0.", 5,
+    {&dialect_fanuc, "G30 P3 X0.", 5,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
-    {GCODE_FANUC, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
-    {GCODE_FANUC, "G28 P2 X0.", 5, "no code in the block uses the word P"},
+    {&dialect_fanuc, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
+    {&dialect_fanuc, "G28 P2 X0.", 5, "no code in the block uses the word P"},
     /* Which comes first, the tool or the move? */
-    {GCODE_HAAS, "G1 X5. T2 M6", 11, ORDER("M6")},
-    {GCODE_FANUC, "G91 G28 Z0. T2 M6", 16, ORDER("M6")},
-    {GCODE_HAAS, "T2 M6 G28", 4, ORDER("M6")},
-    {GCODE_FANUC, "G0 X5. M428", 8, ORDER("an M-code that switches TCP")},
+    {&dialect_haas, "G1 X5. T2 M6", 11, ORDER("M6")},
+    {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER("M6")},
+    {&dialect_haas, "T2 M6 G28", 4, ORDER("M6")},
+    {&dialect_fanuc, "G0 X5. M428", 8, ORDER("an M-code that switches TCP")},
 };
 
 START_TEST(refused)

@@ -8,7 +8,7 @@ static const struct gcode_work_offset offsets[] = {{"G54", {{10, 2, -50}}}, {"G5
 static void dynamic_case(struct gcode_case *c)
 {
 	case_init(c);
-	c->config.dialect = GCODE_HAAS;
+	c->config.dialect = &dialect_haas;
 	c->config.length_moves = GCODE_NO;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;

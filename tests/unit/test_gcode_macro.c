@@ -13,7 +13,7 @@
 
 #define ROWS(rows) (sizeof(rows) / sizeof((rows)[0]))
 
-enum { F = 1 << GCODE_FANUC, H = 1 << GCODE_HAAS, BOTH = F | H };
+enum { F = 1, H = 2, BOTH = F | H };
 
 /* The value of an expression is where X goes. */
 static const struct {
@@ -67,7 +67,7 @@ static const struct {
 	{H, "[1 GT 2]", 0},
 };
 
-static void expect_value(enum gcode_dialect dialect, const char *expression, double value)
+static void expect_value(const struct dialect *dialect, const char *expression, double value)
 {
 	char program[256], moves[128];
 	struct gcode_case c;
@@ -86,9 +86,9 @@ START_TEST(expressions)
 {
 	for (size_t i = 0; i < ROWS(values); i++) {
 		if (values[i].dialects & F)
-			expect_value(GCODE_FANUC, values[i].expression, values[i].value);
+			expect_value(&dialect_fanuc, values[i].expression, values[i].value);
 		if (values[i].dialects & H)
-			expect_value(GCODE_HAAS, values[i].expression, values[i].value);
+			expect_value(&dialect_haas, values[i].expression, values[i].value);
 	}
 }
 END_TEST
@@ -126,7 +126,7 @@ static const struct {
 	{H, "#2", false},
 };
 
-static void expect_condition(enum gcode_dialect dialect, const char *condition, bool holds)
+static void expect_condition(const struct dialect *dialect, const char *condition, bool holds)
 {
 	char program[256];
 	struct gcode_case c;
@@ -143,9 +143,9 @@ START_TEST(comparisons)
 {
 	for (size_t i = 0; i < ROWS(conditions); i++) {
 		if (conditions[i].dialects & F)
-			expect_condition(GCODE_FANUC, conditions[i].condition, conditions[i].holds);
+			expect_condition(&dialect_fanuc, conditions[i].condition, conditions[i].holds);
 		if (conditions[i].dialects & H)
-			expect_condition(GCODE_HAAS, conditions[i].condition, conditions[i].holds);
+			expect_condition(&dialect_haas, conditions[i].condition, conditions[i].holds);
 	}
 }
 END_TEST
@@ -260,7 +260,7 @@ static void add_way(struct strbuf *ways, const char *moves)
 	}
 }
 
-static void expect_ways(enum gcode_dialect dialect, const char *program, const char *expected)
+static void expect_ways(const struct dialect *dialect, const char *program, const char *expected)
 {
 	struct strbuf found = {0};
 	struct gcode_case c;
@@ -278,9 +278,9 @@ START_TEST(ways)
 {
 	for (size_t i = 0; i < ROWS(programs); i++) {
 		if (programs[i].dialects & F)
-			expect_ways(GCODE_FANUC, programs[i].program, programs[i].ways);
+			expect_ways(&dialect_fanuc, programs[i].program, programs[i].ways);
 		if (programs[i].dialects & H)
-			expect_ways(GCODE_HAAS, programs[i].program, programs[i].ways);
+			expect_ways(&dialect_haas, programs[i].program, programs[i].ways);
 	}
 }
 END_TEST
@@ -291,14 +291,14 @@ START_TEST(skipped_blocks)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.read.block_delete = true;
 	case_expect(&c,
 		    "#1=1\n/#1=2\n/2 GOTO 9\nG0 X#1\nWHILE [#1 LT 2] DO1\n#1=#1+1\n/END1\nY#1\nEND1\n/G65 P5\n"
 		    "/IF [1 EQ 1] GOTO 9\nX9.\nN9 M30\n",
 		    "rapid 1 0 0 0 0\nrapid 1 2 0 0 0\nrapid 9 2 0 0 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	case_expect(&c, "#1=1\n/#1=2\n/G0 X#1\n/2 GOTO 9\nX9.\nN9 M30\n", "rapid 2 0 0 0 0\n");
 }
 END_TEST
@@ -309,12 +309,12 @@ START_TEST(increments)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.least_input = 0.001;
 	case_expect(&c, "#9=2\nG65 P7 A1500 B#9 T3 X7.\nM30\nO7\nG0 X#1 Y#2\nX#20 Y#24\nM99\n",
 		    "rapid 1.5 2 0 0 0\nrapid 3 7 0 0 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.least_input = 0.001;
 	ck_assert(!case_run(&c, "G20\nG65 P7 X10000 B1500\nM30\nO7\nM99\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
@@ -322,7 +322,7 @@ START_TEST(increments)
 			 "point\n    G65 P7 X10000 B1500\n                  ^\n");
 	case_release(&c);
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.config.least_input = 0.0001;
 	case_expect(&c, "#1=1.23456\nG0 X#1\nM30\n", "rapid 1.2346 0 0 0 0\n");
 }
@@ -331,7 +331,7 @@ END_TEST
 /* The P of an arc's block is the call's: these controls have no turns. */
 START_TEST(arc_and_call)
 {
-	static const enum gcode_dialect dialects[] = {GCODE_FANUC, GCODE_HAAS};
+	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
 
 	for (int i = 0; i < 2; i++) {
 		struct gcode_case c;
@@ -350,7 +350,7 @@ START_TEST(angles)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	ck_assert(case_run(&c, "#1=ATAN[-1]/[1]\nG0 C#1\n#1=ASIN[-.5]\nC#1\nM30\n"));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 315\nrapid 0 0 0 0 330\n");
 	ck_assert_str_eq(strbuf_text(&c.messages),
@@ -358,7 +358,7 @@ START_TEST(angles)
 			 "taken to be 0, here and further on\n    #1=ATAN[-1]/[1]\n       ^\n");
 	case_release(&c);
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	case_expect(&c, "#1=ATAN[-1]\nG0 C#1\nM30\n", "rapid 0 0 0 0 -45\n");
 }
 END_TEST
@@ -369,13 +369,13 @@ START_TEST(contour)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	c.show_blend = true;
 	case_expect(&c, "G5.1 Q1 R5\nG0 X1.\nG5.1 Q0\nX2.\nG8 P1\nX3.\nG8 P0\nG64\nG5 P10000\nX4.\nG5 P0\nX5.\nM30\n",
 		    "rapid 1 0 0 0 0 blend 0\nrapid 2 0 0 0 0 exact\nrapid 3 0 0 0 0 blend 0\n"
 		    "rapid 4 0 0 0 0 blend 0\nrapid 5 0 0 0 0 blend 0\n");
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	c.show_blend = true;
 	case_expect(&c, "G187 P3 E0.02\nG0 X1.\nG187 P1\nX2.\nG187\nX3.\nM30\n",
 		    "rapid 1 0 0 0 0 blend 0.02\nrapid 2 0 0 0 0 blend 0\nrapid 3 0 0 0 0 exact\n");
@@ -434,7 +434,7 @@ START_TEST(random_expressions)
 
 		/* The moves are written with nine digits. */
 		if (valid && labs(value) < 100000 && expression.length < 200) {
-			expect_value(GCODE_FANUC, expression.text, (double)value);
+			expect_value(&dialect_fanuc, expression.text, (double)value);
 			tried++;
 		}
 		strbuf_release(&expression);
@@ -477,14 +477,14 @@ START_TEST(pipes)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	ck_assert_msg(run_pipe(&c, "#1=0\nWHILE [#1 LT 2] DO1\n#1=#1+1\nG65 P7 A#1\n", 20000,
 			       "END1\nGOTO 3\nG0 X9.\nN3 M30\nO7\nG0 X#1\nM99\n"),
 		      "%s", strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n");
 	case_release(&c);
 	case_init(&c);
-	c.config.dialect = GCODE_FANUC;
+	c.config.dialect = &dialect_fanuc;
 	ck_assert(!run_pipe(&c, "G0 X1.\nGOTO 3\n", 250000, "N3 M30\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:2:6: error: N3 is not within the last and the next 4 MiB of the pipe; give the "
@@ -492,7 +492,7 @@ START_TEST(pipes)
 			 "a file\n    GOTO 3\n         ^\n");
 	case_release(&c);
 	case_init(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	ck_assert(!run_pipe(&c, "N3 G0 X1.\n", 600000, "GOTO 3\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:600002:6: error: N3 is not within the last and the next 4 MiB of the pipe; give "

@@ -4,7 +4,7 @@
 static const struct gcode_length lengths[] = {{1, 100}};
 static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}};
 
-static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
+static void plane_case(struct gcode_case *c, const struct dialect *dialect)
 {
 	case_init(c);
 	c->config.dialect = dialect;
@@ -15,7 +15,7 @@ static void plane_case(struct gcode_case *c, enum gcode_dialect dialect)
 	c->config.mcode_count = 2;
 }
 
-static void run(enum gcode_dialect dialect, const char *program, const char *moves)
+static void run(const struct dialect *dialect, const char *program, const char *moves)
 {
 	struct gcode_case c;
 
@@ -27,29 +27,29 @@ static void run(enum gcode_dialect dialect, const char *program, const char *mov
 START_TEST(rotation)
 {
 	/* By 90 degrees about (10, 0): (11, 0) goes to (10, 1). */
-	run(GCODE_FANUC, "G0 X1. Y1.\nG68 X10. Y0. R90.\nX11. Y0.\nG91 X1.\nG90 Y5.\nG69\nX0.\nM30\n",
+	run(&dialect_fanuc, "G0 X1. Y1.\nG68 X10. Y0. R90.\nX11. Y0.\nG91 X1.\nG90 Y5.\nG69\nX0.\nM30\n",
 	    "rapid 1 1 0 0 0\nrapid 10 1 0 0 0\nrapid 10 2 0 0 0\nrapid 5 2 0 0 0\nrapid 0 2 0 0 0\n");
 	/* Without a centre the tool stands on it; work offsets stay where they are. */
-	run(GCODE_HAAS, "G10 L2 P1 X100. Y0.\nG54 G0 X1. Y1.\nG68 R-90.\nX2. Y1.\nG69\nM30\n",
+	run(&dialect_haas, "G10 L2 P1 X100. Y0.\nG54 G0 X1. Y1.\nG68 R-90.\nX2. Y1.\nG69\nM30\n",
 	    "rapid 101 1 0 0 0\nrapid 101 0 0 0 0\n");
 	/* Fanuc 15i (B-63324EN), the same section: increments before an absolute move turn about the tool. */
-	run(GCODE_FANUC,
+	run(&dialect_fanuc,
 	    "G0 X5. Y5.\nG68 X0. Y0. R90.\nG91 X1.\nY1. Z1.\nG90 X1. Y0.\nX2.\nG69\nX0.\nY0.\nG91 X1. Y1.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid 5 6 0 0 0\nrapid 4 6 1 0 0\nrapid 0 1 1 0 0\nrapid 0 2 1 0 0\n"
 	    "rapid 0 2 1 0 0\nrapid 0 0 1 0 0\nrapid 1 1 1 0 0\n");
 	/* Zero increments on the way to reference positions, and machine coordinates, do not mind. */
-	run(GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG69\nG91 G28 X0. Y0.\nM30\n",
+	run(&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG69\nG91 G28 X0. Y0.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid -5 5 0 0 0\nrapid -5 5 0 0 0\nrapid 0 0 0 0 0\n");
-	run(GCODE_HAAS, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG53 Z3.\nG69 G53 X1. Y1.\nG91 X1. Y1.\nM30\n",
+	run(&dialect_haas, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y5.\nG53 Z3.\nG69 G53 X1. Y1.\nG91 X1. Y1.\nM30\n",
 	    "rapid 5 5 0 0 0\nrapid -5 5 0 0 0\nrapid -5 5 3 0 0\nrapid 1 1 3 0 0\nrapid 2 2 3 0 0\n");
-	run(GCODE_FANUC, "G18 G68 X0. Z0. R90.\nG0 X1. Z0.\nG69\nG19 G68 Y0. Z0. R90.\nG0 Y1. Z0. X0.\nM30\n",
+	run(&dialect_fanuc, "G18 G68 X0. Z0. R90.\nG0 X1. Z0.\nG69\nG19 G68 Y0. Z0. R90.\nG0 Y1. Z0. X0.\nM30\n",
 	    "rapid 0 0 -1 0 0\nrapid 0 0 1 0 0\n");
 }
 END_TEST
 
 START_TEST(rotated_arcs_and_cycles)
 {
-	run(GCODE_FANUC, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. "
+	run(&dialect_fanuc, "F9 G68 X0. Y0. R90.\nG2 X10. Y10. I10. J0.\nG3 X0. Y0. R10.\nG81 G99 X5. Y0. R-1. "
 	    "Z-2.\nM30\n",
 	    "arc -10 10 0 0 0 centre 0 10 0 normal 0 0 1 sweep -90\n"
 	    "arc 0 0 0 0 0 centre 0 10 0 normal 0 0 1 sweep 90\n"
@@ -66,7 +66,7 @@ START_TEST(tilted)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	case_expect(&c,
 		    "G0 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.1\nG43 H1\nG0 X1. Y2. Z3.\nG91 Z1.\nG90 "
 		    "G53 Z0.\n"
@@ -90,13 +90,13 @@ START_TEST(additional_offsets)
 	static const struct gcode_work_offset offsets[] = {{"G54.1 P2", {{7}}}, {"G154 P48", {{9}}}};
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
 	case_expect(&c, "G54.1 P2 G0 X1.\nG54.1 P48 X1.\nG10 L20 P3 X40.\nG54.1 P3 X1.\nG54 X1.\nM30\n",
 		    "rapid 8 0 0 0 0\nrapid 10 0 0 0 0\nrapid 41 0 0 0 0\nrapid 1 0 0 0 0\n");
 	/* G54 with P is the same; G52 shifts whichever system is in force, and G92 all of them. */
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
 	case_expect(&c,
@@ -104,14 +104,14 @@ START_TEST(additional_offsets)
 		    "rapid 8 0 0 0 0\nrapid 108 0 0 0 0\nrapid 110 0 0 0 0\nrapid 10 0 0 0 0\n"
 		    "rapid 3 0 0 0 0\nrapid -4 0 0 0 0\n");
 	/* The same manual, changing workpiece coordinate system; Haas, G10: with G91 the words are added. */
-	plane_case(&c, GCODE_HAAS);
+	plane_case(&c, &dialect_haas);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
 	case_expect(&c,
 		    "G91 G10 L20 P2 X60.\nG90 G154 P2 G0 X0.\nG91 G10 L2 P1 Y-1.\nG90 G10 L2 P1 X3.\nG54 X0. Y0.\n"
 		    "G91 X1.\nG10 L2 P1 X1.\nG90 X0.\nM30\n",
 		    "rapid 67 0 0 0 0\nrapid 3 -1 0 0 0\nrapid 4 -1 0 0 0\nrapid 4 -1 0 0 0\n");
-	plane_case(&c, GCODE_HAAS);
+	plane_case(&c, &dialect_haas);
 	c.config.work_offsets = offsets;
 	c.config.work_offset_count = 2;
 	case_expect(&c, "G111 G0 X1.\nG154 P48 X1.\nG154 P2 X2.\nG129 X3.\nM30\n",
@@ -124,7 +124,7 @@ START_TEST(least_input)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.least_input = 0.001;
 	case_expect(&c,
 		    "G0 X1000 Y1. C90000\nG1 F9 X2000\nG2 X0 I-1000 J0\nG91 G99 G81 X1000 Z-1000 R-1000 K2 F100\n"
@@ -145,7 +145,7 @@ START_TEST(least_input_by_address)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.least_input = 0.001;
 	c.show_feed = true;
 	case_expect(&c,
@@ -157,7 +157,7 @@ START_TEST(least_input_by_address)
 		    "rapid 10 0 0 0 0\nrapid 10 0 0 0 0\nfeed 10 0 -1 0 0 at 1 1\nrapid 10 0 0 0 0\n"
 		    "rapid 10 0 -0.746 0 0\nfeed 10 0 -2 0 0 at 1 1\nrapid 10 0 0 0 0\n"
 		    "dwell 1.5 at 0 0\nrapid 10 1 0 0 0\n");
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.least_input = 0.001;
 	case_expect(&c, "G20\nG68.2 X10000 I180000 J90000\nG53.1\nG0 X0 Y0 Z1.\nM30\n",
 		    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 25.4 25.4 0 90 0 tcp\n");
@@ -165,7 +165,7 @@ START_TEST(least_input_by_address)
 END_TEST
 
 /* Haas, "M06 Tool Change": Z goes home by itself; on Fanuc controls it is the machine builder's choice. */
-static void change_without_place(enum gcode_dialect dialect)
+static void change_without_place(const struct dialect *dialect)
 {
 	struct gcode_case c;
 
@@ -188,8 +188,8 @@ static void change_without_place(enum gcode_dialect dialect)
 
 START_TEST(tool_change_without_place)
 {
-	change_without_place(GCODE_HAAS);
-	change_without_place(GCODE_FANUC);
+	change_without_place(&dialect_haas);
+	change_without_place(&dialect_fanuc);
 }
 END_TEST
 
@@ -198,7 +198,7 @@ START_TEST(tool_change_on_a_plane)
 {
 	struct gcode_case c;
 
-	plane_case(&c, GCODE_FANUC);
+	plane_case(&c, &dialect_fanuc);
 	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_A] = true};
 	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
@@ -211,14 +211,14 @@ END_TEST
 /* Haas, "G234 Tool Center Point Control". */
 START_TEST(haas_tool_centre)
 {
-	run(GCODE_HAAS, "G234 H1\nG0 X1.\nG49\nM30\n",
+	run(&dialect_haas, "G234 H1\nG0 X1.\nG49\nM30\n",
 	    "tcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 1 0 -100 0 0 tcp\n"
 	    "tcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\n");
 }
 END_TEST
 
 struct bad {
-	enum gcode_dialect dialect;
+	const struct dialect *dialect;
 	const char *before, *block;
 	int column;
 	const char *message;
@@ -231,80 +231,80 @@ struct bad {
 #define TILT "G68.2 X0. I180. J90."
 
 static const struct bad bads[] = {
-    {GCODE_LINUXCNC, "", "G68 R5", 1, "G68 is no G-code that is known in the linuxcnc dialect"},
-    {GCODE_FANUC, "", "G68 X0. Y0.", 1,
+    {&dialect_linuxcnc, "", "G68 R5", 1, "G68 is no G-code that is known in the linuxcnc dialect"},
+    {&dialect_fanuc, "", "G68 X0. Y0.", 1,
      "G68 needs its angle in R; without it a parameter or setting of the control gives the angle"},
-    {GCODE_FANUC, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
-    {GCODE_HAAS, "", "G68 X0. R5.", 1,
+    {&dialect_fanuc, "", "G68 X0. Z0. R5.", 9, "Z does not belong to the centre of G68 in the plane of G17"},
+    {&dialect_haas, "", "G68 X0. R5.", 1,
      "the centre of G68 needs both of its words, or none for where the tool stands"},
-    {GCODE_FANUC, "", "G68 X0. Y0. Z0. I0. J0. K1. R5.", 1,
+    {&dialect_fanuc, "", "G68 X0. Y0. Z0. I0. J0. K1. R5.", 1,
      "G68 with I, J, K: three-dimensional coordinate conversion is not supported yet"},
-    {GCODE_FANUC, "G43.4 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
-    {GCODE_FANUC, "M428", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
-    {GCODE_FANUC, "G68 R5.", "M428", 1, "tool centre point control while G68 is in force; G69 first"},
-    {GCODE_HAAS, "G234 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    {&dialect_fanuc, "G43.4 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    {&dialect_fanuc, "M428", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
+    {&dialect_fanuc, "G68 R5.", "M428", 1, "tool centre point control while G68 is in force; G69 first"},
+    {&dialect_haas, "G234 H1", "G68 R5.", 1, "G68 under tool centre point control; cancel that first"},
     /* Fanuc B-62764EN, "Coordinate system rotation": no reference positions and no machine coordinates meanwhile. */
-    {GCODE_FANUC, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
-    {GCODE_FANUC, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
-    {GCODE_FANUC, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
-    {GCODE_HAAS, "G0\nG68 R5.", "G53 X0.", 1, BY_MACHINE("G53 with X")},
-    {GCODE_HAAS, "G68 R5.", "G91 G28 Y0. Z0.", 5, BY_MACHINE("G28 with Y")},
-    {GCODE_HAAS, "G68 R5.", "G28", 1, BY_MACHINE("G28 with X")},
-    {GCODE_HAAS, "G18 G68 R5.", "G30 Z5.", 1, BY_MACHINE("G30 with Z")},
+    {&dialect_fanuc, "G68 R5.", "G91 G28 Z0.", 5, "G28 while G68 is in force; G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G30 Z0.", 1, "G30 while G68 is in force; G69 first"},
+    {&dialect_fanuc, "G0\nG68 R5.", "G53 Z0.", 1, "G53 while G68 is in force; G69 first"},
+    {&dialect_haas, "G0\nG68 R5.", "G53 X0.", 1, BY_MACHINE("G53 with X")},
+    {&dialect_haas, "G68 R5.", "G91 G28 Y0. Z0.", 5, BY_MACHINE("G28 with Y")},
+    {&dialect_haas, "G68 R5.", "G28", 1, BY_MACHINE("G28 with X")},
+    {&dialect_haas, "G18 G68 R5.", "G30 Z5.", 1, BY_MACHINE("G30 with Z")},
     /* The same: the first move after G69 is absolute. */
-    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
+    {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69", "G91 Y1.", 5,
      "Y by an increment after G69: the first move after it is absolute"},
-    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
+    {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.\nX5. Y7.\nG69\nX0.", "G91 X1. Y1.", 9,
      "Y by an increment after G69: the first move after it is absolute"},
-    {GCODE_FANUC, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
+    {&dialect_fanuc, "G0 X5. Y5.\nG68 X0. Y0. R90.", "X1.", 1,
      "X without Y in the first absolute move after G68: whether Y keeps its programmed or its turned coordinate "
      "depends "
      "on the control; name both"},
-    {GCODE_HAAS, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
+    {&dialect_haas, "G0 X5. Y5. Z9.\nG18 G68 X0. Z0. R90.\nG91 X1.", "G90 Y1. Z1.", 9,
      "Z without X in the first absolute move after G68: whether X keeps its programmed or its turned coordinate "
      "depends "
      "on the control; name both"},
-    {GCODE_FANUC, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
-    {GCODE_FANUC, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},
-    {GCODE_FANUC, "G68 R5.", "G18", 1, "a change of the plane while G68 is in force; G69 first"},
-    {GCODE_FANUC, "G68 R5.", "G55", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
-    {GCODE_FANUC, "G68 R5.", "G92 X0.", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
-    {GCODE_FANUC, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is in force; G69 first"},
-    {GCODE_FANUC, "", "G0 G68 X0. R5.", 1, "G68 needs a block without motion, offsets or a dwell"},
-    {GCODE_FANUC, "", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
-    {GCODE_FANUC, TILT, "G53.1 X1.", 7, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
-    {GCODE_FANUC, TILT, "G0 X1.", 1,
+    {&dialect_fanuc, "G91", "G68 X0. R5.", 1, "G68 in incremental distance mode (G91) is not supported yet"},
+    {&dialect_fanuc, "G68 R5.", "G68 R5.", 1, "the coordinates are turned already; G69 turns them back first"},
+    {&dialect_fanuc, "G68 R5.", "G18", 1, "a change of the plane while G68 is in force; G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G55", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G92 X0.", 1, "a change of offsets while G68 is in force is not supported; G69 first"},
+    {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is in force; G69 first"},
+    {&dialect_fanuc, "", "G0 G68 X0. R5.", 1, "G68 needs a block without motion, offsets or a dwell"},
+    {&dialect_fanuc, "", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
+    {&dialect_fanuc, TILT, "G53.1 X1.", 7, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+    {&dialect_fanuc, TILT, "G0 X1.", 1,
      "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported"},
-    {GCODE_FANUC, TILT "\nG53.1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
-    {GCODE_FANUC, TILT "\nG53.1", "G0 C5.", 4,
+    {&dialect_fanuc, TILT "\nG53.1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
+    {&dialect_fanuc, TILT "\nG53.1", "G0 C5.", 4,
      "C while G68.2 is in force: the tool would leave the direction of its plane"},
-    {GCODE_FANUC, TILT "\nG53.1", "G53 G0 A0.", 8,
+    {&dialect_fanuc, TILT "\nG53.1", "G53 G0 A0.", 8,
      "A while G68.2 is in force: the tool would leave the direction of its plane"},
-    {GCODE_FANUC, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
+    {&dialect_fanuc, TILT "\nG53.1", "G91 G28 A0. C0.", 9,
      "A while G68.2 is in force: the tool would leave the direction of its plane"},
-    {GCODE_FANUC, "", "G68.3 X0. Y0. Z0.", 1,
+    {&dialect_fanuc, "", "G68.3 X0. Y0. Z0.", 1,
      "G68.3: tilted working plane by the direction of the tool is not supported yet"},
-    {GCODE_FANUC, TILT, "G53.6", 1,
+    {&dialect_fanuc, TILT, "G53.6", 1,
      "G53.6: tool axis direction control that keeps the tool centre point is not supported yet"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): which places they are, parameters say. */
-    {GCODE_FANUC, "", "G91 G30 Z0.", 5,
+    {&dialect_fanuc, "", "G91 G30 Z0.", 5,
      "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
-    {GCODE_HAAS, "", "G91 G30 P3 Z0.", 9,
+    {&dialect_haas, "", "G91 G30 P3 Z0.", 9,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
-    {GCODE_FANUC, TILT "\nG53.1", "G54", 1, "a change of offsets while G68.2 is in force is not supported; G69 first"},
-    {GCODE_FANUC, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is in force; G69 first"},
-    {GCODE_FANUC, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is in X, Y and Z"},
-    {GCODE_FANUC, "", "G68.2 P1 I5.", 1,
+    {&dialect_fanuc, TILT "\nG53.1", "G54", 1, "a change of offsets while G68.2 is in force is not supported; G69 first"},
+    {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is in force; G69 first"},
+    {&dialect_fanuc, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is in X, Y and Z"},
+    {&dialect_fanuc, "", "G68.2 P1 I5.", 1,
      "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet"},
-    {GCODE_FANUC, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
-    {GCODE_FANUC, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
-    {GCODE_HAAS, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
-    {GCODE_FANUC, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
-    {GCODE_FANUC, "", "G54.1", 1, "G54.1 needs P"},
-    {GCODE_FANUC, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
-    {GCODE_HAAS, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
-    {GCODE_FANUC, "", "G110", 1, "G110 is no G-code that is known in the fanuc dialect"},
-    {GCODE_HAAS, "", "G234", 1, "G234 needs H"},
+    {&dialect_fanuc, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
+    {&dialect_fanuc, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
+    {&dialect_haas, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
+    {&dialect_fanuc, "", "G43.5 H1", 1, "G43.5: tool centre point control with tool vectors is not supported yet"},
+    {&dialect_fanuc, "", "G54.1", 1, "G54.1 needs P"},
+    {&dialect_fanuc, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
+    {&dialect_haas, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
+    {&dialect_fanuc, "", "G110", 1, "G110 is no G-code that is known in the fanuc dialect"},
+    {&dialect_haas, "", "G234", 1, "G234 needs H"},
 };
 
 START_TEST(refused)

@@ -90,7 +90,7 @@ START_TEST(machine_axes)
 		    "rapid 0 0 0 0 90 tcp\n");
 	/* Haas mill operator's manual, "G53 Non-Modal Machine Coordinate Selection". */
 	tcp_case(&c);
-	c.config.dialect = GCODE_HAAS;
+	c.config.dialect = &dialect_haas;
 	case_expect(&c, "M428\nG0 X1. C90.\nG53 Y5.\nM30\n",
 		    "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 90 tcp\n"
 		    "tcp off length 0 zero A0 C0\nrapid 0 5 0 0 90\ntcp on length 0 zero A0 C0\n");
@@ -154,7 +154,7 @@ START_TEST(refused)
 }
 END_TEST
 
-static void length_case(struct gcode_case *c, enum gcode_dialect dialect)
+static void length_case(struct gcode_case *c, const struct dialect *dialect)
 {
 	tcp_case(c);
 	c->config.dialect = dialect;
@@ -170,7 +170,7 @@ START_TEST(haas_g28_cancels_the_length)
 {
 	struct gcode_case c;
 
-	length_case(&c, GCODE_HAAS);
+	length_case(&c, &dialect_haas);
 	case_expect(&c, "G10 L2 P1 Z50.\nG43 H1 G0 Z1.\nG28 Z0.\nG0 Z0.\nG43 H1 Z0.\nG53 Z0.\nZ0.\nM30\n",
 		    "rapid 0 0 151 0 0\nrapid 0 0 150 0 0\nrapid 0 0 0 0 0\nrapid 0 0 50 0 0\nrapid 0 0 150 0 0\n"
 		    "rapid 0 0 0 0 0\nrapid 0 0 150 0 0\n");
@@ -182,7 +182,7 @@ START_TEST(linuxcnc_g28_keeps_the_length)
 {
 	struct gcode_case c;
 
-	length_case(&c, GCODE_LINUXCNC);
+	length_case(&c, &dialect_linuxcnc);
 	case_expect(&c, "G43 H1 G0 Z1\nG28 Z0\nZ0\nM2\n",
 		    "rapid 0 0 101 0 0\nrapid 0 0 100 0 0\nrapid 0 0 0 0 0\nrapid 0 0 100 0 0\n");
 }
@@ -193,7 +193,7 @@ START_TEST(fanuc_length_in_doubt_is_not_needed)
 {
 	struct gcode_case c;
 
-	length_case(&c, GCODE_FANUC);
+	length_case(&c, &dialect_fanuc);
 	case_expect(&c,
 		    "G43 H1 G0 Z1.\nG91 G28 Z0.\nG28 X0. Y0. Z0.\nG90 X5. Y5.\nG53 Z-1.\nG43 H2 Z1.\n"
 		    "G53 X0.\nZ2.\nG28 X7.\nZ3.\nG53 Z0.\nG49 Z4.\nM30\n",
@@ -210,21 +210,21 @@ END_TEST
  * itself. Haas: G234 and G30 are not mentioned where G28 is.
  */
 static const struct {
-	enum gcode_dialect dialect;
+	const struct dialect *dialect;
 	const char *before, *block;
 	int column;
 	const char *code;
 } doubts[] = {
-	{GCODE_FANUC, "G43 H1 G0 Z9.\nG28 Z10.\nX1.", "Z5.", 1, "G28"},
-	{GCODE_FANUC, "G43 H1 G0 Z9.\nG30 Z10.\nG91", "X1. Z5.", 5, "G30"},
-	{GCODE_FANUC, "G43 H1 G0 Z9.\nG53 Z0.", "G1 F9. Z5.", 8, "G53"},
-	{GCODE_FANUC, "G43 H1 G0 Z9.\nG53 Z0.", "G28 Z5.", 5, "G53"},
-	{GCODE_FANUC, "G43 H1 G0 Z9. F9.\nG81 Z0. R5.\nG53 G0 Z0.\nG81 Z0. R5.", "", 0, "G53"},
-	{GCODE_FANUC, "G43.4 H1 G0 Z9.\nG53 X0.", "Y5.", 1, "G53"},
-	{GCODE_FANUC, "G43.4 H1 G0 Z9.\nG28 X0.", "C5.", 1, "G28"},
-	{GCODE_HAAS, "G234 H1 G0 Z9.\nG28 Z10.", "X5.", 1, "G28"},
-	{GCODE_HAAS, "G43 H1 G0 Z9.\nG30 Z10.", "Z5.", 1, "G30"},
-	{GCODE_HAAS, "G43 H1 G0 Z9.\nG28 X0.", "Z5.", 1, "G28"},
+	{&dialect_fanuc, "G43 H1 G0 Z9.\nG28 Z10.\nX1.", "Z5.", 1, "G28"},
+	{&dialect_fanuc, "G43 H1 G0 Z9.\nG30 Z10.\nG91", "X1. Z5.", 5, "G30"},
+	{&dialect_fanuc, "G43 H1 G0 Z9.\nG53 Z0.", "G1 F9. Z5.", 8, "G53"},
+	{&dialect_fanuc, "G43 H1 G0 Z9.\nG53 Z0.", "G28 Z5.", 5, "G53"},
+	{&dialect_fanuc, "G43 H1 G0 Z9. F9.\nG81 Z0. R5.\nG53 G0 Z0.\nG81 Z0. R5.", "", 0, "G53"},
+	{&dialect_fanuc, "G43.4 H1 G0 Z9.\nG53 X0.", "Y5.", 1, "G53"},
+	{&dialect_fanuc, "G43.4 H1 G0 Z9.\nG28 X0.", "C5.", 1, "G28"},
+	{&dialect_haas, "G234 H1 G0 Z9.\nG28 Z10.", "X5.", 1, "G28"},
+	{&dialect_haas, "G43 H1 G0 Z9.\nG30 Z10.", "Z5.", 1, "G30"},
+	{&dialect_haas, "G43 H1 G0 Z9.\nG28 X0.", "Z5.", 1, "G28"},
 };
 
 START_TEST(length_in_doubt)

@@ -205,7 +205,7 @@ static bool skip_block(void *context, const char *file, long line, const char *t
 /* 8 MB through a pipe: every line whole, wherever the buffer ends. */
 START_TEST(streaming)
 {
-	struct gcode_config config = {.has_axis = {true, true, true}};
+	struct gcode_config config = {.dialect = &dialect_linuxcnc, .has_axis = {true, true, true}};
 	int count = 0, ends[2];
 	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block, NULL, NULL};
 	struct diag diag = {0};
@@ -250,7 +250,7 @@ START_TEST(noise)
 			bytes[random_bits(&random) % sizeof(bytes)] = other;
 		}
 		case_init(&c);
-		c.config.dialect = (enum gcode_dialect)(i % 3);
+		c.config.dialect = dialect_of_row(i % 3);
 		c.config.wrap[SLOT_A] = (enum gcode_wrap)(i % 3);
 		c.config.read.last_duplicate_wins = i % 2;
 		good = case_run_bytes(&c, bytes, sizeof(bytes));

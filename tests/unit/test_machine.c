@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "base/units.h"
+#include "control/dialects.h"
 #include "machine/setup.h"
 #include "machine_case.h"
 
@@ -107,7 +108,7 @@ START_TEST(reads_controller_and_pairs)
 
 	write_text("m.xml", trunnion);
 	m = load_good("m.xml");
-	ck_assert_int_eq(m->controller.dialect, DIALECT_HAAS);
+	ck_assert_str_eq(dialect_names[m->controller.dialect], "haas");
 	ck_assert_int_eq(m->controller.rapid, RAPID_DOGLEG);
 	ck_assert(m->controller.tcp_zero_offset);
 	ck_assert_double_eq(m->controller.path_tolerance, 0.02);
@@ -145,7 +146,7 @@ START_TEST(defaults)
 	m = load_good("m.xml");
 	ck_assert_str_eq(m->name, "");
 	ck_assert_uint_eq(m->axis_count + m->body_count + m->rule_count + m->controller.mcode_count, 0);
-	ck_assert_int_eq(m->controller.dialect, DIALECT_LINUXCNC);
+	ck_assert_str_eq(dialect_names[m->controller.dialect], "linuxcnc");
 	ck_assert_int_eq(m->controller.rapid, RAPID_LINEAR);
 	ck_assert(!m->controller.tcp_zero_offset && !m->spindle.present && !m->workholding.present);
 	ck_assert_double_eq(m->controller.path_tolerance, 0);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/strbuf.h"
+#include "control/dialects.h"
 #include "machine/setup.h"
 #include "motion/motion.h"
 #include "motion_rig.h"
@@ -124,7 +125,7 @@ static struct machine machine_of(enum kind kind)
 	struct machine machine = rig_three_axes();
 	int slot = kind == AC_TABLE ? SLOT_A : SLOT_B;
 
-	machine.controller.dialect = DIALECT_FANUC;
+	machine.controller.dialect = dialect_row_find("fanuc");
 	machine.controller.length_moves = ANSWER_NO;
 	if (table) {
 		vec3 direction = kind == AC_TABLE ? rig_minus_x : (vec3){0, -1, 0};
@@ -455,7 +456,7 @@ START_TEST(tool_centre_point)
 		int begin, off;
 
 		if (haas)
-			machine.controller.dialect = DIALECT_HAAS;
+			machine.controller.dialect = dialect_row_find("haas");
 		machine.controller.tcp_zero_offset = at_offset;
 		way.from = tip(kind, (double[]){from.x, from.y, from.z, tilt, turn}, 0);
 		way.to = tip(kind, (double[]){to.x, to.y, to.z, tilt, turn}, 0);

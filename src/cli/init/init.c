@@ -9,6 +9,7 @@
 #include "cli/init/machine_plan_xml.h"
 #include "cli/init/init_prompts.h"
 #include "cli/argv_parser.h"
+#include "control/dialects.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -48,7 +49,7 @@ const struct option_row init_table[INIT_OPTION_COUNT] = {
 	 .help = "the name of the machine"},
 	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
 	 .help = "mm (the default) or inch, of the file and the options"},
-	{PLAN_DIALECT, "dialect", "NAME", CHOICE(machine_plan_dialects),
+	{PLAN_DIALECT, "dialect", "NAME", CHOICE(dialect_names),
 	 .help = "linuxcnc (the default), fanuc or haas"},
 	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),
 	 .help = "how G0 moves: linear, dogleg, or any, which is not\nknown (linear for linuxcnc, else any)"},

@@ -5,15 +5,13 @@
 
 #include "base/mem.h"
 #include "cli/init/machine_plan_value.h"
+#include "control/dialects.h"
 #include "machine/machine.h"
 
 static const struct srcloc nowhere;
 
 const char *const machine_plan_families[FAMILY_COUNT + 1] = {
 	[FAMILY_TABLE_TABLE] = "table-table", [FAMILY_HEAD_HEAD] = "head-head", [FAMILY_HEAD_TABLE] = "head-table",
-};
-const char *const machine_plan_dialects[] = {
-	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas", NULL,
 };
 const char *const machine_plan_rapids[] = {
 	[RAPID_LINEAR] = "linear", [RAPID_DOGLEG] = "dogleg", [RAPID_ANY] = "any", NULL,
@@ -178,7 +176,7 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 	case PLAN_UNITS:
 		return set_choice(&plan->inch, machine_plan_units, text);
 	case PLAN_DIALECT:
-		return set_choice(&plan->dialect, machine_plan_dialects, text);
+		return set_choice(&plan->dialect, dialect_names, text);
 	case PLAN_RAPID:
 		return set_choice(&plan->rapid, machine_plan_rapids, text);
 	default:

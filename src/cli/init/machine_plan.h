@@ -15,8 +15,7 @@
 enum family { FAMILY_TABLE_TABLE, FAMILY_HEAD_HEAD, FAMILY_HEAD_TABLE, FAMILY_COUNT };
 
 extern const char *const machine_plan_families[FAMILY_COUNT + 1];	/* ends in NULL */
-extern const char *const machine_plan_dialects[], *const machine_plan_rapids[],
-						      *const machine_plan_units[]; /* likewise */
+extern const char *const machine_plan_rapids[], *const machine_plan_units[];	/* likewise */
 
 /* What can be told; the numbers are those of the options without a letter. */
 enum machine_plan_key {

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "control/dialects.h"
 #include "machine/machine.h"
 
 static const struct srcloc nowhere;
@@ -175,9 +176,9 @@ bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 	if (plan->inch < 0)
 		plan->inch = 0;
 	if (plan->dialect < 0)
-		plan->dialect = DIALECT_LINUXCNC;
-	/* LinuxCNC's rapids are straight. Other controls have a parameter for it: until it is known, all ways. */
+		plan->dialect = 0;
+	/* Where a parameter of the control decides how G0 moves, every way is checked until it is known. */
 	if (plan->rapid < 0)
-		plan->rapid = plan->dialect == DIALECT_LINUXCNC ? RAPID_LINEAR : RAPID_ANY;
+		plan->rapid = dialect_rows[plan->dialect].straight_rapids ? RAPID_LINEAR : RAPID_ANY;
 	return true;
 }

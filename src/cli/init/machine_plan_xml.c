@@ -1,6 +1,7 @@
 #include "cli/init/machine_plan_xml.h"
 
 #include "base/xml_text.h"
+#include "control/dialects.h"
 #include "machine/machine.h"
 
 /* What is typical of a machining centre; only times depend on it, unless rapids are doglegs, and then it was told. */
@@ -149,13 +150,13 @@ static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 	strbuf_addf(out,
 		    "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
 		    "       at its own rate); any (not known: every way between start and end is checked).");
-	if (plan->dialect != DIALECT_LINUXCNC)
+	if (dialect_rows[plan->dialect].has_parameters)
 		strbuf_addf(out,
 			    "\n       What M6 and G43 move is a matter of this control's parameters; the check of a\n"
 			    "       program that needs it says so: <tool_change Z=\"0\"/>, length_offset_moves,\n"
 			    "       least_input.");
 	strbuf_addf(out, " -->\n  <controller");
-	add_text(out, "dialect", machine_plan_dialects[plan->dialect]);
+	add_text(out, "dialect", dialect_names[plan->dialect]);
 	add_text(out, "rapid", machine_plan_rapids[plan->rapid]);
 	strbuf_addf(out, "/>\n");
 }

@@ -32,7 +32,7 @@ static bool fault_g(const struct line_place *at, const struct word *word, int nu
 }
 
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
-		  enum gcode_dialect dialect)
+		  const struct dialect *dialect)
 {
 	double tenths = word->value * 10, nearest = round(tenths);
 	const struct code *code = NULL;
@@ -44,10 +44,10 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	/* LinuxCNC takes what is within 0.0001 of a code for it. */
 	if (nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
 		number = (int)nearest;
-		code = code_find_g(number, dialect);
+		code = code_find(dialect->g_codes, number);
 	}
 	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
-		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect", dialect_name(dialect));
+		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect", dialect->name);
 		return fault_g(at, word, number, text);
 	}
 	if (!code)
@@ -110,14 +110,14 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 		block->m_ignored = true;
 		return true;
 	}
-	if (config->dialect == GCODE_LINUXCNC && number == 98)
-		return fault(at, word->column, "M98 stands at the start of its block");
-	code = code_find_m(number, config->dialect);
+	code = code_find(config->dialect->m_codes, number);
 	if (!code)
 		return fault(at, word->column,
 			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
 			     "machine's <controller> says so",
 			     number, number);
+	if (code->group == GROUP_STATEMENT)
+		return fault(at, word->column, "M%d stands at the start of its block", number);
 	if (code->group == GROUP_UNSUPPORTED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
 	if (code->group == GROUP_HARMLESS)
@@ -131,7 +131,7 @@ static bool check_axis_word(const struct block *block, const struct line_place *
 	int slot = slot_of_letter(word->letter);
 
 	/* Fanuc's G4 takes its time in X or U, too. */
-	if (config->dialect != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4)
+	if (config->dialect->legacy != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4)
 		return true;
 	if (slot < 0 || config->has_axis[slot])
 		return true;
@@ -212,7 +212,7 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 /* '/', program number and line number, in this order. */
 static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config, bool *skipped)
 {
-	bool linuxcnc = config->dialect == GCODE_LINUXCNC;
+	bool linuxcnc = config->dialect->legacy == GCODE_LINUXCNC;
 	char next = lexer_peek(lexer);
 
 	if (next == '/') {
@@ -241,7 +241,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect == GCODE_LINUXCNC || config->least_input > 0 || cautions->point ||
+	if (config->dialect->legacy == GCODE_LINUXCNC || config->least_input > 0 || cautions->point ||
 	    block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
@@ -274,9 +274,9 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	bool skipped = false;
 
 	block_clear(block);
-	lexer_init(&lexer, at, config->dialect != GCODE_LINUXCNC);
+	lexer_init(&lexer, at, config->dialect->legacy != GCODE_LINUXCNC);
 	lexer.interp = interp;
-	lexer.macro = config->dialect == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
+	lexer.macro = config->dialect->legacy == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
 	if (!read_start(block, &lexer, config, &skipped))
 		return false;
 	if (skipped)

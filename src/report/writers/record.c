@@ -3,15 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "control/dialects.h"
 #include "report/format/digest.h"
 #include "report/format/json.h"
 #include "report/writers/ndjson.h"
 
 enum { RECORD_FORMAT = 1 };
-
-static const char *const dialects[] = {
-	[DIALECT_LINUXCNC] = "linuxcnc", [DIALECT_FANUC] = "fanuc", [DIALECT_HAAS] = "haas",
-};
 
 /* Whatever can change a verdict or the exit status. */
 static json_t *options_of(const struct report_run *run)
@@ -30,7 +27,7 @@ static json_t *options_of(const struct report_run *run)
 	json_put(object, "tolerance", json_real(options->tolerance));
 	json_put(object, "clearance", json_real(run->clearance));
 	json_put(object, "all", json_boolean(options->all));
-	json_put(object, "dialect", json_string(dialects[run->scene->machine->controller.dialect]));
+	json_put(object, "dialect", json_string(dialect_names[run->scene->machine->controller.dialect]));
 	json_put(object, "block_delete", json_boolean(options->read.block_delete));
 	json_put(object, "duplicates", json_string(options->read.last_duplicate_wins ? "last" : "error"));
 	json_put(object, "include", includes);

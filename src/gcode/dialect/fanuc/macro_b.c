@@ -24,7 +24,7 @@ static bool keyword(struct interp *interp, struct lexer *lexer, const char *word
 	const char two[3] = {word[0], word[1], '\0'};
 
 	return lexer_keyword(lexer, word) ||
-	       (interp->config->dialect == GCODE_FANUC && lexer_keyword(lexer, two));
+	       (interp->config->dialect->legacy == GCODE_FANUC && lexer_keyword(lexer, two));
 }
 
 static bool end_statement(struct lexer *lexer)
@@ -268,7 +268,7 @@ static bool is_output(struct lexer *lexer)
 /* G65, G66 and G67; their words are not those of a block. */
 static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 {
-	bool fanuc = interp->config->dialect == GCODE_FANUC;
+	bool fanuc = interp->config->dialect->legacy == GCODE_FANUC;
 	size_t position = lexer->position;
 	int column = lexer_column(lexer);
 	double value;
@@ -315,7 +315,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 		return true;
 	if (byte == '#')
 		return do_assignments(interp, lexer);
-	if (byte == '[' && interp->config->dialect == GCODE_HAAS)
+	if (byte == '[' && interp->config->dialect->legacy == GCODE_HAAS)
 		return do_conditional_m99(interp, lexer);
 	if (keyword(interp, lexer, "goto"))
 		return do_goto(interp, lexer);

@@ -36,7 +36,7 @@ static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number
 
 	if (macro->level == MACRO_CALLS_MAX)
 		return fault(&interp->at, column, "more than %d calls inside each other", MACRO_CALLS_MAX);
-	if (is_macro_call(kind) && macro->macro_calls == MACRO_G65_MAX && interp->config->dialect == GCODE_FANUC)
+	if (is_macro_call(kind) && macro->macro_calls == MACRO_G65_MAX && interp->config->dialect->legacy == GCODE_FANUC)
 		return fault(&interp->at, column, "more than %d macro calls inside each other", MACRO_G65_MAX);
 	macro->level++;
 	macro->macro_calls += is_macro_call(kind);
@@ -190,7 +190,7 @@ static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const
  */
 static bool check_repeats(struct interp *interp, const struct request *request, int column)
 {
-	if (request->repeats == 1 || interp->config->dialect == GCODE_HAAS)
+	if (request->repeats == 1 || interp->config->dialect->legacy == GCODE_HAAS)
 		return true;
 	for (int i = 1; i <= MACRO_LOCALS; i++) {
 		if (!isnan(request->arguments[i]))
@@ -275,7 +275,7 @@ bool macro_b_after_block(struct interp *interp)
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {
 	const struct block *block = &interp->block;
-	int column = block->m_column[M_STOP], most = interp->config->dialect == GCODE_HAAS ? 99999 : 99999999;
+	int column = block->m_column[M_STOP], most = interp->config->dialect->legacy == GCODE_HAAS ? 99999 : 99999999;
 
 	*repeats = 1;
 	if (!block_has(block, 'P'))
@@ -285,7 +285,7 @@ static bool read_m98(struct interp *interp, int *number, int *repeats)
 		return false;
 	if (block_has(block, 'L'))
 		return block_integer(block, &interp->at, 'L', 1, 9999, repeats);
-	if (interp->config->dialect == GCODE_FANUC && *number > 9999) {
+	if (interp->config->dialect->legacy == GCODE_FANUC && *number > 9999) {
 		*repeats = *number / 10000;
 		*number %= 10000;
 		if (*number == 0)
@@ -329,7 +329,7 @@ static bool do_m99(struct interp *interp, int column)
 		return leave(interp, column);
 	if (!block_integer(block, &interp->at, 'P', 1, 99999999, &number))
 		return false;
-	if (interp->macro.level == 0 || interp->config->dialect == GCODE_HAAS)
+	if (interp->macro.level == 0 || interp->config->dialect->legacy == GCODE_HAAS)
 		return macro_b_goto(interp, number, p);
 	if (call->left > 0)
 		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");

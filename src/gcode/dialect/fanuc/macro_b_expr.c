@@ -18,7 +18,7 @@ static bool read_level(struct lexer *lexer, struct level *level, int rank, struc
 
 static bool is_fanuc(const struct lexer *lexer)
 {
-	return lexer->interp->config->dialect == GCODE_FANUC;
+	return lexer->interp->config->dialect->legacy == GCODE_FANUC;
 }
 
 static bool is_digit(char byte)

@@ -13,7 +13,7 @@
 
 static bool is_fanuc(const struct lexer *lexer)
 {
-	return lexer->interp->config->dialect == GCODE_FANUC;
+	return lexer->interp->config->dialect->legacy == GCODE_FANUC;
 }
 
 /* B-63944EN, priority of operations: functions; * / AND MOD; + - OR XOR; and comparisons last. */

@@ -287,7 +287,7 @@ bool macro_b_goto(struct interp *interp, int number, int column)
 	interp->macro.jumped = true;
 	if (number == 0)
 		return fault(&interp->at, column, "block numbers start with 1");
-	if (interp->config->dialect == GCODE_HAAS)
+	if (interp->config->dialect->legacy == GCODE_HAAS)
 		return macro_b_seek_only(interp, number, column, &target) && macro_b_jump(interp, &target, column);
 	if ((label = remembered(interp, &here, "N", number, key)))
 		return macro_b_jump(interp, &label->at, column);

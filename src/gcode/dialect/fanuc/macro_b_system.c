@@ -37,11 +37,11 @@ static const struct {
 	{5201, 5220, F | H, "an offset of the control's own that lies on all work offsets"},
 };
 
-static const char *find_machine_only(int number, enum gcode_dialect dialect)
+static const char *find_machine_only(int number, const struct dialect *dialect)
 {
 	for (size_t i = 0; i < sizeof(machine_only) / sizeof(*machine_only); i++) {
 		if (number >= machine_only[i].first && number <= machine_only[i].last &&
-		    (machine_only[i].dialects & (1 << dialect)))
+		    (machine_only[i].dialects & (1 << dialect->legacy)))
 			return machine_only[i].what;
 	}
 	return NULL;
@@ -64,7 +64,7 @@ static bool fault_not_followed(struct interp *interp, int number, int column)
 static bool read_group(struct interp *interp, int number, int column, double *value)
 {
 	const struct state *state = &interp->state;
-	int system_group = interp->config->dialect == GCODE_HAAS ? 4012 : 4014;
+	int system_group = interp->config->dialect->legacy == GCODE_HAAS ? 4012 : 4014;
 
 	if (number == system_group && state->system < 6) {
 		*value = 54 + state->system;
@@ -118,7 +118,7 @@ static bool find_slot(struct interp *interp, int number, int index, int column, 
 	int fourth = -1, others = 0;
 
 	*slot = index;
-	if (index < 3 || interp->config->dialect == GCODE_HAAS)
+	if (index < 3 || interp->config->dialect->legacy == GCODE_HAAS)
 		return true;
 	for (int i = SLOT_Z + 1; i < SLOT_COUNT; i++) {
 		fourth = interp->config->has_axis[i] && fourth < 0 ? i : fourth;
@@ -156,7 +156,7 @@ static bool read_position(struct interp *interp, int number, int column, double 
 /* The work offset and its slot that #number is, *system -1 if it is none. */
 static bool find_work(struct interp *interp, int number, int column, int *system, int *slot)
 {
-	bool haas = interp->config->dialect == GCODE_HAAS;
+	bool haas = interp->config->dialect->legacy == GCODE_HAAS;
 	int first = number >= 14001 && haas ? 14001 : number >= 7001 ? 7001 : 5221;
 	int count = first == 5221 ? 6 : first == 14001 ? EXTENDED_COUNT : haas ? 20 : 48;
 	int row = number >= first ? (number - first) / WORK_STEP : count, place = (number - first) % WORK_STEP;
@@ -171,7 +171,7 @@ static bool find_work(struct interp *interp, int number, int column, int *system
 static bool fault_unknown(struct interp *interp, int number, int column)
 {
 	return fault(&interp->at, column, "the system variable #%d is not known here in the %s dialect", number,
-		     dialect_name(interp->config->dialect));
+		     interp->config->dialect->name);
 }
 
 bool macro_b_system_read(struct interp *interp, int number, int column, double *value)
@@ -237,7 +237,7 @@ bool macro_b_system_write(struct interp *interp, int number, int column, double 
 	}
 	if (number < 5221)
 		return fault(&interp->at, column, "#%d cannot be assigned here in the %s dialect", number,
-			     dialect_name(interp->config->dialect));
+			     interp->config->dialect->name);
 	return write_work(interp, number, column, value);
 }
 

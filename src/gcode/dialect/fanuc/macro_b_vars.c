@@ -27,7 +27,7 @@ static int common_index(const struct interp *interp, int number)
 {
 	if ((number >= 100 && number <= 199) || (number >= 500 && number <= 999))
 		return number;
-	if (interp->config->dialect == GCODE_HAAS && number >= 10000 && number <= 10999)
+	if (interp->config->dialect->legacy == GCODE_HAAS && number >= 10000 && number <= 10999)
 		return number - 10000;
 	return -1;
 }
@@ -38,7 +38,7 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 		     "#%d is no variable that is known in the %s dialect; programs have #1 to #33, #100 to #199 and "
 		     "#500 "
 		     "to #999",
-		     number, dialect_name(interp->config->dialect));
+		     number, interp->config->dialect->name);
 }
 
 /* A block's assignments happen at once or in turn: which of it is not in the manuals. */
@@ -55,7 +55,7 @@ static bool was_assigned(const struct interp *interp, int number)
 static bool read_common(struct interp *interp, int number, int index, int column, double *value)
 {
 	const struct macro_b_vars *vars = &interp->macro.vars;
-	bool kept = interp->config->dialect == GCODE_HAAS || index >= 500;
+	bool kept = interp->config->dialect->legacy == GCODE_HAAS || index >= 500;
 
 	if (kept && !vars->given[index])
 		return fault(&interp->at, column,
@@ -72,7 +72,7 @@ bool macro_b_vars_read(struct interp *interp, int number, int column, double *va
 	int index = common_index(interp, number);
 
 	*value = macro_b_vacant();
-	if (number == 0 || (number == 3100 && interp->config->dialect == GCODE_FANUC))
+	if (number == 0 || (number == 3100 && interp->config->dialect->legacy == GCODE_FANUC))
 		return true;
 	if (was_assigned(interp, number))
 		return fault(&interp->at, column, "#%d is assigned in this block already; read it in the next one",

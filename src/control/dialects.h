@@ -1,0 +1,40 @@
+/* dialects.h - the one table of the dialects that programs can be written in: a row for each control. */
+#ifndef FIVECHECK_CONTROL_DIALECTS_H
+#define FIVECHECK_CONTROL_DIALECTS_H
+
+#include <stdbool.h>
+
+/*
+ * ROW(name, title, ...): the name stands in the machine file and after
+ * --dialect, and src/gcode/dialect/NAME/ defines dialect_NAME; the title stands
+ * in messages; the rest are the members of struct dialect_row that are not 0.
+ * The first row is the default.
+ */
+#define DIALECTS(ROW) \
+	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true) \
+	ROW(fanuc, "Fanuc", .has_parameters = true) \
+	ROW(haas, "Haas", .has_parameters = true)
+
+/* What is known of a control before any program is read. */
+struct dialect_row {
+	const char *name;
+	const char *title;
+	/* Every G0 goes straight to its end. Otherwise a parameter decides, which the machine file tells. */
+	bool straight_rapids;
+	/*
+	 * Parameters of the control say what a number without a decimal point means, and whether axes move where the
+	 * length compensation changes. Otherwise the machine file must not tell it: least_input, length_offset_moves.
+	 */
+	bool has_parameters;
+};
+
+/* In the order of the table. */
+extern const struct dialect_row dialect_rows[];
+
+/* The names alone, in the same order, with a NULL behind them. */
+extern const char *const dialect_names[];
+
+/* The row with this name, or -1. */
+int dialect_row_find(const char *name);
+
+#endif

@@ -1,0 +1,86 @@
+#include "gcode/dialect/dialects.h"
+#include "gcode/dialect/linuxcnc/control_flow.h"
+#include "gcode/dialect/standard_codes.h"
+
+/* LinuxCNC's manual, "G-Codes", "M-Codes". */
+static const struct code g_codes[] = {
+	{50, GROUP_UNSUPPORTED, "cubic spline"},
+	{51, GROUP_UNSUPPORTED, "quadratic spline"},
+	{52, GROUP_UNSUPPORTED, "NURBS block"},
+	{53, GROUP_UNSUPPORTED, "NURBS block"},
+	{60, GROUP_UNSUPPORTED, "NURBS block"},
+	{61, GROUP_UNSUPPORTED, "NURBS block"},
+	{62, GROUP_UNSUPPORTED, "NURBS block"},
+	{63, GROUP_UNSUPPORTED, "NURBS block"},
+	{70, GROUP_UNSUPPORTED, "lathe diameter mode"},
+	{80, GROUP_UNSUPPORTED, "lathe radius mode"},
+	{171, GROUP_UNSUPPORTED, "arc plane of U V W"},
+	{181, GROUP_UNSUPPORTED, "arc plane of U V W"},
+	{191, GROUP_UNSUPPORTED, "arc plane of U V W"},
+	{G28_1, G_NONMODAL, NULL},
+	{G30_1, G_NONMODAL, NULL},
+	{G33, G_MOTION, NULL},
+	{G33_1, G_MOTION, NULL},
+	{G38_2, G_MOTION, NULL},
+	{G38_3, G_MOTION, NULL},
+	{G38_4, G_MOTION, NULL},
+	{G38_5, G_MOTION, NULL},
+	{G41, G_CUTTER, NULL},
+	{G41_1, G_CUTTER, NULL},
+	{G42, G_CUTTER, NULL},
+	{G42_1, G_CUTTER, NULL},
+	{431, GROUP_UNSUPPORTED, "dynamic tool length offset"},
+	{432, GROUP_UNSUPPORTED, "additional tool length offset"},
+	{591, G_SYSTEM, NULL},
+	{592, G_SYSTEM, NULL},
+	{593, G_SYSTEM, NULL},
+	{G61_1, G_PATH, NULL},
+	{700, GROUP_UNSUPPORTED, "lathe finishing cycle"},
+	{710, GROUP_UNSUPPORTED, "lathe roughing cycle"},
+	{711, GROUP_UNSUPPORTED, "lathe roughing cycle"},
+	{712, GROUP_UNSUPPORTED, "lathe roughing cycle"},
+	{720, GROUP_UNSUPPORTED, "lathe facing cycle"},
+	{721, GROUP_UNSUPPORTED, "lathe facing cycle"},
+	{722, GROUP_UNSUPPORTED, "lathe facing cycle"},
+	{760, GROUP_UNSUPPORTED, "multi-pass threading cycle"},
+	{G87, G_MOTION, NULL},
+	{G90_1, G_ARC_DISTANCE, NULL},
+	{911, G_ARC_DISTANCE, NULL},
+	{G92_1, G_NONMODAL, NULL},
+	{G92_2, G_NONMODAL, NULL},
+	{G92_3, G_NONMODAL, NULL},
+	{G96, G_SPINDLE, NULL},
+	{970, G_SPINDLE, NULL},	/* the mode that is always in force here */
+};
+
+static const struct code m_codes[] = {
+	/* LinuxCNC's manual, "M-Codes": overrides and outputs touch speeds and wires, no axis. */
+	{48, M_OVERRIDE, NULL},
+	{49, M_OVERRIDE, NULL},
+	{50, M_OVERRIDE, NULL},
+	{51, M_OVERRIDE, NULL},
+	{52, M_OVERRIDE, NULL},
+	{53, M_OVERRIDE, NULL},
+	{61, GROUP_UNSUPPORTED, "setting of the current tool number"},
+	{62, M_OUTPUT, NULL},
+	{63, M_OUTPUT, NULL},
+	{64, M_OUTPUT, NULL},
+	{65, M_OUTPUT, NULL},
+	{66, GROUP_UNSUPPORTED, "waiting for an input"},
+	{67, M_OUTPUT, NULL},
+	{68, M_OUTPUT, NULL},
+	{70, GROUP_UNSUPPORTED, "saving of the modal state"},
+	{71, GROUP_UNSUPPORTED, "saving of the modal state"},
+	{72, GROUP_UNSUPPORTED, "restoring of the modal state"},
+	{73, GROUP_UNSUPPORTED, "saving of the modal state"},
+	/* The call of a subprogram by its number is read before the block is. */
+	{98, GROUP_STATEMENT, NULL},
+};
+
+const struct dialect dialect_linuxcnc = {
+	.name = "linuxcnc",
+	.legacy = GCODE_LINUXCNC,
+	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
+	.m_codes = {&standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.statement = control_flow_line,
+};
