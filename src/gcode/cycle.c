@@ -306,7 +306,9 @@ static bool check_spindle(struct cycle *cycle)
 
 static bool go(struct cycle *cycle, enum canon_kind kind, double height)
 {
-	struct canon_move move = {.kind = kind, .feed = cycle->feed};
+	/* Tapping without M3: the cycle starts the spindle itself. */
+	bool taps = cycle->code == G74 || cycle->code == G84;
+	struct canon_move move = {.kind = kind, .feed = cycle->feed, .spindle_turns = taps && !cycle->linuxcnc};
 
 	cycle->at.v[cycle->depth] = height;
 	return travel_go(cycle->interp, &cycle->at, &move);

@@ -30,6 +30,7 @@ void travel_fill(struct interp *interp, struct canon_move *move)
 	move->plane = state->tcp == TCP_BY_PLANE;
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
+	move->spindle_turns |= state->spindle != SPINDLE_STOPPED;
 }
 
 bool travel_emit(struct interp *interp, const struct canon_move *move)

@@ -24,6 +24,8 @@ struct motion_step {
 	double seconds;	/* the span's own duration */
 	axis_values tolerance;	/* how far the control may leave the path (G64), mm and radians; not in the deviation */
 	bool outside;	/* some part of the move is past an axis limit */
+	bool rapid;	/* at the axes' rates, else at a programmed feed */
+	bool spindle_turns;
 };
 
 /* An axis leaves its travel: the first instant of it in one move. */
