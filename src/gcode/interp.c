@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "gcode/comp.h"
-#include "gcode/convert.h"
 #include "gcode/dialect/linuxcnc/system_params.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/execute.h"
 #include "gcode/state.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct canon_sink *sink, struct diag *diag)
@@ -96,9 +96,9 @@ static bool run_block(struct interp *interp)
 	if (!block_check(block, &interp->at, interp->config, &modes))
 		return false;
 	assign(interp);
-	if (!convert_block(interp))
+	if (!execute_block(interp))
 		return false;
-	return comp_end_block(interp);
+	return cutter_comp_end_block(interp);
 }
 
 static bool run_line(struct interp *interp)
@@ -219,7 +219,7 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	if (good && !interp->ended) {
 		/* The last line is no longer in the reader's buffer. */
 		interp->at.text = "";
-		good = comp_stop(interp);
+		good = cutter_comp_stop(interp);
 	}
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);

@@ -4,16 +4,16 @@
 
 #include <stdbool.h>
 
-#include "gcode/text/block.h"
 #include "gcode/canon.h"
-#include "gcode/comp_queue.h"
-#include "gcode/text/fault.h"
-#include "gcode/dialect/linuxcnc/control_flow.h"
-#include "gcode/interp.h"
 #include "gcode/dialect/fanuc/macro_b.h"
+#include "gcode/dialect/linuxcnc/control_flow.h"
 #include "gcode/dialect/linuxcnc/params.h"
+#include "gcode/execute/cutter_comp/comp_queue.h"
+#include "gcode/execute/tool_table.h"
+#include "gcode/interp.h"
+#include "gcode/text/block.h"
+#include "gcode/text/fault.h"
 #include "gcode/text/source.h"
-#include "gcode/tool_table.h"
 #include "geom/xform.h"
 
 /* G54 to G59.3 */
@@ -35,16 +35,16 @@ enum tcp_source { TCP_OFF, TCP_BY_LENGTH, TCP_BY_MCODE, TCP_BY_PLANE };	/* G43.4
 
 enum spindle_turn { SPINDLE_STOPPED, SPINDLE_CLOCKWISE, SPINDLE_COUNTERCLOCKWISE };
 
-/* A coordinate system turned by the program: frame.h. */
-struct frame {
+/* A coordinate system turned by the program: execute/rotated_frame.h. */
+struct rotated_frame {
 	bool on;
 	bool waits_for_tool;	/* G68.2 before its G53.1: where the control would move is not known here */
 	mat3 turn;
 	vec3 origin;	/* mm, from the offsets in force */
 };
 
-/* The work zero carried along with the table: dynamic_offset.h. */
-struct dynamic_offset {
+/* The work zero carried along with the table: execute/dynamic_work_offset.h. */
+struct dynamic_work_offset {
 	bool on;
 	slot_values zero;	/* X, Y and Z, in place of the work offset's */
 	int unsure_code;	/* G254 or G255, or CODE_NONE: nothing is unsure */
@@ -78,9 +78,9 @@ struct state {
 	enum spindle_turn spindle;
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
-	struct frame frame;
-	struct dynamic_offset dynamic;
-	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: plane.h */
+	struct rotated_frame frame;
+	struct dynamic_work_offset dynamic;
+	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: execute/coordinate_rotation.h */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
@@ -91,7 +91,7 @@ struct state {
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
 	int length_doubt;	/* G28, G30, G53 or DOUBT_M6: what may have taken the length back, or CODE_NONE */
-	bool length_moves;	/* in this block the change of length moves axes by length_shift: tooling.h */
+	bool length_moves;	/* in this block the change of length moves axes by length_shift: execute/tool_length.h */
 	slot_values length_shift;	/* of X, Y and Z, in program coordinates */
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */
@@ -106,8 +106,8 @@ struct state {
 	bool contour;	/* G5.1 Q1, G8 P1 */
 };
 
-/* Cutter compensation: comp.h. */
-struct comp {
+/* Cutter compensation: execute/cutter_comp/cutter_comp.h. */
+struct cutter_comp {
 	int side;	/* 1: left of the path (G41), -1: right of it (G42), 0: off */
 	double radius;	/* mm */
 	bool entered;	/* the entry move has been programmed */
@@ -132,7 +132,7 @@ struct interp {
 	struct block block;
 	struct state state;
 	struct tool_table tools;
-	struct comp comp;
+	struct cutter_comp comp;
 	struct block_cautions cautions;
 	bool cautioned_retract;
 	bool percent;	/* the program is enclosed in '%' lines */

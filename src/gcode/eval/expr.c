@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "gcode/eval/function.h"
-#include "gcode/text/number.h"
 #include "gcode/dialect/linuxcnc/params.h"
 #include "gcode/dialect/linuxcnc/system_params.h"
+#include "gcode/eval/function.h"
 #include "gcode/state.h"
+#include "gcode/text/number.h"
 
 /* LinuxCNC's TOLERANCE_EQUAL: EQ and NE take such numbers for equal; up to version 2.9 it was coarser. */
 #define EQUAL_TOLERANCE 1e-6

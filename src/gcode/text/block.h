@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 #include "gcode/codes.h"
-#include "gcode/text/fault.h"
 #include "gcode/interp.h"
+#include "gcode/text/fault.h"
 
 /* No code of a group. */
 #define CODE_NONE (-1)

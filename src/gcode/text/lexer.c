@@ -3,8 +3,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "gcode/eval/expr.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/eval/expr.h"
 #include "gcode/text/number.h"
 
 void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)

@@ -7,8 +7,8 @@
 #include <stdio.h>
 
 #include "base/callbacks.h"
-#include "gcode/text/fault.h"
 #include "gcode/interp.h"
+#include "gcode/text/fault.h"
 #include "gcode/text/reader.h"
 
 /* Files of subprograms that can be open at once. */

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/dialect/linuxcnc/control_flow.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_parts.h"
+#include "gcode/dialect/linuxcnc/control_flow.h"
 
 /* A G65 or G66 block, read. */
 struct request {

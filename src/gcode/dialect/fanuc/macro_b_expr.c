@@ -3,11 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "gcode/eval/function.h"
 #include "gcode/dialect/fanuc/macro_b_operators.h"
 #include "gcode/dialect/fanuc/macro_b_vars.h"
-#include "gcode/text/number.h"
+#include "gcode/eval/function.h"
 #include "gcode/state.h"
+#include "gcode/text/number.h"
 
 /* What one pair of brackets has held so far. */
 struct level {

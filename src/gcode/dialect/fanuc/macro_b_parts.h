@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "gcode/text/lexer.h"
 #include "gcode/state.h"
+#include "gcode/text/lexer.h"
 
 static inline struct macro_b_call *macro_b_in_hand(struct interp *interp)
 {

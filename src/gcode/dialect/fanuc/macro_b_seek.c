@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/dialect/linuxcnc/control_flow_parts.h"
 #include "gcode/dialect/fanuc/macro_b_parts.h"
+#include "gcode/dialect/linuxcnc/control_flow_parts.h"
 
 /* What a line is to those who search: its start without blanks and comments, in capitals. */
 #define GIST_MAX 256

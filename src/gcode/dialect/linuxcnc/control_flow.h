@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 #include "base/strbuf.h"
-#include "gcode/text/label.h"
 #include "gcode/dialect/linuxcnc/params.h"
+#include "gcode/text/label.h"
 
 struct interp;
 

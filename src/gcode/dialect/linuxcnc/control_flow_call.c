@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/eval/expr.h"
 #include "gcode/dialect/linuxcnc/control_flow_parts.h"
+#include "gcode/eval/expr.h"
 
 static struct call *call_in_hand(struct interp *interp)
 {

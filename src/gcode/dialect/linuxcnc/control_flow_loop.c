@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "gcode/eval/expr.h"
 #include "gcode/dialect/linuxcnc/control_flow_parts.h"
+#include "gcode/eval/expr.h"
 
 struct control *control_flow_top_control(struct interp *interp)
 {

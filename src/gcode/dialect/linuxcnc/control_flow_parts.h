@@ -5,9 +5,9 @@
 #include <stdbool.h>
 
 #include "gcode/dialect/linuxcnc/control_flow.h"
-#include "gcode/text/lexer.h"
 #include "gcode/dialect/linuxcnc/oword.h"
 #include "gcode/state.h"
+#include "gcode/text/lexer.h"
 
 /* The next line in hand is the one at `to`. False: reported at the column. */
 bool control_flow_jump(struct interp *interp, const struct position *to, int column);

@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
+#include "gcode/dialect/linuxcnc/params.h"
 #include "gcode/text/label.h"
 #include "gcode/text/lexer.h"
-#include "gcode/dialect/linuxcnc/params.h"
 
 struct oword {
 	enum o_kind kind;

@@ -2,10 +2,10 @@
 
 #include <math.h>
 
-#include "gcode/dynamic_offset.h"
 #include "gcode/dialect/linuxcnc/params.h"
+#include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/endpoint.h"
 #include "gcode/state.h"
-#include "gcode/target.h"
 
 /* Ranges of numbers, each of one value a slot. */
 enum {
@@ -89,7 +89,7 @@ bool system_params_position_is_plain(struct interp *interp, int slot, int column
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
-		return dynamic_offset_check_read(interp, slot, column) && target_is_known(interp, slot, column);
+		return dynamic_work_offset_check_read(interp, slot, column) && endpoint_is_known(interp, slot, column);
 	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 

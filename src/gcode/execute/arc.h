@@ -1,0 +1,44 @@
+/* arc.h - G2 and G3 in their plane: where the centre is and how far the arc turns. */
+#ifndef FIVECHECK_GCODE_EXECUTE_ARC_H
+#define FIVECHECK_GCODE_EXECUTE_ARC_H
+
+#include <stdbool.h>
+
+/* A point of the plane: along its first and its second axis (G17 X Y, G18 Z X, G19 Y Z), mm. */
+struct plane_point {
+	double a, b;
+};
+
+enum arc_status {
+	ARC_OK,
+	ARC_ZERO_RADIUS,
+	ARC_RADII_DIFFER,
+	ARC_NO_CHORD,	/* by radius, and the end is the start */
+	ARC_RADIUS_TOO_SMALL	/* to reach the end */
+};
+
+/* In mm. LinuxCNC has one set of tolerances for programs in mm and one for programs in inches. */
+struct arc_tolerance {
+	double radius;	/* no smaller radius; so much may a radius be short of half the chord */
+	double spiral;	/* between the radii of start and end */
+};
+
+extern const struct arc_tolerance arc_tolerance_mm, arc_tolerance_inch;
+
+/* Checks the radii of an arc by its centre; *start_radius and *end_radius are set in any case. */
+enum arc_status arc_check_centre(struct plane_point start, struct plane_point end, struct plane_point centre,
+				 const struct arc_tolerance *tolerance, double *start_radius, double *end_radius);
+
+/* The centre of an arc by its radius; a negative radius takes the long way round. */
+enum arc_status arc_find_centre(struct plane_point start, struct plane_point end, double radius, bool clockwise,
+				const struct arc_tolerance *tolerance, struct plane_point *centre);
+
+/*
+ * The angle from start to end about the centre, in the direction given, positive
+ * counter-clockwise, with `turns` - 1 full turns added. What is nearer to
+ * nothing than `least` radians is a full turn.
+ */
+double arc_sweep(struct plane_point start, struct plane_point end, struct plane_point centre, bool clockwise, int turns,
+		 double least);
+
+#endif

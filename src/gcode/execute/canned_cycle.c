@@ -1,0 +1,476 @@
+#include "gcode/execute/canned_cycle.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/tool_length.h"
+
+/*
+ * LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a
+ * parameter, and on the way in any case.
+ */
+#define PECK_CLEARANCE 0.254
+
+/* mm: heights that differ by less are the same. */
+#define SAME_COORDINATE 1e-6
+
+/* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
+#define COUNT_MAX 1000000
+
+struct canned_cycle {
+	struct interp *interp;
+	int code;
+	bool linuxcnc;
+	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
+	struct canon_feed feed;
+	slot_values at;	/* straight position of the tool */
+	slot_values step;	/* from hole to hole */
+	int repeats;
+	double r, bottom, clear;	/* straight positions on the drilling axis */
+	double dwell;	/* seconds */
+	bool dwells;
+	double peck;	/* mm */
+	double shift_a, shift_b, top;	/* G87: aside, and the straight position of the counterbore's top */
+};
+
+/* ------------------------------------------------------------------ words */
+
+/*
+ * The word of the block or, if an earlier block of the cycle gave it, that one;
+ * `column` is to blame for want of both.
+ */
+static bool cycle_word(struct canned_cycle *cycle, char letter, bool kept, double *value)
+{
+	struct interp *interp = cycle->interp;
+	struct cycle_memory *memory = &interp->state.cycle;
+	bool given = block_has(&interp->block, letter);
+
+	if (!given && !(kept && (memory->known & letter_bit(letter))))
+		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c", cycle->code / 10,
+			     letter);
+	*value = given ? block_value(&interp->block, letter) : memory->word[letter - 'A'];
+	memory->known |= letter_bit(letter);
+	memory->word[letter - 'A'] = *value;
+	return true;
+}
+
+/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: drilling data). */
+static bool keeps_words(const struct canned_cycle *cycle)
+{
+	int before = cycle->interp->state.motion;
+
+	return cycle->linuxcnc ? before == cycle->code : before != CODE_NONE && code_is_cycle(before);
+}
+
+static void find_axes(struct canned_cycle *cycle)
+{
+	int plane = cycle->interp->state.plane;
+
+	cycle->a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
+	cycle->b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
+	cycle->depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+}
+
+/* The drilling axis' word is kept under the letter Z in every plane. */
+static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
+{
+	struct interp *interp = cycle->interp;
+	struct cycle_memory *memory = &interp->state.cycle;
+	char letter = AXIS_LETTERS[cycle->depth];
+
+	if (block_has(&interp->block, letter)) {
+		memory->word['Z' - 'A'] = block_value(&interp->block, letter);
+		memory->known |= letter_bit('Z');
+	} else if (!kept || !(memory->known & letter_bit('Z'))) {
+		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs its depth in %c",
+			     cycle->code / 10, letter);
+	}
+	*value = memory->word['Z' - 'A'];
+	return true;
+}
+
+/*
+ * Where the tool retracts to. LinuxCNC's interpreter starts with G99, unless
+ * the machine's RS274NGC_STARTUP_CODE changes that; the others with G98.
+ */
+static double find_clear(struct canned_cycle *cycle, double level)
+{
+	struct interp *interp = cycle->interp;
+	int retract = interp->state.retract;
+
+	if (cycle->linuxcnc && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
+		caution(&interp->at, block_motion_column(&interp->block),
+			"a cycle before any G98 or G99: the tool retracts to R (G99), unless the machine's "
+			"RS274NGC_STARTUP_CODE says otherwise");
+		interp->cautioned_retract = true;
+	}
+	if (retract == G99 || (cycle->linuxcnc && retract == CODE_NONE))
+		return cycle->r;
+	return cycle->linuxcnc ? fmax(level, cycle->r) : level;
+}
+
+/* For LinuxCNC the level is a coordinate; the other manuals do not say that it is none. */
+static bool check_level(const struct canned_cycle *cycle, double level)
+{
+	struct interp *interp = cycle->interp;
+	const struct state *state = &interp->state;
+	const struct cycle_memory *memory = &state->cycle;
+	bool used = state->retract != G99 || state->incremental;
+	bool moved = used && fabs(level - memory->height) > SAME_COORDINATE;
+	bool rescaled = memory->scale < state->scale || memory->scale > state->scale;
+
+	if (cycle->linuxcnc || !(moved || rescaled || memory->turned))
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "the coordinates have changed since the first of the cycles: whether its level and words change "
+		     "with them depends on the control; G80 first");
+}
+
+/* The height before the first of the cycles, and what R, the depth and G98 or G99 make of it. */
+static bool find_heights(struct canned_cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	struct state *state = &interp->state;
+	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
+
+	if (!cycle_word(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
+		return false;
+	if (!state->cycle.has_level) {
+		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
+		state->cycle.has_level = true;
+		state->cycle.height = cycle->at.v[cycle->depth];
+		state->cycle.scale = scale;
+		state->cycle.turned = false;
+	}
+	level = state->cycle.level * scale + offset;
+	if (!check_level(cycle, level))
+		return false;
+	cycle->r = r * scale + (state->incremental ? level : offset);
+	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
+	if (cycle->r < cycle->bottom)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10,
+			     cycle->r - offset, cycle->bottom - offset);
+	cycle->clear = find_clear(cycle, level);
+	return true;
+}
+
+static bool find_dwell(struct canned_cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	const struct cycle_memory *memory = &interp->state.cycle;
+	bool given = block_has(&interp->block, 'P');
+	bool needed = cycle->linuxcnc && (cycle->code == G82 || cycle->code == G86 || cycle->code == G89);
+	bool optional = cycle->code != G73 && cycle->code != G81 && cycle->code != G83 && cycle->code != G85 &&
+			cycle->code != G87;
+
+	if (!needed && !optional)
+		return true;
+	/* LinuxCNC's taps take the dwell of whatever cycle was before. */
+	kept = kept || (cycle->linuxcnc && !needed);
+	cycle->dwells = cycle->linuxcnc || given || (kept && (memory->known & letter_bit('P')));
+	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
+		return true;
+	if (given && block_value(&interp->block, 'P') < 0)
+		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell cannot be negative");
+	if (given)
+		interp->block.value['P' - 'A'] = motion_commands_seconds(interp, 'P');
+	return cycle_word(cycle, 'P', kept, &cycle->dwell);
+}
+
+static bool find_peck(struct canned_cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	int column = block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q')
+						    : block_motion_column(&interp->block);
+	double q = 0;
+
+	if (cycle->code != G73 && cycle->code != G83)
+		return true;
+	if (!cycle_word(cycle, 'Q', kept, &q))
+		return false;
+	/* Fanuc ignores its sign. */
+	cycle->peck = (cycle->linuxcnc ? q : fabs(q)) * interp->state.scale;
+	if (!(cycle->peck > 0))
+		return fault(&interp->at, column, "Q of G%d must be greater than 0", cycle->code / 10);
+	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
+		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
+			     COUNT_MAX);
+	/* Else rounding would swallow it, and the pecks would never come to the bottom. */
+	if (cycle->peck < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
+		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
+			     cycle->code / 10);
+	return true;
+}
+
+static bool find_back_bore(struct canned_cycle *cycle, bool kept)
+{
+	const struct state *state = &cycle->interp->state;
+	double a = 0, b = 0, top = 0;
+
+	if (cycle->code != G87)
+		return true;
+	/* I, J and K go with X, Y and Z. */
+	if (!cycle_word(cycle, "IJK"[cycle->a], kept, &a) || !cycle_word(cycle, "IJK"[cycle->b], kept, &b) ||
+	    !cycle_word(cycle, "IJK"[cycle->depth], kept, &top))
+		return false;
+	cycle->shift_a = a * state->scale;
+	cycle->shift_b = b * state->scale;
+	cycle->top = top * state->scale + (state->incremental ? cycle->bottom : state->offset.v[cycle->depth]);
+	return true;
+}
+
+/* L, and on Fanuc controls K: so many holes, one step of G91 apart. */
+static bool find_repeats(struct canned_cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	const struct block *block = &interp->block;
+	char letter = interp->config->dialect->legacy == GCODE_FANUC ? 'K' : 'L';
+
+	cycle->repeats = 1;
+	if (!block_has(block, letter))
+		return true;
+	if (!block_integer(block, &interp->at, letter, 0, COUNT_MAX, &cycle->repeats))
+		return false;
+	if (cycle->repeats == 0 && cycle->linuxcnc)
+		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
+			     cycle->code / 10);
+	/* The words are kept and nothing is drilled; whether the tool goes there is not the same everywhere. */
+	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
+		return fault(&interp->at, block_column(block, letter),
+			     "%c0 with a position: whether the tool goes there depends on the control; leave out one "
+			     "of them", letter);
+	return true;
+}
+
+/* Where the holes are: rotary axes may go there with them, but not in LinuxCNC. */
+static bool find_holes(struct canned_cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	const struct state *state = &interp->state;
+	slot_values target;
+
+	for (int slot = 0; slot < SLOT_COUNT && cycle->linuxcnc; slot++) {
+		if (slot > SLOT_Z && block_has(&interp->block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
+				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
+	}
+	if (!endpoint_find(interp, false, &target) ||
+	    tool_length_is_in_doubt(interp, (int)cycle->depth, block_motion_column(&interp->block)))
+		return false;
+	target.v[cycle->depth] = cycle->at.v[cycle->depth];
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		double way = target.v[slot] - cycle->at.v[slot];
+
+		cycle->step.v[slot] = state->incremental ? way : 0;
+		if (!state->incremental)
+			cycle->at.v[slot] = target.v[slot];
+	}
+	return true;
+}
+
+/* LinuxCNC up to 2.9 (interp_cycles.cc) puts the coordinates of its taps in order for the plane twice. */
+static bool check_tap_plane(struct canned_cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+
+	if (!cycle->linuxcnc || interp->state.plane == G17 || (cycle->code != G74 && cycle->code != G84))
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "G%d in the plane of G%d: LinuxCNC confuses the axes and goes elsewhere; use G33.1",
+		     cycle->code / 10, interp->state.plane / 10);
+}
+
+static bool check_spindle(struct canned_cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+	enum spindle_turn turn = interp->state.spindle;
+	int column = block_motion_column(&interp->block), code = cycle->code;
+
+	/* Other controls start the spindle themselves. */
+	if (!cycle->linuxcnc || (code != G74 && code != G84 && code != G86 && code != G87))
+		return true;
+	if (turn == SPINDLE_STOPPED)
+		return fault(&interp->at, column, "G%d while the spindle stands", code / 10);
+	if (code == (turn == SPINDLE_CLOCKWISE ? G74 : G84))
+		return fault(&interp->at, column, "G%d while the spindle turns %s", code / 10,
+			     turn == SPINDLE_CLOCKWISE ? "clockwise" : "counter-clockwise");
+	return true;
+}
+
+/* ------------------------------------------------------------------ moves */
+
+static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
+{
+	/* Tapping without M3: the cycle starts the spindle itself. */
+	bool taps = cycle->code == G74 || cycle->code == G84;
+	struct canon_move move = {.kind = kind, .feed = cycle->feed, .spindle_turns = taps && !cycle->linuxcnc};
+
+	cycle->at.v[cycle->depth] = height;
+	return motion_commands_go(cycle->interp, &cycle->at, &move);
+}
+
+static bool rapid(struct canned_cycle *cycle, double height)
+{
+	return go(cycle, CANON_RAPID, height);
+}
+
+static bool feed(struct canned_cycle *cycle, double height)
+{
+	return go(cycle, CANON_FEED, height);
+}
+
+static bool rest(struct canned_cycle *cycle)
+{
+	return !cycle->dwells || motion_commands_emit(cycle->interp, &(struct canon_move){.kind = CANON_DWELL,
+										 .seconds = cycle->dwell});
+}
+
+static bool make_pecks(struct canned_cycle *cycle)
+{
+	double depth = cycle->r - cycle->peck;
+
+	while (depth > cycle->bottom) {
+		if (!feed(cycle, depth) || (cycle->code == G83 && !rapid(cycle, cycle->r)) ||
+		    !rapid(cycle, depth + PECK_CLEARANCE))
+			return false;
+		depth -= cycle->peck;
+	}
+	return feed(cycle, cycle->bottom) && rapid(cycle, cycle->clear);
+}
+
+static bool step_aside(struct canned_cycle *cycle, double sign, double height)
+{
+	cycle->at.v[cycle->a] += sign * cycle->shift_a;
+	cycle->at.v[cycle->b] += sign * cycle->shift_b;
+	return rapid(cycle, height);
+}
+
+/* Down beside the hole's axis, up on it with the tool turning, and out the same way. */
+static bool bore_back(struct canned_cycle *cycle)
+{
+	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) &&
+	       step_aside(cycle, -1, cycle->bottom) && feed(cycle, cycle->top) && feed(cycle, cycle->bottom) &&
+	       step_aside(cycle, 1, cycle->bottom) && rapid(cycle, cycle->clear) &&
+	       step_aside(cycle, -1, cycle->clear);
+}
+
+/* Out at the feed: LinuxCNC all the way for taps and G89, the others to R, and on from there at the rapid rate. */
+static bool feed_out(struct canned_cycle *cycle)
+{
+	if (cycle->linuxcnc && cycle->code != G85)
+		return feed(cycle, cycle->clear);
+	return feed(cycle, cycle->r) && rapid(cycle, cycle->clear);
+}
+
+static bool make_hole(struct canned_cycle *cycle)
+{
+	switch (cycle->code) {
+	case G73:
+	case G83:
+		return make_pecks(cycle);
+	case G87:
+		return bore_back(cycle);
+	case G74:
+	case G84:
+	case G85:
+	case G89:
+		return feed(cycle, cycle->bottom) && rest(cycle) && feed_out(cycle);
+	default:
+		return feed(cycle, cycle->bottom) && rest(cycle) && rapid(cycle, cycle->clear);
+	}
+}
+
+/* LinuxCNC goes over the hole at its own height if that is above R, and else on the way to where holes are left. */
+static bool go_over(struct canned_cycle *cycle, bool first, double height)
+{
+	double over = !cycle->linuxcnc || (first && height > cycle->r) ? height : cycle->clear;
+
+	if (!rapid(cycle, over))
+		return false;
+	if (cycle->linuxcnc && !(over > cycle->r))
+		return true;
+	return rapid(cycle, cycle->r);
+}
+
+static bool make_holes(struct canned_cycle *cycle)
+{
+	double height = cycle->at.v[cycle->depth];
+
+	for (int i = 0; i < cycle->repeats; i++) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++)
+			cycle->at.v[slot] += cycle->step.v[slot];
+		if (!go_over(cycle, i == 0, height) || !make_hole(cycle))
+			return false;
+		height = cycle->at.v[cycle->depth];
+	}
+	return true;
+}
+
+/* LinuxCNC first leaves what lies below R, straight up. */
+static bool rise(struct canned_cycle *cycle)
+{
+	const struct state *state = &cycle->interp->state;
+	double level = state->cycle.level * state->scale + state->offset.v[cycle->depth];
+
+	return !cycle->linuxcnc || !(level < cycle->r) || rapid(cycle, cycle->r);
+}
+
+static bool make_cycle(struct canned_cycle *cycle)
+{
+	struct state *state = &cycle->interp->state;
+	bool blend = state->blend, good;
+
+	if (!rise(cycle) || !find_holes(cycle))
+		return false;
+	/* LinuxCNC drills in exact path mode, whatever is in force. */
+	if (cycle->linuxcnc)
+		state->blend = false;
+	good = make_holes(cycle);
+	state->blend = blend;
+	return good;
+}
+
+/* Fanuc and Haas drill in blocks that name an axis. */
+static bool is_to_drill(struct canned_cycle *cycle, bool *good)
+{
+	const struct block *block = &cycle->interp->block;
+	bool axes = block->letters & AXIS_BITS;
+
+	*good = true;
+	if (cycle->linuxcnc)
+		return true;
+	if (cycle->repeats > 0 && !axes && block_has(block, 'R'))
+		*good = fault(&cycle->interp->at, block_column(block, 'R'),
+			      "R of G%d without an axis: whether the tool drills where it stands depends on the "
+			      "control; name an axis",
+			      cycle->code / 10);
+	return cycle->repeats > 0 && axes;
+}
+
+bool canned_cycle_run(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	struct canned_cycle cycle = {.interp = interp, .code = interp->block.motion,
+			      .linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC, .at = rotated_frame_straight(state)};
+	int column = block_motion_column(&interp->block);
+	bool kept, good;
+
+	if (state->feed_mode == FEED_INVERSE_TIME)
+		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
+			     cycle.code / 10);
+	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
+		state->cycle.known = 0;
+	find_axes(&cycle);
+	kept = keeps_words(&cycle);
+	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
+	    !find_dwell(&cycle, kept) || !find_peck(&cycle, kept) || !find_back_bore(&cycle, kept) ||
+	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
+		return false;
+	state->motion = cycle.code;
+	return is_to_drill(&cycle, &good) ? make_cycle(&cycle) : good;
+}

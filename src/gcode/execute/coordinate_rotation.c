@@ -1,0 +1,319 @@
+#include "gcode/execute/coordinate_rotation.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/tool_length.h"
+
+/* mm: coordinates that differ by less are the same. */
+#define SAME_COORDINATE 1e-6
+
+static double word_or(const struct interp *interp, char letter, double otherwise)
+{
+	return block_has(&interp->block, letter) ? block_value(&interp->block, letter) : otherwise;
+}
+
+static vec3 plane_normal(int plane)
+{
+	return plane == G17 ? (vec3){0, 0, 1} : plane == G18 ? (vec3){0, 1, 0} : (vec3){1, 0, 0};
+}
+
+static int across_of(int plane)
+{
+	return plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+}
+
+/* The centre's words; where they are missing, the tool stands on the centre. */
+static bool find_centre(struct interp *interp, vec3 *centre)
+{
+	const struct state *state = &interp->state;
+	int across = across_of(state->plane);
+	double at[3];
+	int words = 0;
+
+	for (int slot = SLOT_X; slot < SLOT_COUNT; slot++) {
+		bool given = block_has(&interp->block, AXIS_LETTERS[slot]);
+
+		if (given && (slot > SLOT_Z || slot == across))
+			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
+				     "%c does not belong to the centre of G68 in the plane of G%d",
+				     AXIS_LETTERS[slot], state->plane / 10);
+		words += given;
+		if (slot <= SLOT_Z)
+			at[slot] = given ? block_value(&interp->block, AXIS_LETTERS[slot]) * state->scale
+					 : state->position.v[slot] - state->offset.v[slot];
+	}
+	*centre = (vec3){at[0], at[1], at[2]};
+	if (words != 1)
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_ROTATION],
+		     "the centre of G68 needs both of its words, or none for where the tool stands");
+}
+
+/* After the coordinates were turned, or turned back: which ones are no longer what they were. */
+static void mark_unsure(struct state *state, const slot_values *before, int code)
+{
+	slot_values now = rotated_frame_straight(state);
+	bool any = false;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool moved = fabs(now.v[slot] - before->v[slot]) > SAME_COORDINATE;
+
+		state->unsure[slot] = moved;
+		any = any || moved;
+	}
+	state->unsure_code = any ? code : CODE_NONE;
+}
+
+/*
+ * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68,
+ * G69); Haas mill operator's manual, "G68 Rotation": by R degrees about a
+ * centre in the plane, counter-clockwise.
+ */
+static bool turn_in_plane(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int column = interp->block.g_column[G_ROTATION];
+	struct rotated_frame frame = {.on = true};
+	slot_values before = state->position;
+	vec3 centre = {0, 0, 0};
+
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column, "G68 under tool centre point control; cancel that first");
+	if (interp->block.letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
+		return fault(&interp->at, column, "G68 with I, J, K: three-dimensional coordinate conversion is not "
+						  "supported yet");
+	if (!block_has(&interp->block, 'R'))
+		return fault(&interp->at, column,
+			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
+			     "the angle");
+	if (!find_centre(interp, &centre))
+		return false;
+	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
+	frame.origin = vec3_sub(centre, mat3_apply(&frame.turn, centre));
+	state->frame = frame;
+	mark_unsure(state, &before, G68);
+	return true;
+}
+
+/*
+ * Fanuc 30i-B operator's manual, tilted working plane indexing, G68.2 by
+ * Euler's angles: about Z by I, about the new X by J, about the new Z by K.
+ */
+static bool tilt(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	const vec3 x = {1, 0, 0}, z = {0, 0, 1};
+	struct rotated_frame frame = {.on = true, .waits_for_tool = true};
+	mat3 first, second, third;
+
+	if (block_has(block, 'P') || block_has(block, 'Q') || block_has(block, 'R'))
+		return fault(&interp->at, block->g_column[G_ROTATION],
+			     "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet");
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, block->g_column[G_ROTATION],
+			     "G68.2 under tool centre point control; cancel that first");
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c does not belong to G68.2, whose origin is in X, Y and Z", AXIS_LETTERS[slot]);
+	}
+	first = mat3_turn(z, radians(word_or(interp, 'I', 0)));
+	second = mat3_turn(x, radians(word_or(interp, 'J', 0)));
+	third = mat3_turn(z, radians(word_or(interp, 'K', 0)));
+	first = mat3_mul(&first, &second);
+	frame.turn = mat3_mul(&first, &third);
+	frame.origin = vec3_scale(state->scale, (vec3){word_or(interp, 'X', 0), word_or(interp, 'Y', 0),
+						       word_or(interp, 'Z', 0)});
+	state->frame = frame;
+	return true;
+}
+
+static bool turn_back(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	slot_values before = rotated_frame_straight(state);
+
+	state->frame = (struct rotated_frame){0};
+	state->cycle.turned = true;
+	if (state->tcp == TCP_BY_PLANE &&
+	    !tool_length_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
+		return false;
+	mark_unsure(state, &before, G69);
+	return true;
+}
+
+/* After G68: of one absolute word alone it is not said whether the other coordinate is the turned one. */
+static bool check_both_words(struct interp *interp)
+{
+	const struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int across = across_of(state->plane);
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		int other = SLOT_X + SLOT_Y + SLOT_Z - across - slot;
+
+		if (slot == across || !block_has(block, AXIS_LETTERS[slot]) || block_has(block, AXIS_LETTERS[other]) ||
+		    !state->unsure[other])
+			continue;
+		return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or "
+			     "its turned coordinate depends on the control; name both", AXIS_LETTERS[slot],
+			     AXIS_LETTERS[other], AXIS_LETTERS[other]);
+	}
+	return true;
+}
+
+/*
+ * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": the
+ * first move after G69 is absolute. After G68 increments are turned about the
+ * tool (15i, B-63324EN, the same section).
+ */
+bool coordinate_rotation_check_words(struct interp *interp, bool machine)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	bool absolute = machine || !state->incremental, left = false;
+
+	if (state->unsure_code == CODE_NONE)
+		return true;
+	if (state->unsure_code == G68 && absolute && !machine && !check_both_words(interp))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool named = block_has(block, AXIS_LETTERS[slot]);
+		double value = named ? block_value(block, AXIS_LETTERS[slot]) : 0;
+
+		if (state->unsure[slot] && state->unsure_code == G69 && !absolute && (value < 0 || value > 0))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c by an increment after G69: the first move after it is absolute",
+				     AXIS_LETTERS[slot]);
+		state->unsure[slot] = state->unsure[slot] && !(named && absolute);
+		left = left || state->unsure[slot];
+	}
+	if (!left)
+		state->unsure_code = CODE_NONE;
+	return true;
+}
+
+bool coordinate_rotation_turn(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_ROTATION], column = interp->block.g_column[G_ROTATION];
+
+	if (code == CODE_NONE || code == G69)
+		return true;
+	state->cycle.turned = true;
+	if (state->frame.on)
+		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
+	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
+	if (state->incremental)
+		return fault(&interp->at, column, "%s in incremental distance mode (G91) is not supported yet",
+			     code == G68 ? "G68" : "G68.2");
+	return code == G68 ? turn_in_plane(interp) : tilt(interp);
+}
+
+/*
+ * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
+ * (G53.1): the rotary axes turn at the rapid rate and the linear ones stand
+ * still. From here on a tool point is meant on the workpiece, which may have
+ * turned with its table.
+ */
+bool coordinate_rotation_orient_tool(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL];
+	struct canon_orientation orientation = {.rotary = state->canonical};
+	slot_values target = state->position;
+	bool good;
+
+	if (!state->frame.on || !state->frame.waits_for_tool)
+		return fault(&interp->at, column, "G53.1 needs a plane that G68.2 has just tilted");
+	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
+	orientation.rotary_zero = tool_length_rotary_zero(interp);
+	if (!interp->sink->orient(interp->sink->context, line_loc(&interp->at, column), &orientation))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (interp->config->has_axis[slot])
+			target.v[slot] = state_from_canonical(slot, orientation.rotary.v[slot]);
+	}
+	/* Machine axes, in the machine's coordinates. */
+	state->frame.on = false;
+	good = motion_commands_go(interp, &target, &(struct canon_move){.kind = CANON_RAPID});
+	state->frame.on = true;
+	state->frame.waits_for_tool = false;
+	return good && tool_length_switch_tcp(interp, column, TCP_BY_PLANE);
+}
+
+static bool changes_offsets(const struct block *block)
+{
+	int code = block->g[G_NONMODAL];
+
+	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
+}
+
+/*
+ * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": no
+ * G28, G30, G53 while it is in force. Of Haas nothing is said: across the plane
+ * they mean the same either way.
+ */
+static bool check_by_machine(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int code = block->g[G_NONMODAL], across = across_of(interp->state.plane);
+
+	if (code != G28 && code != G30 && code != G53)
+		return true;
+	if (interp->config->dialect->legacy == GCODE_FANUC)
+		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
+			     code / 10);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (slot != across && (block_has(block, AXIS_LETTERS[slot]) ||
+				       (code != G53 && !(block->letters & AXIS_BITS))))
+			return fault(&interp->at, block->g_column[G_NONMODAL],
+				     "G%d with %c while G68 is in force: whether the way there and the coordinates "
+				     "behind it are turned depends on the control; G69 first",
+				     code / 10, AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+bool coordinate_rotation_start_block(struct interp *interp)
+{
+	const struct rotated_frame *frame = &interp->state.frame;
+	const struct block *block = &interp->block;
+	const char *name = interp->state.tcp == TCP_BY_PLANE || frame->waits_for_tool ? "G68.2" : "G68";
+	int column = block->g_column[G_NONMODAL];
+
+	if (!frame->on)
+		return true;
+	if (block->g[G_ROTATION] == G69)
+		return turn_back(interp);
+	if (changes_offsets(block))
+		return fault(&interp->at, block->g[G_SYSTEM] != CODE_NONE ? block->g_column[G_SYSTEM] : column,
+			     "a change of offsets while %s is in force is not supported; G69 first", name);
+	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+		return fault(&interp->at, block->g_column[G_LENGTH],
+			     "tool centre point control while %s is in force; G69 first", name);
+	if (block->m[M_TCP] == GCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
+		return fault(&interp->at, block->m_column[M_TCP],
+			     "tool centre point control while %s is in force; G69 first", name);
+	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {
+		if (!check_by_machine(interp))
+			return false;
+		if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
+			return fault(&interp->at, block->g_column[G_PLANE],
+				     "a change of the plane while G68 is in force; G69 first");
+		return true;
+	}
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]) && block->g[G_ROTATION] == CODE_NONE)
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c while G68.2 is in force: the tool would leave the direction of its plane",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}

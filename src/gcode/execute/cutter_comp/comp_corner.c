@@ -1,0 +1,72 @@
+#include "gcode/execute/cutter_comp/comp_corner.h"
+
+#include <math.h>
+
+static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
+{
+	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
+}
+
+static double dot(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.a + p.b * q.b;
+}
+
+static double cross(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.b - p.b * q.a;
+}
+
+static bool two_lines(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
+{
+	struct plane_point between = along(after->point, -1, before->point);
+	double sine = cross(before->direction, after->direction);
+
+	if (!(fabs(sine) > 0))
+		return false;
+	*corner = along(before->point, cross(between, after->direction) / sine, before->direction);
+	return isfinite(corner->a) && isfinite(corner->b);
+}
+
+/* The crossing that lies farther along the line, or the nearer one. */
+static bool line_and_arc(const struct comp_way *line, const struct comp_way *arc, bool farther,
+			 struct plane_point *corner)
+{
+	struct plane_point to_centre = along(arc->centre, -1, line->point);
+	double foot = dot(to_centre, line->direction), height = cross(line->direction, to_centre);
+	double half = arc->radius * arc->radius - height * height;
+
+	if (half < 0)
+		return false;
+	*corner = along(line->point, foot + (farther ? 1 : -1) * sqrt(half), line->direction);
+	return true;
+}
+
+static bool two_arcs(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
+{
+	struct plane_point between = along(after->centre, -1, before->centre);
+	double distance = hypot(between.a, between.b), cosine, side, angle;
+
+	if (!(distance > 0) || !(before->radius > 0))
+		return false;
+	cosine = (before->radius * before->radius + distance * distance - after->radius * after->radius) /
+		 (2 * before->radius * distance);
+	if (!(fabs(cosine) <= 1))
+		return false;
+	side = before->inside == after->clockwise ? -1 : 1;
+	angle = atan2(between.b, between.a) + side * acos(cosine);
+	*corner = along(before->centre, before->radius, (struct plane_point){cos(angle), sin(angle)});
+	return true;
+}
+
+bool comp_corner(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
+{
+	if (before->is_arc && after->is_arc)
+		return two_arcs(before, after, corner);
+	/* The tool leaves an arc that it follows inside at the first crossing, and enters one at the last. */
+	if (before->is_arc)
+		return line_and_arc(after, before, !before->inside, corner);
+	if (after->is_arc)
+		return line_and_arc(before, after, after->inside, corner);
+	return two_lines(before, after, corner);
+}

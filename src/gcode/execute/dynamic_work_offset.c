@@ -1,0 +1,243 @@
+#include "gcode/execute/dynamic_work_offset.h"
+
+#include <math.h>
+
+#include "gcode/dialect/linuxcnc/system_params.h"
+
+/* mm: coordinates that differ by less are the same. */
+#define SAME_COORDINATE 1e-6
+
+static bool is_zero(double value)
+{
+	return !(value < 0 || value > 0);
+}
+
+/* The manual does not say what comes first in a block. */
+static bool stands_alone(const struct block *block)
+{
+	bool still = block->motion == CODE_NONE || block->motion == G0 || block->motion == G1 || block->motion == G80;
+
+	return still && !(block->letters & AXIS_BITS) && block->g[G_NONMODAL] == CODE_NONE &&
+	       block->g[G_LENGTH] == CODE_NONE && block->g[G_SYSTEM] == CODE_NONE &&
+	       block->g[G_ROTATION] == CODE_NONE && block->m[M_TOOL] == CODE_NONE && block->m[M_TCP] == CODE_NONE;
+}
+
+bool dynamic_work_offset_start_block(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int given = block->g[G_DYNAMIC], other = block->g[G_NONMODAL], column = block->g_column[G_NONMODAL];
+
+	if (given != CODE_NONE && !stands_alone(block))
+		return fault(&interp->at, block->g_column[G_DYNAMIC],
+			     "G%d needs a block without axis words, offsets, lengths or a tool change", given / 10);
+	if (!interp->state.dynamic.on || given != CODE_NONE)
+		return true;
+	if (other == G10 || other == G52 || other == G92)
+		return fault(&interp->at, column,
+			     "a change of offsets while G254 is in force is not supported; G255 first");
+	if (other == G30)
+		return fault(&interp->at, column,
+			     "G30 while G254 is in force: whether the control ignores G254 on the way is not known; "
+			     "G255 first");
+	if (block->g[G_ROTATION] == G68)
+		return fault(&interp->at, block->g_column[G_ROTATION], "G68 while G254 is in force; G255 first");
+	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+		return fault(&interp->at, block->g_column[G_LENGTH],
+			     "tool centre point control while G254 is in force; G255 first");
+	if (block->m[M_TCP] == GCODE_TCP_ON)
+		return fault(&interp->at, block->m_column[M_TCP],
+			     "tool centre point control while G254 is in force; G255 first");
+	return true;
+}
+
+bool dynamic_work_offset_check_system(struct interp *interp, int system)
+{
+	const struct state *state = &interp->state;
+
+	if (!state->dynamic.on || (system == state->system && !interp->macro.work_stale))
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_SYSTEM],
+		     "a change of the work offset while G254 is in force: the control has it selected before G254; "
+		     "G255 first");
+}
+
+/* Which coordinates are no longer what they were, while the axes stand. */
+static void mark_unsure(struct state *state, const slot_values *before, int code)
+{
+	struct dynamic_work_offset *dynamic = &state->dynamic;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (fabs(state->offset.v[slot] - before->v[slot]) > SAME_COORDINATE) {
+			dynamic->unsure[slot] = true;
+			dynamic->unsure_code = code;
+		}
+	}
+}
+
+/* The offset itself must be the table's, as it is drawn at rotary zero. */
+static bool check_offset(struct interp *interp, int column)
+{
+	const struct state *state = &interp->state;
+
+	if (interp->macro.work_stale)
+		return fault(&interp->at, column,
+			     "the work offset in force was assigned to: when a control heeds that differs; select it "
+			     "again first, with %s",
+			     state_system_name(state->system));
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!is_zero(state->shift.v[slot]))
+			return fault(&interp->at, column,
+				     "G254 while G%d shifts %c: whether the table carries the shift along is not "
+				     "known; take it back first",
+				     state->shift_code / 10, AXIS_LETTERS[slot]);
+		if (slot_is_rotary(slot) && !is_zero(state->offset.v[slot]))
+			return fault(&interp->at, column,
+				     "G254 with a work offset of %.9g degrees in %c: the control needs 0 there",
+				     state->offset.v[slot], AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+static bool switch_on(struct interp *interp, int column)
+{
+	struct state *state = &interp->state;
+	axis_values zero = state->canonical;
+
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column, "G254 under tool centre point control; cancel that first");
+	if (state->frame.on)
+		return fault(&interp->at, column, "G254 while G68 is in force; G69 first");
+	if (!check_offset(interp, column))
+		return false;
+	system_params_work_is_used(interp, state->system, column);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!slot_is_rotary(slot))
+			zero.v[slot] = state->work[state->system].v[slot];
+	}
+	if (!interp->sink->carry(interp->sink->context, line_loc(&interp->at, column), &zero))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		state->dynamic.zero.v[slot] = zero.v[slot];
+	state->dynamic.on = true;
+	return true;
+}
+
+bool dynamic_work_offset_switch(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_DYNAMIC];
+	slot_values before = state->offset;
+
+	if (code == CODE_NONE)
+		return true;
+	if (code == G255)
+		state->dynamic.on = false;
+	else if (!switch_on(interp, interp->block.g_column[G_DYNAMIC]))
+		return false;
+	state_update_offset(state);
+	mark_unsure(state, &before, code);
+	return true;
+}
+
+bool dynamic_work_offset_check_words(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct dynamic_work_offset *dynamic = &interp->state.dynamic;
+	bool by_machine = block->g[G_NONMODAL] != CODE_NONE;
+
+	if (dynamic->unsure_code == CODE_NONE)
+		return true;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		bool named = block_has(block, AXIS_LETTERS[slot]);
+
+		if (!named || !dynamic->unsure[slot])
+			continue;
+		if (interp->state.incremental && !is_zero(block_value(block, AXIS_LETTERS[slot])))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c by an increment after G%d: from where the control counts it is not known; "
+				     "lead the axis somewhere by an absolute coordinate first",
+				     AXIS_LETTERS[slot], dynamic->unsure_code / 10);
+		dynamic->unsure[slot] = by_machine || interp->state.incremental;
+	}
+	if (!dynamic->unsure[SLOT_X] && !dynamic->unsure[SLOT_Y] && !dynamic->unsure[SLOT_Z])
+		dynamic->unsure_code = CODE_NONE;
+	return true;
+}
+
+bool dynamic_work_offset_check_cut(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const struct dynamic_work_offset *dynamic = &interp->state.dynamic;
+	bool still = block->motion == G1 && !(block->letters & AXIS_BITS);
+
+	if (dynamic->unsure_code == CODE_NONE || block->motion == CODE_NONE || block->motion == G0 ||
+	    block->motion == G80 || block->g[G_NONMODAL] == G53 || still)
+		return true;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		bool led = block_has(block, AXIS_LETTERS[slot]) && !interp->state.incremental;
+
+		if (dynamic->unsure[slot] && dynamic->unsure_code == G254)
+			return fault(&interp->at, block_motion_column(block),
+				     "G%d after G254 before G0 has led %c to an absolute coordinate: the control needs "
+				     "one of X, Y and Z each before it cuts",
+				     block->motion / 10, AXIS_LETTERS[slot]);
+		if (dynamic->unsure[slot] && !led)
+			return fault(&interp->at, block_motion_column(block),
+				     "G%d after G255 without %c: whether the axis stays where it is is not known; give "
+				     "its absolute coordinate",
+				     block->motion / 10, AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+/* The column of what turns the axis. */
+static int turn_column(const struct block *block, int slot)
+{
+	if (block_has(block, AXIS_LETTERS[slot]))
+		return block_column(block, AXIS_LETTERS[slot]);
+	return block->m[M_TOOL] != CODE_NONE ? block->m_column[M_TOOL] : block->g_column[G_NONMODAL];
+}
+
+bool dynamic_work_offset_check_turn(struct interp *interp, const slot_values *position)
+{
+	const struct state *state = &interp->state;
+
+	if (!state->dynamic.on)
+		return true;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!is_zero(position->v[slot] - state->position.v[slot]))
+			return fault(&interp->at, turn_column(&interp->block, slot),
+				     "%c turns while G254 is in force: whether the control then takes the work zero "
+				     "along is not known; G255 first",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+bool dynamic_work_offset_check_read(struct interp *interp, int slot, int column)
+{
+	const struct dynamic_work_offset *dynamic = &interp->state.dynamic;
+
+	if (dynamic->on)
+		return fault(&interp->at, column,
+			     "whether the position counts from the work zero or from where G254 has it is not known; "
+			     "G255 first");
+	if (slot > SLOT_Z || !dynamic->unsure[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "the position after G%d is not known; lead the axis somewhere by an absolute coordinate first",
+		     dynamic->unsure_code / 10);
+}
+
+void dynamic_work_offset_suspend(struct state *state, bool *suspended)
+{
+	*suspended = state->dynamic.on;
+	state->dynamic.on = false;
+	state_update_offset(state);
+}
+
+void dynamic_work_offset_resume(struct state *state, bool suspended)
+{
+	state->dynamic.on = suspended;
+	state_update_offset(state);
+}

@@ -1,0 +1,109 @@
+#include "gcode/execute/endpoint.h"
+
+#include <math.h>
+
+#include "gcode/execute/coordinate_rotation.h"
+#include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/tool_length.h"
+
+/* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
+#define WRAP_TOLERANCE 1e-9
+
+/*
+ * The shortest way to an aim whole turns apart (Fanuc 16i/18i-MB operator's manual,
+ * B-63534EN, "Rotary axis roll-over"), which leaves open what half a turn is.
+ */
+static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
+{
+	double here = interp->state.position.v[slot];
+	double way = remainder(aim - here, 360);
+	int half_turn = interp->config->half_turn[slot];
+
+	if (fabs(way) >= 180 - WRAP_TOLERANCE) {
+		if (!half_turn)
+			return fault(&interp->at, column,
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
+				     "\"negative\" of this axis in the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
+		way = half_turn * fabs(way);
+	}
+	*target = aim + 360 * round((here + way - aim) / 360);
+	return true;
+}
+
+/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the aim is reached within one turn. */
+static double directed(const struct interp *interp, int slot, double aim, bool negative)
+{
+	double turns = (interp->state.position.v[slot] - aim) / 360;
+
+	if (negative)
+		return aim + 360 * floor(turns + WRAP_TOLERANCE / 360);
+	return aim + 360 * ceil(turns - WRAP_TOLERANCE / 360);
+}
+
+bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target)
+{
+	const struct gcode_config *config = interp->config;
+
+	if (!slot_is_rotary(slot) || config->wrap[slot] == GCODE_WRAP_NONE) {
+		*target = value + origin;
+		return true;
+	}
+	if (config->wrap[slot] == GCODE_WRAP_SHORTEST)
+		return shortest(interp, slot, value + origin, column, target);
+	if (config->dialect->legacy == GCODE_LINUXCNC && fabs(value) >= 360)
+		return fault(&interp->at, column,
+			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
+			     AXIS_LETTERS[slot], value);
+	*target = directed(interp, slot, fabs(value) + origin, signbit(value));
+	return true;
+}
+
+bool endpoint_is_known(struct interp *interp, int slot, int column)
+{
+	if (!interp->state.probed[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
+		     "absolute coordinate (G90) first", AXIS_LETTERS[slot]);
+}
+
+bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+
+	*target = rotated_frame_straight(state);
+	if (!(block->letters & AXIS_BITS))
+		return true;
+	if (state->frame.on && state->frame.waits_for_tool)
+		return fault(&interp->at, block_motion_column(block),
+			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
+	if (!coordinate_rotation_check_words(interp, machine) || !dynamic_work_offset_check_words(interp))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
+		target->v[slot] += state->length_shift.v[slot];
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		char letter = AXIS_LETTERS[slot];
+		double value;
+
+		if (!block_has(block, letter))
+			continue;
+		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (!machine && (!state->incremental || value < 0 || value > 0) &&
+		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
+			return false;
+		if (!machine && state->incremental && (value < 0 || value > 0) &&
+		    !endpoint_is_known(interp, slot, block_column(block, letter)))
+			return false;
+		if (state->incremental)
+			target->v[slot] += value;
+		else if (!endpoint_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
+					  block_column(block, letter), &target->v[slot]))
+			return false;
+		if (!state->incremental && block->motion >= G0 && block->motion <= G3)
+			state->probed[slot] = false;
+	}
+	return true;
+}

@@ -1,0 +1,207 @@
+#include "gcode/execute/execute.h"
+
+#include "base/units.h"
+#include "gcode/execute/coordinate_rotation.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/offsets.h"
+#include "gcode/execute/path_control.h"
+#include "gcode/execute/reference_return.h"
+#include "gcode/execute/tool_length.h"
+
+/* G93, G94, G95; then F, which inverse time mode gives to the motion of its own block only. */
+static bool execute_feed(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	enum feed_mode before = state->feed_mode;
+	double feed;
+
+	if (block->g[G_FEED_MODE] != CODE_NONE) {
+		state->feed_mode = block->g[G_FEED_MODE] == G93   ? FEED_INVERSE_TIME
+				   : block->g[G_FEED_MODE] == G94 ? FEED_PER_MINUTE
+								  : FEED_PER_REVOLUTION;
+		/* LinuxCNC forgets the feed with every G94 and G95, others where its unit changes. */
+		if (interp->config->dialect->legacy == GCODE_LINUXCNC || state->feed_mode != before)
+			state->feed_linear = state->feed_angular = 0;
+	}
+	if (!block_has(block, 'F'))
+		return true;
+	feed = block_value(block, 'F');
+	if (feed < 0)
+		return fault(&interp->at, block_column(block, 'F'), "a feed rate cannot be negative");
+	if (state->feed_mode != FEED_INVERSE_TIME) {
+		state->feed_linear = feed * state->scale;
+		state->feed_angular = feed;
+	}
+	return true;
+}
+
+static bool execute_speed(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	if (!block_has(block, 'S'))
+		return true;
+	if (block_value(block, 'S') < 0)
+		return fault(&interp->at, block_column(block, 'S'), "a spindle speed cannot be negative");
+	interp->state.speed = block_value(block, 'S');
+	return true;
+}
+
+/* Canned cycles of LinuxCNC mind which way the spindle turns. */
+static void execute_spindle(struct interp *interp)
+{
+	int code = interp->block.m[M_SPINDLE];
+
+	if (code != CODE_NONE)
+		interp->state.spindle = code == 3   ? SPINDLE_CLOCKWISE
+					: code == 4 ? SPINDLE_COUNTERCLOCKWISE
+						    : SPINDLE_STOPPED;
+}
+
+/* G61, G61.1: on the path; G64 may leave it, by P at most if P is given (LinuxCNC's manual, "G64"). */
+static bool execute_path(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+
+	if (block->g[G_PATH] == CODE_NONE)
+		return true;
+	if (state->contour && block->g[G_PATH] == G64) {
+		state->blend_before = true;
+		return true;
+	}
+	if (state->contour)
+		return fault(&interp->at, block->g_column[G_PATH],
+			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
+	state->blend = block->g[G_PATH] == G64;
+	state->blend_tolerance = 0;
+	if (!state->blend || interp->config->dialect->legacy != GCODE_LINUXCNC || !block_has(block, 'P'))
+		return true;
+	if (block_value(block, 'P') < 0)
+		return fault(&interp->at, block_column(block, 'P'), "a path tolerance cannot be negative");
+	state->blend_tolerance = block_value(block, 'P') * state->scale;
+	return true;
+}
+
+/* R of G68, and I, J and K of G68.2. */
+static bool is_angle(const struct block *block, char letter)
+{
+	int code = block->g[G_ROTATION];
+
+	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
+}
+
+/* K of Fanuc's cycles is a number of holes, Q and R of G5.1 are numbers, too. */
+static bool is_count(const struct block *block, char letter)
+{
+	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
+		return true;
+	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
+}
+
+/*
+ * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting
+ * 162: whole numbers count least input increments, of which an inch has ten
+ * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
+ */
+static void execute_increments(struct interp *interp)
+{
+	struct block *block = &interp->block;
+	double increment = interp->config->least_input;
+	double linear = interp->state.scale > 1 ? increment / 10 : increment;
+
+	if (!(increment > 0) || interp->config->dialect->legacy == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)
+		return;
+	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
+		int slot = slot_of_letter(*letter);
+
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
+			continue;
+		if (is_count(block, *letter))
+			continue;
+		block->value[*letter - 'A'] *=
+		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ? increment : linear;
+	}
+}
+
+static void execute_modes(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+
+	if (block->g[G_DISTANCE] != CODE_NONE)
+		state->incremental = block->g[G_DISTANCE] == G91;
+	if (block->g[G_ARC_DISTANCE] != CODE_NONE)
+		state->arc_absolute = block->g[G_ARC_DISTANCE] == G90_1;
+	if (block->g[G_RETRACT] != CODE_NONE)
+		state->retract = block->g[G_RETRACT];
+}
+
+static bool execute_nonmodal(struct interp *interp)
+{
+	switch (interp->block.g[G_NONMODAL]) {
+	case G10:
+		return offsets_set(interp);
+	case G28:
+	case G30:
+		return reference_return_go(interp);
+	case G28_1:
+	case G30_1:
+		return reference_return_remember(interp);
+	case G53_1:
+		return coordinate_rotation_orient_tool(interp);
+	case G52:
+	case G92:
+	case G92_1:
+	case G92_2:
+	case G92_3:
+		return offsets_shift(interp);
+	default:
+		return true;	/* G4 is done already, G53 belongs to the motion */
+	}
+}
+
+/* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */
+bool execute_block(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+
+	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) || !cutter_comp_start_block(interp))
+		return false;
+	if (!execute_feed(interp) || !execute_speed(interp))
+		return false;
+	if (!tool_length_select(interp) || !tool_length_change(interp) || !tool_length_mcode(interp))
+		return false;
+	execute_spindle(interp);
+	if (block->g[G_NONMODAL] == G4 && !motion_commands_dwell(interp))
+		return false;
+	if (block->g[G_PLANE] != CODE_NONE)
+		state->plane = block->g[G_PLANE];
+	if (block->g[G_UNITS] != CODE_NONE)
+		state->scale = block->g[G_UNITS] == G20 ? MM_PER_INCH : 1;
+	execute_increments(interp);
+	if (!cutter_comp_select(interp) || !cutter_comp_check_block(interp))
+		return false;
+	if (!tool_length_length(interp) || !offsets_select(interp) || !macro_b_check_work(interp) ||
+	    !execute_path(interp) || !path_control_select(interp))
+		return false;
+	execute_modes(interp);
+	if (!coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
+		return false;
+	if (!execute_nonmodal(interp) || !motion_commands_motion(interp))
+		return false;
+	if (block->m[M_STOP] != CODE_NONE && !cutter_comp_stop(interp))
+		return false;
+	if (block->m[M_STOP] >= 97 && interp->config->dialect->legacy != GCODE_LINUXCNC)
+		return macro_b_end_block(interp);
+	if (block->m[M_STOP] == 99 && interp->params.level > 0)
+		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");
+	if (block->m[M_STOP] == 99)
+		return control_flow_restart(interp);
+	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
+	return macro_b_after_block(interp);
+}

@@ -1,0 +1,99 @@
+#include "gcode/execute/feedback_moves.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+
+/* K is the way along the path in one revolution of the spindle. */
+static bool find_pitch_feed(struct interp *interp, struct canon_feed *feed)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+	int column = block_motion_column(block);
+	const char *tenths = block->motion == G33_1 ? ".1" : "";
+
+	if (!block_has(block, 'K'))
+		return fault(&interp->at, column, "G33%s needs its pitch in K", tenths);
+	if (block_has(block, 'F'))
+		return fault(&interp->at, block_column(block, 'F'),
+			     "F with G33%s, whose feed is its pitch times the spindle speed; leave F out", tenths);
+	if (state->spindle == SPINDLE_STOPPED || !(state->speed > 0))
+		return fault(&interp->at, column, "G33%s while the spindle stands", tenths);
+	feed->linear = fabs(block_value(block, 'K')) * state->scale * state->speed / SECONDS_PER_MINUTE;
+	feed->angular = radians(fabs(block_value(block, 'K')) * state->speed) / SECONDS_PER_MINUTE;
+	if (!(feed->linear > 0))
+		return fault(&interp->at, block_column(block, 'K'), "a pitch of 0");
+	return true;
+}
+
+static bool tap(struct interp *interp, const slot_values *target, struct canon_move *move)
+{
+	const struct block *block = &interp->block;
+	slot_values start = rotated_frame_straight(&interp->state);
+
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c with G33.1, which moves X, Y and Z only", AXIS_LETTERS[slot]);
+	}
+	/* Down and back to the start; I times as fast on the way back if I > 1. */
+	if (!motion_commands_go(interp, target, move))
+		return false;
+	if (block_has(block, 'I'))
+		move->feed.linear *= fmax(1, block_value(block, 'I'));
+	return motion_commands_go(interp, &start, move);
+}
+
+/* G38.2 and G38.4 must find something on the way, so there must be a way. */
+static bool check_probe(struct interp *interp, const slot_values *target)
+{
+	const struct block *block = &interp->block;
+	slot_values start = rotated_frame_straight(&interp->state);
+	int column = block_motion_column(block);
+
+	if (interp->state.feed_mode == FEED_PER_REVOLUTION)
+		return fault(&interp->at, column, "G38.%d in feed per revolution (G95); G94 first", block->motion % 10);
+	if (block->motion != G38_2 && block->motion != G38_4)
+		return true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (target->v[slot] < start.v[slot] || target->v[slot] > start.v[slot])
+			return true;
+	}
+	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
+}
+
+/* A probe stops where it finds something, at the end of its way at the latest. */
+static void forget_places(struct interp *interp)
+{
+	struct state *state = &interp->state;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		/* Under TCP one coordinate of the tool point is the business of all linear axes. */
+		if (block_has(&interp->block, AXIS_LETTERS[slot]) || (state->tcp != TCP_OFF && slot <= SLOT_Z))
+			state->probed[slot] = true;
+	}
+}
+
+bool feedback_moves_run(struct interp *interp)
+{
+	int code = interp->block.motion;
+	bool pitch = code == G33 || code == G33_1;
+	struct canon_move move = {.kind = CANON_FEED};
+	slot_values target;
+
+	if (pitch ? !find_pitch_feed(interp, &move.feed) : !motion_commands_feed(interp, &move.feed))
+		return false;
+	interp->state.motion = code;
+	if (!endpoint_find(interp, false, &target))
+		return false;
+	if (code == G33_1)
+		return tap(interp, &target, &move);
+	if (!pitch && !check_probe(interp, &target))
+		return false;
+	if (!pitch)
+		forget_places(interp);
+	return motion_commands_go(interp, &target, &move);
+}

@@ -1,0 +1,34 @@
+/* motion_commands.h - what a block makes the axes do: straight moves, arcs, dwells. */
+#ifndef FIVECHECK_GCODE_EXECUTE_MOTION_COMMANDS_H
+#define FIVECHECK_GCODE_EXECUTE_MOTION_COMMANDS_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* Fills in what the modes and the block say of a move, and numbers it. */
+void motion_commands_fill(struct interp *interp, struct canon_move *move);
+
+/* Sends a move to the sink with what the modes and the block say of it. False: the sink wants no more. */
+bool motion_commands_emit(struct interp *interp, const struct canon_move *move);
+
+/*
+ * Goes to a straight position (rotated_frame.h) and emits the move that its end
+ * completes. False: the sink wants no more, or a rotary axis may not turn now,
+ * which was reported.
+ */
+bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move);
+
+/* The feed in force for the block's motion. False: there is none, which was reported. */
+bool motion_commands_feed(struct interp *interp, struct canon_feed *feed);
+
+/* The number of a dwell's word in seconds. */
+double motion_commands_seconds(const struct interp *interp, char letter);
+
+/* G4. */
+bool motion_commands_dwell(struct interp *interp);
+
+/* The block's motion, in machine coordinates with G53; G80. */
+bool motion_commands_motion(struct interp *interp);
+
+#endif

@@ -1,0 +1,217 @@
+#include "gcode/execute/offsets.h"
+
+#include <math.h>
+
+#include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/g10_tool_table.h"
+#include "gcode/execute/tool_length.h"
+
+/* The block's word for a slot in mm or degrees. */
+static bool slot_word(const struct interp *interp, int slot, double *value)
+{
+	char letter = AXIS_LETTERS[slot];
+
+	if (!block_has(&interp->block, letter))
+		return false;
+	*value = block_value(&interp->block, letter) * (slot_is_rotary(slot) ? 1 : interp->state.scale);
+	return true;
+}
+
+/* Fanuc 30i-B: G54.1 P1 to P48; Haas: G154 P1 to P99, and G110 to G129 for P1 to P20. */
+static bool find_system(struct interp *interp, int code, int *system)
+{
+	bool fanuc = interp->config->dialect->legacy == GCODE_FANUC;
+	int number = 0;
+
+	/* Fanuc: G54 with P is G54.1. */
+	if (code == G54_1 || code == G154 || (code == G54 && fanuc && block_has(&interp->block, 'P'))) {
+		if (!block_has(&interp->block, 'P'))
+			return fault(&interp->at, interp->block.g_column[G_SYSTEM], "%s needs P",
+				     code == G154 ? "G154" : "G54.1");
+		if (!block_integer(&interp->block, &interp->at, 'P', 1, fanuc ? 48 : EXTENDED_COUNT, &number))
+			return false;
+		*system = SYSTEM_COUNT + number - 1;
+	} else if (code >= G110 && code <= G129) {
+		*system = SYSTEM_COUNT + (code - G110) / 10;
+	} else {
+		*system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
+	}
+	return true;
+}
+
+bool offsets_select(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_SYSTEM], column = interp->block.g_column[G_SYSTEM], system = state->system;
+
+	if (code == CODE_NONE)
+		return true;
+	if (!find_system(interp, code, &system) || !dynamic_work_offset_check_system(interp, system))
+		return false;
+	state->system = system;
+	if (interp->config->has_setup && !state->work_known[state->system]) {
+		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
+			state_system_name(state->system));
+		state->work_known[state->system] = true;
+	}
+	return tool_length_offsets_changed(interp, column);
+}
+
+/* Where the manuals disagree on G91 with these codes, nothing is guessed. */
+static bool refuse_incremental(struct interp *interp)
+{
+	int code = interp->block.g[G_NONMODAL];
+
+	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !interp->state.incremental)
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
+		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);
+}
+
+/*
+ * The two passes of a change: rotary slots first, because under TCP with
+ * rotary zero at the work offset they change what the linear position is.
+ */
+typedef void change_slot(struct interp *interp, int system, int slot, double word);
+
+/* Those that go by where the axes stand. */
+static change_slot change_work_here, change_shift_here;
+
+static bool change_slots(struct interp *interp, int system, change_slot *change)
+{
+	int column = interp->block.g_column[G_NONMODAL];
+
+	for (int rotary = 1; rotary >= 0; rotary--) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			double word;
+
+			if (slot_is_rotary(slot) != rotary || !slot_word(interp, slot, &word))
+				continue;
+			if ((change == change_work_here || change == change_shift_here) &&
+			    !endpoint_is_known(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
+				return false;
+			change(interp, system, slot, word);
+		}
+		if (!tool_length_offsets_changed(interp, column))
+			return false;
+	}
+	return true;
+}
+
+/* Fanuc 30i-B, changing workpiece coordinate system, and Haas, G10: with G91 the words are added. */
+static void change_work(struct interp *interp, int system, int slot, double word)
+{
+	double *value = &interp->state.work[system].v[slot];
+	bool added = interp->state.incremental && interp->config->dialect->legacy != GCODE_LINUXCNC;
+
+	*value = added ? *value + word : word;
+}
+
+/* What the other offsets leave of the position. */
+static double position_without(const struct state *state, int slot, double offset)
+{
+	return state->position.v[slot] - (state->offset.v[slot] - offset);
+}
+
+/* The system is the one in force or not: in either case the present point gets the coordinate `word` in it. */
+static void change_work_here(struct interp *interp, int system, int slot, double word)
+{
+	struct state *state = &interp->state;
+
+	state->work[system].v[slot] = position_without(state, slot, state->work[state->system].v[slot]) - word;
+}
+
+/* L20 of LinuxCNC is L2 by the present position; of Fanuc and Haas it writes the additional offsets of G54.1. */
+static bool find_written(struct interp *interp, int mode, int *system)
+{
+	const struct block *block = &interp->block;
+	const struct dialect *dialect = interp->config->dialect;
+	int least = dialect->legacy == GCODE_LINUXCNC ? 0 : 1, most = dialect->legacy == GCODE_LINUXCNC ? SYSTEM_COUNT : 6;
+
+	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
+		most = dialect->legacy == GCODE_FANUC ? 48 : EXTENDED_COUNT;
+	if (!block_integer(block, &interp->at, 'P', least, most, system))
+		return false;
+	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
+		*system += SYSTEM_COUNT;
+	*system = *system == 0 ? interp->state.system : *system - 1;
+	return true;
+}
+
+/* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
+bool offsets_set(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
+	int column = block->g_column[G_NONMODAL], mode, system;
+
+	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
+		return fault(&interp->at, block_column(block, 'L'),
+			     "G10 L0 reads the file of the tool table again, which is not known here");
+	if (!block_has(block, 'L') || !block_has(block, 'P'))
+		return fault(&interp->at, column, "G10 needs L and P");
+	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
+		return false;
+	if (linuxcnc && g10_tool_table_takes(mode))
+		return g10_tool_table_write(interp, mode);
+	if (mode != 2 && mode != 20)
+		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
+	if (block_has(block, 'R'))
+		return fault(&interp->at, block_column(block, 'R'),
+			     "G10 with R: rotation of a coordinate system is not supported yet");
+	if (!find_written(interp, mode, &system))
+		return false;
+	interp->state.work_known[system] = true;
+	return change_slots(interp, system, mode == 20 && linuxcnc ? change_work_here : change_work);
+}
+
+static void change_shift(struct interp *interp, int system, int slot, double word)
+{
+	(void)system;
+	interp->state.shift.v[slot] = word;
+}
+
+static void change_shift_here(struct interp *interp, int system, int slot, double word)
+{
+	struct state *state = &interp->state;
+
+	(void)system;
+	state->shift.v[slot] = position_without(state, slot, state->shift.v[slot]) - word;
+}
+
+static bool is_shifted(const struct state *state)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (state->shift.v[slot] < 0 || state->shift.v[slot] > 0)
+			return true;
+	}
+	return false;
+}
+
+/* LinuxCNC's manual, "G52", "G92": one shift for all nine systems, which both codes write. */
+bool offsets_shift(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	int code = interp->block.g[G_NONMODAL], column = interp->block.g_column[G_NONMODAL];
+
+	if (code == G92_1 || code == G92_2 || code == G92_3) {
+		state->shift_applied = code == G92_3;
+		state->shift = code == G92_3 ? state->saved_shift : (slot_values){{0}};
+		if (code == G92_1)
+			state->saved_shift = state->shift;
+		return tool_length_offsets_changed(interp, column);
+	}
+	if (!refuse_incremental(interp))
+		return false;
+	/* Fanuc and Haas keep a shift for each. */
+	if (interp->config->dialect->legacy != GCODE_LINUXCNC && state->shift_code != code && is_shifted(state))
+		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
+			     state->shift_code / 10);
+	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))
+		return false;
+	state->shift_code = code;
+	state->shift_applied = true;
+	state->saved_shift = state->shift;
+	return true;
+}

@@ -1,0 +1,96 @@
+#include "gcode/execute/path_control.h"
+
+/*
+ * AI contour control and its forerunners hold the path within the control's
+ * tolerances only: what they leave of it is what a G64 does.
+ */
+static void switch_contour(struct state *state, bool on)
+{
+	if (on && !state->contour) {
+		state->blend_before = state->blend;
+		state->blend = true;
+		state->blend_tolerance = 0;
+	} else if (!on && state->contour) {
+		state->blend = state->blend_before;
+	}
+	state->contour = on;
+}
+
+static bool fault_other(struct interp *interp, const char *what)
+{
+	return fault(&interp->at, interp->block.g_column[G_CONTOUR], "%s is not supported yet", what);
+}
+
+/* B-63944EN, AI contour control: Q1 on, Q0 off, R is the level of smoothness; Q2 and Q3 interpolate splines. */
+static bool select_ai(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int q, r;
+
+	if (!block_has(block, 'Q'))
+		return fault(&interp->at, block->g_column[G_CONTOUR], "G5.1 needs Q");
+	if (!block_integer(block, &interp->at, 'Q', 0, 3, &q))
+		return false;
+	if (block_has(block, 'R') && !block_integer(block, &interp->at, 'R', 1, 10, &r))
+		return false;
+	if (q > 1)
+		return fault_other(interp, "G5.1 with Q2 or Q3: interpolation of splines through the programmed "
+					   "points");
+	if (block->letters & AXIS_BITS)
+		return fault_other(interp, "G5.1 with axis words");
+	switch_contour(&interp->state, q == 1);
+	return true;
+}
+
+/* B-63944EN, high-speed cycle machining (G5 P1 to P999), "G05 P10000" on, "G05 P0" off; "G08 P1" on, "G08 P0" off. */
+static bool select_by_p(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	bool g8 = block->g[G_CONTOUR] == G8;
+	int p;
+
+	if (!block_has(block, 'P'))
+		return fault(&interp->at, block->g_column[G_CONTOUR], "G%d needs P", g8 ? 8 : 5);
+	if (!block_integer(block, &interp->at, 'P', 0, g8 ? 1 : 10000, &p))
+		return false;
+	if (!g8 && p != 0 && p != 10000)
+		return fault_other(interp, "G5: high-speed cycle machining");
+	switch_contour(&interp->state, p != 0);
+	return true;
+}
+
+/* Haas mill operator's manual, G187: E is the greatest rounding of corners; alone it restores the settings. */
+static bool select_accuracy(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int p;
+
+	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 1, 3, &p))
+		return false;
+	if (block_has(block, 'E') && block_value(block, 'E') < 0)
+		return fault(&interp->at, block_column(block, 'E'), "a rounding of corners cannot be negative");
+	state->blend = block_has(block, 'P') || block_has(block, 'E');
+	state->blend_tolerance = block_has(block, 'E') ? block_value(block, 'E') * state->scale : 0;
+	return true;
+}
+
+bool path_control_select(struct interp *interp)
+{
+	int p;
+
+	switch (interp->block.g[G_CONTOUR]) {
+	case CODE_NONE:
+		return true;
+	case G5_1:
+		return select_ai(interp);
+	case G5:
+	case G8:
+		return select_by_p(interp);
+	case G187:
+		return select_accuracy(interp);
+	default:
+		/* Haas, G103: how far the control reads ahead; what depends on that cannot be read here at all. */
+		return !block_has(&interp->block, 'P') || block_integer(&interp->block, &interp->at, 'P', 0, 15, &p);
+	}
+}

@@ -1,0 +1,12 @@
+/* path_control.h - how exactly a control keeps to the path: Fanuc's G5, G5.1 and G8, Haas's G187 and G103. */
+#ifndef FIVECHECK_GCODE_EXECUTE_PATH_CONTROL_H
+#define FIVECHECK_GCODE_EXECUTE_PATH_CONTROL_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* Such a code of the block; nothing without one. False: reported. */
+bool path_control_select(struct interp *interp);
+
+#endif

@@ -1,0 +1,49 @@
+#include "gcode/execute/rotated_frame.h"
+
+static vec3 linear(const slot_values *values)
+{
+	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
+}
+
+static void set_linear(slot_values *values, vec3 point)
+{
+	values->v[SLOT_X] = point.x;
+	values->v[SLOT_Y] = point.y;
+	values->v[SLOT_Z] = point.z;
+}
+
+vec3 rotated_frame_point(const struct state *state, vec3 straight)
+{
+	vec3 offset = linear(&state->offset);
+
+	if (!state->frame.on)
+		return straight;
+	return vec3_add(vec3_add(offset, state->frame.origin),
+			mat3_apply(&state->frame.turn, vec3_sub(straight, offset)));
+}
+
+vec3 rotated_frame_direction(const struct state *state, vec3 direction)
+{
+	return state->frame.on ? mat3_apply(&state->frame.turn, direction) : direction;
+}
+
+slot_values rotated_frame_straight(const struct state *state)
+{
+	slot_values straight = state->position;
+	vec3 offset = linear(&state->offset), from_origin;
+
+	if (!state->frame.on)
+		return straight;
+	from_origin = vec3_sub(vec3_sub(linear(&state->position), offset), state->frame.origin);
+	set_linear(&straight, vec3_add(offset, mat3_apply_transposed(&state->frame.turn, from_origin)));
+	return straight;
+}
+
+slot_values rotated_frame_position(const struct state *state, const slot_values *straight)
+{
+	slot_values position = *straight;
+
+	if (state->frame.on)
+		set_linear(&position, rotated_frame_point(state, linear(straight)));
+	return position;
+}

@@ -1,0 +1,21 @@
+/* rotated_frame.h - coordinate systems turned by the program (G68, G68.2): between programmed and controller positions. */
+#ifndef FIVECHECK_GCODE_EXECUTE_ROTATED_FRAME_H
+#define FIVECHECK_GCODE_EXECUTE_ROTATED_FRAME_H
+
+#include "gcode/state.h"
+#include "geom/xform.h"
+
+/*
+ * "Straight" positions are the program's coordinates + state->offset. While no
+ * frame is in force they are the controller's positions; else
+ *     position = offset + origin + turn (straight - offset)
+ * for X Y Z, and the same for every other axis.
+ */
+slot_values rotated_frame_straight(const struct state *state);
+slot_values rotated_frame_position(const struct state *state, const slot_values *straight);
+
+/* A point and a direction, both of X Y Z, in straight coordinates, as the controller has them. */
+vec3 rotated_frame_point(const struct state *state, vec3 straight);
+vec3 rotated_frame_direction(const struct state *state, vec3 direction);
+
+#endif

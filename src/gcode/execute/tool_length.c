@@ -1,0 +1,289 @@
+#include "gcode/execute/tool_length.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/execute/length_change.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/reference_return.h"
+
+axis_values tool_length_rotary_zero(const struct interp *interp)
+{
+	axis_values zero = {{0}};
+
+	if (!interp->config->tcp_zero_offset)
+		return zero;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		zero.v[slot] = radians(interp->state.offset.v[slot]);
+	return zero;
+}
+
+/* Switches to the source and length and takes over what the sink makes of the position. */
+static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
+{
+	struct state *state = &interp->state;
+	struct canon_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = tool_length_rotary_zero(interp)};
+	axis_values position = state->canonical;
+
+	if (!interp->sink->tcp(interp->sink->context, &tcp, line_loc(&interp->at, column), &position))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!slot_is_rotary(slot))
+			state_set_position(state, slot, position.v[slot]);
+	}
+	state->tcp = source;
+	state->length = length;
+	state->rotary_zero = tcp.rotary_zero;
+	state_update_offset(state);
+	return true;
+}
+
+bool tool_length_switch_tcp(struct interp *interp, int column, enum tcp_source source)
+{
+	return switch_tcp(interp, column, source, interp->state.length);
+}
+
+bool tool_length_suspend(struct interp *interp, int column, struct suspended *suspended)
+{
+	struct state *state = &interp->state;
+
+	*suspended = (struct suspended){state->tcp, state->frame.on};
+	/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
+	if (state->tcp == TCP_BY_MCODE && interp->config->dialect->legacy == GCODE_LINUXCNC)
+		return fault(&interp->at, column,
+			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
+			     "tool point; switch TCP off first");
+	state->frame.on = false;
+	return state->tcp == TCP_OFF || switch_tcp(interp, column, TCP_OFF, state->length);
+}
+
+bool tool_length_resume(struct interp *interp, int column, const struct suspended *suspended)
+{
+	interp->state.frame.on = suspended->frame;
+	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
+}
+
+/*
+ * LinuxCNC keeps the length. Haas mill operator's manual, "G28 Return to
+ * Machine Zero": it cancels the length for the lines that follow; whether
+ * without Z, too, and what it does to G234, is not said. Fanuc 0i-MB operator's
+ * manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode":
+ * the length of an axis that they move is taken back, and comes back by itself
+ * or with the next G43 or H, as parameter 5001#6 (EVO) says. A tool change that
+ * goes to a place may do so by such codes.
+ */
+void tool_length_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	struct state *state = &interp->state;
+	bool any = false, haas = interp->config->dialect->legacy == GCODE_HAAS;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		any = any || moved[slot];
+	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !any || (haas && code == G53))
+		return;
+	if (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0))
+		return;
+	if (haas && code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
+		state->length = 0;
+		state_update_offset(state);
+	} else if ((haas && code != DOUBT_M6) || moved[SLOT_Z] || state->tcp != TCP_OFF) {
+		state->length_doubt = code;
+	}
+}
+
+bool tool_length_is_in_doubt(struct interp *interp, int slot, int column)
+{
+	const struct state *state = &interp->state;
+
+	if (state->length_doubt == CODE_NONE || (state->tcp == TCP_OFF && slot != SLOT_Z))
+		return false;
+	return !fault(&interp->at, column,
+		      "%c%d may have taken the tool's length compensation back: it depends on the control where %c "
+		      "leads now; command G43, G43.4 or G49 again first",
+		      state->length_doubt == DOUBT_M6 ? 'M' : 'G',
+		      state->length_doubt == DOUBT_M6 ? 6 : state->length_doubt / 10, AXIS_LETTERS[slot]);
+}
+
+bool tool_length_offsets_changed(struct interp *interp, int column)
+{
+	struct state *state = &interp->state;
+	axis_values zero;
+	bool changed = false;
+
+	state_update_offset(state);
+	if (state->tcp == TCP_OFF)
+		return true;
+	zero = tool_length_rotary_zero(interp);
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		changed = changed || fabs(zero.v[slot] - state->rotary_zero.v[slot]) > 0;
+	return !changed || switch_tcp(interp, column, state->tcp, state->length);
+}
+
+bool tool_length_select(struct interp *interp)
+{
+	return !block_has(&interp->block, 'T') ||
+	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
+}
+
+bool tool_length_change(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int column = block_has(block, 'T') ? block_column(block, 'T') : block->m_column[M_TOOL];
+
+	if (block->m[M_TOOL] == CODE_NONE)
+		return true;
+	if (state->selected < 0)
+		return fault(&interp->at, column, "M6, but no T has selected a tool");
+	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
+		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
+	if (!reference_return_change_tool(interp))
+		return false;
+	state->tool = state->selected;
+	state->spindle = SPINDLE_STOPPED;
+	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
+}
+
+static bool find_spindle_length(struct interp *interp, int column, double *length)
+{
+	int number = interp->state.tool;
+	const struct gcode_tool *tool = tool_table_find(&interp->tools, number);
+
+	if (number != 0 && !tool)
+		return fault(&interp->at, column,
+			     "the length of the tool in the spindle, T%d, is not known; a setup defines it", number);
+	*length = tool ? tool->length_offset : 0;
+	return true;
+}
+
+/*
+ * The number of an entry of the table. Without H, LinuxCNC takes 0; for Fanuc's mills H is modal data (C
+ * Executer manual B-62443EN-3, reading modal data); of Haas's nothing is known.
+ */
+static bool find_length_number(struct interp *interp, int *number)
+{
+	const struct block *block = &interp->block;
+	const struct dialect *dialect = interp->config->dialect;
+	const char *code = block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4";
+
+	if (block_has(block, 'H'))
+		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
+	*number = dialect->legacy == GCODE_LINUXCNC ? 0 : interp->state.length_number;
+	if (dialect->legacy == GCODE_HAAS)
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
+	if (*number < 0)
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before", code);
+	return true;
+}
+
+/* Hn is an entry of the table; in LinuxCNC H0 is the tool in the spindle. */
+static bool find_length(struct interp *interp, double *length)
+{
+	const struct block *block = &interp->block;
+	const struct gcode_length *entry;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
+	int column = block_has(block, 'H') ? block_column(block, 'H') : block->g_column[G_LENGTH], number;
+
+	if (!find_length_number(interp, &number))
+		return false;
+	interp->state.length_number = number;
+	if (number == 0 && linuxcnc)
+		return find_spindle_length(interp, column, length);
+	*length = 0;
+	if (number == 0)
+		return true;
+	entry = tool_table_length(&interp->tools, number);
+	if (entry) {
+		*length = entry->length;
+		return true;
+	}
+	if (!interp->config->has_setup)
+		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
+	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
+}
+
+/* TCP and length as they shall be; nothing is said of what is so already. */
+static bool put(struct interp *interp, int column, enum tcp_source source, double length)
+{
+	struct state *state = &interp->state;
+
+	if (source != TCP_OFF || state->tcp != TCP_OFF)
+		return (source == state->tcp && !(length < state->length || length > state->length)) ||
+		       switch_tcp(interp, column, source, length);
+	state->length = length;
+	state_update_offset(state);
+	return true;
+}
+
+/* Between TCP going on, if it does, and off: there a change of the length alone changes coordinates. */
+static bool change_length(struct interp *interp, enum tcp_source source, double length, int doubt)
+{
+	struct state *state = &interp->state;
+	enum tcp_source meanwhile = source == TCP_OFF ? state->tcp : source;
+	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
+	int column = interp->block.g_column[G_LENGTH];
+	struct length_change change = {.column = column, .doubt = doubt, .ends_tcp = meanwhile != source};
+	slot_values before, after;
+
+	if (linuxcnc)
+		return put(interp, column, source, length);
+	if (!put(interp, column, meanwhile, state->length))
+		return false;
+	before = length_change_place(interp);
+	if (!put(interp, column, meanwhile, length))
+		return false;
+	after = length_change_place(interp);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		change.shift.v[slot] = before.v[slot] - after.v[slot];
+	return length_change_settle(interp, &change) && put(interp, column, source, length);
+}
+
+/* Where Fanuc's manual says that the length has been taken back, G49 has nothing left to take. */
+static bool is_taken_back(const struct interp *interp, int code, int doubt)
+{
+	return code == G49 && doubt != CODE_NONE && doubt != DOUBT_M6 && interp->state.tcp == TCP_OFF &&
+	       interp->config->dialect->legacy == GCODE_FANUC;
+}
+
+bool tool_length_length(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int code = block->g[G_LENGTH], column = block->g_column[G_LENGTH], doubt = state->length_doubt;
+	enum tcp_source source = state->tcp;
+	double length = 0;
+
+	state->length_moves = false;
+	if (code == CODE_NONE)
+		return true;
+	state->length_doubt = CODE_NONE;
+	/* Haas mill operator's manual, "G234 Tool Center Point Control". */
+	if (code == G234)
+		code = G43_4;
+	if (code != G49 && !find_length(interp, &length))
+		return false;
+	if (code == G43 && source == TCP_BY_LENGTH)
+		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");
+	if (code == G43_4 && source == TCP_BY_MCODE)
+		return fault(&interp->at, column, "G43.4 while an M-code has switched TCP on; switch that off first");
+	if (code == G43_4)
+		source = TCP_BY_LENGTH;
+	else if (source == TCP_BY_LENGTH)
+		source = TCP_OFF;
+	return is_taken_back(interp, code, doubt) ? put(interp, column, source, length)
+						  : change_length(interp, source, length, doubt);
+}
+
+bool tool_length_mcode(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int column = block->m_column[M_TCP];
+
+	if (block->m[M_TCP] == GCODE_TCP_ON && state->tcp == TCP_OFF)
+		return switch_tcp(interp, column, TCP_BY_MCODE, state->length);
+	if (block->m[M_TCP] == GCODE_TCP_OFF && state->tcp != TCP_OFF)
+		return switch_tcp(interp, column, TCP_OFF, state->length);
+	return true;
+}

@@ -1,0 +1,26 @@
+/* tool_table.h - lengths and diameters of tools as the control has them: those of the setup, or of the program. */
+#ifndef FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
+#define FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
+
+#include "gcode/interp.h"
+
+/* In mm; a copy of the configuration's, which stays as it is. */
+struct tool_table {
+	struct gcode_tool *tools;
+	size_t tool_count;
+	struct gcode_length *lengths;
+	size_t length_count;
+};
+
+void tool_table_init(struct tool_table *table, const struct gcode_config *config);
+void tool_table_release(struct tool_table *table);
+
+/* The tool T, the length H, or NULL. */
+const struct gcode_tool *tool_table_find(const struct tool_table *table, int number);
+const struct gcode_length *tool_table_length(const struct tool_table *table, int number);
+
+/* Nothing where the table has no such tool. The length is H of the same number, too. */
+void tool_table_set_length(struct tool_table *table, int number, double length);
+void tool_table_set_diameter(struct tool_table *table, int number, double diameter);
+
+#endif

@@ -1,0 +1,310 @@
+#include <math.h>
+
+#include "gcode/execute/g10_tool_table.h"
+#include "gcode/text/block.h"
+
+/* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
+static bool takes_axis_words(int code)
+{
+	return code == G10 || code == G28 || code == G30 || code == G52 || code == G92;
+}
+
+static bool is_arc(int code)
+{
+	return code == G2 || code == G3;
+}
+
+static int first_column(const struct block *block, const char *letters)
+{
+	int first = 0;
+
+	for (; *letters; letters++) {
+		if (block_has(block, *letters) && (first == 0 || block_column(block, *letters) < first))
+			first = block_column(block, *letters);
+	}
+	return first;
+}
+
+int block_motion_column(const struct block *block)
+{
+	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_LETTERS "IJKR");
+}
+
+/* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
+static bool find_motion(struct block *block, const struct line_place *at, const struct block_modes *modes)
+{
+	bool axes = block->letters & AXIS_BITS;
+	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
+	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
+
+	block->motion = given;
+	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2) {
+		block->motion = CODE_NONE;
+		if (given != CODE_NONE || other != CODE_NONE)
+			return fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
+				     "G68 needs a block without motion, offsets or a dwell");
+		return true;
+	}
+	if (takes_axis_words(other)) {
+		if (given != CODE_NONE && given != G80)
+			return fault(at, block->g_column[G_MOTION],
+				     "G%d and G%d both need the axis words of the block; write two blocks", given / 10,
+				     other / 10);
+		if (!axes && (other == G52 || other == G92))
+			return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
+		return true;
+	}
+	if (given == G80 && axes)
+		return fault(at, first_column(block, AXIS_LETTERS),
+			     "axis words with G80, which cancels motion; give them a motion code instead");
+	if (given != CODE_NONE)
+		return true;
+	if (axes && modes->motion == CODE_NONE)
+		return fault(at, first_column(block, AXIS_LETTERS),
+			     "axis words, but no motion code is in force (G0, G1, G2, G3)");
+	if (axes || (offsets && is_arc(modes->motion)))
+		block->motion = modes->motion;
+	return true;
+}
+
+/* Fanuc and Haas: the time of a dwell stands in X, U or P, and nothing moves. */
+static bool check_dwell(struct block *block, const struct line_place *at)
+{
+	const uint32_t times = letter_bit('X') | letter_bit('U') | letter_bit('P');
+	uint32_t given = block->letters & (times | AXIS_BITS);
+
+	block->motion = CODE_NONE;
+	if (block->g[G_MOTION] != CODE_NONE)
+		return fault(at, block->g_column[G_MOTION], "G4 needs a block without motion");
+	if (given == 0 || (given & ~times) || (given & (given - 1)))
+		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in one word, X, U or P");
+	return true;
+}
+
+static bool check_machine_coordinates(const struct block *block, const struct line_place *at,
+				      const struct dialect *dialect, const struct block_modes *modes)
+{
+	bool incremental = block->g[G_DISTANCE] == CODE_NONE ? modes->incremental : block->g[G_DISTANCE] == G91;
+	bool axes = block->letters & AXIS_BITS;
+
+	if (dialect->legacy != GCODE_LINUXCNC && !axes && block->motion == CODE_NONE)
+		return true;
+	if (block->motion != G0 && block->motion != G1)
+		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
+	if (incremental)
+		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
+	return true;
+}
+
+static bool check_nonmodal(struct block *block, const struct line_place *at, const struct dialect *dialect,
+			   const struct block_modes *modes)
+{
+	int code = block->g[G_NONMODAL];
+
+	if (code == G4 && dialect->legacy != GCODE_LINUXCNC)
+		return check_dwell(block, at);
+	if (code == G4 && !block_has(block, 'P'))
+		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in P");
+	if (code == G4 && is_arc(block->motion))
+		return fault(at, block->g_column[G_NONMODAL], "G4 cannot stand with G2 or G3; both use P");
+	if (code == G53_1 && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
+		return fault(at, block->g_column[G_NONMODAL], "G53.1 needs a block without motion");
+	if (code == G53)
+		return check_machine_coordinates(block, at, dialect, modes);
+	/* Fanuc gives an alarm, the others send every axis home. */
+	if ((code == G28 || code == G30) && dialect->legacy == GCODE_FANUC && !(block->letters & AXIS_BITS))
+		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", code / 10);
+	return true;
+}
+
+/* What the words of canned cycles are: execute/canned_cycle.c. */
+static uint32_t cycle_letters(int code, const struct dialect *dialect)
+{
+	uint32_t used = letter_bit('R');
+
+	used |= dialect->legacy == GCODE_FANUC ? letter_bit('K') : letter_bit('L');
+	if (code == G73 || code == G83)
+		used |= letter_bit('Q');
+	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 || dialect->legacy != GCODE_LINUXCNC)
+		used |= letter_bit('P');
+	if (code == G87)
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
+	return used;
+}
+
+/* How a control keeps to the path: execute/path_control.c. */
+static uint32_t contour_letters(int code)
+{
+	return code == G5_1	? letter_bit('Q') | letter_bit('R')
+	       : code == G187 ? letter_bit('P') | letter_bit('E')
+			      : letter_bit('P');
+}
+
+/* What G10 sets; the words of lathe tools as well: execute/g10_tool_table.c says that they are not supported. */
+static uint32_t data_letters(const struct block *block, const struct dialect *dialect)
+{
+	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
+	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
+
+	if (dialect->legacy == GCODE_LINUXCNC && mode > 0 && mode < 12 && g10_tool_table_takes((int)lround(mode)))
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
+	return used;
+}
+
+static bool is_call(const struct block *block, const struct dialect *dialect)
+{
+	return dialect->legacy != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
+}
+
+/* M50 to M53 take an on or off, M48 and M49 do not. */
+static uint32_t override_letters(int code)
+{
+	return code >= 50 ? letter_bit('P') : 0;
+}
+
+/* M62 to M65 switch the output P, M67 and M68 set E to Q. */
+static uint32_t output_letters(int code)
+{
+	return code == CODE_NONE ? 0 : code < 66 ? letter_bit('P') : letter_bit('E') | letter_bit('Q');
+}
+
+static bool check_output(const struct block *block, const struct line_place *at)
+{
+	int code = block->m[M_OUTPUT], column = block->m_column[M_OUTPUT];
+	char letter = code < 66 ? 'P' : 'E';
+
+	if (code == CODE_NONE)
+		return true;
+	if (!block_has(block, letter))
+		return fault(at, column, "M%d needs %c, the number of the output", code, letter);
+	if (letter == 'E' && block_value(block, 'E') < 0)
+		return fault(at, block_column(block, 'E'), "the number of an output cannot be negative");
+	return true;
+}
+
+/* The letters that some code of the block uses. */
+static uint32_t used_letters(const struct block *block, const struct dialect *dialect)
+{
+	uint32_t used = AXIS_BITS | letter_bit('F') | letter_bit('S') | letter_bit('T');
+
+	if (is_arc(block->motion)) {
+		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
+		used |= dialect->legacy == GCODE_LINUXCNC ? letter_bit('P') : 0;
+	}
+	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
+		used |= cycle_letters(block->motion, dialect);
+	if (block->motion == G33 || block->motion == G33_1)
+		used |= letter_bit('K');
+	if (block->motion == G33_1)
+		used |= letter_bit('I');
+	if (block->g[G_NONMODAL] == G4)
+		used |= letter_bit('P');
+	if (block->g[G_NONMODAL] == G30 && dialect->legacy != GCODE_LINUXCNC)
+		used |= letter_bit('P');
+	if (block->g[G_NONMODAL] == G10)
+		used |= data_letters(block, dialect);
+	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
+		used |= letter_bit('D') | letter_bit('L');
+	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
+		used |= letter_bit('P');
+	/* Those of the forms that are not supported as well: execute/coordinate_rotation.c says so. */
+	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
+		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
+	if (block->g[G_ROTATION] == G68_2)
+		used |= letter_bit('P') | letter_bit('Q');
+	if (block->g[G_SYSTEM] == G54 && dialect->legacy == GCODE_FANUC)
+		used |= letter_bit('P');
+	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+		used |= letter_bit('H');
+	if (block->g[G_PATH] == G64 && dialect->legacy == GCODE_LINUXCNC)
+		used |= letter_bit('P') | letter_bit('Q');
+	if (block->g[G_CONTOUR] != CODE_NONE)
+		used |= contour_letters(block->g[G_CONTOUR]);
+	if (block->g[G_SPINDLE] == G96)
+		used |= letter_bit('D');
+	if (block->m_ignored)
+		used |= letter_bit('P') | letter_bit('Q');
+	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
+}
+
+/* P and L of M97 to M99 can be nobody else's. */
+static bool check_call(struct block *block, const struct line_place *at, const struct dialect *dialect)
+{
+	uint32_t mine = letter_bit('P') | letter_bit('L'), used = used_letters(block, dialect) & mine & block->letters;
+
+	for (const char *letter = "LP"; *letter; letter++) {
+		if (used & letter_bit(*letter))
+			return fault(at, block_column(block, *letter),
+				     "%c belongs to M%d and to another code of the block; write two blocks", *letter,
+				     block->m[M_STOP]);
+	}
+	return true;
+}
+
+/* Its axis words would name the axes whose mirror image ends, and move nothing. */
+static bool check_idle(const struct block *block, const struct line_place *at)
+{
+	if (block->idle == CODE_NONE || !(block->letters & AXIS_BITS))
+		return true;
+	return fault(at, block->idle_column, "G%g needs a block without axis words", block->idle / 10.0);
+}
+
+/* Only LinuxCNC says what comes first ("Order of Execution"). */
+static bool check_order(const struct block *block, const struct line_place *at, const struct gcode_config *config)
+{
+	int code = block->g[G_NONMODAL];
+	bool moves = (code != G4 && (block->letters & AXIS_BITS)) || code == G28 || code == G30 || code == G53_1 ||
+		     (block->g[G_LENGTH] != CODE_NONE && config->length_moves == GCODE_YES);
+	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
+
+	if (config->dialect->legacy == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)
+		return true;
+	return fault(at, block->m_column[group],
+		     "%s in a block that moves: whether it comes before or after the move depends on the control; "
+		     "write two blocks",
+		     group == M_TOOL ? "M6" : "an M-code that switches TCP");
+}
+
+bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
+		 const struct block_modes *modes)
+{
+	uint32_t unused;
+
+	if (!check_idle(block, at))
+		return false;
+	if (!(config->dialect->legacy != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
+		return false;
+	if (config->dialect->legacy == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
+	    !(block->letters & AXIS_BITS))
+		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
+	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
+		return false;
+	if (!check_order(block, at, config) || !check_output(block, at))
+		return false;
+	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
+		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
+	if (is_call(block, config->dialect) && !check_call(block, at, config->dialect))
+		return false;
+	unused = block->letters & ~used_letters(block, config->dialect);
+	if (is_call(block, config->dialect))
+		unused &= ~(letter_bit('P') | letter_bit('L'));
+	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
+		if (unused & letter_bit(letter))
+			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,
+				     letter == 'E' ? "; numbers have no exponent" : "");
+	}
+	return true;
+}
+
+bool block_integer(const struct block *block, const struct line_place *at, char letter, int least, int greatest,
+		   int *value)
+{
+	double number = block_value(block, letter), nearest = round(number);
+
+	/* LinuxCNC's tolerance for "close to an integer". */
+	if (fabs(number - nearest) > 0.0001 || nearest < least || nearest > greatest)
+		return fault(at, block_column(block, letter), "%c%.15g: a whole number from %d to %d is needed", letter,
+			     number, least, greatest);
+	*value = (int)nearest;
+	return true;
+}
