@@ -80,9 +80,9 @@ static void init_references(struct state *state, const struct gcode_config *conf
 	for (int i = 0; i < 2; i++) {
 		state->reference[i] = from_canonical(&config->home);
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
-			if (config->references[i].has[slot])
+			if (config->controller.references[i].has[slot])
 				state->reference[i].v[slot] =
-				    state_from_canonical(slot, config->references[i].value.v[slot]);
+				    state_from_canonical(slot, config->controller.references[i].value.v[slot]);
 		}
 	}
 }

@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/axes.h"
 #include "base/diag.h"
+#include "control/controller.h"
 #include "geom/mesh.h"
 #include "geom/xform.h"
 
@@ -16,42 +17,6 @@
  * mm, radians and seconds. A link is what one axis carries: link 0 is the
  * base, link i + 1 hangs on axes[i].
  */
-
-enum rapid { RAPID_LINEAR, RAPID_DOGLEG, RAPID_ANY };
-enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
-/* A control's answer to a question that only its maker or its parameters can answer. */
-enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
-enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE };
-
-struct mcode {
-	int number;
-	enum mcode_action action;
-};
-
-/* Where the control sends axes by itself, in machine coordinates. */
-struct machine_place {
-	bool given;
-	bool has[SLOT_COUNT];
-	axis_values value;
-	int order[SLOT_COUNT];	/* slots that move one after another */
-	size_t order_count;
-};
-
-/* Reference positions: G28, and G30 P2 to P4. */
-#define PLACES_MAX 4
-
-struct controller {
-	int dialect;	/* row of control/dialects.h */
-	enum rapid rapid;
-	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
-	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
-	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
-	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
-	const struct mcode *mcodes;
-	size_t mcode_count;
-	struct machine_place references[PLACES_MAX];
-	struct machine_place tool_change;
-};
 
 struct axis {
 	const char *name;	/* one of AXIS_LETTERS */
@@ -122,7 +87,6 @@ struct machine {
 	struct arena arena;	/* owns all that is below */
 	const char *path;	/* as the user named it */
 	const char *name;	/* title of the machine; may be empty */
-	double unit;	/* mm per unit of length of its file, which is the control's own */
 	struct controller controller;
 	struct axis axes[SLOT_COUNT];	/* in file order: a carrying axis before what it carries */
 	size_t axis_count;

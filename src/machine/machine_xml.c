@@ -305,7 +305,7 @@ static void read_machine(struct xml_reader *xml, struct machine *machine)
 	const char *name = xml_label(xml, root, "name", &machine->arena);
 
 	machine->name = name ? name : "";
-	machine->unit = xml->unit;
+	machine->controller.unit = xml->unit;
 	machine->adjacent_within = ADJACENT_WITHIN;
 	if (controller)
 		read_controller(xml, controller, machine);

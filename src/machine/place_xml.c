@@ -5,7 +5,7 @@
 #include "base/units.h"
 
 /* Letters apart by blanks or nothing: "Z X Y", "ZXY". */
-static void read_order(struct xml_reader *xml, const xmlNode *node, const char *text, struct machine_place *place)
+static void read_order(struct xml_reader *xml, const xmlNode *node, const char *text, struct control_place *place)
 {
 	bool seen[SLOT_COUNT] = {false};
 
@@ -33,7 +33,7 @@ static void read_order(struct xml_reader *xml, const xmlNode *node, const char *
 }
 
 /* Z first, so that the tool leaves the work, and then one axis after another. */
-static void default_order(struct machine_place *place)
+static void default_order(struct control_place *place)
 {
 	if (place->has[SLOT_Z])
 		place->order[place->order_count++] = SLOT_Z;
@@ -43,7 +43,7 @@ static void default_order(struct machine_place *place)
 }
 
 static void read_value(struct xml_reader *xml, const xmlNode *node, const struct machine *machine, int slot,
-		       struct machine_place *place)
+		       struct control_place *place)
 {
 	const char letter[] = {AXIS_LETTERS[slot], '\0'};
 	const struct axis *axis = machine_axis(machine, slot);
@@ -66,7 +66,7 @@ static void read_value(struct xml_reader *xml, const xmlNode *node, const struct
 }
 
 static void read_place(struct xml_reader *xml, const xmlNode *node, const struct machine *machine, bool ordered,
-		       struct machine_place *place)
+		       struct control_place *place)
 {
 	const char *order = xml_attribute(node, "order");
 
@@ -98,7 +98,7 @@ void places_read(struct xml_reader *xml, const xmlNode *controller, struct machi
 		if (xml_is(node, "tool_change")) {
 			read_place(xml, node, machine, true, &out->tool_change);
 		} else if (xml_is(node, "reference")) {
-			int number = xml_integer(xml, node, "number", 1, 1, PLACES_MAX);
+			int number = xml_integer(xml, node, "number", 1, 1, REFERENCES_MAX);
 
 			read_place(xml, node, machine, false, &out->references[number - 1]);
 		}

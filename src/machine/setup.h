@@ -8,28 +8,8 @@
 #include "base/arena.h"
 #include "base/axes.h"
 #include "base/diag.h"
+#include "control/offset_tables.h"
 #include "machine/machine.h"
-
-/* Lengths in mm, angles in radians. */
-struct work_offset {
-	const char *name;	/* "G54" ... "G59.3" */
-	axis_values value;
-	long line;
-};
-
-struct tool {
-	int number;	/* > 0 */
-	const char *name;	/* or "" */
-	double length;	/* from the gauge point to the tip */
-	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
-	double length_offset;	/* H of the same number, unless an <offset> says otherwise */
-	long line;
-};
-
-struct length_offset {
-	int number;	/* H */
-	double length;
-};
 
 struct setup {
 	struct arena arena;

@@ -75,7 +75,7 @@ END_TEST
 
 START_TEST(setup_offsets)
 {
-	const struct gcode_work_offset offsets[] = {{"G54", {{1, 2, 3, radians(30)}}}, {"G59.1", {{10}}}};
+	const struct work_offset offsets[] = {{.name = "G54", .value = {{1, 2, 3, radians(30)}}}, {.name = "G59.1", .value = {{10}}}};
 	struct gcode_case c;
 
 	case_init(&c);
@@ -131,8 +131,9 @@ END_TEST
 
 START_TEST(tool_length)
 {
-	const struct gcode_tool tools[] = {{1, 100, 10}, {2, 50, 6}};
-	const struct gcode_length lengths[] = {{1, 100}, {2, 50}, {7, 33}};
+	const struct tool tools[] = {{.number = 1, .length_offset = 100, .diameter = 10},
+				      {.number = 2, .length_offset = 50, .diameter = 6}};
+	const struct length_offset lengths[] = {{1, 100}, {2, 50}, {7, 33}};
 	struct gcode_case c;
 
 	case_init(&c);
@@ -267,8 +268,8 @@ START_TEST(wrapped_axes)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
-	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
+	c.config.wrap[SLOT_A] = WRAP_SIGN;
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	/* A: the sign is the direction; -0 turns back to 0. C: the shorter way round, beyond one turn too. */
 	case_expect(
 	    &c,
@@ -278,7 +279,7 @@ START_TEST(wrapped_axes)
 	    "rapid 0 0 0 -370 -160\nrapid 0 0 0 -370 -260\nrapid 0 0 0 -370 40\nrapid 0 0 0 -370 0\n"
 	    "rapid 0 0 0 -370 5\n");
 	case_init(&c);
-	c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 	ck_assert(!case_run(&c, "G0 C-180\nC0\nM2\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:1:4: error: half a turn of C: either way is as short; half_turn=\"positive\" or "
@@ -287,7 +288,7 @@ START_TEST(wrapped_axes)
 	case_release(&c);
 	for (int way = -1; way <= 1; way += 2) {
 		case_init(&c);
-		c.config.wrap[SLOT_C] = GCODE_WRAP_SHORTEST;
+		c.config.wrap[SLOT_C] = WRAP_SHORTEST;
 		c.config.half_turn[SLOT_C] = way;
 		case_expect(&c, "G0 C-180\nC0\nC90\nC-90\nM2\n",
 			    way > 0 ? "rapid 0 0 0 0 180\nrapid 0 0 0 0 360\nrapid 0 0 0 0 450\nrapid 0 0 0 0 630\n"
@@ -363,7 +364,7 @@ START_TEST(fanuc_programs)
 
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
-	c.config.tool_change.given = true;
+	c.config.controller.tool_change.given = true;
 	case_expect(
 	    &c,
 	    "%\nO1234 (PART)\nN1 G90 G21 G53\n/2 G00 X1.\nG04 P500\nG04 X2.5\nG4 U1 ;\nG53 G01 X-5. F100\nX2.\n"

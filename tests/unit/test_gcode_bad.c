@@ -259,7 +259,7 @@ START_TEST(wrapped_position_beyond_a_turn)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
+	c.config.wrap[SLOT_A] = WRAP_SIGN;
 	ck_assert(!case_run(&c, "G0 A360\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:1:4: error: A360: the absolute position of a wrapped axis must lie "
@@ -267,7 +267,7 @@ START_TEST(wrapped_position_beyond_a_turn)
 	case_release(&c);
 	case_init(&c);
 	/* Fanuc B-63534EN, "Rotary axis roll-over": of the programmed value whole turns are left out. */
-	c.config.wrap[SLOT_A] = GCODE_WRAP_SIGN;
+	c.config.wrap[SLOT_A] = WRAP_SIGN;
 	c.config.dialect = &dialect_fanuc;
 	case_expect(&c, "G0 A-370.\nM30\n", "rapid 0 0 0 -350 0\n");
 }
@@ -277,15 +277,15 @@ END_TEST
 START_TEST(machine_axes_under_switched_kinematics)
 {
 	static const char *const blocks_of_axes[] = {"G53 G0 X1", "G28", "G30 X1", "G28.1"};
-	const struct gcode_mcode_meaning mcode = {428, GCODE_TCP_ON};
+	const struct mcode mcode = {428, MCODE_TCP_ON};
 
 	for (size_t i = 0; i < sizeof(blocks_of_axes) / sizeof(blocks_of_axes[0]); i++) {
 		struct strbuf program = {0};
 		struct gcode_case c;
 
 		case_init(&c);
-		c.config.mcodes = &mcode;
-		c.config.mcode_count = 1;
+		c.config.controller.mcodes = &mcode;
+		c.config.controller.mcode_count = 1;
 		strbuf_addf(&program, "M428\n%s\n", blocks_of_axes[i]);
 		ck_assert(!case_run(&c, program.text));
 		ck_assert_ptr_nonnull(

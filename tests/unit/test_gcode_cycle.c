@@ -140,9 +140,9 @@ START_TEST(default_retract)
 }
 END_TEST
 
-static struct gcode_place place_at(double x, double y, double z)
+static struct control_place place_at(double x, double y, double z)
 {
-	return (struct gcode_place){.given = true, .has = {true, true, true}, .value = {{x, y, z}}};
+	return (struct control_place){.given = true, .has = {true, true, true}, .value = {{x, y, z}}};
 }
 
 /* Z first, then X, then Y; work offsets and lengths do not matter. */
@@ -151,11 +151,11 @@ START_TEST(tool_change_moves)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.tool_change = place_at(100, 50, 300);
-	c.config.tool_change.order[0] = SLOT_Z;
-	c.config.tool_change.order[1] = SLOT_X;
-	c.config.tool_change.order[2] = SLOT_Y;
-	c.config.tool_change.order_count = 3;
+	c.config.controller.tool_change = place_at(100, 50, 300);
+	c.config.controller.tool_change.order[0] = SLOT_Z;
+	c.config.controller.tool_change.order[1] = SLOT_X;
+	c.config.controller.tool_change.order[2] = SLOT_Y;
+	c.config.controller.tool_change.order_count = 3;
 	case_expect(&c, "G10 L2 P1 X7 Z9\nG0 X0 Y0\nT3 M6\nG0 X1\nM2\n",
 		    "rapid 7 0 0 0 0\n"
 		    "rapid 7 0 300 0 0\nrapid 100 0 300 0 0\nrapid 100 50 300 0 0\ntool 3\n"
@@ -170,18 +170,18 @@ START_TEST(reference_positions)
 
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
-	c.config.references[0] = place_at(1, 2, 3);
-	c.config.references[1] = place_at(10, 20, 30);
-	c.config.references[2] = place_at(100, 200, 300);
-	c.config.references[1].order[0] = SLOT_Z;
-	c.config.references[1].order_count = 1;
+	c.config.controller.references[0] = place_at(1, 2, 3);
+	c.config.controller.references[1] = place_at(10, 20, 30);
+	c.config.controller.references[2] = place_at(100, 200, 300);
+	c.config.controller.references[1].order[0] = SLOT_Z;
+	c.config.controller.references[1].order_count = 1;
 	case_expect(&c, "G28 X5. Z6.\nG30 X0. Y0. Z0.\nG91 G30 P3 Z0.\nM30\n",
 		    "rapid 5 0 6 0 0\nrapid 1 0 3 0 0\n"
 		    "rapid 0 0 0 0 0\nrapid 0 0 30 0 0\nrapid 10 20 30 0 0\n"
 		    "rapid 10 20 30 0 0\nrapid 10 20 300 0 0\n");
 	/* LinuxCNC's G28.1 takes the place of the file's position. */
 	case_init(&c);
-	c.config.references[0] = place_at(1, 2, 3);
+	c.config.controller.references[0] = place_at(1, 2, 3);
 	case_expect(&c, "G28\nG0 X9\nG28.1\nG0 X0\nG28\nM2\n",
 		    "rapid 1 2 3 0 0\nrapid 9 2 3 0 0\nrapid 0 2 3 0 0\nrapid 9 2 3 0 0\n");
 }
@@ -195,8 +195,8 @@ START_TEST(level_is_kept)
 {
 	static const char *const changes[] = {"G55", "G52 Z1.", "G92 Z9.", "G43 H1", "G20", "G10 L2 P1 Z1.",
 					      "G68 R90.", "G68 R90.\nG69"};
-	static const struct gcode_length lengths[] = {{1, 100}};
-	static const struct gcode_work_offset offsets[] = {{"G54", {{0}}}, {"G55", {{1, 1, 1}}}};
+	static const struct length_offset lengths[] = {{1, 100}};
+	static const struct work_offset offsets[] = {{.name = "G54", .value = {{0}}}, {.name = "G55", .value = {{1, 1, 1}}}};
 
 	for (int i = 0; i < 16; i++) {
 		struct strbuf program = {0};
@@ -204,7 +204,7 @@ START_TEST(level_is_kept)
 
 		case_init(&c);
 		c.config.dialect = i % 2 ? &dialect_haas : &dialect_fanuc;
-		c.config.length_moves = GCODE_NO;
+		c.config.controller.length_moves = ANSWER_NO;
 		c.config.lengths = lengths;
 		c.config.length_count = 1;
 		c.config.work_offsets = offsets;
@@ -255,7 +255,7 @@ struct bad {
 	what " in a block that moves: whether it comes before or after the move depends on the control; write two "  \
 	     "blocks"
 
-static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}};
+static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}};
 
 static const struct bad bads[] = {
     {&dialect_linuxcnc, "G81 X1 Z-1", 1, "G81 needs R"},
@@ -326,9 +326,9 @@ START_TEST(refused)
 
 	case_init(&c);
 	c.config.dialect = bad->dialect;
-	c.config.tool_change.given = true;
-	c.config.mcodes = mcodes;
-	c.config.mcode_count = 1;
+	c.config.controller.tool_change.given = true;
+	c.config.controller.mcodes = mcodes;
+	c.config.controller.mcode_count = 1;
 	strbuf_addf(&program, "F9\n%s\n", bad->block);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
 	strbuf_addf(&expected, "p.nc:2:%d: error: %s\n    %s\n    %*s\n", bad->column, bad->message, bad->block,

@@ -1,19 +1,19 @@
 /* test_gcode_dynamic.c - G254 and G255 of Haas, against a table that turns with C about the machine's zero. */
 #include "gcode_case.h"
 
-static const struct gcode_length lengths[] = {{1, 100}};
-static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}};
-static const struct gcode_work_offset offsets[] = {{"G54", {{10, 2, -50}}}, {"G55", {{1, 2, 3}}}};
+static const struct length_offset lengths[] = {{1, 100}};
+static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}};
+static const struct work_offset offsets[] = {{.name = "G54", .value = {{10, 2, -50}}}, {.name = "G55", .value = {{1, 2, 3}}}};
 
 static void dynamic_case(struct gcode_case *c)
 {
 	case_init(c);
 	c->config.dialect = &dialect_haas;
-	c->config.length_moves = GCODE_NO;
+	c->config.controller.length_moves = ANSWER_NO;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;
-	c->config.mcodes = mcodes;
-	c->config.mcode_count = 1;
+	c->config.controller.mcodes = mcodes;
+	c->config.controller.mcode_count = 1;
 	c->config.work_offsets = offsets;
 	c->config.work_offset_count = 2;
 }
@@ -71,7 +71,7 @@ START_TEST(ignored_by_machine_places)
 	    "rapid 0 0 0 0 90\nrapid -2 10 0 0 90\nrapid -2 10 -1 0 90\nrapid -2 10 -1 0 90\nrapid -2 10 0 0 90\n"
 	    "rapid -2 10 -50 0 90\nrapid 11 3 -50 0 90\nrapid 0 0 -50 0 90\nrapid -2 10 -50 0 90\n");
 	dynamic_case(&c);
-	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
+	c.config.controller.tool_change = (struct control_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
 						    .order_count = 1};
 	case_expect(&c, "G54 G0 C90.\nG254\nX0. Y0. Z0.\nT1 M6\nX1.\nM30\n",
 		    "rapid 0 0 0 0 90\nrapid -2 10 -50 0 90\nrapid -2 10 0 0 90\ntool 1\nrapid -1 10 0 0 90\n");
@@ -159,7 +159,7 @@ START_TEST(refused)
 	for (const char *p = bad->before; *p; p++)
 		line += *p == '\n';
 	dynamic_case(&c);
-	c.config.tool_change.given = true;
+	c.config.controller.tool_change.given = true;
 	strbuf_addf(&program, "%s%s%s\n", bad->before, *bad->before ? "\n" : "", bad->block);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bad->block);
 	strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %s\n    %*s\n", line, bad->column, bad->message, bad->block,
@@ -177,7 +177,7 @@ START_TEST(machine_and_setup)
 	struct gcode_case c;
 
 	dynamic_case(&c);
-	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_C] = true};
+	c.config.controller.tool_change = (struct control_place){.given = true, .has[SLOT_C] = true};
 	ck_assert(!case_run(&c, LED "\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:4:4: error: C" TURNS "\n"));
 	case_release(&c);

@@ -104,7 +104,7 @@ START_TEST(parameters_of_an_inch_machine)
 	struct gcode_case c;
 
 	case_init(&c);
-	c.config.unit = 25.4;
+	c.config.controller.unit = 25.4;
 	case_expect(&c, "G10 L2 P2 X25.4 C30\nG0 X#5241 C#5246\n#5242=2 G55 G0 X0 Y0\nG28.1 G0 X0\nG0 Y#5162\nM2\n",
 		    "rapid 1 0 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 50.8 0 0 30\nrapid 25.4 52.8 0 0 30\n");
 }

@@ -1,18 +1,18 @@
 /* test_gcode_length.c - which axes a change of the length compensation moves on Fanuc and Haas controls. */
 #include "gcode_case.h"
 
-static const struct gcode_length lengths[] = {{1, 100}, {2, 40}};
+static const struct length_offset lengths[] = {{1, 100}, {2, 40}};
 
-static void length_case(struct gcode_case *c, const struct dialect *dialect, enum gcode_answer answer)
+static void length_case(struct gcode_case *c, const struct dialect *dialect, enum answer answer)
 {
 	case_init(c);
 	c->config.dialect = dialect;
 	c->config.lengths = lengths;
 	c->config.length_count = 2;
-	c->config.length_moves = answer;
+	c->config.controller.length_moves = answer;
 }
 
-static void run(const struct dialect *dialect, enum gcode_answer answer, const char *program, const char *moves)
+static void run(const struct dialect *dialect, enum answer answer, const char *program, const char *moves)
 {
 	struct gcode_case c;
 
@@ -23,12 +23,12 @@ static void run(const struct dialect *dialect, enum gcode_answer answer, const c
 /* Whatever the control does, the programs reach the same places. */
 START_TEST(either_way)
 {
-	static const enum gcode_answer answers[] = {GCODE_UNKNOWN, GCODE_YES, GCODE_NO};
+	static const enum answer answers[] = {ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO};
 	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
 
 	for (int i = 0; i < 3; i++) {
 		for (int k = 0; k < 2; k++) {
-			enum gcode_answer answer = answers[i];
+			enum answer answer = answers[i];
 			const struct dialect *dialect = dialects[k];
 
 			/* Safe starts; the usual first approach; the same length again. */
@@ -47,7 +47,7 @@ START_TEST(either_way)
 		}
 	}
 	/* B-63844EN, "G53, G28, and G30 commands in tool length offset mode": G28 has taken the length back. */
-	run(&dialect_fanuc, GCODE_UNKNOWN, "G43 H1 G0 Z5.\nG91 G28 Z0.\nG49\nG90 Z1.\nM30\n",
+	run(&dialect_fanuc, ANSWER_UNKNOWN, "G43 H1 G0 Z5.\nG91 G28 Z0.\nG49\nG90 Z1.\nM30\n",
 	    "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 1 0 0\n");
 }
 END_TEST
@@ -55,9 +55,9 @@ END_TEST
 /* C Executer manual B-62443EN-3, reading modal data: H stays; the Mori post-processor counts on it after G49. */
 START_TEST(number_stays)
 {
-	run(&dialect_fanuc, GCODE_NO, "G43 H1 G0 Z5.\nG49\nG43 Z6.\nG49\nG43 H2 Z7.\nG49 Z0.\nG43 Z8.\nM30\n",
+	run(&dialect_fanuc, ANSWER_NO, "G43 H1 G0 Z5.\nG49\nG43 Z6.\nG49\nG43 H2 Z7.\nG49 Z0.\nG43 Z8.\nM30\n",
 	    "rapid 0 0 105 0 0\nrapid 0 0 106 0 0\nrapid 0 0 47 0 0\nrapid 0 0 0 0 0\nrapid 0 0 48 0 0\n");
-	run(&dialect_fanuc, GCODE_NO, "G43 H1 G0 Z5.\nG49\nG43.4 Z6.\nM30\n",
+	run(&dialect_fanuc, ANSWER_NO, "G43 H1 G0 Z5.\nG49\nG43.4 Z6.\nM30\n",
 	    "rapid 0 0 105 0 0\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\n"
 	    "rapid 0 0 6 0 0 tcp\n");
 }
@@ -66,7 +66,7 @@ END_TEST
 /* Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift Types": parameter TOS at 1. */
 START_TEST(axes_stand)
 {
-	run(&dialect_fanuc, GCODE_NO, "G43 H1 G0 X1.\nX2.\nZ3.\nG49\nG91 G43 H2 Z1.\nX1.\nM30\n",
+	run(&dialect_fanuc, ANSWER_NO, "G43 H1 G0 X1.\nX2.\nZ3.\nG49\nG91 G43 H2 Z1.\nX1.\nM30\n",
 	    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 103 0 0\nrapid 2 0 104 0 0\nrapid 3 0 104 0 0\n");
 }
 END_TEST
@@ -77,13 +77,13 @@ END_TEST
  */
 START_TEST(axes_move)
 {
-	run(&dialect_fanuc, GCODE_YES, "G0 Z1.\nG43 H1\nX1.\nG43 H2 X2.\nG91 G43 H1 Z1.\nG49\nX1.\nG90 Z5.\nM30\n",
+	run(&dialect_fanuc, ANSWER_YES, "G0 Z1.\nG43 H1\nX1.\nG43 H2 X2.\nG91 G43 H1 Z1.\nG49\nX1.\nG90 Z5.\nM30\n",
 	    "rapid 0 0 1 0 0\nrapid 0 0 101 0 0\nrapid 1 0 101 0 0\nrapid 2 0 41 0 0\nrapid 2 0 102 0 0\n"
 	    "rapid 2 0 2 0 0\nrapid 3 0 2 0 0\nrapid 3 0 5 0 0\n");
-	run(&dialect_fanuc, GCODE_YES, "G1 F9. G43 H1\nX1.\nG80 G49\nM30\n",
+	run(&dialect_fanuc, ANSWER_YES, "G1 F9. G43 H1\nX1.\nG80 G49\nM30\n",
 	    "rapid 0 0 100 0 0\nfeed 1 0 100 0 0\nrapid 1 0 0 0 0\n");
 	/* The tool goes back along itself: the tip comes to where the spindle was. */
-	run(&dialect_fanuc, GCODE_YES, "G0 X2. Z9. C90.\nG43.4 H1\nY-3.\nM30\n",
+	run(&dialect_fanuc, ANSWER_YES, "G0 X2. Z9. C90.\nG43.4 H1\nY-3.\nM30\n",
 	    "rapid 2 0 9 0 90\ntcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 0 -2 9 0 90 tcp\n"
 	    "rapid 0 -3 9 0 90 tcp\n");
 }
@@ -98,58 +98,58 @@ END_TEST
 
 static const struct {
 	const struct dialect *dialect;
-	enum gcode_answer answer;
+	enum answer answer;
 	const char *before, *block;
 	int column;
 	const char *message;
 } bads[] = {
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0", "G43 H1", 1, ASK},
-    {&dialect_haas, GCODE_UNKNOWN, "G0", "G43 H1 X5.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0", "G91 G43 H1 Z5.", 5, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G91", "G43 H1 G0 Z5.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49", 1, ASK},
-    {&dialect_haas, GCODE_UNKNOWN, "G43 H1 G0 Z5.\nG53 Z0.", "G40 G49 G80", 5, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49 G53 X0.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G43 H1 G0 Z5.", "G49 G28 Z9.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0 F9.", "G43 H1 G81 Z-5. R2.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0", "G43 H1 G92 Z5.", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0", "G43.4 H1 X1. Y1.", 1, ASK},
-    {&dialect_haas, GCODE_UNKNOWN, "G0", "G234 H1", 1, ASK},
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0", "G43 H1", 1, ASK},
+    {&dialect_haas, ANSWER_UNKNOWN, "G0", "G43 H1 X5.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0", "G91 G43 H1 Z5.", 5, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G91", "G43 H1 G0 Z5.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G43 H1 G0 Z5.", "G49", 1, ASK},
+    {&dialect_haas, ANSWER_UNKNOWN, "G43 H1 G0 Z5.\nG53 Z0.", "G40 G49 G80", 5, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G43 H1 G0 Z5.", "G49 G53 X0.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G43 H1 G0 Z5.", "G49 G28 Z9.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0 F9.", "G43 H1 G81 Z-5. R2.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0", "G43 H1 G92 Z5.", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0", "G43.4 H1 X1. Y1.", 1, ASK},
+    {&dialect_haas, ANSWER_UNKNOWN, "G0", "G234 H1", 1, ASK},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, ASK},
     /* The length that G28 has taken back comes back by itself, or not. */
-    {&dialect_fanuc, GCODE_UNKNOWN, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, ASK},
-    {&dialect_fanuc, GCODE_YES, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, NOT_PLAIN},
-    {&dialect_fanuc, GCODE_YES, "G0 G43 H1 Z1.", "G49 G28 Z5.", 1, NOT_PLAIN},
-    {&dialect_fanuc, GCODE_YES, "G0 G43 H1 Z1. F9.", "G49 G2 I5.", 1, NOT_PLAIN},
-    {&dialect_fanuc, GCODE_YES, "F9. G81 Z-5. R2.", "G43 H1", 1, NOT_PLAIN},
-    {&dialect_fanuc, GCODE_YES, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, NOT_PLAIN},
-    {&dialect_fanuc, GCODE_YES, "G68.2 I180. J5.", "G43 H1", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_UNKNOWN, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, ASK},
+    {&dialect_fanuc, ANSWER_YES, "G0 G43 H1 Z1.\nG28 Z5.", "G43 H1", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_YES, "G0 G43 H1 Z1.", "G49 G28 Z5.", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_YES, "G0 G43 H1 Z1. F9.", "G49 G2 I5.", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_YES, "F9. G81 Z-5. R2.", "G43 H1", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_YES, "G0 G43.4 H1 X1. Y1. Z1.", "G49", 1, NOT_PLAIN},
+    {&dialect_fanuc, ANSWER_YES, "G68.2 I180. J5.", "G43 H1", 1, NOT_PLAIN},
 };
 
 /* What a tool change does on its way to its place is the machine builder's choice, or not said. */
 START_TEST(tool_change_leaves_doubt)
 {
 	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
-	const struct gcode_place home = {.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z}, .order_count = 1};
+	const struct control_place home = {.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z}, .order_count = 1};
 
 	for (int i = 0; i < 2; i++) {
 		struct gcode_case c;
 
-		length_case(&c, dialects[i], GCODE_NO);
-		c.config.tool_change = home;
+		length_case(&c, dialects[i], ANSWER_NO);
+		c.config.controller.tool_change = home;
 		case_expect(&c, "G0 G43 H1 Z5.\nT2 M6\nX1.\nG43 H2 Z5.\nT1 M6\nG49\nZ3.\nT2 M6\nZ4.\nM30\n",
 			    "rapid 0 0 105 0 0\nrapid 0 0 0 0 0\ntool 2\nrapid 1 0 0 0 0\nrapid 1 0 45 0 0\n"
 			    "rapid 1 0 0 0 0\ntool 1\nrapid 1 0 3 0 0\nrapid 1 0 0 0 0\ntool 2\nrapid 1 0 4 0 0\n");
-		length_case(&c, dialects[i], GCODE_NO);
-		c.config.tool_change = home;
+		length_case(&c, dialects[i], ANSWER_NO);
+		c.config.controller.tool_change = home;
 		ck_assert(!case_run(&c, "G0 G43 H1 Z5.\nT2 M6\nZ5.\nM30\n"));
 		ck_assert_str_eq(strbuf_text(&c.messages),
 				 "p.nc:3:1: error: M6 may have taken the tool's length compensation back: it depends "
 				 "on the control where Z leads now; command G43, G43.4 or G49 again first\n"
 				 "    Z5.\n    ^\n");
 		case_release(&c);
-		length_case(&c, dialects[i], GCODE_NO);
-		c.config.tool_change = home;
+		length_case(&c, dialects[i], ANSWER_NO);
+		c.config.controller.tool_change = home;
 		ck_assert(!case_run(&c, i ? "G0 G234 H1 Z5.\nT2 M6\nX5.\n" : "G0 G43.4 H1 Z5.\nT2 M6\nX5.\n"));
 		ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:3:1: error: M6 may have taken"));
 		case_release(&c);

@@ -310,12 +310,12 @@ START_TEST(increments)
 
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
-	c.config.least_input = 0.001;
+	c.config.controller.least_input = 0.001;
 	case_expect(&c, "#9=2\nG65 P7 A1500 B#9 T3 X7.\nM30\nO7\nG0 X#1 Y#2\nX#20 Y#24\nM99\n",
 		    "rapid 1.5 2 0 0 0\nrapid 3 7 0 0 0\n");
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
-	c.config.least_input = 0.001;
+	c.config.controller.least_input = 0.001;
 	ck_assert(!case_run(&c, "G20\nG65 P7 X10000 B1500\nM30\nO7\nM99\n"));
 	ck_assert_str_eq(strbuf_text(&c.messages),
 			 "p.nc:2:15: error: B1500: what an argument without a decimal point is differs here; write the "
@@ -323,7 +323,7 @@ START_TEST(increments)
 	case_release(&c);
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
-	c.config.least_input = 0.0001;
+	c.config.controller.least_input = 0.0001;
 	case_expect(&c, "#1=1.23456\nG0 X#1\nM30\n", "rapid 1.2346 0 0 0 0\n");
 }
 END_TEST

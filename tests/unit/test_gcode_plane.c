@@ -1,18 +1,18 @@
 /* test_gcode_plane.c - turned coordinates, tilted planes, additional offsets, least input increments: closed forms. */
 #include "gcode_case.h"
 
-static const struct gcode_length lengths[] = {{1, 100}};
-static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}};
+static const struct length_offset lengths[] = {{1, 100}};
+static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}, {429, MCODE_TCP_OFF}};
 
 static void plane_case(struct gcode_case *c, const struct dialect *dialect)
 {
 	case_init(c);
 	c->config.dialect = dialect;
-	c->config.length_moves = GCODE_NO;
+	c->config.controller.length_moves = ANSWER_NO;
 	c->config.lengths = lengths;
 	c->config.length_count = 1;
-	c->config.mcodes = mcodes;
-	c->config.mcode_count = 2;
+	c->config.controller.mcodes = mcodes;
+	c->config.controller.mcode_count = 2;
 }
 
 static void run(const struct dialect *dialect, const char *program, const char *moves)
@@ -87,7 +87,7 @@ END_TEST
 /* The same manual, additional workpiece coordinate systems; Haas, G110-G129, G154, G10 L20. */
 START_TEST(additional_offsets)
 {
-	static const struct gcode_work_offset offsets[] = {{"G54.1 P2", {{7}}}, {"G154 P48", {{9}}}};
+	static const struct work_offset offsets[] = {{.name = "G54.1 P2", .value = {{7}}}, {.name = "G154 P48", .value = {{9}}}};
 	struct gcode_case c;
 
 	plane_case(&c, &dialect_fanuc);
@@ -125,7 +125,7 @@ START_TEST(least_input)
 	struct gcode_case c;
 
 	plane_case(&c, &dialect_fanuc);
-	c.config.least_input = 0.001;
+	c.config.controller.least_input = 0.001;
 	case_expect(&c,
 		    "G0 X1000 Y1. C90000\nG1 F9 X2000\nG2 X0 I-1000 J0\nG91 G99 G81 X1000 Z-1000 R-1000 K2 F100\n"
 		    "G80\nG4 X500\nG90 G20 G0 X10000\nM30\n",
@@ -146,7 +146,7 @@ START_TEST(least_input_by_address)
 	struct gcode_case c;
 
 	plane_case(&c, &dialect_fanuc);
-	c.config.least_input = 0.001;
+	c.config.controller.least_input = 0.001;
 	c.show_feed = true;
 	case_expect(&c,
 		    "G10 L2 P1 X10000\nG0 X0\nG52 Y2000\nG1 Y0 F60\nG52 Y0\nG2 X2000 Y2000 R1000 F60.\nG28 X1000\n"
@@ -158,7 +158,7 @@ START_TEST(least_input_by_address)
 		    "rapid 10 0 -0.746 0 0\nfeed 10 0 -2 0 0 at 1 1\nrapid 10 0 0 0 0\n"
 		    "dwell 1.5 at 0 0\nrapid 10 1 0 0 0\n");
 	plane_case(&c, &dialect_fanuc);
-	c.config.least_input = 0.001;
+	c.config.controller.least_input = 0.001;
 	case_expect(&c, "G20\nG68.2 X10000 I180000 J90000\nG53.1\nG0 X0 Y0 Z1.\nM30\n",
 		    "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 25.4 25.4 0 90 0 tcp\n");
 }
@@ -178,10 +178,10 @@ static void change_without_place(const struct dialect *dialect)
 			 "    T1 M6\n       ^\n");
 	case_release(&c);
 	plane_case(&c, dialect);
-	c.config.tool_change.given = true;
+	c.config.controller.tool_change.given = true;
 	case_expect(&c, "G0 Z5.\nT1 M6\nM30\n", "rapid 0 0 5 0 0\ntool 1\n");
 	plane_case(&c, dialect);
-	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
+	c.config.controller.tool_change = (struct control_place){.given = true, .has[SLOT_Z] = true, .order = {SLOT_Z},
 						    .order_count = 1};
 	case_expect(&c, "G0 X1. Z5.\nT1 M6\nM30\n", "rapid 1 0 5 0 0\nrapid 1 0 0 0 0\ntool 1\n");
 }
@@ -199,7 +199,7 @@ START_TEST(tool_change_on_a_plane)
 	struct gcode_case c;
 
 	plane_case(&c, &dialect_fanuc);
-	c.config.tool_change = (struct gcode_place){.given = true, .has[SLOT_A] = true};
+	c.config.controller.tool_change = (struct control_place){.given = true, .has[SLOT_A] = true};
 	ck_assert(!case_run(&c, "G68.2 X0. I180. J90.\nG53.1\nT1 M6\n"));
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
 				     "p.nc:3:4: error: M6 while G68.2 is in force turns A away from its plane; "

@@ -1,17 +1,17 @@
 /* test_gcode_tcp.c - TCP on and off, against a table that turns with C: closed forms in gcode_case.h. */
 #include "gcode_case.h"
 
-static const struct gcode_length lengths[] = {{1, 100}, {2, 40}};
-static const struct gcode_mcode_meaning mcodes[] = {
-    {428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}, {10, GCODE_IGNORE}, {11, GCODE_IGNORE}};
+static const struct length_offset lengths[] = {{1, 100}, {2, 40}};
+static const struct mcode mcodes[] = {
+    {428, MCODE_TCP_ON}, {429, MCODE_TCP_OFF}, {10, MCODE_IGNORE}, {11, MCODE_IGNORE}};
 
 static void tcp_case(struct gcode_case *c)
 {
 	case_init(c);
 	c->config.lengths = lengths;
 	c->config.length_count = 2;
-	c->config.mcodes = mcodes;
-	c->config.mcode_count = sizeof(mcodes) / sizeof(mcodes[0]);
+	c->config.controller.mcodes = mcodes;
+	c->config.controller.mcode_count = sizeof(mcodes) / sizeof(mcodes[0]);
 }
 
 START_TEST(on_and_off)
@@ -114,7 +114,7 @@ START_TEST(zero_at_the_offset)
 	struct gcode_case c;
 
 	tcp_case(&c);
-	c.config.tcp_zero_offset = true;
+	c.config.controller.tcp_zero_offset = true;
 	/* With C's offset at 90 the table is not turned there: (10, 0) stays; at offset 0 it is (0, -10). */
 	case_expect(
 	    &c, "G10 L2 P1 C90\nG0 X10 C0\nG43.4 H1\nG91 X0\nG10 L2 P1 C0\nX0\nG55\nG10 L2 P1 A5\nG54\nG52 Y3\nM2\n",
@@ -130,7 +130,7 @@ START_TEST(shift_of_rotary_and_linear_axes_at_once)
 	struct gcode_case c;
 
 	tcp_case(&c);
-	c.config.tcp_zero_offset = true;
+	c.config.controller.tcp_zero_offset = true;
 	/*
 	 * G92 C0 at C90 turns the meaning of X and Y by a quarter, from (0, -10) to
 	 * (10, 0): X0 Y0 of the same block are of the point after that.
@@ -158,7 +158,7 @@ static void length_case(struct gcode_case *c, const struct dialect *dialect)
 {
 	tcp_case(c);
 	c->config.dialect = dialect;
-	c->config.length_moves = GCODE_NO;
+	c->config.controller.length_moves = ANSWER_NO;
 }
 
 /*
@@ -233,7 +233,7 @@ START_TEST(length_in_doubt)
 	struct gcode_case c;
 
 	length_case(&c, doubts[_i].dialect);
-	c.config.references[1].given = true;
+	c.config.controller.references[1].given = true;
 	strbuf_addf(&program, "%s\n%s\n", doubts[_i].before, doubts[_i].block);
 	strbuf_addf(&expected, "%s may have taken the tool's length compensation back", doubts[_i].code);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", program.text);

@@ -251,7 +251,7 @@ START_TEST(noise)
 		}
 		case_init(&c);
 		c.config.dialect = dialect_of_row(i % 3);
-		c.config.wrap[SLOT_A] = (enum gcode_wrap)(i % 3);
+		c.config.wrap[SLOT_A] = (enum wrap)(i % 3);
 		c.config.read.last_duplicate_wins = i % 2;
 		good = case_run_bytes(&c, bytes, sizeof(bytes));
 		require(good == (c.diag.errors == 0), "case %d", i);

@@ -1,9 +1,10 @@
 /* test_gcode_tool.c - G10 L1, L10 and L11: by hand from LinuxCNC's manual; tests/rs274 compares them with rs274. */
 #include "gcode_case.h"
 
-static const struct gcode_tool tools[] = {{1, 100, 10}, {2, 50, 6}};
-static const struct gcode_length lengths[] = {{1, 100}, {2, 40}, {7, 33}};
-static const struct gcode_mcode_meaning mcodes[] = {{428, GCODE_TCP_ON}, {429, GCODE_TCP_OFF}};
+static const struct tool tools[] = {{.number = 1, .length_offset = 100, .diameter = 10},
+				     {.number = 2, .length_offset = 50, .diameter = 6}};
+static const struct length_offset lengths[] = {{1, 100}, {2, 40}, {7, 33}};
+static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}, {429, MCODE_TCP_OFF}};
 
 static void tool_case(struct gcode_case *c)
 {
@@ -13,8 +14,8 @@ static void tool_case(struct gcode_case *c)
 	c->config.tool_count = 2;
 	c->config.lengths = lengths;
 	c->config.length_count = 3;
-	c->config.mcodes = mcodes;
-	c->config.mcode_count = 2;
+	c->config.controller.mcodes = mcodes;
+	c->config.controller.mcode_count = 2;
 }
 
 static void run(const char *program, const char *moves)

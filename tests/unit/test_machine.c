@@ -84,7 +84,7 @@ END_TEST
 
 static void check_places(const struct controller *controller)
 {
-	const struct machine_place *change = &controller->tool_change, *first = &controller->references[0],
+	const struct control_place *change = &controller->tool_change, *first = &controller->references[0],
 				   *third = &controller->references[2];
 
 	ck_assert_double_eq(controller->least_input, 0.001);

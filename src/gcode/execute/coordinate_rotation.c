@@ -298,7 +298,7 @@ bool coordinate_rotation_start_block(struct interp *interp)
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
 			     "tool centre point control while %s is in force; G69 first", name);
-	if (block->m[M_TCP] == GCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
+	if (block->m[M_TCP] == MCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))
 		return fault(&interp->at, block->m_column[M_TCP],
 			     "tool centre point control while %s is in force; G69 first", name);
 	if (interp->state.tcp != TCP_BY_PLANE && !frame->waits_for_tool) {

@@ -44,7 +44,7 @@ bool dynamic_work_offset_start_block(struct interp *interp)
 	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
 			     "tool centre point control while G254 is in force; G255 first");
-	if (block->m[M_TCP] == GCODE_TCP_ON)
+	if (block->m[M_TCP] == MCODE_TCP_ON)
 		return fault(&interp->at, block->m_column[M_TCP],
 			     "tool centre point control while G254 is in force; G255 first");
 	return true;

@@ -46,11 +46,11 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 {
 	const struct gcode_config *config = interp->config;
 
-	if (!slot_is_rotary(slot) || config->wrap[slot] == GCODE_WRAP_NONE) {
+	if (!slot_is_rotary(slot) || config->wrap[slot] == WRAP_NONE) {
 		*target = value + origin;
 		return true;
 	}
-	if (config->wrap[slot] == GCODE_WRAP_SHORTEST)
+	if (config->wrap[slot] == WRAP_SHORTEST)
 		return shortest(interp, slot, value + origin, column, target);
 	if (config->dialect->legacy == GCODE_LINUXCNC && fabs(value) >= 360)
 		return fault(&interp->at, column,

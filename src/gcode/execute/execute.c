@@ -110,7 +110,7 @@ static bool is_count(const struct block *block, char letter)
 static void execute_increments(struct interp *interp)
 {
 	struct block *block = &interp->block;
-	double increment = interp->config->least_input;
+	double increment = interp->config->controller.least_input;
 	double linear = interp->state.scale > 1 ? increment / 10 : increment;
 
 	if (!(increment > 0) || interp->config->dialect->legacy == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)

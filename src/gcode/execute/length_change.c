@@ -67,9 +67,9 @@ bool length_change_settle(struct interp *interp, const struct length_change *cha
 	struct state *state = &interp->state;
 	int open = find_open(interp, change);
 
-	if (open < 0 || interp->config->length_moves == GCODE_NO)
+	if (open < 0 || interp->config->controller.length_moves == ANSWER_NO)
 		return true;
-	if (interp->config->length_moves == GCODE_UNKNOWN)
+	if (interp->config->controller.length_moves == ANSWER_UNKNOWN)
 		return fault(&interp->at, change->column,
 			     "whether this change of the length compensation moves %c at once depends on the control: "
 			     "give %c here as an absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in "

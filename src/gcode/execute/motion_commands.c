@@ -69,8 +69,8 @@ double motion_commands_seconds(const struct interp *interp, char letter)
 
 	if (interp->config->dialect->legacy != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
 		seconds /= 1000;
-	else if (interp->config->least_input > 0 && letter != 'P' && !(block->points & letter_bit(letter)))
-		seconds *= interp->config->least_input;
+	else if (interp->config->controller.least_input > 0 && letter != 'P' && !(block->points & letter_bit(letter)))
+		seconds *= interp->config->controller.least_input;
 	return seconds;
 }
 

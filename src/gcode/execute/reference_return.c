@@ -23,7 +23,7 @@ static bool is_named(const struct interp *interp, int slot)
  * To a place of the machine with the axes marked: one after another as the
  * place orders them, then those that it does not order, together.
  */
-static bool go_to_place(struct interp *interp, const struct gcode_place *place, const slot_values *values,
+static bool go_to_place(struct interp *interp, const struct control_place *place, const slot_values *values,
 			const bool moves[SLOT_COUNT], int column)
 {
 	slot_values target = interp->state.position;
@@ -58,11 +58,11 @@ static bool find_number(struct interp *interp, int *index)
 	*index = 0;
 	if (block->g[G_NONMODAL] == G28)
 		return true;
-	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCE_COUNT, &number))
+	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCES_MAX, &number))
 		return false;
 	*index = number - 1;
 	/* LinuxCNC has its second position in parameters that G30.1 and programs write. */
-	if (interp->config->references[*index].given || (number == 2 && interp->config->dialect->legacy == GCODE_LINUXCNC))
+	if (interp->config->controller.references[*index].given || (number == 2 && interp->config->dialect->legacy == GCODE_LINUXCNC))
 		return true;
 	return fault(&interp->at, block_has(block, 'P') ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
@@ -76,7 +76,7 @@ static slot_values place_values(const struct interp *interp, int index)
 	if (index < 2)
 		return interp->state.reference[index];
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		values.v[slot] = state_from_canonical(slot, interp->config->references[index].value.v[slot]);
+		values.v[slot] = state_from_canonical(slot, interp->config->controller.references[index].value.v[slot]);
 	return values;
 }
 
@@ -113,7 +113,7 @@ bool reference_return_go(struct interp *interp)
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		moves[slot] = is_named(interp, slot);
 	if (!tool_length_suspend(interp, column, &suspended) ||
-	    !go_to_place(interp, &interp->config->references[index], &values, moves, column) ||
+	    !go_to_place(interp, &interp->config->controller.references[index], &values, moves, column) ||
 	    !tool_length_resume(interp, column, &suspended))
 		return false;
 	tool_length_after_machine(interp, block->g[G_NONMODAL], moves);
@@ -133,7 +133,7 @@ bool reference_return_remember(struct interp *interp)
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		double *angle = &interp->state.reference[index].v[slot];
 
-		if (interp->config->wrap[slot] != GCODE_WRAP_NONE)
+		if (interp->config->wrap[slot] != WRAP_NONE)
 			*angle -= 360 * floor(*angle / 360);
 	}
 	return tool_length_resume(interp, column, &suspended);
@@ -152,7 +152,7 @@ static bool fault_no_place(struct interp *interp, int column)
 
 bool reference_return_change_tool(struct interp *interp)
 {
-	const struct gcode_place *place = &interp->config->tool_change;
+	const struct control_place *place = &interp->config->controller.tool_change;
 	int column = interp->block.m_column[M_TOOL];
 	struct suspended suspended;
 	slot_values values;

@@ -12,7 +12,7 @@ axis_values tool_length_rotary_zero(const struct interp *interp)
 {
 	axis_values zero = {{0}};
 
-	if (!interp->config->tcp_zero_offset)
+	if (!interp->config->controller.tcp_zero_offset)
 		return zero;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		zero.v[slot] = radians(interp->state.offset.v[slot]);
@@ -148,7 +148,7 @@ bool tool_length_change(struct interp *interp)
 static bool find_spindle_length(struct interp *interp, int column, double *length)
 {
 	int number = interp->state.tool;
-	const struct gcode_tool *tool = tool_table_find(&interp->tools, number);
+	const struct tool *tool = tool_table_find(&interp->tools, number);
 
 	if (number != 0 && !tool)
 		return fault(&interp->at, column,
@@ -181,7 +181,7 @@ static bool find_length_number(struct interp *interp, int *number)
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
-	const struct gcode_length *entry;
+	const struct length_offset *entry;
 	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
 	int column = block_has(block, 'H') ? block_column(block, 'H') : block->g_column[G_LENGTH], number;
 
@@ -281,9 +281,9 @@ bool tool_length_mcode(struct interp *interp)
 	struct state *state = &interp->state;
 	int column = block->m_column[M_TCP];
 
-	if (block->m[M_TCP] == GCODE_TCP_ON && state->tcp == TCP_OFF)
+	if (block->m[M_TCP] == MCODE_TCP_ON && state->tcp == TCP_OFF)
 		return switch_tcp(interp, column, TCP_BY_MCODE, state->length);
-	if (block->m[M_TCP] == GCODE_TCP_OFF && state->tcp != TCP_OFF)
+	if (block->m[M_TCP] == MCODE_TCP_OFF && state->tcp != TCP_OFF)
 		return switch_tcp(interp, column, TCP_OFF, state->length);
 	return true;
 }

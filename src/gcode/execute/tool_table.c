@@ -8,12 +8,16 @@ void tool_table_init(struct tool_table *table, const struct gcode_config *config
 {
 	table->tools = mem_zalloc(config->tool_count, sizeof(*table->tools));
 	table->tool_count = config->tool_count;
-	for (size_t i = 0; i < config->tool_count; i++)
+	for (size_t i = 0; i < config->tool_count; i++) {
 		table->tools[i] = config->tools[i];
+		table->tools[i].length_offset += config->length_change;
+	}
 	table->lengths = mem_zalloc(config->length_count, sizeof(*table->lengths));
 	table->length_count = config->length_count;
-	for (size_t i = 0; i < config->length_count; i++)
+	for (size_t i = 0; i < config->length_count; i++) {
 		table->lengths[i] = config->lengths[i];
+		table->lengths[i].length += config->length_change;
+	}
 }
 
 void tool_table_release(struct tool_table *table)
@@ -23,7 +27,7 @@ void tool_table_release(struct tool_table *table)
 	*table = (struct tool_table){0};
 }
 
-const struct gcode_tool *tool_table_find(const struct tool_table *table, int number)
+const struct tool *tool_table_find(const struct tool_table *table, int number)
 {
 	for (size_t i = 0; i < table->tool_count; i++) {
 		if (table->tools[i].number == number)
@@ -32,7 +36,7 @@ const struct gcode_tool *tool_table_find(const struct tool_table *table, int num
 	return NULL;
 }
 
-const struct gcode_length *tool_table_length(const struct tool_table *table, int number)
+const struct length_offset *tool_table_length(const struct tool_table *table, int number)
 {
 	for (size_t i = 0; i < table->length_count; i++) {
 		if (table->lengths[i].number == number)

@@ -6,9 +6,9 @@
 
 /* In mm; a copy of the configuration's, which stays as it is. */
 struct tool_table {
-	struct gcode_tool *tools;
+	struct tool *tools;
 	size_t tool_count;
-	struct gcode_length *lengths;
+	struct length_offset *lengths;
 	size_t length_count;
 };
 
@@ -16,8 +16,8 @@ void tool_table_init(struct tool_table *table, const struct gcode_config *config
 void tool_table_release(struct tool_table *table);
 
 /* The tool T, the length H, or NULL. */
-const struct gcode_tool *tool_table_find(const struct tool_table *table, int number);
-const struct gcode_length *tool_table_length(const struct tool_table *table, int number);
+const struct tool *tool_table_find(const struct tool_table *table, int number);
+const struct length_offset *tool_table_length(const struct tool_table *table, int number);
 
 /* Nothing where the table has no such tool. The length is H of the same number, too. */
 void tool_table_set_length(struct tool_table *table, int number, double length);

@@ -102,11 +102,11 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	if (++block->m_count > M_COUNT_MAX)
 		return fault(at, word->column, "a block can have at most %d M-codes", M_COUNT_MAX);
 	number = (int)word->value;
-	for (size_t i = 0; i < config->mcode_count; i++) {
-		if (config->mcodes[i].number != number)
+	for (size_t i = 0; i < config->controller.mcode_count; i++) {
+		if (config->controller.mcodes[i].number != number)
 			continue;
-		if (config->mcodes[i].action != GCODE_IGNORE)
-			return set_m(block, at, word, M_TCP, (int)config->mcodes[i].action);
+		if (config->controller.mcodes[i].action != MCODE_IGNORE)
+			return set_m(block, at, word, M_TCP, (int)config->controller.mcodes[i].action);
 		block->m_ignored = true;
 		return true;
 	}
@@ -241,7 +241,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect->legacy == GCODE_LINUXCNC || config->least_input > 0 || cautions->point ||
+	if (config->dialect->legacy == GCODE_LINUXCNC || config->controller.least_input > 0 || cautions->point ||
 	    block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {

@@ -254,7 +254,7 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 {
 	int code = block->g[G_NONMODAL];
 	bool moves = (code != G4 && (block->letters & AXIS_BITS)) || code == G28 || code == G30 || code == G53_1 ||
-		     (block->g[G_LENGTH] != CODE_NONE && config->length_moves == GCODE_YES);
+		     (block->g[G_LENGTH] != CODE_NONE && config->controller.length_moves == ANSWER_YES);
 	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
 
 	if (config->dialect->legacy == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)

@@ -95,7 +95,7 @@ static int argument_of_set(char letter, int *set, char *last)
  */
 static bool scale_argument(struct interp *interp, const struct word *word, double *value)
 {
-	double increment = interp->config->least_input;
+	double increment = interp->config->controller.least_input;
 
 	if (word->point || fpclassify(*value) == FP_ZERO || strchr("DHMST", word->letter))
 		return true;

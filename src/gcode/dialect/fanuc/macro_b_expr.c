@@ -362,7 +362,7 @@ bool macro_b_expr_follows(struct lexer *lexer)
 static double steps_of(const struct lexer *lexer, char letter)
 {
 	const struct interp *interp = lexer->interp;
-	double steps = interp->config->least_input > 0 ? round(1 / interp->config->least_input) : 1000;
+	double steps = interp->config->controller.least_input > 0 ? round(1 / interp->config->controller.least_input) : 1000;
 
 	if (lexer->macro != MACRO_WORDS)
 		return 0;

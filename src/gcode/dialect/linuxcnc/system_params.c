@@ -51,7 +51,7 @@ static const char *real_time(int number)
 /* A length in the control's own unit is so many mm (LinuxCNC's manual, "[TRAJ] LINEAR_UNITS"); angles are degrees. */
 static double unit_of(const struct interp *interp, int slot)
 {
-	return slot_is_rotary(slot) || !(interp->config->unit > 0) ? 1 : interp->config->unit;
+	return slot_is_rotary(slot) || !(interp->config->controller.unit > 0) ? 1 : interp->config->controller.unit;
 }
 
 static bool differs_by_version(int number)
@@ -63,7 +63,7 @@ static bool differs_by_version(int number)
 
 static bool tool_number(struct interp *interp, int number, int column, double *value)
 {
-	const struct gcode_tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 
 	*value = number == TOOL ? interp->state.tool : 0;
 	if (number == TOOL || interp->state.tool == 0)

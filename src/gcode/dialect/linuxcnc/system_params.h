@@ -10,7 +10,7 @@ struct interp;
  * LinuxCNC's manual, "Numbered Parameters", "Predefined Named Parameters".
  * What depends on the machine's state in real time, or on its INI and HAL
  * files, is a fault that says so. Lengths of offsets, references and tools are
- * in the control's own unit (its LINEAR_UNITS: gcode_config.unit), positions in
+ * in the control's own unit (its LINEAR_UNITS: gcode_config.controller.unit), positions in
  * the program's unit, angles in degrees.
  */
 

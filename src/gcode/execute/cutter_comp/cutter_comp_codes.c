@@ -5,7 +5,7 @@
 static bool find_radius(struct interp *interp, double *radius)
 {
 	const struct block *block = &interp->block;
-	const struct gcode_tool *tool;
+	const struct tool *tool;
 	int code = block->g[G_CUTTER], column = block->g_column[G_CUTTER], number = interp->state.tool;
 
 	if (code == G41_1 || code == G42_1) {

@@ -1,0 +1,59 @@
+/* controller.h - what is known of a machine's control: its dialect, its parameters, the places that it goes to. */
+#ifndef FIVECHECK_CONTROL_CONTROLLER_H
+#define FIVECHECK_CONTROL_CONTROLLER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/axes.h"
+
+/* Lengths in mm, angles in radians. */
+
+/* How a rapid moves: on a straight line, each axis at its own rate, or in a way that is not known. */
+enum rapid { RAPID_LINEAR, RAPID_DOGLEG, RAPID_ANY };
+
+/*
+ * How a rotary axis takes an absolute target: as a plain number; modulo a turn,
+ * the shorter way; modulo a turn, in the direction of the target's sign.
+ */
+enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
+
+/* The answer to a question that only the maker of the machine or a parameter of the control can answer. */
+enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
+
+/* What the machine's maker has an M-code do. */
+enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE };
+
+struct mcode {
+	int number;
+	enum mcode_action action;
+};
+
+/* A place in machine coordinates where the control sends axes by itself. */
+struct control_place {
+	bool given;
+	bool has[SLOT_COUNT];	/* the place says where this axis goes */
+	axis_values value;
+	int order[SLOT_COUNT];	/* slots that move one after another; the other axes move last, together */
+	size_t order_count;
+};
+
+/* Reference positions: G28, and G30 P2 to P4. */
+#define REFERENCES_MAX 4
+
+/* Plain data; the pointers are borrowed from whoever fills it in. All zero is a control of which nothing was said. */
+struct controller {
+	int dialect;	/* row of control/dialects.h */
+	enum rapid rapid;
+	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
+	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
+	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
+	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
+	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
+	const struct mcode *mcodes;
+	size_t mcode_count;
+	struct control_place references[REFERENCES_MAX];
+	struct control_place tool_change;	/* M6 goes there first */
+};
+
+#endif

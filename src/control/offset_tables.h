@@ -1,0 +1,29 @@
+/* offset_tables.h - the rows of a control's tables: work offsets, tools, length offsets. */
+#ifndef FIVECHECK_CONTROL_OFFSET_TABLES_H
+#define FIVECHECK_CONTROL_OFFSET_TABLES_H
+
+#include "base/axes.h"
+
+/* Lengths in mm, angles in radians. Strings are borrowed from whoever fills a row in. */
+
+struct work_offset {
+	const char *name;	/* "G54" ... "G59.3", "G54.1 P7", "G154 P7" */
+	axis_values value;
+	long line;	/* in the setup file */
+};
+
+struct tool {
+	int number;	/* > 0 */
+	const char *name;	/* or "" */
+	double length;	/* from the gauge point to the tip */
+	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
+	double length_offset;	/* H of the same number, unless the setup's <offset> says otherwise */
+	long line;	/* in the setup file */
+};
+
+struct length_offset {
+	int number;	/* H */
+	double length;
+};
+
+#endif
