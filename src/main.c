@@ -3,11 +3,12 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "cli/command.h"
+#include "cli/command_line.h"
+#include "cli/command_table.h"
 #include "cli/stderr_ui.h"
-#include "cli/options.h"
 #include "cli/run.h"
 #include "report/format/json.h"
+#include "report/output.h"
 
 /* A failed assertion is our mistake and has its own exit status. */
 static void on_abort(int signal_number)
@@ -28,23 +29,36 @@ static void hold_standard_files(void)
 	}
 }
 
-/* A check, or another run of the machine's file. */
+static enum run_status print(struct strbuf *text, struct diag *diag)
+{
+	return output_print(text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
+}
+
+/* Runs a command line without a subcommand. */
 static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 {
 	struct options options;
 	enum run_status status = RUN_INCOMPLETE;
+	struct strbuf text = {0};
 
-	if (options_parse(&options, argc, argv, &ui->diag))
-		status = run_options(&options, ui);
-	else
+	if (!command_line_parse(&options, argc, argv, &ui->diag)) {
 		diag_note(&ui->diag, (struct srcloc){0}, "'fivecheck --help' lists the options");
+	} else if (options.mode == RUN_HELP) {
+		command_line_help(&text, command_table);
+		status = print(&text, &ui->diag);
+	} else if (options.mode == RUN_VERSION) {
+		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
+		status = print(&text, &ui->diag);
+	} else {
+		status = run_options(&options, ui);
+	}
 	options_release(&options);
 	return status;
 }
 
 int main(int argc, char **argv)
 {
-	const struct command *command = argc > 1 ? command_of(argv[1]) : NULL;
+	const struct command *command = argc > 1 ? command_table_find(argv[1]) : NULL;
 	struct stderr_ui ui;
 
 	hold_standard_files();
@@ -54,5 +68,5 @@ int main(int argc, char **argv)
 	signal(SIGABRT, on_abort);
 	json_init();
 	stderr_ui_init(&ui);
-	return (int)(command ? command->run(argc - 1, argv + 1, &ui) : run_check(argc, argv, &ui));
+	return (int)(command ? command->run(command_table, argc - 1, argv + 1, &ui) : run_check(argc, argv, &ui));
 }

@@ -1,5 +1,10 @@
 #include "check/finding.h"
 
+const char *const finding_kind_names[FINDING_KINDS + 1] = {
+	[FINDING_COLLISION] = "collision", [FINDING_CLEARANCE] = "clearance", [FINDING_LIMIT] = "limit",
+	[FINDING_START_OVERLAP] = "start-overlap",
+};
+
 static const char *link_of(const struct scene *scene, int body)
 {
 	return machine_link_name(scene->machine, scene->bodies[body].body->link);
@@ -27,7 +32,5 @@ struct finding finding_of_pair(const struct scene *scene, const struct scene_pai
 
 const char *finding_kind_name(enum finding_kind kind)
 {
-	static const char *const names[] = {"collision", "clearance", "limit", "start-overlap"};
-
-	return names[kind];
+	return finding_kind_names[kind];
 }

@@ -10,6 +10,10 @@
 #include "scene/scene.h"
 
 enum finding_kind { FINDING_COLLISION, FINDING_CLEARANCE, FINDING_LIMIT, FINDING_START_OVERLAP };
+enum { FINDING_KINDS = FINDING_START_OVERLAP + 1 };
+
+/* "collision", "clearance", "limit", "start-overlap"; ends in NULL. */
+extern const char *const finding_kind_names[FINDING_KINDS + 1];
 
 /* Lives during the call that hands it over. */
 struct finding {
@@ -38,7 +42,6 @@ struct finding {
 struct finding finding_of_pair(const struct scene *scene, const struct scene_pair *pair, enum finding_kind kind,
 			       const struct contact *contact, int tool);
 
-/* "collision", "clearance", "limit", "start-overlap" */
 const char *finding_kind_name(enum finding_kind kind);
 
 #endif

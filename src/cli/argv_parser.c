@@ -5,26 +5,27 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "machine/nearest.h"
 
 static const struct srcloc nowhere;
 
-/* getopt's two forms of the table; owned. */
+/* The table in the two forms that getopt_long takes; owned. */
 struct getopt_tables {
 	char *letters;
 	struct option *names;
 };
 
-static void tables_init(struct getopt_tables *tables, const struct argv_parser *words)
+static void tables_init(struct getopt_tables *tables, const struct argv_parser *parser)
 {
-	char *letter = mem_zalloc(3 + 2 * words->count, 1);
+	char *letter = mem_zalloc(3 + 2 * parser->count, 1);
 
 	tables->letters = letter;
-	tables->names = mem_zalloc(words->count + 1, sizeof(*tables->names));
-	/* Operands come in turn, whatever POSIXLY_CORRECT says; a missing argument is told apart. */
+	tables->names = mem_zalloc(parser->count + 1, sizeof(*tables->names));
+	/* '-' hands over operands in order, whatever POSIXLY_CORRECT says; ':' reports a missing argument as ':'. */
 	*letter++ = '-';
 	*letter++ = ':';
-	for (size_t i = 0; i < words->count; i++) {
-		const struct option_row *row = &words->table[i];
+	for (size_t i = 0; i < parser->count; i++) {
+		const struct option_row *row = &parser->table[i];
 
 		tables->names[i].name = row->name;
 		tables->names[i].has_arg = row->argument ? required_argument : no_argument;
@@ -37,33 +38,58 @@ static void tables_init(struct getopt_tables *tables, const struct argv_parser *
 	}
 }
 
-static const struct option_row *row_of(const struct argv_parser *words, int key)
+static const struct option_row *row_of(const struct argv_parser *parser, int key)
 {
-	for (size_t i = 0; i < words->count; i++) {
-		if (words->table[i].key == key)
-			return &words->table[i];
+	for (size_t i = 0; i < parser->count; i++) {
+		if (parser->table[i].key == key)
+			return &parser->table[i];
 	}
 	return NULL;
 }
 
-/* What getopt_long could not make sense of. */
-static bool refuse(const struct argv_parser *words, int result, char **argv, struct diag *diag)
+/* Names the option that was probably meant, or the options that an abbreviation could stand for. */
+static void refuse_name(const struct argv_parser *parser, const char *word, struct diag *diag)
 {
-	const struct option_row *row = row_of(words, optopt);
+	char *name = mem_strndup(word + 2, strcspn(word + 2, "="));
+	struct strbuf candidates = {0};
+	struct nearest nearest;
+
+	nearest_init(&nearest, name);
+	for (size_t i = 0; i < parser->count; i++) {
+		const char *known = parser->table[i].name;
+
+		nearest_offer(&nearest, known);
+		if (!strncmp(known, name, strlen(name)))
+			strbuf_addf(&candidates, "%s--%s", candidates.length ? ", " : "", known);
+	}
+	if (candidates.length)
+		diag_error(diag, nowhere, "ambiguous option --%s: it could be %s", name, candidates.text);
+	else if (nearest.best)
+		diag_error(diag, nowhere, "unknown option --%s; did you mean --%s?", name, nearest.best);
+	else
+		diag_error(diag, nowhere, "unknown option --%s", name);
+	strbuf_release(&candidates);
+	free(name);
+}
+
+/* Reports why getopt_long refused a word. */
+static bool refuse(const struct argv_parser *parser, int result, char **argv, struct diag *diag)
+{
+	const struct option_row *row = row_of(parser, optopt);
 	const char *word = argv[optind - 1];
 
 	if (result == ':')
-		diag_error(diag, nowhere, "--%s needs its argument: %s", row->name, row->argument);
+		diag_error(diag, nowhere, "--%s needs an argument: %s", row->name, row->argument);
 	else if (row && !row->argument && strchr(word, '='))
 		diag_error(diag, nowhere, "--%s takes no argument", row->name);
 	else if (optopt)
 		diag_error(diag, nowhere, "unknown option -%c", optopt);
 	else
-		diag_error(diag, nowhere, "unknown or ambiguous option %s", word);
+		refuse_name(parser, word, diag);
 	return false;
 }
 
-static bool parse(const struct argv_parser *words, const struct getopt_tables *tables, int argc, char **argv,
+static bool parse(const struct argv_parser *parser, const struct getopt_tables *tables, int argc, char **argv,
 		  struct diag *diag)
 {
 	int result;
@@ -73,29 +99,50 @@ static bool parse(const struct argv_parser *words, const struct getopt_tables *t
 		enum argv_result next = ARGV_NEXT;
 
 		if (result == '?' || result == ':')
-			return refuse(words, result, argv, diag);
+			return refuse(parser, result, argv, diag);
 		if (result == 1)
-			words->operand(words->context, optarg);
+			parser->operand(parser->context, optarg);
 		else
-			next = words->option(words->context, row_of(words, result), optarg);
+			next = parser->option(parser->context, row_of(parser, result), optarg);
 		if (next != ARGV_NEXT)
 			return next == ARGV_LAST;
 	}
 	while (optind < argc)
-		words->operand(words->context, argv[optind++]);
+		parser->operand(parser->context, argv[optind++]);
 	return true;
 }
 
-bool argv_parser_run(const struct argv_parser *words, int argc, char **argv, struct diag *diag)
+bool argv_parser_run(const struct argv_parser *parser, int argc, char **argv, struct diag *diag)
 {
 	struct getopt_tables tables;
 	bool good;
 
-	tables_init(&tables, words);
-	good = parse(words, &tables, argc, argv, diag);
+	tables_init(&tables, parser);
+	good = parse(parser, &tables, argc, argv, diag);
 	free(tables.letters);
 	free(tables.names);
 	return good;
+}
+
+/* "a, b or c" */
+static void add_choices(struct strbuf *out, const char *const *choices)
+{
+	for (int i = 0; choices[i]; i++)
+		strbuf_addf(out, "%s%s", !i ? "" : choices[i + 1] ? ", " : " or ", choices[i]);
+}
+
+/* The help text with its choices, broken and indented. */
+static void add_help(struct strbuf *out, const struct option_row *row)
+{
+	for (const char *c = row->help; *c; c++) {
+		if (*c == '\n')
+			strbuf_addf(out, "\n%31s", " ");
+		else if (*c == '%' && c[1] == 's' && c++)
+			add_choices(out, row->choices);
+		else
+			strbuf_add(out, c, 1);
+	}
+	strbuf_addf(out, "\n");
 }
 
 void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count)
@@ -113,9 +160,7 @@ void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t
 		strbuf_addf(out, "%-30s", name.text);
 		if (name.length > 29)
 			strbuf_addf(out, "\n%30s", "");
-		for (const char *c = row->help; *c; c++)
-			strbuf_addf(out, *c == '\n' ? "\n%31s" : "%.1s", *c == '\n' ? " " : c);
-		strbuf_addf(out, "\n");
+		add_help(out, row);
 		strbuf_release(&name);
 	}
 }

@@ -1,4 +1,4 @@
-/* argv_parser.h - takes a command line apart by a table of options; what the words mean is the caller's. */
+/* argv_parser.h - takes a command line apart by a table of options; the caller decides what each option does. */
 #ifndef FIVECHECK_CLI_ARGV_PARSER_H
 #define FIVECHECK_CLI_ARGV_PARSER_H
 
@@ -7,27 +7,27 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
-#include "cli/option_table.h"
+#include "cli/option_row.h"
 
 enum argv_result { ARGV_NEXT, ARGV_LAST, ARGV_FAULT };
 
 struct argv_parser {
 	const struct option_row *table;	/* borrowed */
 	size_t count;
-	/* One option; WORD_LAST ends the reading, WORD_FAULT says that it has reported a fault. */
+	/* Receives one option. ARGV_LAST ends the parsing; ARGV_FAULT says that an error was reported. */
 	enum argv_result (*option)(void *context, const struct option_row *row, const char *argument);
 	void (*operand)(void *context, char *word);
 	void *context;
 };
 
 /*
- * Hands on options and operands in any order, in GNU's manner (getopt_long);
- * argv[0] is left out. What is unknown, ambiguous, or lacks its argument is
- * reported, and the result false. To be called once in a process.
+ * Hands over options and operands, which may come in any order, as GNU getopt_long does; argv[0] is skipped. False,
+ * reported: an option is unknown or ambiguous, or lacks its argument. getopt_long keeps global state: call this once
+ * in a process.
  */
-bool argv_parser_run(const struct argv_parser *words, int argc, char **argv, struct diag *diag);
+bool argv_parser_run(const struct argv_parser *parser, int argc, char **argv, struct diag *diag);
 
-/* Appends what --help says of each option. */
+/* Appends what --help says about each option. */
 void argv_parser_help(struct strbuf *out, const struct option_row *table, size_t count);
 
 #endif

@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "cli/options.h"
+#include "cli/stderr_ui.h"
 #include "control/dialects.h"
 
 enum {
@@ -17,7 +19,7 @@ enum {
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
-	KEY_MAX_BLOCKS, KEY_VERSION, KEY_HELP, KEY_DEPFILE, KEY_FILES_FROM,
+	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
 	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
 };
@@ -43,7 +45,7 @@ static const char *const duplicates[] = {"error", "last", NULL};
 const struct option_row option_table[OPTION_COUNT] = {
 	{'s', "setup", "FILE", ANYWHERE, TEXT(setup), .help = "the job's work offsets, fixtures, part and tools"},
 	{KEY_METHOD, "method", "METHOD", IN_CHECK, CHOICE(check.method, methods),
-	 .help = "certified: a proof, the default; or sampled and\nunsafe between samples: interpolated, conventional"},
+	 .help = "certified: a proof (the default); interpolated or\nconventional: sampled, unsafe between the samples"},
 	{KEY_STEP, "step", "SECONDS", IN_CHECK, NUMBER(check.step, 1e-6, 1000, "s"),
 	 .help = "time between samples of the sampled methods (0.01)"},
 	{KEY_TOLERANCE, "tolerance", "MM", IN_CHECK | IN_DUMP, NUMBER(check.tolerance, 1e-6, 100, "mm"),
@@ -62,7 +64,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_CHECK_MACHINE, "check-machine", NULL, MODE(RUN_CHECK_MACHINE),
 	 .help = "print the machine as it was understood, and what is\nodd about it"},
 	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM, CHOICE(dialect, dialect_names),
-	 .help = "linuxcnc, fanuc or haas, instead of the machine's"},
+	 .help = "%s, instead of the machine's"},
 	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),
 	 .help = "a word that stands twice in a block is an error\n(the default), or the last one counts"},
 	{KEY_BLOCK_DELETE, "block-delete", NULL, WITH_PROGRAM, FLAG(check.read.block_delete),
@@ -75,7 +77,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .greatest = 2e9, .help = "stop after N blocks in loops and subprograms\n(100000000)"},
 	{KEY_FILES_FROM, "files-from", "FILE", IN_CHECK | IN_PARSE, TEXT(files_from),
 	 .help = "check the programs that FILE names, too, one a line;\n- is standard input"},
-	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARE, FIELD(shard),
+	{KEY_SHARD, "shard", "K/N", IN_CHECK | IN_PARSE, .kind = VALUE_SHARD, FIELD(shard),
 	 .help = "check the K-th of N parts of the programs only, or\nof the blocks of a single one"},
 	{KEY_PROGRESS, "progress", "KIND", IN_CHECK | IN_PARSE, CHOICE(progress, progress),
 	 .help = "auto: a line that is renewed on a terminal (the\ndefault); plain: a line now and then; none"},
@@ -85,13 +87,13 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "accept the findings of an earlier run, which wrote\nthem with --all --format=ndjson=FILE"},
 	{KEY_WAIVERS, "waivers", "FILE.xml", IN_CHECK | IN_PARSE, TEXT(waivers),
 	 .help = "accept the findings that FILE.xml names, each with its\nreason and until its last day"},
-	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
-	 .help = "findings of these kinds fail, others are warnings:\ncollision, clearance, limit, start-overlap"},
+	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on), .choices = finding_kind_names,
+	 .help = "findings of these kinds fail, others are warnings:\n%s"},
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
 	 .help = "exit with 0 where something was found, too"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
-	 .help = "text (the default), ndjson, junit, sarif or github,\n"
-		 "into FILE; may be given again for another format"},
+	 .choices = writer_names,
+	 .help = "%s (text),\ninto FILE; may be given again for another format"},
 	{'o', "output", "FILE", ANYWHERE, TEXT(output),
 	 .help = "write the results to FILE, replaced when complete;\n- is standard output"},
 	{KEY_DEPFILE, "depfile", "FILE", IN_CHECK | IN_PARSE, TEXT(depfile),
@@ -110,6 +112,6 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "no warnings, notes and statistics"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "the smallest proven clearance of each pair as well"},
-	{KEY_VERSION, "version", NULL, MODE(RUN_VERSION), .help = "print the version"},
-	{KEY_HELP, "help", NULL, MODE(RUN_HELP), .help = "print this help"},
+	{'V', "version", NULL, MODE(RUN_VERSION), .help = "print the version"},
+	{'h', "help", NULL, MODE(RUN_HELP), .help = "print this help"},
 };

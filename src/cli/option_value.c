@@ -55,21 +55,24 @@ static bool read_count(int *out, const struct option_row *row, const char *text,
 	return true;
 }
 
-static bool read_choice(int *out, const struct option_row *row, const char *text, struct diag *diag)
+/* The index of the choice that the text begins with; `length` bytes of it count. -1: reported. */
+static int find_choice(const struct option_row *row, const char *text, size_t length, struct diag *diag)
 {
 	struct strbuf names = {0};
+	int i = 0;
 
-	for (int i = 0; row->choices[i]; i++) {
-		if (!strcmp(text, row->choices[i])) {
-			*out = i;
-			strbuf_release(&names);
-			return true;
-		}
+	for (; row->choices[i]; i++) {
+		if (strlen(row->choices[i]) == length && !strncmp(text, row->choices[i], length))
+			break;
 		strbuf_addf(&names, "%s%s", i ? ", " : "", row->choices[i]);
 	}
-	diag_error(diag, nowhere, "--%s: '%s' is none of: %s", row->name, text, strbuf_text(&names));
+	if (!row->choices[i]) {
+		diag_error(diag, nowhere, "--%s: '%.*s' is not one of %s", row->name, (int)length, text,
+			   strbuf_text(&names));
+		i = -1;
+	}
 	strbuf_release(&names);
-	return false;
+	return i;
 }
 
 static bool add_text(struct text_list *list, const struct option_row *row, const char *text, struct diag *diag)
@@ -84,37 +87,30 @@ static bool add_text(struct text_list *list, const struct option_row *row, const
 }
 
 /* NAME or NAME=FILE */
-static bool add_format(struct format_choice *choices, const struct option_row *row, const char *text,
+static bool add_format(struct format_choice *formats, const struct option_row *row, const char *text,
 		       struct diag *diag)
 {
 	size_t length = strcspn(text, "=");
 	const char *path = text[length] ? text + length + 1 : NULL;
-	struct strbuf names = {0};
+	int format;
 
 	if (path && !*path) {
 		diag_error(diag, nowhere, "--%s: the name of the file is empty", row->name);
 		return false;
 	}
-	for (int i = 0; i < FORMAT_CHOICES; i++) {
-		const char *name = report_writers[i]->name;
-
-		strbuf_addf(&names, "%s%s", i ? ", " : "", name);
-		if (strlen(name) != length || strncmp(name, text, length) != 0)
-			continue;
-		strbuf_release(&names);
-		if (choices[i].wanted)
-			diag_error(diag, nowhere, "--%s: %s was named twice", row->name, name);
-		else
-			choices[i] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};
-		return !diag->errors;
+	format = find_choice(row, text, length, diag);
+	if (format < 0)
+		return false;
+	if (formats[format].wanted) {
+		diag_error(diag, nowhere, "--%s: %s was named twice", row->name, row->choices[format]);
+		return false;
 	}
-	diag_error(diag, nowhere, "--%s: '%.*s' is none of: %s", row->name, (int)length, text, strbuf_text(&names));
-	strbuf_release(&names);
-	return false;
+	formats[format] = (struct format_choice){true, path && strcmp(path, "-") ? path : NULL};
+	return true;
 }
 
 /* K/N */
-static bool read_share(int *out, const struct option_row *row, const char *text, struct diag *diag)
+static bool read_shard(int *out, const struct option_row *row, const char *text, struct diag *diag)
 {
 	size_t digits = strspn(text, "0123456789");
 	size_t more = text[digits] == '/' ? strspn(text + digits + 1, "0123456789") : 0;
@@ -134,22 +130,15 @@ static bool read_kinds(unsigned *out, const struct option_row *row, const char *
 {
 	unsigned kinds = 0;
 
-	for (const char *end;; text = end + 1) {
+	for (;; text++) {
 		size_t length = strcspn(text, ",");
-		int kind = FINDING_COLLISION;
+		int kind = find_choice(row, text, length, diag);
 
-		while (kind <= FINDING_START_OVERLAP &&
-		       (strlen(finding_kind_name((enum finding_kind)kind)) != length ||
-			strncmp(text, finding_kind_name((enum finding_kind)kind), length) != 0))
-			kind++;
-		if (kind > FINDING_START_OVERLAP) {
-			diag_error(diag, nowhere, "--%s: '%.*s' is none of: collision, clearance, limit, start-overlap",
-				   row->name, (int)length, text);
+		if (kind < 0)
 			return false;
-		}
 		kinds |= 1U << kind;
-		end = text + length;
-		if (!*end)
+		text += length;
+		if (!*text)
 			break;
 	}
 	*out = kinds;
@@ -179,7 +168,7 @@ static bool read_amounts(double out[CHANGES], const struct option_row *row, cons
 		at += length + 1;
 	}
 	if (!(most > 0))
-		diag_error(diag, nowhere, "--%s: '%s' looks for nothing: all four are 0", row->name, text);
+		diag_error(diag, nowhere, "--%s: '%s': at least one of the four must be above 0", row->name, text);
 	else
 		memcpy(out, amounts, sizeof(amounts));
 	return most > 0;
@@ -208,14 +197,15 @@ bool option_value_set(struct options *options, const struct option_row *row, con
 	case VALUE_COUNT:
 		return read_count(field, row, text, diag);
 	case VALUE_CHOICE:
-		if (!read_choice(&index, row, text, diag))
+		index = find_choice(row, text, strlen(text), diag);
+		if (index < 0)
 			return false;
 		memcpy(field, &index, sizeof(index));
 		return true;
 	case VALUE_FORMAT:
 		return add_format(field, row, text, diag);
-	case VALUE_SHARE:
-		return read_share(field, row, text, diag);
+	case VALUE_SHARD:
+		return read_shard(field, row, text, diag);
 	case VALUE_KINDS:
 		return read_kinds(field, row, text, diag);
 	case VALUE_AMOUNTS:

@@ -1,18 +1,14 @@
-/* options.h - the command line: one table makes the parser, the help and the usage errors. */
+/* options.h - what the command line asks for. */
 #ifndef FIVECHECK_CLI_OPTIONS_H
 #define FIVECHECK_CLI_OPTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/diag.h"
-#include "base/strbuf.h"
 #include "check/check.h"
 #include "check/sensitivity.h"
 #include "machine/machine.h"
-#include "report/report.h"
-
-enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
+#include "report/writers/writers.h"
 
 enum run_mode {
 	RUN_CHECK,
@@ -24,16 +20,16 @@ enum run_mode {
 	RUN_VERSION
 };
 
-/* Texts are borrowed from argv; the array is owned. */
+/* The texts are borrowed from argv; the array is owned. */
 struct text_list {
 	const char **items;
 	size_t count, capacity;
 };
 
-/* What --format asked for, by enum report_format. */
+/* One element of an array that is indexed by enum report_format: what --format asked for. */
 struct format_choice {
 	bool wanted;
-	const char *path;	/* NULL: --output, or standard output */
+	const char *path;	/* NULL: the file of --output, or standard output */
 };
 
 /* Strings are borrowed from argv. */
@@ -66,18 +62,9 @@ struct options {
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };
 
-/* Was --sensitivity given, with any amount above 0? */
+/* Was --sensitivity given with any amount above 0? */
 bool options_want_sensitivity(const struct options *options);
 
-/*
- * Reads the command line; options and operands in any order. Whatever is
- * unknown, malformed, out of range or makes no sense together is reported, and
- * the result false. Release the options in either case.
- */
-bool options_parse(struct options *options, int argc, char **argv, struct diag *diag);
 void options_release(struct options *options);
-
-/* What --help prints. */
-void options_help(struct strbuf *out);
 
 #endif

@@ -7,8 +7,8 @@
 
 #include "base/axes.h"
 #include "cli/options.h"
-#include "cli/run.h"
 #include "cli/ordered_output.h"
+#include "cli/run_status.h"
 #include "report/baseline.h"
 #include "report/sink.h"
 #include "report/tables/block_tables.h"

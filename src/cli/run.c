@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "cli/failure_report.h"
-#include "cli/command.h"
 #include "cli/diag_tee.h"
 #include "cli/error_list.h"
 #include "cli/path_checks.h"
@@ -280,19 +279,10 @@ enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 {
 	struct diag *diag = &ui->diag;
 	enum run_status status = RUN_INCOMPLETE;
-	struct strbuf text = {0};
 	struct job job = {0};
 
 	ui->quiet = options->quiet;
 	ui->kind = (enum progress_kind)options->progress;
-	if (options->mode == RUN_HELP) {
-		options_help(&text);
-		return command_print(&text, diag);
-	}
-	if (options->mode == RUN_VERSION) {
-		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
-		return command_print(&text, diag);
-	}
 	if (path_checks_outputs(options, diag)) {
 		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;
 

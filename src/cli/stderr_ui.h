@@ -5,7 +5,8 @@
 #include <stdbool.h>
 
 #include "base/diag.h"
-#include "cli/options.h"
+
+enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
 
 struct stderr_ui {
 	struct diag diag;	/* prints what is reported to it */

@@ -183,3 +183,14 @@ void output_discard(struct output *out)
 		unlink(out->temporary);
 	release(out);
 }
+
+bool output_print(struct strbuf *text, struct diag *diag)
+{
+	struct output out;
+	bool good = output_open(&out, NULL, diag);
+
+	output_text(&out, text);
+	good = output_commit(&out, diag) && good;
+	strbuf_release(text);
+	return good;
+}

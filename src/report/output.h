@@ -43,4 +43,7 @@ bool output_commit(struct output *out, struct diag *diag);
 /* Closes and leaves the named file as it was. Nothing happens if it is closed. */
 void output_discard(struct output *out);
 
+/* Prints a text on standard output and empties it. False: reported. */
+bool output_print(struct strbuf *text, struct diag *diag);
+
 #endif

@@ -1,4 +1,4 @@
-/* report.h - the formats of a run's results, each behind the same four functions. */
+/* report.h - what a run tells about its findings and programs, and the interface of an output format. */
 #ifndef FIVECHECK_REPORT_REPORT_H
 #define FIVECHECK_REPORT_REPORT_H
 
@@ -14,10 +14,6 @@
 #include "report/verdict.h"
 #include "report/waiver_match.h"
 #include "scene/scene.h"
-
-enum report_format { FORMAT_TEXT, FORMAT_NDJSON, FORMAT_JUNIT, FORMAT_SARIF, FORMAT_GITHUB, FORMAT_RECORD };
-/* The last is no format to choose, but --record. */
-enum { FORMAT_CHOICES = FORMAT_RECORD, FORMAT_COUNT };
 
 /* What a finding weighs. */
 enum finding_status {
@@ -101,7 +97,5 @@ struct report_writer {
 	void (*end)(struct strbuf *out, const struct report_run *run, const struct report_end *end,
 		    const struct strbuf *items);
 };
-
-extern const struct report_writer *const report_writers[FORMAT_COUNT];
 
 #endif

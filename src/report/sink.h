@@ -8,7 +8,7 @@
 #include "base/diag.h"
 #include "base/strbuf.h"
 #include "report/output.h"
-#include "report/report.h"
+#include "report/writers/writers.h"
 
 struct sink {
 	const struct report_writer *writer;

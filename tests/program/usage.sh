@@ -15,6 +15,8 @@ bad --parse-only m.xml
 bad --nonsense m.xml a.nc
 bad -x m.xml a.nc
 bad --d m.xml a.nc
+bad --tolerence=1 m.xml a.nc
+bad --prase-only m.xml a.nc
 bad m.xml a.nc --tolerance
 bad m.xml a.nc -s
 bad m.xml a.nc --all=yes

@@ -2,14 +2,14 @@
 
 #include <string.h>
 
-#include "cli/command.h"
-#include "cli/completion/completion_scripts.h"
 #include "cli/argv_parser.h"
+#include "cli/completion/completion_scripts.h"
+#include "report/output.h"
 
 static const struct srcloc nowhere;
 
 const struct option_row completion_table[COMPLETION_OPTION_COUNT] = {
-	{256, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
+	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
 enum { SHELL_BASH, SHELL_ZSH, SHELL_FISH, SHELL_COUNT };
@@ -51,9 +51,9 @@ static void add_help(struct strbuf *out)
 	argv_parser_help(out, completion_table, COMPLETION_OPTION_COUNT);
 }
 
-enum run_status completion_run(int argc, char **argv, struct stderr_ui *ui)
+enum run_status completion_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
-	static void (*const writers[])(struct strbuf *) = {
+	static void (*const writers[])(struct strbuf *, const struct command *) = {
 	    [SHELL_BASH] = completion_scripts_bash,
 	    [SHELL_ZSH] = completion_scripts_zsh,
 	    [SHELL_FISH] = completion_scripts_fish,
@@ -66,13 +66,13 @@ enum run_status completion_run(int argc, char **argv, struct stderr_ui *ui)
 		return RUN_INCOMPLETE;
 	if (request.help) {
 		add_help(&text);
-		return command_print(&text, &ui->diag);
+		return output_print(&text, &ui->diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 	}
 	for (int i = 0; request.operands == 1 && i < SHELL_COUNT; i++) {
 		if (strcmp(completion_shells[i], request.shell) != 0)
 			continue;
-		writers[i](&text);
-		return command_print(&text, &ui->diag);
+		writers[i](&text, all);
+		return output_print(&text, &ui->diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 	}
 	diag_error(&ui->diag, nowhere, "completion takes the name of one shell: bash, zsh or fish");
 	return RUN_INCOMPLETE;

@@ -1,34 +1,39 @@
 #include "cli/completion/completion_scripts.h"
 
+#include <stddef.h>
 #include <string.h>
 
-#include "check/finding.h"
-#include "report/report.h"
+#include "cli/option_table.h"
 
-struct completion_scope completion_scope(int i)
+/* What an option's argument is. */
+enum completion_value { COMPLETE_NOTHING, COMPLETE_WORDS, COMPLETE_FILE, COMPLETE_FOLDER, COMPLETE_OTHER };
+
+/* The options that belong together: those of a subcommand, or of a check. */
+struct completion_scope {
+	const struct command *command;	/* NULL: a check */
+	const struct option_row *options;
+	size_t count;
+};
+
+static struct completion_scope scope_of(const struct command *command)
 {
-	const struct command *command = i ? &command_table[i - 1] : NULL;
-
-	if (!command)
-		return (struct completion_scope){NULL, option_table, OPTION_COUNT};
 	return (struct completion_scope){command, command->options, command->option_count};
 }
+
+static const struct completion_scope check_scope = {NULL, option_table, OPTION_COUNT};
 
 static void add_word(struct strbuf *words, const char *word)
 {
 	strbuf_addf(words, "%s%s", words->length ? " " : "", word);
 }
 
-enum completion_value completion_value(struct strbuf *words, const struct option_row *row)
+/* What the option takes; words are appended, separated by blanks. */
+static enum completion_value completion_value(struct strbuf *words, const struct option_row *row)
 {
 	if (!row->argument)
 		return COMPLETE_NOTHING;
 	for (int i = 0; row->choices && row->choices[i]; i++)
 		add_word(words, row->choices[i]);
-	for (int i = 0; row->kind == VALUE_FORMAT && i < FORMAT_CHOICES; i++)
-		add_word(words, report_writers[i]->name);
-	for (int i = FINDING_COLLISION; row->kind == VALUE_KINDS && i <= FINDING_START_OVERLAP; i++)
-		add_word(words, finding_kind_name((enum finding_kind)i));
 	if (words->length)
 		return COMPLETE_WORDS;
 	if (!strncmp(row->argument, "DIR", 3))
@@ -36,11 +41,19 @@ enum completion_value completion_value(struct strbuf *words, const struct option
 	return !strncmp(row->argument, "FILE", 4) ? COMPLETE_FILE : COMPLETE_OTHER;
 }
 
-/* The help in one line, within single quotes; the characters of `special` get a backslash. */
-static void add_help(struct strbuf *out, const char *help, const char *special, const char *quote)
+static void add_choices(struct strbuf *out, const char *const *choices, const char *between)
 {
-	for (; *help; help++) {
-		if (*help == '\'')
+	for (int i = 0; choices[i]; i++)
+		strbuf_addf(out, "%s%s", i ? between : "", choices[i]);
+}
+
+/* The help in one line, within single quotes; the characters of `special` get a backslash. */
+static void add_help(struct strbuf *out, const struct option_row *row, const char *special, const char *quote)
+{
+	for (const char *help = row->help; *help; help++) {
+		if (*help == '%' && help[1] == 's' && help++)
+			add_choices(out, row->choices, ", ");
+		else if (*help == '\'')
 			strbuf_addf(out, "%s", quote);
 		else if (*help == '\n')
 			strbuf_addf(out, " ");
@@ -49,17 +62,11 @@ static void add_help(struct strbuf *out, const char *help, const char *special, 
 	}
 }
 
-static void add_choices(struct strbuf *out, const char *const *choices)
-{
-	for (int i = 0; choices[i]; i++)
-		strbuf_addf(out, "%s%s", i ? " " : "", choices[i]);
-}
-
 /* "init|completion" and the like. */
-static void add_commands(struct strbuf *out, const char *between)
+static void add_commands(struct strbuf *out, const struct command *commands, const char *between)
 {
-	for (int i = 0; i < COMMAND_COUNT; i++)
-		strbuf_addf(out, "%s%s", i ? between : "", command_table[i].name);
+	for (int i = 0; commands[i].name; i++)
+		strbuf_addf(out, "%s%s", i ? between : "", commands[i].name);
 }
 
 static void bash_options(struct strbuf *out, const struct completion_scope *scope)
@@ -94,7 +101,13 @@ static void bash_value(struct strbuf *out, const char *command, const struct opt
 	strbuf_release(&words);
 }
 
-void completion_scripts_bash(struct strbuf *out)
+static void bash_values(struct strbuf *out, const struct completion_scope *scope)
+{
+	for (size_t i = 0; i < scope->count; i++)
+		bash_value(out, scope->command ? scope->command->name : "", &scope->options[i]);
+}
+
+void completion_scripts_bash(struct strbuf *out, const struct command *commands)
 {
 	strbuf_addf(out,
 		    "# Completions of fivecheck for bash, as 'fivecheck completion bash' writes them.\n"
@@ -105,31 +118,32 @@ void completion_scripts_bash(struct strbuf *out)
 		    "\tif [[ $cur == = ]]; then\n\t\tcur=\n"
 		    "\telif [[ $prev == = && $COMP_CWORD -gt 1 ]]; then\n\t\tprev=${COMP_WORDS[COMP_CWORD - 2]}\n\tfi\n"
 		    "\tif ((COMP_CWORD > 1)); then\n\t\tcase ${COMP_WORDS[1]} in\n\t\t");
-	add_commands(out, " | ");
+	add_commands(out, commands, " | ");
 	strbuf_addf(out, ") command=${COMP_WORDS[1]} ;;\n\t\tesac\n\tfi\n"
 			 "\t# What the option before it takes; else an option; else an operand.\n"
 			 "\tcase $command:$prev in\n");
-	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct completion_scope scope = completion_scope(i);
+	bash_values(out, &check_scope);
+	for (const struct command *c = commands; c->name; c++) {
+		struct completion_scope scope = scope_of(c);
 
-		for (size_t k = 0; k < scope.count; k++)
-			bash_value(out, i ? scope.command->name : "", &scope.options[k]);
+		bash_values(out, &scope);
 	}
 	strbuf_addf(out, "\t*) case $command:$cur in\n");
-	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct completion_scope scope = completion_scope(i);
+	bash_options(out, &check_scope);
+	for (const struct command *c = commands; c->name; c++) {
+		struct completion_scope scope = scope_of(c);
 
 		bash_options(out, &scope);
 	}
-	for (int i = 0; i < COMMAND_COUNT; i++) {
-		if (!command_table[i].choices)
+	for (const struct command *c = commands; c->name; c++) {
+		if (!c->choices)
 			continue;
-		strbuf_addf(out, "\t%s:*) kind= words='", command_table[i].name);
-		add_choices(out, command_table[i].choices);
+		strbuf_addf(out, "\t%s:*) kind= words='", c->name);
+		add_choices(out, c->choices, " ");
 		strbuf_addf(out, "' ;;\n");
 	}
 	strbuf_addf(out, "\t:*) ((COMP_CWORD > 1)) || words='");
-	add_commands(out, " ");
+	add_commands(out, commands, " ");
 	strbuf_addf(out, "' ;;\n\tesac ;;\n\tesac\n"
 			 "\tCOMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n"
 			 "\tif [[ $kind && $cur != -* ]]; then\n"
@@ -153,11 +167,11 @@ static void zsh_option(struct strbuf *out, const struct option_row *row)
 	else
 		strbuf_addf(out, "--%s%s", row->name, row->argument ? "=" : "");
 	strbuf_addf(out, "'[");
-	add_help(out, row->help, "[]:\\", "'\\''");
+	add_help(out, row, "[]:\\", "'\\''");
 	strbuf_addf(out, "]");
 	if (value != COMPLETE_NOTHING) {
 		strbuf_addf(out, ":");
-		add_help(out, row->argument, "[]:\\", "'\\''");
+		strbuf_addf(out, "%s", row->argument);
 	}
 	if (value == COMPLETE_WORDS)
 		strbuf_addf(out, ":(%s)", strbuf_text(&words));
@@ -176,34 +190,36 @@ static void zsh_scope(struct strbuf *out, const struct completion_scope *scope)
 		zsh_option(out, &scope->options[i]);
 	if (choices) {
 		strbuf_addf(out, " \\\n\t\t'1:%s:(", scope->command->operands);
-		add_choices(out, choices);
+		add_choices(out, choices, " ");
 		strbuf_addf(out, ")' ;;\n");
 	} else {
 		strbuf_addf(out, " \\\n\t\t'*:file:_files' ;;\n");
 	}
 }
 
-void completion_scripts_zsh(struct strbuf *out)
+void completion_scripts_zsh(struct strbuf *out, const struct command *commands)
 {
 	strbuf_addf(out, "#compdef fivecheck\n"
 			 "# Completions of fivecheck for zsh, as 'fivecheck completion zsh' writes them.\n"
 			 "_fivecheck()\n{\n\tlocal -a commands\n\tlocal command=\n\tcommands=(");
-	for (int i = 0; i < COMMAND_COUNT; i++)
-		strbuf_addf(out, " '%s:%s'", command_table[i].name, command_table[i].summary);
+	for (const struct command *c = commands; c->name; c++)
+		strbuf_addf(out, " '%s:%s'", c->name, c->summary);
 	strbuf_addf(out, " )\n\tif (( CURRENT == 2 )); then\n\t\t_describe -t commands command commands\n"
 			 "\telif [[ $words[2] == (");
-	add_commands(out, "|");
+	add_commands(out, commands, "|");
 	strbuf_addf(
 	    out, ") ]]; then\n\t\tcommand=$words[2]\n\t\tshift words\n\t\t(( CURRENT-- ))\n\tfi\n\tcase $command in\n");
-	for (int i = 1; i <= COMMAND_COUNT + 1; i++) {
-		struct completion_scope scope = completion_scope(i <= COMMAND_COUNT ? i : 0);
+	for (const struct command *c = commands; c->name; c++) {
+		struct completion_scope scope = scope_of(c);
 
 		zsh_scope(out, &scope);
 	}
+	zsh_scope(out, &check_scope);
 	strbuf_addf(out, "\tesac\n}\n_fivecheck \"$@\"\n");
 }
 
-static void fish_option(struct strbuf *out, const struct completion_scope *scope, const struct option_row *row)
+static void fish_option(struct strbuf *out, const struct command *commands, const struct completion_scope *scope,
+			const struct option_row *row)
 {
 	static const char *const actions[] = {
 		[COMPLETE_NOTHING] = "",
@@ -218,7 +234,7 @@ static void fish_option(struct strbuf *out, const struct completion_scope *scope
 	if (scope->command)
 		strbuf_addf(out, "%s", scope->command->name);
 	else
-		add_commands(out, " ");
+		add_commands(out, commands, " ");
 	strbuf_addf(out, "' -l %s", row->name);
 	if (row->key <= 255)
 		strbuf_addf(out, " -s %c", row->key);
@@ -227,28 +243,30 @@ static void fish_option(struct strbuf *out, const struct completion_scope *scope
 	else
 		strbuf_addf(out, "%s", actions[value]);
 	strbuf_addf(out, " -d '");
-	add_help(out, row->help, "\\", "\\'");
+	add_help(out, row, "\\", "\\'");
 	strbuf_addf(out, "'\n");
 	strbuf_release(&words);
 }
 
-void completion_scripts_fish(struct strbuf *out)
+static void fish_options(struct strbuf *out, const struct command *commands, const struct completion_scope *scope)
+{
+	for (size_t i = 0; i < scope->count; i++)
+		fish_option(out, commands, scope, &scope->options[i]);
+}
+
+void completion_scripts_fish(struct strbuf *out, const struct command *commands)
 {
 	strbuf_addf(out, "# Completions of fivecheck for fish, as 'fivecheck completion fish' writes them.\n");
-	for (int i = 0; i <= COMMAND_COUNT; i++) {
-		struct completion_scope scope = completion_scope(i);
+	fish_options(out, commands, &check_scope);
+	for (const struct command *c = commands; c->name; c++) {
+		struct completion_scope scope = scope_of(c);
 
-		for (size_t k = 0; k < scope.count; k++)
-			fish_option(out, &scope, &scope.options[k]);
-		if (!scope.command)
+		fish_options(out, commands, &scope);
+		strbuf_addf(out, "complete -c fivecheck -n __fish_use_subcommand -a %s -d '%s'\n", c->name, c->summary);
+		if (!c->choices)
 			continue;
-		strbuf_addf(out, "complete -c fivecheck -n __fish_use_subcommand -a %s -d '%s'\n", scope.command->name,
-			    scope.command->summary);
-		if (!scope.command->choices)
-			continue;
-		strbuf_addf(out, "complete -c fivecheck -n '__fish_seen_subcommand_from %s' -f -a '",
-			    scope.command->name);
-		add_choices(out, scope.command->choices);
+		strbuf_addf(out, "complete -c fivecheck -n '__fish_seen_subcommand_from %s' -f -a '", c->name);
+		add_choices(out, c->choices, " ");
 		strbuf_addf(out, "'\n");
 	}
 }

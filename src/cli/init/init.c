@@ -5,71 +5,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/command.h"
-#include "cli/init/machine_plan_xml.h"
-#include "cli/init/init_prompts.h"
 #include "cli/argv_parser.h"
-#include "control/dialects.h"
+#include "cli/init/init_prompts.h"
+#include "cli/init/machine_plan_finish.h"
+#include "cli/init/machine_plan_set.h"
+#include "cli/init/machine_plan_xml.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
 
-/* The key, and what --help and the completions need. */
-#define TEXT .modes = 0, .kind = VALUE_TEXT
-#define CHOICE(names) .modes = 0, .kind = VALUE_CHOICE, .choices = (names)
-
-const struct option_row init_table[INIT_OPTION_COUNT] = {
-	{PLAN_ROTARY, "rotary", "AXIS,AXIS", TEXT,
-	 .help = "the rotary axes, first the one that carries the other\n(head-table: first the head's): A,C"},
-	{PLAN_TABLE, "table", "AXIS,...", TEXT,
-	 .help = "the linear axes that move the table, from the base on\n(none)"},
-	{PLAN_HEAD, "head", "AXIS,...", TEXT,
-	 .help = "those that move the head (the others, as Y,X,Z)"},
-	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", TEXT,
-	 .help = "the travel, in mm or degrees; X=none: unlimited"},
-	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", TEXT,
-	 .help = "a point on a rotary axis; once for each"},
-	{PLAN_SPINDLE, "spindle", "X,Y,Z", TEXT,
-	 .help = "the gauge point, where tools are mounted"},
-	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", TEXT,
-	 .help = "from the gauge point to the tip of a tool (0,0,-1)"},
-	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", TEXT,
-	 .help = "the origin of fixtures and parts (0,0,0)"},
-	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", TEXT,
-	 .help = "how an axis moves what it carries, for a positive\nvalue, if not as is usual"},
-	{PLAN_RATES, "rates", "AXIS=RATE,...", TEXT,
-	 .help = "the rates of rapids, a minute (30000 mm, 7200\ndegrees)"},
-	{PLAN_HOME, "home", "AXIS=VALUE,...", TEXT,
-	 .help = "where programs start (0)"},
-	{PLAN_TITLE, "title", "AXIS=TEXT", TEXT,
-	 .help = "what reports call an axis; once for each"},
-	{PLAN_BODY, "body", "LINK=FILE.stl", TEXT,
-	 .help = "a mesh on an axis, or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given again"},
-	{PLAN_NAME, "name", "TEXT", TEXT,
-	 .help = "the name of the machine"},
-	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
-	 .help = "mm (the default) or inch, of the file and the options"},
-	{PLAN_DIALECT, "dialect", "NAME", CHOICE(dialect_names),
-	 .help = "linuxcnc (the default), fanuc or haas"},
-	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),
-	 .help = "how G0 moves: linear, dogleg, or any, which is not\nknown (linear for linuxcnc, else any)"},
-	{PLAN_OUTPUT, "output", "FILE", TEXT,
-	 .help = "write the machine file to FILE, which must not exist"},
-	{PLAN_HELP, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
-};
-
-static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(machine_plan_families)};
 /* A file in place of standard output, where that is a terminal. */
 static const char usual_file[] = "machine.xml";
-
-const struct option_row *init_row(enum machine_plan_key key)
-{
-	for (int i = 0; i < INIT_OPTION_COUNT; i++) {
-		if (init_table[i].key == (int)key)
-			return &init_table[i];
-	}
-	return &family_row;
-}
 
 struct request {
 	struct machine_plan plan;
@@ -84,7 +30,7 @@ static void take_operand(void *context, char *word)
 	struct request *request = context;
 
 	if (request->plan.family < 0 && request->good) {
-		request->good = machine_plan_set(&request->plan, &family_row, word, request->diag);
+		request->good = machine_plan_set(&request->plan, init_options_row(PLAN_FAMILY), word, request->diag);
 		return;
 	}
 	if (request->good)
@@ -202,19 +148,20 @@ static enum run_status print_help(struct diag *diag)
 			   "head-table: what the two rotary axes turn. Everything is told in machine coordinates with\n"
 			   "every axis at 0. What is missing is asked for on a terminal, and is an error\n"
 			   "elsewhere.\n\n");
-	argv_parser_help(&text, init_table, INIT_OPTION_COUNT);
+	argv_parser_help(&text, init_options, INIT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
 			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
 			   "    --spindle=0,0,520 --output=machine.xml\n");
-	return command_print(&text, diag);
+	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-enum run_status init_run(int argc, char **argv, struct stderr_ui *ui)
+enum run_status init_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
 	struct request request = {.diag = &ui->diag, .good = true};
-	struct argv_parser words = {init_table, INIT_OPTION_COUNT, take_option, take_operand, &request};
+	struct argv_parser words = {init_options, INIT_OPTION_COUNT, take_option, take_operand, &request};
 	enum run_status status = RUN_INCOMPLETE;
 
+	(void)all;
 	machine_plan_init(&request.plan);
 	if (argv_parser_run(&words, argc, argv, &ui->diag) && request.good)
 		status = request.help ? print_help(&ui->diag) : make_file(&request);

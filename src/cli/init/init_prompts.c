@@ -2,7 +2,9 @@
 
 #include <string.h>
 
-#include "cli/init/init.h"
+#include "cli/init/init_options.h"
+#include "cli/init/machine_plan_set.h"
+#include "control/dialects.h"
 #include "machine/machine.h"
 
 static const struct srcloc nowhere;
@@ -79,13 +81,13 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 	    (struct prompt){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520",
 			      false});
 	add(list, plan->dialect < 0,
-	    (struct prompt){PLAN_DIALECT, -1, "the dialect of the programs: linuxcnc (the default), fanuc or haas",
-			      "fanuc", true});
+	    (struct prompt){PLAN_DIALECT, -1, "the dialect of the programs", dialect_names[0], true});
 }
 
 /* "the travel of X in mm" would need grammar; "X: the travel in mm" does not. */
 static void add_text(struct strbuf *out, const struct machine_plan *plan, const struct prompt *prompt)
 {
+	const char *const *choices = init_options_row(prompt->key)->choices;
 	const char *unit = strstr(prompt->text, "%s");
 
 	if (prompt->slot >= 0)
@@ -95,6 +97,8 @@ static void add_text(struct strbuf *out, const struct machine_plan *plan, const 
 			    unit + 2);
 	else
 		strbuf_addf(out, "%s", prompt->text);
+	for (int i = 0; prompt->optional && choices && choices[i]; i++)
+		strbuf_addf(out, "%s%s%s", i ? ", " : ": ", choices[i], i ? "" : " (the default)");
 }
 
 /* As the option takes it. */
@@ -137,7 +141,7 @@ bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 				   strbuf_text(&text));
 		else
 			diag_error(diag, nowhere, "missing: %s; like --%s %s", strbuf_text(&text),
-				   init_row(prompt->key)->name, strbuf_text(&example));
+				   init_options_row(prompt->key)->name, strbuf_text(&example));
 		strbuf_release(&text);
 		strbuf_release(&example);
 	}
@@ -171,7 +175,7 @@ static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in
 	if (good && line.length) {
 		/* What makes no sense is said, stays open, and so is asked again. */
 		add_answer(&answer, prompt, strbuf_text(&line));
-		machine_plan_set(plan, init_row(prompt->key), strbuf_text(&answer), diag);
+		machine_plan_set(plan, init_options_row(prompt->key), strbuf_text(&answer), diag);
 	}
 	strbuf_release(&text);
 	strbuf_release(&line);
@@ -181,7 +185,7 @@ static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in
 
 bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag)
 {
-	bool asked[PLAN_HELP + 1] = {false};
+	bool asked[PLAN_KEY_END] = {false};
 	struct prompts list;
 
 	for (;;) {

@@ -1,4 +1,4 @@
-/* machine_plan.h - what `fivecheck init` is told of a machine, by options or answers: the parameters of a machine file. */
+/* machine_plan.h - what options and answers tell `fivecheck init` about a machine. */
 #ifndef FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 #define FIVECHECK_CLI_INIT_MACHINE_PLAN_H
 
@@ -8,7 +8,6 @@
 #include "base/arena.h"
 #include "base/axes.h"
 #include "base/diag.h"
-#include "cli/option_table.h"
 #include "geom/vec3.h"
 
 /* Which of the two chains the rotary axes stand in; the paper's machine is table-table. */
@@ -19,11 +18,13 @@ extern const char *const machine_plan_rapids[], *const machine_plan_units[];	/* 
 
 /* What can be told; the numbers are those of the options without a letter. */
 enum machine_plan_key {
+	PLAN_HELP = 'h',
 	PLAN_OUTPUT = 'o',
 	PLAN_FAMILY = 256,
 	PLAN_ROTARY, PLAN_HEAD, PLAN_TABLE, PLAN_LIMITS, PLAN_LOCATION, PLAN_SPINDLE,
 	PLAN_SPINDLE_DIRECTION, PLAN_WORKHOLDING, PLAN_DIRECTION, PLAN_RATES, PLAN_HOME, PLAN_TITLE, PLAN_BODY,
-	PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID, PLAN_HELP
+	PLAN_NAME, PLAN_UNITS, PLAN_DIALECT, PLAN_RAPID,
+	PLAN_KEY_END
 };
 
 /* Lengths in the units of the file that is to be written, angles in degrees, rates in these a minute. */
@@ -65,18 +66,11 @@ struct machine_plan {
 void machine_plan_init(struct machine_plan *plan);
 void machine_plan_release(struct machine_plan *plan);
 
-/*
- * Takes one thing from text, as the option of that row has it; PLAN_OUTPUT
- * and PLAN_HELP are not for it. False: reported.
- */
-bool machine_plan_set(struct machine_plan *plan, const struct option_row *row, const char *text, struct diag *diag);
-
 /* One more body on the axis of a slot, or on the base (-1); its file is the three texts in a row. */
 void machine_plan_add_body(struct machine_plan *plan, int slot, const char *folder, const char *name,
 			   const char *ending);
 
-/* Puts the chains together and fills in what may be left out. False: what was told does not fit together; reported. */
-bool machine_plan_finish(struct machine_plan *plan, struct diag *diag);
+bool machine_plan_chain_has(const struct machine_plan_chain *chain, int slot);
 
 /* Is it an axis of the machine? Known once the rotary axes are. */
 bool machine_plan_has_axis(const struct machine_plan *plan, int slot);

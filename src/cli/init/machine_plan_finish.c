@@ -1,4 +1,4 @@
-#include "cli/init/machine_plan.h"
+#include "cli/init/machine_plan_finish.h"
 
 #include <string.h>
 
@@ -11,30 +11,11 @@ static const struct srcloc nowhere;
 static const int linear_slots[] = {SLOT_Y, SLOT_X, SLOT_Z};
 enum { LINEAR_COUNT = sizeof(linear_slots) / sizeof(linear_slots[0]) };
 
-static bool chain_has(const struct machine_plan_chain *chain, int slot)
-{
-	for (size_t i = 0; i < chain->count; i++) {
-		if (chain->slots[i] == slot)
-			return true;
-	}
-	return false;
-}
-
-bool machine_plan_has_axis(const struct machine_plan *plan, int slot)
-{
-	return slot <= SLOT_Z || chain_has(&plan->rotary, slot);
-}
-
-bool machine_plan_turns_table(const struct machine_plan *plan, int slot)
-{
-	return chain_has(&plan->table, slot);
-}
-
-/* The linear axes that the one chain leaves go to the other. */
+/* Linear axes that one chain does not have go to the other. */
 static void add_rest(struct machine_plan_chain *chain, const struct machine_plan_chain *other)
 {
 	for (int i = 0; i < LINEAR_COUNT; i++) {
-		if (!chain_has(other, linear_slots[i]))
+		if (!machine_plan_chain_has(other, linear_slots[i]))
 			chain->slots[chain->count++] = linear_slots[i];
 	}
 }
@@ -48,10 +29,10 @@ static bool join_linear(struct machine_plan *plan, struct diag *diag)
 	for (int i = 0; i < LINEAR_COUNT; i++) {
 		int slot = linear_slots[i];
 
-		if (chain_has(&plan->head, slot) != chain_has(&plan->table, slot))
+		if (machine_plan_chain_has(&plan->head, slot) != machine_plan_chain_has(&plan->table, slot))
 			continue;
 		diag_error(diag, nowhere, "--head and --table must share X, Y and Z among them, but %c is in %s",
-			   AXIS_LETTERS[slot], chain_has(&plan->head, slot) ? "both" : "neither");
+			   AXIS_LETTERS[slot], machine_plan_chain_has(&plan->head, slot) ? "both" : "neither");
 		return false;
 	}
 	return true;
@@ -121,7 +102,7 @@ static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 	return true;
 }
 
-/* What a link is called where nobody said so; NULL: after its axis. */
+/* The default name of the body on a link; NULL: it is named after the axis. */
 static const char *usual_name(const struct machine_plan *plan, const struct machine_plan_chain *chain, size_t i)
 {
 	bool table = chain == &plan->table;
@@ -133,7 +114,7 @@ static const char *usual_name(const struct machine_plan *plan, const struct mach
 	return NULL;
 }
 
-/* A body for the link, with a place for its file, unless one was told. */
+/* Adds a body with a default file to the link unless the options gave it one. */
 static void add_usual(struct machine_plan *plan, int slot, const char *name)
 {
 	struct strbuf text = {0};

@@ -1,4 +1,5 @@
-#include "report/writers/github.h"
+/* github.c - findings as workflow commands, which GitHub shows beside the lines of a pull request. */
+#include "report/writers/writers.h"
 
 #include "report/format/format_units.h"
 #include "report/writers/text.h"
@@ -90,6 +91,11 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 	(void)run;
 }
 
+/*
+ * A line "::error file=...,line=...,col=...,title=...::text" for each finding
+ * and each fault, ten at most, which is what GitHub shows of a step (GitHub,
+ * "Workflow commands for GitHub Actions"); then how many more there are.
+ */
 const struct report_writer github_writer = {
 	.name = "github", .limit = 10, .begin = add_nothing, .finding = add_finding, .program = add_program,
 	.end = add_end,

@@ -1,4 +1,5 @@
-#include "report/writers/junit.h"
+/* junit.c - results as CI servers read those of unit tests: a test case for each program. */
+#include "report/writers/writers.h"
 
 #include <libxml/tree.h>
 
@@ -147,6 +148,10 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 		    strbuf_text(items));
 }
 
+/*
+ * One testsuite. A program with findings has a failure, an incomplete one an
+ * error; both name the first place in the message and all in the text.
+ */
 const struct report_writer junit_writer = {
 	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",
 	.whole = true, .collects = true, .begin = add_nothing, .finding = add_finding,

@@ -5,6 +5,7 @@
 #include "report/format/json.h"
 #include "report/format/format_units.h"
 #include "report/sensitivity_report.h"
+#include "report/writers/writers.h"
 
 const char *ndjson_method(enum check_method method)
 {
@@ -152,6 +153,11 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 	json_add_line(out, object);
 }
 
+/*
+ * A line of kind "header" first, with the number of this format; findings as
+ * they are found, a line of kind "program" after each program's, and one of
+ * kind "summary" last: a file without it was cut short.
+ */
 const struct report_writer ndjson_writer = {
 	.name = "ndjson", .mark = "{\"kind\":\"header\"",
 	.begin = add_header, .finding = add_finding, .program = add_program, .end = add_summary,

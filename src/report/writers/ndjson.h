@@ -9,13 +9,6 @@
 #include "machine/machine.h"
 #include "report/report.h"
 
-/*
- * A line of kind "header" first, with the number of this format; findings as
- * they are found, a line of kind "program" after each program's, and one of
- * kind "summary" last: a file without it was cut short.
- */
-extern const struct report_writer ndjson_writer;
-
 /* "certified", "interpolated", "conventional", "parse-only" */
 const char *ndjson_method(enum check_method method);
 

@@ -1,4 +1,5 @@
-#include "report/writers/record.h"
+/* record.c - what was checked, with which files and options, and the verdicts: for an audit. */
+#include "report/writers/writers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +19,7 @@ static json_t *options_of(const struct report_run *run)
 
 	for (size_t i = 0; i < options->read.include_count; i++)
 		json_push(includes, json_text(options->read.includes[i]));
-	for (int kind = 0; kind <= FINDING_START_OVERLAP; kind++) {
+	for (int kind = 0; kind < FINDING_KINDS; kind++) {
 		if (!run->fail_on || run->fail_on & 1U << kind)
 			json_push(kinds, json_string(finding_kind_name((enum finding_kind)kind)));
 	}
@@ -126,6 +127,10 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 	json_decref(object);
 }
 
+/*
+ * One JSON object: version, options, every file that was read with its SHA-256, every program's verdict. It names no
+ * time, computer or number of threads: the same inputs give the same bytes.
+ */
 const struct report_writer record_writer = {
 	.name = "record", .collects = true, .begin = add_nothing, .finding = add_finding, .program = add_program,
 	.end = add_end,

@@ -1,4 +1,5 @@
-#include "report/writers/sarif.h"
+/* sarif.c - results as SARIF 2.1.0, which code hosts show beside the lines of a change. */
+#include "report/writers/writers.h"
 
 #include <string.h>
 
@@ -29,7 +30,7 @@ static const struct rule {
 	 "says what it is and what to write instead."},
 };
 
-enum { RULE_INCOMPLETE = FINDING_START_OVERLAP + 1, RULE_COUNT };
+enum { RULE_INCOMPLETE = FINDING_KINDS, RULE_COUNT };
 
 static json_t *message_of(const char *text)
 {
@@ -203,6 +204,12 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 	strbuf_addf(out, "}]}\n");
 }
 
+/*
+ * One run. Rules are the kinds of findings, and "incomplete" for what could
+ * not be checked. Locations are relative to the current folder where they can
+ * be, and columns count UTF-16 code units. Source: OASIS, "Static Analysis
+ * Results Interchange Format (SARIF) Version 2.1.0".
+ */
 const struct report_writer sarif_writer = {
 	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/",
 	.separator = ",", .begin = add_begin, .finding = add_finding, .program = add_program,

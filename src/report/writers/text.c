@@ -5,6 +5,7 @@
 #include "base/xml_text.h"
 #include "report/format/format_units.h"
 #include "report/sensitivity_report.h"
+#include "report/writers/writers.h"
 
 static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
 {
@@ -176,6 +177,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 		stats_add(out, end->sums, run->scene, run->options->method);
 }
 
+/* Findings as they are found, a verdict after each program's, statistics at the end. */
 const struct report_writer text_writer = {
 	.name = "text", .begin = add_nothing, .finding = add_finding, .program = add_program, .end = add_end,
 };

@@ -10,9 +10,6 @@
 #include "report/report.h"
 #include "report/verdict.h"
 
-/* Findings as they are found, a verdict after each program's, statistics at the end. */
-extern const struct report_writer text_writer;
-
 /* Appends what happens: "head (Z) meets table (C)". */
 void text_message(struct strbuf *out, const struct finding *finding);
 

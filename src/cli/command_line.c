@@ -1,0 +1,288 @@
+#include "cli/command_line.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "cli/argv_parser.h"
+#include "cli/option_table.h"
+#include "cli/option_value.h"
+#include "cli/program_list.h"
+#include "cli/stderr_ui.h"
+
+struct parser {
+	struct options *options;
+	struct diag *diag;
+	size_t operands, capacity;
+	char **operand;	/* owned */
+	bool seen[OPTION_COUNT];
+	const struct option_row *mode;	/* the option that chose the mode, or NULL */
+};
+
+static const struct srcloc nowhere;
+
+static bool set_mode(struct parser *parser, const struct option_row *row)
+{
+	if (parser->mode && parser->mode != row) {
+		diag_error(parser->diag, nowhere, "--%s and --%s cannot go together", parser->mode->name, row->name);
+		return false;
+	}
+	parser->mode = row;
+	parser->options->mode = row->mode;
+	return true;
+}
+
+static void add_operand(void *context, char *word)
+{
+	struct parser *parser = context;
+
+	parser->operand = mem_grow(parser->operand, &parser->capacity, parser->operands + 1, sizeof(*parser->operand));
+	parser->operand[parser->operands++] = word;
+}
+
+static bool is_final(enum run_mode mode)
+{
+	return mode == RUN_HELP || mode == RUN_VERSION;
+}
+
+/* Of two setups, lists, shards or kinds to fail on the first would be forgotten: a check of less than was asked for. */
+static bool refuse_second(const struct parser *parser, const struct option_row *row)
+{
+	if (!parser->seen[row - option_table] ||
+	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD))
+		return false;
+	diag_error(parser->diag, nowhere, "--%s was given twice, but only one would count", row->name);
+	return true;
+}
+
+static enum argv_result add_option(void *context, const struct option_row *row, const char *argument)
+{
+	struct parser *parser = context;
+
+	if (refuse_second(parser, row))
+		return ARGV_FAULT;
+	parser->seen[row - option_table] = true;
+	if (row->kind == VALUE_MODE && is_final(row->mode)) {
+		parser->options->mode = row->mode;
+		return ARGV_LAST;
+	}
+	if (row->kind == VALUE_MODE ? !set_mode(parser, row)
+				    : !option_value_set(parser->options, row, argument, parser->diag))
+		return ARGV_FAULT;
+	return ARGV_NEXT;
+}
+
+static bool check_modes(const struct parser *parser)
+{
+	for (int i = 0; i < OPTION_COUNT; i++) {
+		const struct option_row *row = &option_table[i];
+
+		if (!parser->seen[i] || row->modes & 1U << parser->options->mode)
+			continue;
+		if (parser->mode)
+			diag_error(parser->diag, nowhere, "--%s means nothing with --%s", row->name,
+				   parser->mode->name);
+		else
+			diag_error(parser->diag, nowhere, "--%s means nothing in a check", row->name);
+		return false;
+	}
+	return true;
+}
+
+/* Without --format the results are text; what has no file of its own goes to --output. */
+static bool check_formats(const struct parser *parser)
+{
+	struct options *o = parser->options;
+	int wanted = 0, unnamed = 0;
+
+	o->formats[FORMAT_RECORD] = (struct format_choice){o->record != NULL, o->record};
+	for (int i = 0; i < FORMAT_CHOICES; i++) {
+		wanted += o->formats[i].wanted;
+		unnamed += o->formats[i].wanted && !o->formats[i].path;
+	}
+	if (!wanted)
+		o->formats[FORMAT_TEXT].wanted = true;
+	else if (unnamed > 1)
+		diag_error(parser->diag, nowhere, "one format can go to %s; the others need files of their own: "
+						  "--format=FORMAT=FILE", o->output ? "--output" : "standard output");
+	else if (!unnamed && o->output)
+		diag_error(parser->diag, nowhere, "every format has a file of its own: there is nothing for --output");
+	else
+		return true;
+	return !wanted;
+}
+
+static bool names_file(const struct options *o)
+{
+	bool named = (o->output && strcmp(o->output, "-") != 0) || o->clearance_report || o->timing;
+
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		named = named || o->formats[i].path;
+	return named;
+}
+
+static bool check_combinations(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+	const char *fault = NULL;
+
+	if (o->quiet && o->verbose)
+		fault = "--quiet and --verbose cannot go together";
+	else if (o->check.step > 0 && o->check.method == CHECK_CERTIFIED)
+		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
+	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
+		fault = "--verbose tells proven clearances, and the sampled methods prove none";
+	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
+		fault = "--verbose is for --format=text";
+	else if (o->quiet && o->progress == PROGRESS_PLAIN)
+		fault = "--quiet and --progress=plain cannot go together";
+	else if (o->depfile && !names_file(o))
+		fault = "--depfile says what a file depends on: name it with --output or --format=FORMAT=FILE";
+	else if (o->depfile && !strcmp(o->depfile, "-"))
+		fault = "--depfile needs the name of a file: standard output has the report";
+	else if (o->record && !strcmp(o->record, "-"))
+		fault = "--record needs the name of a file: standard output has the report";
+	else if (o->pose && !strcmp(o->pose, "-"))
+		fault = "--pose needs the name of a file: standard output has the report";
+	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
+		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
+	else if (o->check.gauge_cap > 0 && !o->clearance_report)
+		fault = "--clearance-cap is for --clearance-report";
+	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
+		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
+		fault = "--sensitivity is told by --format=text and --format=ndjson";
+	else if (options_want_sensitivity(o) && (o->baseline || o->waivers || o->fail_on))
+		fault =
+		    "--sensitivity cannot go together with --baseline, --waivers or --fail-on: it is about the verdict "
+		    "without them";
+	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
+		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
+	if (fault)
+		diag_error(parser->diag, nowhere, "%s", fault);
+	return !fault;
+}
+
+static bool check_operands(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+	bool runs = o->mode == RUN_CHECK || o->mode == RUN_PARSE_ONLY || o->mode == RUN_DUMP_PATH;
+	size_t inputs = 0;
+
+	assert(runs || parser->mode);
+	for (size_t i = 0; i < o->program_count; i++)
+		inputs += !strcmp(o->programs[i], "-");
+	if (!o->machine)
+		diag_error(parser->diag, nowhere,
+			   "no machine file was named ('fivecheck init' writes one to begin with)");
+	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
+		diag_error(parser->diag, nowhere,
+			   "machine and setup cannot come from standard input; only a program can");
+	else if (runs && !o->program_count && !o->files_from)
+		diag_error(parser->diag, nowhere, "no program was named (- is standard input)");
+	else if (!runs && o->program_count)
+		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was named", parser->mode->name,
+			   o->programs[0]);
+	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
+		diag_error(parser->diag, nowhere, "--dump-path takes one program");
+	else if (inputs > 0 && o->record)
+		diag_error(parser->diag, nowhere,
+			   "--record cannot tell which program came from standard input: give it as a file");
+	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
+		diag_error(parser->diag, nowhere,
+			   "standard input cannot be both a program and the list of --files-from");
+	else if (inputs > 1)
+		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
+	else
+		return true;
+	return false;
+}
+
+/* What a list must not do: name nothing, which would pass any gate, or standard input that is read already. */
+static bool check_listed(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+
+	if (!o->program_count)
+		diag_error(parser->diag, nowhere, "the list %s names no program", o->files_from);
+	return o->program_count > 0 && check_operands(parser);
+}
+
+/* --shard: of several programs some, of one program some of its blocks. */
+static bool apply_shard(const struct parser *parser)
+{
+	struct options *o = parser->options;
+
+	if (!o->shards || o->program_count > 1) {
+		program_list_take_shard(o);
+		return true;
+	}
+	o->check.shard = o->shard;
+	o->check.shards = o->shards;
+	if (o->shards > 1 && (o->baseline || o->waivers)) {
+		diag_error(
+		    parser->diag, nowhere,
+		    "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
+		    o->baseline ? "baseline" : "waivers");
+		return false;
+	}
+	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {
+		diag_error(parser->diag, nowhere,
+			   "--%s cannot go with --shard of one program: it is about all of its blocks",
+			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : "sensitivity");
+		return false;
+	}
+	return true;
+}
+
+bool command_line_parse(struct options *options, int argc, char **argv, struct diag *diag)
+{
+	struct parser parser = {.options = options, .diag = diag};
+	const struct argv_parser words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
+	bool good;
+
+	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
+	good = argv_parser_run(&words, argc, argv, diag);
+	options->programs = parser.operand;
+	if (parser.operands) {
+		options->machine = parser.operand[0];
+		options->program_count = parser.operands - 1;
+		memmove(parser.operand, parser.operand + 1, options->program_count * sizeof(*parser.operand));
+	}
+	if (!good || is_final(options->mode))
+		return good;
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) ||
+	    !check_operands(&parser))
+		return false;
+	if (options->files_from && (!program_list_read(options, diag) || !check_listed(&parser)))
+		return false;
+	if (options->output && !strcmp(options->output, "-"))
+		options->output = NULL;
+	if (!(options->check.step > 0))
+		options->check.step = 0.01;
+	if (options->mode == RUN_PARSE_ONLY)
+		options->check.method = CHECK_NOTHING;
+	if (!(options->check.gauge_cap > 0))
+		options->check.gauge_cap = 10;
+	options->check.gauges = options->clearance_report;
+	options->check.times = options->timing;
+	options->check.read.includes = options->includes.items;
+	options->check.read.include_count = options->includes.count;
+	options->check.read.last_duplicate_wins = options->duplicates == 1;
+	return apply_shard(&parser);
+}
+
+void command_line_help(struct strbuf *out, const struct command *commands)
+{
+	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n");
+	for (const struct command *command = commands; command->name; command++)
+		strbuf_addf(out, "       fivecheck %-10s %-8s %s\n", command->name, command->operands,
+			    command->summary);
+	strbuf_addf(out,
+		    "Proves that a machine does not hit itself while it runs the programs, or names the\n"
+		    "first block in which it does. A program named - is read from standard input.\n\n");
+	argv_parser_help(out, option_table, OPTION_COUNT);
+	strbuf_addf(out, "\nExit status: 0 every program is clear, 1 something was found, 2 the check is incomplete\n"
+			 "(usage, unreadable or unsupported input), 3 internal error.\n");
+}

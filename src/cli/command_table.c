@@ -1,0 +1,23 @@
+#include "cli/command_table.h"
+
+#include <string.h>
+
+#include "cli/completion/completion.h"
+#include "cli/init/init.h"
+
+const struct command command_table[] = {
+	{"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_options, INIT_OPTION_COUNT,
+	 init_run},
+	{"completion", "SHELL", completion_shells, "write the completions of bash, zsh or fish", completion_table,
+	 COMPLETION_OPTION_COUNT, completion_run},
+	{.name = NULL},
+};
+
+const struct command *command_table_find(const char *name)
+{
+	for (const struct command *command = command_table; command->name; command++) {
+		if (!strcmp(command->name, name))
+			return command;
+	}
+	return NULL;
+}

@@ -1,0 +1,57 @@
+#include "cli/init/init_options.h"
+
+#include "control/dialects.h"
+
+/* The key, and what --help and the completions need. */
+#define TEXT .modes = 0, .kind = VALUE_TEXT
+#define CHOICE(names) .modes = 0, .kind = VALUE_CHOICE, .choices = (names)
+
+const struct option_row init_options[INIT_OPTION_COUNT] = {
+	{PLAN_ROTARY, "rotary", "AXIS,AXIS", TEXT,
+	 .help = "the rotary axes, first the one that carries the other\n(head-table: first the head's): A,C"},
+	{PLAN_TABLE, "table", "AXIS,...", TEXT,
+	 .help = "the linear axes that move the table, from the base on\n(none)"},
+	{PLAN_HEAD, "head", "AXIS,...", TEXT,
+	 .help = "those that move the head (the others, as Y,X,Z)"},
+	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", TEXT,
+	 .help = "the travel, in mm or degrees; X=none: unlimited"},
+	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", TEXT,
+	 .help = "a point on a rotary axis; once for each"},
+	{PLAN_SPINDLE, "spindle", "X,Y,Z", TEXT,
+	 .help = "the gauge point, where tools are mounted"},
+	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", TEXT,
+	 .help = "from the gauge point to the tip of a tool (0,0,-1)"},
+	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", TEXT,
+	 .help = "the origin of fixtures and parts (0,0,0)"},
+	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", TEXT,
+	 .help = "how an axis moves what it carries, for a positive\nvalue, if not as is usual"},
+	{PLAN_RATES, "rates", "AXIS=RATE,...", TEXT,
+	 .help = "the rates of rapids, a minute (30000 mm, 7200\ndegrees)"},
+	{PLAN_HOME, "home", "AXIS=VALUE,...", TEXT,
+	 .help = "where programs start (0)"},
+	{PLAN_TITLE, "title", "AXIS=TEXT", TEXT,
+	 .help = "what reports call an axis; once for each"},
+	{PLAN_BODY, "body", "LINK=FILE.stl", TEXT,
+	 .help = "a mesh on an axis, or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given again"},
+	{PLAN_NAME, "name", "TEXT", TEXT,
+	 .help = "the name of the machine"},
+	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
+	 .help = "mm (the default) or inch, of the file and the options"},
+	{PLAN_DIALECT, "dialect", "NAME", CHOICE(dialect_names),
+	 .help = "how the control reads programs: %s;\nthe default is the first"},
+	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),
+	 .help = "how G0 moves: %s; any is the default if\nthe control can be set to move in other ways"},
+	{PLAN_OUTPUT, "output", "FILE", TEXT,
+	 .help = "write the machine file to FILE, which must not exist"},
+	{PLAN_HELP, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
+};
+
+static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(machine_plan_families)};
+const struct option_row *init_options_row(enum machine_plan_key key)
+{
+	for (int i = 0; i < INIT_OPTION_COUNT; i++) {
+		if (init_options[i].key == (int)key)
+			return &init_options[i];
+	}
+	return &family_row;
+}
