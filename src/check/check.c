@@ -264,7 +264,9 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		if (c->broken_off)
 			break;
 		c->failed |= stance == STANCE_FAILED;
-		if (stance == STANCE_CLEAR && c->measures)
+		if (stance == STANCE_UNKNOWN && runner->unknown_block < 0)
+			runner->unknown_block = c->block;
+		if ((stance == STANCE_CLEAR || stance == STANCE_UNKNOWN) && c->measures)
 			runner_stand(runner, &c->sweep, &c->position, c->options);
 		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
 			continue;
@@ -473,7 +475,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	if (options->method == CHECK_NOTHING || crew_init(&c.crew, scene, options, proven != NULL, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
-		crew_collect(&c.crew, stats, proven);
+		crew_collect(&c.crew, c.last_block, stats, proven);
 	}
 	stats->certificates += c.sweep.certificates;
 	stats->bisections += c.sweep.bisections;

@@ -256,7 +256,7 @@ bool crew_gauge(struct crew *crew, const struct batch *batch, int tool, const st
 	return is_complete(crew);
 }
 
-void crew_collect(const struct crew *crew, struct check_stats *stats, double *proven)
+void crew_collect(const struct crew *crew, long last_block, struct check_stats *stats, double *proven)
 {
 	for (int i = 0; i < crew->threads; i++) {
 		stats->certificates += crew->sweeps[i].certificates;
@@ -268,6 +268,11 @@ void crew_collect(const struct crew *crew, struct check_stats *stats, double *pr
 		stats->budgets += runner->follower.covered_steps;
 		stats->queries += runner->follower.queries;
 		stats->samples += runner->sampler.samples;
+		if (runner->unknown_block >= 0 && runner->unknown_block <= last_block) {
+			if (!stats->pairs_unknown)
+				stats->first_unknown = runner->pair;
+			stats->pairs_unknown++;
+		}
 		if (proven)
 			proven[runner->pair] = follower_proven(&runner->follower);
 	}

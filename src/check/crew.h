@@ -51,7 +51,7 @@ void crew_change_tool(struct crew *crew);
 /* The next steps do not begin where the last ones ended, and nothing is known of what was between. */
 void crew_jump(struct crew *crew);
 
-/* Adds up the counters; proven may be NULL. */
-void crew_collect(const struct crew *crew, struct check_stats *stats, double *proven);
+/* Adds up the counters, and what is unknown up to the block that ended the check; proven may be NULL. */
+void crew_collect(const struct crew *crew, long last_block, struct check_stats *stats, double *proven);
 
 #endif

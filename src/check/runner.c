@@ -29,6 +29,7 @@ bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const 
 		.tool = tool_of(scene, p),
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
 		.found_block = -1,
+		.unknown_block = -1,
 	};
 	follower_init(&runner->follower, &bodies, p->clearance, measure);
 	if (measure && options->measure_cap > 0)
@@ -84,16 +85,20 @@ static enum passage pass(struct runner *runner, struct sweep *sweep, const struc
 
 /* A step after a contact, which may start with one body wholly inside the other: the sweep sees surfaces only. */
 static enum passage pass_entangled(struct runner *runner, struct sweep *sweep, const struct motion_step *step,
-				   const struct check_options *options, struct contact *contact)
+				   long block, const struct check_options *options, struct contact *contact)
 {
 	enum passage passage = pass(runner, sweep, step, options, contact);
 	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	enum inside inside;
 	vec3 point;
 
 	if (passage == PASSAGE_UNDECIDED || (passage == PASSAGE_CONTACT && !(contact->s > 0)))
 		return passage;
 	runner->entangled = false;
-	if (!scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0, &point, &unheard))
+	inside = scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0, &point, &unheard);
+	if (inside == INSIDE_UNKNOWN && runner->unknown_block < 0)
+		runner->unknown_block = block;
+	if (inside != INSIDE_YES)
 		return passage;
 	*contact = (struct contact){0, step->span.q0, 0, point};
 	return PASSAGE_CONTACT;
@@ -152,7 +157,7 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 			continue;
 		}
 		passage = runner->entangled && options->method == CHECK_CERTIFIED
-				  ? pass_entangled(runner, sweep, &step->motion, options, &contact)
+				  ? pass_entangled(runner, sweep, &step->motion, step->block, options, &contact)
 				  : pass(runner, sweep, &step->motion, options, &contact);
 		if (passage == PASSAGE_CLEAR)
 			continue;
@@ -197,7 +202,7 @@ static void gauge_entangled(struct runner *runner, const struct motion_step *ste
 
 	gauge->entangled = !(gauge->bound > 0);
 	if (!gauge->entangled && scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0,
-						 &point, &unheard)) {
+						 &point, &unheard) == INSIDE_YES) {
 		gauge->bound = 0;
 		gauge->entangled = true;
 	}

@@ -32,6 +32,7 @@ struct runner {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
+	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
 	bool entangled;	/* it has met or may have, and its surfaces may have parted with one body inside the other */
 	struct follower follower;	/* CERTIFIED */
 	struct sampler sampler;	/* the sampled methods */

@@ -1,5 +1,6 @@
 #include "report/mesh_lint.h"
 
+#include "geom/nesting.h"
 #include "geom/topology.h"
 #include "report/format/format_units.h"
 
@@ -12,14 +13,45 @@ static void add_name(struct strbuf *out, const struct body *body)
 	format_units_add_plain(out, body->name);
 }
 
-static void add_mesh(struct strbuf *out, const struct body *body, const struct topology *topology)
+static void add_nesting(struct strbuf *out, const struct body *body, const struct mesh *mesh,
+			const struct topology *topology)
 {
-	if (!topology->closed) {
+	struct nesting nesting;
+
+	nesting_find(&nesting, mesh, topology);
+	if (nesting.inverted) {
+		add_name(out, body);
+		strbuf_addf(out, ": ");
+		format_units_add_count(out, nesting.inverted, "shell");
+		strbuf_addf(out, " drawn inside out (the triangles face inward): taken as solid all the same\n");
+	}
+	if (nesting.nested) {
+		add_name(out, body);
+		strbuf_addf(out, ": ");
+		format_units_add_count(out, nesting.nested, "shell");
+		strbuf_addf(out, " inside another one that faces the same way: taken as solid throughout, not as a cavity\n");
+	}
+}
+
+static void add_mesh(struct strbuf *out, const struct body *body, const struct mesh *mesh,
+		     const struct topology *topology)
+{
+	if (topology->doubled) {
+		add_name(out, body);
+		strbuf_addf(out, ": drawn from both sides: ");
+		format_units_add_count(out, topology->doubled, "triangle");
+		strbuf_addf(out, " left out that another one covers, facing the other way\n");
+	}
+	if (topology_is_open(topology)) {
 		add_name(out, body);
 		strbuf_addf(out, ": the mesh is open, ");
-		format_units_add_count(out, topology->open_edges, "edge");
-		strbuf_addf(out, " without a partner: what is inside it cannot be known\n");
+		if (topology->open_edges) {
+			format_units_add_count(out, topology->open_edges, "edge");
+			strbuf_addf(out, " without a partner: ");
+		}
+		strbuf_addf(out, "what is inside it cannot be known\n");
 	}
+	add_nesting(out, body, mesh, topology);
 	if (topology->flipped_edges) {
 		add_name(out, body);
 		strbuf_addf(out, ": neighbouring triangles face opposite ways at ");
@@ -41,7 +73,7 @@ static bool add_meshes(struct strbuf *out, struct scene *scene, struct diag *dia
 
 		if (!topology)
 			return false;
-		add_mesh(out, scene->bodies[i].body, topology);
+		add_mesh(out, scene->bodies[i].body, &scene->bodies[i].bvh->mesh, topology);
 	}
 	return true;
 }

@@ -180,6 +180,23 @@ static bool caution_waived(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+static bool caution_unknown(struct strbuf *out, const struct verdict *v)
+{
+	const struct scene_pair *pair;
+
+	if (!v->stats->pairs_unknown)
+		return false;
+	pair = &v->scene->pairs[v->stats->first_unknown];
+	format_units_add_count(out, v->stats->pairs_unknown, "pair");
+	strbuf_addf(out, " of bodies checked as surfaces only, the first ");
+	format_units_add_plain(out, v->scene->bodies[pair->a].body->name);
+	strbuf_addf(out, " and ");
+	format_units_add_plain(out, v->scene->bodies[pair->b].body->name);
+	strbuf_addf(out, ": one may stand inside the other, but its mesh is not closed, so that cannot be known; close the "
+			 "mesh (--check-machine names the gaps)");
+	return true;
+}
+
 static bool caution_blend(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->stats->motion.blend_unbounded)
@@ -221,7 +238,8 @@ static bool caution_warnings(struct strbuf *out, const struct verdict *v)
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
-		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_blend,
+		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_unknown,
+		caution_blend,
 		caution_accepted, caution_shard, caution_warnings,
 	};
 

@@ -41,7 +41,7 @@ bool verdict_is_accepted(const struct verdict *verdict);
 /* Was only a part of the program's blocks checked? */
 bool verdict_is_shard(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 9 };
+enum { VERDICT_CAUTIONS = 10 };
 
 /*
  * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;

@@ -13,22 +13,26 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 }
 
 /* Is a component of `inner` inside `outer`? pose takes inner's coordinates to outer's. */
-static bool holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
+static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
 {
 	const struct bvh *solid = scene_body_bvh(scene, outer, diag);
-	const struct topology *parts;
+	const struct topology *parts = scene_body_topology(scene, inner, diag);
+	enum inside result = INSIDE_NO;
 
-	parts = scene_body_topology(scene, inner, diag);
 	for (size_t i = 0; i < parts->component_count; i++) {
 		vec3 p = xform_apply(pose, parts->witness[i]);
+		enum inside inside = INSIDE_NO;
 
-		if (in_box(p, solid) && scene_body_topology(scene, outer, diag)->closed &&
-		    mesh_winding_number(&solid->mesh, p) != 0) {
+		if (in_box(p, solid))
+			inside = mesh_inside(solid, scene_body_topology(scene, outer, diag), p);
+		if (inside == INSIDE_YES) {
 			*point = p;
-			return true;
+			return INSIDE_YES;
 		}
+		if (inside == INSIDE_UNKNOWN)
+			result = INSIDE_UNKNOWN;
 	}
-	return false;
+	return result;
 }
 
 /* Do the boxes around the whole bodies overlap, so that one may hold the other? */
@@ -44,25 +48,27 @@ static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
 	       fabs(to_a.x) <= hb.x + reach_a && fabs(to_a.y) <= hb.y + reach_a && fabs(to_a.z) <= hb.z + reach_a;
 }
 
-bool scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
-		     struct diag *diag)
+enum inside scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
+			    struct diag *diag)
 {
 	struct body_pair bodies;
+	enum inside in_b, in_a;
 	xform b_in_a, a_in_b;
-	vec3 in_b;
+	vec3 place;
 
 	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return false;
+		return INSIDE_NO;
 	b_in_a = body_pair_pose(&bodies, q);
 	if (!boxes_overlap(&bodies, &b_in_a))
-		return false;
+		return INSIDE_NO;
 	a_in_b = xform_inverse(&b_in_a);
-	if (holds(scene, pair->a, pair->b, &b_in_a, point, diag))
-		return true;
-	if (!holds(scene, pair->b, pair->a, &a_in_b, &in_b, diag))
-		return false;
-	*point = xform_apply(&b_in_a, in_b);
-	return true;
+	in_a = holds(scene, pair->a, pair->b, &b_in_a, point, diag);
+	if (in_a == INSIDE_YES)
+		return INSIDE_YES;
+	in_b = holds(scene, pair->b, pair->a, &a_in_b, &place, diag);
+	if (in_b == INSIDE_YES)
+		*point = xform_apply(&b_in_a, place);
+	return in_b == INSIDE_NO ? in_a : in_b;
 }
 
 static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodies, const axis_values *q,
@@ -77,6 +83,7 @@ enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct 
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
 {
 	struct body_pair bodies;
+	enum inside inside = INSIDE_NO;
 	enum sweep_answer answer;
 	vec3 point;
 
@@ -87,7 +94,9 @@ enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct 
 		contact->distance = 0;
 		return STANCE_OVERLAP;
 	}
-	if (answer == SWEEP_APART && scene_contained(scene, pair, q, &point, diag)) {
+	if (answer == SWEEP_APART)
+		inside = scene_contained(scene, pair, q, &point, diag);
+	if (inside == INSIDE_YES) {
 		*contact = (struct contact){0, *q, 0, point};
 		return STANCE_OVERLAP;
 	}
@@ -95,7 +104,9 @@ enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct 
 		answer = still(sweep, &bodies, q, pair->clearance, tolerance, contact);
 	if (answer == SWEEP_UNDECIDED)
 		scene_undecided(scene, pair, tolerance, diag);
-	return answer == SWEEP_UNDECIDED ? STANCE_FAILED : answer == SWEEP_CONTACT ? STANCE_NEAR : STANCE_CLEAR;
+	if (answer != SWEEP_APART)
+		return answer == SWEEP_UNDECIDED ? STANCE_FAILED : STANCE_NEAR;
+	return inside == INSIDE_UNKNOWN ? STANCE_UNKNOWN : STANCE_CLEAR;
 }
 
 bool scene_overlap(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,

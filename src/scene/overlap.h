@@ -4,11 +4,13 @@
 
 #include <stdbool.h>
 
+#include "geom/inside.h"
 #include "scene/scene.h"
 
 enum stance {
 	STANCE_CLEAR,	/* farther apart than the clearance */
 	STANCE_NEAR,	/* apart, but within the clearance */
+	STANCE_UNKNOWN,	/* as CLEAR, but one body may be inside the other: a mesh is open, or has no known outside */
 	STANCE_OVERLAP,	/* the surfaces meet, or one solid is inside the other */
 	STANCE_FAILED	/* a mesh could not be read, or rounding exceeds the tolerance: reported */
 };
@@ -21,8 +23,11 @@ enum stance {
 enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
 
-/* Is a component of one body inside the other, surfaces apart? Open meshes have no inside. */
-bool scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
-		     struct diag *diag);
+/*
+ * Is a component of one body inside the other, surfaces apart? *point is filled for INSIDE_YES. Faulty meshes
+ * are reported and count as INSIDE_NO.
+ */
+enum inside scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
+			    struct diag *diag);
 
 #endif

@@ -93,7 +93,7 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 		return false;
 	return sweep_box(&scene->sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact) ==
 		       SWEEP_APART &&
-	       !scene_contained(scene, pair, &home, &point, diag);
+	       scene_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
 }
 
 static bool is_cutting(const struct body *a, const struct body *b)
@@ -119,7 +119,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 
 		/* The lower bound may be lax: ask for the distance itself. */
 		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_GRAIN * 1e-3, &contact) != SWEEP_APART ||
-		    scene_contained(scene, pair, &home, &point, diag)) {
+		    scene_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
 			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
 			       AXIS_LETTERS[pair->chain.joints[0].slot], within);
 			return true;

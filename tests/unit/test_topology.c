@@ -1,5 +1,5 @@
 /* Components, edges and winding numbers against known solids, comparison of all pairs, and crossed rays. */
-#include "geom/topology.h"
+#include "geom/inside.h"
 
 #include <check.h>
 #include <math.h>

@@ -1,0 +1,220 @@
+#include "geom/inside.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "base/units.h"
+
+/*
+ * A triple product d.(a x b) of vectors in double is off by less than 12 roundings of 2^-53 of |d||a||b|, the
+ * differences from the point included; 2^-48 leaves a factor of two.
+ */
+#define TRIPLE_ROUNDING 0x1p-48
+
+/* The boxes are rounded outward already: this covers the ray's own rounding, relative to the lengths that occur. */
+#define SLAB_ROUNDING 0x1p-40
+
+/* Half of the signed solid angle of a triangle whose corners are given as seen from the point. */
+static double half_solid_angle(const mesh_triangle *triangle, vec3 point)
+{
+	vec3 a = vec3_sub(mesh_corner(triangle, 0), point);
+	vec3 b = vec3_sub(mesh_corner(triangle, 1), point);
+	vec3 c = vec3_sub(mesh_corner(triangle, 2), point);
+	double na = vec3_norm(a), nb = vec3_norm(b), nc = vec3_norm(c);
+	double volume = vec3_dot(a, vec3_cross(b, c));
+	double spread = na * nb * nc + vec3_dot(a, b) * nc + vec3_dot(b, c) * na + vec3_dot(c, a) * nb;
+
+	return atan2(volume, spread);
+}
+
+/*
+ * A solid angle's error is a few roundings times the ratio of the triangle's
+ * size to the point's distance from its edges; even a million of them add up to
+ * half a turn only for points within some 1e-9 of the mesh's size of it.
+ */
+int mesh_winding_number(const struct mesh *mesh, vec3 point)
+{
+	double half_sum = 0;
+
+	for (size_t i = 0; i < mesh->count; i++)
+		half_sum += half_solid_angle(&mesh->triangles[i], point);
+	return (int)lround(half_sum / (2 * PI));
+}
+
+struct ray {
+	const struct bvh *bvh;
+	const uint32_t *shell_of;	/* or NULL */
+	vec3 point, direction;
+	double from_origin[3];	/* the point relative to the tree's origin */
+	double along[3];	/* the direction, no component near 0 */
+	double slack;	/* mm */
+	int *windings;	/* of each shell */
+};
+
+/* 1, -1, or 0 where rounding may have made the sign. */
+static int sign_of_triple(vec3 d, vec3 a, vec3 b)
+{
+	double value = vec3_dot(d, vec3_cross(a, b));
+	double bound = TRIPLE_ROUNDING * vec3_norm(d) * vec3_norm(a) * vec3_norm(b);
+
+	return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+/* Counts the triangle if the ray crosses it; false: the ray passes too near its edge, or begins too near its plane. */
+static bool cross_triangle(struct ray *ray, size_t triangle)
+{
+	const mesh_triangle *t = &ray->bvh->mesh.triangles[triangle];
+	uint32_t shell = ray->shell_of ? ray->shell_of[triangle] : 0;
+	vec3 a = vec3_sub(mesh_corner(t, 0), ray->point), b = vec3_sub(mesh_corner(t, 1), ray->point);
+	vec3 c = vec3_sub(mesh_corner(t, 2), ray->point);
+	int ab = sign_of_triple(ray->direction, a, b), bc = sign_of_triple(ray->direction, b, c);
+	int ca = sign_of_triple(ray->direction, c, a), ahead;
+	bool front = ab > 0 || bc > 0 || ca > 0, back = ab < 0 || bc < 0 || ca < 0;
+
+	if (shell == NO_SHELL || (front && back))
+		return true;
+	if (!ab || !bc || !ca)
+		return false;
+	ahead = sign_of_triple(a, b, c);
+	if (!ahead)
+		return false;
+	/* The line crosses where (a, b, c) has the sign of the three, in front of the point or behind it. */
+	if (ahead != ab)
+		return true;
+	ray->windings[shell] += ab;
+	return true;
+}
+
+/* May the ray meet the box? */
+static bool meets_box(const struct ray *ray, const struct bvh_node *node, int lane)
+{
+	double enter = 0, leave = INFINITY;
+
+	for (int k = 0; k < 3; k++) {
+		double to = (double)node->centre[k][lane] - ray->from_origin[k];
+		double reach = (double)node->half[k][lane] + ray->slack;
+		double middle = to / ray->along[k], half = reach / fabs(ray->along[k]);
+
+		enter = fmax(enter, middle - half);
+		leave = fmin(leave, middle + half);
+	}
+	return enter <= leave;
+}
+
+/* As deep as the tree. False: see cross_triangle. */
+static bool cross_node(struct ray *ray, const struct bvh_node *node)
+{
+	for (int lane = 0; lane < node->used; lane++) {
+		if (!meets_box(ray, node, lane))
+			continue;
+		if (!node->count[lane] && !cross_node(ray, &ray->bvh->nodes[node->first[lane]]))
+			return false;
+		for (size_t i = 0; i < node->count[lane]; i++) {
+			if (!cross_triangle(ray, node->first[lane] + i))
+				return false;
+		}
+	}
+	return true;
+}
+
+bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings)
+{
+	/* Along no edge or diagonal that people draw. */
+	static const vec3 directions[] = {
+		{0.4179, 0.6133, 0.6702}, {-0.7211, 0.3571, 0.5937}, {0.5309, -0.7823, 0.3259}, {-0.3361, -0.5531, -0.7623},
+	};
+	size_t count = topology->shells ? topology->shell_count : 1;
+	vec3 off = vec3_sub(point, bvh->origin);
+	bool good = false;
+
+	for (size_t i = 0; i < sizeof(directions) / sizeof(directions[0]) && !good; i++) {
+		struct ray ray = {
+			.bvh = bvh, .shell_of = topology->shell_of, .point = point, .direction = directions[i],
+			.from_origin = {off.x, off.y, off.z},
+			.along = {directions[i].x, directions[i].y, directions[i].z},
+			.slack = SLAB_ROUNDING * (bvh->radius + vec3_norm(off)), .windings = windings,
+		};
+
+		for (size_t k = 0; k < count; k++)
+			windings[k] = 0;
+		good = cross_node(&ray, &bvh->nodes[0]);
+	}
+	return good;
+}
+
+int mesh_winding_around(const struct mesh *mesh, const struct topology *topology, uint32_t shell)
+{
+	vec3 point = topology->witness[shell / 2];
+	double half_sum = 0;
+
+	for (size_t t = 0; t < mesh->count; t++) {
+		uint32_t other = topology->shell_of[t];
+
+		if (other != NO_SHELL && other != shell && topology->shells[other].kind == SHELL_ORIENTED)
+			half_sum += half_solid_angle(&mesh->triangles[t], point);
+	}
+	return (int)lround(half_sum / (2 * PI));
+}
+
+static bool in_bounds(const struct shell *shell, vec3 p)
+{
+	return p.x >= shell->least.x && p.y >= shell->least.y && p.z >= shell->least.z && p.x <= shell->greatest.x &&
+	       p.y <= shell->greatest.y && p.z <= shell->greatest.z;
+}
+
+/*
+ * Could the point be inside an open shell, if its holes were closed? Small holes change the winding number by
+ * the part of the view that they take: below a tenth of it the point is outside.
+ */
+static bool open_shells_may_hold(const struct bvh *bvh, const struct topology *topology, vec3 point)
+{
+	const double threshold = 0.1;
+	bool possible = false;
+
+	for (uint32_t s = 0; s < topology->shell_count && !possible; s++) {
+		const struct shell *shell = &topology->shells[s];
+		double half_sum = 0;
+
+		if (shell->kind != SHELL_OPEN || !in_bounds(shell, point))
+			continue;
+		for (size_t t = 0; t < bvh->mesh.count && !shell->flipped; t++)
+			half_sum += topology->shell_of[t] == s ? half_solid_angle(&bvh->mesh.triangles[t], point) : 0;
+		possible = shell->flipped || fabs(half_sum) > threshold * 2 * PI;
+	}
+	return possible;
+}
+
+static enum inside plain_inside(const struct bvh *bvh, const struct topology *topology, vec3 point)
+{
+	int *windings = mem_alloc((topology->shells ? topology->shell_count : 1) * sizeof(*windings)), sum = 0;
+
+	if (mesh_cast_ray(bvh, topology, point, windings)) {
+		for (size_t s = 0; s < (topology->shells ? topology->shell_count : 1); s++)
+			sum += windings[s];
+	} else {
+		sum = mesh_winding_number(&bvh->mesh, point);
+	}
+	free(windings);
+	return sum ? INSIDE_YES : INSIDE_NO;
+}
+
+enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point)
+{
+	int *windings, oriented = 0, odd = 0;
+	bool good;
+
+	if (topology->plain)
+		return plain_inside(bvh, topology, point);
+	windings = mem_alloc(topology->shell_count * sizeof(*windings));
+	good = mesh_cast_ray(bvh, topology, point, windings);
+	for (size_t s = 0; s < topology->shell_count && good; s++) {
+		oriented += topology->shells[s].kind == SHELL_ORIENTED ? windings[s] : 0;
+		odd += topology->shells[s].kind == SHELL_UNORIENTED && windings[s] % 2;
+	}
+	free(windings);
+	if (good && (odd % 2 ? !oriented : !odd && oriented))
+		return INSIDE_YES;
+	/* In two shells of which one does not say where its solid side is: a cavity, or one solid within another. */
+	return !good || odd || open_shells_may_hold(bvh, topology, point) ? INSIDE_UNKNOWN : INSIDE_NO;
+}

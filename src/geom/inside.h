@@ -1,0 +1,40 @@
+/* inside.h - is a point inside a mesh? */
+#ifndef FIVECHECK_GEOM_INSIDE_H
+#define FIVECHECK_GEOM_INSIDE_H
+
+#include "geom/bvh.h"
+#include "geom/mesh.h"
+#include "geom/topology.h"
+#include "geom/vec3.h"
+
+/*
+ * The winding number of a closed mesh about a point that is not on its
+ * surface: the sum of the signed solid angles of its triangles over 4 pi (Van
+ * Oosterom and Strackee, "The solid angle of a plane triangle", 1983). Nonzero
+ * is inside; a cavity counts 0.
+ */
+int mesh_winding_number(const struct mesh *mesh, vec3 point);
+
+enum inside {
+	INSIDE_NO,
+	INSIDE_YES,
+	INSIDE_UNKNOWN	/* the mesh is open there, or its shells do not say which side of them is solid */
+};
+
+/*
+ * Is the point, which is not on the surface, inside the mesh? `topology` is that of bvh->mesh. Oriented shells
+ * are judged together by their winding number: a shell that faces the other way inside another one is a cavity.
+ */
+enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, vec3 point);
+
+/*
+ * How often a ray from the point leaves each shell less how often it enters it: the winding numbers of the closed
+ * ones. windings is the caller's, topology->shell_count long, or 1 without shells. Costs a walk down the tree.
+ * False: every ray that was tried passes too near an edge.
+ */
+bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings);
+
+/* The winding number of all other oriented shells about a shell's first corner; for a shell that meets none of them. */
+int mesh_winding_around(const struct mesh *mesh, const struct topology *topology, uint32_t shell);
+
+#endif

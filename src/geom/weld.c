@@ -1,0 +1,134 @@
+#include "geom/weld.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+/*
+ * Everything is brought together by sorting 64-bit keys, one a corner or one a
+ * side, never by probing a hash table: no file can make that slow.
+ */
+
+#define DIGIT_BITS 11
+#define DIGITS (1 << DIGIT_BITS)
+
+void soup_sort_keys(struct soup *soup, size_t count, int low, int high)
+{
+	for (int shift = low; shift < high; shift += DIGIT_BITS) {
+		size_t start[DIGITS + 1] = {0};
+		uint64_t *swap = soup->keys;
+		int bits = high - shift < DIGIT_BITS ? high - shift : DIGIT_BITS;
+		uint64_t mask = ((uint64_t)1 << bits) - 1;
+
+		for (size_t i = 0; i < count; i++)
+			start[(soup->keys[i] >> shift & mask) + 1]++;
+		for (int d = 0; d < DIGITS; d++)
+			start[d + 1] += start[d];
+		for (size_t i = 0; i < count; i++)
+			soup->scratch[start[soup->keys[i] >> shift & mask]++] = soup->keys[i];
+		soup->keys = soup->scratch;
+		soup->scratch = swap;
+	}
+}
+
+static const float *corner_at(const struct soup *soup, size_t corner)
+{
+	return soup->mesh->triangles[corner / 3].v[corner % 3];
+}
+
+/* The bits of a coordinate, the same for -0 as for 0. */
+static uint32_t coordinate_bits(float value)
+{
+	uint32_t bits;
+
+	value += 0.0f;
+	memcpy(&bits, &value, sizeof(bits));
+	return bits;
+}
+
+static uint32_t corner_hash(const float *v)
+{
+	uint64_t h = coordinate_bits(v[0]) * UINT64_C(0x9e3779b97f4a7c15);
+
+	h = (h ^ h >> 32 ^ coordinate_bits(v[1])) * UINT64_C(0xbf58476d1ce4e5b9);
+	h = (h ^ h >> 29 ^ coordinate_bits(v[2])) * UINT64_C(0x94d049bb133111eb);
+	return (uint32_t)(h >> 32);
+}
+
+static int compare_coordinates(const float *a, const float *b)
+{
+	for (int k = 0; k < 3; k++) {
+		if (a[k] < b[k] || a[k] > b[k])
+			return a[k] < b[k] ? -1 : 1;
+	}
+	return 0;
+}
+
+struct corner {
+	float v[3];
+	uint32_t index;
+};
+
+static int compare_corners(const void *a, const void *b)
+{
+	const struct corner *p = a, *q = b;
+
+	return compare_coordinates(p->v, q->v);
+}
+
+/* Numbers the vertices among keys[first..last), corners with one hash but of different places. */
+static void weld_mixed(struct soup *soup, size_t first, size_t last)
+{
+	struct corner *corners = mem_alloc((last - first) * sizeof(*corners));
+
+	for (size_t i = first; i < last; i++) {
+		corners[i - first].index = (uint32_t)soup->keys[i];
+		memcpy(corners[i - first].v, corner_at(soup, (uint32_t)soup->keys[i]), sizeof(corners->v));
+	}
+	qsort(corners, last - first, sizeof(*corners), compare_corners);
+	for (size_t i = 0; i < last - first; i++) {
+		if (i == 0 || compare_corners(&corners[i - 1], &corners[i]) != 0)
+			soup->vertex_count++;
+		soup->vertex[corners[i].index] = soup->vertex_count - 1;
+	}
+	free(corners);
+}
+
+static void weld(struct soup *soup)
+{
+	for (size_t i = 0; i < soup->corner_count; i++)
+		soup->keys[i] = (uint64_t)corner_hash(corner_at(soup, i)) << 32 | i;
+	soup_sort_keys(soup, soup->corner_count, 32, 64);
+	for (size_t first = 0, last; first < soup->corner_count; first = last) {
+		const float *place = corner_at(soup, (uint32_t)soup->keys[first]);
+		uint64_t hash = soup->keys[first] >> 32;
+		bool mixed = false;
+
+		for (last = first; last < soup->corner_count && soup->keys[last] >> 32 == hash; last++) {
+			mixed |= compare_coordinates(place, corner_at(soup, (uint32_t)soup->keys[last])) != 0;
+			soup->vertex[(uint32_t)soup->keys[last]] = soup->vertex_count;
+		}
+		if (mixed)
+			weld_mixed(soup, first, last);
+		else
+			soup->vertex_count++;
+	}
+}
+
+void soup_init(struct soup *soup, const struct mesh *mesh)
+{
+	*soup = (struct soup){.mesh = mesh, .corner_count = 3 * mesh->count};
+	soup->vertex = mem_alloc(soup->corner_count * sizeof(*soup->vertex));
+	soup->keys = mem_alloc(soup->corner_count * sizeof(*soup->keys));
+	soup->scratch = mem_alloc(soup->corner_count * sizeof(*soup->scratch));
+	weld(soup);
+}
+
+void soup_release(struct soup *soup)
+{
+	free(soup->vertex);
+	free(soup->keys);
+	free(soup->scratch);
+	*soup = (struct soup){0};
+}
