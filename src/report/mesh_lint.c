@@ -93,7 +93,8 @@ static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *d
 		const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 		vec3 point;
 
-		if (pair->status == PAIR_RIGID || pair->status == PAIR_WAIVED || is_away(scene, a) || is_away(scene, b))
+		if (pair->status == PAIR_RIGID || pair->status == PAIR_WAIVED || pair->status == PAIR_CUTTING ||
+		    is_away(scene, a) || is_away(scene, b))
 			continue;
 		if (!scene_overlap(scene, pair, &home, TOUCH, &point, diag))
 			continue;

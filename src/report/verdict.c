@@ -4,20 +4,12 @@
 
 #include "report/format/format_units.h"
 
-static bool is_cutting(const struct scene *scene, const struct scene_pair *pair)
-{
-	enum body_role a = scene->bodies[pair->a].body->role;
-	enum body_role b = scene->bodies[pair->b].body->role;
-
-	return (a == ROLE_PART && b == ROLE_CUTTER) || (a == ROLE_CUTTER && b == ROLE_PART);
-}
-
 size_t verdict_pairs(const struct scene *scene, enum pair_status status)
 {
 	size_t count = 0;
 
 	for (size_t i = 0; i < scene->pair_count; i++)
-		count += scene->pairs[i].status == status && !is_cutting(scene, &scene->pairs[i]);
+		count += scene->pairs[i].status == status;
 	return count;
 }
 

@@ -49,7 +49,7 @@ enum { VERDICT_CAUTIONS = 10 };
  */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
 
-/* How many pairs of the scene have this status, pairs of cutter and part apart: those are cutting, not waived. */
+/* How many pairs of the scene have this status. */
 size_t verdict_pairs(const struct scene *scene, enum pair_status status);
 
 #endif

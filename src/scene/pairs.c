@@ -142,7 +142,7 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	if (chain_is_rigid(&pair->chain))
 		decide(pair, PAIR_RIGID, "no joint between them");
 	else if (is_cutting(a, b))
-		decide(pair, PAIR_WAIVED, "the cutter cuts the part");
+		decide(pair, PAIR_CUTTING, "the cutter cuts the part");
 	else if (ruling.check == PAIR_NEVER)
 		decide(pair, PAIR_WAIVED, "%s", ruling.reason);
 	else if (ruling.check == PAIR_ALWAYS)
@@ -172,7 +172,7 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 
 const char *pair_status_name(enum pair_status status)
 {
-	static const char *const names[] = {"checked", "rigid", "adjacent", "out of reach", "waived"};
+	static const char *const names[] = {"checked", "rigid", "adjacent", "out of reach", "waived", "cutting"};
 
 	return names[status];
 }

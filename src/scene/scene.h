@@ -19,7 +19,8 @@ enum pair_status {
 	PAIR_RIGID,	/* no joint between them */
 	PAIR_ADJACENT,	/* neighbours of the machine's structure, close together by design: excused, not proved */
 	PAIR_OUT_OF_REACH,	/* proved apart over the whole travel */
-	PAIR_WAIVED	/* by the user, or a cutter against the part: cutting */
+	PAIR_WAIVED,	/* by the user */
+	PAIR_CUTTING	/* a cutter and the part: the cutter is meant to cut it */
 };
 
 struct scene_body {

@@ -47,21 +47,16 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 
 static void add_pairs(struct strbuf *out, const struct scene *scene)
 {
-	size_t waived = verdict_pairs(scene, PAIR_WAIVED);
-	size_t required = 0, excused = 0, unbuilt = 0;
+	size_t required = verdict_pairs(scene, PAIR_CHECKED), excused = verdict_pairs(scene, PAIR_ADJACENT);
+	size_t unbuilt = 0;
 
-	for (size_t i = 0; i < scene->pair_count; i++) {
-		required += scene->pairs[i].status == PAIR_CHECKED;
-		excused += scene->pairs[i].status == PAIR_ADJACENT;
-	}
 	for (size_t i = 0; i < scene->body_count; i++)
 		unbuilt += !scene->bodies[i].bvh;
 	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", required, excused,
 		    scene->pair_count - required - excused);
 	strbuf_addf(out, " (%zu rigid, %zu out of reach, %zu waived, %zu cutting)\n",
-		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH), waived,
-		    scene->pair_count - verdict_pairs(scene, PAIR_CHECKED) - verdict_pairs(scene, PAIR_RIGID) -
-			    verdict_pairs(scene, PAIR_ADJACENT) - verdict_pairs(scene, PAIR_OUT_OF_REACH) - waived);
+		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH),
+		    verdict_pairs(scene, PAIR_WAIVED), verdict_pairs(scene, PAIR_CUTTING));
 	strbuf_addf(out, "  meshes        %zu read, %zu trees built, %zu not needed\n", scene->meshes_read,
 		    scene->body_count - unbuilt, unbuilt);
 }
