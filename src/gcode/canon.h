@@ -13,7 +13,7 @@
  * radians. Without TCP they are machine axis positions. Under TCP (tool centre
  * point control) they are the positions that the linear axes would have at
  * rotary zero with no tool; the tool's length then acts along the spindle and
- * is the sink's business (struct canon_tcp).
+ * is the machine's business (kinematics.h).
  */
 
 enum canon_kind {
@@ -61,46 +61,13 @@ struct canon_move {
 	int tool;	/* TOOL_CHANGE */
 };
 
-/* What holds from now on under TCP. */
-struct canon_tcp {
-	bool on;
-	double length;	/* mm: the length compensation in force */
-	axis_values rotary_zero;	/* where "rotary zero" is; linear slots 0 */
-};
-
-/* How the rotary axes stand the tool on a tilted plane. */
-struct canon_orientation {
-	vec3 direction;	/* unit: from the tip to the spindle, as positions under TCP are meant */
-	axis_values rotary_zero;
-	axis_values rotary;	/* where the axes are, and then where the rotary ones go */
-};
-
 /* Where an interpreter sends its moves. */
 struct canon_sink {
 	void *context;
 	/* False: stop interpreting; the sink knows why. */
 	bool (*move)(void *context, const struct canon_move *move);
-	/*
-	 * TCP goes on, off, or changes its length: no axis moves, but positions mean
-	 * something else. *position holds the current position under the old meaning
-	 * and receives it under the new one. False: reported at loc (not every
-	 * machine has TCP).
-	 */
-	bool (*tcp)(void *context, const struct canon_tcp *tcp, struct srcloc loc, axis_values *position);
 	/* A block has been carried out, with `moves` moves. False: stop. */
 	bool (*block)(void *context, const char *file, long line, const char *text, int moves);
-	/*
-	 * Finds the rotary positions that give the tool this direction: within the
-	 * limits, the nearest to where the axes are. False: reported at loc.
-	 */
-	bool (*orient)(void *context, struct srcloc loc, struct canon_orientation *orientation);
-	/*
-	 * Where turning the table takes a point: *place holds the position of the
-	 * linear axes that reaches it while the rotary ones are at the machine's zero,
-	 * and where these are now; X Y Z receive the position that reaches it now. No
-	 * axis moves, no tool length counts. False: reported at loc.
-	 */
-	bool (*carry)(void *context, struct srcloc loc, axis_values *place);
 };
 
 #endif

@@ -10,11 +10,13 @@
 #include "gcode/execute/execute.h"
 #include "gcode/state.h"
 
-struct interp *interp_new(const struct gcode_config *config, const struct canon_sink *sink, struct diag *diag)
+struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
+			  const struct canon_sink *sink, struct diag *diag)
 {
 	struct interp *interp = mem_zalloc(1, sizeof(*interp));
 
 	interp->config = config;
+	interp->kinematics = kinematics;
 	interp->sink = sink;
 	interp->diag = diag;
 	state_init(&interp->state, config);

@@ -12,6 +12,7 @@
 #include "control/offset_tables.h"
 #include "gcode/canon.h"
 #include "gcode/dialect.h"
+#include "gcode/kinematics.h"
 #include "gcode/read_options.h"
 #include "geom/vec3.h"
 
@@ -38,8 +39,9 @@ struct gcode_config {
 
 struct interp;
 
-/* config, sink and diag are borrowed until interp_free. */
-struct interp *interp_new(const struct gcode_config *config, const struct canon_sink *sink, struct diag *diag);
+/* All pointers are borrowed until interp_free. */
+struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
+			  const struct canon_sink *sink, struct diag *diag);
 void interp_free(struct interp *interp);
 
 /*

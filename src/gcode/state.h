@@ -118,6 +118,7 @@ struct cutter_comp {
 
 struct interp {
 	const struct gcode_config *config;
+	const struct kinematics *kinematics;
 	const struct canon_sink *sink;
 	struct diag *diag;
 	struct sources sources;

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/units.h"
-#include "motion/carry.h"
+#include "motion/table_point.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
 #include "motion/timing.h"
@@ -388,7 +388,19 @@ bool drive_move(void *context, const struct canon_move *move)
 	return ok;
 }
 
-bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, axis_values *position)
+bool drive_block(void *context, const char *file, long line, const char *text, int moves)
+{
+	struct drive *drive = context;
+	double seconds = drive->block_time;
+
+	drive->summary->blocks++;
+	drive->block_time = 0;
+	return drive->sink->block(drive->sink->context, file, line, text, seconds, moves);
+}
+
+/* ------------------------------------------------------------- kinematics */
+
+static bool switch_tcp(void *context, const struct kinematics_tcp *state, struct srcloc loc, axis_values *position)
 {
 	struct drive *drive = context;
 
@@ -401,26 +413,21 @@ bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, 
 	return true;
 }
 
-bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *orientation)
+static bool orient(void *context, struct srcloc loc, struct kinematics_orientation *orientation)
 {
 	struct drive *drive = context;
 
 	return orient_tool(drive->machine, loc, drive->diag, orientation);
 }
 
-bool drive_carry(void *context, struct srcloc loc, axis_values *place)
+static bool table_point(void *context, struct srcloc loc, axis_values *place)
 {
 	struct drive *drive = context;
 
-	return carry_point(drive->machine, loc, drive->diag, place);
+	return table_point_find(drive->machine, loc, drive->diag, place);
 }
 
-bool drive_block(void *context, const char *file, long line, const char *text, int moves)
+struct kinematics drive_kinematics(struct drive *drive)
 {
-	struct drive *drive = context;
-	double seconds = drive->block_time;
-
-	drive->summary->blocks++;
-	drive->block_time = 0;
-	return drive->sink->block(drive->sink->context, file, line, text, seconds, moves);
+	return (struct kinematics){.context = drive, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "gcode/canon.h"
+#include "gcode/kinematics.h"
 #include "motion/motion.h"
 
 /* Plain data; owns nothing. */
@@ -30,9 +31,9 @@ void drive_init(struct drive *drive, const struct machine *machine, const struct
 
 /* The callbacks of a canon_sink whose context is a struct drive. */
 bool drive_move(void *context, const struct canon_move *move);
-bool drive_tcp(void *context, const struct canon_tcp *state, struct srcloc loc, axis_values *position);
-bool drive_orient(void *context, struct srcloc loc, struct canon_orientation *orientation);
-bool drive_carry(void *context, struct srcloc loc, axis_values *place);
 bool drive_block(void *context, const char *file, long line, const char *text, int moves);
+
+/* The machine's kinematics; `drive` is its context. */
+struct kinematics drive_kinematics(struct drive *drive);
 
 #endif

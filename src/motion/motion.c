@@ -57,11 +57,13 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 {
 	const struct gcode_config config = config_of(machine, setup, options);
 	struct run run;
-	const struct canon_sink canon = {&run, drive_move, drive_tcp, end_block, drive_orient, drive_carry};
+	const struct canon_sink canon = {.context = &run, .move = drive_move, .block = end_block};
+	struct kinematics kinematics;
 	bool ok;
 
 	drive_init(&run.drive, machine, setup, options, sink, diag, name, summary);
-	run.interp = interp_new(&config, &canon, diag);
+	kinematics = drive_kinematics(&run.drive);
+	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);
 	summary->lines = interp_lines(run.interp);
 	interp_free(run.interp);

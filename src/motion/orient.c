@@ -263,9 +263,9 @@ static bool is_orthonormal(const mat3 *m)
 }
 
 static bool set_problem(struct problem *problem, const struct machine *machine,
-			const struct canon_orientation *orientation, struct srcloc loc, struct diag *diag)
+			const struct kinematics_orientation *orientation, struct srcloc loc, struct diag *diag)
 {
-	const struct canon_tcp state = {.on = true, .rotary_zero = orientation->rotary_zero};
+	const struct kinematics_tcp state = {.on = true, .rotary_zero = orientation->rotary_zero};
 	struct tcp tcp;
 
 	if (!tcp_init(&tcp, machine, &state, loc, diag))
@@ -289,7 +289,7 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 }
 
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
-		 struct canon_orientation *orientation)
+		 struct kinematics_orientation *orientation)
 {
 	struct solution solutions[2] = {{.found = false}};
 	struct problem problem;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "base/diag.h"
-#include "gcode/canon.h"
+#include "gcode/kinematics.h"
 #include "machine/machine.h"
 
 /*
@@ -18,6 +18,6 @@
  * cannot stand so, or two choices are as good as each other.
  */
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
-		 struct canon_orientation *orientation);
+		 struct kinematics_orientation *orientation);
 
 #endif

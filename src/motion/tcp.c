@@ -92,7 +92,7 @@ static bool derive_axes(struct tcp *tcp, const struct machine *machine, struct s
 	return invert(tcp, loc, diag);
 }
 
-bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct canon_tcp *state, struct srcloc loc,
+bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct kinematics_tcp *state, struct srcloc loc,
 	      struct diag *diag)
 {
 	struct tcp made = {.state = *state};

@@ -6,7 +6,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
-#include "gcode/canon.h"
+#include "gcode/kinematics.h"
 #include "geom/xform.h"
 #include "machine/chain.h"
 #include "machine/machine.h"
@@ -29,7 +29,7 @@ struct tcp {
 	xform table_zero_inverse;	/* T(theta0)^-1 */
 	vec3 gauge_zero;	/* H(theta0) gauge */
 	vec3 tip;	/* t */
-	struct canon_tcp state;
+	struct kinematics_tcp state;
 };
 
 /*
@@ -37,7 +37,7 @@ struct tcp {
  * why: a linear axis hangs on a rotary one, X Y Z do not span space, no
  * spindle, no workholding.
  */
-bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct canon_tcp *state, struct srcloc loc,
+bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct kinematics_tcp *state, struct srcloc loc,
 	      struct diag *diag);
 
 /* Controller position -> machine axes, and back. Slots other than X Y Z are the same in both. */

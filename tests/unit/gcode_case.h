@@ -25,7 +25,7 @@ struct gcode_case {
 	struct diag diag;
 	int count;
 	long lines;
-	struct canon_tcp tcp;
+	struct kinematics_tcp tcp;
 };
 
 static inline void case_note(void *context, const struct diag_entry *entry)
@@ -101,7 +101,7 @@ static inline void case_turn(axis_values *position, double angle, double rise)
 	position->v[SLOT_Z] += rise;
 }
 
-static inline bool case_tcp(void *context, const struct canon_tcp *tcp, struct srcloc loc, axis_values *position)
+static inline bool case_tcp(void *context, const struct kinematics_tcp *tcp, struct srcloc loc, axis_values *position)
 {
 	struct gcode_case *c = context;
 
@@ -123,7 +123,7 @@ static inline bool case_tcp(void *context, const struct canon_tcp *tcp, struct s
  * The control of case_turn's table, with A on it that tilts the tool's direction
  * about X: direction = (0, sin A, cos A).
  */
-static inline bool case_orient(void *context, struct srcloc loc, struct canon_orientation *orientation)
+static inline bool case_orient(void *context, struct srcloc loc, struct kinematics_orientation *orientation)
 {
 	struct gcode_case *c = context;
 
@@ -138,7 +138,7 @@ static inline bool case_orient(void *context, struct srcloc loc, struct canon_or
 }
 
 /* The same table, and A standing still on it. */
-static inline bool case_carry(void *context, struct srcloc loc, axis_values *place)
+static inline bool case_table_point(void *context, struct srcloc loc, axis_values *place)
 {
 	struct gcode_case *c = context;
 
@@ -148,6 +148,12 @@ static inline bool case_carry(void *context, struct srcloc loc, axis_values *pla
 	}
 	case_turn(place, place->v[SLOT_C], 0);
 	return true;
+}
+
+static inline struct kinematics case_kinematics(struct gcode_case *c)
+{
+	return (struct kinematics){
+		.context = c, .tcp = case_tcp, .orient = case_orient, .table_point = case_table_point};
 }
 
 static inline bool case_block(void *context, const char *file, long line, const char *text, int moves)
@@ -161,12 +167,13 @@ static inline bool case_block(void *context, const char *file, long line, const 
 
 static inline bool case_run_stream(struct gcode_case *c, FILE *in)
 {
-	struct canon_sink sink = {c, case_move, case_tcp, case_block, case_orient, case_carry};
+	struct canon_sink sink = {.context = c, .move = case_move, .block = case_block};
+	struct kinematics kinematics = case_kinematics(c);
 	struct interp *interp;
 	bool good;
 
 	c->diag.context = c;
-	interp = interp_new(&c->config, &sink, &c->diag);
+	interp = interp_new(&c->config, &kinematics, &sink, &c->diag);
 	good = interp_run(interp, in, "p.nc");
 	c->lines = interp_lines(interp);
 	interp_free(interp);

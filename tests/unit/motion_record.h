@@ -121,12 +121,20 @@ static inline void go(struct record *record, struct canon_move move)
 	ck_assert_msg(drive_move(&record->drive, &move), "%s", record->messages.text);
 }
 
+static inline bool switch_tcp(struct drive *drive, const struct kinematics_tcp *state, struct srcloc loc,
+			      axis_values *position)
+{
+	struct kinematics kinematics = drive_kinematics(drive);
+
+	return kinematics.tcp(kinematics.context, state, loc, position);
+}
+
 static inline void guide(struct record *record, double length)
 {
-	struct canon_tcp state = {.on = true, .length = length};
+	struct kinematics_tcp state = {.on = true, .length = length};
 	axis_values position = record->drive.position;
 
-	ck_assert(drive_tcp(&record->drive, &state, (struct srcloc){"part.nc", 1, 1}, &position));
+	ck_assert(switch_tcp(&record->drive, &state, (struct srcloc){"part.nc", 1, 1}, &position));
 }
 
 #endif

@@ -227,7 +227,7 @@ static inline void rig_listen(struct rig_messages *messages)
 	messages->diag.context = messages;
 }
 
-static inline struct tcp rig_tcp(const struct machine *machine, const struct canon_tcp *state)
+static inline struct tcp rig_tcp(const struct machine *machine, const struct kinematics_tcp *state)
 {
 	struct rig_messages messages;
 	struct tcp tcp;
@@ -237,9 +237,9 @@ static inline struct tcp rig_tcp(const struct machine *machine, const struct can
 	return tcp;
 }
 
-static inline struct canon_tcp rig_tcp_state(const struct machine *machine, uint64_t *random)
+static inline struct kinematics_tcp rig_tcp_state(const struct machine *machine, uint64_t *random)
 {
-	struct canon_tcp state = {.on = true, .length = rig_random(random, 0, 200)};
+	struct kinematics_tcp state = {.on = true, .length = rig_random(random, 0, 200)};
 
 	for (size_t i = 0; i < machine->axis_count; i++)
 		if (machine->axes[i].rotary && rig_pick(random, 2))

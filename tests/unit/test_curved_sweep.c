@@ -66,7 +66,7 @@ static void curve_init(struct curve *c, uint64_t test, long number, bool tcp)
 	if (!tcp || random_below(random, 3) == 0)
 		make_circular(c, random_size(random, 1, 100));
 	if (tcp) {
-		struct canon_tcp state = {.on = true, .length = random_in(random, 0, 100)};
+		struct kinematics_tcp state = {.on = true, .length = random_in(random, 0, 100)};
 		struct rig_messages messages;
 
 		rig_listen(&messages);

@@ -191,14 +191,14 @@ END_TEST
 START_TEST(tcp_on_and_off_moves_nothing)
 {
 	struct machine machine = rig_trunnion();
-	struct canon_tcp on = {.on = true, .length = 100}, off = {.on = false};
+	struct kinematics_tcp on = {.on = true, .length = 100}, off = {.on = false};
 	axis_values position = {{5, 30, -340, radians(90)}};
 	struct canon_move move;
 	struct record record;
 
 	start(&record, &machine);
 	go(&record, move_to(CANON_RAPID, position));
-	ck_assert(drive_tcp(&record.drive, &on, (struct srcloc){NULL, 0, 0}, &position));
+	ck_assert(switch_tcp(&record.drive, &on, (struct srcloc){NULL, 0, 0}, &position));
 	/* The tip is at (5, 30, 80): A = 90 back, +Y from the axis is up, -Z is +Y. */
 	ck_assert_double_eq_tol(position.v[SLOT_X], 5, 1e-12);
 	ck_assert_double_eq_tol(position.v[SLOT_Y], 40, 1e-9);
@@ -215,7 +215,7 @@ START_TEST(tcp_on_and_off_moves_nothing)
 	go(&record, move_to(CANON_RAPID, (axis_values){{6, 30, 0, radians(90)}}));
 	go(&record, move);
 	ck_assert_double_eq_tol(record.last.v[SLOT_Z], -340, 1e-9);
-	ck_assert(drive_tcp(&record.drive, &off, (struct srcloc){NULL, 0, 0}, &position));
+	ck_assert(switch_tcp(&record.drive, &off, (struct srcloc){NULL, 0, 0}, &position));
 	ck_assert_mem_eq(&position, &record.last, sizeof(position));
 	go(&record, move_to(CANON_RAPID, (axis_values){{0}}));
 	ck_assert_int_eq(record.steps[record.step_count - 1].span.path->kind, PATH_STRAIGHT);
@@ -225,13 +225,13 @@ END_TEST
 START_TEST(tcp_without_the_kinematics_is_an_error)
 {
 	struct machine machine = rig_trunnion();
-	struct canon_tcp on = {.on = true};
+	struct kinematics_tcp on = {.on = true};
 	axis_values position = {{0}};
 	struct record record;
 
 	machine.workholding.present = false;
 	start(&record, &machine);
-	ck_assert(!drive_tcp(&record.drive, &on, (struct srcloc){"part.nc", 4, 9}, &position));
+	ck_assert(!switch_tcp(&record.drive, &on, (struct srcloc){"part.nc", 4, 9}, &position));
 	ck_assert_uint_eq(record.messages.diag.errors, 1);
 	ck_assert_int_eq(record.messages.loc.line, 4);
 }

@@ -254,7 +254,8 @@ START_TEST(subprograms_in_files)
 	char folder[] = "/tmp/fivecheck-flow-XXXXXX";
 	const char *includes[1];
 	struct gcode_case c;
-	struct canon_sink sink = {&c, count_move, case_tcp, note_file, case_orient, case_carry};
+	struct canon_sink sink = {.context = &c, .move = count_move, .block = note_file};
+	struct kinematics kinematics = case_kinematics(&c);
 	struct interp *interp;
 	FILE *in = tmpfile();
 
@@ -269,7 +270,7 @@ START_TEST(subprograms_in_files)
 	c.diag.context = &c;
 	c.config.read.includes = includes;
 	c.config.read.include_count = 1;
-	interp = interp_new(&c.config, &sink, &c.diag);
+	interp = interp_new(&c.config, &kinematics, &sink, &c.diag);
 	ck_assert(!interp_run(interp, in, "p.nc"));
 	interp_free(interp);
 	fclose(in);

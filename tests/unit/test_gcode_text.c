@@ -207,7 +207,8 @@ START_TEST(streaming)
 {
 	struct gcode_config config = {.dialect = &dialect_linuxcnc, .has_axis = {true, true, true}};
 	int count = 0, ends[2];
-	struct canon_sink sink = {&count, check_stream_move, NULL, skip_block, NULL, NULL};
+	struct canon_sink sink = {.context = &count, .move = check_stream_move, .block = skip_block};
+	struct kinematics none = {0};
 	struct diag diag = {0};
 	struct interp *interp;
 	pthread_t writer;
@@ -216,7 +217,7 @@ START_TEST(streaming)
 	ck_assert_int_eq(pipe(ends), 0);
 	in = fdopen(ends[0], "r");
 	ck_assert_int_eq(pthread_create(&writer, NULL, write_program, fdopen(ends[1], "w")), 0);
-	interp = interp_new(&config, &sink, &diag);
+	interp = interp_new(&config, &none, &sink, &diag);
 	ck_assert(interp_run(interp, in, "pipe"));
 	ck_assert_int_eq(interp_lines(interp), STREAM_BLOCKS + 1);
 	interp_free(interp);

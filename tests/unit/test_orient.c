@@ -16,7 +16,7 @@ static vec3 euler_normal(double i, double j)
 static void expect_turn(const struct machine *machine, vec3 direction, int s1, double h1, int s2, double h2, double e1,
 			double e2)
 {
-	struct canon_orientation orientation = {.direction = direction};
+	struct kinematics_orientation orientation = {.direction = direction};
 	struct rig_messages messages;
 
 	rig_listen(&messages);
@@ -121,7 +121,7 @@ START_TEST(random_machines)
 
 	for (int k = 0; k < 20000; k++) {
 		struct machine machine = rig_three_axes();
-		struct canon_orientation orientation = {.direction = {0, 0, 1}};
+		struct kinematics_orientation orientation = {.direction = {0, 0, 1}};
 		vec3 first = rig_unit(&random), second = rig_unit(&random), wanted, there;
 		struct rig_messages messages;
 		axis_values truth = {{0}};
@@ -241,7 +241,7 @@ END_TEST
 
 static void expect_message(const struct machine *machine, vec3 direction, bool good, size_t warnings, const char *text)
 {
-	struct canon_orientation orientation = {.direction = direction};
+	struct kinematics_orientation orientation = {.direction = direction};
 	struct rig_messages messages;
 
 	rig_listen(&messages);

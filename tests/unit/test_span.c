@@ -121,7 +121,7 @@ START_TEST(walk_of_guided_paths)
 
 	for (int i = 0; i < 900; i++) {
 		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
-		struct canon_tcp state = {.on = true, .length = 100};
+		struct kinematics_tcp state = {.on = true, .length = 100};
 		struct path path = {.kind = PATH_TCP};
 		struct rig_messages messages;
 		struct tcp tcp;

@@ -21,7 +21,7 @@ static void assert_linear(axis_values q, double x, double y, double z)
 START_TEST(length_lifts_a_vertical_spindle)
 {
 	struct machine machine = rig_three_axes();
-	struct canon_tcp state = {.on = true, .length = 130};
+	struct kinematics_tcp state = {.on = true, .length = 130};
 	struct tcp tcp = rig_tcp(&machine, &state);
 	axis_values p = {{10, 20, -300}}, q = tcp_to_machine(&tcp, &p);
 
@@ -39,7 +39,7 @@ END_TEST
 START_TEST(trunnion_by_hand)
 {
 	struct machine machine = rig_trunnion();
-	struct canon_tcp state = {.on = true, .length = 100};
+	struct kinematics_tcp state = {.on = true, .length = 100};
 	struct tcp tcp = rig_tcp(&machine, &state);
 	axis_values p = {{5, 30, -340, radians(90)}};
 
@@ -57,7 +57,7 @@ END_TEST
 START_TEST(head_by_hand)
 {
 	struct machine machine = rig_three_axes();
-	struct canon_tcp state = {.on = true, .length = 100};
+	struct kinematics_tcp state = {.on = true, .length = 100};
 	struct tcp tcp;
 	axis_values p = {{0, 0, 0, 0, radians(90)}};
 
@@ -71,7 +71,7 @@ END_TEST
 START_TEST(rotary_zero_is_where_positions_are_literal)
 {
 	struct machine machine = rig_trunnion();
-	struct canon_tcp state = {.on = true, .length = 100, .rotary_zero = {{0, 0, 0, 0.3, 0, PI / 2}}};
+	struct kinematics_tcp state = {.on = true, .length = 100, .rotary_zero = {{0, 0, 0, 0.3, 0, PI / 2}}};
 	struct tcp tcp = rig_tcp(&machine, &state);
 	axis_values p = {{5, 30, -340, 0.3, 0, PI / 2}};
 
@@ -92,7 +92,7 @@ static vec3 tip_in_workpiece(const struct machine *machine, const axis_values *q
 }
 
 /* What a controller position means: the same with the rotary axes at rotary zero and no tool. */
-static vec3 meant(const struct machine *machine, const struct canon_tcp *state, axis_values p)
+static vec3 meant(const struct machine *machine, const struct kinematics_tcp *state, axis_values p)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		p.v[slot] = state->rotary_zero.v[slot];
@@ -106,7 +106,7 @@ START_TEST(tip_keeps_its_place)
 
 	for (int i = 0; i < 9000; i++) {
 		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		struct path path = {.kind = PATH_TCP, .start = rig_position(&machine, &random),
 				    .end = rig_position(&machine, &random), .tcp = &tcp};
@@ -134,7 +134,7 @@ START_TEST(round_trip)
 
 	for (int i = 0; i < 9000; i++) {
 		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		axis_values p = rig_position(&machine, &random), q = tcp_to_machine(&tcp, &p);
 		axis_values back = tcp_from_machine(&tcp, &q), again = tcp_to_machine(&tcp, &back);
@@ -151,7 +151,7 @@ END_TEST
 
 static void assert_refused(const struct machine *machine, const char *part)
 {
-	struct canon_tcp state = {.on = true};
+	struct kinematics_tcp state = {.on = true};
 	struct rig_messages messages;
 	struct tcp tcp;
 
@@ -188,7 +188,7 @@ END_TEST
 START_TEST(common_carrier_does_not_count)
 {
 	struct machine machine = rig_machine();
-	struct canon_tcp state = {.on = true, .length = 10};
+	struct kinematics_tcp state = {.on = true, .length = 10};
 	int base = rig_axis(&machine, SLOT_A, 0, rig_x, rig_origin);
 	int link = rig_axis(&machine, SLOT_X, base, rig_x, rig_origin);
 	axis_values p = {{1, 2, 3, 0.7, 0, 0.4}}, q;

@@ -174,7 +174,7 @@ START_TEST(chord_bound_holds_and_is_tight)
 	for (int i = 0; i < 45000; i++) {
 		enum rig_family family = (enum rig_family)(i % RIG_FAMILIES);
 		struct machine machine = rig_random_machine(&random, family);
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		struct path path = random_move(&machine, &tcp, &random);
 		double h = exp(rig_random(&random, -5, 0)), u0 = rig_random(&random, 0, 1 - h);
@@ -201,7 +201,7 @@ START_TEST(second_derivative_bound_holds)
 
 	for (int i = 0; i < 45000; i++) {
 		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		struct path path = random_move(&machine, &tcp, &random);
 		double h = exp(rig_random(&random, -3, 0)), u0 = rig_random(&random, 0, 1 - h), ratio;
@@ -221,7 +221,7 @@ START_TEST(an_axis_along_the_turn_is_exact)
 
 	for (int i = 0; i < 100; i++) {
 		struct machine machine = rig_random_machine(&random, RIG_C_TABLE);
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		struct path path = random_move(&machine, &tcp, &random);
 
@@ -238,7 +238,7 @@ START_TEST(rounding_is_inside)
 
 	for (int i = 0; i < 36000; i++) {
 		struct machine machine = rig_random_machine(&random, (enum rig_family)(i % RIG_FAMILIES));
-		struct canon_tcp state = rig_tcp_state(&machine, &random);
+		struct kinematics_tcp state = rig_tcp_state(&machine, &random);
 		struct tcp tcp = rig_tcp(&machine, &state);
 		struct path path = random_move(&machine, &tcp, &random);
 		double u0 = rig_random(&random, 0, 1), ratio = worst_ratio(&path, u0, u0 + 1e-12, 2);

@@ -226,7 +226,7 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 	struct state *state = &interp->state;
 	const struct block *block = &interp->block;
 	int column = block->g_column[G_NONMODAL];
-	struct canon_orientation orientation = {.rotary = state->canonical};
+	struct kinematics_orientation orientation = {.rotary = state->canonical};
 	slot_values target = state->position;
 	bool good;
 
@@ -234,7 +234,7 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 		return fault(&interp->at, column, "G53.1 needs a plane that G68.2 has just tilted");
 	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
 	orientation.rotary_zero = tool_length_rotary_zero(interp);
-	if (!interp->sink->orient(interp->sink->context, line_loc(&interp->at, column), &orientation))
+	if (!interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, column), &orientation))
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot])

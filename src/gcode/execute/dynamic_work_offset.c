@@ -114,7 +114,7 @@ static bool switch_on(struct interp *interp, int column)
 		if (!slot_is_rotary(slot))
 			zero.v[slot] = state->work[state->system].v[slot];
 	}
-	if (!interp->sink->carry(interp->sink->context, line_loc(&interp->at, column), &zero))
+	if (!interp->kinematics->table_point(interp->kinematics->context, line_loc(&interp->at, column), &zero))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		state->dynamic.zero.v[slot] = zero.v[slot];

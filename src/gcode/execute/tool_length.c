@@ -23,10 +23,10 @@ axis_values tool_length_rotary_zero(const struct interp *interp)
 static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
-	struct canon_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = tool_length_rotary_zero(interp)};
+	struct kinematics_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = tool_length_rotary_zero(interp)};
 	axis_values position = state->canonical;
 
-	if (!interp->sink->tcp(interp->sink->context, &tcp, line_loc(&interp->at, column), &position))
+	if (!interp->kinematics->tcp(interp->kinematics->context, &tcp, line_loc(&interp->at, column), &position))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!slot_is_rotary(slot))

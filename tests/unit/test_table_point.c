@@ -1,8 +1,8 @@
-/* test_carry.c - where G254 finds the work zero: against closed forms and forward kinematics, and machines without. */
+/* test_table_point.c - where G254 finds the work zero: against closed forms and forward kinematics, and machines without. */
 #include <stdlib.h>
 
 #include "machine/chain.h"
-#include "motion/carry.h"
+#include "motion/table_point.h"
 #include "motion_rig.h"
 
 static const struct srcloc here = {"part.nc", 7, 3};
@@ -12,7 +12,7 @@ static axis_values carried(const struct machine *machine, axis_values place)
 	struct rig_messages messages;
 
 	rig_listen(&messages);
-	ck_assert_msg(carry_point(machine, here, &messages.diag, &place), "%s", messages.text);
+	ck_assert_msg(table_point_find(machine, here, &messages.diag, &place), "%s", messages.text);
 	return place;
 }
 
@@ -115,7 +115,7 @@ static void assert_refused(const struct machine *machine, const char *message)
 	axis_values place = {{1, 2, 3, 0.4, 0.5, 0.6}};
 
 	rig_listen(&messages);
-	ck_assert(!carry_point(machine, here, &messages.diag, &place));
+	ck_assert(!table_point_find(machine, here, &messages.diag, &place));
 	ck_assert_str_eq(messages.text, message);
 	ck_assert_int_eq(messages.loc.line, here.line);
 	ck_assert_int_eq(messages.loc.column, here.column);
@@ -140,8 +140,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("carry");
-	TCase *tests = tcase_create("carry");
+	Suite *suite = suite_create("table_point");
+	TCase *tests = tcase_create("table_point");
 	SRunner *runner;
 	int failed;
 

@@ -1,11 +1,11 @@
-#include "motion/carry.h"
+#include "motion/table_point.h"
 
 #include "motion/tcp.h"
 
 /* With the head at rest and no length, TCP keeps the gauge point at its place of the workpiece. */
-bool carry_point(const struct machine *machine, struct srcloc loc, struct diag *diag, axis_values *place)
+bool table_point_find(const struct machine *machine, struct srcloc loc, struct diag *diag, axis_values *place)
 {
-	const struct canon_tcp state = {.on = true};
+	const struct kinematics_tcp state = {.on = true};
 	axis_values carried;
 	struct tcp tcp;
 

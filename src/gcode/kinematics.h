@@ -1,0 +1,48 @@
+/* kinematics.h - what an interpreter asks of the machine: how its rotary axes carry the tool and the workpiece. */
+#ifndef FIVECHECK_GCODE_KINEMATICS_H
+#define FIVECHECK_GCODE_KINEMATICS_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "base/diag.h"
+#include "geom/vec3.h"
+
+/* Lengths in mm, angles in radians. */
+
+/* Tool centre point control (TCP) as it holds from now on. */
+struct kinematics_tcp {
+	bool on;
+	double length;	/* the length compensation in force; it acts along the spindle */
+	axis_values rotary_zero;	/* where "rotary zero" is; linear slots 0 */
+};
+
+/* How the rotary axes stand the tool on a tilted plane. */
+struct kinematics_orientation {
+	vec3 direction;	/* unit: from the tip to the spindle, as positions under TCP are meant */
+	axis_values rotary_zero;
+	axis_values rotary;	/* where the axes are; receives where the rotary ones go */
+};
+
+/*
+ * None of these moves an axis. Each returns false after it reported at loc why this machine cannot do it, and then
+ * leaves its last argument untouched.
+ */
+struct kinematics {
+	void *context;
+	/*
+	 * TCP goes on, off, or changes its length or zero. *position is the current position as it was meant before,
+	 * and receives the same place as it is meant from now on.
+	 */
+	bool (*tcp)(void *context, const struct kinematics_tcp *tcp, struct srcloc loc, axis_values *position);
+	/* Finds the rotary positions that give the tool this direction: within the limits, the nearest to where it is. */
+	bool (*orient)(void *context, struct srcloc loc, struct kinematics_orientation *orientation);
+	/*
+	 * Where turning the table takes a point of the workpiece. *place holds, for the linear axes, the position that
+	 * brings the gauge point to it while every rotary axis is at the machine's zero, and for the rotary axes where
+	 * they are now; X Y Z receive the position that brings the gauge point to it now.
+	 */
+	bool (*table_point)(void *context, struct srcloc loc, axis_values *place);
+};
+
+#endif
