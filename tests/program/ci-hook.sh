@@ -1,9 +1,5 @@
 # The pre-commit hook of examples/ci, in a repository of its own.
-if ! command -v git >/dev/null; then
-	echo "ci-hook: skipped: there is no git" >&2
-	cat "$(dirname "$LIB")/ci-hook.sh.stdout.exact"
-	exit 0
-fi
+need git
 export HOME="$PWD" GIT_CONFIG_NOSYSTEM=1 GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b
 export GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
 small_machine

@@ -22,17 +22,17 @@ MK
 uptodate() {
 	make -s -q "$1" && echo "$1 is up to date" || echo "$1 is to be made"
 }
-sleep 0.01
-touch main.checked 'o u:t%.json'
+touch -d '-3 hours' m.xml head.stl table.stl main.nc near.ngc 'a $b#c.xml' good.nc
+touch -d '-2 hours' main.checked 'o u:t%.json'
 uptodate main.checked
 uptodate 'o u:t%.json'
 for input in m.xml head.stl table.stl main.nc near.ngc; do
-	touch -d '+1 minute' "$input"
+	touch -d '-1 hour' "$input"
 	uptodate main.checked
-	touch -d '-1 minute' "$input"
+	touch -d '-3 hours' "$input"
 done
 uptodate main.checked
-touch -d '+1 minute' 'a $b#c.xml'
+touch -d '-1 hour' 'a $b#c.xml'
 uptodate 'o u:t%.json'
 # A mesh that is gone and no longer wanted does not stop make.
 rm head.stl

@@ -1,8 +1,5 @@
 # Validators that know nothing of fivecheck read its documents. SARIF_SCHEMA names the published JSON schema of SARIF
 # 2.1.0 where there is a copy of it (OASIS has it: sarif-schema-2.1.0.json); what is not there is skipped.
-skip() {
-	echo "formats-valid: skipped: $*" >&2
-}
 small_machine
 printf 'G0 X10\n\tG1 Z-120 F6000 (\303\244 & <b> \001 \377 ]]>)\r\n' >'a b,c:d%.nc'
 printf 'G0 X300\nG0 X-300\nG0 X300\nG0 Z400\n' >limits.nc
@@ -33,12 +30,12 @@ if command -v xmllint >/dev/null; then
 	sed 's/type="collision"/type="crash"/' out.xml >wrong.xml
 	xmllint --noout --schema "$schema" wrong.xml 2>/dev/null && echo "the schema of JUnit accepts anything"
 else
-	skip "there is no xmllint (libxml2-utils)"
+	leave_out "there is no xmllint (libxml2-utils)"
 fi
 if ! python3 -c 'import jsonschema' 2>/dev/null; then
-	skip "there is no python3-jsonschema"
+	leave_out "there is no python3-jsonschema"
 else
-	[ -e "${SARIF_SCHEMA:-}" ] || skip "SARIF_SCHEMA does not name the published schema: only the narrower one of this folder"
+	[ -e "${SARIF_SCHEMA:-}" ] || leave_out "SARIF_SCHEMA does not name the published schema: only the narrower one of this folder"
 	for schema in "$(dirname "$LIB")/sarif.schema.json" ${SARIF_SCHEMA:+"$SARIF_SCHEMA"}; do
 		python3 - "$schema" out.sarif clear.sarif <<'PY'
 import json, sys, jsonschema
@@ -102,5 +99,5 @@ if command -v jq >/dev/null; then
 	jq -e '.runs[0].invocations[0] | .exitCode == 2 and (.executionSuccessful | not)' out.sarif >/dev/null ||
 		echo wrong end
 else
-	skip "there is no jq"
+	leave_out "there is no jq"
 fi

@@ -1,5 +1,5 @@
 # SIGINT in the middle of one long proof: a ball turns in a bowl, hundredths of a mm away, which takes minutes.
-command -v python3 >/dev/null || { cat "$(dirname "$LIB")/interrupt-sweep.sh.stdout.exact"; exit 0; }
+need python3
 cat >start.py <<'PY'
 import os, signal, sys
 signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,12 +1,13 @@
 # What ends in the middle leaves the file of results as it was.
 small_machine
 echo before >report
-mkfifo endless
-yes 'G1 X1 F100' >endless 2>/dev/null &
+mkfifo endless consumed
+{ yes 'G1 X1 F100' | head -n 100000; echo >consumed; yes 'G1 X1 F100'; } >endless 2>/dev/null &
 writer=$!
 "$FIVECHECK" -o report m.xml - <endless &
-sleep 0.3
-kill $! && wait $!
+# Far more has been read than a pipe holds.
+read -r _ <consumed
+kill $! && wait $! 2>/dev/null
 echo "status $?"
 kill $writer 2>/dev/null
 cat report

@@ -151,3 +151,25 @@ rectangle() {
 		       c[1] + s[1], c[2] + s[2], c[3] + s[3]
 	}')
 }
+
+# skip REASON - ends the test here, as something that it needs is not on this computer; the runner repeats the reason
+skip() {
+	echo "$*" >>"$SKIP_REASONS"
+	exit 77
+}
+
+# leave_out REASON - the test goes on without a part of it that prints nothing
+leave_out() {
+	echo "$*" >>"$SKIP_REASONS"
+}
+
+# need TOOL - skips the test where there is no such program
+need() {
+	command -v "$1" >/dev/null || skip "there is no $1"
+}
+
+# soon COMMAND... - in at most 20 s of processor time; who waits for ever is ended, however busy the computer is
+soon() (
+	ulimit -t 20
+	exec timeout 1000 "$@"
+)

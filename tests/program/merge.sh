@@ -1,9 +1,5 @@
 # The results of shards, joined by examples/scale-out/merge, are those of one run; whatever is missing is an error.
-if ! command -v jq >/dev/null; then
-	echo "merge: skipped: there is no jq" >&2
-	cat "$(dirname "$LIB")/merge.sh.stdout.exact"
-	exit 0
-fi
+need jq
 merge="$(dirname "$LIB")/../../examples/scale-out/merge"
 small_machine
 printf 'G0 X300\nG0 X10\nG1 Z-120 F6000\n' >a.nc

@@ -1,10 +1,6 @@
 # The gnuplot scripts draw what the two reports hold, for any names in it. Without gnuplot nothing is drawn, nor tested.
 plots=${LIB%/*}/../../examples/plots
-if ! command -v gnuplot >/dev/null; then
-	echo "skipped: there is no gnuplot" >&2
-	cat "$(dirname "$LIB")/plots.sh.stdout.exact"
-	exit
-fi
+need gnuplot
 small_machine
 sed -e 's/body name="table"/body name="big_1 {x}"/' m.xml >odd.xml
 printf 'G0 Z%s\n' 0 -95 -98 -95 0 >a.nc

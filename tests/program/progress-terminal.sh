@@ -1,9 +1,6 @@
 # What a terminal shows while programs run: a line that fits into it, with whole seconds, gone when results are printed.
-if ! command -v script >/dev/null; then
-	echo "progress-terminal: skipped: there is no script (bsdutils)" >&2
-	cat "$(dirname "$LIB")/progress-terminal.sh.stdout.exact"
-	exit 0
-fi
+command -v script >/dev/null || skip "there is no script (bsdutils)"
+script -q -e -c true /dev/null >/dev/null 2>&1 </dev/null || skip "there is no pseudo-terminal"
 small_machine
 echo 'G0 X10' >a.nc
 cp a.nc b.nc

@@ -1,7 +1,5 @@
 # examples/scale-out with GNU parallel, and the command of its Kubernetes job: what the shards find is what one run finds.
-skip() {
-	echo "scale-out-parallel: skipped: $*" >&2
-}
+need jq
 scale_out="$(dirname "$LIB")/../../examples/scale-out"
 mkdir 'a folder' && cd 'a folder' || exit 1
 small_machine
@@ -17,10 +15,6 @@ same() { # A B: the same but for how numbers are written
 	jq -c . "$2" >b.lines
 	cmp a.lines b.lines
 }
-if ! command -v jq >/dev/null; then
-	skip "there is no jq"
-	exit 0
-fi
 if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q '^GNU parallel'; then
 	export HOME="$PWD" PARALLEL_OPTIONS="-j 2"
 	mkdir .parallel && : >.parallel/will-cite
@@ -32,7 +26,7 @@ if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q '^
 	FIVECHECK=/nowhere "$scale_out/with-parallel" 3 out --files-from list m.xml 2>/dev/null
 	[ $? -eq 2 ] || echo "parallel: what did not run passes"
 else
-	skip "there is no GNU parallel"
+	leave_out "there is no GNU parallel"
 fi
 # The command of the Kubernetes job, as its shell gets it.
 mkdir results

@@ -279,7 +279,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, every_level_gives_the_same_bits);
 	tcase_add_test(tcase, nothing_is_nearer_than_claimed);
 	suite_add_tcase(suite, tcase);

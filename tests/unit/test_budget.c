@@ -256,7 +256,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, what_is_covered_is_apart);
 	tcase_add_test(tcase, no_point_moves_farther_than_the_room);
 	tcase_add_test(tcase, budget_is_not_slack);

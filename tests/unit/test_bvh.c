@@ -174,7 +174,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, random_soups);
 	tcase_add_test(tcase, degenerate_soups);
 	tcase_add_test(tcase, hundred_thousand);

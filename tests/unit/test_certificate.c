@@ -329,7 +329,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, what_is_proved_of_a_chord_is_so);
 	tcase_add_test(tcase, the_bend_is_needed);
 	tcase_add_test(tcase, what_is_proved_of_a_box_is_so);

@@ -141,7 +141,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_unchecked_fixture(tests, set_up, tear_down);
 	tcase_add_test(tests, only_what_is_inside);
 	tcase_add_test(tests, never_outside_while_links_are_exchanged);

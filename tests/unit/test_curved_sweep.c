@@ -286,7 +286,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, arcs);
 	tcase_add_test(tcase, guided_moves);
 	tcase_add_test(tcase, arcs_with_a_path_tolerance);

@@ -380,7 +380,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, feeds);
 	tcase_add_test(tests, rapids);
 	tcase_add_test(tests, arcs_take_their_length);

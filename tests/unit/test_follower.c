@@ -272,7 +272,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, first_contact_of_many_steps);
 	tcase_add_test(tcase, standing_still_costs_nothing);
 	tcase_add_test(tcase, clear_wherever_the_control_may_go);

@@ -161,7 +161,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, between_the_truth_and_a_share_of_it);
 	tcase_add_test(tcase, clear_without_a_look);
 	tcase_add_test(tcase, known_distances);

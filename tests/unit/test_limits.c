@@ -165,7 +165,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, straight_moves_past_a_limit);
 	tcase_add_test(tests, an_arc_bulges_past_a_limit);
 	tcase_add_test(tests, a_guided_move_bulges_past_a_limit);

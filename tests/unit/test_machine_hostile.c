@@ -149,7 +149,6 @@ int main(void)
 {
 	TCase *tcase = tcase_create("machine_hostile");
 
-	tcase_set_timeout(tcase, 120);
 	tcase_add_test(tcase, refuses_what_is_no_file);
 	tcase_add_test(tcase, refuses_giants);
 	tcase_add_test(tcase, refuses_foreign_bytes);

@@ -117,7 +117,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, a_program);
 	tcase_add_test(tests, a_guided_program);
 	tcase_add_test(tests, a_faulty_program);

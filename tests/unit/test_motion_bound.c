@@ -408,7 +408,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, pose_is_the_product_of_exponentials);
 	tcase_add_test(tcase, no_point_is_farther_from_an_axis);
 	tcase_add_test(tcase, chord_bounds_hold_and_are_tight);

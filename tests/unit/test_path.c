@@ -219,7 +219,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, straight_is_linear);
 	tcase_add_test(tests, helix_in_the_xy_plane);
 	tcase_add_test(tests, other_planes_and_turns);

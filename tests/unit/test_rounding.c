@@ -148,7 +148,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, poses_are_off_by_no_more_than_allowed);
 	tcase_add_test(tcase, box_tests_are_off_by_no_more_than_allowed);
 	suite_add_tcase(suite, tcase);

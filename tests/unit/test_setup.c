@@ -456,7 +456,6 @@ int main(void)
 	tcase_add_test(good, empty_setup_and_bare_tool);
 	suite_add_tcase(suite, good);
 	tcase_add_checked_fixture(faulty, start, finish);
-	tcase_set_timeout(faulty, 120);
 	tcase_add_loop_test(faulty, faults, 0, (int)(sizeof(bad) / sizeof(bad[0])));
 	tcase_add_test(faulty, nowhere_to_stand);
 	tcase_add_test(faulty, bounds_the_triangles);

@@ -169,7 +169,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, halves_of_a_straight_path);
 	tcase_add_test(tests, halves_of_an_arc);
 	tcase_add_test(tests, walk_makes_no_more_pieces_than_it_must);

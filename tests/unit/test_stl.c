@@ -423,7 +423,6 @@ int main(void)
 
 	if (!mkdtemp(folder))
 		return EXIT_FAILURE;
-	tcase_set_timeout(tcase, 60);
 	tcase_add_test(tcase, binary_is_read_to_the_bit);
 	tcase_add_test(tcase, binary_that_lies);
 	tcase_add_test(tcase, binary_not_finite);

@@ -143,7 +143,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, moving_pairs_agree_with_brute_force);
 	tcase_add_test(tcase, time_reversed);
 	tcase_add_test(tcase, interleaved_combs);

@@ -102,7 +102,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
 	tcase_add_loop_test(tcase, as_they_are, 0, ROWS);
 	tcase_add_loop_test(tcase, disguised, 0, ROWS);

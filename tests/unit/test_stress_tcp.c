@@ -207,7 +207,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
 	tcase_add_loop_test(tcase, near_the_singular_pose, 0, (int)(sizeof(dances) / sizeof(dances[0])));
 	suite_add_tcase(suite, tcase);

@@ -113,7 +113,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, every_position_in_every_disguise);
 	tcase_add_test(tcase, every_position_far_away);
 	tcase_add_test(tcase, random_pairs_on_an_exact_grid);

@@ -159,7 +159,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, the_way_is_near_its_chord_and_its_halves);
 	tcase_add_test(tcase, a_line_in_pieces_deviates_by_nothing);
 	tcase_add_test(tcase, rapids_of_unknown_way_are_left_out);

@@ -86,7 +86,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, it_is_within_its_rounding);
 	tcase_add_test(tcase, every_level_gives_the_same_bits);
 	suite_add_tcase(suite, tcase);

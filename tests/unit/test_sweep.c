@@ -212,7 +212,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, chords_agree_with_brute_force);
 	tcase_add_test(tcase, order_does_not_matter);
 	tcase_add_test(tcase, boxes_of_positions);

@@ -291,7 +291,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, thin_wall);
 	tcase_add_test(tcase, middle_of_a_turn);
 	tcase_add_test(tcase, slide);

@@ -211,7 +211,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, length_lifts_a_vertical_spindle);
 	tcase_add_test(tests, trunnion_by_hand);
 	tcase_add_test(tests, head_by_hand);

@@ -258,7 +258,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, chord_bound_holds_and_is_tight);
 	tcase_add_test(tests, second_derivative_bound_holds);
 	tcase_add_test(tests, an_axis_along_the_turn_is_exact);

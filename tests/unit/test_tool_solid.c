@@ -419,7 +419,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tcase, 120);
 	tcase_add_loop_test(tcase, encloses_and_is_near, 0, (int)(sizeof(cases) / sizeof(cases[0])));
 	tcase_add_test(tcase, random_tools);
 	tcase_add_test(tcase, volumes);

@@ -400,7 +400,6 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_set_timeout(tcase, 60);
 	tcase_add_test(tcase, cubes);
 	tcase_add_test(tcase, cubes_that_share);
 	tcase_add_test(tcase, minus_zero_is_zero);

@@ -258,7 +258,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 60);
 	tcase_add_test(tcase, meet_is_exact_on_integers);
 	tcase_add_test(tcase, meet_never_calls_touching_triangles_apart);
 	tcase_add_test(tcase, distance_matches_exact_truth);

@@ -164,7 +164,6 @@ int main(void)
 	SRunner *runner = srunner_create(suite);
 	int failed;
 
-	tcase_set_timeout(tcase, 0);
 	tcase_add_test(tcase, what_is_witnessed_is_apart);
 	tcase_add_test(tcase, ends_alone_do_not_witness);
 	tcase_add_test(tcase, rotary_dip);
