@@ -39,7 +39,7 @@ $(BUILD)/objects: FORCE
 	@mkdir -p $(@D)
 	@echo '$(OBJECTS)' | cmp -s - $@ || echo '$(OBJECTS)' > $@
 
-$(BUILD)/%.o: %.c $(FLAGS)
+$(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	@echo '  CC $@'
 	$(Q)$(CC) $(PP_FLAGS) $(C_FLAGS) -MMD -MP -c -o $@ $<
