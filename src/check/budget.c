@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/ablation.h"
-#include "base/extremes.h"
+#include "base/minmax.h"
 
 void budget_init(struct budget *budget, const struct chain *chain)
 {

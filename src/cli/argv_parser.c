@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "machine/nearest.h"
+#include "base/spelling.h"
 
 static const struct srcloc nowhere;
 
@@ -52,13 +52,13 @@ static void refuse_name(const struct argv_parser *parser, const char *word, stru
 {
 	char *name = mem_strndup(word + 2, strcspn(word + 2, "="));
 	struct strbuf candidates = {0};
-	struct nearest nearest;
+	struct spelling nearest;
 
-	nearest_init(&nearest, name);
+	spelling_init(&nearest, name);
 	for (size_t i = 0; i < parser->count; i++) {
 		const char *known = parser->table[i].name;
 
-		nearest_offer(&nearest, known);
+		spelling_offer(&nearest, known);
 		if (!strncmp(known, name, strlen(name)))
 			strbuf_addf(&candidates, "%s--%s", candidates.length ? ", " : "", known);
 	}

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/confine.h"
+#include "base/path_sandbox.h"
 #include "base/strbuf.h"
 
 /* The same name in the same folder, however that is spelled. */
@@ -156,7 +156,7 @@ static bool confine(const char *root, struct body *bodies, size_t count, struct 
 
 	for (size_t i = 0; i < count; i++) {
 		bodies[i].mesh_root = root;
-		if (!bodies[i].mesh_path || confine_holds(root, bodies[i].mesh_path))
+		if (!bodies[i].mesh_path || path_sandbox_holds(root, bodies[i].mesh_path))
 			continue;
 		diag_error(diag, bodies[i].loc, "the mesh %s is outside of the input root %s, or a link leads there",
 			   bodies[i].mesh_path, root);

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/confine.h"
+#include "base/path_sandbox.h"
 #include "base/mem.h"
 #include "geom/decimal.h"
 
@@ -382,7 +382,7 @@ static bool open_regular(struct reader *r, const char *root)
 {
 	struct stat status;
 
-	r->fd = confine_open(root, r->loc.file);
+	r->fd = path_sandbox_open(root, r->loc.file);
 	if (r->fd < 0 && errno == EXDEV)
 		return fail(r, "is outside of the input root %s, or a link leads there", root);
 	if (r->fd < 0)

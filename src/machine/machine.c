@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine/nearest.h"
+#include "base/spelling.h"
 #include "machine/setup.h"
 
 void machine_free(struct machine *machine)
@@ -57,7 +57,7 @@ static bool knows_body(const struct body_list *list, const char *name)
 static bool check_name(const struct body_list lists[3], const struct pair_name *name, bool any_setup,
 		       struct srcloc loc, struct diag *diag)
 {
-	struct nearest nearest;
+	struct spelling nearest;
 
 	if (name->kind != NAME_BODY)
 		return true;
@@ -69,10 +69,10 @@ static bool check_name(const struct body_list lists[3], const struct pair_name *
 			     name->body);
 		return false;
 	}
-	nearest_init(&nearest, name->body);
+	spelling_init(&nearest, name->body);
 	for (int k = 0; k < 3; k++)
 		for (size_t i = 0; i < lists[k].count; i++)
-			nearest_offer(&nearest, lists[k].bodies[i].name);
+			spelling_offer(&nearest, lists[k].bodies[i].name);
 	if (nearest.best)
 		diag_error(diag, loc, "<pair>: neither the machine nor the setup has a body '%s'; did you mean '%s'?",
 			   name->body, nearest.best);

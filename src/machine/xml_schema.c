@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/strbuf.h"
-#include "machine/nearest.h"
+#include "base/spelling.h"
 #include "machine/xml_file.h"
 
 static const char setup_schema[] =
@@ -99,12 +99,12 @@ static const struct entry *find_entry(const struct content *content, bool attrib
 
 static const char *find_nearest(const struct content *content, bool attribute, const char *name)
 {
-	struct nearest nearest;
+	struct spelling nearest;
 
-	nearest_init(&nearest, name);
+	spelling_init(&nearest, name);
 	for (size_t i = 0; i < content->count; i++)
 		if (content->entries[i].attribute == attribute)
-			nearest_offer(&nearest, content->entries[i].name);
+			spelling_offer(&nearest, content->entries[i].name);
 	return nearest.best;
 }
 

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "base/extremes.h"
+#include "base/minmax.h"
 #include "base/units.h"
 
 /* mm or degrees: what the machine file's format counts as inside. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "base/extremes.h"
+#include "base/minmax.h"
 
 static double way(const struct path *path, int first, int last)
 {

@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
-#include "base/extremes.h"
+#include "base/minmax.h"
 #include "geom/moved_tri.h"
 #include "scene/memory.h"
 

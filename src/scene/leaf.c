@@ -4,20 +4,20 @@
 
 #include "base/ablation.h"
 #include "geom/moved_tri.h"
-#include "geom/witness.h"
+#include "geom/separating_axis.h"
 #include "scene/memory.h"
 
 /* Two triangles at one instant: their distance and the unit direction of it (0 when they meet). */
-struct nearest {
+struct spelling {
 	double distance;
 	vec3 direction;
 	vec3 middle;
 };
 
-static struct nearest nearest_of(const tri *a, const tri *b)
+static struct spelling nearest_of(const tri *a, const tri *b)
 {
 	vec3 on_a, on_b;
-	struct nearest n = {.distance = tri_distance(a, b, &on_a, &on_b)};
+	struct spelling n = {.distance = tri_distance(a, b, &on_a, &on_b)};
 
 	n.middle = vec3_lerp(on_a, on_b, 0.5);
 	if (n.distance > 0)
@@ -25,7 +25,7 @@ static struct nearest nearest_of(const tri *a, const tri *b)
 	return n;
 }
 
-static void record(struct contact *contact, double s, const axis_values *q, const struct nearest *n)
+static void record(struct contact *contact, double s, const axis_values *q, const struct spelling *n)
 {
 	if (s >= contact->s)
 		return;
@@ -44,7 +44,7 @@ static enum leaf_answer apart_along(const struct body_pair *pair, vec3 n, const 
  * What a distance proves at least. A gap along its direction proves less where the triangles are close and long: the
  * direction is known only to the share that rounding has in the distance, and a far corner takes that times its reach.
  */
-static double proven(const struct nearest *n, const tri *a, const tri *b)
+static double proven(const struct spelling *n, const tri *a, const tri *b)
 {
 	return n->distance - TRI_DISTANCE_ERROR * tri_pair_size(a, b);
 }
@@ -54,7 +54,7 @@ static enum leaf_answer prove_chord(const struct region *region, const struct bo
 {
 	tri b0 = tri_transform(b, &region->poses[0]), b1 = tri_transform(b, &region->poses[1]);
 	double apart = clearance + region->stray[0];
-	struct nearest n0, n1;
+	struct spelling n0, n1;
 
 	if (tri_box_gap(a, &b0, &b1) > apart)
 		return LEAF_APART;
@@ -65,15 +65,15 @@ static enum leaf_answer prove_chord(const struct region *region, const struct bo
 		record(contact, region->s0, &region->chord.q0, &n0);
 		return LEAF_TOUCHES;
 	}
-	if (witness_fixed(a, &b0, &b1, n0.direction, apart))
+	if (separating_axis_fixed(a, &b0, &b1, n0.direction, apart))
 		return apart_along(pair, n0.direction, &region->poses[0]);
 	n1 = nearest_of(a, &b1);
 	if (n1.distance <= clearance) {
 		record(contact, region->s1, &region->chord.q1, &n1);
 	} else {
-		if (witness_fixed(a, &b0, &b1, n1.direction, apart) ||
+		if (separating_axis_fixed(a, &b0, &b1, n1.direction, apart) ||
 		    (WITH_INTERPOLATED_AXES &&
-		     witness_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart)) ||
+		     separating_axis_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart)) ||
 		    proven(&n0, a, &b0) + proven(&n1, a, &b1) > 2 * (clearance + region->reach))
 			return apart_along(pair, n1.direction, &region->poses[1]);
 	}
@@ -99,7 +99,7 @@ static enum leaf_answer prove_box(const struct region *region, const struct body
 				  const tri *b, double clearance, bool final, struct contact *contact)
 {
 	tri at = tri_transform(b, &region->poses[0]);
-	struct nearest n;
+	struct spelling n;
 
 	if (tri_box_gap(a, &at, &at) > clearance + region->reach)
 		return LEAF_APART;

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/ablation.h"
-#include "base/extremes.h"
+#include "base/minmax.h"
 #include "geom/support.h"
 #include "geom/tolerance.h"
 

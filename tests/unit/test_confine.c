@@ -1,5 +1,5 @@
 /* What lies inside of a folder, and that nothing else is opened while links and folders are exchanged. */
-#include "base/confine.h"
+#include "base/path_sandbox.h"
 
 #include <check.h>
 #include <errno.h>
@@ -50,7 +50,7 @@ static void tear_down(void)
 /* The first byte of what is opened, or '!' for outside, '?' for another error. */
 static char first_byte(const char *root, const char *path)
 {
-	int fd = confine_open(root, path);
+	int fd = path_sandbox_open(root, path);
 	char byte = '-';
 
 	if (fd < 0)
@@ -93,7 +93,7 @@ START_TEST(only_what_is_inside)
 		ck_assert_msg(first_byte(cases[i].root, cases[i].path) == cases[i].byte, "case %zu: %s below %s", i,
 			      cases[i].path, cases[i].root ? cases[i].root : "nothing");
 		if (cases[i].byte != '?')
-			ck_assert_int_eq(confine_holds(cases[i].root, cases[i].path), cases[i].byte != '!');
+			ck_assert_int_eq(path_sandbox_holds(cases[i].root, cases[i].path), cases[i].byte != '!');
 	}
 }
 END_TEST

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/confine.h"
+#include "base/path_sandbox.h"
 #include "base/mem.h"
 #include "base/strbuf.h"
 
@@ -61,7 +61,7 @@ struct position source_next(struct source *source)
 /* A regular file; a pipe of that name must not make the program wait. */
 static FILE *open_regular(struct sources *sources, const char *root, const char *path)
 {
-	int fd = confine_open(root, path);
+	int fd = path_sandbox_open(root, path);
 	struct stat status;
 	FILE *file = NULL;
 

@@ -1,4 +1,4 @@
-#include "geom/witness.h"
+#include "geom/separating_axis.h"
 
 #include <stdlib.h>
 
@@ -88,9 +88,9 @@ START_TEST(what_is_witnessed_is_apart)
 
 	for (long n = 0; n < cases; n++) {
 		struct chord_case c = random_chords(1, n);
-		bool by_n0 = witness_fixed(&c.a, &c.b0, &c.b1, c.n0, c.apart);
-		bool by_n1 = witness_fixed(&c.a, &c.b0, &c.b1, c.n1, c.apart);
-		bool by_both = witness_interpolated(&c.a, &c.b0, &c.b1, c.n0, c.n1, c.apart);
+		bool by_n0 = separating_axis_fixed(&c.a, &c.b0, &c.b1, c.n0, c.apart);
+		bool by_n1 = separating_axis_fixed(&c.a, &c.b0, &c.b1, c.n1, c.apart);
+		bool by_both = separating_axis_interpolated(&c.a, &c.b0, &c.b1, c.n0, c.n1, c.apart);
 
 		fixed += by_n0 || by_n1;
 		interpolated += by_both;
@@ -149,18 +149,18 @@ START_TEST(rotary_dip)
 		vec3 x, y;
 
 		require(tri_distance(&a, &top, &x, &y) <= 0, "case %ld: the tip does not reach the ceiling", n);
-		require(witness_fixed(&a, &b0, &b1, down, 0) && witness_interpolated(&a, &b0, &b1, down, down, 0),
+		require(separating_axis_fixed(&a, &b0, &b1, down, 0) && separating_axis_interpolated(&a, &b0, &b1, down, down, 0),
 			"case %ld: the ends are to be free", n);
-		require(!witness_fixed(&a, &b0, &b1, down, bend), "case %ld: fixed", n);
-		require(!witness_interpolated(&a, &b0, &b1, down, down, bend), "case %ld: interpolated", n);
+		require(!separating_axis_fixed(&a, &b0, &b1, down, bend), "case %ld: fixed", n);
+		require(!separating_axis_interpolated(&a, &b0, &b1, down, down, bend), "case %ld: interpolated", n);
 	}
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("witness");
-	TCase *tcase = tcase_create("witnesses");
+	Suite *suite = suite_create("separating_axis");
+	TCase *tcase = tcase_create("axes");
 	SRunner *runner = srunner_create(suite);
 	int failed;
 

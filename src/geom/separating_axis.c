@@ -1,11 +1,11 @@
-#include "geom/witness.h"
+#include "geom/separating_axis.h"
 
-bool witness_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart)
+bool separating_axis_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart)
 {
 	return tri_gap(a, b0, n) > apart && tri_gap(a, b1, n) > apart;
 }
 
-bool witness_interpolated(const tri *a, const tri *b0, const tri *b1, vec3 n0, vec3 n1, double apart)
+bool separating_axis_interpolated(const tri *a, const tri *b0, const tri *b1, vec3 n0, vec3 n1, double apart)
 {
 	vec3 sum = vec3_add(n0, n1);
 	double most_p, least_q = INFINITY;

@@ -1,6 +1,6 @@
-/* witness.h - separating axes as proofs that two moving triangles stay apart over an interval. */
-#ifndef FIVECHECK_GEOM_WITNESS_H
-#define FIVECHECK_GEOM_WITNESS_H
+/* separating_axis.h - separating axes as proofs that two moving triangles stay apart over an interval. */
+#ifndef FIVECHECK_GEOM_SEPARATING_AXIS_H
+#define FIVECHECK_GEOM_SEPARATING_AXIS_H
 
 #include <stdbool.h>
 
@@ -13,7 +13,7 @@
  */
 
 /* One axis: a fixed unit direction along which the gap exceeds `apart` at both ends does so all the way. */
-bool witness_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart);
+bool separating_axis_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double apart);
 
 /*
  * Interpolated axis: n(s) = (1-s) n0 + s n1 with unit ends. For any two corners
@@ -22,6 +22,6 @@ bool witness_fixed(const tri *a, const tri *b0, const tri *b1, vec3 n, double ap
  * if the least of each over all corners exceeds `apart` then so does the
  * distance, since |n(s)| <= 1.
  */
-bool witness_interpolated(const tri *a, const tri *b0, const tri *b1, vec3 n0, vec3 n1, double apart);
+bool separating_axis_interpolated(const tri *a, const tri *b0, const tri *b1, vec3 n0, vec3 n1, double apart);
 
 #endif

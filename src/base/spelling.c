@@ -1,4 +1,4 @@
-#include "machine/nearest.h"
+#include "base/spelling.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -43,23 +43,23 @@ static size_t distance(const char *a, size_t na, const char *b, size_t nb)
 	return last[nb];
 }
 
-void nearest_init(struct nearest *nearest, const char *wanted)
+void spelling_init(struct spelling *spelling, const char *wanted)
 {
-	*nearest = (struct nearest){.wanted = wanted};
+	*spelling = (struct spelling){.wanted = wanted};
 }
 
-void nearest_offer(struct nearest *nearest, const char *known)
+void spelling_offer(struct spelling *spelling, const char *known)
 {
-	size_t wanted_length = strlen(nearest->wanted), known_length = strlen(known);
+	size_t wanted_length = strlen(spelling->wanted), known_length = strlen(known);
 	size_t slips;
 
 	if (wanted_length > LONGEST || known_length > LONGEST)
 		return;
-	slips = distance(nearest->wanted, wanted_length, known, known_length);
+	slips = distance(spelling->wanted, wanted_length, known, known_length);
 	if (slips > (wanted_length + 2) / 3 || slips >= known_length)
 		return;
-	if (!nearest->best || slips < nearest->distance) {
-		nearest->best = known;
-		nearest->distance = slips;
+	if (!spelling->best || slips < spelling->distance) {
+		spelling->best = known;
+		spelling->distance = slips;
 	}
 }

@@ -1,6 +1,6 @@
-/* extremes.h - fmin and fmax for numbers that are no NaN: two instructions instead of a call. */
-#ifndef FIVECHECK_BASE_EXTREMES_H
-#define FIVECHECK_BASE_EXTREMES_H
+/* minmax.h - fmin and fmax for numbers that are no NaN: two instructions instead of a call. */
+#ifndef FIVECHECK_BASE_MINMAX_H
+#define FIVECHECK_BASE_MINMAX_H
 
 /* With a NaN the result is the second argument. */
 static inline double smaller(double a, double b)

@@ -1,7 +1,7 @@
 /* For O_PATH, where the system has it. */
 #define _GNU_SOURCE
 
-#include "base/confine.h"
+#include "base/path_sandbox.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -48,7 +48,7 @@ static char *below(const char *root, char *path)
 	return path[length] == '/' ? path + length + 1 : path[length] == '\0' ? path + length : NULL;
 }
 
-bool confine_holds(const char *root, const char *path)
+bool path_sandbox_holds(const char *root, const char *path)
 {
 	char *outer, *inner;
 	bool holds;
@@ -84,7 +84,7 @@ static int walk(int folder, char *path)
 	return -1;
 }
 
-int confine_open(const char *root, const char *path)
+int path_sandbox_open(const char *root, const char *path)
 {
 	char *outer, *inner, *rest;
 	int fd = -1, error;
