@@ -1,10 +1,10 @@
 /* xml_schema.h - holds a parsed file against the RELAX NG schemas that are compiled into the program. */
-#ifndef FIVECHECK_MACHINE_XML_SCHEMA_H
-#define FIVECHECK_MACHINE_XML_SCHEMA_H
+#ifndef FIVECHECK_MACHINE_XML_XML_SCHEMA_H
+#define FIVECHECK_MACHINE_XML_XML_SCHEMA_H
 
 #include <stdbool.h>
 
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /*
  * Reports every element, attribute and value that the schema does not know,

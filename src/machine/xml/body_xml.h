@@ -1,12 +1,12 @@
 /* body_xml.h - reads the elements of machine and setup that name a mesh. */
-#ifndef FIVECHECK_MACHINE_BODY_XML_H
-#define FIVECHECK_MACHINE_BODY_XML_H
+#ifndef FIVECHECK_MACHINE_XML_BODY_XML_H
+#define FIVECHECK_MACHINE_XML_BODY_XML_H
 
 #include <stdbool.h>
 
 #include "base/arena.h"
 #include "machine/machine.h"
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /* Names are compared each with each. */
 #define BODIES_MAX 4096

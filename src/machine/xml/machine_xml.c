@@ -6,10 +6,10 @@
 #include "base/mem.h"
 #include "base/units.h"
 #include "control/dialects.h"
-#include "machine/body_xml.h"
-#include "machine/place_xml.h"
-#include "machine/setup_xml.h"
-#include "machine/xml_read.h"
+#include "machine/xml/body_xml.h"
+#include "machine/xml/place_xml.h"
+#include "machine/xml/setup_xml.h"
+#include "machine/xml/xml_read.h"
 
 /* Rates in mm or degrees a minute that are believed. */
 #define RATE_MIN 1e-6

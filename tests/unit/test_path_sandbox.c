@@ -14,7 +14,7 @@
 
 #define OPENINGS 20000
 
-static char folder[] = "/tmp/test_confine.XXXXXX";
+static char folder[] = "/tmp/test_path_sandbox.XXXXXX";
 
 static void write_file(const char *path, const char *text)
 {
@@ -136,8 +136,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("confine");
-	TCase *tests = tcase_create("confine");
+	Suite *suite = suite_create("path_sandbox");
+	TCase *tests = tcase_create("path_sandbox");
 	SRunner *runner;
 	int failed;
 

@@ -1,4 +1,4 @@
-#include "machine/place_xml.h"
+#include "machine/xml/place_xml.h"
 
 #include <string.h>
 

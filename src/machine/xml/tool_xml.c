@@ -1,10 +1,10 @@
-#include "machine/tool_xml.h"
+#include "machine/xml/tool_xml.h"
 
 #include <math.h>
 
 #include "base/strbuf.h"
 #include "base/units.h"
-#include "machine/body_xml.h"
+#include "machine/xml/body_xml.h"
 #include "machine/tool_solid.h"
 
 /* Sections must add up to the tool's length within this, mm. */

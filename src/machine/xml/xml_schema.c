@@ -1,4 +1,4 @@
-#include "machine/xml_schema.h"
+#include "machine/xml/xml_schema.h"
 
 #include <assert.h>
 #include <libxml/parser.h>
@@ -9,7 +9,7 @@
 
 #include "base/strbuf.h"
 #include "base/spelling.h"
-#include "machine/xml_file.h"
+#include "machine/xml/xml_file.h"
 
 static const char setup_schema[] =
 #include "setup.rng.h"

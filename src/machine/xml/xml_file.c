@@ -1,4 +1,4 @@
-#include "machine/xml_file.h"
+#include "machine/xml/xml_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/mem.h"
-#include "machine/xml_scan.h"
+#include "machine/xml/xml_scan.h"
 
 /* A machine takes kilobytes; what is larger is not one, and checks that look at all pairs of names stay quick. */
 #define FILE_SIZE_MAX ((size_t)4 * 1024 * 1024)

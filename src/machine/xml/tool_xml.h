@@ -1,12 +1,12 @@
 /* tool_xml.h - reads a <tool>: its numbers, and its holder, shank and cutter as sections or meshes. */
-#ifndef FIVECHECK_MACHINE_TOOL_XML_H
-#define FIVECHECK_MACHINE_TOOL_XML_H
+#ifndef FIVECHECK_MACHINE_XML_TOOL_XML_H
+#define FIVECHECK_MACHINE_XML_TOOL_XML_H
 
 #include <stddef.h>
 
 #include "machine/machine.h"
 #include "machine/setup.h"
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /* T and H words of eight digits exist. */
 #define TOOL_NUMBER_MAX 99999999

@@ -1,4 +1,4 @@
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 #include <locale.h>
 #include <math.h>
@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/units.h"
-#include "machine/xml_file.h"
-#include "machine/xml_schema.h"
+#include "machine/xml/xml_file.h"
+#include "machine/xml/xml_schema.h"
 
 #define ERRORS_MAX 20
 #define LABEL_MAX 200

@@ -5,7 +5,7 @@
 
 #include "base/mem.h"
 #include "base/units.h"
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /* What a report's four digits can be off by, and a little more. */
 #define WITHIN 0.01

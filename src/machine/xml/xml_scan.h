@@ -1,11 +1,11 @@
 /* xml_scan.h - looks through the bytes of a file for what would keep the XML parser busy for minutes. */
-#ifndef FIVECHECK_MACHINE_XML_SCAN_H
-#define FIVECHECK_MACHINE_XML_SCAN_H
+#ifndef FIVECHECK_MACHINE_XML_XML_SCAN_H
+#define FIVECHECK_MACHINE_XML_XML_SCAN_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /*
  * Reports bytes that are no superset of ASCII (so that the scan sees what the

@@ -1,4 +1,4 @@
-#include "machine/xml_scan.h"
+#include "machine/xml/xml_scan.h"
 
 #include <string.h>
 #include <strings.h>

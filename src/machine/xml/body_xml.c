@@ -1,4 +1,4 @@
-#include "machine/body_xml.h"
+#include "machine/xml/body_xml.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* place_xml.h - reads <reference> and <tool_change>: where the control sends axes by itself. */
-#ifndef FIVECHECK_MACHINE_PLACE_XML_H
-#define FIVECHECK_MACHINE_PLACE_XML_H
+#ifndef FIVECHECK_MACHINE_XML_PLACE_XML_H
+#define FIVECHECK_MACHINE_XML_PLACE_XML_H
 
 #include "machine/machine.h"
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /* A position this near to a limit, in mm or degrees, is inside. */
 #define LIMIT_TOLERANCE 1e-6

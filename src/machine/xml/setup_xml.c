@@ -1,10 +1,10 @@
-#include "machine/setup_xml.h"
+#include "machine/xml/setup_xml.h"
 
 #include <string.h>
 
 #include "base/mem.h"
-#include "machine/body_xml.h"
-#include "machine/tool_xml.h"
+#include "machine/xml/body_xml.h"
+#include "machine/xml/tool_xml.h"
 
 /* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
 static bool is_extended_name(const char *name)

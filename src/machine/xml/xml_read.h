@@ -1,6 +1,6 @@
 /* xml_read.h - opens machine and setup files for reading, and reads their attributes with units and faults. */
-#ifndef FIVECHECK_MACHINE_XML_READ_H
-#define FIVECHECK_MACHINE_XML_READ_H
+#ifndef FIVECHECK_MACHINE_XML_XML_READ_H
+#define FIVECHECK_MACHINE_XML_XML_READ_H
 
 #include <libxml/tree.h>
 

@@ -1,12 +1,12 @@
 /* xml_file.h - from a path to a well-formed document, however hostile the file. */
-#ifndef FIVECHECK_MACHINE_XML_FILE_H
-#define FIVECHECK_MACHINE_XML_FILE_H
+#ifndef FIVECHECK_MACHINE_XML_XML_FILE_H
+#define FIVECHECK_MACHINE_XML_XML_FILE_H
 
 #include <libxml/xmlerror.h>
 
 #include <stdbool.h>
 
-#include "machine/xml_read.h"
+#include "machine/xml/xml_read.h"
 
 /* Sets xml->doc; false after a reported fault. */
 bool xml_parse_file(struct xml_reader *xml);
