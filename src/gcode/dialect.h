@@ -33,8 +33,21 @@ struct dialect {
 	 * Hooks; NULL: the control has no such thing. All report what is wrong
 	 * before they return false.
 	 */
+	/* What the hooks remember of a program, in interp->dialect_state; all or none of the two. */
+	void *(*state_new)(void);
+	void (*state_free)(void *state);
 	/* The line in hand if it is a statement and no block, such as control flow: then *done is true. */
 	bool (*statement)(struct interp *interp, bool *done);
+	/* Fills interp->block from the line in hand; no words: there is nothing to carry out. Never NULL. */
+	bool (*read_block)(struct interp *interp);
+	/* The block has been read and checked, and nothing of it has been carried out: what it assigns takes effect. */
+	bool (*before_block)(struct interp *interp);
+	/* The block has been carried out: calls and returns. */
+	bool (*after_block)(struct interp *interp);
+	/* The file in hand has ended: false if something in it is not closed. */
+	bool (*end_of_file)(struct interp *interp);
+	/* Adds notes to the message just reported: from where the block in hand was called. */
+	void (*note_callers)(struct interp *interp);
 };
 
 #endif

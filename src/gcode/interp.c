@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "gcode/dialect/linuxcnc/system_params.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
 #include "gcode/state.h"
@@ -21,25 +20,25 @@ struct interp *interp_new(const struct gcode_config *config, const struct kinema
 	interp->diag = diag;
 	state_init(&interp->state, config);
 	tool_table_init(&interp->tools, config);
-	macro_b_init(&interp->macro);
-	interp->params.numbered[5599] = 1;	/* LinuxCNC: DEBUG comments speak */
+	interp->dialect_state = config->dialect->state_new ? config->dialect->state_new() : NULL;
 	return interp;
 }
 
 void interp_free(struct interp *interp)
 {
-	sources_release(&interp->sources);
+	program_release(&interp->program);
 	tool_table_release(&interp->tools);
-	params_release(&interp->params);
 	comp_queue_release(&interp->comp.queue);
-	control_flow_release(&interp->flow);
-	macro_b_release(&interp->macro);
+	if (interp->dialect_state)
+		interp->config->dialect->state_free(interp->dialect_state);
 	free(interp);
 }
 
 long interp_lines(const struct interp *interp)
 {
-	return interp->sources.count ? interp->sources.items[0]->reader.furthest : 0;
+	const struct sources *sources = &interp->program.sources;
+
+	return sources->count ? sources->items[0]->reader.furthest : 0;
 }
 
 /* A '%' line opens the program if it is the first that is not blank, and else closes it. */
@@ -59,45 +58,25 @@ static bool take_percent(struct interp *interp, int column)
 	return true;
 }
 
-/* A subprogram's file may begin with one, too. */
-static bool take_called_percent(struct interp *interp)
-{
-	return interp->source != interp->sources.items[0] && interp->at.line == 1 ? true : macro_b_end_of_file(interp);
-}
-
-/* What the block has assigned takes effect before its codes do, but after all of its words were read. */
-static void assign(struct interp *interp)
-{
-	struct params *params = &interp->params;
-
-	for (size_t i = 0; i < params->pending_count; i++) {
-		const struct assignment *new = &params->pending[i];
-
-		if (new->number > 0)
-			system_params_set_number(interp, new->number, new->value);
-		else
-			params_make(params, new->name)->value = new->value;
-	}
-	params->pending_count = 0;
-}
-
 static bool run_block(struct interp *interp)
 {
+	const struct dialect *dialect = interp->config->dialect;
 	struct block *block = &interp->block;
 	struct block_modes modes = {interp->state.motion, interp->state.incremental};
 	int blanks = (int)strspn(interp->at.text, " \t");
 
-	if (!block_read(block, &interp->at, interp->config, &interp->cautions, interp))
+	if (!dialect->read_block(interp))
 		return false;
 	/* LinuxCNC skips nothing but blank lines before '%', the others whatever is not a block. */
 	interp->begun = interp->begun || block->words > 0 ||
-			(interp->config->dialect->legacy == GCODE_LINUXCNC && interp->at.text[blanks] != '\0');
+			(dialect->legacy == GCODE_LINUXCNC && interp->at.text[blanks] != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
 	if (!block_check(block, &interp->at, interp->config, &modes))
 		return false;
-	assign(interp);
+	if (dialect->before_block && !dialect->before_block(interp))
+		return false;
 	if (!execute_block(interp))
 		return false;
 	return cutter_comp_end_block(interp);
@@ -105,40 +84,46 @@ static bool run_block(struct interp *interp)
 
 static bool run_line(struct interp *interp)
 {
-	bool done = false;
+	const struct dialect *dialect = interp->config->dialect;
 	int blanks = (int)strspn(interp->at.text, " \t");
+	bool done = false;
 
-	if (interp->at.text[blanks] == '%' && interp->macro.level > 0)
-		return take_called_percent(interp);
-	if (interp->at.text[blanks] == '%' && interp->flow.skip == SKIP_NOTHING)
-		return take_percent(interp, blanks + 1);
-	if (interp->config->dialect->statement && !interp->config->dialect->statement(interp, &done))
+	if (dialect->statement && !dialect->statement(interp, &done))
 		return false;
 	interp->begun = interp->begun || done;
-	return done || run_block(interp);
+	if (done)
+		return true;
+	return interp->at.text[blanks] == '%' ? take_percent(interp, blanks + 1) : run_block(interp);
 }
 
 static void note_callers(struct interp *interp)
 {
-	control_flow_note_callers(interp);
-	macro_b_note_callers(interp);
+	if (interp->config->dialect->note_callers)
+		interp->config->dialect->note_callers(interp);
 }
 
 /* A line with its messages: in a subprogram, they are followed by the calls that led there. */
 static bool run_line_called(struct interp *interp)
 {
 	size_t said = interp->diag->errors + interp->diag->warnings;
-	bool good = control_flow_count(interp) && run_line(interp);
+	bool good = run_line(interp);
 
 	if (interp->diag->errors + interp->diag->warnings > said)
 		note_callers(interp);
 	return good;
 }
 
+static bool end_file(struct interp *interp)
+{
+	const struct dialect *dialect = interp->config->dialect;
+
+	return !dialect->end_of_file || dialect->end_of_file(interp);
+}
+
 /* What is wrong with the bytes of the file; false. */
 static bool fault_of_reader(struct interp *interp, enum reader_status status, const char *text)
 {
-	struct srcloc loc = {interp->at.file, interp->source->reader.line, 0};
+	struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
 
 	switch (status) {
 	case READER_TOO_LONG:
@@ -169,10 +154,10 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 /* The next line of the file in hand. False: the program has ended, or *good: a fault was reported, or the run was cancelled. */
 static bool next_line(struct interp *interp, bool *good)
 {
-	struct source *source = interp->source;
+	struct source *source = interp->program.source;
 	enum reader_status status;
 
-	if (++interp->lines % QUIT_LINES == 0 && cancel_asked(interp->config->read.cancel)) {
+	if (++interp->program.lines % QUIT_LINES == 0 && cancel_asked(interp->config->read.cancel)) {
 		*good = false;
 		return false;
 	}
@@ -181,7 +166,7 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
-	*good = status == READER_END ? control_flow_end_of_file(interp) && macro_b_end_of_file(interp)
+	*good = status == READER_END ? end_file(interp)
 				     : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
@@ -191,7 +176,7 @@ static bool next_line(struct interp *interp, bool *good)
 /* All of the file was read, and nothing in it ended the program: perhaps it was still being written. */
 static void warn_of_missing_end(struct interp *interp, const struct line_reader *reader)
 {
-	struct srcloc loc = {interp->sources.items[0]->name, reader->line, 0};
+	struct srcloc loc = {interp->program.sources.items[0]->name, reader->line, 0};
 
 	if (interp->percent)
 		diag_warning(interp->diag, loc, "the program ends without M2, M30 or %%; is the file complete?");
@@ -206,16 +191,14 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	struct line_reader *reader;
 	bool good = true;
 
-	interp->sources.opened = interp->config->read.opened;
-	sources_open_main(&interp->sources, in, name);
-	interp->source = interp->sources.items[0];
-	reader = &interp->source->reader;
-	interp->at = (struct line_place){.diag = interp->diag, .file = interp->source->name};
+	interp->program.sources.opened = interp->config->read.opened;
+	sources_open_main(&interp->program.sources, in, name);
+	interp->program.source = interp->program.sources.items[0];
+	reader = &interp->program.source->reader;
+	interp->at = (struct line_place){.diag = interp->diag, .file = interp->program.source->name};
 	while (good && !interp->ended && next_line(interp, &good)) {
-		if (!interp->first_line) {
-			interp->first_line = reader->line;
-			interp->first_offset = reader->start;
-		}
+		if (!interp->program.start.source)
+			interp->program.start = source_here(interp->program.source);
 		good = run_line_called(interp);
 	}
 	if (good && !interp->ended) {
@@ -225,6 +208,6 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	}
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);
-	sources_close(&interp->sources);
+	sources_close(&interp->program.sources);
 	return good;
 }

@@ -5,15 +5,12 @@
 #include <stdbool.h>
 
 #include "gcode/canon.h"
-#include "gcode/dialect/fanuc/macro_b.h"
-#include "gcode/dialect/linuxcnc/control_flow.h"
-#include "gcode/dialect/linuxcnc/params.h"
 #include "gcode/execute/cutter_comp/comp_queue.h"
 #include "gcode/execute/tool_table.h"
 #include "gcode/interp.h"
+#include "gcode/program.h"
 #include "gcode/text/block.h"
 #include "gcode/text/fault.h"
-#include "gcode/text/source.h"
 #include "geom/xform.h"
 
 /* G54 to G59.3 */
@@ -84,6 +81,7 @@ struct state {
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
+	bool work_assigned;	/* the program assigned a value to the one in force, and has not selected it since */
 	bool work_known[SYSTEM_COUNT + EXTENDED_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
 	slot_values shift;	/* of G52 and G92 */
 	slot_values saved_shift;	/* that G92.3 restores */
@@ -121,14 +119,8 @@ struct interp {
 	const struct kinematics *kinematics;
 	const struct canon_sink *sink;
 	struct diag *diag;
-	struct sources sources;
-	struct source *source;	/* that the block being carried out comes from */
-	long long first_offset;	/* where the program starts, behind a byte order mark */
-	long first_line;
-	unsigned long lines;	/* that were begun, again and again in loops */
-	struct params params;
-	struct control_flow flow;
-	struct macro_b macro;	/* of Fanuc and Haas, as flow is LinuxCNC's */
+	struct program program;
+	void *dialect_state;	/* what the dialect's hooks remember; NULL: nothing */
 	struct line_place at;	/* the block being carried out */
 	struct block block;
 	struct state state;

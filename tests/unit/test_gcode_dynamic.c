@@ -146,7 +146,8 @@ static const struct bad bads[] = {
      "G254 while G52 shifts Y: whether the table carries the shift along is not known; take it back first"},
     {"G10 L2 P1 C5.", "G254", 1, "G254 with a work offset of 5 degrees in C: the control needs 0 there"},
     {"#5221=3.", "G254", 1,
-     "the work offset in force was assigned to: when a control heeds that differs; select it again first, with G54"},
+     "G54 was changed by assignment while it was in force; controls differ in when that takes effect. Select G54 again "
+     "before the next move"},
 };
 
 START_TEST(refused)

@@ -10,7 +10,7 @@ static const struct {
 	{BOTH, "#1\nM30\n", "p.nc:1:3: error: '=' is missing after the variable\n    #1\n      ^\n"},
 	{BOTH, "#1=\nM30\n", "p.nc:1:4: error: a value is needed here\n    #1=\n       ^\n"},
 	{BOTH, "#0=1\n", "p.nc:1:1: error: #0 is always vacant; it cannot be assigned\n    #0=1\n    ^\n"},
-	{BOTH, "#1=[1+2\n", "p.nc:1:8: error: an operator or ']' is needed here\n    #1=[1+2\n           ^\n"},
+	{BOTH, "#1=[1+2\n", "p.nc:1:8: error: this expression is not closed: ']' is missing\n    #1=[1+2\n           ^\n"},
 	{BOTH, "#1=1+\n", "p.nc:1:6: error: a value is needed here\n    #1=1+\n         ^\n"},
 	{BOTH, "#1=1 G0 X1.\n",
 	 "p.nc:1:6: error: a macro statement stands in a block of its own\n    #1=1 G0 X1.\n         ^\n"},
@@ -182,11 +182,11 @@ static const struct {
 	{F, "#5001=1\n", "p.nc:1:1: error: #5001 cannot be assigned here in the fanuc dialect\n    #5001=1\n    ^\n"},
 	{H, "#5001=1\n", "p.nc:1:1: error: #5001 cannot be assigned here in the haas dialect\n    #5001=1\n    ^\n"},
 	{BOTH, "#5221=1\nG0 X1.\n",
-	 "p.nc:2:1: error: the work offset in force was assigned to: when a control heeds that differs; "
-	 "select it again first, with G54\n    G0 X1.\n    ^\n"},
+	 "p.nc:2:1: error: G54 was changed by assignment while it was in force; controls differ in when that "
+	 "takes effect. Select G54 again before the next move\n    G0 X1.\n    ^\n"},
 	{BOTH, "#5221=1\n#1=#5001\n",
-	 "p.nc:2:4: error: #5001 after the work offset in force was assigned to; select it again first, with "
-	 "G54\n    #1=#5001\n       ^\n"},
+	 "p.nc:2:4: error: #5001 cannot be read here: G54 was changed by assignment while it was in "
+	 "force; select it again first\n    #1=#5001\n       ^\n"},
 	{BOTH, "N1 GOTO 1\n",
 	 "p.nc:1:1: error: 50 blocks of loops and subprograms have been carried out: is this loop endless? "
 	 "--max-blocks sets another limit\n    N1 GOTO 1\n    ^\n"},
@@ -213,7 +213,7 @@ static const struct {
 	 "      ^\np.nc:1:1: error: the program O7 is neither in p.nc nor in a file of its own beside it or "
 	 "in an --include folder\n    G65 P7 A1 X7 F2\n    ^\n"},
 	{BOTH, "IF [1 EQ 1\n",
-	 "p.nc:1:11: error: an operator or ']' is needed here\n    IF [1 EQ 1\n              ^\n"},
+	 "p.nc:1:11: error: this expression is not closed: ']' is missing\n    IF [1 EQ 1\n              ^\n"},
 	{BOTH, "DO0\n", "p.nc:1:3: error: the number of DO is from 1 to 3\n    DO0\n      ^\n"},
 	{BOTH, "WHILE [1 EQ 1] DO1\n(\nEND2\n",
 	 "p.nc:1:18: error: the END2 of line 3 crosses this loop: DO1 is not closed before it\n    WHILE [1 "

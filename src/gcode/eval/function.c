@@ -2,29 +2,31 @@
 
 #include <math.h>
 
-/* Long doubles, as LinuxCNC computes: FIX[10*SIN[30]] must be 5 there and here. */
+/* LinuxCNC computes with long doubles: FIX[10*SIN[30]] must be 5 there and here. */
 #define PI_LONG 3.141592653589793238462643383279502884L
 
-static const struct {
-	const char *lower, *upper;
-} names[EXPR_FUNCTIONS] = {{"abs", "ABS"},	 {"acos", "ACOS"}, {"asin", "ASIN"}, {"atan", "ATAN"}, {"cos", "COS"},
-			   {"exists", "EXISTS"}, {"exp", "EXP"},   {"fix", "FIX"},   {"fup", "FUP"},   {"ln", "LN"},
-			   {"round", "ROUND"},	 {"sin", "SIN"},   {"sqrt", "SQRT"}, {"tan", "TAN"}};
-
-bool function_read(struct lexer *lexer, enum expr_function *function)
+const struct function_name *function_read(struct lexer *lexer, const struct function_name *names, size_t count)
 {
-	for (int i = 0; i < EXPR_FUNCTIONS; i++) {
-		if (lexer_keyword(lexer, names[i].lower)) {
-			*function = (enum expr_function)i;
-			return true;
-		}
+	for (size_t i = 0; i < count; i++) {
+		if (lexer_keyword(lexer, names[i].lower))
+			return &names[i];
 	}
-	return false;
+	return NULL;
 }
 
-const char *function_name(enum expr_function function)
+const struct function_name *function_read_short(struct lexer *lexer, const struct function_name *names, size_t count,
+						char open)
 {
-	return names[function].upper;
+	size_t position = lexer->position;
+
+	for (size_t i = 0; i < count; i++) {
+		const char two[3] = {names[i].lower[0], names[i].lower[1], '\0'};
+
+		if (lexer_keyword(lexer, two) && lexer_peek(lexer) == open)
+			return &names[i];
+		lexer->position = position;
+	}
+	return NULL;
 }
 
 static double from_radians(double radians)
@@ -32,53 +34,53 @@ static double from_radians(double radians)
 	return (double)((long double)(radians * 180) / PI_LONG);
 }
 
-static bool compute_inverse(struct lexer *lexer, int column, enum expr_function function, double *value)
+static bool compute_inverse(const struct line_place *at, int column, const struct function_name *function,
+			    double *value)
 {
 	double x = *value;
 
-	switch (function) {
-	case EXPR_ACOS:
-	case EXPR_ASIN:
+	switch (function->function) {
+	case FUNCTION_ACOS:
+	case FUNCTION_ASIN:
 		if (x < -1 || x > 1)
-			return fault(lexer->at, column, "%s of %.15g: only numbers from -1 to 1 have one",
-				     names[function].upper, x);
-		*value = from_radians(function == EXPR_ACOS ? acos(x) : asin(x));
+			return fault(at, column, "%s of %.15g: only numbers from -1 to 1 have one", function->upper, x);
+		*value = from_radians(function->function == FUNCTION_ACOS ? acos(x) : asin(x));
 		return true;
-	case EXPR_LN:
+	case FUNCTION_LN:
 		if (x <= 0)
-			return fault(lexer->at, column, "LN of %.15g: only positive numbers have one", x);
+			return fault(at, column, "%s of %.15g: only positive numbers have one", function->upper, x);
 		*value = log(x);
 		return true;
 	default:
 		if (x < 0)
-			return fault(lexer->at, column, "SQRT of %.15g: negative numbers have none", x);
+			return fault(at, column, "%s of %.15g: negative numbers have none", function->upper, x);
 		*value = sqrt(x);
 		return true;
 	}
 }
 
-bool function_compute(struct lexer *lexer, int column, enum expr_function function, double *value)
+bool function_compute(const struct line_place *at, int column, const struct function_name *function, double *value)
 {
 	long double angle = (long double)*value * PI_LONG / 180;
 
-	switch (function) {
-	case EXPR_ABS:
+	switch (function->function) {
+	case FUNCTION_ABS:
 		*value = fabs(*value);
 		return true;
-	case EXPR_COS:
+	case FUNCTION_COS:
 		*value = (double)cosl(angle);
 		return true;
-	case EXPR_SIN:
+	case FUNCTION_SIN:
 		*value = (double)sinl(angle);
 		return true;
-	case EXPR_TAN:
+	case FUNCTION_TAN:
 		*value = (double)tanl(angle);
 		return true;
-	case EXPR_EXP:
+	case FUNCTION_EXP:
 		*value = exp(*value);
 		return true;
 	default:
-		return compute_inverse(lexer, column, function, value);
+		return compute_inverse(at, column, function, value);
 	}
 }
 

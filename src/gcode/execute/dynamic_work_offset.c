@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "gcode/dialect/linuxcnc/system_params.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* mm: coordinates that differ by less are the same. */
 #define SAME_COORDINATE 1e-6
@@ -54,7 +54,7 @@ bool dynamic_work_offset_check_system(struct interp *interp, int system)
 {
 	const struct state *state = &interp->state;
 
-	if (!state->dynamic.on || (system == state->system && !interp->macro.work_stale))
+	if (!state->dynamic.on || (system == state->system && !interp->state.work_assigned))
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_SYSTEM],
 		     "a change of the work offset while G254 is in force: the control has it selected before G254; "
@@ -79,11 +79,8 @@ static bool check_offset(struct interp *interp, int column)
 {
 	const struct state *state = &interp->state;
 
-	if (interp->macro.work_stale)
-		return fault(&interp->at, column,
-			     "the work offset in force was assigned to: when a control heeds that differs; select it "
-			     "again first, with %s",
-			     state_system_name(state->system));
+	if (interp->state.work_assigned)
+		return work_offset_use_fault(interp, column);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!is_zero(state->shift.v[slot]))
 			return fault(&interp->at, column,
@@ -109,7 +106,7 @@ static bool switch_on(struct interp *interp, int column)
 		return fault(&interp->at, column, "G254 while G68 is in force; G69 first");
 	if (!check_offset(interp, column))
 		return false;
-	system_params_work_is_used(interp, state->system, column);
+	work_offset_use_note(interp, state->system, column);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!slot_is_rotary(slot))
 			zero.v[slot] = state->work[state->system].v[slot];

@@ -9,6 +9,7 @@
 #include "gcode/execute/path_control.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/tool_length.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* G93, G94, G95; then F, which inverse time mode gives to the motion of its own block only. */
 static bool execute_feed(struct interp *interp)
@@ -167,6 +168,7 @@ static bool execute_nonmodal(struct interp *interp)
 /* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */
 bool execute_block(struct interp *interp)
 {
+	const struct dialect *dialect = interp->config->dialect;
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
@@ -186,7 +188,7 @@ bool execute_block(struct interp *interp)
 	execute_increments(interp);
 	if (!cutter_comp_select(interp) || !cutter_comp_check_block(interp))
 		return false;
-	if (!tool_length_length(interp) || !offsets_select(interp) || !macro_b_check_work(interp) ||
+	if (!tool_length_length(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||
 	    !execute_path(interp) || !path_control_select(interp))
 		return false;
 	execute_modes(interp);
@@ -196,12 +198,6 @@ bool execute_block(struct interp *interp)
 		return false;
 	if (block->m[M_STOP] != CODE_NONE && !cutter_comp_stop(interp))
 		return false;
-	if (block->m[M_STOP] >= 97 && interp->config->dialect->legacy != GCODE_LINUXCNC)
-		return macro_b_end_block(interp);
-	if (block->m[M_STOP] == 99 && interp->params.level > 0)
-		return fault(&interp->at, block->m_column[M_STOP], "M99 of a subprogram stands alone in its block");
-	if (block->m[M_STOP] == 99)
-		return control_flow_restart(interp);
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
-	return macro_b_after_block(interp);
+	return !dialect->after_block || dialect->after_block(interp);
 }

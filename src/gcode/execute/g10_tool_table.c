@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
-#include "gcode/dialect/linuxcnc/system_params.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* mm or degrees: what the sums of L10 and L11 leave of an offset that is none. */
 #define NO_OFFSET 1e-9
@@ -104,7 +104,7 @@ bool g10_tool_table_write(struct interp *interp, int mode)
 	if (mode != 1 && (block->letters & AXIS_BITS) && !check_position(interp, mode))
 		return false;
 	if (mode == 11 && (block->letters & AXIS_BITS))
-		system_params_work_is_used(interp, FIXTURE_SYSTEM, block_column(block, 'L'));
+		work_offset_use_note(interp, FIXTURE_SYSTEM, block_column(block, 'L'));
 	if (!check_offsets(interp, mode, number))
 		return false;
 	if (block_has(block, 'Z'))

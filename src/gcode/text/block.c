@@ -183,7 +183,7 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 	}
 }
 
-/* One label at the start of the line: "O1234" or ":1234" of fanuc and haas, or N. */
+/* One label at the start of the line: "O1234", ":1234" or N. */
 static bool read_label(struct block *block, struct lexer *lexer, const char *what)
 {
 	struct word word;
@@ -210,9 +210,9 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 }
 
 /* '/', program number and line number, in this order. */
-static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config, bool *skipped)
+static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config,
+		       const struct block_rules *rules, bool *skipped)
 {
-	bool linuxcnc = config->dialect->legacy == GCODE_LINUXCNC;
 	char next = lexer_peek(lexer);
 
 	if (next == '/') {
@@ -220,14 +220,14 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 		lexer_take(lexer);
 		next = lexer_peek(lexer);
 		/* "/2": one of several switches; here one answers for all. */
-		if (!linuxcnc && next >= '0' && next <= '9') {
+		if (rules->numbered_switches && next >= '0' && next <= '9') {
 			lexer_take(lexer);
 			next = lexer_peek(lexer);
 		}
 	}
 	if (*skipped)
 		return true;
-	if (!linuxcnc && (next == 'O' || next == 'o' || next == ':')) {
+	if (rules->program_numbers && (next == 'O' || next == 'o' || next == ':')) {
 		if (!read_label(block, lexer, "a program number"))
 			return false;
 		next = lexer_peek(lexer);
@@ -266,7 +266,7 @@ static void caution_points(const struct block *block, const struct line_place *a
 }
 
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
-		struct block_cautions *cautions, struct interp *interp)
+		const struct block_rules *rules, void *context, struct block_cautions *cautions)
 {
 	enum lexer_result result;
 	struct lexer lexer;
@@ -274,10 +274,8 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	bool skipped = false;
 
 	block_clear(block);
-	lexer_init(&lexer, at, config->dialect->legacy != GCODE_LINUXCNC);
-	lexer.interp = interp;
-	lexer.macro = config->dialect->legacy == GCODE_LINUXCNC ? MACRO_NONE : MACRO_WORDS;
-	if (!read_start(block, &lexer, config, &skipped))
+	lexer_init(&lexer, at, rules->lexer, context);
+	if (!read_start(block, &lexer, config, rules, &skipped))
 		return false;
 	if (skipped)
 		return true;

@@ -8,6 +8,7 @@
 #include "gcode/codes.h"
 #include "gcode/interp.h"
 #include "gcode/text/fault.h"
+#include "gcode/text/lexer.h"
 
 /* No code of a group. */
 #define CODE_NONE (-1)
@@ -59,13 +60,20 @@ static inline int block_column(const struct block *block, char letter)
 	(letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C') | \
 	 letter_bit('U') | letter_bit('V') | letter_bit('W'))
 
+/* How blocks of words are written. Constant data of a dialect. */
+struct block_rules {
+	const struct lexer_rules *lexer;
+	bool program_numbers;	/* O1234 or :1234 may stand at the start of a line */
+	bool numbered_switches;	/* a digit may follow the '/' of a block that can be skipped */
+};
+
 /*
  * Fills the block from the words of the line. False: a fault was reported.
- * Values of parameters come from interp, assignments wait there (params.h).
- * Skips a line that starts with '/' when config says so: no words.
+ * Skips a line that starts with '/' when config says so: no words. The context
+ * is that of the lexer's hooks.
  */
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
-		struct block_cautions *cautions, struct interp *interp);
+		const struct block_rules *rules, void *context, struct block_cautions *cautions);
 
 /* What the checks need of the modes in force. */
 struct block_modes {

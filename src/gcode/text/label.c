@@ -45,7 +45,7 @@ struct label *labels_find(const struct labels *labels, const char *key)
 	return found ? labels->items[i] : NULL;
 }
 
-struct label *labels_add(struct labels *labels, const char *key, enum o_kind kind)
+struct label *labels_add(struct labels *labels, const char *key, int kind)
 {
 	struct label *label;
 	bool found;

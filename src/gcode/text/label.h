@@ -1,4 +1,4 @@
-/* label.h - where the o-words of a program stand that have been met so far. */
+/* label.h - the labels of a program that have been met so far, and where they stand. */
 #ifndef FIVECHECK_GCODE_TEXT_LABEL_H
 #define FIVECHECK_GCODE_TEXT_LABEL_H
 
@@ -9,18 +9,12 @@
 /* So many, so that memory is bounded. */
 #define LABELS_MAX 100000
 
-/* Kinds of o-words; O_PROGRAM is an O-word alone, which names a subprogram for M98. */
-enum o_kind {
-	O_SUB, O_ENDSUB, O_CALL, O_DO, O_WHILE, O_REPEAT, O_IF, O_ELSEIF, O_ELSE, O_ENDIF, O_BREAK, O_CONTINUE,
-	O_ENDWHILE, O_ENDREPEAT, O_RETURN, O_PROGRAM, O_M98, O_M99
-};
-
 struct label {
-	char *key;	/* of a subprogram its name, of others "subprogram#name"; owned */
-	enum o_kind kind;
+	char *key;	/* owned */
+	int kind;	/* the dialect's own */
 	struct position at;	/* of its line */
 	struct position body;	/* of the line after it */
-	bool counting;	/* a repeat that has not counted down to its end */
+	bool counting;	/* the loop that starts here has not counted down to its end */
 };
 
 /* Sorted by key; entries stay where they are. */
@@ -35,6 +29,6 @@ void labels_release(struct labels *labels);
 struct label *labels_find(const struct labels *labels, const char *key);
 
 /* A new entry; the key is new. NULL: there are too many. */
-struct label *labels_add(struct labels *labels, const char *key, enum o_kind kind);
+struct label *labels_add(struct labels *labels, const char *key, int kind);
 
 #endif

@@ -3,13 +3,11 @@
 #include <string.h>
 #include <strings.h>
 
-#include "gcode/dialect/fanuc/macro_b_expr.h"
-#include "gcode/eval/expr.h"
 #include "gcode/text/number.h"
 
-void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block)
+void lexer_init(struct lexer *lexer, const struct line_place *at, const struct lexer_rules *rules, void *context)
 {
-	*lexer = (struct lexer){.at = at, .semicolon_ends_block = semicolon_ends_block, .steps = 1};
+	*lexer = (struct lexer){.at = at, .rules = rules, .context = context};
 }
 
 int lexer_column(const struct lexer *lexer)
@@ -79,7 +77,7 @@ static bool skip_rest(struct lexer *lexer)
 {
 	const char *rest = lexer->at->text + lexer->position + 1;
 
-	if (lexer->semicolon_ends_block && rest[strspn(rest, " \t;")] != '\0')
+	if (lexer->rules->semicolon_ends_block && rest[strspn(rest, " \t;")] != '\0')
 		return fault(lexer->at, lexer_column(lexer),
 			     "';' ends a block on this control; write what follows on a line of its own, "
 			     "or in parentheses if it is a comment");
@@ -141,6 +139,7 @@ static bool fault_without_number(struct lexer *lexer, char letter, int column)
 static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)
 {
 	size_t position = lexer->position + 1;
+	enum lexer_result result;
 
 	word->letter = letter;
 	word->vacant = false;
@@ -156,13 +155,9 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 		break;
 	}
 	lexer->position++;
-	if (lexer->interp && lexer->macro != MACRO_NONE && macro_b_expr_follows(lexer))
-		return macro_b_expr_word(lexer, word) ? LEXER_WORD : LEXER_FAULT;
-	if (lexer->interp && lexer->macro == MACRO_NONE && expr_follows(lexer)) {
-		word->point = true;
-		lexer->depth = 0;
-		return expr_value(lexer, &word->value) ? LEXER_WORD : LEXER_FAULT;
-	}
+	result = lexer->rules->value ? lexer->rules->value(lexer, word) : LEXER_END;
+	if (result != LEXER_END)
+		return result;
 	fault_without_number(lexer, letter, word->column);
 	return LEXER_FAULT;
 }
@@ -178,9 +173,8 @@ enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
 			return read_word(lexer, (char)(byte - 'a' + 'A'), word);
 		if (byte == '\0')
 			return LEXER_END;
-		if (byte == '#' && lexer->interp && lexer->macro == MACRO_NONE) {
-			lexer->depth = 0;
-			if (!expr_assignment(lexer))
+		if (lexer->rules->assignment && byte == lexer->rules->assignment_start) {
+			if (!lexer->rules->assignment(lexer))
 				return LEXER_FAULT;
 			lexer->assignments++;
 		} else if (byte == '(') {

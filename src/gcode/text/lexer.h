@@ -1,4 +1,4 @@
-/* lexer.h - the words of one line: a letter and its number, comments and blanks left out. */
+/* lexer.h - the words of one line, each a letter with its number; steps over comments and blanks. Evaluates nothing. */
 #ifndef FIVECHECK_GCODE_TEXT_LEXER_H
 #define FIVECHECK_GCODE_TEXT_LEXER_H
 
@@ -7,7 +7,7 @@
 
 #include "gcode/text/fault.h"
 
-struct interp;
+struct lexer;
 
 struct word {
 	char letter;	/* upper case */
@@ -19,25 +19,33 @@ struct word {
 
 enum lexer_result { LEXER_WORD, LEXER_END, LEXER_FAULT };
 
-/* What a value of Fanuc's and Haas's macros behind a letter is. */
-enum lexer_macro {
-	MACRO_NONE,
-	MACRO_WORDS,	/* of a block: rounded to the increment of its address */
-	MACRO_ARGUMENTS	/* of a call: not rounded */
+/*
+ * How a dialect writes its lines. Constant data. The lexer itself reads plain
+ * numbers only: the hooks read and compute whatever else a dialect has. A hook
+ * that is NULL: the dialect has no such thing. False from a hook: the fault was reported.
+ */
+struct lexer_rules {
+	bool semicolon_ends_block;	/* else it starts a comment */
+	/*
+	 * Reads the value of a word that has no plain number behind its letter;
+	 * letter and column are given. LEXER_END: no value comes next, and
+	 * nothing was taken.
+	 */
+	enum lexer_result (*value)(struct lexer *lexer, struct word *word);
+	/* Reads an assignment that stands among the words, at this byte. */
+	char assignment_start;
+	bool (*assignment)(struct lexer *lexer);
 };
 
 struct lexer {
-	const struct line_place *at;	/* borrowed */
+	const struct line_place *at;	/* borrowed, as is all below */
+	const struct lexer_rules *rules;
+	void *context;	/* of the hooks */
 	size_t position;
-	bool semicolon_ends_block;	/* else it starts a comment */
-	struct interp *interp;	/* of parameters and expressions; NULL: they are faults */
-	enum lexer_macro macro;	/* MACRO_NONE: they are LinuxCNC's */
-	double steps;	/* a unit has so many for a macro's ROUND */
-	int depth;	/* of the value that is being read */
-	int assignments;	/* of parameters, so far */
+	int assignments;	/* that stood among the words so far */
 };
 
-void lexer_init(struct lexer *lexer, const struct line_place *at, bool semicolon_ends_block);
+void lexer_init(struct lexer *lexer, const struct line_place *at, const struct lexer_rules *rules, void *context);
 
 /* The next byte that is no blank, without taking it; '\0' at the end of the line. */
 char lexer_peek(struct lexer *lexer);
@@ -57,8 +65,8 @@ int lexer_column(const struct lexer *lexer);
 /*
  * The next word. Faults are reported: an unclosed or nested comment, a letter
  * without a value, a byte that starts no word, and what is known but not
- * supported. Assignments on the way are remembered (expr.h). On LEXER_END the
- * whole line has been looked at.
+ * supported. Assignments on the way are left to the dialect and counted. On
+ * LEXER_END the whole line has been looked at.
  */
 enum lexer_result lexer_next(struct lexer *lexer, struct word *word);
 

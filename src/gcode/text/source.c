@@ -118,7 +118,7 @@ static bool stays_in(const struct sources *sources, const char *root, const stru
 	       fault(at, column, "the subprogram's file is outside of the input root %s, or a link leads there", root);
 }
 
-bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
+bool sources_find(struct sources *sources, const struct read_options *options, const char *label,
 		  const struct line_place *at, int column, struct source **source)
 {
 	struct strbuf name = {0};
@@ -133,12 +133,12 @@ bool sources_find(struct sources *sources, const struct gcode_config *config, co
 	strbuf_addf(&name, "%s.ngc", label);
 	folder = own_folder(sources, &length);
 	if (folder)
-		*source = find_in(sources, config->read.input_root, folder, length, name.text);
-	for (size_t i = 0; i < config->read.include_count && !*source; i++)
+		*source = find_in(sources, options->input_root, folder, length, name.text);
+	for (size_t i = 0; i < options->include_count && !*source; i++)
 		*source =
-		    find_in(sources, config->read.input_root, config->read.includes[i], strlen(config->read.includes[i]), name.text);
+		    find_in(sources, options->input_root, options->includes[i], strlen(options->includes[i]), name.text);
 	strbuf_release(&name);
-	return stays_in(sources, config->read.input_root, at, column);
+	return stays_in(sources, options->input_root, at, column);
 }
 
 /* The one file of the folder that has a name of the program. False: there are two, which was reported. */
@@ -170,7 +170,7 @@ static bool find_program_in(struct sources *sources, const char *root, const cha
 	return true;
 }
 
-bool sources_find_program(struct sources *sources, const struct gcode_config *config, int number,
+bool sources_find_program(struct sources *sources, const struct read_options *options, int number,
 			  const struct line_place *at, int column, struct source **source)
 {
 	const char *folder;
@@ -180,12 +180,12 @@ bool sources_find_program(struct sources *sources, const struct gcode_config *co
 	if (sources->count == SOURCE_MAX)
 		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
 	folder = own_folder(sources, &length);
-	if (folder && !find_program_in(sources, config->read.input_root, folder, length, number, at, column, source))
+	if (folder && !find_program_in(sources, options->input_root, folder, length, number, at, column, source))
 		return false;
-	for (size_t i = 0; i < config->read.include_count && !*source; i++) {
-		if (!find_program_in(sources, config->read.input_root, config->read.includes[i], strlen(config->read.includes[i]),
+	for (size_t i = 0; i < options->include_count && !*source; i++) {
+		if (!find_program_in(sources, options->input_root, options->includes[i], strlen(options->includes[i]),
 				     number, at, column, source))
 			return false;
 	}
-	return stays_in(sources, config->read.input_root, at, column);
+	return stays_in(sources, options->input_root, at, column);
 }

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "base/callbacks.h"
-#include "gcode/interp.h"
+#include "gcode/read_options.h"
 #include "gcode/text/fault.h"
 #include "gcode/text/reader.h"
 
@@ -40,17 +40,17 @@ void sources_open_main(struct sources *sources, FILE *in, const char *name);
 
 /*
  * The file `label`.ngc, in the folder of the program or else in the folders of
- * the configuration, and nowhere else; opened once. *source is NULL if there is none.
+ * the options, and nowhere else; opened once. *source is NULL if there is none.
  * False: reported at the column (a label that is no plain file name, too many files).
  */
-bool sources_find(struct sources *sources, const struct gcode_config *config, const char *label,
+bool sources_find(struct sources *sources, const struct read_options *options, const char *label,
 		  const struct line_place *at, int column, struct source **source);
 
 /*
  * The file of the program O<number> of Fanuc and Haas, in the same folders: O12, O0012 or O00012, with or without the
  * O, and nothing, .nc, .cnc, .tap or .txt behind it. False: reported (there are two, or too many files).
  */
-bool sources_find_program(struct sources *sources, const struct gcode_config *config, int number,
+bool sources_find_program(struct sources *sources, const struct read_options *options, int number,
 			  const struct line_place *at, int column, struct source **source);
 
 /* Closes the files; the names live until sources_release. */

@@ -4,27 +4,19 @@
 #include <math.h>
 #include <string.h>
 
+#include "gcode/dialect/fanuc/macro_b_call.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
-#include "gcode/dialect/fanuc/macro_b_parts.h"
+#include "gcode/dialect/fanuc/macro_b_seek.h"
+#include "gcode/dialect/fanuc/macro_b_vars.h"
 #include "gcode/text/number.h"
 
-void macro_b_init(struct macro_b *macro)
-{
-	macro_b_vars_init(&macro->vars);
-}
-
-void macro_b_release(struct macro_b *macro)
-{
-	strbuf_release(&macro->line);
-}
-
-/* Fanuc: the first two letters will do (B-63944EN, abbreviation). */
+/* On some controls the first two letters will do (B-63944EN, abbreviation). */
 static bool keyword(struct interp *interp, struct lexer *lexer, const char *word)
 {
 	const char two[3] = {word[0], word[1], '\0'};
 
 	return lexer_keyword(lexer, word) ||
-	       (interp->config->dialect->legacy == GCODE_FANUC && lexer_keyword(lexer, two));
+	       (macro_b_of(interp)->rules->keywords_short && lexer_keyword(lexer, two));
 }
 
 static bool end_statement(struct lexer *lexer)
@@ -70,7 +62,7 @@ static bool assign(struct interp *interp, struct lexer *lexer)
 
 	lexer_peek(lexer);
 	column = lexer_column(lexer);
-	if (!macro_b_expr_variable(lexer, &number))
+	if (!macro_b_expr_variable_number(lexer, &number))
 		return false;
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is missing after the variable");
@@ -132,15 +124,15 @@ static bool read_loop_number(struct lexer *lexer, const char *what, int *number)
 	column = lexer_column(lexer);
 	if (!macro_b_expr_integer(lexer, what, number))
 		return false;
-	if (*number >= 1 && *number <= MACRO_LOOPS)
+	if (*number >= 1 && *number <= MACRO_B_LOOPS)
 		return true;
-	return fault(lexer->at, column, "%s is from 1 to %d", what, MACRO_LOOPS);
+	return fault(lexer->at, column, "%s is from 1 to %d", what, MACRO_B_LOOPS);
 }
 
 static bool open_loop(struct interp *interp, int number, int column)
 {
-	struct macro_b_call *call = macro_b_in_hand(interp);
-	struct macro_b_loop new = {.number = number, .start = source_here(interp->source)};
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
+	struct macro_b_loop new = {.number = number, .start = source_here(interp->program.source)};
 
 	for (int i = 0; i < call->loop_count; i++) {
 		if (call->loops[i].number == number)
@@ -156,8 +148,8 @@ static bool open_loop(struct interp *interp, int number, int column)
 /* WHILE [...] DO1; DO1 alone is endless. */
 static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 {
-	struct macro_b_call *call = macro_b_in_hand(interp);
-	const struct position here = source_here(interp->source);
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
+	const struct position here = source_here(interp->program.source);
 	bool holds = true;
 	int number, column;
 
@@ -173,22 +165,22 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 	if (!(call->loop_count > 0 && same_place(&call->loops[call->loop_count - 1].start, &here)) &&
 	    !open_loop(interp, number, column))
 		return false;
-	interp->macro.jumped = true;
+	macro_b_of(interp)->jumped = true;
 	if (holds)
 		return true;
 	call->loop_count--;
 	/* Behind its END: that line would lead back, but for the loop being closed. */
 	if (!macro_b_jump(interp, &call->loops[call->loop_count].end, column))
 		return false;
-	reader_next(&interp->source->reader, &interp->at.text);
+	reader_next(&interp->program.source->reader, &interp->at.text);
 	return true;
 }
 
 static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 {
-	struct macro_b_call *call = macro_b_in_hand(interp);
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
 	const struct macro_b_loop *top = call->loop_count > 0 ? &call->loops[call->loop_count - 1] : NULL;
-	const struct position here = source_here(interp->source);
+	const struct position here = source_here(interp->program.source);
 	int number;
 
 	if (!read_loop_number(lexer, "the number of END", &number) || !end_statement(lexer))
@@ -205,19 +197,19 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 /* The program's number on its first line; any other one ends it, without the M-code that has to. */
 static bool check_program_number(struct interp *interp, struct lexer *lexer)
 {
-	const struct macro_b_call *call = macro_b_in_hand(interp);
-	const struct position here = source_here(interp->source);
-	char title[MACRO_TITLE];
+	const struct macro_b_call *call = macro_b_call_in_hand(interp);
+	const struct position here = source_here(interp->program.source);
+	char title[MACRO_B_TITLE];
 
-	if (interp->macro.level == 0 && !interp->macro.started)
-		interp->macro.calls[0].program = here;
-	interp->macro.started = true;
+	if (macro_b_of(interp)->level == 0 && !macro_b_of(interp)->started)
+		macro_b_of(interp)->calls[0].program = here;
+	macro_b_of(interp)->started = true;
 	if (same_place(&call->program, &here))
 		return true;
-	if (interp->macro.level == 0)
+	if (macro_b_of(interp)->level == 0)
 		return fault(lexer->at, lexer_column(lexer), "another program begins here, before M2, M30 or M99");
 	return fault(lexer->at, lexer_column(lexer), "another program begins here, inside of %s: its M99 is missing",
-		     macro_b_title(call, title));
+		     macro_b_call_title(call, title));
 }
 
 /* The whole number behind a letter; nothing is taken if there is none. */
@@ -268,13 +260,13 @@ static bool is_output(struct lexer *lexer)
 /* G65, G66 and G67; their words are not those of a block. */
 static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 {
-	bool fanuc = interp->config->dialect->legacy == GCODE_FANUC;
+	bool modal = macro_b_of(interp)->rules->modal_calls;
 	size_t position = lexer->position;
 	int column = lexer_column(lexer);
 	double value;
 
 	*done = take_number(lexer, &value) && fabs(value - round(value)) < 1e-9 &&
-		(lround(value) == 65 || (fanuc && (lround(value) == 66 || lround(value) == 67)));
+		(lround(value) == 65 || (modal && (lround(value) == 66 || lround(value) == 67)));
 	if (!*done) {
 		lexer->position = position;
 		return true;
@@ -283,7 +275,7 @@ static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 		return macro_b_call_g65(interp, lexer, column);
 	if (lround(value) == 66)
 		return macro_b_call_g66(interp, lexer, column);
-	interp->macro.modal = false;
+	macro_b_of(interp)->modal = false;
 	return end_statement(lexer);
 }
 
@@ -315,7 +307,7 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 		return true;
 	if (byte == '#')
 		return do_assignments(interp, lexer);
-	if (byte == '[' && interp->config->dialect->legacy == GCODE_HAAS)
+	if (byte == '[' && macro_b_of(interp)->rules->conditional_m99)
 		return do_conditional_m99(interp, lexer);
 	if (keyword(interp, lexer, "goto"))
 		return do_goto(interp, lexer);
@@ -333,22 +325,41 @@ static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)
 	return true;
 }
 
+/* '%' in the file of a subprogram: it may begin it, and else ends the file too early. */
+static bool do_percent(struct interp *interp, bool *done)
+{
+	*done = macro_b_of(interp)->level > 0;
+	if (!*done || (interp->program.source != interp->program.sources.items[0] && interp->at.line == 1))
+		return true;
+	return macro_b_call_end_of_file(interp);
+}
+
 bool macro_b_line(struct interp *interp, bool *done)
 {
-	const char *text = interp->at.text;
+	struct macro_b *macro = macro_b_of(interp);
+	const char *text = interp->at.text + strspn(interp->at.text, " \t");
 	struct lexer lexer;
 
 	*done = false;
-	interp->macro.assigned_count = 0;
-	if (text[strspn(text, " \t")] == '\0' || (text[strspn(text, " \t")] == '/' && interp->config->read.block_delete))
+	macro->assigned_count = 0;
+	if ((macro->jumped || interp->program.repeated) &&
+	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
+		return false;
+	if (*text == '\0' || (*text == '/' && interp->config->read.block_delete))
 		return true;
-	lexer_init(&lexer, &interp->at, true);
-	lexer.interp = interp;
-	lexer.macro = MACRO_ARGUMENTS;
+	if (*text == '%')
+		return do_percent(interp, done);
+	lexer_init(&lexer, &interp->at, &macro_b_word_rules, interp);
 	if (!skip_start(interp, &lexer))
 		return false;
-	interp->macro.started = interp->macro.started || lexer_peek(&lexer) != '\0';
-	/* Behind an address ROUND has another meaning than in a statement. */
-	lexer.macro = MACRO_WORDS;
+	macro->started = macro->started || lexer_peek(&lexer) != '\0';
 	return do_statement(interp, &lexer, done);
+}
+
+bool macro_b_read_block(struct interp *interp)
+{
+	static const struct block_rules rules = {
+		.lexer = &macro_b_word_rules, .program_numbers = true, .numbered_switches = true};
+
+	return block_read(&interp->block, &interp->at, interp->config, &rules, interp, &interp->cautions);
 }

@@ -1,27 +1,29 @@
+#include "gcode/dialect/fanuc/macro_b_call.h"
+
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "gcode/dialect/fanuc/macro_b_expr.h"
-#include "gcode/dialect/fanuc/macro_b_parts.h"
-#include "gcode/dialect/linuxcnc/control_flow.h"
+#include "gcode/dialect/fanuc/macro_b_seek.h"
+#include "gcode/restart.h"
 
 /* A G65 or G66 block, read. */
 struct request {
 	int number, repeats;
-	double arguments[MACRO_LOCALS + 1];
+	double arguments[MACRO_B_LOCALS + 1];
 };
 
-const char *macro_b_title(const struct macro_b_call *call, char *buffer)
+const char *macro_b_call_title(const struct macro_b_call *call, char *buffer)
 {
-	snprintf(buffer, MACRO_TITLE, call->kind == MACRO_M97 ? "N%d" : "O%d", call->number);
+	snprintf(buffer, MACRO_B_TITLE, call->kind == MACRO_B_M97 ? "N%d" : "O%d", call->number);
 	return buffer;
 }
 
 static bool is_macro_call(enum macro_b_call_kind kind)
 {
-	return kind == MACRO_G65 || kind == MACRO_G66;
+	return kind == MACRO_B_G65 || kind == MACRO_B_G66;
 }
 
 /* -------------------------------------------------------------- the levels */
@@ -29,20 +31,21 @@ static bool is_macro_call(enum macro_b_call_kind kind)
 static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number, int repeats, int column,
 		  const struct position *entry)
 {
-	struct macro_b *macro = &interp->macro;
-	const struct position back = source_next(interp->source);
-	const struct position program = kind == MACRO_M97 ? macro_b_in_hand(interp)->program : *entry;
+	struct macro_b *macro = macro_b_of(interp);
+	const struct position back = source_next(interp->program.source);
+	const struct position program = kind == MACRO_B_M97 ? macro_b_call_in_hand(interp)->program : *entry;
 	struct macro_b_call *call;
 
-	if (macro->level == MACRO_CALLS_MAX)
-		return fault(&interp->at, column, "more than %d calls inside each other", MACRO_CALLS_MAX);
-	if (is_macro_call(kind) && macro->macro_calls == MACRO_G65_MAX && interp->config->dialect->legacy == GCODE_FANUC)
-		return fault(&interp->at, column, "more than %d macro calls inside each other", MACRO_G65_MAX);
+	if (macro->level == MACRO_B_CALLS_MAX)
+		return fault(&interp->at, column, "more than %d calls inside each other", MACRO_B_CALLS_MAX);
+	if (is_macro_call(kind) && macro->macro_calls == macro->rules->macro_calls_max)
+		return fault(&interp->at, column, "more than %d macro calls inside each other",
+			     macro->rules->macro_calls_max);
 	macro->level++;
 	macro->macro_calls += is_macro_call(kind);
 	macro->vars.level += is_macro_call(kind);
 	macro->jumped = true;
-	call = macro_b_in_hand(interp);
+	call = macro_b_call_in_hand(interp);
 	*call = (struct macro_b_call){.kind = kind, .number = number, .program = program, .entry = *entry, .back = back,
 				    .left = repeats - 1, .file = interp->at.file, .line = interp->at.line,
 				    .column = column};
@@ -51,8 +54,8 @@ static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number
 
 static bool leave(struct interp *interp, int column)
 {
-	struct macro_b *macro = &interp->macro;
-	struct macro_b_call *call = macro_b_in_hand(interp);
+	struct macro_b *macro = macro_b_of(interp);
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
 
 	if (call->left > 0) {
 		call->left--;
@@ -126,7 +129,7 @@ static bool read_argument(struct interp *interp, const struct word *word, struct
 		return fault(&interp->at, word->column, "%c is no argument of a macro", word->letter);
 	if (word->letter >= 'I' && word->letter <= 'K')
 		number = argument_of_set(word->letter, set, last);
-	if (number > MACRO_LOCALS)
+	if (number > MACRO_B_LOCALS)
 		return fault(&interp->at, word->column, "more than ten sets of I, J and K");
 	if (!word->vacant && !scale_argument(interp, word, &value))
 		return false;
@@ -152,9 +155,9 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 	char last = 0;
 
 	*request = (struct request){.repeats = 1};
-	for (int i = 0; i <= MACRO_LOCALS; i++)
+	for (int i = 0; i <= MACRO_B_LOCALS; i++)
 		request->arguments[i] = macro_b_vacant();
-	lexer->macro = MACRO_ARGUMENTS;
+	lexer->rules = &macro_b_argument_rules;
 	while ((result = lexer_next(lexer, &word)) == LEXER_WORD) {
 		if (word.letter == 'P' ? !read_count(interp, &word, 99999999, &request->number)
 		    : word.letter == 'L'
@@ -174,7 +177,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 /* B-63944EN, simple call (G65): variables of the call's own, vacant but for its arguments. */
 static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct request *request, int column)
 {
-	struct macro_b_vars *vars = &interp->macro.vars;
+	struct macro_b_vars *vars = &macro_b_of(interp)->vars;
 	struct position entry;
 
 	if (!macro_b_seek_program(interp, request->number, column, &entry) ||
@@ -190,9 +193,9 @@ static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const
  */
 static bool check_repeats(struct interp *interp, const struct request *request, int column)
 {
-	if (request->repeats == 1 || interp->config->dialect->legacy == GCODE_HAAS)
+	if (request->repeats == 1 || macro_b_of(interp)->rules->repeats_keep_arguments)
 		return true;
-	for (int i = 1; i <= MACRO_LOCALS; i++) {
+	for (int i = 1; i <= MACRO_B_LOCALS; i++) {
 		if (!isnan(request->arguments[i]))
 			return fault(&interp->at, column,
 				     "L with arguments: whether each repetition gets them anew is not supported yet; "
@@ -206,13 +209,13 @@ bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column)
 	struct request request;
 
 	return read_request(interp, lexer, column, &request) && check_repeats(interp, &request, column) &&
-	       call_macro(interp, MACRO_G65, &request, column);
+	       call_macro(interp, MACRO_B_G65, &request, column);
 }
 
 /* B-63944EN, modal call (G66): from the next block on, after each that moves; the block itself calls nothing. */
 bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 {
-	struct macro_b *macro = &interp->macro;
+	struct macro_b *macro = macro_b_of(interp);
 	struct request request;
 	struct position entry;
 
@@ -233,21 +236,21 @@ bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 /* Is this a block that G66 may call its macro after? Moves of the macro itself call nothing. */
 static bool modal_heeds(const struct interp *interp)
 {
-	const struct macro_b *macro = &interp->macro;
+	const struct macro_b *macro = macro_b_of(interp);
 
 	if (!macro->modal || !(interp->block.letters & AXIS_BITS) || interp->block.g[G_NONMODAL] == G4)
 		return false;
 	for (int level = macro->level; level > macro->modal_level; level--) {
-		if (macro->calls[level].kind == MACRO_G66)
+		if (macro->calls[level].kind == MACRO_B_G66)
 			return false;
 	}
 	return true;
 }
 
 /* What a subprogram's would do, when G66 stands outside, is left open. */
-bool macro_b_after_block(struct interp *interp)
+static bool call_modal(struct interp *interp)
 {
-	const struct macro_b *macro = &interp->macro;
+	const struct macro_b *macro = macro_b_of(interp);
 	const struct block *block = &interp->block;
 	struct request request = {.number = macro->modal_number, .repeats = macro->modal_repeats};
 	int column = block_motion_column(block);
@@ -263,7 +266,7 @@ bool macro_b_after_block(struct interp *interp)
 		return fault(&interp->at, column,
 			     "axis words of a block that is no plain move, while G66 is in force; G67 first");
 	memcpy(request.arguments, macro->modal_arguments, sizeof(request.arguments));
-	return call_macro(interp, MACRO_G66, &request, column);
+	return call_macro(interp, MACRO_B_G66, &request, column);
 }
 
 /* ------------------------------------------------------------ M97, M98, M99 */
@@ -275,17 +278,18 @@ bool macro_b_after_block(struct interp *interp)
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {
 	const struct block *block = &interp->block;
-	int column = block->m_column[M_STOP], most = interp->config->dialect->legacy == GCODE_HAAS ? 99999 : 99999999;
+	const struct macro_b_rules *rules = macro_b_of(interp)->rules;
+	int column = block->m_column[M_STOP];
 
 	*repeats = 1;
 	if (!block_has(block, 'P'))
 		return fault(&interp->at, column, "M%d needs P, the number of the %s", block->m[M_STOP],
 			     block->m[M_STOP] == 97 ? "block" : "program");
-	if (!block_integer(block, &interp->at, 'P', 1, most, number))
+	if (!block_integer(block, &interp->at, 'P', 1, rules->m98_program_max, number))
 		return false;
 	if (block_has(block, 'L'))
 		return block_integer(block, &interp->at, 'L', 1, 9999, repeats);
-	if (interp->config->dialect->legacy == GCODE_FANUC && *number > 9999) {
+	if (rules->m98_repeats_in_p && *number > 9999) {
 		*repeats = *number / 10000;
 		*number %= 10000;
 		if (*number == 0)
@@ -307,7 +311,18 @@ static bool do_m98(struct interp *interp, int column)
 	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, 'P'), &entry)
 		  : !macro_b_seek_program(interp, number, column, &entry))
 		return false;
-	return enter(interp, local ? MACRO_M97 : MACRO_M98, number, repeats, column, &entry);
+	return enter(interp, local ? MACRO_B_M97 : MACRO_B_M98, number, repeats, column, &entry);
+}
+
+static bool start_anew(struct interp *interp)
+{
+	struct macro_b *macro = macro_b_of(interp);
+	struct strbuf variables = {0};
+
+	strbuf_add(&variables, (const char *)&macro->vars, sizeof(macro->vars));
+	strbuf_add(&variables, (const char *)&macro->modal, sizeof(macro->modal));
+	macro->calls[0].loop_count = 0;
+	return restart_program(interp, &variables);
 }
 
 /*
@@ -317,58 +332,60 @@ static bool do_m98(struct interp *interp, int column)
 static bool do_m99(struct interp *interp, int column)
 {
 	const struct block *block = &interp->block;
-	struct macro_b_call *call = macro_b_in_hand(interp);
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
 	int number, p = block_has(block, 'P') ? block_column(block, 'P') : 0;
 	struct position target;
 
 	if (block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'), "M99 with L is not supported yet");
-	if (interp->macro.level == 0 && !p)
-		return control_flow_restart(interp);
+	if (macro_b_of(interp)->level == 0 && !p)
+		return start_anew(interp);
 	if (!p)
 		return leave(interp, column);
 	if (!block_integer(block, &interp->at, 'P', 1, 99999999, &number))
 		return false;
-	if (interp->macro.level == 0 || interp->config->dialect->legacy == GCODE_HAAS)
+	if (macro_b_of(interp)->level == 0 || macro_b_of(interp)->rules->m99_own_block)
 		return macro_b_goto(interp, number, p);
 	if (call->left > 0)
 		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");
-	if (call->kind == MACRO_G66)
+	if (call->kind == MACRO_B_G66)
 		return fault(&interp->at, p, "M99 P of a macro that G66 calls is not supported yet");
 	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) && macro_b_jump(interp, &target, p);
 }
 
-bool macro_b_end_block(struct interp *interp)
+bool macro_b_call_after_block(struct interp *interp)
 {
-	int column = interp->block.m_column[M_STOP];
+	int code = interp->block.m[M_STOP], column = interp->block.m_column[M_STOP];
 
-	if (!macro_b_after_block(interp))
+	if (!call_modal(interp))
 		return false;
-	return interp->block.m[M_STOP] == 99 ? do_m99(interp, column) : do_m98(interp, column);
+	if (code < 97)
+		return true;
+	return code == 99 ? do_m99(interp, column) : do_m98(interp, column);
 }
 
 /* -------------------------------------------------------------- the reports */
 
-bool macro_b_end_of_file(struct interp *interp)
+bool macro_b_call_end_of_file(struct interp *interp)
 {
-	const struct macro_b_call *call = macro_b_in_hand(interp);
-	char title[MACRO_TITLE];
+	const struct macro_b_call *call = macro_b_call_in_hand(interp);
+	char title[MACRO_B_TITLE];
 
-	if (interp->macro.level == 0)
+	if (macro_b_of(interp)->level == 0)
 		return true;
-	diag_error(interp->diag, (struct srcloc){interp->source->name, interp->source->reader.line, 0},
-		   "the file ends inside of the subprogram %s: its M99 is missing", macro_b_title(call, title));
+	diag_error(interp->diag, (struct srcloc){interp->program.source->name, interp->program.source->reader.line, 0},
+		   "the file ends inside of the subprogram %s: its M99 is missing", macro_b_call_title(call, title));
 	return false;
 }
 
-void macro_b_note_callers(struct interp *interp)
+void macro_b_call_note_callers(struct interp *interp)
 {
-	char title[MACRO_TITLE];
+	char title[MACRO_B_TITLE];
 
-	for (int level = interp->macro.level; level > 0; level--) {
-		const struct macro_b_call *call = &interp->macro.calls[level];
+	for (int level = macro_b_of(interp)->level; level > 0; level--) {
+		const struct macro_b_call *call = &macro_b_of(interp)->calls[level];
 
 		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
-			  macro_b_title(call, title));
+			  macro_b_call_title(call, title));
 	}
 }

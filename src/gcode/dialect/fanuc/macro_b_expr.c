@@ -4,110 +4,45 @@
 #include <string.h>
 
 #include "gcode/dialect/fanuc/macro_b_operators.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/macro_b_vars.h"
-#include "gcode/eval/function.h"
 #include "gcode/state.h"
 #include "gcode/text/number.h"
 
-/* What one pair of brackets has held so far. */
-struct level {
-	enum macro_b_operation first;
+/* The context of an expression. */
+struct reader {
+	struct interp *interp;
+	const struct macro_b_rules *rules;
+	bool argument;	/* of a macro call */
+	double steps;	/* to which ROUND rounds, as a number of them in a unit */
 };
-
-static bool read_level(struct lexer *lexer, struct level *level, int rank, struct macro_b_operand *value);
-
-static bool is_fanuc(const struct lexer *lexer)
-{
-	return lexer->interp->config->dialect->legacy == GCODE_FANUC;
-}
 
 static bool is_digit(char byte)
 {
 	return byte >= '0' && byte <= '9';
 }
 
-static int column_here(struct lexer *lexer)
+/* The expression at the lexer's position. */
+static struct expr begin(struct reader *reader, struct lexer *lexer)
 {
-	lexer_peek(lexer);
-	return lexer_column(lexer);
+	*reader = (struct reader){.interp = lexer->context, .rules = macro_b_of(lexer->context)->rules, .steps = 1};
+	return (struct expr){.lexer = lexer, .rules = reader->rules->expr, .context = reader};
 }
 
-/* -------------------------------------------------------------- operations */
+/* -------------------------------------------------------------- variables */
 
-static const struct {
-	const char *name;
-	enum macro_b_operation operation;
-} operations[] = {{"eq", MACRO_EQ},    {"ne", MACRO_NE},  {"gt", MACRO_GT},	{"ge", MACRO_GE},   {"lt", MACRO_LT},
-		  {"le", MACRO_LE},    {"+", MACRO_PLUS}, {"-", MACRO_MINUS},	{"or", MACRO_OR},   {"xor", MACRO_XOR},
-		  {"*", MACRO_TIMES}, {"/", MACRO_DIVIDE}, {"and", MACRO_AND}, {"mod", MACRO_MODULO}};
-
-/* The operator that comes next, which is taken if its rank is this one. */
-static enum macro_b_operation take_operation(struct lexer *lexer, int rank)
+static bool read_variable_number(struct expr *expr, int *number)
 {
-	size_t position = lexer->position;
-
-	for (size_t i = 0; i < sizeof(operations) / sizeof(*operations); i++) {
-		if (macro_b_operation_rank(operations[i].operation) != rank ||
-		    !lexer_keyword(lexer, operations[i].name))
-			continue;
-		return operations[i].operation;
-	}
-	lexer->position = position;
-	return MACRO_NO_OPERATION;
-}
-
-/* Haas's manual gives no order of AND, OR and XOR among the others. */
-static bool check_order(struct lexer *lexer, struct level *level, enum macro_b_operation operation, int column)
-{
-	if (level->first == MACRO_NO_OPERATION)
-		level->first = operation;
-	if (is_fanuc(lexer) || operation == level->first ||
-	    (!macro_b_operation_is_logic(operation) && !macro_b_operation_is_logic(level->first)))
-		return true;
-	return fault(lexer->at, column, "AND, OR and XOR among other operators: Haas gives no order; use brackets");
-}
-
-/* ------------------------------------------------------------------ values */
-
-static bool open_bracket(struct lexer *lexer, const char *what)
-{
-	if (lexer_peek(lexer) != '[')
-		return fault(lexer->at, lexer_column(lexer), "%s needs a value in brackets, [...]", what);
-	if (lexer->depth >= MACRO_EXPR_DEPTH_MAX)
-		return fault(lexer->at, lexer_column(lexer), "brackets are nested more than %d deep",
-			     MACRO_EXPR_DEPTH_MAX);
-	lexer->depth++;
-	lexer_take(lexer);
-	return true;
-}
-
-static bool close_bracket(struct lexer *lexer)
-{
-	if (lexer_peek(lexer) != ']')
-		return fault(lexer->at, lexer_column(lexer), "an operator or ']' is needed here");
-	lexer_take(lexer);
-	lexer->depth--;
-	return true;
-}
-
-static bool read_brackets(struct lexer *lexer, const char *what, struct macro_b_operand *value)
-{
-	struct level level = {MACRO_NO_OPERATION};
-
-	return open_bracket(lexer, what) && read_level(lexer, &level, 1, value) && close_bracket(lexer);
-}
-
-bool macro_b_expr_variable(struct lexer *lexer, int *number)
-{
-	int column = column_here(lexer);
-	struct macro_b_operand operand;
+	struct lexer *lexer = expr->lexer;
+	int column = expr_column(lexer);
+	struct expr_operand operand;
 	size_t position;
 	bool point;
 
 	lexer_take(lexer);
 	switch (lexer_peek(lexer)) {
 	case '[':
-		if (!read_brackets(lexer, "#", &operand))
+		if (!expr_bracket(expr, "#", &operand))
 			return false;
 		break;
 	case '#':
@@ -118,8 +53,8 @@ bool macro_b_expr_variable(struct lexer *lexer, int *number)
 		position = lexer->position;
 		if (!is_digit(lexer_peek(lexer)) ||
 		    number_read(lexer->at->text, &position, &operand.number, &point) != NUMBER_OK || point)
-			return fault(lexer->at, column, "# needs the number of a variable, or an expression in "
-							"brackets");
+			return fault(lexer->at, column,
+				     "# needs the number of a variable, or an expression in brackets");
 		lexer->position = position;
 		break;
 	}
@@ -129,16 +64,35 @@ bool macro_b_expr_variable(struct lexer *lexer, int *number)
 	return true;
 }
 
+bool macro_b_expr_variable(struct expr *expr, struct expr_operand *value)
+{
+	const struct reader *reader = expr->context;
+	int column = lexer_column(expr->lexer), number;
+
+	return read_variable_number(expr, &number) &&
+	       macro_b_vars_read(reader->interp, number, column, &value->number);
+}
+
+/* -------------------------------------------------- operators and functions */
+
+bool macro_b_expr_apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,
+			struct expr_operand *right)
+{
+	const struct reader *reader = expr->context;
+
+	return macro_b_operate(reader->rules, expr->lexer->at, column, operator->operation, left, right);
+}
+
 /* FIX towards zero, FUP away from it (B-63944EN, rounding up and down to an integer; Haas, FIX: truncates). */
-static bool compute_fix(struct lexer *lexer, int column, enum expr_function function, double *value)
+static bool compute_fix(const struct line_place *at, int column, const struct function_name *function, double *value)
 {
 	double nearest = round(*value);
 
 	if (macro_b_nearly_equal(*value, nearest))
-		return fault(lexer->at, column,
+		return fault(at, column,
 			     "%s of a number that differs from %.15g by %.2g only, less than a control computes with",
-			     function_name(function), nearest, fabs(*value - nearest));
-	if (function == EXPR_FIX)
+			     function->upper, nearest, fabs(*value - nearest));
+	if (function->function == FUNCTION_FIX)
 		*value = trunc(*value);
 	else
 		*value = *value < 0 ? floor(*value) : ceil(*value);
@@ -146,18 +100,19 @@ static bool compute_fix(struct lexer *lexer, int column, enum expr_function func
 }
 
 /* To a whole number, or behind an address to its increment (B-63944EN, ROUND function; Haas, ROUND). */
-static bool compute_round(struct lexer *lexer, int column, double *value)
+static bool compute_round(struct expr *expr, int column, double *value)
 {
+	const struct reader *reader = expr->context;
 	double scaled;
 
-	if (lexer->macro == MACRO_ARGUMENTS)
-		return fault(lexer->at, column, "ROUND in an argument: to which digit differs; assign it to a variable "
-						"before");
-	scaled = *value * lexer->steps;
+	if (reader->argument)
+		return fault(expr->lexer->at, column,
+			     "ROUND in an argument: to which digit differs; assign it to a variable before");
+	scaled = *value * reader->steps;
 	if (scaled < 0 && !(fabs(scaled - trunc(scaled)) < 0.5) && !(fabs(scaled - trunc(scaled)) > 0.5))
-		return fault(lexer->at, column, "ROUND of %.15g: controls differ in the half of negative numbers",
+		return fault(expr->lexer->at, column, "ROUND of %.15g: controls differ in the half of negative numbers",
 			     *value);
-	*value = round(scaled) / lexer->steps;
+	*value = round(scaled) / reader->steps;
 	return true;
 }
 
@@ -165,22 +120,27 @@ static bool compute_round(struct lexer *lexer, int column, double *value)
  * B-63944EN, ASIN, ATAN, by parameter NAT (No. 6004#0), 0 as it comes:
  * angles of 0 to 360, and 270 to 90, where they are -180 to 180 and -90 to 90 with 1.
  */
-static void wrap_angle(struct lexer *lexer, int column, double *value)
+static void wrap_angle(struct expr *expr, int column, double *value)
 {
-	if (!is_fanuc(lexer) || !(*value < 0))
+	const struct reader *reader = expr->context;
+	struct macro_b *macro = macro_b_of(reader->interp);
+
+	if (!reader->rules->angle_by_nat || !(*value < 0))
 		return;
-	if (!lexer->interp->macro.cautioned_angle)
-		caution(lexer->at, column,
+	if (!macro->cautioned_angle)
+		caution(expr->lexer->at, column,
 			"an angle of %.9g degrees, or %.9g with parameter 6004#0 (NAT) at 1: it is taken to be 0, here "
 			"and further on",
 			*value + 360, *value);
-	lexer->interp->macro.cautioned_angle = true;
+	macro->cautioned_angle = true;
 	*value += 360;
 }
 
-/* Behind ATAN[...]: "/[b]" of Fanuc, *given. */
-static bool read_divisor(struct lexer *lexer, struct macro_b_operand *second, bool *given)
+/* Behind ATAN[...]: "/[b]", where *given is set. */
+static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *given)
 {
+	const struct reader *reader = expr->context;
+	struct lexer *lexer = expr->lexer;
 	int column;
 
 	if (lexer_peek(lexer) != '/')
@@ -190,182 +150,78 @@ static bool read_divisor(struct lexer *lexer, struct macro_b_operand *second, bo
 	if (lexer_peek(lexer) != '[')
 		return fault(lexer->at, column,
 			     "ATAN[...]/ needs a value in brackets; to divide, write [ATAN[...]]/");
-	if (!is_fanuc(lexer))
+	if (!reader->rules->atan_pairs)
 		return fault(lexer->at, column,
-			     "ATAN[...]/[...]: Haas's manual knows ATAN of one value; to divide, write "
-			     "[ATAN[...]]/");
+			     "ATAN[...]/[...]: %s's manual knows ATAN of one value; to divide, write [ATAN[...]]/",
+			     reader->rules->control);
 	*given = true;
-	return read_brackets(lexer, "ATAN[...]/", second);
+	return expr_bracket(expr, "ATAN[...]/", second);
 }
 
-/* ATAN[a]/[b] and ATAN[a,b] (Fanuc); ATAN[a] is that of a and 1. */
-static bool read_arc_tangent(struct lexer *lexer, int column, struct macro_b_operand *value)
+/* ATAN[a]/[b] and ATAN[a,b]; ATAN[a] is that of a and 1. */
+static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand *value)
 {
-	struct level level = {MACRO_NO_OPERATION}, other = {MACRO_NO_OPERATION};
-	struct macro_b_operand second = {1, false};
+	const struct reader *reader = expr->context;
+	const struct line_place *at = expr->lexer->at;
+	struct expr_operand second = {1, false};
 	bool pair;
 
-	if (!open_bracket(lexer, "ATAN") || !read_level(lexer, &level, 1, value))
+	if (!expr_open(expr, "ATAN") || !expr_sum(expr, value))
 		return false;
-	pair = lexer_peek(lexer) == ',' && is_fanuc(lexer);
+	pair = lexer_peek(expr->lexer) == ',' && reader->rules->atan_pairs;
 	if (pair) {
-		lexer_take(lexer);
-		if (!read_level(lexer, &other, 1, &second))
+		lexer_take(expr->lexer);
+		if (!expr_sum(expr, &second))
 			return false;
 	}
-	if (!close_bracket(lexer) || (!pair && !read_divisor(lexer, &second, &pair)))
+	if (!expr_close(expr) || (!pair && !read_divisor(expr, &second, &pair)))
 		return false;
-	if (!macro_b_operand_fill(lexer, column, value) || !macro_b_operand_fill(lexer, column, &second))
+	if (!macro_b_fill_operand(reader->rules, at, column, value) ||
+	    !macro_b_fill_operand(reader->rules, at, column, &second))
 		return false;
-	value->number = function_arc_tangent(value->number, second.number);
-	value->truth = false;
+	*value = (struct expr_operand){function_arc_tangent(value->number, second.number), false};
 	if (pair)
-		wrap_angle(lexer, column, &value->number);
+		wrap_angle(expr, column, &value->number);
 	return true;
 }
 
-/* Fanuc: two letters will do (B-63944EN, abbreviation). */
-static bool read_function_name(struct lexer *lexer, enum expr_function *function)
+bool macro_b_expr_function(struct expr *expr, int column, const struct function_name *function,
+			   struct expr_operand *value)
 {
-	size_t position = lexer->position;
+	const struct macro_b_rules *rules = ((const struct reader *)expr->context)->rules;
+	const struct line_place *at = expr->lexer->at;
 
-	if (function_read(lexer, function))
-		return *function != EXPR_EXISTS;
-	for (int i = 0; i < EXPR_FUNCTIONS && is_fanuc(lexer); i++) {
-		const char *name = function_name((enum expr_function)i);
-		char two[3] = {(char)(name[0] - 'A' + 'a'), (char)(name[1] - 'A' + 'a'), '\0'};
-
-		if (i != EXPR_EXISTS && lexer_keyword(lexer, two) && lexer_peek(lexer) == '[') {
-			*function = (enum expr_function)i;
-			return true;
-		}
-		lexer->position = position;
-	}
-	return false;
-}
-
-static bool read_function(struct lexer *lexer, struct macro_b_operand *value)
-{
-	int column = column_here(lexer);
-	enum expr_function function;
-
-	if (!read_function_name(lexer, &function))
-		return fault(lexer->at, column, "a value is needed here");
-	if (!is_fanuc(lexer) && (function == EXPR_FUP || function == EXPR_LN || function == EXPR_EXP))
-		return fault(lexer->at, column, "Haas has no function %s", function_name(function));
-	if (function == EXPR_ATAN)
-		return read_arc_tangent(lexer, column, value);
-	if (!read_brackets(lexer, function_name(function), value) || !macro_b_operand_fill(lexer, column, value))
+	if (function->refused)
+		return fault(at, column, "%s has no function %s", rules->control, function->upper);
+	if (function->function == FUNCTION_ATAN)
+		return read_arc_tangent(expr, column, value);
+	if (!expr_bracket(expr, function->upper, value) || !macro_b_fill_operand(rules, at, column, value))
 		return false;
-	if (is_fanuc(lexer) && value->truth)
-		return fault(lexer->at, column, "the result of a comparison is no number here");
+	if (!rules->truth_is_number && value->truth)
+		return fault(at, column, "the result of a comparison is no number here");
 	value->truth = false;
-	if (function == EXPR_FIX || function == EXPR_FUP)
-		return compute_fix(lexer, column, function, &value->number);
-	if (function == EXPR_ROUND)
-		return compute_round(lexer, column, &value->number);
-	if (!function_compute(lexer, column, function, &value->number))
+	if (function->function == FUNCTION_FIX || function->function == FUNCTION_FUP)
+		return compute_fix(at, column, function, &value->number);
+	if (function->function == FUNCTION_ROUND)
+		return compute_round(expr, column, &value->number);
+	if (!function_compute(at, column, function, &value->number))
 		return false;
-	if (function == EXPR_ASIN)
-		wrap_angle(lexer, column, &value->number);
-	if (isfinite(value->number))
-		return true;
-	return fault(lexer->at, column, "the result is infinite");
-}
-
-static bool read_number(struct lexer *lexer, double *value)
-{
-	size_t position = lexer->position;
-	bool point;
-
-	if (number_read(lexer->at->text, &position, value, &point) != NUMBER_OK)
-		return fault(lexer->at, column_here(lexer), "a value is needed here");
-	lexer->position = position;
+	if (function->function == FUNCTION_ASIN)
+		wrap_angle(expr, column, &value->number);
 	return true;
 }
 
-static bool read_operand(struct lexer *lexer, struct macro_b_operand *value)
-{
-	char byte = lexer_peek(lexer);
-	int column = lexer_column(lexer), number;
-
-	*value = (struct macro_b_operand){0, false};
-	if (byte == '#')
-		return macro_b_expr_variable(lexer, &number) &&
-		       macro_b_vars_read(lexer->interp, number, column, &value->number);
-	if (byte == '+' || byte == '-') {
-		lexer_take(lexer);
-		if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
-			return fault(lexer->at, lexer_column(lexer), "two signs");
-		if (!read_operand(lexer, value))
-			return false;
-		/* Of "X-#1" it is not said whether the word is left out, as of "X#1", or is X0. */
-		if (isnan(value->number))
-			return fault(lexer->at, column, "a sign before a variable without a value: whether that is 0 "
-							"or nothing differs");
-		value->number = byte == '-' ? -value->number : value->number;
-		return true;
-	}
-	if (is_digit(byte) || byte == '.')
-		return read_number(lexer, &value->number);
-	if (byte != '[')
-		return read_function(lexer, value);
-	if (!read_brackets(lexer, "this", value))
-		return false;
-	if (isnan(value->number))
-		return fault(lexer->at, column, "a variable without a value alone in brackets; leave the brackets out");
-	return true;
-}
-
-static bool read_level(struct lexer *lexer, struct level *level, int rank, struct macro_b_operand *value)
-{
-	if (rank > 3)
-		return read_operand(lexer, value);
-	if (!read_level(lexer, level, rank + 1, value))
-		return false;
-	for (;;) {
-		int column = column_here(lexer);
-		enum macro_b_operation operation = take_operation(lexer, rank);
-		struct macro_b_operand right;
-
-		if (operation == MACRO_NO_OPERATION)
-			return true;
-		if (!check_order(lexer, level, operation, column))
-			return false;
-		if (!read_level(lexer, level, rank + 1, &right) || !macro_b_operate(lexer, column, operation, value,
-										  &right))
-			return false;
-	}
-}
-
-/* --------------------------------------------------------------- its users */
-
-bool macro_b_expr_follows(struct lexer *lexer)
-{
-	size_t position = lexer->position;
-	enum expr_function function;
-	bool follows;
-	char byte;
-
-	while ((byte = lexer_peek(lexer)) == '+' || byte == '-')
-		lexer_take(lexer);
-	follows = byte == '#' || byte == '[' || function_read(lexer, &function);
-	lexer->position = position;
-	return follows;
-}
+/* ------------------------------------------------------------------- words */
 
 /*
  * Steps of the address's least increment: IS-B where the machine file does not
  * say, 0.001 mm and degrees or 0.0001 inch (B-63944EN, variable reference;
  * Haas, address substitution). 0: not rounded.
  */
-static double steps_of(const struct lexer *lexer, char letter)
+static double steps_of(const struct interp *interp, char letter)
 {
-	const struct interp *interp = lexer->interp;
 	double steps = interp->config->controller.least_input > 0 ? round(1 / interp->config->controller.least_input) : 1000;
 
-	if (lexer->macro != MACRO_WORDS)
-		return 0;
 	if (letter >= 'A' && letter <= 'C')
 		return steps;
 	if (strchr("XYZUVWIJKQR", letter))
@@ -373,55 +229,89 @@ static double steps_of(const struct lexer *lexer, char letter)
 	return 0;
 }
 
-bool macro_b_expr_word(struct lexer *lexer, struct word *word)
+static bool fault_truth(const struct lexer *lexer, int column)
 {
-	double steps = steps_of(lexer, word->letter);
-	int column = column_here(lexer);
-	struct macro_b_operand value;
-	char byte;
+	return fault(lexer->at, column, "the result of a comparison is no number here");
+}
 
-	byte = lexer->at->text[column - 1];
-	if (byte != '#' && byte != '[' && byte != '-' && byte != '+')
-		return fault(lexer->at, column, "a function behind an address needs brackets, %c[...]", word->letter);
-	lexer->depth = 0;
-	lexer->steps = steps > 0 ? steps : 1;
-	if (!read_operand(lexer, &value))
-		return false;
-	lexer->steps = 1;
-	if (value.truth && is_fanuc(lexer))
-		return fault(lexer->at, column, "the result of a comparison is no number here");
+/* The value behind the address word->letter: #1, -#1, [#1+2]. */
+static enum lexer_result read_word(struct lexer *lexer, struct word *word, bool argument)
+{
+	struct reader reader;
+	struct expr expr = begin(&reader, lexer);
+	double steps = argument ? 0 : steps_of(reader.interp, word->letter);
+	int column = expr_column(lexer);
+	struct expr_operand value;
+	char byte = lexer_peek(lexer);
+
+	if (!expr_follows(lexer, expr.rules))
+		return LEXER_END;
+	reader.argument = argument;
+	reader.steps = steps > 0 ? steps : 1;
+	if (byte != '#' && byte != '[' && byte != '-' && byte != '+') {
+		fault_report(lexer->at, column, "a function behind an address needs brackets, %c[...]", word->letter);
+		return LEXER_FAULT;
+	}
+	if (!expr_value(&expr, &value))
+		return LEXER_FAULT;
+	if (value.truth && !reader.rules->truth_is_number)
+		return fault_truth(lexer, column) ? LEXER_WORD : LEXER_FAULT;
 	word->point = true;
 	word->vacant = isnan(value.number);
 	word->value = word->vacant ? 0 : steps > 0 ? round(value.number * steps) / steps : value.number;
-	return true;
+	return LEXER_WORD;
+}
+
+static enum lexer_result read_block_word(struct lexer *lexer, struct word *word)
+{
+	return read_word(lexer, word, false);
+}
+
+static enum lexer_result read_argument(struct lexer *lexer, struct word *word)
+{
+	return read_word(lexer, word, true);
+}
+
+const struct lexer_rules macro_b_word_rules = {.semicolon_ends_block = true, .value = read_block_word};
+const struct lexer_rules macro_b_argument_rules = {.semicolon_ends_block = true, .value = read_argument};
+
+/* -------------------------------------------------------------- statements */
+
+bool macro_b_expr_variable_number(struct lexer *lexer, int *number)
+{
+	struct reader reader;
+	struct expr expr = begin(&reader, lexer);
+
+	return read_variable_number(&expr, number);
 }
 
 bool macro_b_expr_sum(struct lexer *lexer, double *value)
 {
-	struct level level = {MACRO_NO_OPERATION};
-	int column = column_here(lexer);
-	struct macro_b_operand operand;
+	struct reader reader;
+	struct expr expr = begin(&reader, lexer);
+	int column = expr_column(lexer);
+	struct expr_operand operand;
 
-	lexer->depth = 0;
-	if (!read_level(lexer, &level, 1, &operand))
+	if (!expr_sum(&expr, &operand))
 		return false;
-	if (operand.truth && is_fanuc(lexer))
-		return fault(lexer->at, column, "the result of a comparison is no number here");
+	if (operand.truth && !reader.rules->truth_is_number)
+		return fault_truth(lexer, column);
 	*value = operand.number;
 	return true;
 }
 
 bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true)
 {
-	int column = column_here(lexer);
-	struct macro_b_operand operand;
+	struct reader reader;
+	struct expr expr = begin(&reader, lexer);
+	int column = expr_column(lexer);
+	struct expr_operand operand;
 
-	lexer->depth = 0;
-	if (!read_brackets(lexer, what, &operand))
+	if (!expr_bracket(&expr, what, &operand))
 		return false;
-	if (is_fanuc(lexer) && !operand.truth)
+	if (!reader.rules->truth_is_number && !operand.truth)
 		return fault(lexer->at, column, "%s needs a comparison: EQ, NE, GT, GE, LT or LE", what);
-	if (!macro_b_operand_fill(lexer, column, &operand))
+	if (!macro_b_fill_operand(reader.rules, lexer->at, column, &operand))
 		return false;
 	*is_true = fpclassify(operand.number) != FP_ZERO;
 	return true;
@@ -429,11 +319,12 @@ bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true
 
 bool macro_b_expr_integer(struct lexer *lexer, const char *what, int *value)
 {
-	int column = column_here(lexer);
-	struct macro_b_operand operand;
+	struct reader reader;
+	struct expr expr = begin(&reader, lexer);
+	int column = expr_column(lexer);
+	struct expr_operand operand;
 
-	lexer->depth = 0;
-	if (!read_operand(lexer, &operand))
+	if (!expr_value(&expr, &operand))
 		return false;
 	if (isnan(operand.number) || operand.number < 0 || !macro_b_is_whole(operand.number))
 		return fault(lexer->at, column, "%s must be a whole number that is not negative", what);

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "gcode/state.h"
-
 /*
  * Controls compute with about nine digits (B-63944EN, operation error): of
  * numbers that are nearer to each other, but not equal, nobody knows the order.
@@ -11,30 +9,16 @@
 #define NEAR 1e-8
 #define LARGEST_WHOLE 2147483647.0
 
-static bool is_fanuc(const struct lexer *lexer)
-{
-	return lexer->interp->config->dialect->legacy == GCODE_FANUC;
-}
-
-/* B-63944EN, priority of operations: functions; * / AND MOD; + - OR XOR; and comparisons last. */
-int macro_b_operation_rank(enum macro_b_operation operation)
-{
-	return operation >= MACRO_TIMES ? 3 : operation >= MACRO_PLUS ? 2 : operation != MACRO_NO_OPERATION ? 1 : 0;
-}
-
-bool macro_b_operation_is_logic(enum macro_b_operation operation)
-{
-	return operation == MACRO_AND || operation == MACRO_OR || operation == MACRO_XOR;
-}
-
 /* A vacant operand counts as 0 (B-63944EN, undefined variable); what Haas makes of one is not in its manual. */
-bool macro_b_operand_fill(struct lexer *lexer, int column, struct macro_b_operand *value)
+bool macro_b_fill_operand(const struct macro_b_rules *rules, const struct line_place *at, int column,
+			  struct expr_operand *value)
 {
 	if (!isnan(value->number))
 		return true;
-	if (!is_fanuc(lexer))
-		return fault(lexer->at, column, "a variable without a value: what Haas's control computes with it is "
-						"not in its manual");
+	if (!rules->vacant_counts)
+		return fault(at, column,
+			     "a variable without a value: what %s's control computes with it is not in its manual",
+			     rules->control);
 	value->number = 0;
 	return true;
 }
@@ -46,18 +30,18 @@ bool macro_b_nearly_equal(double left, double right)
 	return difference > 0 && difference <= NEAR * most;
 }
 
-static bool holds(enum macro_b_operation operation, double left, double right)
+static bool holds(enum expr_operation operation, double left, double right)
 {
 	switch (operation) {
-	case MACRO_EQ:
+	case EXPR_EQ:
 		return !(left < right) && !(left > right);
-	case MACRO_NE:
+	case EXPR_NE:
 		return left < right || left > right;
-	case MACRO_GT:
+	case EXPR_GT:
 		return left > right;
-	case MACRO_GE:
+	case EXPR_GE:
 		return left >= right;
-	case MACRO_LT:
+	case EXPR_LT:
 		return left < right;
 	default:
 		return left <= right;
@@ -65,26 +49,26 @@ static bool holds(enum macro_b_operation operation, double left, double right)
 }
 
 /* B-63944EN, undefined variable: in conditions a vacant value differs from 0 for EQ and NE only. */
-static bool compare(struct lexer *lexer, int column, enum macro_b_operation operation, struct macro_b_operand *left,
-		    struct macro_b_operand *right)
+static bool compare(const struct macro_b_rules *rules, const struct line_place *at, int column,
+		    enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
 	bool vacant = isnan(left->number), other = isnan(right->number);
 
 	if (left->truth || right->truth)
-		return fault(lexer->at, column, "the result of a comparison cannot be compared; use AND or OR");
+		return fault(at, column, "the result of a comparison cannot be compared; use AND or OR");
 	/* A Haas program asks "#1 EQ #0" for a variable without a value; the number that #1 holds is not #0. */
-	if ((operation == MACRO_EQ || operation == MACRO_NE) && (other || (vacant && is_fanuc(lexer)))) {
-		*left = (struct macro_b_operand){(vacant == other) == (operation == MACRO_EQ), true};
+	if ((operation == EXPR_EQ || operation == EXPR_NE) && (other || (vacant && rules->vacant_counts))) {
+		*left = (struct expr_operand){(vacant == other) == (operation == EXPR_EQ), true};
 		return true;
 	}
-	if (!macro_b_operand_fill(lexer, column, left) || !macro_b_operand_fill(lexer, column, right))
+	if (!macro_b_fill_operand(rules, at, column, left) || !macro_b_fill_operand(rules, at, column, right))
 		return false;
 	if (macro_b_nearly_equal(left->number, right->number))
-		return fault(lexer->at, column,
+		return fault(at, column,
 			     "these numbers differ by %.2g only, less than a control computes with; compare with a "
 			     "margin",
 			     fabs(left->number - right->number));
-	*left = (struct macro_b_operand){holds(operation, left->number, right->number), true};
+	*left = (struct expr_operand){holds(operation, left->number, right->number), true};
 	return true;
 }
 
@@ -94,79 +78,79 @@ bool macro_b_is_whole(double value)
 }
 
 /* Bit by bit (B-63944EN, logical operations; Haas, "Logical operators": of the integer portion). */
-static bool apply_logic(struct lexer *lexer, int column, enum macro_b_operation operation, struct macro_b_operand *left,
-			struct macro_b_operand *right)
+static bool apply_logic(const struct macro_b_rules *rules, const struct line_place *at, int column,
+			enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
 	double numbers[2] = {left->number, right->number};
 	unsigned long a, b;
 
 	for (int i = 0; i < 2; i++) {
-		if (!is_fanuc(lexer))
+		if (rules->logic_truncates)
 			numbers[i] = trunc(numbers[i]);
 		if (numbers[i] < 0 || !macro_b_is_whole(numbers[i]))
-			return fault(lexer->at, column,
+			return fault(at, column,
 				     "AND, OR and XOR work on whole numbers that are not negative, not on %.15g",
 				     numbers[i]);
 	}
-	if (is_fanuc(lexer) && left->truth != right->truth)
-		return fault(lexer->at, column, "one of the operands is a comparison, and the other is none");
+	if (!rules->truth_is_number && left->truth != right->truth)
+		return fault(at, column, "one of the operands is a comparison, and the other is none");
 	a = (unsigned long)numbers[0];
 	b = (unsigned long)numbers[1];
-	left->number = (double)(operation == MACRO_AND ? a & b : operation == MACRO_OR ? a | b : a ^ b);
+	left->number = (double)(operation == EXPR_AND ? a & b : operation == EXPR_OR ? a | b : a ^ b);
 	left->truth = left->truth && right->truth;
 	return true;
 }
 
 /* B-63944EN, MOD: of whole numbers, with the sign of the first; other controls differ in both. */
-static bool apply_modulo(struct lexer *lexer, int column, struct macro_b_operand *left, double right)
+static bool apply_modulo(const struct macro_b_rules *rules, const struct line_place *at, int column,
+			 struct expr_operand *left, double right)
 {
-	bool negative = right < 0 || (left->number < 0 && !is_fanuc(lexer));
+	bool negative = right < 0 || (left->number < 0 && !rules->modulo_signed);
 
 	if (negative || !macro_b_is_whole(left->number) || !macro_b_is_whole(right))
-		return fault(lexer->at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
-			     left->number, right, is_fanuc(lexer) ? "" : " that are not negative");
+		return fault(at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
+			     left->number, right, rules->modulo_signed ? "" : " that are not negative");
 	left->number = fmod(left->number, right);
 	return true;
 }
 
-static bool apply_arithmetic(struct lexer *lexer, int column, enum macro_b_operation operation,
-			     struct macro_b_operand *left,
-			     struct macro_b_operand *right)
+static bool apply_arithmetic(const struct macro_b_rules *rules, const struct line_place *at, int column,
+			     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
-	if (is_fanuc(lexer) && (left->truth || right->truth))
-		return fault(lexer->at, column, "the result of a comparison is no number here");
+	if (!rules->truth_is_number && (left->truth || right->truth))
+		return fault(at, column, "the result of a comparison is no number here");
 	left->truth = false;
-	if ((operation == MACRO_DIVIDE || operation == MACRO_MODULO) && fpclassify(right->number) == FP_ZERO)
-		return fault(lexer->at, column, "division by zero");
+	if ((operation == EXPR_DIVIDE || operation == EXPR_MODULO) && fpclassify(right->number) == FP_ZERO)
+		return fault(at, column, "division by zero");
 	switch (operation) {
-	case MACRO_PLUS:
+	case EXPR_PLUS:
 		left->number += right->number;
 		break;
-	case MACRO_MINUS:
+	case EXPR_MINUS:
 		left->number -= right->number;
 		break;
-	case MACRO_TIMES:
+	case EXPR_TIMES:
 		left->number *= right->number;
 		break;
-	case MACRO_DIVIDE:
+	case EXPR_DIVIDE:
 		left->number /= right->number;
 		break;
 	default:
-		return apply_modulo(lexer, column, left, right->number);
+		return apply_modulo(rules, at, column, left, right->number);
 	}
 	if (isfinite(left->number))
 		return true;
-	return fault(lexer->at, column, "the result is infinite");
+	return fault(at, column, "the result is infinite");
 }
 
-bool macro_b_operate(struct lexer *lexer, int column, enum macro_b_operation operation, struct macro_b_operand *left,
-		  struct macro_b_operand *right)
+bool macro_b_operate(const struct macro_b_rules *rules, const struct line_place *at, int column,
+		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
-	if (macro_b_operation_rank(operation) == 1)
-		return compare(lexer, column, operation, left, right);
-	if (!macro_b_operand_fill(lexer, column, left) || !macro_b_operand_fill(lexer, column, right))
+	if (operation <= EXPR_LE)
+		return compare(rules, at, column, operation, left, right);
+	if (!macro_b_fill_operand(rules, at, column, left) || !macro_b_fill_operand(rules, at, column, right))
 		return false;
-	if (macro_b_operation_is_logic(operation))
-		return apply_logic(lexer, column, operation, left, right);
-	return apply_arithmetic(lexer, column, operation, left, right);
+	if (operation >= EXPR_AND)
+		return apply_logic(rules, at, column, operation, left, right);
+	return apply_arithmetic(rules, at, column, operation, left, right);
 }

@@ -1,9 +1,10 @@
+#include "gcode/dialect/fanuc/macro_b_seek.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/dialect/fanuc/macro_b_parts.h"
-#include "gcode/dialect/linuxcnc/control_flow_parts.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
 
 /* What a line is to those who search: its start without blanks and comments, in capitals. */
 #define GIST_MAX 256
@@ -22,7 +23,7 @@ struct search {
 	enum aim aim;
 	long number;
 	long after;	/* AIM_BLOCK: lines up to this one do not count */
-	int open[MACRO_LOOPS];	/* AIM_END: the loops in between */
+	int open[MACRO_B_LOOPS];	/* AIM_END: the loops in between */
 	int open_count;
 	bool own_line;	/* the search starts with the program's first line, which has its number */
 	bool failed;	/* reported */
@@ -116,7 +117,7 @@ static bool meet_loop(struct interp *interp, struct search *search, const struct
 			return fault(&interp->at, column, "line %ld has a DO%d inside of this loop's DO%d", line, opens,
 				     opens);
 		}
-		if (search->open_count < MACRO_LOOPS && opens <= MACRO_LOOPS)
+		if (search->open_count < MACRO_B_LOOPS && opens <= MACRO_B_LOOPS)
 			search->open[search->open_count++] = opens;
 		return false;
 	}
@@ -152,7 +153,7 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 /* Lines of the text in hand are kept: others go through the reader's buffer meanwhile. */
 static void keep_line(struct interp *interp)
 {
-	struct strbuf *line = &interp->macro.line;
+	struct strbuf *line = &macro_b_of(interp)->line;
 
 	if (interp->at.text == line->text)
 		return;
@@ -207,12 +208,12 @@ static struct label *remembered(struct interp *interp, const struct position *fr
 				char *key)
 {
 	snprintf(key, 96, "%p %lld %s%ld", (void *)from->source, from->offset, what, number);
-	return labels_find(&interp->flow.labels, key);
+	return labels_find(&macro_b_of(interp)->found, key);
 }
 
 static void remember(struct interp *interp, const char *key, const struct position *found)
 {
-	struct label *label = labels_add(&interp->flow.labels, key, O_PROGRAM);
+	struct label *label = labels_add(&macro_b_of(interp)->found, key, 0);
 
 	/* Without room for it, it is searched for again. */
 	if (label)
@@ -229,11 +230,11 @@ static bool fault_window(struct interp *interp, const char *what, int number, in
 
 static struct position program_start(struct interp *interp)
 {
-	const struct macro_b_call *call = macro_b_in_hand(interp);
+	const struct macro_b_call *call = macro_b_call_in_hand(interp);
 
 	if (call->program.source)
 		return call->program;
-	return (struct position){interp->sources.items[0], interp->first_offset, interp->first_line};
+	return (struct position)interp->program.start;
 }
 
 bool macro_b_seek_only(struct interp *interp, int number, int column, struct position *found)
@@ -264,7 +265,7 @@ bool macro_b_seek_only(struct interp *interp, int number, int column, struct pos
 
 static bool seek_forward_first(struct interp *interp, int number, int column, struct position *found)
 {
-	const struct position next = source_next(interp->source), start = program_start(interp);
+	const struct position next = source_next(interp->program.source), start = program_start(interp);
 	struct search search = {.aim = AIM_BLOCK, .number = number};
 	long here = interp->at.line;
 
@@ -279,15 +280,15 @@ static bool seek_forward_first(struct interp *interp, int number, int column, st
 
 bool macro_b_goto(struct interp *interp, int number, int column)
 {
-	const struct position here = source_here(interp->source);
+	const struct position here = source_here(interp->program.source);
 	struct position target;
 	struct label *label;
 	char key[96];
 
-	interp->macro.jumped = true;
+	macro_b_of(interp)->jumped = true;
 	if (number == 0)
 		return fault(&interp->at, column, "block numbers start with 1");
-	if (interp->config->dialect->legacy == GCODE_HAAS)
+	if (!macro_b_of(interp)->rules->goto_forward_first)
 		return macro_b_seek_only(interp, number, column, &target) && macro_b_jump(interp, &target, column);
 	if ((label = remembered(interp, &here, "N", number, key)))
 		return macro_b_jump(interp, &label->at, column);
@@ -299,7 +300,7 @@ bool macro_b_goto(struct interp *interp, int number, int column)
 
 bool macro_b_seek_end(struct interp *interp, int number, int column, struct position *found)
 {
-	const struct position here = source_here(interp->source), next = source_next(interp->source);
+	const struct position here = source_here(interp->program.source), next = source_next(interp->program.source);
 	struct search search = {.aim = AIM_END, .number = number, .open = {number}, .open_count = 1};
 	struct label *label;
 	char key[96];
@@ -325,13 +326,13 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, any = {.aim = AIM_ANY_PROGRAM};
 	struct position start = {NULL, 0, 1};
 
-	if (!sources_find_program(&interp->sources, interp->config, number, &interp->at, column, &start.source))
+	if (!sources_find_program(&interp->program.sources, &interp->config->read, number, &interp->at, column, &start.source))
 		return false;
 	if (!start.source)
 		return fault(&interp->at, column,
 			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include "
 			     "folder",
-			     number, interp->sources.items[0]->name);
+			     number, interp->program.sources.items[0]->name);
 	if (look(interp, &search, &start, 0, column, found))
 		return true;
 	if (look(interp, &any, &start, 0, column, found))
@@ -343,8 +344,8 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 /* In the program's own file; *unfinished: it is a pipe that holds neither its start nor enough of what is ahead. */
 static bool look_in_main(struct interp *interp, int number, int column, struct position *found, bool *unfinished)
 {
-	struct source *main = interp->sources.items[0];
-	const struct position start = {main, interp->first_offset, interp->first_line}, forward = source_next(main);
+	struct source *main = interp->program.sources.items[0];
+	const struct position start = {main, interp->program.start.offset, interp->program.start.line}, forward = source_next(main);
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, rest = search;
 
 	*unfinished = false;
@@ -358,7 +359,7 @@ static bool look_in_main(struct interp *interp, int number, int column, struct p
 
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found)
 {
-	const struct position in_hand = {interp->source, 0, 1};
+	const struct position in_hand = {interp->program.source, 0, 1};
 	struct search search = {.aim = AIM_PROGRAM, .number = number};
 	struct label *label;
 	bool unfinished;
@@ -381,7 +382,7 @@ bool macro_b_seek_program(struct interp *interp, int number, int column, struct 
 
 bool macro_b_jump(struct interp *interp, const struct position *to, int column)
 {
-	struct macro_b_call *call = macro_b_in_hand(interp);
+	struct macro_b_call *call = macro_b_call_in_hand(interp);
 
 	keep_line(interp);
 	while (call->loop_count > 0) {
@@ -391,5 +392,5 @@ bool macro_b_jump(struct interp *interp, const struct position *to, int column)
 			break;
 		call->loop_count--;
 	}
-	return control_flow_jump(interp, to, column);
+	return program_jump(&interp->program, to, &interp->at, column);
 }

@@ -1,13 +1,13 @@
+#include "gcode/dialect/fanuc/macro_b_system.h"
+
 #include <math.h>
 
-#include "gcode/dialect/fanuc/macro_b_vars.h"
-#include "gcode/dialect/linuxcnc/system_params.h"
-#include "gcode/state.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/execute/program_position.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* Work offsets: six slots each, so many numbers apart. */
 enum { WORK_STEP = 20, WORK_SLOTS = 6 };
-
-enum { F = 1 << GCODE_FANUC, H = 1 << GCODE_HAAS };
 
 /* The number of a code that has no tenths. */
 static int whole_code(int code)
@@ -15,36 +15,36 @@ static int whole_code(int code)
 	return code / 10;
 }
 
-/* What is known to the machine only, or differs from one to the next. */
-static const struct {
-	int first, last;
-	int dialects;
-	const char *what;
-} machine_only[] = {
-	{1000, 1199, F | H, "the state of inputs and outputs"},
-	{1601, 2000, H, "data of tools that the control has collected"},
-	{2001, 2999, F | H, "tool offsets of the control's own table"},
-	{3000, 3000, F | H, "no value"},
-	{3001, 3002, F | H, "a clock"},
-	{3003, 3008, F | H, "switches and settings of the control"},
-	{3011, 3012, F | H, "the date and the time"},
-	{3020, 3033, H, "clocks, counters and settings of the control"},
-	{3901, 3902, F | H, "the number of parts that were made"},
-	{5021, 5060, F | H, "where the machine is while the control reads ahead (the programmed position is in #5001)"},
-	{5061, 5080, F | H, "what a probe has found"},
-	{5081, 5100, F | H, "the tool offset of the control's own table"},
-	{5101, 5120, F | H, "the deviation of the servo drives"},
-	{5201, 5220, F | H, "an offset of the control's own that lies on all work offsets"},
+/* What is known to the machine only, or differs from one to the next. Controls may add to it: macro_b_rules.h. */
+static const struct macro_b_range machine_only[] = {
+	{1000, 1199, "the state of inputs and outputs"},
+	{2001, 2999, "tool offsets of the control's own table"},
+	{3000, 3000, "no value"},
+	{3001, 3002, "a clock"},
+	{3003, 3008, "switches and settings of the control"},
+	{3011, 3012, "the date and the time"},
+	{3901, 3902, "the number of parts that were made"},
+	{5021, 5060, "where the machine is while the control reads ahead (the programmed position is in #5001)"},
+	{5061, 5080, "what a probe has found"},
+	{5081, 5100, "the tool offset of the control's own table"},
+	{5101, 5120, "the deviation of the servo drives"},
+	{5201, 5220, "an offset of the control's own that lies on all work offsets"},
 };
 
-static const char *find_machine_only(int number, const struct dialect *dialect)
+static const char *find_range(const struct macro_b_range *ranges, size_t count, int number)
 {
-	for (size_t i = 0; i < sizeof(machine_only) / sizeof(*machine_only); i++) {
-		if (number >= machine_only[i].first && number <= machine_only[i].last &&
-		    (machine_only[i].dialects & (1 << dialect->legacy)))
-			return machine_only[i].what;
+	for (size_t i = 0; i < count; i++) {
+		if (number >= ranges[i].first && number <= ranges[i].last)
+			return ranges[i].what;
 	}
 	return NULL;
+}
+
+static const char *find_machine_only(const struct macro_b_rules *rules, int number)
+{
+	const char *what = find_range(machine_only, sizeof(machine_only) / sizeof(*machine_only), number);
+
+	return what ? what : find_range(rules->machine_only, rules->machine_only_count, number);
 }
 
 static double unit_of(const struct state *state, int slot)
@@ -64,7 +64,7 @@ static bool fault_not_followed(struct interp *interp, int number, int column)
 static bool read_group(struct interp *interp, int number, int column, double *value)
 {
 	const struct state *state = &interp->state;
-	int system_group = interp->config->dialect->legacy == GCODE_HAAS ? 4012 : 4014;
+	int system_group = macro_b_of(interp)->rules->work_group_variable;
 
 	if (number == system_group && state->system < 6) {
 		*value = 54 + state->system;
@@ -118,7 +118,7 @@ static bool find_slot(struct interp *interp, int number, int index, int column, 
 	int fourth = -1, others = 0;
 
 	*slot = index;
-	if (index < 3 || interp->config->dialect->legacy == GCODE_HAAS)
+	if (index < 3 || macro_b_of(interp)->rules->axes_in_slot_order)
 		return true;
 	for (int i = SLOT_Z + 1; i < SLOT_COUNT; i++) {
 		fourth = interp->config->has_axis[i] && fourth < 0 ? i : fourth;
@@ -140,25 +140,26 @@ static bool read_position(struct interp *interp, int number, int column, double 
 	int slot;
 
 	if (!find_slot(interp, number, number - 5001, column, &slot) ||
-	    !system_params_position_is_plain(interp, slot, column))
+	    !program_position_check(interp, slot, column))
 		return false;
-	if (interp->macro.work_stale)
+	if (interp->state.work_assigned)
 		return fault(&interp->at, column,
-			     "#%d after the work offset in force was assigned to; select it again first, with %s",
-				number,
-			     state_system_name(state->system));
+			     "#%d cannot be read here: %s was changed by assignment while it was in force; select it "
+			     "again first",
+			     number, state_system_name(state->system));
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "#%d under tool centre point control is not supported yet", number);
-	*value = (state->position.v[slot] - state->offset.v[slot]) / unit_of(state, slot);
+	*value = program_position_value(state, slot);
 	return true;
 }
 
 /* The work offset and its slot that #number is, *system -1 if it is none. */
 static bool find_work(struct interp *interp, int number, int column, int *system, int *slot)
 {
-	bool haas = interp->config->dialect->legacy == GCODE_HAAS;
-	int first = number >= 14001 && haas ? 14001 : number >= 7001 ? 7001 : 5221;
-	int count = first == 5221 ? 6 : first == 14001 ? EXTENDED_COUNT : haas ? 20 : 48;
+	const struct macro_b_rules *rules = macro_b_of(interp)->rules;
+	bool at_14001 = number >= 14001 && rules->work_at_14001 > 0;
+	int first = at_14001 ? 14001 : number >= 7001 ? 7001 : 5221;
+	int count = first == 5221 ? 6 : at_14001 ? rules->work_at_14001 : rules->work_at_7001;
 	int row = number >= first ? (number - first) / WORK_STEP : count, place = (number - first) % WORK_STEP;
 
 	*system = -1;
@@ -176,7 +177,7 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 
 bool macro_b_system_read(struct interp *interp, int number, int column, double *value)
 {
-	const char *what = find_machine_only(number, interp->config->dialect);
+	const char *what = find_machine_only(macro_b_of(interp)->rules, number);
 	int system, slot;
 
 	if (what)
@@ -190,7 +191,7 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 		return false;
 	if (system < 0)
 		return fault_unknown(interp, number, column);
-	system_params_work_is_used(interp, system, column);
+	work_offset_use_note(interp, system, column);
 	*value = interp->state.work[system].v[slot] / unit_of(&interp->state, slot);
 	return true;
 }
@@ -210,7 +211,7 @@ static bool write_work(struct interp *interp, int number, int column, double val
 		return fault(&interp->at, column, "#%d cannot be vacant", number);
 	/* When a control heeds a change of the one in force depends on how far it reads ahead. */
 	if (system == state->system)
-		interp->macro.work_stale = true;
+		interp->state.work_assigned = true;
 	state->work[system].v[slot] = value * unit_of(state, slot);
 	state->work_known[system] = true;
 	return true;
@@ -239,20 +240,4 @@ bool macro_b_system_write(struct interp *interp, int number, int column, double 
 		return fault(&interp->at, column, "#%d cannot be assigned here in the %s dialect", number,
 			     interp->config->dialect->name);
 	return write_work(interp, number, column, value);
-}
-
-bool macro_b_check_work(struct interp *interp)
-{
-	const struct block *block = &interp->block;
-
-	if (!interp->macro.work_stale)
-		return true;
-	if (block->g[G_SYSTEM] != CODE_NONE)
-		interp->macro.work_stale = false;
-	else if (block->letters & AXIS_BITS)
-		return fault(&interp->at, block_motion_column(block),
-			     "the work offset in force was assigned to: when a control heeds that differs; select it "
-			     "again first, with %s",
-			     state_system_name(interp->state.system));
-	return true;
 }

@@ -1,33 +1,14 @@
 #include "gcode/dialect/fanuc/macro_b_vars.h"
 
-#include <math.h>
-
-#include "gcode/state.h"
-
-double macro_b_vacant(void)
-{
-	return NAN;
-}
-
-void macro_b_vars_init(struct macro_b_vars *vars)
-{
-	for (int level = 0; level <= MACRO_CALLS_MAX; level++) {
-		for (int i = 0; i <= MACRO_LOCALS; i++)
-			vars->local[level][i] = macro_b_vacant();
-	}
-	for (int i = 0; i < MACRO_COMMON; i++) {
-		vars->common[i] = macro_b_vacant();
-		vars->given[i] = false;
-	}
-	vars->level = 0;
-}
+#include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/dialect/fanuc/macro_b_system.h"
 
 /* The index of a common variable, or -1. Haas: #10100 is another name of #100. */
 static int common_index(const struct interp *interp, int number)
 {
 	if ((number >= 100 && number <= 199) || (number >= 500 && number <= 999))
 		return number;
-	if (interp->config->dialect->legacy == GCODE_HAAS && number >= 10000 && number <= 10999)
+	if (macro_b_of(interp)->rules->common_aliases && number >= 10000 && number <= 10999)
 		return number - 10000;
 	return -1;
 }
@@ -44,8 +25,8 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 /* A block's assignments happen at once or in turn: which of it is not in the manuals. */
 static bool was_assigned(const struct interp *interp, int number)
 {
-	for (int i = 0; i < interp->macro.assigned_count; i++) {
-		if (interp->macro.assigned[i] == number)
+	for (int i = 0; i < macro_b_of(interp)->assigned_count; i++) {
+		if (macro_b_of(interp)->assigned[i] == number)
 			return true;
 	}
 	return false;
@@ -54,8 +35,8 @@ static bool was_assigned(const struct interp *interp, int number)
 /* B-63944EN, common variables: #100 to #199 are vacant from the start, #500 to #999 are kept; Haas keeps them all. */
 static bool read_common(struct interp *interp, int number, int index, int column, double *value)
 {
-	const struct macro_b_vars *vars = &interp->macro.vars;
-	bool kept = interp->config->dialect->legacy == GCODE_HAAS || index >= 500;
+	const struct macro_b_vars *vars = &macro_b_of(interp)->vars;
+	bool kept = macro_b_of(interp)->rules->common_all_kept || index >= 500;
 
 	if (kept && !vars->given[index])
 		return fault(&interp->at, column,
@@ -68,16 +49,16 @@ static bool read_common(struct interp *interp, int number, int index, int column
 
 bool macro_b_vars_read(struct interp *interp, int number, int column, double *value)
 {
-	const struct macro_b_vars *vars = &interp->macro.vars;
+	const struct macro_b_vars *vars = &macro_b_of(interp)->vars;
 	int index = common_index(interp, number);
 
 	*value = macro_b_vacant();
-	if (number == 0 || (number == 3100 && interp->config->dialect->legacy == GCODE_FANUC))
+	if (number == 0 || number == macro_b_of(interp)->rules->vacant_variable)
 		return true;
 	if (was_assigned(interp, number))
 		return fault(&interp->at, column, "#%d is assigned in this block already; read it in the next one",
 			     number);
-	if (number >= 1 && number <= MACRO_LOCALS)
+	if (number >= 1 && number <= MACRO_B_LOCALS)
 		*value = vars->local[vars->level][number];
 	else if (index >= 0)
 		return read_common(interp, number, index, column, value);
@@ -90,15 +71,15 @@ bool macro_b_vars_read(struct interp *interp, int number, int column, double *va
 
 bool macro_b_vars_write(struct interp *interp, int number, int column, double value)
 {
-	struct macro_b *macro = &interp->macro;
+	struct macro_b *macro = macro_b_of(interp);
 	int index = common_index(interp, number);
 
-	if (macro->assigned_count == MACRO_ASSIGNED_MAX)
-		return fault(&interp->at, column, "more than %d assignments in a block", MACRO_ASSIGNED_MAX);
+	if (macro->assigned_count == MACRO_B_ASSIGNED_MAX)
+		return fault(&interp->at, column, "more than %d assignments in a block", MACRO_B_ASSIGNED_MAX);
 	macro->assigned[macro->assigned_count++] = number;
 	if (number == 0)
 		return fault(&interp->at, column, "#0 is always vacant; it cannot be assigned");
-	if (number >= 1 && number <= MACRO_LOCALS) {
+	if (number >= 1 && number <= MACRO_B_LOCALS) {
 		macro->vars.local[macro->vars.level][number] = value;
 		return true;
 	}

@@ -1,6 +1,9 @@
 #include "gcode/dialect/dialects.h"
 #include "gcode/dialect/fanuc/fanuc_family.h"
 #include "gcode/dialect/fanuc/macro_b.h"
+#include "gcode/dialect/fanuc/macro_b_call.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/dialect/haas/haas_macro.h"
 #include "gcode/dialect/standard_codes.h"
 
 /* Haas mill operator's manual, G-codes, M-codes. */
@@ -78,10 +81,21 @@ static const struct code m_codes[] = {
 	{139, GROUP_HARMLESS, NULL},
 };
 
+static void *new_state(void)
+{
+	return macro_b_state_new(&haas_macro_rules);
+}
+
 const struct dialect dialect_haas = {
 	.name = "haas",
 	.legacy = GCODE_HAAS,
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.state_new = new_state,
+	.state_free = macro_b_state_free,
 	.statement = macro_b_line,
+	.read_block = macro_b_read_block,
+	.after_block = macro_b_call_after_block,
+	.end_of_file = macro_b_call_end_of_file,
+	.note_callers = macro_b_call_note_callers,
 };

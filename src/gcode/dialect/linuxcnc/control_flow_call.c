@@ -1,28 +1,25 @@
+#include "gcode/dialect/linuxcnc/control_flow_call.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/dialect/linuxcnc/control_flow_parts.h"
-#include "gcode/eval/expr.h"
-
-static struct call *call_in_hand(struct interp *interp)
-{
-	return &interp->flow.calls[interp->params.level];
-}
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
+#include "gcode/dialect/linuxcnc/control_stack.h"
 
 /* ------------------------------------------------------------ definitions */
 
 /* A sub that is met in passing is learnt, and its body skipped. */
 static bool define(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct label *label = labels_find(&interp->flow.labels, oword->name);
+	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, oword->name);
 	char title[OWORD_TITLE];
 
 	oword_title(oword->name, title);
-	if (interp->params.level > 0)
+	if (linuxcnc_of(interp)->params.level > 0)
 		return fault(&interp->at, oword->column, "%s sub inside of a subprogram that is being carried out",
 			     title);
-	if (label && label->at.source == interp->source && label->at.offset == interp->source->reader.start)
+	if (label && label->at.source == interp->program.source && label->at.offset == interp->program.source->reader.start)
 		return fault(&interp->at, oword->column,
 			     "%s sub is met again, after it was called or in a loop; LinuxCNC stops here: define it "
 			     "before its first call, once",
@@ -30,26 +27,26 @@ static bool define(struct interp *interp, struct lexer *lexer, const struct owor
 	if (label)
 		return fault(&interp->at, oword->column, "%s is defined already, in line %ld of %s", title,
 			     label->at.line, label->at.source->name);
-	if (!oword_end(lexer, oword) || !control_flow_add_label(interp, oword, oword->name, &label))
+	if (!oword_end(lexer, oword) || !control_stack_add_label(interp, oword, oword->name, &label))
 		return false;
-	control_flow_skip_to(interp, SKIP_DEFINITION, O_SUB, oword->name, oword->column);
+	control_stack_skip_to(interp, SKIP_DEFINITION, O_SUB, oword->name, oword->column);
 	return true;
 }
 
 /* The subprogram that a call looks for. */
 static bool found(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	struct label *label;
 	char title[OWORD_TITLE];
 
 	oword_title(oword->name, title);
-	if (call_in_hand(interp)->by_m98 != (oword->kind == O_PROGRAM))
+	if (linuxcnc_call_in_hand(interp)->by_m98 != (oword->kind == O_PROGRAM))
 		return fault(&interp->at, oword->column,
 			     oword->kind == O_PROGRAM ? "%s alone is a subprogram for M98; the call needs %s sub"
 						      : "%s sub is a subprogram for %s call, not for M98",
 			     title, title);
-	if (!oword_end(lexer, oword) || !control_flow_add_label(interp, oword, oword->name, &label))
+	if (!oword_end(lexer, oword) || !control_stack_add_label(interp, oword, oword->name, &label))
 		return false;
 	flow->skip = SKIP_NOTHING;
 	return true;
@@ -57,7 +54,7 @@ static bool found(struct interp *interp, struct lexer *lexer, const struct oword
 
 bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	bool same = !strcmp(oword->name, flow->skip_key);
 
 	if (flow->skip == SKIP_SEARCH)
@@ -70,9 +67,9 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 		return true;
 	flow->skip = SKIP_NOTHING;
 	/* LinuxCNC computes an endsub's value here, with parameters that do not exist yet. */
-	interp->params.returned = 0;
-	interp->params.value_returned = false;
-	interp->params.value_unclear = lexer_peek(lexer) == '[';
+	linuxcnc_of(interp)->params.returned = 0;
+	linuxcnc_of(interp)->params.value_returned = false;
+	linuxcnc_of(interp)->params.value_unclear = lexer_peek(lexer) == '[';
 	return true;
 }
 
@@ -81,8 +78,8 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 /* To a subprogram that was met before, to the start of its own file, or forward in this file. */
 static bool go_to(struct interp *interp, const char *name, int column)
 {
-	struct label *label = labels_find(&interp->flow.labels, name);
-	bool by_m98 = call_in_hand(interp)->by_m98;
+	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, name);
+	bool by_m98 = linuxcnc_call_in_hand(interp)->by_m98;
 	char title[OWORD_TITLE];
 	struct source *source;
 
@@ -91,29 +88,29 @@ static bool go_to(struct interp *interp, const char *name, int column)
 			     by_m98 ? "%s is a sub for call, not for M98" : "%s is a subprogram for M98, not for call",
 			     oword_title(name, title));
 	if (label)
-		return control_flow_jump(interp, &label->body, column);
-	if (!sources_find(&interp->sources, interp->config, name, &interp->at, column, &source))
+		return control_stack_jump(interp, &label->body, column);
+	if (!sources_find(&interp->program.sources, &interp->config->read, name, &interp->at, column, &source))
 		return false;
-	control_flow_skip_to(interp, SKIP_SEARCH, O_SUB, name, column);
-	return !source || control_flow_jump(interp, &(struct position){source, 0, 1}, column);
+	control_stack_skip_to(interp, SKIP_SEARCH, O_SUB, name, column);
+	return !source || control_stack_jump(interp, &(struct position){source, 0, 1}, column);
 }
 
 static bool enter(struct interp *interp, const char *name, int column, bool by_m98, const struct position *back)
 {
-	struct params *params = &interp->params;
+	struct params *params = &linuxcnc_of(interp)->params;
 	struct call *call;
 
 	if (params->level + 1 >= PARAM_LEVELS)
 		return fault(&interp->at, column, "more than %d calls inside each other", PARAM_LEVELS - 1);
 	params_enter(params);
-	call = call_in_hand(interp);
+	call = linuxcnc_call_in_hand(interp);
 	snprintf(call->name, sizeof(call->name), "%s", name);
 	call->by_m98 = by_m98;
 	call->back = *back;
 	call->file = interp->at.file;
 	call->line = interp->at.line;
 	call->column = column;
-	call->controls = interp->flow.control_count;
+	call->controls = linuxcnc_of(interp)->flow.control_count;
 	call->m98_left = 0;
 	memcpy(call->saved, &params->numbered[1], sizeof(call->saved));
 	if (go_to(interp, name, column))
@@ -126,7 +123,7 @@ static bool enter(struct interp *interp, const char *name, int column, bool by_m
 /* o<name> call [1] [2] */
 static bool do_call(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	const struct position back = source_next(interp->source);
+	const struct position back = source_next(interp->program.source);
 	double arguments[PARAM_ARGUMENTS] = {0};
 	int count = 0;
 
@@ -138,12 +135,12 @@ static bool do_call(struct interp *interp, struct lexer *lexer, const struct owo
 		if (count == PARAM_ARGUMENTS)
 			return fault(&interp->at, lexer_column(lexer), "a call can have at most %d arguments",
 				     PARAM_ARGUMENTS);
-		if (!expr_bracket(lexer, "call", &arguments[count++]))
+		if (!linuxcnc_expr_bracket(lexer, "call", &arguments[count++]))
 			return false;
 	}
 	if (!oword_end(lexer, oword) || !enter(interp, oword->name, oword->column, false, &back))
 		return false;
-	memcpy(&interp->params.numbered[1], arguments, sizeof(arguments));
+	memcpy(&linuxcnc_of(interp)->params.numbered[1], arguments, sizeof(arguments));
 	return true;
 }
 
@@ -168,7 +165,7 @@ static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int
 								      "else");
 		*has = true;
 		lexer_take(lexer);
-		if (!expr_integer(lexer, has == &has_program ? program : count))
+		if (!linuxcnc_expr_integer(lexer, has == &has_program ? program : count))
 			return false;
 	}
 	if (!has_program)
@@ -182,8 +179,8 @@ static bool read_m98(struct interp *interp, struct lexer *lexer, int column, int
 /* M98 P100 L3: LinuxCNC reads the block anew before each of its calls. */
 static bool do_m98(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct call *caller = call_in_hand(interp);
-	struct position back = source_next(interp->source);
+	struct call *caller = linuxcnc_call_in_hand(interp);
+	struct position back = source_next(interp->program.source);
 	int program = 0, count;
 	char name[16];
 
@@ -191,28 +188,28 @@ static bool do_m98(struct interp *interp, struct lexer *lexer, const struct owor
 		return false;
 	caller->m98_left = caller->m98_left > 0 ? caller->m98_left - 1 : count - 1;
 	if (caller->m98_left > 0)
-		back = source_here(interp->source);
+		back = source_here(interp->program.source);
 	snprintf(name, sizeof(name), "%d", program);
 	return enter(interp, name, oword->column, true, &back);
 }
 
 static bool leave(struct interp *interp, int column)
 {
-	struct params *params = &interp->params;
-	struct call *call = call_in_hand(interp);
+	struct params *params = &linuxcnc_of(interp)->params;
+	struct call *call = linuxcnc_call_in_hand(interp);
 
 	if (!call->by_m98)
 		memcpy(&params->numbered[1], call->saved, sizeof(call->saved));
-	control_flow_close_controls(&interp->flow, call->controls);
+	control_stack_close(&linuxcnc_of(interp)->flow, call->controls);
 	params_leave(params);
-	return control_flow_jump(interp, &call->back, column);
+	return control_stack_jump(interp, &call->back, column);
 }
 
 /* endsub and return, with a value or without. */
 static bool do_return(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct params *params = &interp->params;
-	const struct call *call = call_in_hand(interp);
+	struct params *params = &linuxcnc_of(interp)->params;
+	const struct call *call = linuxcnc_call_in_hand(interp);
 	char title[OWORD_TITLE], other[OWORD_TITLE];
 	double value = 0;
 	bool given = lexer_peek(lexer) == '[';
@@ -227,7 +224,7 @@ static bool do_return(struct interp *interp, struct lexer *lexer, const struct o
 	if (strcmp(call->name, oword->name))
 		return fault(&interp->at, oword->column, "%s %s inside of the sub %s", title,
 			     oword_keyword(oword->kind), oword_title(call->name, other));
-	if ((given && !expr_bracket(lexer, oword_keyword(oword->kind), &value)) || !oword_end(lexer, oword))
+	if ((given && !linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), &value)) || !oword_end(lexer, oword))
 		return false;
 	params->returned = value;
 	params->value_returned = given;
@@ -237,13 +234,13 @@ static bool do_return(struct interp *interp, struct lexer *lexer, const struct o
 
 static bool do_m99(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	if (!call_in_hand(interp)->by_m98)
+	if (!linuxcnc_call_in_hand(interp)->by_m98)
 		return fault(&interp->at, oword->column, "a sub ends with endsub or return, not with M99");
 	if (!oword_end(lexer, oword))
 		return false;
-	interp->params.returned = 0;
-	interp->params.value_returned = false;
-	interp->params.value_unclear = false;
+	linuxcnc_of(interp)->params.returned = 0;
+	linuxcnc_of(interp)->params.value_returned = false;
+	linuxcnc_of(interp)->params.value_unclear = false;
 	return leave(interp, oword->column);
 }
 
@@ -265,7 +262,7 @@ bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const st
 		break;
 	}
 	/* A program's number, which names what follows: nothing happens. */
-	if (interp->params.level > 0 && !call_in_hand(interp)->by_m98)
+	if (linuxcnc_of(interp)->params.level > 0 && !linuxcnc_call_in_hand(interp)->by_m98)
 		return fault(&interp->at, oword->column, "a subprogram of M98 inside of a sub");
 	return oword_end(lexer, oword);
 }

@@ -1,18 +1,11 @@
+#include "gcode/dialect/linuxcnc/control_flow_loop.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "base/mem.h"
-#include "gcode/dialect/linuxcnc/control_flow_parts.h"
-#include "gcode/eval/expr.h"
-
-struct control *control_flow_top_control(struct interp *interp)
-{
-	struct control_flow *flow = &interp->flow;
-
-	if (flow->control_count == flow->calls[interp->params.level].controls)
-		return NULL;
-	return &flow->controls[flow->control_count - 1];
-}
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
+#include "gcode/dialect/linuxcnc/control_stack.h"
 
 static void push_control(struct control_flow *flow, enum o_kind kind, struct label *label)
 {
@@ -25,7 +18,7 @@ static void push_control(struct control_flow *flow, enum o_kind kind, struct lab
 static struct control *expect_control(struct interp *interp, const struct oword *oword, const char *key,
 				      enum o_kind kind)
 {
-	struct control *top = control_flow_top_control(interp);
+	struct control *top = control_stack_top(interp);
 	char title[OWORD_TITLE];
 
 	if (top && top->kind == kind && !strcmp(top->label->key, key))
@@ -43,26 +36,26 @@ static struct control *expect_control(struct interp *interp, const struct oword 
 /* The label of the line in hand, new or met before; each stands at one place only. */
 static bool find_label(struct interp *interp, const struct oword *oword, const char *key, struct label **label)
 {
-	const struct control *top = control_flow_top_control(interp);
+	const struct control *top = control_stack_top(interp);
 	char title[OWORD_TITLE];
 
-	*label = labels_find(&interp->flow.labels, key);
+	*label = labels_find(&linuxcnc_of(interp)->flow.labels, key);
 	if (!*label)
-		return control_flow_add_label(interp, oword, key, label);
-	if ((*label)->kind == oword->kind && (*label)->at.source == interp->source &&
-	    (*label)->at.offset == interp->source->reader.start)
+		return control_stack_add_label(interp, oword, key, label);
+	if ((*label)->kind == (int)oword->kind && (*label)->at.source == interp->program.source &&
+	    (*label)->at.offset == interp->program.source->reader.start)
 		return true;
 	if ((*label)->kind == O_DO && oword->kind == O_WHILE && top)
 		return expect_control(interp, oword, key, O_DO) != NULL;
 	return fault(&interp->at, oword->column, "the label %s is used for another %s already, in line %ld of %s",
-		     oword_title(oword->name, title), oword_keyword((*label)->kind), (*label)->at.line,
+		     oword_title(oword->name, title), oword_keyword((enum o_kind)(*label)->kind), (*label)->at.line,
 		     (*label)->at.source->name);
 }
 
 /* A condition or count, and nothing behind it. */
 static bool read_test(struct lexer *lexer, const struct oword *oword, double *value)
 {
-	return expr_bracket(lexer, oword_keyword(oword->kind), value) && oword_end(lexer, oword);
+	return linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), value) && oword_end(lexer, oword);
 }
 
 static bool is_true(double value)
@@ -77,9 +70,9 @@ static bool do_if(struct interp *interp, struct lexer *lexer, const struct oword
 
 	if (!read_test(lexer, oword, &test) || !find_label(interp, oword, key, &label))
 		return false;
-	push_control(&interp->flow, O_IF, label);
+	push_control(&linuxcnc_of(interp)->flow, O_IF, label);
 	if (!is_true(test))
-		control_flow_skip_to(interp, SKIP_FALSE, O_IF, key, oword->column);
+		control_stack_skip_to(interp, SKIP_FALSE, O_IF, key, oword->column);
 	return true;
 }
 
@@ -93,9 +86,9 @@ static bool leave_if(struct interp *interp, struct lexer *lexer, const struct ow
 	if (oword->kind == O_ELSEIF ? !read_test(lexer, oword, &test) : !oword_end(lexer, oword))
 		return false;
 	if (oword->kind == O_ENDIF)
-		interp->flow.control_count--;
+		linuxcnc_of(interp)->flow.control_count--;
 	else
-		control_flow_skip_to(interp, SKIP_DONE, O_IF, key, oword->column);
+		control_stack_skip_to(interp, SKIP_DONE, O_IF, key, oword->column);
 	return true;
 }
 
@@ -110,7 +103,7 @@ static bool fault_stale(struct interp *interp, int column, const char *word, con
 static bool end_do(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
 	struct control *control = expect_control(interp, oword, key, O_DO);
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	double test;
 
 	if (!control || !read_test(lexer, oword, &test))
@@ -118,7 +111,7 @@ static bool end_do(struct interp *interp, struct lexer *lexer, const struct owor
 	if (is_true(test) && flow->stale_break)
 		return fault_stale(interp, oword->column, "break", "would end the loop");
 	if (is_true(test))
-		return control_flow_jump(interp, &control->label->body, oword->column);
+		return control_stack_jump(interp, &control->label->body, oword->column);
 	flow->stale_break = false;
 	flow->control_count--;
 	return true;
@@ -126,8 +119,8 @@ static bool end_do(struct interp *interp, struct lexer *lexer, const struct owor
 
 static bool do_while(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
-	struct control_flow *flow = &interp->flow;
-	struct control *top = control_flow_top_control(interp);
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
+	struct control *top = control_stack_top(interp);
 	struct label *label;
 	double test;
 
@@ -140,7 +133,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, const struct ow
 	if (is_true(test))
 		return true;
 	flow->control_count--;
-	control_flow_skip_to(interp, SKIP_LOOP, O_WHILE, key, oword->column);
+	control_stack_skip_to(interp, SKIP_LOOP, O_WHILE, key, oword->column);
 	return true;
 }
 
@@ -150,13 +143,13 @@ static bool do_do(struct interp *interp, struct lexer *lexer, const struct oword
 
 	if (!oword_end(lexer, oword) || !find_label(interp, oword, key, &label))
 		return false;
-	push_control(&interp->flow, O_DO, label);
+	push_control(&linuxcnc_of(interp)->flow, O_DO, label);
 	return true;
 }
 
 static bool do_repeat(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	struct label *label;
 	double count;
 
@@ -170,7 +163,7 @@ static bool do_repeat(struct interp *interp, struct lexer *lexer, const struct o
 			     "this repeat was left by a return or is under way in a caller: LinuxCNC would go on "
 			     "counting where it was left");
 	if (count < 1) {
-		control_flow_skip_to(interp, SKIP_LOOP, O_REPEAT, key, oword->column);
+		control_stack_skip_to(interp, SKIP_LOOP, O_REPEAT, key, oword->column);
 		return true;
 	}
 	push_control(flow, O_REPEAT, label);
@@ -183,15 +176,15 @@ static bool end_loop(struct interp *interp, struct lexer *lexer, const struct ow
 {
 	enum o_kind kind = oword->kind == O_ENDWHILE ? O_WHILE : O_REPEAT;
 	struct control *control = expect_control(interp, oword, key, kind);
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 
 	if (!control || !oword_end(lexer, oword))
 		return false;
 	if (kind == O_WHILE)
-		return control_flow_jump(interp, &control->label->at, oword->column);
+		return control_stack_jump(interp, &control->label->at, oword->column);
 	if (control->remaining > 0) {
 		control->remaining--;
-		return control_flow_jump(interp, &control->label->body, oword->column);
+		return control_stack_jump(interp, &control->label->body, oword->column);
 	}
 	if (flow->stale_continue)
 		return fault_stale(interp, oword->column, "continue", "would repeat the loop once more");
@@ -203,8 +196,8 @@ static bool end_loop(struct interp *interp, struct lexer *lexer, const struct ow
 /* break and continue name the while or do that they leave, which may be an outer one. */
 static bool leave_loop(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
-	struct control_flow *flow = &interp->flow;
-	size_t base = flow->calls[interp->params.level].controls, i = flow->control_count;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
+	size_t base = linuxcnc_call_in_hand(interp)->controls, i = flow->control_count;
 	char title[OWORD_TITLE];
 	enum o_kind kind;
 
@@ -218,15 +211,15 @@ static bool leave_loop(struct interp *interp, struct lexer *lexer, const struct 
 		return false;
 	kind = flow->controls[i - 1].kind;
 	if (oword->kind == O_CONTINUE) {
-		control_flow_close_controls(flow, i);
-		control_flow_skip_to(interp, SKIP_CONTINUE, kind, key, oword->column);
+		control_stack_close(flow, i);
+		control_stack_skip_to(interp, SKIP_CONTINUE, kind, key, oword->column);
 		return true;
 	}
 	if (kind == O_WHILE && flow->stale_continue)
 		return fault_stale(interp, oword->column, "continue", "would carry on with the loop");
 	flow->stale_break = kind == O_WHILE || flow->stale_break;
-	control_flow_close_controls(flow, i - 1);
-	control_flow_skip_to(interp, SKIP_LOOP, kind, key, oword->column);
+	control_stack_close(flow, i - 1);
+	control_stack_skip_to(interp, SKIP_LOOP, kind, key, oword->column);
 	return true;
 }
 
@@ -260,13 +253,13 @@ static bool fault_label_again(struct interp *interp, const struct oword *oword)
 	char title[OWORD_TITLE];
 
 	return fault(&interp->at, oword->column, "the label %s is used for the %s of line %ld, which is not closed",
-		     oword_title(oword->name, title), oword_keyword(interp->flow.skip_kind),
-		     interp->flow.skip_from.line);
+		     oword_title(oword->name, title), oword_keyword(linuxcnc_of(interp)->flow.skip_kind),
+		     linuxcnc_of(interp)->flow.skip_from.line);
 }
 
 static bool skip_if(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	bool wanted = flow->skip == SKIP_FALSE;
 	double test;
 
@@ -293,7 +286,7 @@ static bool skip_if(struct interp *interp, struct lexer *lexer, const struct owo
 /* At the end of a loop of which the rest was skipped. */
 static bool skip_loop(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	struct control_flow *flow = &interp->flow;
+	struct control_flow *flow = &linuxcnc_of(interp)->flow;
 	enum o_kind end = flow->skip_kind == O_WHILE ? O_ENDWHILE : flow->skip_kind == O_DO ? O_WHILE : O_ENDREPEAT;
 	bool again = flow->skip == SKIP_CONTINUE;
 	double test;
@@ -318,7 +311,7 @@ static bool skip_loop(struct interp *interp, struct lexer *lexer, const struct o
 
 bool control_flow_loop_skip(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
-	if (interp->flow.skip == SKIP_FALSE || interp->flow.skip == SKIP_DONE)
+	if (linuxcnc_of(interp)->flow.skip == SKIP_FALSE || linuxcnc_of(interp)->flow.skip == SKIP_DONE)
 		return skip_if(interp, lexer, oword);
 	return skip_loop(interp, lexer, oword);
 }

@@ -1,5 +1,8 @@
 #include "gcode/dialect/dialects.h"
 #include "gcode/dialect/linuxcnc/control_flow.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_state.h"
+#include "gcode/dialect/linuxcnc/system_params.h"
 #include "gcode/dialect/standard_codes.h"
 
 /* LinuxCNC's manual, "G-Codes", "M-Codes". */
@@ -77,10 +80,24 @@ static const struct code m_codes[] = {
 	{98, GROUP_STATEMENT, NULL},
 };
 
+static bool read_block(struct interp *interp)
+{
+	static const struct block_rules rules = {.lexer = &linuxcnc_lexer_rules};
+
+	return block_read(&interp->block, &interp->at, interp->config, &rules, interp, &interp->cautions);
+}
+
 const struct dialect dialect_linuxcnc = {
 	.name = "linuxcnc",
 	.legacy = GCODE_LINUXCNC,
 	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.state_new = linuxcnc_state_new,
+	.state_free = linuxcnc_state_free,
 	.statement = control_flow_line,
+	.read_block = read_block,
+	.before_block = system_params_assign,
+	.after_block = control_flow_after_block,
+	.end_of_file = control_flow_end_of_file,
+	.note_callers = control_flow_note_callers,
 };

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/eval/expr.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/text/number.h"
 
 /* In an order in which no keyword hides another. */
@@ -79,8 +79,8 @@ static bool read_label(struct lexer *lexer, struct oword *oword)
 	int number;
 
 	if (lexer_peek(lexer) == '<')
-		return expr_name(lexer, oword->name);
-	if (!expr_integer(lexer, &number))
+		return linuxcnc_expr_name(lexer, oword->name);
+	if (!linuxcnc_expr_integer(lexer, &number))
 		return false;
 	snprintf(oword->name, sizeof(oword->name), "%d", number);
 	return true;

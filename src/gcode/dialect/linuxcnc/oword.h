@@ -4,8 +4,7 @@
 
 #include <stdbool.h>
 
-#include "gcode/dialect/linuxcnc/params.h"
-#include "gcode/text/label.h"
+#include "gcode/dialect/linuxcnc/control_flow_state.h"
 #include "gcode/text/lexer.h"
 
 struct oword {

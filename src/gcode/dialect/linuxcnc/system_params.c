@@ -2,10 +2,9 @@
 
 #include <math.h>
 
-#include "gcode/dialect/linuxcnc/params.h"
-#include "gcode/execute/dynamic_work_offset.h"
-#include "gcode/execute/endpoint.h"
-#include "gcode/state.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_state.h"
+#include "gcode/execute/program_position.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* Ranges of numbers, each of one value a slot. */
 enum {
@@ -84,30 +83,6 @@ static bool tool_number(struct interp *interp, int number, int column, double *v
 
 /* ------------------------------------------------------ offsets, position */
 
-bool system_params_position_is_plain(struct interp *interp, int slot, int column)
-{
-	if (interp->comp.side != 0)
-		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
-	if (!interp->state.frame.on)
-		return dynamic_work_offset_check_read(interp, slot, column) && endpoint_is_known(interp, slot, column);
-	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
-}
-
-static double program_position(const struct state *state, int slot)
-{
-	double value = state->position.v[slot] - state->offset.v[slot];
-
-	return slot_is_rotary(slot) ? value : value / state->scale;
-}
-
-void system_params_work_is_used(struct interp *interp, int system, int column)
-{
-	if (interp->config->has_setup && !interp->state.work_known[system])
-		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
-			state_system_name(system));
-	interp->state.work_known[system] = true;
-}
-
 static double own_length(const struct interp *interp, const slot_values *values, int slot)
 {
 	return values->v[slot] / unit_of(interp, slot);
@@ -118,8 +93,8 @@ static double work_number(struct interp *interp, int number, int column)
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
 
 	if (slot >= SLOT_COUNT)
-		return slot == SLOT_COUNT ? 0 : interp->params.numbered[number];
-	system_params_work_is_used(interp, system, column);
+		return slot == SLOT_COUNT ? 0 : linuxcnc_of(interp)->params.numbered[number];
+	work_offset_use_note(interp, system, column);
 	return own_length(interp, &interp->state.work[system], slot);
 }
 
@@ -128,7 +103,7 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 	const struct state *state = &interp->state;
 	const char *who = real_time(number);
 
-	*value = interp->params.numbered[number];
+	*value = linuxcnc_of(interp)->params.numbered[number];
 	if (number < MACHINE_POSITION)
 		return true;
 	if (who)
@@ -139,8 +114,8 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 	if (number >= TOOL && number <= TOOL_END)
 		return tool_number(interp, number, column, value);
 	if (in_slots(number, POSITION)) {
-		*value = program_position(state, number - POSITION);
-		return system_params_position_is_plain(interp, number - POSITION, column);
+		*value = program_position_value(state, number - POSITION);
+		return program_position_check(interp, number - POSITION, column);
 	}
 	if (in_slots(number, REFERENCE_1))
 		*value = own_length(interp, &state->reference[0], number - REFERENCE_1);
@@ -192,12 +167,12 @@ static void take_length(const struct interp *interp, slot_values *values, int sl
 	values->v[slot] = value * unit_of(interp, slot);
 }
 
-void system_params_set_number(struct interp *interp, int number, double value)
+static void set_number(struct interp *interp, int number, double value)
 {
 	struct state *state = &interp->state;
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
 
-	interp->params.numbered[number] = value;
+	linuxcnc_of(interp)->params.numbered[number] = value;
 	if (in_slots(number, REFERENCE_1)) {
 		take_length(interp, &state->reference[0], number - REFERENCE_1, value);
 	} else if (in_slots(number, REFERENCE_2)) {
@@ -208,4 +183,21 @@ void system_params_set_number(struct interp *interp, int number, double value)
 		take_length(interp, &state->work[system], slot, value);
 		state->work_known[system] = true;
 	}
+}
+
+/* Assignments take effect before the block's codes do, but after all of its words were read. */
+bool system_params_assign(struct interp *interp)
+{
+	struct params *params = &linuxcnc_of(interp)->params;
+
+	for (size_t i = 0; i < params->pending_count; i++) {
+		const struct assignment *new = &params->pending[i];
+
+		if (new->number > 0)
+			set_number(interp, new->number, new->value);
+		else
+			params_make(params, new->name)->value = new->value;
+	}
+	params->pending_count = 0;
+	return true;
 }

@@ -1,11 +1,12 @@
+#include "gcode/dialect/linuxcnc/system_param_names.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "gcode/dialect/linuxcnc/params.h"
-#include "gcode/dialect/linuxcnc/system_params.h"
-#include "gcode/state.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_state.h"
+#include "gcode/execute/program_position.h"
 
 enum name {
 	NAME_MACHINE,	/* known to the machine only */
@@ -99,7 +100,7 @@ static const struct known_name *find_name(const char *name)
 	return bsearch(name, names, sizeof(names) / sizeof(*names), sizeof(*names), compare_names);
 }
 
-bool system_params_name_exists(const char *name)
+bool system_param_names_has(const char *name)
 {
 	return find_name(name) != NULL;
 }
@@ -160,7 +161,7 @@ static bool position_value(struct interp *interp, const struct known_name *known
 	const struct state *state = &interp->state;
 	int slot = known->slot;
 
-	if (!system_params_position_is_plain(interp, slot, column))
+	if (!program_position_check(interp, slot, column))
 		return false;
 	if (known->what == NAME_ABS_POSITION && state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "#<%s>: machine positions cannot be read under TCP", known->name);
@@ -170,7 +171,7 @@ static bool position_value(struct interp *interp, const struct known_name *known
 	return true;
 }
 
-bool system_params_name(struct interp *interp, const char *name, int column, double *value)
+bool system_param_names_read(struct interp *interp, const char *name, int column, double *value)
 {
 	const struct state *state = &interp->state;
 	const struct known_name *known = find_name(name);
@@ -205,16 +206,16 @@ bool system_params_name(struct interp *interp, const char *name, int column, dou
 		*value = (double)interp->at.line;
 		return true;
 	case NAME_CALL_LEVEL:
-		*value = interp->params.level;
+		*value = linuxcnc_of(interp)->params.level;
 		return true;
 	case NAME_VALUE:
 	case NAME_VALUE_RETURNED:
-		if (interp->params.value_unclear)
+		if (linuxcnc_of(interp)->params.value_unclear)
 			return fault(&interp->at, column,
 				     "#<%s> right after a sub whose endsub has a value: LinuxCNC computes that value "
 				     "here, without a call",
 				     name);
-		*value = known->what == NAME_VALUE ? interp->params.returned : interp->params.value_returned;
+		*value = known->what == NAME_VALUE ? linuxcnc_of(interp)->params.returned : linuxcnc_of(interp)->params.value_returned;
 		return true;
 	default:
 		*value = mode_value(interp, known->what);
@@ -222,14 +223,14 @@ bool system_params_name(struct interp *interp, const char *name, int column, dou
 	}
 }
 
-bool system_params_check_name(struct interp *interp, const char *name, int column)
+bool system_param_names_check_write(struct interp *interp, const char *name, int column)
 {
-	if (system_params_name_exists(name))
+	if (system_param_names_has(name))
 		return fault(&interp->at, column, "#<%s> can only be read", name);
 	return true;
 }
 
-bool system_params_fault_unknown(struct interp *interp, const char *name, int column)
+bool system_param_names_fault_unknown(struct interp *interp, const char *name, int column)
 {
 	if (!strncmp(name, "_ini[", 5))
 		return fault(&interp->at, column, "#<%s> stands in the machine's INI file, which is not read", name);

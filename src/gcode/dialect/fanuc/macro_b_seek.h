@@ -1,16 +1,12 @@
-/* macro_b_parts.h - what the files of macro_b share. */
-#ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_PARTS_H
-#define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_PARTS_H
+/* macro_b_seek.h - finds blocks and programs by their numbers, and goes there. */
+#ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_SEEK_H
+#define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_SEEK_H
 
 #include <stdbool.h>
 
-#include "gcode/state.h"
-#include "gcode/text/lexer.h"
+#include "gcode/text/source.h"
 
-static inline struct macro_b_call *macro_b_in_hand(struct interp *interp)
-{
-	return &interp->macro.calls[interp->macro.level];
-}
+struct interp;
 
 /* The next line in hand is the one at `to`; loops that it leaves are closed. False: reported at the column. */
 bool macro_b_jump(struct interp *interp, const struct position *to, int column);
@@ -30,13 +26,5 @@ bool macro_b_seek_end(struct interp *interp, int number, int column, struct posi
 
 /* The program O<number>: in the program's own file, in the one in hand, or in a file of its name. */
 bool macro_b_seek_program(struct interp *interp, int number, int column, struct position *found);
-
-/* G65, G66, behind which the lexer stands; `column` is the G's. */
-bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column);
-bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column);
-
-/* "O100", "N10". */
-#define MACRO_TITLE 16
-const char *macro_b_title(const struct macro_b_call *call, char *buffer);
 
 #endif

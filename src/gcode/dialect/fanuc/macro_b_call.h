@@ -1,0 +1,27 @@
+/* macro_b_call.h - calls of subprograms and macros: G65, G66, M97, M98, M99. */
+#ifndef FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_CALL_H
+#define FIVECHECK_GCODE_DIALECT_FANUC_MACRO_B_CALL_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/text/lexer.h"
+
+/* G65 and G66, behind which the lexer stands; `column` is the G's. False: reported. */
+bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column);
+bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column);
+
+/* "O100", "N10": the call's program; lives in the buffer, which has MACRO_B_TITLE bytes. */
+#define MACRO_B_TITLE 16
+const char *macro_b_call_title(const struct macro_b_call *call, char *buffer);
+
+/* After a block that has been carried out: M97, M98 and M99 of it, or the call that G66 makes. False: reported. */
+bool macro_b_call_after_block(struct interp *interp);
+
+/* The file in hand has ended. False: inside of a subprogram, which was reported. */
+bool macro_b_call_end_of_file(struct interp *interp);
+
+/* Notes below what has just been reported: from where the block in hand was called. */
+void macro_b_call_note_callers(struct interp *interp);
+
+#endif

@@ -1,0 +1,82 @@
+#include "gcode/dialect/haas/haas_macro.h"
+
+#include "gcode/dialect/fanuc/macro_b_expr.h"
+#include "gcode/dialect/fanuc/macro_b_state.h"
+
+/* Haas mill operator's manual, "Macros". It gives AND, OR and XOR no order among the others. */
+static const struct expr_operator operators[] = {
+	{"eq", EXPR_EQ, 1, false},
+	{"ne", EXPR_NE, 1, false},
+	{"gt", EXPR_GT, 1, false},
+	{"ge", EXPR_GE, 1, false},
+	{"lt", EXPR_LT, 1, false},
+	{"le", EXPR_LE, 1, false},
+	{"+", EXPR_PLUS, 2, false},
+	{"-", EXPR_MINUS, 2, false},
+	{"or", EXPR_OR, 2, true},
+	{"xor", EXPR_XOR, 2, true},
+	{"*", EXPR_TIMES, 3, false},
+	{"/", EXPR_DIVIDE, 3, false},
+	{"and", EXPR_AND, 3, true},
+	{"mod", EXPR_MODULO, 3, false},
+};
+
+static const struct function_name functions[] = {
+	{"abs", "ABS", FUNCTION_ABS, false},
+	{"acos", "ACOS", FUNCTION_ACOS, false},
+	{"asin", "ASIN", FUNCTION_ASIN, false},
+	{"atan", "ATAN", FUNCTION_ATAN, false},
+	{"cos", "COS", FUNCTION_COS, false},
+	{"exp", "EXP", FUNCTION_EXP, true},
+	{"fix", "FIX", FUNCTION_FIX, false},
+	{"fup", "FUP", FUNCTION_FUP, true},
+	{"ln", "LN", FUNCTION_LN, true},
+	{"round", "ROUND", FUNCTION_ROUND, false},
+	{"sin", "SIN", FUNCTION_SIN, false},
+	{"sqrt", "SQRT", FUNCTION_SQRT, false},
+	{"tan", "TAN", FUNCTION_TAN, false},
+};
+
+static const struct expr_rules expr_rules = {
+	.open = '[', .close = ']', .variable_starts = "#",
+	.operators = operators, .operator_count = sizeof(operators) / sizeof(*operators),
+	.unordered = "AND, OR and XOR among other operators: Haas gives no order; use brackets",
+	.functions = functions, .function_count = sizeof(functions) / sizeof(*functions),
+	.has_vacant = true, .depth_max = MACRO_B_DEPTH_MAX, .nested = "brackets",
+	.apply = macro_b_expr_apply, .function = macro_b_expr_function, .variable = macro_b_expr_variable,
+};
+
+/* Haas mill operator's manual, system variables. */
+static const struct macro_b_range machine_only[] = {
+	{1601, 2000, "data of tools that the control has collected"},
+	{3020, 3033, "clocks, counters and settings of the control"},
+};
+
+const struct macro_b_rules haas_macro_rules = {
+	.control = "Haas",
+	.expr = &expr_rules,
+	.truth_is_number = true,
+	.vacant_counts = false,
+	.logic_truncates = true,
+	.modulo_signed = false,
+	.angle_by_nat = false,
+	.atan_pairs = false,
+	.keywords_short = false,
+	.conditional_m99 = true,
+	.modal_calls = false,
+	.goto_forward_first = false,
+	.m99_own_block = true,
+	.repeats_keep_arguments = true,
+	.m98_repeats_in_p = false,
+	.m98_program_max = 99999,
+	.macro_calls_max = MACRO_B_CALLS_MAX + 1,	/* differs by version, so that only the limit of all calls counts */
+	.common_aliases = true,
+	.common_all_kept = true,
+	.vacant_variable = 0,
+	.work_group_variable = 4012,
+	.work_at_7001 = 20,
+	.work_at_14001 = EXTENDED_COUNT,
+	.axes_in_slot_order = true,
+	.machine_only = machine_only,
+	.machine_only_count = sizeof(machine_only) / sizeof(*machine_only),
+};

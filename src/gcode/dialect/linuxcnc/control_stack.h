@@ -1,0 +1,25 @@
+/* control_stack.h - the steps that branches, loops and calls of LinuxCNC have in common. */
+#ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_STACK_H
+#define FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_STACK_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/linuxcnc/linuxcnc_state.h"
+#include "gcode/dialect/linuxcnc/oword.h"
+
+/* The next line in hand is the one at `to`. False: reported at the column. */
+bool control_stack_jump(struct interp *interp, const struct position *to, int column);
+
+/* Skips lines from the line in hand on. */
+void control_stack_skip_to(struct interp *interp, enum skip skip, enum o_kind kind, const char *key, int column);
+
+/* A new label at the line in hand. False: reported. */
+bool control_stack_add_label(struct interp *interp, const struct oword *oword, const char *key, struct label **label);
+
+/* Closes the branches and loops beyond the first `count`. */
+void control_stack_close(struct control_flow *flow, size_t count);
+
+/* The innermost branch or loop that the subprogram in hand has open; NULL: none. */
+struct control *control_stack_top(struct interp *interp);
+
+#endif

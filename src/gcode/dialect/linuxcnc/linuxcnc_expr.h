@@ -1,0 +1,31 @@
+/* linuxcnc_expr.h - values as LinuxCNC's programs write them: numbers, parameters, functions, expressions in brackets. */
+#ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_EXPR_H
+#define FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_EXPR_H
+
+#include <stdbool.h>
+
+#include "gcode/text/lexer.h"
+
+/*
+ * LinuxCNC's manual, "Expressions", "Binary Operators", "Functions",
+ * "Parameters"; where the manual is silent, what rs274 does. All functions read
+ * at the lexer's position and leave it behind what they have read. False: the
+ * fault was reported. The context of the lexer is the struct interp.
+ */
+
+/* Of blocks and of control flow. */
+extern const struct lexer_rules linuxcnc_lexer_rules;
+
+/* A value: -1.5, [1+2], #3, #<name>, SIN[30], -#3 */
+bool linuxcnc_expr_value(struct lexer *lexer, double *value);
+
+/* A value in brackets; `what` says in the message what lacks them. */
+bool linuxcnc_expr_bracket(struct lexer *lexer, const char *what, double *value);
+
+/* A value within 0.0001 of a whole number. */
+bool linuxcnc_expr_integer(struct lexer *lexer, int *value);
+
+/* "<name>", in lower case and without blanks, into a buffer of PARAM_NAME_MAX + 1 bytes. */
+bool linuxcnc_expr_name(struct lexer *lexer, char *name);
+
+#endif

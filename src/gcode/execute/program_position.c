@@ -1,0 +1,20 @@
+#include "gcode/execute/program_position.h"
+
+#include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/endpoint.h"
+
+bool program_position_check(struct interp *interp, int slot, int column)
+{
+	if (interp->comp.side != 0)
+		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
+	if (!interp->state.frame.on)
+		return dynamic_work_offset_check_read(interp, slot, column) && endpoint_is_known(interp, slot, column);
+	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
+}
+
+double program_position_value(const struct state *state, int slot)
+{
+	double value = state->position.v[slot] - state->offset.v[slot];
+
+	return slot_is_rotary(slot) ? value : value / state->scale;
+}

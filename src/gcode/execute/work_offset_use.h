@@ -1,0 +1,21 @@
+/* work_offset_use.h - is the work offset that a program uses known? */
+#ifndef FIVECHECK_GCODE_EXECUTE_WORK_OFFSET_USE_H
+#define FIVECHECK_GCODE_EXECUTE_WORK_OFFSET_USE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* Warns once about a work offset that the setup does not define. */
+void work_offset_use_note(struct interp *interp, int system, int column);
+
+/*
+ * After the block's selection of a work offset: refuses axis words where the
+ * program has assigned a value to the work offset in force and has not selected it again. False: reported.
+ */
+bool work_offset_use_check(struct interp *interp);
+
+/* Reports at the column that the work offset in force was assigned to and not selected again; false. */
+bool work_offset_use_fault(const struct interp *interp, int column);
+
+#endif

@@ -1,0 +1,21 @@
+#include "gcode/restart.h"
+
+#include "gcode/state.h"
+
+/*
+ * Controls start anew for ever. A pass that begins with the same state and
+ * variables as the one before makes the same moves, and so do all that follow.
+ * (Bytes of padding may differ without a reason: that costs a pass.)
+ */
+bool restart_program(struct interp *interp, struct strbuf *variables)
+{
+	int column = interp->block.m_column[M_STOP];
+
+	if (interp->comp.side != 0) {
+		strbuf_release(variables);
+		return fault(&interp->at, column,
+			     "M99 starts the program anew with cutter compensation on; switch it off with G40 first");
+	}
+	strbuf_add(variables, (const char *)&interp->state, sizeof(interp->state));
+	return program_restart(&interp->program, variables, &interp->at, 1, &interp->ended);
+}
