@@ -2,7 +2,7 @@
 #ifndef FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 #define FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 
-#include "gcode/interp.h"
+#include "gcode/config.h"
 
 /* In mm; a copy of the configuration's, which stays as it is. */
 struct tool_table {

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "gcode/codes.h"
-#include "gcode/interp.h"
+#include "gcode/config.h"
 #include "gcode/text/fault.h"
 #include "gcode/text/lexer.h"
 

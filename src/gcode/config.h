@@ -1,0 +1,36 @@
+/* config.h - what the interpreter is told of the control, the machine and the setup. */
+#ifndef FIVECHECK_GCODE_CONFIG_H
+#define FIVECHECK_GCODE_CONFIG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/axes.h"
+#include "control/controller.h"
+#include "control/offset_tables.h"
+#include "gcode/dialect.h"
+#include "gcode/read_options.h"
+#include "geom/vec3.h"
+
+/* Borrowed, and constant while a program runs. Lengths in mm, angles in radians. */
+struct gcode_config {
+	const struct dialect *dialect;
+	struct controller controller;
+	bool has_axis[SLOT_COUNT];	/* a word for an axis that the machine lacks is an error */
+	enum wrap wrap[SLOT_COUNT];
+	int half_turn[SLOT_COUNT];	/* with WRAP_SHORTEST: 1 or -1, the way of half a turn; 0: not known */
+	axis_values home;	/* where the program starts; the first two reference positions in want of others */
+	bool has_setup;	/* tools, lengths and offsets are known; else any T is accepted, and an H is an error */
+	int initial_tool;
+	const struct work_offset *work_offsets;
+	size_t work_offset_count;
+	const struct tool *tools;
+	size_t tool_count;
+	const struct length_offset *lengths;
+	size_t length_count;
+	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
+	double length_change;	/* mm: added to every length offset that the program starts with */
+	struct read_options read;
+};
+
+#endif
