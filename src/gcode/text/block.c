@@ -1,6 +1,7 @@
 #include "gcode/text/block.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "gcode/text/lexer.h"
