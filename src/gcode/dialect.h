@@ -4,29 +4,128 @@
 
 #include <stdbool.h>
 
+#include "base/axes.h"
+#include "control/controller.h"
 #include "gcode/codes.h"
+#include "gcode/text/fault.h"
 
 struct interp;
 
 /*
  * A control is one folder of gcode/dialect with a table of this type, and one
- * row of control/dialects.h. It inherits nothing: what its table leaves out is
- * unknown, and the program that needs it is refused.
+ * row of control/dialects.h. It inherits nothing: an answer that its table
+ * leaves out is 0, which is "not known", and a program that needs the answer
+ * is refused (dialect_answers). Rows of codes that several controls share are
+ * sets that each of them names.
  */
 
-/* Replaced by traits one by one. */
-enum gcode_dialect { GCODE_LINUXCNC, GCODE_FANUC, GCODE_HAAS };
+/* What a number without a decimal point means: whole units, or what the machine file's least_input says. */
+enum whole_numbers { WHOLE_NUMBERS_UNKNOWN, WHOLE_NUMBERS_UNITS, WHOLE_NUMBERS_INCREMENTS };
 
-/* An answer of 0 is "not known of this control": trait_known refuses its use. */
-enum trait_answer { TRAIT_UNKNOWN, TRAIT_YES, TRAIT_NO };
+/* The P of a dwell: seconds, or milliseconds if it has no decimal point. */
+enum dwell_p { DWELL_P_UNKNOWN, DWELL_P_SECONDS, DWELL_P_MILLISECONDS };
+
+/* When the feed in force is forgotten: with every G94 and G95, or where its unit changes. */
+enum feed_forgotten { FEED_FORGOTTEN_UNKNOWN, FEED_FORGOTTEN_BY_CODE, FEED_FORGOTTEN_BY_CHANGE };
+
+/* A G1 that names no axis: it needs a feed all the same, or it is ignored. */
+enum empty_feed_move { EMPTY_FEED_MOVE_UNKNOWN, EMPTY_FEED_MOVE_CHECKED, EMPTY_FEED_MOVE_IGNORED };
+
+/* How G53 moves: at the rapid rate, or as G0 and G1 say. */
+enum g53_rate { G53_RATE_UNKNOWN, G53_RATE_PROGRAMMED, G53_RATE_RAPID };
+
+/* What machine coordinates are while an M-code of the machine has TCP on: those of the axes or of the tool point. */
+enum g53_under_tcp { G53_UNDER_TCP_UNKNOWN, G53_UNDER_TCP_AXES, G53_UNDER_TCP_TOOL_POINT };
+
+/* G28 and G30 without an axis word: all axes go, or it is an error. */
+enum g28_without_axes { G28_WITHOUT_AXES_UNKNOWN, G28_WITHOUT_AXES_ALL, G28_WITHOUT_AXES_REFUSED };
+
+/* G28, G30 and G53 while G68 is in force: refused, or refused where they move an axis of the plane. */
+enum turned_by_machine { TURNED_BY_MACHINE_UNKNOWN, TURNED_BY_MACHINE_REFUSED, TURNED_BY_MACHINE_ACROSS };
+
+/* G10 L20: gives the present position a coordinate, or writes an additional work offset. */
+enum g10_l20 { G10_L20_UNKNOWN, G10_L20_HERE, G10_L20_ADDITIONAL };
+
+/* G10 L2 with G91: writes the words, or adds them to the offset. */
+enum g10_incremental { G10_INCREMENTAL_UNKNOWN, G10_INCREMENTAL_WRITES, G10_INCREMENTAL_ADDS };
+
+/* G43 without H: takes the tool in the spindle, the H given last, or is an error. */
+enum h_missing { H_MISSING_UNKNOWN, H_MISSING_SPINDLE, H_MISSING_LAST, H_MISSING_REFUSED };
+
+/* H0: the length of the tool in the spindle, or none. */
+enum h_zero { H_ZERO_UNKNOWN, H_ZERO_SPINDLE, H_ZERO_NONE };
+
+/* How canned cycles drill: each answer is needed by each of them. */
+struct cycle_traits {
+	enum answer words_outlive_cycle;	/* words hold for the next cycle of another code, too */
+	enum answer without_axes;	/* a cycle without axis words keeps its words and drills nothing; no: an error */
+	enum answer starts_at_r;	/* before any G98 or G99, the tool retracts to R; no: to the level before */
+	enum answer never_below_r;	/* with G98, the tool retracts to R where that lies higher */
+	enum answer level_is_coordinate;	/* the level changes with the coordinates; no: that is refused */
+	enum answer p_is_needed;	/* by G82, G86, G89; no: P is optional, and other cycles take it, too */
+	enum answer q_has_sign;	/* a negative Q is an error; no: its sign is ignored */
+	enum answer zero_repeats_refused;
+	enum answer only_xyz;	/* a rotary axis cannot be named */
+	enum answer spindle_must_turn;	/* for taps and bores; no: the control starts it */
+	enum answer taps_confuse_planes;	/* G74 and G84 go elsewhere in other planes than that of G17 */
+	enum answer feeds_to_clear;	/* taps and G89 leave the hole at the feed; no: to R, and rapidly on from there */
+	enum answer rises_first;	/* to R, before it goes over the first hole */
+	enum answer exact_path;	/* whatever path mode is in force */
+	char repeat_letter;
+};
+
+/* Power-on: G-codes in tenths. 0: not known, and the program must give one before its first axis word. */
+struct power_on {
+	int units;	/* G20, G21 */
+	int distance;	/* G90, G91 */
+	int plane;	/* G17, G18, G19 */
+	int feed_mode;	/* G93, G94, G95 */
+};
 
 struct dialect_traits {
-	enum trait_answer todo;
+	struct power_on power_on;
+	enum whole_numbers whole_numbers;
+	enum answer known_order;	/* what a block does is done in the order of LinuxCNC's manual; no: it is not known */
+	/* G4: the letters that can have its time, and whether it needs a block without motion. */
+	const char *dwell_letters;
+	enum dwell_p dwell_p;
+	enum answer dwell_alone;
+	enum answer text_before_percent;	/* lines that are no blocks may stand before the first '%'; no: blank ones */
+	/* Motion and feed. */
+	enum feed_forgotten feed_forgotten;
+	enum empty_feed_move empty_feed_move;
+	enum answer g64_has_tolerance;	/* in P */
+	enum answer arcs_have_turns;	/* in P */
+	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
+	const struct cycle_traits *cycles;	/* NULL: not known */
+	/* Moves to places of the machine. */
+	enum g53_rate g53_rate;
+	enum g53_under_tcp g53_under_tcp;
+	enum answer g53_alone;	/* G53 without motion and axis words does nothing; no: it is an error */
+	enum g28_without_axes g28_without_axes;
+	enum answer references_in_parameters;	/* programs write G28's and G30's; no: the machine file has G30's */
+	enum answer g30_has_number;	/* in P */
+	enum turned_by_machine turned_by_machine;
+	enum answer tool_change_stays;	/* M6 moves no axis if the machine file names no place; no: it must */
+	/* Work offsets. */
+	int additional_offsets;	/* of G54.1 or G154 */
+	enum answer g54_has_number;	/* G54 with P is G54.1 */
+	int g10_first, g10_last;	/* the P of G10 L2; g10_last 0: not known */
+	enum g10_l20 g10_l20;
+	enum g10_incremental g10_incremental;
+	enum answer g10_writes_tools;	/* L1, L10, L11, and L0 */
+	enum answer one_shift;	/* G52 and G92 write the same shift; no: both at a time are refused */
+	enum answer shifts_ignore_g91;	/* no: G52 and G92 in G91 are refused */
+	/* Tool lengths. */
+	enum h_missing h_missing;
+	enum h_zero h_zero;
+	enum answer length_never_moves;	/* its change moves no axis; no: length_offset_moves of the machine file says */
+	enum answer g49_finds_length_gone;	/* after G28, G30 or G53 has taken the length back, G49 changes nothing */
+	const char *call_letters;	/* of M97 to M99; NULL: none */
 };
 
 struct dialect {
 	const char *name;
-	enum gcode_dialect legacy;
 	const struct code_set *g_codes[CODE_SETS_MAX], *m_codes[CODE_SETS_MAX];	/* looked through in this order */
 	struct dialect_traits traits;
 	/*
@@ -38,6 +137,11 @@ struct dialect {
 	void (*state_free)(void *state);
 	/* The line in hand if it is a statement and no block, such as control flow: then *done is true. */
 	bool (*statement)(struct interp *interp, bool *done);
+	/*
+	 * G28, G30, G53 or DOUBT_M6 (state.h) has moved the axes marked: what became of the length compensation.
+	 * NULL: that is not known, if there is one.
+	 */
+	void (*after_machine_move)(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
 	/* Fills interp->block from the line in hand; no words: there is nothing to carry out. Never NULL. */
 	bool (*read_block)(struct interp *interp);
 	/* The block has been read and checked, and nothing of it has been carried out: what it assigns takes effect. */
@@ -49,5 +153,12 @@ struct dialect {
 	/* Adds notes to the message just reported: from where the block in hand was called. */
 	void (*note_callers)(struct interp *interp);
 };
+
+/*
+ * Is the control's answer known? False: reported at the column; `question`
+ * says what is not known, as in "whether P of G4 is in seconds".
+ */
+bool dialect_answers(const struct dialect *dialect, const struct line_place *at, int column, int answer,
+		     const char *question);
 
 #endif

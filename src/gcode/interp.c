@@ -67,9 +67,8 @@ static bool run_block(struct interp *interp)
 
 	if (!dialect->read_block(interp))
 		return false;
-	/* LinuxCNC skips nothing but blank lines before '%', the others whatever is not a block. */
 	interp->begun = interp->begun || block->words > 0 ||
-			(dialect->legacy == GCODE_LINUXCNC && interp->at.text[blanks] != '\0');
+			(traits_of(interp)->text_before_percent != ANSWER_YES && interp->at.text[blanks] != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;

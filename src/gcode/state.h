@@ -135,6 +135,17 @@ struct interp {
 	int moves;	/* of the block so far */
 };
 
+static inline const struct dialect_traits *traits_of(const struct interp *interp)
+{
+	return &interp->config->dialect->traits;
+}
+
+/* Is this answer of the control known? False: reported at the column; dialect_answers says how. */
+static inline bool is_answered(const struct interp *interp, int column, int answer, const char *question)
+{
+	return answer || dialect_answers(interp->config->dialect, &interp->at, column, answer, question);
+}
+
 /* At the start of a program: LinuxCNC's manual, "G-code defaults"; the axes at home, lengths in mm. */
 void state_init(struct state *state, const struct gcode_config *config);
 

@@ -24,7 +24,7 @@
 struct canned_cycle {
 	struct interp *interp;
 	int code;
-	bool linuxcnc;
+	const struct cycle_traits *traits;
 	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
 	struct canon_feed feed;
 	slot_values at;	/* straight position of the tool */
@@ -58,12 +58,14 @@ static bool cycle_word(struct canned_cycle *cycle, char letter, bool kept, doubl
 	return true;
 }
 
-/* LinuxCNC keeps words while the same cycle goes on, the others from one cycle to the next (Fanuc: drilling data). */
+/* Words of the cycle before are kept: of the same cycle, or of any. */
 static bool keeps_words(const struct canned_cycle *cycle)
 {
 	int before = cycle->interp->state.motion;
 
-	return cycle->linuxcnc ? before == cycle->code : before != CODE_NONE && code_is_cycle(before);
+	if (cycle->traits->words_outlive_cycle == ANSWER_NO)
+		return before == cycle->code;
+	return before != CODE_NONE && code_is_cycle(before);
 }
 
 static void find_axes(struct canned_cycle *cycle)
@@ -95,25 +97,26 @@ static bool find_bottom(struct canned_cycle *cycle, bool kept, double *value)
 
 /*
  * Where the tool retracts to. LinuxCNC's interpreter starts with G99, unless
- * the machine's RS274NGC_STARTUP_CODE changes that; the others with G98.
+ * the machine's RS274NGC_STARTUP_CODE changes that.
  */
 static double find_clear(struct canned_cycle *cycle, double level)
 {
 	struct interp *interp = cycle->interp;
 	int retract = interp->state.retract;
+	bool starts_at_r = cycle->traits->starts_at_r == ANSWER_YES;
 
-	if (cycle->linuxcnc && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
+	if (starts_at_r && retract == CODE_NONE && level > cycle->r && !interp->cautioned_retract) {
 		caution(&interp->at, block_motion_column(&interp->block),
 			"a cycle before any G98 or G99: the tool retracts to R (G99), unless the machine's "
 			"RS274NGC_STARTUP_CODE says otherwise");
 		interp->cautioned_retract = true;
 	}
-	if (retract == G99 || (cycle->linuxcnc && retract == CODE_NONE))
+	if (retract == G99 || (starts_at_r && retract == CODE_NONE))
 		return cycle->r;
-	return cycle->linuxcnc ? fmax(level, cycle->r) : level;
+	return cycle->traits->never_below_r == ANSWER_YES ? fmax(level, cycle->r) : level;
 }
 
-/* For LinuxCNC the level is a coordinate; the other manuals do not say that it is none. */
+/* Where the level is not said to be a coordinate, it may be the place where the tool was. */
 static bool check_level(const struct canned_cycle *cycle, double level)
 {
 	struct interp *interp = cycle->interp;
@@ -123,7 +126,7 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 	bool moved = used && fabs(level - memory->height) > SAME_COORDINATE;
 	bool rescaled = memory->scale < state->scale || memory->scale > state->scale;
 
-	if (cycle->linuxcnc || !(moved || rescaled || memory->turned))
+	if (cycle->traits->level_is_coordinate == ANSWER_YES || !(moved || rescaled || memory->turned))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
 		     "the coordinates have changed since the first of the cycles: whether its level and words change "
@@ -164,21 +167,22 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	struct interp *interp = cycle->interp;
 	const struct cycle_memory *memory = &interp->state.cycle;
 	bool given = block_has(&interp->block, 'P');
-	bool needed = cycle->linuxcnc && (cycle->code == G82 || cycle->code == G86 || cycle->code == G89);
+	bool by_code = cycle->traits->p_is_needed == ANSWER_YES;
+	bool needed = by_code && (cycle->code == G82 || cycle->code == G86 || cycle->code == G89);
 	bool optional = cycle->code != G73 && cycle->code != G81 && cycle->code != G83 && cycle->code != G85 &&
 			cycle->code != G87;
 
 	if (!needed && !optional)
 		return true;
 	/* LinuxCNC's taps take the dwell of whatever cycle was before. */
-	kept = kept || (cycle->linuxcnc && !needed);
-	cycle->dwells = cycle->linuxcnc || given || (kept && (memory->known & letter_bit('P')));
+	kept = kept || (by_code && !needed);
+	cycle->dwells = by_code || given || (kept && (memory->known & letter_bit('P')));
 	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
 		return true;
 	if (given && block_value(&interp->block, 'P') < 0)
 		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell cannot be negative");
-	if (given)
-		interp->block.value['P' - 'A'] = motion_commands_seconds(interp, 'P');
+	if (given && !motion_commands_seconds(interp, 'P', &interp->block.value['P' - 'A']))
+		return false;
 	return cycle_word(cycle, 'P', kept, &cycle->dwell);
 }
 
@@ -193,8 +197,7 @@ static bool find_peck(struct canned_cycle *cycle, bool kept)
 		return true;
 	if (!cycle_word(cycle, 'Q', kept, &q))
 		return false;
-	/* Fanuc ignores its sign. */
-	cycle->peck = (cycle->linuxcnc ? q : fabs(q)) * interp->state.scale;
+	cycle->peck = (cycle->traits->q_has_sign == ANSWER_YES ? q : fabs(q)) * interp->state.scale;
 	if (!(cycle->peck > 0))
 		return fault(&interp->at, column, "Q of G%d must be greater than 0", cycle->code / 10);
 	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
@@ -224,19 +227,19 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	return true;
 }
 
-/* L, and on Fanuc controls K: so many holes, one step of G91 apart. */
+/* L or K: so many holes, one step of G91 apart. */
 static bool find_repeats(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
 	const struct block *block = &interp->block;
-	char letter = interp->config->dialect->legacy == GCODE_FANUC ? 'K' : 'L';
+	char letter = cycle->traits->repeat_letter;
 
 	cycle->repeats = 1;
 	if (!block_has(block, letter))
 		return true;
 	if (!block_integer(block, &interp->at, letter, 0, COUNT_MAX, &cycle->repeats))
 		return false;
-	if (cycle->repeats == 0 && cycle->linuxcnc)
+	if (cycle->repeats == 0 && cycle->traits->zero_repeats_refused == ANSWER_YES)
 		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
 			     cycle->code / 10);
 	/* The words are kept and nothing is drilled; whether the tool goes there is not the same everywhere. */
@@ -247,14 +250,14 @@ static bool find_repeats(struct canned_cycle *cycle)
 	return true;
 }
 
-/* Where the holes are: rotary axes may go there with them, but not in LinuxCNC. */
+/* Where the holes are: rotary axes may go there with them, where the control lets them. */
 static bool find_holes(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
 	const struct state *state = &interp->state;
 	slot_values target;
 
-	for (int slot = 0; slot < SLOT_COUNT && cycle->linuxcnc; slot++) {
+	for (int slot = 0; slot < SLOT_COUNT && cycle->traits->only_xyz == ANSWER_YES; slot++) {
 		if (slot > SLOT_Z && block_has(&interp->block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
 				     "%c in a canned cycle: it moves X, Y and Z only", AXIS_LETTERS[slot]);
@@ -278,7 +281,8 @@ static bool check_tap_plane(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
 
-	if (!cycle->linuxcnc || interp->state.plane == G17 || (cycle->code != G74 && cycle->code != G84))
+	if (cycle->traits->taps_confuse_planes == ANSWER_NO || interp->state.plane == G17 ||
+	    (cycle->code != G74 && cycle->code != G84))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
 		     "G%d in the plane of G%d: LinuxCNC confuses the axes and goes elsewhere; use G33.1",
@@ -291,8 +295,8 @@ static bool check_spindle(struct canned_cycle *cycle)
 	enum spindle_turn turn = interp->state.spindle;
 	int column = block_motion_column(&interp->block), code = cycle->code;
 
-	/* Other controls start the spindle themselves. */
-	if (!cycle->linuxcnc || (code != G74 && code != G84 && code != G86 && code != G87))
+	if (cycle->traits->spindle_must_turn == ANSWER_NO ||
+	    (code != G74 && code != G84 && code != G86 && code != G87))
 		return true;
 	if (turn == SPINDLE_STOPPED)
 		return fault(&interp->at, column, "G%d while the spindle stands", code / 10);
@@ -308,7 +312,7 @@ static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
 {
 	/* Tapping without M3: the cycle starts the spindle itself. */
 	bool taps = cycle->code == G74 || cycle->code == G84;
-	struct canon_move move = {.kind = kind, .feed = cycle->feed, .spindle_turns = taps && !cycle->linuxcnc};
+	struct canon_move move = {.kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
 
 	cycle->at.v[cycle->depth] = height;
 	return motion_commands_go(cycle->interp, &cycle->at, &move);
@@ -359,10 +363,10 @@ static bool bore_back(struct canned_cycle *cycle)
 	       step_aside(cycle, -1, cycle->clear);
 }
 
-/* Out at the feed: LinuxCNC all the way for taps and G89, the others to R, and on from there at the rapid rate. */
+/* Out at the feed: all the way for taps and G89 on some controls, else to R, and on from there at the rapid rate. */
 static bool feed_out(struct canned_cycle *cycle)
 {
-	if (cycle->linuxcnc && cycle->code != G85)
+	if (cycle->traits->feeds_to_clear == ANSWER_YES && cycle->code != G85)
 		return feed(cycle, cycle->clear);
 	return feed(cycle, cycle->r) && rapid(cycle, cycle->clear);
 }
@@ -388,11 +392,12 @@ static bool make_hole(struct canned_cycle *cycle)
 /* LinuxCNC goes over the hole at its own height if that is above R, and else on the way to where holes are left. */
 static bool go_over(struct canned_cycle *cycle, bool first, double height)
 {
-	double over = !cycle->linuxcnc || (first && height > cycle->r) ? height : cycle->clear;
+	bool rises = cycle->traits->rises_first == ANSWER_YES;
+	double over = !rises || (first && height > cycle->r) ? height : cycle->clear;
 
 	if (!rapid(cycle, over))
 		return false;
-	if (cycle->linuxcnc && !(over > cycle->r))
+	if (rises && !(over > cycle->r))
 		return true;
 	return rapid(cycle, cycle->r);
 }
@@ -417,7 +422,7 @@ static bool rise(struct canned_cycle *cycle)
 	const struct state *state = &cycle->interp->state;
 	double level = state->cycle.level * state->scale + state->offset.v[cycle->depth];
 
-	return !cycle->linuxcnc || !(level < cycle->r) || rapid(cycle, cycle->r);
+	return cycle->traits->rises_first == ANSWER_NO || !(level < cycle->r) || rapid(cycle, cycle->r);
 }
 
 static bool make_cycle(struct canned_cycle *cycle)
@@ -427,22 +432,21 @@ static bool make_cycle(struct canned_cycle *cycle)
 
 	if (!rise(cycle) || !find_holes(cycle))
 		return false;
-	/* LinuxCNC drills in exact path mode, whatever is in force. */
-	if (cycle->linuxcnc)
+	if (cycle->traits->exact_path == ANSWER_YES)
 		state->blend = false;
 	good = make_holes(cycle);
 	state->blend = blend;
 	return good;
 }
 
-/* Fanuc and Haas drill in blocks that name an axis. */
+/* Where a cycle may stand without axis words, it drills in blocks that name an axis. */
 static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 {
 	const struct block *block = &cycle->interp->block;
 	bool axes = block->letters & AXIS_BITS;
 
 	*good = true;
-	if (cycle->linuxcnc)
+	if (cycle->traits->without_axes == ANSWER_NO)
 		return true;
 	if (cycle->repeats > 0 && !axes && block_has(block, 'R'))
 		*good = fault(&cycle->interp->at, block_column(block, 'R'),
@@ -452,18 +456,54 @@ static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 	return cycle->repeats > 0 && axes;
 }
 
+/* All answers must be known: what a cycle does depends on several at once. */
+static bool are_traits_known(const struct interp *interp, const struct cycle_traits *traits)
+{
+	int column = block_motion_column(&interp->block);
+	const struct {
+		int answer;
+		const char *question;
+	} questions[] = {
+		{traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
+		{traits->without_axes, "what a canned cycle without axis words does"},
+		{traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
+		{traits->never_below_r, "whether canned cycles with G98 retract below R"},
+		{traits->level_is_coordinate, "whether the level of G98 is a coordinate"},
+		{traits->p_is_needed, "which canned cycles dwell for P"},
+		{traits->q_has_sign, "whether Q of a canned cycle has a sign"},
+		{traits->zero_repeats_refused, "what a canned cycle does that is repeated 0 times"},
+		{traits->only_xyz, "whether canned cycles move rotary axes"},
+		{traits->spindle_must_turn, "whether canned cycles start the spindle"},
+		{traits->taps_confuse_planes, "where G74 and G84 go in other planes than that of G17"},
+		{traits->feeds_to_clear, "where taps and G89 retract at the feed to"},
+		{traits->rises_first, "at which height canned cycles go to their first hole"},
+		{traits->exact_path, "whether canned cycles drill in exact path mode"},
+		{traits->repeat_letter, "which word repeats a canned cycle"},
+	};
+
+	for (size_t i = 0; i < sizeof(questions) / sizeof(questions[0]); i++) {
+		if (!is_answered(interp, column, questions[i].answer, questions[i].question))
+			return false;
+	}
+	return true;
+}
+
 bool canned_cycle_run(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	struct canned_cycle cycle = {.interp = interp, .code = interp->block.motion,
-			      .linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC, .at = rotated_frame_straight(state)};
+	struct canned_cycle cycle = {.interp = interp, .code = interp->block.motion, .traits = traits_of(interp)->cycles,
+				     .at = rotated_frame_straight(state)};
 	int column = block_motion_column(&interp->block);
 	bool kept, good;
 
+	if (!is_answered(interp, column, cycle.traits != NULL, "how canned cycles drill") ||
+	    !are_traits_known(interp, cycle.traits))
+		return false;
 	if (state->feed_mode == FEED_INVERSE_TIME)
 		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
 			     cycle.code / 10);
-	if (state->cycle.known && !cycle.linuxcnc && (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
+	if (state->cycle.known && cycle.traits->words_outlive_cycle == ANSWER_YES &&
+	    (state->motion == CODE_NONE || !code_is_cycle(state->motion)))
 		state->cycle.known = 0;
 	find_axes(&cycle);
 	kept = keeps_words(&cycle);

@@ -255,11 +255,7 @@ static bool changes_offsets(const struct block *block)
 	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
 }
 
-/*
- * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": no
- * G28, G30, G53 while it is in force. Of Haas nothing is said: across the plane
- * they mean the same either way.
- */
+/* G28, G30, G53 while G68 is in force: across the plane they mean the same either way. */
 static bool check_by_machine(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -267,7 +263,10 @@ static bool check_by_machine(struct interp *interp)
 
 	if (code != G28 && code != G30 && code != G53)
 		return true;
-	if (interp->config->dialect->legacy == GCODE_FANUC)
+	if (!is_answered(interp, block->g_column[G_NONMODAL], traits_of(interp)->turned_by_machine,
+			 "where G28, G30 and G53 lead while G68 is in force"))
+		return false;
+	if (traits_of(interp)->turned_by_machine == TURNED_BY_MACHINE_REFUSED)
 		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
 			     code / 10);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {

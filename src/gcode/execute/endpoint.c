@@ -52,7 +52,10 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 	}
 	if (config->wrap[slot] == WRAP_SHORTEST)
 		return shortest(interp, slot, value + origin, column, target);
-	if (config->dialect->legacy == GCODE_LINUXCNC && fabs(value) >= 360)
+	if (fabs(value) >= 360 && !is_answered(interp, column, traits_of(interp)->wrap_below_turn,
+						"where an absolute position of a turn or more leads a wrapped axis"))
+		return false;
+	if (fabs(value) >= 360 && traits_of(interp)->wrap_below_turn == ANSWER_YES)
 		return fault(&interp->at, column,
 			     "%c%.15g: the absolute position of a wrapped axis must lie between -360 and 360 degrees",
 			     AXIS_LETTERS[slot], value);

@@ -23,8 +23,10 @@ static bool execute_feed(struct interp *interp)
 		state->feed_mode = block->g[G_FEED_MODE] == G93   ? FEED_INVERSE_TIME
 				   : block->g[G_FEED_MODE] == G94 ? FEED_PER_MINUTE
 								  : FEED_PER_REVOLUTION;
-		/* LinuxCNC forgets the feed with every G94 and G95, others where its unit changes. */
-		if (interp->config->dialect->legacy == GCODE_LINUXCNC || state->feed_mode != before)
+		if (!is_answered(interp, block->g_column[G_FEED_MODE], traits_of(interp)->feed_forgotten,
+				 "whether the feed rate outlives G93, G94 and G95"))
+			return false;
+		if (traits_of(interp)->feed_forgotten == FEED_FORGOTTEN_BY_CODE || state->feed_mode != before)
 			state->feed_linear = state->feed_angular = 0;
 	}
 	if (!block_has(block, 'F'))
@@ -79,8 +81,11 @@ static bool execute_path(struct interp *interp)
 			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
 	state->blend = block->g[G_PATH] == G64;
 	state->blend_tolerance = 0;
-	if (!state->blend || interp->config->dialect->legacy != GCODE_LINUXCNC || !block_has(block, 'P'))
+	if (!state->blend || !block_has(block, 'P') || traits_of(interp)->g64_has_tolerance == ANSWER_NO)
 		return true;
+	if (!is_answered(interp, block_column(block, 'P'), traits_of(interp)->g64_has_tolerance,
+			 "whether P of G64 is a path tolerance"))
+		return false;
 	if (block_value(block, 'P') < 0)
 		return fault(&interp->at, block_column(block, 'P'), "a path tolerance cannot be negative");
 	state->blend_tolerance = block_value(block, 'P') * state->scale;
@@ -108,14 +113,15 @@ static bool is_count(const struct block *block, char letter)
  * 162: whole numbers count least input increments, of which an inch has ten
  * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */
-static void execute_increments(struct interp *interp)
+static bool execute_increments(struct interp *interp)
 {
 	struct block *block = &interp->block;
+	enum whole_numbers whole = traits_of(interp)->whole_numbers;
 	double increment = interp->config->controller.least_input;
 	double linear = interp->state.scale > 1 ? increment / 10 : increment;
 
-	if (!(increment > 0) || interp->config->dialect->legacy == GCODE_LINUXCNC || block->g[G_NONMODAL] == G4)
-		return;
+	if (whole == WHOLE_NUMBERS_UNITS || (whole && !(increment > 0)) || block->g[G_NONMODAL] == G4)
+		return true;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
 		int slot = slot_of_letter(*letter);
 
@@ -123,9 +129,13 @@ static void execute_increments(struct interp *interp)
 			continue;
 		if (is_count(block, *letter))
 			continue;
+		if (!is_answered(interp, block_column(block, *letter), whole,
+				 "what a number without a decimal point means"))
+			return false;
 		block->value[*letter - 'A'] *=
 		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ? increment : linear;
 	}
+	return true;
 }
 
 static void execute_modes(struct interp *interp)
@@ -185,8 +195,7 @@ bool execute_block(struct interp *interp)
 		state->plane = block->g[G_PLANE];
 	if (block->g[G_UNITS] != CODE_NONE)
 		state->scale = block->g[G_UNITS] == G20 ? MM_PER_INCH : 1;
-	execute_increments(interp);
-	if (!cutter_comp_select(interp) || !cutter_comp_check_block(interp))
+	if (!execute_increments(interp) || !cutter_comp_select(interp) || !cutter_comp_check_block(interp))
 		return false;
 	if (!tool_length_length(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||
 	    !execute_path(interp) || !path_control_select(interp))
@@ -197,6 +206,9 @@ bool execute_block(struct interp *interp)
 	if (!execute_nonmodal(interp) || !motion_commands_motion(interp))
 		return false;
 	if (block->m[M_STOP] != CODE_NONE && !cutter_comp_stop(interp))
+		return false;
+	if (block->m[M_STOP] >= 97 && !is_answered(interp, block->m_column[M_STOP], dialect->after_block != NULL,
+						   "what the calls of subprograms (M97 to M99) do"))
 		return false;
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
 	return !dialect->after_block || dialect->after_block(interp);

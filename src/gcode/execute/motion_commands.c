@@ -58,28 +58,38 @@ bool motion_commands_go(struct interp *interp, const slot_values *target, struct
 	return motion_commands_emit(interp, move);
 }
 
-/*
- * Milliseconds without a decimal point, in P only, on Fanuc and Haas controls
- * (Haas mill operator's manual, G04); LinuxCNC's P is in seconds.
- */
-double motion_commands_seconds(const struct interp *interp, char letter)
+bool motion_commands_seconds(const struct interp *interp, char letter, double *seconds)
 {
 	const struct block *block = &interp->block;
-	double seconds = block_value(block, letter);
+	const struct dialect_traits *traits = traits_of(interp);
+	double number = block_value(block, letter), increment = interp->config->controller.least_input;
+	int column = block_column(block, letter);
+	bool point = block->points & letter_bit(letter);
 
-	if (interp->config->dialect->legacy != GCODE_LINUXCNC && letter == 'P' && !(block->points & letter_bit('P')))
-		seconds /= 1000;
-	else if (interp->config->controller.least_input > 0 && letter != 'P' && !(block->points & letter_bit(letter)))
-		seconds *= interp->config->controller.least_input;
-	return seconds;
+	if (letter == 'P' && !is_answered(interp, column, traits->dwell_p, "whether P of a dwell is in seconds"))
+		return false;
+	if (letter != 'P' && !point &&
+	    !is_answered(interp, column, traits->whole_numbers, "what a number without a decimal point means"))
+		return false;
+	if (letter == 'P' && !point && traits->dwell_p == DWELL_P_MILLISECONDS)
+		number /= 1000;
+	else if (letter != 'P' && !point && increment > 0)
+		number *= increment;
+	*seconds = number;
+	return true;
 }
 
 bool motion_commands_dwell(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	char letter = block_has(block, 'P') ? 'P' : block_has(block, 'X') ? 'X' : 'U';
-	double seconds = motion_commands_seconds(interp, letter);
+	const char *letters = traits_of(interp)->dwell_letters;
+	char letter = *letters;
+	double seconds = 0;
 
+	for (; *letters; letters++)
+		letter = block_has(block, *letters) ? *letters : letter;
+	if (!motion_commands_seconds(interp, letter, &seconds))
+		return false;
 	if (seconds < 0)
 		return fault(&interp->at, block_column(block, letter), "a dwell cannot be negative");
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
@@ -121,18 +131,25 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 static bool go_straight(struct interp *interp, bool machine)
 {
 	const struct block *block = &interp->block;
+	const struct dialect_traits *traits = traits_of(interp);
 	struct canon_move move = {.kind = block->motion == G0 ? CANON_RAPID : CANON_FEED};
 	struct suspended suspended;
 	slot_values target;
 	bool named[SLOT_COUNT];
 	int column;
 
-	/* Fanuc 30i-B operator's manual, machine coordinate system (G53): always at the rapid rate. */
-	if (machine && interp->config->dialect->legacy == GCODE_FANUC)
+	if (machine && move.kind == CANON_FEED &&
+	    !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate, "whether G53 with G1 moves at the feed"))
+		return false;
+	if (machine && traits->g53_rate == G53_RATE_RAPID)
 		move.kind = CANON_RAPID;
-	/* Only LinuxCNC minds a G1 without a feed that moves nothing. */
-	if (move.kind == CANON_FEED && !(block->letters & AXIS_BITS) && interp->config->dialect->legacy != GCODE_LINUXCNC)
-		return true;
+	if (move.kind == CANON_FEED && !(block->letters & AXIS_BITS)) {
+		if (!is_answered(interp, block_motion_column(block), traits->empty_feed_move,
+				 "whether G1 without an axis word needs a feed rate"))
+			return false;
+		if (traits->empty_feed_move == EMPTY_FEED_MOVE_IGNORED)
+			return true;
+	}
 	if (move.kind == CANON_FEED && !motion_commands_feed(interp, &move.feed))
 		return false;
 	interp->comp.arc_refused = false;
@@ -244,6 +261,16 @@ static vec3 centre_in_space(const struct state *state, const slot_values *start,
 	return rotated_frame_point(state, (vec3){xyz[0], xyz[1], xyz[2]});
 }
 
+/* The full turns that the block's P adds to, if it does. */
+static bool find_turns(struct interp *interp, int *turns)
+{
+	enum answer has_turns = traits_of(interp)->arcs_have_turns;
+
+	return is_answered(interp, block_column(&interp->block, 'P'), has_turns,
+			   "whether P of G2 and G3 is a number of turns") &&
+	       (has_turns == ANSWER_NO || block_integer(&interp->block, &interp->at, 'P', 1, INT_MAX, turns));
+}
+
 /* LinuxCNC's manual, "G2, G3 Arc Move". */
 static bool go_arc(struct interp *interp)
 {
@@ -266,9 +293,8 @@ static bool go_arc(struct interp *interp)
 			     "an arc needs a centre (I, J, K) or a radius (R)");
 	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
 		return false;
-	/* LinuxCNC alone has turns; a G64 in the block claims P as well, and it gives it to both. */
-	if (interp->config->dialect->legacy == GCODE_LINUXCNC && block_has(block, 'P') &&
-	    !block_integer(block, &interp->at, 'P', 1, INT_MAX, &turns))
+	/* LinuxCNC gives P to the arc and to a G64 of the block. */
+	if (block_has(block, 'P') && !find_turns(interp, &turns))
 		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};

@@ -22,8 +22,8 @@ bool motion_commands_go(struct interp *interp, const slot_values *target, struct
 /* The feed in force for the block's motion. False: there is none, which was reported. */
 bool motion_commands_feed(struct interp *interp, struct canon_feed *feed);
 
-/* The number of a dwell's word in seconds. */
-double motion_commands_seconds(const struct interp *interp, char letter);
+/* The number of a dwell's word in seconds. False: its unit is not known, which was reported. */
+bool motion_commands_seconds(const struct interp *interp, char letter, double *seconds);
 
 /* G4. */
 bool motion_commands_dwell(struct interp *interp);

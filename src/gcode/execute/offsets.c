@@ -18,25 +18,34 @@ static bool slot_word(const struct interp *interp, int slot, double *value)
 	return true;
 }
 
-/* Fanuc 30i-B: G54.1 P1 to P48; Haas: G154 P1 to P99, and G110 to G129 for P1 to P20. */
+/* An additional work offset: G54.1 P1 and on, or as the code of that control is called. */
+static bool find_additional(struct interp *interp, int code, int *system)
+{
+	int column = interp->block.g_column[G_SYSTEM], most = traits_of(interp)->additional_offsets, number = 0;
+
+	if (!block_has(&interp->block, 'P'))
+		return fault(&interp->at, column, "%s needs P", code == G154 ? "G154" : "G54.1");
+	if (!is_answered(interp, column, most, "how many additional work offsets there are") ||
+	    !block_integer(&interp->block, &interp->at, 'P', 1, most, &number))
+		return false;
+	*system = SYSTEM_COUNT + number - 1;
+	return true;
+}
+
 static bool find_system(struct interp *interp, int code, int *system)
 {
-	bool fanuc = interp->config->dialect->legacy == GCODE_FANUC;
-	int number = 0;
+	const struct dialect_traits *traits = traits_of(interp);
 
-	/* Fanuc: G54 with P is G54.1. */
-	if (code == G54_1 || code == G154 || (code == G54 && fanuc && block_has(&interp->block, 'P'))) {
-		if (!block_has(&interp->block, 'P'))
-			return fault(&interp->at, interp->block.g_column[G_SYSTEM], "%s needs P",
-				     code == G154 ? "G154" : "G54.1");
-		if (!block_integer(&interp->block, &interp->at, 'P', 1, fanuc ? 48 : EXTENDED_COUNT, &number))
-			return false;
-		*system = SYSTEM_COUNT + number - 1;
-	} else if (code >= G110 && code <= G129) {
+	if (code == G54_1 || code == G154)
+		return find_additional(interp, code, system);
+	if (code == G54 && block_has(&interp->block, 'P') && traits->g54_has_number != ANSWER_NO)
+		return is_answered(interp, block_column(&interp->block, 'P'), traits->g54_has_number,
+				   "whether G54 with P selects an additional work offset") &&
+		       find_additional(interp, code, system);
+	if (code >= G110 && code <= G129)
 		*system = SYSTEM_COUNT + (code - G110) / 10;
-	} else {
+	else
 		*system = code <= G59 ? (code - G54) / 10 : 5 + code - G59;
-	}
 	return true;
 }
 
@@ -63,7 +72,7 @@ static bool refuse_incremental(struct interp *interp)
 {
 	int code = interp->block.g[G_NONMODAL];
 
-	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !interp->state.incremental)
+	if (traits_of(interp)->shifts_ignore_g91 == ANSWER_YES || !interp->state.incremental)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
 		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);
@@ -103,7 +112,7 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 static void change_work(struct interp *interp, int system, int slot, double word)
 {
 	double *value = &interp->state.work[system].v[slot];
-	bool added = interp->state.incremental && interp->config->dialect->legacy != GCODE_LINUXCNC;
+	bool added = interp->state.incremental && traits_of(interp)->g10_incremental == G10_INCREMENTAL_ADDS;
 
 	*value = added ? *value + word : word;
 }
@@ -126,14 +135,17 @@ static void change_work_here(struct interp *interp, int system, int slot, double
 static bool find_written(struct interp *interp, int mode, int *system)
 {
 	const struct block *block = &interp->block;
-	const struct dialect *dialect = interp->config->dialect;
-	int least = dialect->legacy == GCODE_LINUXCNC ? 0 : 1, most = dialect->legacy == GCODE_LINUXCNC ? SYSTEM_COUNT : 6;
+	const struct dialect_traits *traits = traits_of(interp);
+	bool additional = mode == 20 && traits->g10_l20 == G10_L20_ADDITIONAL;
+	int first = additional ? 1 : traits->g10_first, last = additional ? traits->additional_offsets : traits->g10_last;
+	int column = block_column(block, 'L');
 
-	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
-		most = dialect->legacy == GCODE_FANUC ? 48 : EXTENDED_COUNT;
-	if (!block_integer(block, &interp->at, 'P', least, most, system))
+	if (mode == 20 && !is_answered(interp, column, traits->g10_l20, "what G10 L20 writes"))
 		return false;
-	if (mode == 20 && dialect->legacy != GCODE_LINUXCNC)
+	if (!is_answered(interp, column, last, "which work offsets G10 writes") ||
+	    !block_integer(block, &interp->at, 'P', first, last, system))
+		return false;
+	if (additional)
 		*system += SYSTEM_COUNT;
 	*system = *system == 0 ? interp->state.system : *system - 1;
 	return true;
@@ -143,17 +155,18 @@ static bool find_written(struct interp *interp, int mode, int *system)
 bool offsets_set(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
+	const struct dialect_traits *traits = traits_of(interp);
+	bool tools = traits->g10_writes_tools == ANSWER_YES;
 	int column = block->g_column[G_NONMODAL], mode, system;
 
-	if (linuxcnc && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
+	if (tools && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
 		return fault(&interp->at, block_column(block, 'L'),
 			     "G10 L0 reads the file of the tool table again, which is not known here");
 	if (!block_has(block, 'L') || !block_has(block, 'P'))
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
-	if (linuxcnc && g10_tool_table_takes(mode))
+	if (tools && g10_tool_table_takes(mode))
 		return g10_tool_table_write(interp, mode);
 	if (mode != 2 && mode != 20)
 		return fault(&interp->at, block_column(block, 'L'), "G10 L%d is not supported yet", mode);
@@ -162,8 +175,11 @@ bool offsets_set(struct interp *interp)
 			     "G10 with R: rotation of a coordinate system is not supported yet");
 	if (!find_written(interp, mode, &system))
 		return false;
+	if (interp->state.incremental && !is_answered(interp, column, traits->g10_incremental,
+						      "whether G10 in incremental distance mode (G91) adds its words"))
+		return false;
 	interp->state.work_known[system] = true;
-	return change_slots(interp, system, mode == 20 && linuxcnc ? change_work_here : change_work);
+	return change_slots(interp, system, mode == 20 && traits->g10_l20 == G10_L20_HERE ? change_work_here : change_work);
 }
 
 static void change_shift(struct interp *interp, int system, int slot, double word)
@@ -204,8 +220,7 @@ bool offsets_shift(struct interp *interp)
 	}
 	if (!refuse_incremental(interp))
 		return false;
-	/* Fanuc and Haas keep a shift for each. */
-	if (interp->config->dialect->legacy != GCODE_LINUXCNC && state->shift_code != code && is_shifted(state))
+	if (traits_of(interp)->one_shift != ANSWER_YES && state->shift_code != code && is_shifted(state))
 		return fault(&interp->at, column, "G%d while G%d is in force is not supported yet", code / 10,
 			     state->shift_code / 10);
 	if (!change_slots(interp, 0, code == G52 ? change_shift : change_shift_here))

@@ -49,22 +49,26 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 	return !left || go_rapid(interp, &target);
 }
 
-/* Which of the four reference positions: G28 is the first, G30 the second, and by P on Fanuc controls the others. */
+/* Which of the four reference positions: G28 is the first, G30 the second, or the one that its P names. */
 static bool find_number(struct interp *interp, int *index)
 {
 	const struct block *block = &interp->block;
+	const struct dialect_traits *traits = traits_of(interp);
+	bool by_p = block_has(block, 'P') && traits->g30_has_number != ANSWER_NO;
 	int number = 2;
 
 	*index = 0;
 	if (block->g[G_NONMODAL] == G28)
 		return true;
-	if (block_has(block, 'P') && !block_integer(block, &interp->at, 'P', 2, REFERENCES_MAX, &number))
+	if (by_p && (!is_answered(interp, block_column(block, 'P'), traits->g30_has_number,
+				  "whether P of G30 is the number of a reference position") ||
+		     !block_integer(block, &interp->at, 'P', 2, REFERENCES_MAX, &number)))
 		return false;
 	*index = number - 1;
-	/* LinuxCNC has its second position in parameters that G30.1 and programs write. */
-	if (interp->config->controller.references[*index].given || (number == 2 && interp->config->dialect->legacy == GCODE_LINUXCNC))
+	if (interp->config->controller.references[*index].given ||
+	    (number == 2 && traits->references_in_parameters == ANSWER_YES))
 		return true;
-	return fault(&interp->at, block_has(block, 'P') ? block_column(block, 'P') : block->g_column[G_NONMODAL],
+	return fault(&interp->at, by_p ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
 		     "<controller> gives it", number, number);
 }
@@ -159,7 +163,7 @@ bool reference_return_change_tool(struct interp *interp)
 	bool moves[SLOT_COUNT];
 
 	if (!place->given)
-		return interp->config->dialect->legacy == GCODE_LINUXCNC || fault_no_place(interp, column);
+		return traits_of(interp)->tool_change_stays == ANSWER_YES || fault_no_place(interp, column);
 	if (interp->state.frame.on && interp->state.tcp == TCP_BY_PLANE) {
 		for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 			if (place->has[slot])

@@ -49,8 +49,10 @@ bool tool_length_suspend(struct interp *interp, int column, struct suspended *su
 	struct state *state = &interp->state;
 
 	*suspended = (struct suspended){state->tcp, state->frame.on};
-	/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
-	if (state->tcp == TCP_BY_MCODE && interp->config->dialect->legacy == GCODE_LINUXCNC)
+	if (state->tcp == TCP_BY_MCODE && !is_answered(interp, column, traits_of(interp)->g53_under_tcp,
+						       "what machine coordinates are while an M-code has TCP on"))
+		return false;
+	if (state->tcp == TCP_BY_MCODE && traits_of(interp)->g53_under_tcp == G53_UNDER_TCP_TOOL_POINT)
 		return fault(&interp->at, column,
 			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
 			     "tool point; switch TCP off first");
@@ -64,32 +66,20 @@ bool tool_length_resume(struct interp *interp, int column, const struct suspende
 	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
 }
 
-/*
- * LinuxCNC keeps the length. Haas mill operator's manual, "G28 Return to
- * Machine Zero": it cancels the length for the lines that follow; whether
- * without Z, too, and what it does to G234, is not said. Fanuc 0i-MB operator's
- * manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode":
- * the length of an axis that they move is taken back, and comes back by itself
- * or with the next G43 or H, as parameter 5001#6 (EVO) says. A tool change that
- * goes to a place may do so by such codes.
- */
 void tool_length_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
 	struct state *state = &interp->state;
-	bool any = false, haas = interp->config->dialect->legacy == GCODE_HAAS;
+	const struct dialect *dialect = interp->config->dialect;
+	bool any = false;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		any = any || moved[slot];
-	if (interp->config->dialect->legacy == GCODE_LINUXCNC || !any || (haas && code == G53))
+	if (!any || (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0)))
 		return;
-	if (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0))
-		return;
-	if (haas && code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
-		state->length = 0;
-		state_update_offset(state);
-	} else if ((haas && code != DOUBT_M6) || moved[SLOT_Z] || state->tcp != TCP_OFF) {
+	if (dialect->after_machine_move)
+		dialect->after_machine_move(interp, code, moved);
+	else
 		state->length_doubt = code;
-	}
 }
 
 bool tool_length_is_in_doubt(struct interp *interp, int slot, int column)
@@ -157,38 +147,39 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	return true;
 }
 
-/*
- * The number of an entry of the table. Without H, LinuxCNC takes 0; for Fanuc's mills H is modal data (C
- * Executer manual B-62443EN-3, reading modal data); of Haas's nothing is known.
- */
+/* The number of an entry of the table; 0: H0, or the tool in the spindle, in want of H. */
 static bool find_length_number(struct interp *interp, int *number)
 {
 	const struct block *block = &interp->block;
-	const struct dialect *dialect = interp->config->dialect;
+	enum h_missing missing = traits_of(interp)->h_missing;
 	const char *code = block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4";
 
 	if (block_has(block, 'H'))
 		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
-	*number = dialect->legacy == GCODE_LINUXCNC ? 0 : interp->state.length_number;
-	if (dialect->legacy == GCODE_HAAS)
+	if (!is_answered(interp, block->g_column[G_LENGTH], missing, "which length G43 without H takes"))
+		return false;
+	*number = missing == H_MISSING_SPINDLE ? 0 : interp->state.length_number;
+	if (missing == H_MISSING_REFUSED)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
 	if (*number < 0)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before", code);
 	return true;
 }
 
-/* Hn is an entry of the table; in LinuxCNC H0 is the tool in the spindle. */
+/* Hn is an entry of the table. */
 static bool find_length(struct interp *interp, double *length)
 {
 	const struct block *block = &interp->block;
 	const struct length_offset *entry;
-	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
+	enum h_zero zero = traits_of(interp)->h_zero;
 	int column = block_has(block, 'H') ? block_column(block, 'H') : block->g_column[G_LENGTH], number;
 
 	if (!find_length_number(interp, &number))
 		return false;
 	interp->state.length_number = number;
-	if (number == 0 && linuxcnc)
+	if (number == 0 && !is_answered(interp, column, zero, "which length H0 is"))
+		return false;
+	if (number == 0 && zero == H_ZERO_SPINDLE)
 		return find_spindle_length(interp, column, length);
 	*length = 0;
 	if (number == 0)
@@ -221,12 +212,11 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 {
 	struct state *state = &interp->state;
 	enum tcp_source meanwhile = source == TCP_OFF ? state->tcp : source;
-	bool linuxcnc = interp->config->dialect->legacy == GCODE_LINUXCNC;
 	int column = interp->block.g_column[G_LENGTH];
 	struct length_change change = {.column = column, .doubt = doubt, .ends_tcp = meanwhile != source};
 	slot_values before, after;
 
-	if (linuxcnc)
+	if (traits_of(interp)->length_never_moves == ANSWER_YES)
 		return put(interp, column, source, length);
 	if (!put(interp, column, meanwhile, state->length))
 		return false;
@@ -239,11 +229,10 @@ static bool change_length(struct interp *interp, enum tcp_source source, double 
 	return length_change_settle(interp, &change) && put(interp, column, source, length);
 }
 
-/* Where Fanuc's manual says that the length has been taken back, G49 has nothing left to take. */
 static bool is_taken_back(const struct interp *interp, int code, int doubt)
 {
 	return code == G49 && doubt != CODE_NONE && doubt != DOUBT_M6 && interp->state.tcp == TCP_OFF &&
-	       interp->config->dialect->legacy == GCODE_FANUC;
+	       traits_of(interp)->g49_finds_length_gone == ANSWER_YES;
 }
 
 bool tool_length_length(struct interp *interp)

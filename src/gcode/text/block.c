@@ -131,8 +131,8 @@ static bool check_axis_word(const struct block *block, const struct line_place *
 {
 	int slot = slot_of_letter(word->letter);
 
-	/* Fanuc's G4 takes its time in X or U, too. */
-	if (config->dialect->legacy != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4)
+	/* Where it has the time of a dwell, the letter names no axis. */
+	if (config->dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4)
 		return true;
 	if (slot < 0 || config->has_axis[slot])
 		return true;
@@ -242,7 +242,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect->legacy == GCODE_LINUXCNC || config->controller.least_input > 0 || cautions->point ||
+	if (config->dialect->traits.whole_numbers != WHOLE_NUMBERS_INCREMENTS || config->controller.least_input > 0 || cautions->point ||
 	    block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {

@@ -1,4 +1,6 @@
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "gcode/execute/g10_tool_table.h"
 #include "gcode/text/block.h"
@@ -67,17 +69,49 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 	return true;
 }
 
-/* Fanuc and Haas: the time of a dwell stands in X, U or P, and nothing moves. */
-static bool check_dwell(struct block *block, const struct line_place *at)
+static uint32_t bits_of(const char *letters)
 {
-	const uint32_t times = letter_bit('X') | letter_bit('U') | letter_bit('P');
-	uint32_t given = block->letters & (times | AXIS_BITS);
+	uint32_t bits = 0;
 
-	block->motion = CODE_NONE;
-	if (block->g[G_MOTION] != CODE_NONE)
+	for (; *letters; letters++)
+		bits |= letter_bit(*letters);
+	return bits;
+}
+
+/* "one word, X, U or P" */
+static bool fault_without_time(const struct block *block, const struct line_place *at, const char *letters)
+{
+	char text[64] = "";
+	size_t count = strlen(letters), length = 0;
+
+	for (size_t i = 0; i < count; i++)
+		length += (size_t)snprintf(text + length, sizeof(text) - length, "%s%c",
+					   i == 0 ? "" : i + 1 < count ? ", " : " or ", letters[i]);
+	return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in %s%s", count > 1 ? "one word, " : "", text);
+}
+
+/* The time of a dwell stands in one of some letters; where it does not stand alone, axis words are those of a motion. */
+static bool check_dwell(struct block *block, const struct line_place *at, const struct dialect *dialect)
+{
+	const char *letters = dialect->traits.dwell_letters;
+	int column = block->g_column[G_NONMODAL];
+	bool alone = dialect->traits.dwell_alone == ANSWER_YES;
+	uint32_t times, given;
+
+	if (!dialect_answers(dialect, at, column, letters != NULL, "which word of G4 has its time") ||
+	    !dialect_answers(dialect, at, column, (int)dialect->traits.dwell_alone,
+			     "whether G4 can stand in a block that moves"))
+		return false;
+	times = bits_of(letters);
+	given = block->letters & (alone ? times | AXIS_BITS : times);
+	if (alone)
+		block->motion = CODE_NONE;
+	if (alone && block->g[G_MOTION] != CODE_NONE)
 		return fault(at, block->g_column[G_MOTION], "G4 needs a block without motion");
 	if (given == 0 || (given & ~times) || (given & (given - 1)))
-		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in one word, X, U or P");
+		return fault_without_time(block, at, letters);
+	if (is_arc(block->motion))
+		return fault(at, column, "G4 cannot stand with G2 or G3; both use P");
 	return true;
 }
 
@@ -87,8 +121,13 @@ static bool check_machine_coordinates(const struct block *block, const struct li
 	bool incremental = block->g[G_DISTANCE] == CODE_NONE ? modes->incremental : block->g[G_DISTANCE] == G91;
 	bool axes = block->letters & AXIS_BITS;
 
-	if (dialect->legacy != GCODE_LINUXCNC && !axes && block->motion == CODE_NONE)
-		return true;
+	if (!axes && block->motion == CODE_NONE) {
+		if (!dialect_answers(dialect, at, block->g_column[G_NONMODAL], (int)dialect->traits.g53_alone,
+				     "what G53 without axis words does"))
+			return false;
+		if (dialect->traits.g53_alone == ANSWER_YES)
+			return true;
+	}
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
 	if (incremental)
@@ -101,18 +140,18 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, con
 {
 	int code = block->g[G_NONMODAL];
 
-	if (code == G4 && dialect->legacy != GCODE_LINUXCNC)
-		return check_dwell(block, at);
-	if (code == G4 && !block_has(block, 'P'))
-		return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in P");
-	if (code == G4 && is_arc(block->motion))
-		return fault(at, block->g_column[G_NONMODAL], "G4 cannot stand with G2 or G3; both use P");
+	if (code == G4)
+		return check_dwell(block, at, dialect);
 	if (code == G53_1 && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
 		return fault(at, block->g_column[G_NONMODAL], "G53.1 needs a block without motion");
 	if (code == G53)
 		return check_machine_coordinates(block, at, dialect, modes);
-	/* Fanuc gives an alarm, the others send every axis home. */
-	if ((code == G28 || code == G30) && dialect->legacy == GCODE_FANUC && !(block->letters & AXIS_BITS))
+	if ((code != G28 && code != G30) || (block->letters & AXIS_BITS))
+		return true;
+	if (!dialect_answers(dialect, at, block->g_column[G_NONMODAL], (int)dialect->traits.g28_without_axes,
+			     "which axes G28 and G30 without an axis word move"))
+		return false;
+	if (dialect->traits.g28_without_axes == G28_WITHOUT_AXES_REFUSED)
 		return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", code / 10);
 	return true;
 }
@@ -120,12 +159,17 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, con
 /* What the words of canned cycles are: execute/canned_cycle.c. */
 static uint32_t cycle_letters(int code, const struct dialect *dialect)
 {
+	const struct cycle_traits *traits = dialect->traits.cycles;
 	uint32_t used = letter_bit('R');
 
-	used |= dialect->legacy == GCODE_FANUC ? letter_bit('K') : letter_bit('L');
+	/* The cycle itself is refused then, for a better reason. */
+	if (!traits || !traits->repeat_letter)
+		return bits_of("IJKLPQR");
+	used |= letter_bit(traits->repeat_letter);
 	if (code == G73 || code == G83)
 		used |= letter_bit('Q');
-	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 || dialect->legacy != GCODE_LINUXCNC)
+	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 ||
+	    traits->p_is_needed != ANSWER_YES)
 		used |= letter_bit('P');
 	if (code == G87)
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
@@ -146,14 +190,14 @@ static uint32_t data_letters(const struct block *block, const struct dialect *di
 	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
 	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
 
-	if (dialect->legacy == GCODE_LINUXCNC && mode > 0 && mode < 12 && g10_tool_table_takes((int)lround(mode)))
+	if (dialect->traits.g10_writes_tools != ANSWER_NO && mode > 0 && mode < 12 && g10_tool_table_takes((int)lround(mode)))
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
 	return used;
 }
 
 static bool is_call(const struct block *block, const struct dialect *dialect)
 {
-	return dialect->legacy != GCODE_LINUXCNC && block->m[M_STOP] >= 97;
+	return dialect->traits.call_letters && block->m[M_STOP] >= 97;
 }
 
 /* M50 to M53 take an on or off, M48 and M49 do not. */
@@ -185,11 +229,12 @@ static bool check_output(const struct block *block, const struct line_place *at)
 /* The letters that some code of the block uses. */
 static uint32_t used_letters(const struct block *block, const struct dialect *dialect)
 {
+	const struct dialect_traits *traits = &dialect->traits;
 	uint32_t used = AXIS_BITS | letter_bit('F') | letter_bit('S') | letter_bit('T');
 
 	if (is_arc(block->motion)) {
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
-		used |= dialect->legacy == GCODE_LINUXCNC ? letter_bit('P') : 0;
+		used |= traits->arcs_have_turns != ANSWER_NO ? letter_bit('P') : 0;
 	}
 	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
 		used |= cycle_letters(block->motion, dialect);
@@ -197,9 +242,9 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('K');
 	if (block->motion == G33_1)
 		used |= letter_bit('I');
-	if (block->g[G_NONMODAL] == G4)
-		used |= letter_bit('P');
-	if (block->g[G_NONMODAL] == G30 && dialect->legacy != GCODE_LINUXCNC)
+	if (block->g[G_NONMODAL] == G4 && traits->dwell_letters)
+		used |= bits_of(traits->dwell_letters);
+	if (block->g[G_NONMODAL] == G30 && traits->g30_has_number != ANSWER_NO)
 		used |= letter_bit('P');
 	if (block->g[G_NONMODAL] == G10)
 		used |= data_letters(block, dialect);
@@ -212,11 +257,11 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('P') | letter_bit('Q');
-	if (block->g[G_SYSTEM] == G54 && dialect->legacy == GCODE_FANUC)
+	if (block->g[G_SYSTEM] == G54 && traits->g54_has_number != ANSWER_NO)
 		used |= letter_bit('P');
 	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
-	if (block->g[G_PATH] == G64 && dialect->legacy == GCODE_LINUXCNC)
+	if (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO)
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_CONTOUR] != CODE_NONE)
 		used |= contour_letters(block->g[G_CONTOUR]);
@@ -227,12 +272,12 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
 }
 
-/* P and L of M97 to M99 can be nobody else's. */
+/* The words of M97 to M99 can be those of no other code. */
 static bool check_call(struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
-	uint32_t mine = letter_bit('P') | letter_bit('L'), used = used_letters(block, dialect) & mine & block->letters;
+	uint32_t used = used_letters(block, dialect) & block->letters;
 
-	for (const char *letter = "LP"; *letter; letter++) {
+	for (const char *letter = dialect->traits.call_letters; *letter; letter++) {
 		if (used & letter_bit(*letter))
 			return fault(at, block_column(block, *letter),
 				     "%c belongs to M%d and to another code of the block; write two blocks", *letter,
@@ -249,7 +294,6 @@ static bool check_idle(const struct block *block, const struct line_place *at)
 	return fault(at, block->idle_column, "G%g needs a block without axis words", block->idle / 10.0);
 }
 
-/* Only LinuxCNC says what comes first ("Order of Execution"). */
 static bool check_order(const struct block *block, const struct line_place *at, const struct gcode_config *config)
 {
 	int code = block->g[G_NONMODAL];
@@ -257,7 +301,7 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 		     (block->g[G_LENGTH] != CODE_NONE && config->controller.length_moves == ANSWER_YES);
 	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
 
-	if (config->dialect->legacy == GCODE_LINUXCNC || block->m[group] == CODE_NONE || !moves)
+	if (config->dialect->traits.known_order == ANSWER_YES || block->m[group] == CODE_NONE || !moves)
 		return true;
 	return fault(at, block->m_column[group],
 		     "%s in a block that moves: whether it comes before or after the move depends on the control; "
@@ -268,26 +312,27 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		 const struct block_modes *modes)
 {
+	const struct dialect *dialect = config->dialect;
 	uint32_t unused;
 
 	if (!check_idle(block, at))
 		return false;
-	if (!(config->dialect->legacy != GCODE_LINUXCNC && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
+	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
 		return false;
-	if (config->dialect->legacy == GCODE_LINUXCNC && block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 &&
-	    !(block->letters & AXIS_BITS))
+	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && !(block->letters & AXIS_BITS) &&
+	    !(dialect->traits.cycles && dialect->traits.cycles->without_axes == ANSWER_YES))
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
-	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config->dialect, modes))
+	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, dialect, modes))
 		return false;
 	if (!check_order(block, at, config) || !check_output(block, at))
 		return false;
 	if (block->g[G_SPINDLE] == G96 && !block_has(block, 'S'))
 		return fault(at, block->g_column[G_SPINDLE], "G96 needs S, the surface speed");
-	if (is_call(block, config->dialect) && !check_call(block, at, config->dialect))
+	if (is_call(block, dialect) && !check_call(block, at, dialect))
 		return false;
-	unused = block->letters & ~used_letters(block, config->dialect);
-	if (is_call(block, config->dialect))
-		unused &= ~(letter_bit('P') | letter_bit('L'));
+	unused = block->letters & ~used_letters(block, dialect);
+	if (is_call(block, dialect))
+		unused &= ~bits_of(dialect->traits.call_letters);
 	for (char letter = 'A'; unused && letter <= 'Z'; letter++) {
 		if (unused & letter_bit(letter))
 			return fault(at, block_column(block, letter), "no code in the block uses the word %c%s", letter,

@@ -5,6 +5,7 @@
 #include "gcode/dialect/fanuc/macro_b_call.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/standard_codes.h"
+#include "gcode/state.h"
 
 /* Fanuc 30i-B operator's manual (B-64484EN), preparatory function. */
 static const struct code g_codes[] = {
@@ -44,6 +45,41 @@ static const struct code m_codes[] = {
 	{198, GROUP_UNSUPPORTED, "subprogram call from another memory"},
 };
 
+/*
+ * 30i-B operator's manual, canned cycles for drilling: drilling data hold from one cycle to the next, and the control
+ * starts the spindle.
+ */
+static const struct cycle_traits cycles = {
+	.words_outlive_cycle = ANSWER_YES,
+	.without_axes = ANSWER_YES,
+	.starts_at_r = ANSWER_NO,
+	.never_below_r = ANSWER_NO,
+	/* The manual does not say that it is none. */
+	.level_is_coordinate = ANSWER_NO,
+	.p_is_needed = ANSWER_NO,
+	.q_has_sign = ANSWER_NO,
+	/* The words are kept and nothing is drilled. */
+	.zero_repeats_refused = ANSWER_NO,
+	.only_xyz = ANSWER_NO,
+	.spindle_must_turn = ANSWER_NO,
+	.taps_confuse_planes = ANSWER_NO,
+	.feeds_to_clear = ANSWER_NO,
+	.rises_first = ANSWER_NO,
+	.exact_path = ANSWER_NO,
+	.repeat_letter = 'K',
+};
+
+/*
+ * 0i-MB operator's manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode": the length of an axis
+ * that they move is taken back, and comes back by itself or with the next G43 or H, as parameter 5001#6 (EVO) says. A
+ * tool change that goes to a place may do so by such codes.
+ */
+static void after_machine_move(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	if (moved[SLOT_Z] || interp->state.tcp != TCP_OFF)
+		interp->state.length_doubt = code;
+}
+
 static void *new_state(void)
 {
 	return macro_b_state_new(&fanuc_macro_rules);
@@ -51,9 +87,53 @@ static void *new_state(void)
 
 const struct dialect dialect_fanuc = {
 	.name = "fanuc",
-	.legacy = GCODE_FANUC,
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.traits = {
+		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
+		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
+		.known_order = ANSWER_NO,
+		.dwell_letters = "XUP",
+		.dwell_p = DWELL_P_MILLISECONDS,
+		.dwell_alone = ANSWER_YES,
+		.text_before_percent = ANSWER_YES,
+		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
+		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
+		.g64_has_tolerance = ANSWER_NO,
+		.arcs_have_turns = ANSWER_NO,
+		.wrap_below_turn = ANSWER_NO,
+		.cycles = &cycles,
+		/* Machine coordinate system (G53). */
+		.g53_rate = G53_RATE_RAPID,
+		.g53_under_tcp = G53_UNDER_TCP_AXES,
+		.g53_alone = ANSWER_YES,
+		/* An alarm. */
+		.g28_without_axes = G28_WITHOUT_AXES_REFUSED,
+		.references_in_parameters = ANSWER_NO,
+		.g30_has_number = ANSWER_YES,
+		/* 16-C operator's manual (B-62764EN), "Coordinate system rotation". */
+		.turned_by_machine = TURNED_BY_MACHINE_REFUSED,
+		.tool_change_stays = ANSWER_NO,
+		/* G54.1 P1 to P48; G54 with P is the same. */
+		.additional_offsets = 48,
+		.g54_has_number = ANSWER_YES,
+		.g10_first = 1,
+		.g10_last = 6,
+		.g10_l20 = G10_L20_ADDITIONAL,
+		/* Changing workpiece coordinate system: with G91 the words are added. */
+		.g10_incremental = G10_INCREMENTAL_ADDS,
+		.g10_writes_tools = ANSWER_NO,
+		.one_shift = ANSWER_NO,
+		.shifts_ignore_g91 = ANSWER_NO,
+		/* H is modal data (C Executer manual B-62443EN-3, reading modal data). */
+		.h_missing = H_MISSING_LAST,
+		.h_zero = H_ZERO_NONE,
+		.length_never_moves = ANSWER_NO,
+		/* B-63844EN, see after_machine_move. */
+		.g49_finds_length_gone = ANSWER_YES,
+		.call_letters = "LP",
+	},
+	.after_machine_move = after_machine_move,
 	.state_new = new_state,
 	.state_free = macro_b_state_free,
 	.statement = macro_b_line,

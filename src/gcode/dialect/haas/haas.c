@@ -5,6 +5,7 @@
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/haas/haas_macro.h"
 #include "gcode/dialect/standard_codes.h"
+#include "gcode/state.h"
 
 /* Haas mill operator's manual, G-codes, M-codes. */
 static const struct code g_codes[] = {
@@ -81,6 +82,45 @@ static const struct code m_codes[] = {
 	{139, GROUP_HARMLESS, NULL},
 };
 
+/* Mill operator's manual, canned cycles. */
+static const struct cycle_traits cycles = {
+	.words_outlive_cycle = ANSWER_YES,
+	.without_axes = ANSWER_YES,
+	.starts_at_r = ANSWER_NO,
+	.never_below_r = ANSWER_NO,
+	/* The manual does not say that it is none. */
+	.level_is_coordinate = ANSWER_NO,
+	.p_is_needed = ANSWER_NO,
+	.q_has_sign = ANSWER_NO,
+	/* The words are kept and nothing is drilled. */
+	.zero_repeats_refused = ANSWER_NO,
+	.only_xyz = ANSWER_NO,
+	.spindle_must_turn = ANSWER_NO,
+	.taps_confuse_planes = ANSWER_NO,
+	.feeds_to_clear = ANSWER_NO,
+	.rises_first = ANSWER_NO,
+	.exact_path = ANSWER_NO,
+	.repeat_letter = 'L',
+};
+
+/*
+ * "G28 Return to Machine Zero": it cancels the length for the lines that follow; whether without Z, too, and what it
+ * does to G234, is not said.
+ */
+static void after_machine_move(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	struct state *state = &interp->state;
+
+	if (code == G53)
+		return;
+	if (code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
+		state->length = 0;
+		state_update_offset(state);
+	} else if (code != DOUBT_M6 || moved[SLOT_Z] || state->tcp != TCP_OFF) {
+		state->length_doubt = code;
+	}
+}
+
 static void *new_state(void)
 {
 	return macro_b_state_new(&haas_macro_rules);
@@ -88,9 +128,50 @@ static void *new_state(void)
 
 const struct dialect dialect_haas = {
 	.name = "haas",
-	.legacy = GCODE_HAAS,
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.traits = {
+		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
+		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
+		.known_order = ANSWER_NO,
+		/* G04: milliseconds without a decimal point. */
+		.dwell_letters = "XUP",
+		.dwell_p = DWELL_P_MILLISECONDS,
+		.dwell_alone = ANSWER_YES,
+		.text_before_percent = ANSWER_YES,
+		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
+		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
+		.g64_has_tolerance = ANSWER_NO,
+		.arcs_have_turns = ANSWER_NO,
+		.wrap_below_turn = ANSWER_NO,
+		.cycles = &cycles,
+		.g53_rate = G53_RATE_PROGRAMMED,
+		.g53_under_tcp = G53_UNDER_TCP_AXES,
+		.g53_alone = ANSWER_YES,
+		.g28_without_axes = G28_WITHOUT_AXES_ALL,
+		.references_in_parameters = ANSWER_NO,
+		.g30_has_number = ANSWER_YES,
+		/* The manual says nothing of it. */
+		.turned_by_machine = TURNED_BY_MACHINE_ACROSS,
+		.tool_change_stays = ANSWER_NO,
+		/* G154 P1 to P99; G110 to G129 are the first of them. */
+		.additional_offsets = EXTENDED_COUNT,
+		.g54_has_number = ANSWER_NO,
+		.g10_first = 1,
+		.g10_last = 6,
+		.g10_l20 = G10_L20_ADDITIONAL,
+		/* G10: with G91 the words are added. */
+		.g10_incremental = G10_INCREMENTAL_ADDS,
+		.g10_writes_tools = ANSWER_NO,
+		.one_shift = ANSWER_NO,
+		.shifts_ignore_g91 = ANSWER_NO,
+		.h_missing = H_MISSING_REFUSED,
+		.h_zero = H_ZERO_NONE,
+		.length_never_moves = ANSWER_NO,
+		.g49_finds_length_gone = ANSWER_NO,
+		.call_letters = "LP",
+	},
+	.after_machine_move = after_machine_move,
 	.state_new = new_state,
 	.state_free = macro_b_state_free,
 	.statement = macro_b_line,

@@ -4,6 +4,7 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
 #include "gcode/dialect/linuxcnc/system_params.h"
 #include "gcode/dialect/standard_codes.h"
+#include "gcode/state.h"
 
 /* LinuxCNC's manual, "G-Codes", "M-Codes". */
 static const struct code g_codes[] = {
@@ -80,6 +81,34 @@ static const struct code m_codes[] = {
 	{98, GROUP_STATEMENT, NULL},
 };
 
+/* LinuxCNC's manual, "Canned Cycles", and its 2.9 interpreter (interp_cycles.cc). */
+static const struct cycle_traits cycles = {
+	.words_outlive_cycle = ANSWER_NO,
+	.without_axes = ANSWER_NO,
+	.starts_at_r = ANSWER_YES,
+	.never_below_r = ANSWER_YES,
+	.level_is_coordinate = ANSWER_YES,
+	.p_is_needed = ANSWER_YES,
+	.q_has_sign = ANSWER_YES,
+	.zero_repeats_refused = ANSWER_YES,
+	.only_xyz = ANSWER_YES,
+	.spindle_must_turn = ANSWER_YES,
+	/* Up to 2.9 it puts the coordinates of its taps in order for the plane twice. */
+	.taps_confuse_planes = ANSWER_YES,
+	.feeds_to_clear = ANSWER_YES,
+	.rises_first = ANSWER_YES,
+	.exact_path = ANSWER_YES,
+	.repeat_letter = 'L',
+};
+
+/* LinuxCNC keeps the length. */
+static void after_machine_move(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	(void)interp;
+	(void)code;
+	(void)moved;
+}
+
 static bool read_block(struct interp *interp)
 {
 	static const struct block_rules rules = {.lexer = &linuxcnc_lexer_rules};
@@ -89,9 +118,46 @@ static bool read_block(struct interp *interp)
 
 const struct dialect dialect_linuxcnc = {
 	.name = "linuxcnc",
-	.legacy = GCODE_LINUXCNC,
 	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.traits = {
+		/* "G-code defaults". */
+		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
+		.whole_numbers = WHOLE_NUMBERS_UNITS,
+		/* "Order of Execution". */
+		.known_order = ANSWER_YES,
+		.dwell_letters = "P",
+		.dwell_p = DWELL_P_SECONDS,
+		.dwell_alone = ANSWER_NO,
+		.text_before_percent = ANSWER_NO,
+		.feed_forgotten = FEED_FORGOTTEN_BY_CODE,
+		.empty_feed_move = EMPTY_FEED_MOVE_CHECKED,
+		.g64_has_tolerance = ANSWER_YES,
+		.arcs_have_turns = ANSWER_YES,
+		.wrap_below_turn = ANSWER_YES,
+		.cycles = &cycles,
+		.g53_rate = G53_RATE_PROGRAMMED,
+		/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
+		.g53_under_tcp = G53_UNDER_TCP_TOOL_POINT,
+		.g53_alone = ANSWER_NO,
+		.g28_without_axes = G28_WITHOUT_AXES_ALL,
+		.references_in_parameters = ANSWER_YES,
+		.g30_has_number = ANSWER_NO,
+		.tool_change_stays = ANSWER_YES,
+		.g54_has_number = ANSWER_NO,
+		.g10_first = 0,
+		.g10_last = SYSTEM_COUNT,
+		.g10_l20 = G10_L20_HERE,
+		.g10_incremental = G10_INCREMENTAL_WRITES,
+		.g10_writes_tools = ANSWER_YES,
+		.one_shift = ANSWER_YES,
+		.shifts_ignore_g91 = ANSWER_YES,
+		.h_missing = H_MISSING_SPINDLE,
+		.h_zero = H_ZERO_SPINDLE,
+		.length_never_moves = ANSWER_YES,
+		.g49_finds_length_gone = ANSWER_NO,
+	},
+	.after_machine_move = after_machine_move,
 	.state_new = linuxcnc_state_new,
 	.state_free = linuxcnc_state_free,
 	.statement = control_flow_line,
