@@ -54,7 +54,7 @@ static void widen(struct batch_chunk *chunk, const struct motion_step *step)
 	const struct span *span = &step->span;
 
 	for (int i = 0; i < SLOT_COUNT; i++) {
-		double off = span->deviation.v[i] + step->tolerance.v[i];
+		double off = span->deviation.v[i];
 		double least = span->q0.v[i] < span->q1.v[i] ? span->q0.v[i] : span->q1.v[i];
 		double most = span->q0.v[i] < span->q1.v[i] ? span->q1.v[i] : span->q0.v[i];
 
@@ -62,6 +62,10 @@ static void widen(struct batch_chunk *chunk, const struct motion_step *step)
 			chunk->low.v[i] = least - off;
 		if (most + off > chunk->high.v[i])
 			chunk->high.v[i] = most + off;
+		if (step->tolerance.v[i] > chunk->errors.path.v[i]) {
+			chunk->errors.path.v[i] = step->tolerance.v[i];
+			chunk->errors.any = true;
+		}
 	}
 }
 
@@ -83,7 +87,7 @@ static void sum_up_chunks(struct batch *batch)
 		struct batch_step *step = &batch->steps[i];
 
 		if (i % CHUNK_STEPS == 0)
-			*chunk = (struct batch_chunk){step->motion.span.q0, step->motion.span.q0, false};
+			*chunk = (struct batch_chunk){.low = step->motion.span.q0, .high = step->motion.span.q0};
 		widen(chunk, &step->motion);
 		step->beyond = is_beyond_travel(&step->motion);
 		chunk->beyond |= step->beyond;

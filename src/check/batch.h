@@ -7,6 +7,7 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
+#include "check/budget.h"
 #include "motion/motion.h"
 #include "motion/tcp.h"
 
@@ -21,9 +22,10 @@ struct batch_step {
 /* Steps to a chunk. */
 enum { CHUNK_STEPS = 64 };
 
-/* All positions that the axes take in a chunk, deviations and tolerances included. */
+/* All positions that the axes are told to take in a chunk, chord errors included; the most path tolerance besides. */
 struct batch_chunk {
 	axis_values low, high;
+	struct position_errors errors;	/* its chord errors are 0 */
 	bool beyond;	/* one of its steps is */
 };
 

@@ -87,63 +87,72 @@ bool budget_holds(const struct budget *budget, const axis_values *q)
 	return smaller(used[0], used[1]) < budget->room;
 }
 
-bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off)
+/* Adds to each view's use what the errors take; `used` is that of the path itself. */
+static void add_errors(const struct budget *budget, const struct position_errors *errors, double used[VIEWS])
 {
-	double used[VIEWS], play[VIEWS] = {0, 0};
+	const struct chain *chain = budget->chain;
+	double chord[VIEWS], path[VIEWS], turns = 0;
+
+	if (!errors->any)
+		return;
+	use_within(budget, &errors->chord, chord);
+	use_within(budget, &errors->path, path);
+	for (size_t i = 0; i < chain->count; i++)
+		turns += chain->joints[i].rotary ? errors->path.v[chain->joints[i].slot] : 0;
+	for (int v = 0; v < VIEWS; v++)
+		used[v] += chord[v] + path[v] + turns * (used[v] + chord[v]);
+}
+
+bool budget_covers(struct budget *budget, const axis_values *q1, const struct position_errors *errors)
+{
+	double used[VIEWS], most[VIEWS];
 
 	if (!budget->known)
 		return false;
 	use_at(budget, q1, used);
-	if (off)
-		use_within(budget, off, play);
-	for (int v = 0; v < VIEWS; v++) {
-		double most = larger(used[v], budget->used[v]) + play[v];
-
-		if (most < budget->room) {
-			budget->used[0] = used[0];
-			budget->used[1] = used[1];
-			return true;
-		}
-	}
-	return false;
+	for (int v = 0; v < VIEWS; v++)
+		most[v] = larger(used[v], budget->used[v]);
+	add_errors(budget, errors, most);
+	if (!(smaller(most[0], most[1]) < budget->room))
+		return false;
+	budget->used[0] = used[0];
+	budget->used[1] = used[1];
+	return true;
 }
 
 /* As use_within, for every position between low and high. */
 static void use_in_box(const struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *off, double used[VIEWS])
+		       const struct position_errors *errors, double used[VIEWS])
 {
 	axis_values amount;
 
 	for (int i = 0; i < SLOT_COUNT; i++)
-		amount.v[i] = larger(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i])) +
-			      (off ? off->v[i] : 0);
+		amount.v[i] = larger(fabs(low->v[i] - budget->at.v[i]), fabs(high->v[i] - budget->at.v[i]));
 	use_within(budget, &amount, used);
+	add_errors(budget, errors, used);
 }
 
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off)
+		       const axis_values *q1, const struct position_errors *errors)
 {
 	double used[VIEWS];
 
 	if (!budget->known)
 		return false;
-	use_in_box(budget, low, high, off, used);
-	for (int v = 0; v < VIEWS; v++) {
-		if (used[v] < budget->room) {
-			use_at(budget, q1, budget->used);
-			return true;
-		}
-	}
-	return false;
+	use_in_box(budget, low, high, errors, used);
+	if (!(smaller(used[0], used[1]) < budget->room))
+		return false;
+	use_at(budget, q1, budget->used);
+	return true;
 }
 
 double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
-		   const axis_values *off)
+		   const struct position_errors *errors)
 {
 	double used[VIEWS];
 
 	if (!budget->known)
 		return -INFINITY;
-	use_in_box(budget, low, high, off, used);
+	use_in_box(budget, low, high, errors, used);
 	return budget->room - fmin(used[0], used[1]);
 }

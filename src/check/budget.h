@@ -8,15 +8,25 @@
 #include "machine/motion_bound.h"
 #include "scene/region.h"
 
+/* By how much each axis may be away from where it is said to be: mm, radians. */
+struct position_errors {
+	axis_values chord;	/* chord error: the programmed path is so far from the straight line */
+	axis_values path;	/* path tolerance: the control may be so far from the programmed path */
+	bool any;	/* false: all of them are 0 */
+};
+
 /*
- * At the position `at` two bodies were proven to be farther apart than their
- * clearance by `room`. While joint k is within x_k of that position no point
- * moves by more than sum rho_k x_k, runs of linear joints by their vector norm,
- * and as long as that is below `room` they stay apart. Every rho_k is the one at
- * `at`: of |E1'E2'p - E1E2p| <= |E2'p - E2p| + |E1'x - E1x| the first term is the
- * later joints' alone, as E1' keeps distances, and in the second x = E2p stands where it
- * was. The sum is convex in the axes, so a straight motion is covered when both
- * its ends are. Two views as in motion_bound.h: one of them must cover both ends.
+ * At the position `at` two bodies were proven to be farther apart than what they must keep by `room`. While joint k is
+ * within x_k of that position no point moves by more than X = sum rho_k x_k, runs of linear joints by their vector
+ * norm. Every rho_k is the one at `at`: of |E1'E2'p - E1E2p| <= |E2'p - E2p| + |E1'x - E1x| the first term is the
+ * later joints' alone, as E1' keeps distances, and in the second x = E2p stands where it was. There the path
+ * tolerance t_k moves no point by more than W = sum (rho_k + X) t_k, since a point's distance to an axis
+ * grows by at most X. As long as X + W is below `room` the bodies keep what they must keep, and the path displacement
+ * (motion_bound.h) besides. The sum is convex in the axes, so a straight motion is covered when both its ends are.
+ * Two views as in motion_bound.h: one of them must cover both ends.
+ *
+ * A budget whose room is the proven distance less clearance and tolerance (c + e) covers no motion that the sweep would
+ * report: what the sweep reports is at most c + e + the path displacement apart, in either view (test_one_verdict).
  */
 struct budget {
 	const struct chain *chain;
@@ -38,21 +48,18 @@ void budget_resume(struct budget *budget, const axis_values *q);
 /* Is q covered? */
 bool budget_holds(const struct budget *budget, const axis_values *q);
 
-/*
- * Is the motion from where the budget was last used to q1 covered, when each
- * axis may be off by `off` (mm, radians; NULL: exact)? If so it is used.
- */
-bool budget_covers(struct budget *budget, const axis_values *q1, const axis_values *off);
+/* Is the motion from where the budget was last used to q1 covered? If so it is used. */
+bool budget_covers(struct budget *budget, const axis_values *q1, const struct position_errors *errors);
 
 /* The same for every position between low and high, after which the axes stand at q1. */
 bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off);
+		       const axis_values *q1, const struct position_errors *errors);
 
 /*
  * mm of the room that are left wherever between low and high the axes stand; below 0, or
  * -INFINITY when nothing is known: nothing is proven there. Uses nothing up.
  */
 double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
-		   const axis_values *off);
+		   const struct position_errors *errors);
 
 #endif

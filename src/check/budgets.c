@@ -40,7 +40,7 @@ static void take(struct budgets *budgets, int i)
 	budgets->kept[i] = was;
 }
 
-bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const axis_values *off)
+bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const struct position_errors *errors)
 {
 	for (int i = 0; i < budgets->count; i++) {
 		struct budget *budget = &budgets->kept[i];
@@ -49,7 +49,7 @@ bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_v
 		if (!budget_holds(budget, q1))
 			continue;
 		budget_resume(budget, q0);
-		if (!budget_covers(budget, q1, off))
+		if (!budget_covers(budget, q1, errors))
 			continue;
 		take(budgets, i);
 		budgets_resume(budgets, q0);
@@ -58,19 +58,19 @@ bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_v
 	return false;
 }
 
-bool budgets_cover(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const axis_values *off)
+bool budgets_cover(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const struct position_errors *errors)
 {
-	return budget_covers(&budgets->now, q1, off) ||
-	       (budgets_recall(budgets, q0, q1, off) && budget_covers(&budgets->now, q1, off));
+	return budget_covers(&budgets->now, q1, errors) ||
+	       (budgets_recall(budgets, q0, q1, errors) && budget_covers(&budgets->now, q1, errors));
 }
 
 bool budgets_cover_box(struct budgets *budgets, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off)
+		       const axis_values *q1, const struct position_errors *errors)
 {
-	if (budget_covers_box(&budgets->now, low, high, q1, off))
+	if (budget_covers_box(&budgets->now, low, high, q1, errors))
 		return true;
 	for (int i = 0; i < budgets->count; i++) {
-		if (budget_covers_box(&budgets->kept[i], low, high, q1, off)) {
+		if (budget_covers_box(&budgets->kept[i], low, high, q1, errors)) {
 			take(budgets, i);
 			return true;
 		}

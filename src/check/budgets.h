@@ -28,11 +28,13 @@ void budgets_resume(struct budgets *budgets, const axis_values *q);
  * Puts one of those kept into use that covers the straight motion from q0, where the axes
  * stand, to q1. Of it nothing is used up yet.
  */
-bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const axis_values *off);
+bool budgets_recall(struct budgets *budgets, const axis_values *q0, const axis_values *q1,
+		   const struct position_errors *errors);
 
 /* As in budget.h, with the one in use or else one of those kept, which is in use then. The axes come from q0. */
-bool budgets_cover(struct budgets *budgets, const axis_values *q0, const axis_values *q1, const axis_values *off);
+bool budgets_cover(struct budgets *budgets, const axis_values *q0, const axis_values *q1,
+		   const struct position_errors *errors);
 bool budgets_cover_box(struct budgets *budgets, const axis_values *low, const axis_values *high,
-		       const axis_values *q1, const axis_values *off);
+		       const axis_values *q1, const struct position_errors *errors);
 
 #endif

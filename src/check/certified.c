@@ -40,9 +40,10 @@
 /* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
 #define BOX_VISITS 50000000L
 
-void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure)
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, double tolerance,
+		   bool measure)
 {
-	*follower = (struct follower){.bodies = *bodies, .clearance = clearance};
+	*follower = (struct follower){.bodies = *bodies, .clearance = clearance, .tolerance = tolerance};
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
 	follower->bodies.memory = &follower->memory;
@@ -90,7 +91,16 @@ void follower_lose(struct follower *follower)
 	follower->settled = false;
 }
 
-static bool covered(struct follower *follower, const struct motion_step *step, const axis_values *off)
+/*
+ * mm: the distance that a quick way must leave to pass a step. No sweep at the target reports what is farther apart than
+ * that, and the clearance is never above the target: so no verdict depends on which quick way was tried.
+ */
+static double needed(const struct follower *follower)
+{
+	return follower->target + follower->tolerance;
+}
+
+static bool covered(struct follower *follower, const struct motion_step *step, const struct position_errors *errors)
 {
 	const struct span *span = &step->span;
 	axis_values low, high;
@@ -98,9 +108,9 @@ static bool covered(struct follower *follower, const struct motion_step *step, c
 
 	if (step_is_box(step)) {
 		step_box(step, &low, &high);
-		good = budgets_cover_box(&follower->budgets, &low, &high, &span->q1, off);
+		good = budgets_cover_box(&follower->budgets, &low, &high, &span->q1, errors);
 	} else {
-		good = budgets_cover(&follower->budgets, &span->q0, &span->q1, off);
+		good = budgets_cover(&follower->budgets, &span->q0, &span->q1, errors);
 	}
 	if (good) {
 		follower->covered_steps++;
@@ -130,12 +140,12 @@ static double way_of(const struct follower *follower, const struct chain_state *
  */
 static double ask_distance(struct follower *follower, struct sweep *sweep, const axis_values *q, double way)
 {
-	double enough = follower->target + way;
+	double enough = needed(follower) + way;
 	double distance = sweep_distance(sweep, &follower->bodies, q, BUDGET_SHARE, enough, 0);
 
 	follower->queries++;
-	if (!WITH_KEPT_BUDGETS || follower->sweep_visits <= 0 || distance - follower->target > PAYING_ROOM * way ||
-	    !(follower->memory.near - follower->target > SHARP_NEED * way))
+	if (!WITH_KEPT_BUDGETS || follower->sweep_visits <= 0 || distance - needed(follower) > PAYING_ROOM * way ||
+	    !(follower->memory.near - needed(follower) > SHARP_NEED * way))
 		return distance;
 	distance = fmax(distance,
 			sweep_distance(sweep, &follower->bodies, q, SHARP_SHARE, enough, follower->sweep_visits));
@@ -149,7 +159,7 @@ static double measure_distance(struct follower *follower, struct sweep *sweep, c
 {
 	bool first = isinf(follower->target);
 	double distance = sweep_distance(sweep, &follower->bodies, q, MEASURE_SHARE,
-					 first ? follower->clearance : follower->target + way, 0);
+					 first ? follower->clearance : needed(follower) + way, 0);
 
 	follower->queries++;
 	if (first)
@@ -169,7 +179,7 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 	way = way_of(follower, &state, span);
 	distance = follower->measures ? measure_distance(follower, sweep, &span->q1, way)
 				      : ask_distance(follower, sweep, &span->q1, way);
-	room = distance - follower->target;
+	room = distance - needed(follower);
 	budgets_set(&follower->budgets, &span->q1, &state, room);
 	budgets_resume(&follower->budgets, &span->q0);
 	if (room > PAYING_ROOM * way) {
@@ -181,7 +191,7 @@ static void renew(struct follower *follower, struct sweep *sweep, const struct m
 }
 
 /* The question that is open: does the target hold? Above the clearance any contact answers it, and roughly will do. */
-static struct passing question(const struct follower *follower, struct sweep *sweep, double tolerance)
+static struct passing question(const struct follower *follower, struct sweep *sweep)
 {
 	bool any = follower->target > follower->clearance;
 
@@ -189,7 +199,8 @@ static struct passing question(const struct follower *follower, struct sweep *sw
 		.sweep = sweep,
 		.bodies = &follower->bodies,
 		.clearance = follower->target,
-		.tolerance = any ? fmax(tolerance, MEASURE_GRAIN * (follower->target - follower->clearance)) : tolerance,
+		.tolerance = any ? fmax(follower->tolerance, MEASURE_GRAIN * (follower->target - follower->clearance))
+				 : follower->tolerance,
 		.any = any,
 		.box_visits = BOX_VISITS,
 	};
@@ -197,18 +208,16 @@ static struct passing question(const struct follower *follower, struct sweep *sw
 
 /* The step with the target as it stands. */
 static enum passage attempt(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-			    double tolerance, struct contact *contact)
+			    struct contact *contact)
 {
 	const struct chain *chain = follower->bodies.chain;
 	enum sweep_answer answer;
+	const struct position_errors errors = step_errors(chain, step);
 	struct passing passing;
-	axis_values off;
-	bool any_off;
 
 	if (follower->settled && !step_moves(chain, step) && !step_may_stray(chain, step))
 		return PASSAGE_CLEAR;
-	any_off = step_off_the_line(chain, step, &off);
-	if (covered(follower, step, any_off ? &off : NULL))
+	if (covered(follower, step, &errors))
 		return PASSAGE_CLEAR;
 	if (!WITH_BUDGET && !isinf(follower->target)) {
 		/* No distance is of use. */
@@ -216,10 +225,10 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 		follower->wait--;
 	} else {
 		renew(follower, sweep, step);
-		if (covered(follower, step, any_off ? &off : NULL))
+		if (covered(follower, step, &errors))
 			return PASSAGE_CLEAR;
 	}
-	passing = question(follower, sweep, tolerance);
+	passing = question(follower, sweep);
 	follower->sweep_visits -= sweep->visits;
 	answer = step_sweep(&passing, step, contact);
 	follower->sweep_visits += sweep->visits;
@@ -230,14 +239,14 @@ static enum passage attempt(struct follower *follower, struct sweep *sweep, cons
 }
 
 enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-			   double tolerance, struct contact *contact)
+			   struct contact *contact)
 {
 	enum passage passage;
 
 	if (follower->lost)
 		budgets_resume(&follower->budgets, &step->span.q0);
 	follower->lost = false;
-	while ((passage = attempt(follower, sweep, step, tolerance, contact)) != PASSAGE_CLEAR &&
+	while ((passage = attempt(follower, sweep, step, contact)) != PASSAGE_CLEAR &&
 	       follower->target > follower->clearance) {
 		double less = 0;
 
@@ -245,7 +254,7 @@ enum passage follower_step(struct follower *follower, struct sweep *sweep, const
 		if (passage == PASSAGE_CONTACT)
 			less = follower->clearance +
 			       MEASURE_SHARE * (fmin(contact->distance, follower->target) - follower->clearance);
-		follower->target = less > follower->clearance + tolerance ? less : follower->clearance;
+		follower->target = less > follower->clearance + follower->tolerance ? less : follower->clearance;
 		budgets_resume(&follower->budgets, &step->span.q0);
 	}
 	return passage;
@@ -299,27 +308,30 @@ static size_t choose_stretch(const struct follower *follower, const struct batch
 	return stride;
 }
 
-size_t follower_leap(struct follower *follower, struct sweep *sweep, const struct batch_step *steps, size_t count,
-		     double tolerance)
+size_t follower_leap(struct follower *follower, struct sweep *sweep, const struct batch_step *steps, size_t count)
 {
 	struct contact contact;
 	enum sweep_answer answer;
 	struct passing passing;
 	struct chord chord;
 	axis_values play;
+	const struct position_errors errors = step_errors(follower->bodies.chain, &steps[0].motion);
 	size_t stride;
 
 	if (!WITH_STRETCHES || !follower->sweeps || follower->wait <= 0 || isinf(follower->target))
 		return 0;
-	if (budgets_recall(&follower->budgets, &steps[0].motion.span.q0, &steps[0].motion.span.q1, NULL))
+	if (budgets_recall(&follower->budgets, &steps[0].motion.span.q0, &steps[0].motion.span.q1, &errors))
 		return 0;
 	stride = choose_stretch(follower, steps, count, &chord);
 	follower->stride = stride;
 	if (stride < 2)
 		return 0;
-	passing = question(follower, sweep, tolerance);
+	passing = question(follower, sweep);
+	passing.clearance = needed(follower);
+	passing.any = true;
+	chord.tolerance = play_of_steps(follower->bodies.chain, steps, stride, &play);
 	follower->sweep_visits -= sweep->visits;
-	answer = chord_sweep(&passing, &chord, play_of_steps(follower->bodies.chain, steps, stride, &play), &contact);
+	answer = chord_sweep(&passing, &chord, &contact);
 	follower->sweep_visits += sweep->visits;
 	if (answer != SWEEP_APART) {
 		follower->sweeps = false;
@@ -333,9 +345,9 @@ size_t follower_leap(struct follower *follower, struct sweep *sweep, const struc
 }
 
 bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
-		   const axis_values *end, size_t steps)
+		   const struct position_errors *errors, const axis_values *end, size_t steps)
 {
-	if (!budgets_cover_box(&follower->budgets, low, high, end, NULL))
+	if (!budgets_cover_box(&follower->budgets, low, high, end, errors))
 		return false;
 	follower->covered_steps += (long)steps;
 	follower->settled = true;

@@ -22,6 +22,7 @@ struct follower {
 	struct body_pair bodies;
 	double clearance;	/* mm: what must remain */
 	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
+	double tolerance;	/* mm: e */
 	bool measures;	/* the smallest clearance */
 	struct memory memory;
 	struct budgets budgets;
@@ -39,7 +40,8 @@ struct follower {
  * measure: prove not just the clearance but as much as there is, to within
  * MEASURE_SHARE; it takes more time. The follower must stay where it is from here on.
  */
-void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, bool measure);
+void follower_init(struct follower *follower, const struct body_pair *bodies, double clearance, double tolerance,
+		   bool measure);
 
 /* A follower that measures does not look for more than `most` mm; that counts as proven where it was never measured. */
 void follower_cap(struct follower *follower, double most);
@@ -63,16 +65,15 @@ void follower_lose(struct follower *follower);
  * and the last is `end`, if the budget covers them all; else false, and nothing is taken.
  */
 bool follower_skip(struct follower *follower, const axis_values *low, const axis_values *high,
-		   const axis_values *end, size_t steps);
+		   const struct position_errors *errors, const axis_values *end, size_t steps);
 
 /*
  * Where distances do not pay, proves several of the `count` steps ahead in one go: how many; 0: none,
  * then they have to be taken one by one.
  */
-size_t follower_leap(struct follower *follower, struct sweep *sweep, const struct batch_step *steps, size_t count,
-		     double tolerance);
+size_t follower_leap(struct follower *follower, struct sweep *sweep, const struct batch_step *steps, size_t count);
 
 enum passage follower_step(struct follower *follower, struct sweep *sweep, const struct motion_step *step,
-			   double tolerance, struct contact *contact);
+			   struct contact *contact);
 
 #endif

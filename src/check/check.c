@@ -14,6 +14,7 @@
 #include "check/journal.h"
 #include "check/ledger.h"
 #include "check/relay.h"
+#include "check/step.h"
 #include "scene/overlap.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
@@ -80,21 +81,29 @@ static bool is_ours(const struct checker *c, long block)
 	return options->shards < 2 || (block / SHARE_BLOCKS) % options->shards == options->shard - 1;
 }
 
-/* What is reported beside a required clearance is the distance itself. */
-static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found)
+/*
+ * What is reported beside a required clearance is the distance itself, and so it is
+ * where the control may leave the path by `tolerance` (NULL: it may not).
+ */
+static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found,
+			       const axis_values *tolerance)
 {
 	struct contact contact = *found;
 	struct body_pair bodies;
 
-	if (pair->clearance > 0 && contact.distance > 0 && scene_pair_bodies(c->scene, pair, &bodies, &c->held.diag))
-		sweep_nearest(&c->sweep, &bodies, &contact);
+	if ((!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0) ||
+	    !scene_pair_bodies(c->scene, pair, &bodies, &c->held.diag))
+		return contact;
+	sweep_nearest(&c->sweep, &bodies, &contact);
+	if (tolerance)
+		contact.path_displacement = body_pair_path_displacement(&bodies, &contact.q, tolerance);
 	return contact;
 }
 
 static struct finding pair_finding(struct checker *c, const struct scene_pair *pair, enum finding_kind kind,
-				   const struct contact *found)
+				   const struct contact *found, const axis_values *tolerance)
 {
-	const struct contact contact = measured(c, pair, found);
+	const struct contact contact = measured(c, pair, found, tolerance);
 
 	return finding_of_pair(c->scene, pair, kind, &contact, c->tool);
 }
@@ -107,7 +116,9 @@ static void add_passage(struct checker *c, const struct runner_result *result)
 	struct ledger_entry entry = {.block = step->block, .rank = (int)result->pair};
 
 	entry.finding = pair_finding(c, pair, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION,
-				     &result->contact);
+				     &result->contact,
+				     step_may_stray(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance
+												  : NULL);
 	entry.finding.move = motion->move;
 	entry.finding.time = motion->time + result->contact.s * motion->seconds;
 	entry.block_time = motion->block_time + result->contact.s * motion->seconds;
@@ -267,12 +278,12 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		if (stance == STANCE_UNKNOWN && runner->unknown_block < 0)
 			runner->unknown_block = c->block;
 		if ((stance == STANCE_CLEAR || stance == STANCE_UNKNOWN) && c->measures)
-			runner_stand(runner, &c->sweep, &c->position, c->options);
+			runner_stand(runner, &c->sweep, &c->position);
 		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
 			continue;
 		entry.finding = pair_finding(c, pair,
 					     stance == STANCE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE,
-					     &contact);
+					     &contact, NULL);
 		entry.finding.move = move;
 		entry.finding.time = c->time;
 		entry.block_time = c->block_time;

@@ -26,6 +26,7 @@ struct finding finding_of_pair(const struct scene *scene, const struct scene_pai
 		.link_b = link_of(scene, pair->b),
 		.point = xform_apply(&pose, xform_apply(&a->placement, contact->point)),
 		.clearance = contact->distance,
+		.path_tolerance = contact->path_displacement,
 		.required = pair->clearance,
 	};
 }

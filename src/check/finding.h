@@ -31,7 +31,8 @@ struct finding {
 	const char *a, *b;	/* names of the bodies */
 	const char *link_a, *link_b;	/* and of their links */
 	vec3 point;	/* machine coordinates, mm */
-	double clearance;	/* measured distance at that instant, mm; 0 when they meet */
+	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
+	double path_tolerance;	/* mm: the control's path tolerance can take so much of that; 0: none, or not known (PATH_BOX) */
 	double required;	/* c */
 	/* LIMIT: */
 	int slot;

@@ -29,9 +29,10 @@ void gauge_start(struct gauge *gauge)
 	gauge->bound = gauge->cap;
 }
 
-bool gauge_clears(const struct gauge *gauge, const axis_values *low, const axis_values *high)
+bool gauge_clears(const struct gauge *gauge, const axis_values *low, const axis_values *high,
+		  const struct position_errors *errors)
 {
-	return !gauge->entangled && budget_rest(&gauge->budget, low, high, NULL) > gauge->cap;
+	return !gauge->entangled && budget_rest(&gauge->budget, low, high, errors) > gauge->cap;
 }
 
 /* The distance where the step ends is where the next step can begin with. */
@@ -47,12 +48,12 @@ static void renew(struct gauge *gauge, struct sweep *sweep, const axis_values *q
 }
 
 /* Is what is left of a proven distance enough, or nearly all that there can be? Then it is the bound. */
-static bool spend(struct gauge *gauge, const axis_values *low, const axis_values *high, const axis_values *off,
-		  double *rest)
+static bool spend(struct gauge *gauge, const axis_values *low, const axis_values *high,
+		  const struct position_errors *errors, double *rest)
 {
 	double most;
 
-	*rest = budget_rest(&gauge->budget, low, high, off);
+	*rest = budget_rest(&gauge->budget, low, high, errors);
 	most = gauge->found + (gauge->budget.room - *rest);
 	if (!(*rest > 0) || (*rest <= gauge->bound && *rest < ENOUGH * most))
 		return false;
@@ -100,16 +101,16 @@ static void prove(struct gauge *gauge, struct sweep *sweep, const struct motion_
 
 void gauge_step(struct gauge *gauge, struct sweep *sweep, const struct motion_step *step, double tolerance)
 {
-	axis_values low, high, off;
+	const struct position_errors errors = step_errors(gauge->bodies.chain, step);
+	axis_values low, high;
 	double rest;
-	bool any_off = step_off_the_line(gauge->bodies.chain, step, &off);
 
 	if (!(gauge->bound > 0))
 		return;
 	step_box(step, &low, &high);
-	if (spend(gauge, &low, &high, any_off ? &off : NULL, &rest))
+	if (spend(gauge, &low, &high, &errors, &rest))
 		return;
 	renew(gauge, sweep, &step->span.q1);
-	if (!spend(gauge, &low, &high, any_off ? &off : NULL, &rest))
+	if (!spend(gauge, &low, &high, &errors, &rest))
 		prove(gauge, sweep, step, rest, tolerance);
 }

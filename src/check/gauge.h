@@ -33,7 +33,8 @@ void gauge_init(struct gauge *gauge, const struct body_pair *bodies, double cap)
 void gauge_start(struct gauge *gauge);
 
 /* Is the pair, wherever between low and high the axes stand, farther apart than the cap? */
-bool gauge_clears(const struct gauge *gauge, const axis_values *low, const axis_values *high);
+bool gauge_clears(const struct gauge *gauge, const axis_values *low, const axis_values *high,
+		  const struct position_errors *errors);
 
 /* Lowers the bound to what holds in the step, too; tolerance (mm) as in sweep_chord. */
 void gauge_step(struct gauge *gauge, struct sweep *sweep, const struct motion_step *step, double tolerance);

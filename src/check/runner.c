@@ -31,7 +31,7 @@ bool runner_init(struct runner *runner, struct scene *scene, size_t pair, const 
 		.found_block = -1,
 		.unknown_block = -1,
 	};
-	follower_init(&runner->follower, &bodies, p->clearance, measure);
+	follower_init(&runner->follower, &bodies, p->clearance, options->tolerance, measure);
 	if (measure && options->measure_cap > 0)
 		follower_cap(&runner->follower, p->clearance + options->measure_cap);
 	sampler_init(&runner->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
@@ -79,7 +79,7 @@ static enum passage pass(struct runner *runner, struct sweep *sweep, const struc
 			 const struct check_options *options, struct contact *contact)
 {
 	if (options->method == CHECK_CERTIFIED)
-		return follower_step(&runner->follower, sweep, step, options->tolerance, contact);
+		return follower_step(&runner->follower, sweep, step, contact);
 	return sampler_step(&runner->sampler, sweep, step, contact) ? PASSAGE_CONTACT : PASSAGE_CLEAR;
 }
 
@@ -100,7 +100,7 @@ static enum passage pass_entangled(struct runner *runner, struct sweep *sweep, c
 		runner->unknown_block = block;
 	if (inside != INSIDE_YES)
 		return passage;
-	*contact = (struct contact){0, step->span.q0, 0, point};
+	*contact = (struct contact){0, step->span.q0, 0, point, 0};
 	return PASSAGE_CONTACT;
 }
 
@@ -118,8 +118,8 @@ static size_t skip_chunk(struct runner *runner, const struct batch *batch, size_
 		return count;
 	}
 	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || runner->entangled ||
-	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &batch->steps[i + count - 1].motion.span.q1,
-			   count))
+	    !follower_skip(&runner->follower, &chunk->low, &chunk->high, &chunk->errors,
+			   &batch->steps[i + count - 1].motion.span.q1, count))
 		return 0;
 	return count;
 }
@@ -133,7 +133,7 @@ static size_t skip(struct runner *runner, struct sweep *sweep, const struct batc
 	if (skipped || options->method != CHECK_CERTIFIED || runner->entangled || runner->past_limits_only ||
 	    batch->steps[i].block == runner->found_block)
 		return skipped;
-	return follower_leap(&runner->follower, sweep, &batch->steps[i], to - i, options->tolerance);
+	return follower_leap(&runner->follower, sweep, &batch->steps[i], to - i);
 }
 
 void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
@@ -170,8 +170,7 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 	}
 }
 
-void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
-		  const struct check_options *options)
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at)
 {
 	const struct path path = {.kind = PATH_STRAIGHT, .start = *at, .end = *at};
 	struct motion_step still = {.line = 1};
@@ -179,7 +178,7 @@ void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values 
 
 	span_init(&still.span, &path);
 	/* Clear or not: it was looked at before, more exactly. */
-	follower_step(&runner->follower, sweep, &still, options->tolerance, &contact);
+	follower_step(&runner->follower, sweep, &still, &contact);
 	follower_lose(&runner->follower);
 }
 
@@ -220,7 +219,7 @@ void runner_gauge(struct runner *runner, struct sweep *sweep, const struct batch
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
 		if (i % CHUNK_STEPS == 0)
-			clears = gauge_clears(gauge, &chunk->low, &chunk->high);
+			clears = gauge_clears(gauge, &chunk->low, &chunk->high, &chunk->errors);
 		if (runner->past_limits_only && !step->beyond)
 			continue;
 		start_room(runner, step->block);

@@ -68,8 +68,7 @@ void runner_run(struct runner *runner, struct sweep *sweep, const struct batch *
 		const struct check_options *options);
 
 /* Measures the clearance where the axes stand, as runner_run does where they move. The pair is apart there. */
-void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at,
-		  const struct check_options *options);
+void runner_stand(struct runner *runner, struct sweep *sweep, const axis_values *at);
 
 /*
  * Measures what clearance the pair keeps in the batch's blocks, one room for each in which it is checked. To

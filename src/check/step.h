@@ -4,22 +4,23 @@
 
 #include <stdbool.h>
 
+#include "check/budget.h"
 #include "motion/motion.h"
 #include "scene/sweep.h"
 
-/* Does any joint of the chain move, the path's own deviation included? */
+/* Does any joint of the chain move, the path's own chord error included? */
 bool step_moves(const struct chain *chain, const struct motion_step *step);
 
 /* May the control leave the path of any joint of the chain (G64)? */
 bool step_may_stray(const struct chain *chain, const struct motion_step *step);
 
-/* By how much each axis of the chain may be off the straight line, tolerances included; false: by nothing. */
-bool step_off_the_line(const struct chain *chain, const struct motion_step *step, axis_values *off);
+/* What the joints of the chain may be off the straight line between the step's ends. */
+struct position_errors step_errors(const struct chain *chain, const struct motion_step *step);
 
 /* Is the way between the ends not known (PATH_BOX)? */
 bool step_is_box(const struct motion_step *step);
 
-/* All positions between the step's ends, axis by axis; deviations and tolerances are left out. */
+/* All positions between the step's ends, axis by axis, without errors. */
 void step_box(const struct motion_step *step, axis_values *low, axis_values *high);
 
 /* What is asked of a step: do the bodies stay farther apart than the clearance? Borrows everything. */
@@ -31,11 +32,9 @@ struct passing {
 	long box_visits;	/* node pairs to look at for a step whose way is not known; 0: no limit */
 };
 
-/* Along a chord, which the control may leave by `play` (mm, radians), where that is not NULL. */
-enum sweep_answer chord_sweep(const struct passing *passing, const struct chord *chord, const axis_values *play,
-			      struct contact *contact);
+enum sweep_answer chord_sweep(const struct passing *passing, const struct chord *chord, struct contact *contact);
 
-/* The same along a step, with the tolerance that it has. */
+/* The same along a step, with the path tolerance that it has. */
 enum sweep_answer step_sweep(const struct passing *passing, const struct motion_step *step, struct contact *contact);
 
 #endif

@@ -75,8 +75,10 @@ static void halve_step(const struct chord *whole, struct chord *first, struct ch
 	struct span halves[2];
 
 	span_halve(&span, &halves[0], &halves[1]);
-	*first = (struct chord){halves[0].q0, halves[0].q1, halves[0].deviation, steps, whole->u0, middle, halve};
-	*second = (struct chord){halves[1].q0, halves[1].q1, halves[1].deviation, steps, middle, whole->u1, halve};
+	*first = (struct chord){halves[0].q0, halves[0].q1, halves[0].deviation, whole->tolerance, steps, whole->u0,
+				middle, halve};
+	*second = (struct chord){halves[1].q0, halves[1].q1, halves[1].deviation, whole->tolerance, steps, middle,
+				 whole->u1, halve};
 }
 
 static void halve(const struct chord *whole, struct chord *first, struct chord *second)
@@ -90,6 +92,7 @@ static void halve(const struct chord *whole, struct chord *first, struct chord *
 	}
 	*first = over_steps(steps, whole->u0, middle);
 	*second = over_steps(steps, middle, whole->u1);
+	first->tolerance = second->tolerance = whole->tolerance;
 }
 
 struct chord stretch_chord(const struct batch_step *steps, size_t count)

@@ -35,6 +35,8 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 
 		motions[i] = joint_motion(joint, q->v[joint->slot]);
 		state->direction[i] = mat3_apply(&state->pose.rotation, joint->direction);
+		if (joint->rotary)
+			state->location[i] = xform_apply(&state->pose, joint->location);
 		state->pose = xform_mul(&state->pose, &motions[i]);
 		state->rho[1][i] = joint->rotary ? distance_to_axis(joint, at) + fixed->radius : 0;
 		back = xform_inverse(&motions[i]);
@@ -115,7 +117,8 @@ static size_t stages_of(const struct chain *chain, int view, struct stage out[SL
 struct share {
 	double angle;	/* |dq| of a rotary joint, radians */
 	double way;	/* u, mm */
-	double drift;	/* mm, by the deviation */
+	double drift;	/* mm, by the chord error */
+	double path, path_growth;	/* mm, by the path tolerance */
 	double rho;
 };
 
@@ -142,13 +145,13 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 			share->angle = fabs(q1->v[slot] - q0->v[slot]);
 			share->rho = fmax(start->rho[view][i], end->rho[view][i]) + later;
 			share->way = share->angle * share->rho;
-			share->drift = (deviation->v[slot] + (tolerance ? tolerance->v[slot] : 0)) * share->rho;
+			share->drift = deviation->v[slot] * share->rho;
+			share->path = tolerance ? tolerance->v[slot] * share->rho : 0;
+			share->path_growth = tolerance ? tolerance->v[slot] * later : 0;
 		} else {
 			share->way = linear_way(chain, i, stages[n].last, q0, q1);
 			share->drift = linear_play(chain, i, stages[n].last, deviation);
-			/* Not the norm of the sums: what the tolerance adds must not depend on the deviation. */
-			if (tolerance)
-				share->drift += linear_play(chain, i, stages[n].last, tolerance);
+			share->path = tolerance ? linear_play(chain, i, stages[n].last, tolerance) : 0;
 		}
 		later += 0.5 * share->way + share->drift;
 	}
@@ -167,7 +170,7 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 		double turned = 0, acceleration = 0;
 
 		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, deviation, tolerance);
-		lengths[view] = bound->drift[view] = 0;
+		lengths[view] = bound->drift[view] = bound->path[view] = bound->path_growth[view] = 0;
 		for (size_t n = 0; n < count; n++) {
 			const struct share *share = &shares[n];
 
@@ -175,6 +178,8 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 			turned += share->angle;
 			lengths[view] += share->way;
 			bound->drift[view] += share->drift;
+			bound->path[view] += share->path;
+			bound->path_growth[view] += share->path_growth;
 		}
 		/*
 		 * By the length alone:
@@ -183,6 +188,25 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 		bound->bend[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
 	bound->length = fmin(lengths[0], lengths[1]);
+}
+
+double path_displacement(const struct chain *chain, const struct chain_state *state, vec3 x,
+			 const axis_values *tolerance)
+{
+	double sum = 0;
+
+	for (size_t i = 0; i < chain->count;) {
+		const struct joint *joint = &chain->joints[i];
+		size_t end = joint->rotary ? i + 1 : linear_run_end(chain, i);
+
+		if (joint->rotary)
+			sum += tolerance->v[joint->slot] *
+			       vec3_norm(vec3_cross(state->direction[i], vec3_sub(x, state->location[i])));
+		else
+			sum += linear_play(chain, i, end, tolerance);
+		i = end;
+	}
+	return sum;
 }
 
 /* Turning by at most `angle` moves a point at distance rho by at most a chord of the circle. */

@@ -23,25 +23,35 @@ struct chain_state {
 	xform pose;	/* the moved link's zero-pose geometry in the fixed link's */
 	double rho[VIEWS][SLOT_COUNT];	/* mm: how far the moving body reaches from the joint's axis; 0: linear */
 	vec3 direction[SLOT_COUNT];	/* of each joint in the fixed link's zero-pose coordinates */
+	vec3 location[SLOT_COUNT];	/* of each rotary joint's axis, likewise */
 };
 
 void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
 		      const struct ball *fixed, const struct ball *moved);
 
 /*
- * Over a motion along which every joint goes linearly from q0 to q1 and strays
- * by at most `deviation` from that, and by at most `tolerance` (NULL: not at all)
- * besides (fivecheck(7), "How far a point can move"):
+ * Over a motion along which every joint goes linearly from q0 to q1, with a
+ * chord error of at most `deviation` (fivecheck(7), "How far a point can move").
+ * The control may leave this motion by `tolerance` (NULL: not at all). At the instant when the
+ * joints should be at q, that moves a point by at most its path displacement: the sum over
+ * the rotary joints of the tolerance times the point's distance to the axis at q, plus the linear joints' own. This
+ * depends on q alone, not on how the motion was cut into pieces.
  */
 struct chord_bound {
-	double length;	/* L: no point moves farther, deviations apart (the better of both views) */
+	double length;	/* L: no point moves farther, chord errors apart (the better of both views) */
 	double bend[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
-	double drift[VIEWS];	/* d: the deviations move no point by more */
+	double drift[VIEWS];	/* d: the chord errors move no point by more */
+	double path[VIEWS];	/* no point's path displacement is larger, at any instant */
+	double path_growth[VIEWS];	/* no point's path displacement exceeds the larger one at the ends by more */
 };
 
 void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
 		      const axis_values *deviation, const axis_values *tolerance);
+
+/* The path displacement (mm) of a point that is at `x`, in the fixed link's coordinates, as view 0 sees a moved point or view 1 a fixed one. */
+double path_displacement(const struct chain *chain, const struct chain_state *state, vec3 x,
+			 const axis_values *tolerance);
 
 /*
  * When every joint may be anywhere within `half` of the state's position (mm,

@@ -3,21 +3,22 @@
 #include <math.h>
 
 #include "base/ablation.h"
+#include "base/minmax.h"
 #include "geom/moved_tri.h"
 #include "geom/separating_axis.h"
 #include "scene/memory.h"
 
 /* Two triangles at one instant: their distance and the unit direction of it (0 when they meet). */
-struct spelling {
+struct closest {
 	double distance;
 	vec3 direction;
 	vec3 middle;
 };
 
-static struct spelling nearest_of(const tri *a, const tri *b)
+static struct closest closest_of(const tri *a, const tri *b)
 {
 	vec3 on_a, on_b;
-	struct spelling n = {.distance = tri_distance(a, b, &on_a, &on_b)};
+	struct closest n = {.distance = tri_distance(a, b, &on_a, &on_b)};
 
 	n.middle = vec3_lerp(on_a, on_b, 0.5);
 	if (n.distance > 0)
@@ -25,11 +26,11 @@ static struct spelling nearest_of(const tri *a, const tri *b)
 	return n;
 }
 
-static void record(struct contact *contact, double s, const axis_values *q, const struct spelling *n)
+static void record(struct contact *contact, double s, const axis_values *q, const struct closest *n)
 {
 	if (s >= contact->s)
 		return;
-	*contact = (struct contact){s, *q, n->distance, n->middle};
+	*contact = (struct contact){s, *q, n->distance, n->middle, 0};
 }
 
 /* The axis helped: it is worth trying first on the neighbours, and on the next move. */
@@ -44,40 +45,89 @@ static enum leaf_answer apart_along(const struct body_pair *pair, vec3 n, const 
  * What a distance proves at least. A gap along its direction proves less where the triangles are close and long: the
  * direction is known only to the share that rounding has in the distance, and a far corner takes that times its reach.
  */
-static double proven(const struct spelling *n, const tri *a, const tri *b)
+static double proven(const struct closest *n, const tri *a, const tri *b)
 {
 	return n->distance - TRI_DISTANCE_ERROR * tri_pair_size(a, b);
 }
 
+/* What the distance of two triangles must exceed, mm: the clearance and what the control's path tolerance may take. */
+struct required {
+	double at[2];	/* at the ends of the region: these depend on the axes' positions alone */
+	double throughout;	/* at every instant of it */
+};
+
+/* Of a triangle's corners in a's mesh coordinates, the most. No point of the triangle has more. */
+static double most_displaced(const struct body_pair *pair, const struct chain_state *state, const tri *t,
+			     const axis_values *tolerance)
+{
+	double most = 0;
+
+	for (int i = 0; i < 3; i++)
+		most = larger(most, path_displacement(pair->chain, state, xform_apply(&pair->place_a, t->p[i]), tolerance));
+	return most;
+}
+
+static struct required required_of(const struct region *region, const struct body_pair *pair, const tri *a,
+				   const tri *b0, const tri *b1, double clearance)
+{
+	const axis_values *tolerance = region->chord.tolerance;
+	double throughout[VIEWS], at[VIEWS][2];
+
+	if (!(region->path > 0))
+		return (struct required){{clearance, clearance}, clearance};
+	for (int end = 0; end < 2; end++) {
+		at[0][end] = most_displaced(pair, &region->states[end], end ? b1 : b0, tolerance);
+		at[1][end] = most_displaced(pair, &region->states[end], a, tolerance);
+	}
+	for (int view = 0; view < VIEWS; view++)
+		throughout[view] = larger(at[view][0], at[view][1]) + region->path_growth[view];
+	return (struct required){{clearance + smaller(at[0][0], at[1][0]), clearance + smaller(at[0][1], at[1][1])},
+				 clearance + smaller(throughout[0], throughout[1])};
+}
+
+/*
+ * The axes in the memory depend on what was proved before. With the tolerance as the margin they answer only for triangles
+ * that no final region would report: then the memory changes no result.
+ */
+static bool apart_by_memory(const struct region *region, const struct body_pair *pair, const tri *a, const tri *b0,
+			    const tri *b1, const struct required *required, double margin)
+{
+	return pair->memory &&
+	       memory_parts_triangles(pair->memory, region, a, b0, b1, required->throughout + margin);
+}
+
 static enum leaf_answer prove_chord(const struct region *region, const struct body_pair *pair, const tri *a,
-				    const tri *b, double clearance, bool final, struct contact *contact)
+				    const tri *b, const struct leaf_question *question, struct contact *contact)
 {
 	tri b0 = tri_transform(b, &region->poses[0]), b1 = tri_transform(b, &region->poses[1]);
-	double apart = clearance + region->stray[0];
-	struct spelling n0, n1;
+	struct required required;
+	struct closest n0, n1;
+	double apart;
 
-	if (tri_box_gap(a, &b0, &b1) > apart)
+	if (tri_box_gap(a, &b0, &b1) > question->clearance + region->path + region->stray[0])
 		return LEAF_APART;
-	if (pair->memory && memory_parts_triangles(pair->memory, region, a, &b0, &b1, clearance))
+	required = required_of(region, pair, a, &b0, &b1, question->clearance);
+	apart = required.throughout + region->stray[0];
+	if (apart_by_memory(region, pair, a, &b0, &b1, &required, question->memory_margin))
 		return LEAF_APART;
-	n0 = nearest_of(a, &b0);
-	if (n0.distance <= clearance) {
+	n0 = closest_of(a, &b0);
+	if (n0.distance <= required.at[0]) {
 		record(contact, region->s0, &region->chord.q0, &n0);
 		return LEAF_TOUCHES;
 	}
 	if (separating_axis_fixed(a, &b0, &b1, n0.direction, apart))
 		return apart_along(pair, n0.direction, &region->poses[0]);
-	n1 = nearest_of(a, &b1);
-	if (n1.distance <= clearance) {
+	n1 = closest_of(a, &b1);
+	if (n1.distance <= required.at[1]) {
 		record(contact, region->s1, &region->chord.q1, &n1);
 	} else {
 		if (separating_axis_fixed(a, &b0, &b1, n1.direction, apart) ||
 		    (WITH_INTERPOLATED_AXES &&
 		     separating_axis_interpolated(a, &b0, &b1, n0.direction, n1.direction, apart)) ||
-		    proven(&n0, a, &b0) + proven(&n1, a, &b1) > 2 * (clearance + region->reach))
+		    proven(&n0, a, &b0) + proven(&n1, a, &b1) > 2 * (required.throughout + region->reach))
 			return apart_along(pair, n1.direction, &region->poses[1]);
 	}
-	if (!final)
+	if (!question->final)
 		return LEAF_OPEN;
 	if (n0.distance <= n1.distance)
 		record(contact, region->s0, &region->chord.q0, &n0);
@@ -96,28 +146,29 @@ static axis_values box_middle(const struct region *region)
 }
 
 static enum leaf_answer prove_box(const struct region *region, const struct body_pair *pair, const tri *a,
-				  const tri *b, double clearance, bool final, struct contact *contact)
+				  const tri *b, const struct leaf_question *question, struct contact *contact)
 {
+	double clearance = question->clearance;
 	tri at = tri_transform(b, &region->poses[0]);
-	struct spelling n;
+	struct closest n;
 
 	if (tri_box_gap(a, &at, &at) > clearance + region->reach)
 		return LEAF_APART;
-	n = nearest_of(a, &at);
+	n = closest_of(a, &at);
 	if (n.distance > clearance) {
 		if (proven(&n, a, &at) > clearance + region->reach ||
 		    tri_gap(a, &at, n.direction) >
 			    clearance + region->stray[0] + region_play_along(region, pair, n.direction))
 			return LEAF_APART;
-		if (!final)
+		if (!question->final)
 			return LEAF_OPEN;
 	}
-	*contact = (struct contact){0, box_middle(region), n.distance, n.middle};
+	*contact = (struct contact){0, box_middle(region), n.distance, n.middle, 0};
 	return LEAF_TOUCHES;
 }
 
 enum leaf_answer leaf_prove(const struct region *region, const struct body_pair *pair, struct leaf a, struct leaf b,
-			    double clearance, bool final, struct contact *contact, long *certificates)
+			    const struct leaf_question *question, struct contact *contact, long *certificates)
 {
 	enum leaf_answer worst = LEAF_APART;
 
@@ -128,8 +179,8 @@ enum leaf_answer leaf_prove(const struct region *region, const struct body_pair 
 			tri of_b = tri_of(&pair->b->mesh, j);
 			enum leaf_answer answer =
 				region->kind == REGION_BOX
-					? prove_box(region, pair, &of_a, &of_b, clearance, final, contact)
-					: prove_chord(region, pair, &of_a, &of_b, clearance, final, contact);
+					? prove_box(region, pair, &of_a, &of_b, question, contact)
+					: prove_chord(region, pair, &of_a, &of_b, question, contact);
 
 			if (answer == LEAF_TOUCHES)
 				return answer;

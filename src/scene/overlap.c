@@ -97,7 +97,7 @@ enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct 
 	if (answer == SWEEP_APART)
 		inside = scene_contained(scene, pair, q, &point, diag);
 	if (inside == INSIDE_YES) {
-		*contact = (struct contact){0, *q, 0, point};
+		*contact = (struct contact){0, *q, 0, point, 0};
 		return STANCE_OVERLAP;
 	}
 	if (answer == SWEEP_APART && pair->clearance > 0)

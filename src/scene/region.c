@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "geom/moved_tri.h"
 #include "geom/tolerance.h"
 
 static struct ball ball_around(const struct bvh *bvh, const xform *place)
@@ -54,6 +55,28 @@ double body_pair_rounding(const struct body_pair *pair, const axis_values *q, ve
 	return POSE_ROUNDING * size * (1 + turned / 64) + pair->slop;
 }
 
+double body_pair_path_displacement(const struct body_pair *pair, const axis_values *q, const axis_values *tolerance)
+{
+	const struct mesh *meshes[VIEWS] = {&pair->b->mesh, &pair->a->mesh};
+	xform to_machine[VIEWS] = {xform_identity(), pair->place_a};
+	double most[VIEWS] = {0, 0};
+	struct chain_state state;
+
+	chain_state_init(&state, pair->chain, q, &pair->ball_a, &pair->ball_b);
+	to_machine[0] = xform_mul(&state.pose, &pair->place_b);
+	for (int view = 0; view < VIEWS; view++) {
+		for (size_t i = 0; i < meshes[view]->count; i++) {
+			tri t = tri_of(meshes[view], i);
+
+			for (int k = 0; k < 3; k++)
+				most[view] = fmax(most[view],
+						  path_displacement(pair->chain, &state,
+								    xform_apply(&to_machine[view], t.p[k]), tolerance));
+		}
+	}
+	return fmin(most[0], most[1]);
+}
+
 static void state_at(struct chain_state *state, xform *pose, const struct body_pair *pair, const axis_values *q)
 {
 	chain_state_init(state, pair->chain, q, &pair->ball_a, &pair->ball_b);
@@ -68,9 +91,11 @@ static void finish_chord(struct region *region, const struct body_pair *pair)
 	struct chord_bound bound;
 
 	chord_bound_init(&bound, pair->chain, &region->states[0], &region->states[1], &region->chord.q0,
-			 &region->chord.q1, &region->chord.deviation, NULL);
+			 &region->chord.q1, &region->chord.deviation, region->chord.tolerance);
+	region->path = fmin(bound.path[0], bound.path[1]);
 	for (int v = 0; v < VIEWS; v++) {
 		region->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
+		region->path_growth[v] = bound.path_growth[v];
 		region->play[v] = (vec3){0, 0, 0};
 	}
 	region->reach = 0.5 * bound.length + fmin(bound.drift[0], bound.drift[1]) + rounding;
@@ -118,6 +143,7 @@ static void finish_box(struct region *region, const struct body_pair *pair)
 	region->poses[1] = region->poses[0];
 	rounding = body_pair_rounding(pair, &middle, region->poses[0].translation);
 	box_bound_init(&region->bound, chain, &region->states[0], &half);
+	region->path = 0;
 	region->play[0] = region->play[1] = (vec3){0, 0, 0};
 	region->stray[0] = region->stray[1] = rounding;
 	for (size_t i = 0; i < chain->count; i++) {

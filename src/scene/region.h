@@ -35,13 +35,21 @@ xform body_pair_pose(const struct body_pair *pair, const axis_values *q);
 double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t);
 
 /*
+ * mm: how far the path tolerance can move one body as the other sees it when the axes should be at q: the sum over the
+ * joints of tolerance times lever, of the corner where it is largest, in the better of both views.
+ */
+double body_pair_path_displacement(const struct body_pair *pair, const axis_values *q, const axis_values *tolerance);
+
+/*
  * Axis positions over a piece of a move: within `deviation` of the straight
  * line from q0 to q1. The two halves of a curve deviate less than the whole:
  * `halve` knows the curve; NULL: the piece is straight and deviation stays.
+ * The control may leave the move by `tolerance`, which does not shrink (borrowed; NULL: it may not).
  */
 struct chord {
 	axis_values q0, q1;
 	axis_values deviation;	/* mm, radians */
+	const axis_values *tolerance;	/* mm, radians */
 	const void *curve;
 	double u0, u1;	/* where on the curve */
 	void (*halve)(const struct chord *whole, struct chord *first, struct chord *second);
@@ -62,6 +70,8 @@ struct region {
 	struct chain_state states[2];	/* CHORD: at its ends; BOX: [0] in its middle */
 	xform poses[2];	/* of meshes, at the states; BOX: both the same */
 	double stray[VIEWS];	/* mm: CHORD: what a point may be off its chord; BOX: rounding, which is in both */
+	double path;	/* mm: CHORD: no path displacement is larger, in the better view (motion_bound.h) */
+	double path_growth[VIEWS];	/* mm: and none exceeds the larger one at the ends by more */
 	vec3 play[VIEWS];	/* mm: BOX: what a point may be off its place, along the axes of the fixed mesh */
 	struct box_bound bound;	/* BOX */
 	double reach;	/* mm: CHORD: L/2 + d + rounding; BOX: from the middle to any place; rounding is in both */

@@ -17,7 +17,7 @@
  */
 #define LOOSE 0.1f
 
-/* Regions kept at a time; a sweep that needs more is cut in two and done part by part. */
+/* Regions kept at a time; a sweep that needs more is done part by part. */
 #define REGIONS_MAX 4096
 
 /* Node pairs that could be looked at in the time that halving a region takes. */
@@ -38,10 +38,12 @@ struct walk {
 	struct sweep *sweep;
 	const struct body_pair *pair;
 	double clearance, tolerance;
+	double memory_margin;	/* mm: what the axes in the memory must prove beyond the clearance */
 	struct contact *contact;
 	size_t depth;	/* of the stack */
 	bool any;	/* one contact is enough, early or late */
 	long visits_end;	/* stop when the sweep has made so many visits; 0: never */
+	double from, to;	/* of a chord, only regions that have an instant between these are looked at */
 };
 
 void sweep_release(struct sweep *sweep)
@@ -122,6 +124,12 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 	return GOES_ON;
 }
 
+/* mm: farther apart than this, no two points of the bodies need a closer look in the region. */
+static double required_in(const struct walk *walk, const struct region *region)
+{
+	return walk->clearance + region->path;
+}
+
 /* Opens the larger of two branches and keeps the children that are not proved apart. */
 static void push_children(struct walk *walk, const struct sweep_entry *entry)
 {
@@ -130,15 +138,15 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 	const struct bvh_node *node = &bvh->nodes[open_a ? entry->a.leaf.first : entry->b.leaf.first];
 	const struct branch kept = open_a ? entry->b : entry->a;
 	struct region *region = entry->region;
+	double required = required_in(walk, region);
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)walk->clearance * (1 + 0x1p-20f), apart,
-		    loose);
+	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + 0x1p-20f), apart, loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;
 
-		if (apart[l] > walk->clearance) {
+		if (apart[l] > required) {
 			walk->sweep->certificates++;
 			continue;
 		}
@@ -154,7 +162,8 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 {
 	walk->sweep->visits++;
-	if (box_pair_apart(&entry->region->boxes, &entry->a.box, &entry->b.box, &entry->loose) > walk->clearance) {
+	if (box_pair_apart(&entry->region->boxes, &entry->a.box, &entry->b.box, &entry->loose) >
+	    required_in(walk, entry->region)) {
 		walk->sweep->certificates++;
 		return true;
 	}
@@ -165,7 +174,8 @@ static bool apart_by_memory(const struct walk *walk, const struct sweep_entry *e
 {
 	struct memory *memory = walk->pair->memory;
 
-	return memory && memory_parts_branches(memory, entry->region, walk->pair, &entry->a, &entry->b, walk->clearance);
+	return memory && memory_parts_branches(memory, entry->region, walk->pair, &entry->a, &entry->b,
+					       required_in(walk, entry->region) + walk->memory_margin);
 }
 
 /*
@@ -195,8 +205,9 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 		return GOES_ON;
 	}
 	walk->sweep->visits += entry->a.leaf.count * entry->b.leaf.count;
-	switch (leaf_prove(entry->region, walk->pair, entry->a.leaf, entry->b.leaf, walk->clearance, final,
-			   walk->contact, &walk->sweep->certificates)) {
+	switch (leaf_prove(entry->region, walk->pair, entry->a.leaf, entry->b.leaf,
+			   &(struct leaf_question){walk->clearance, walk->memory_margin, final}, walk->contact,
+			   &walk->sweep->certificates)) {
 	case LEAF_TOUCHES:
 		return walk->any ? FINISHED : GOES_ON;
 	case LEAF_OPEN:
@@ -207,18 +218,27 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 	return GOES_ON;
 }
 
-static enum progress run(struct walk *walk, struct region *whole)
+/* Is the entry's region of no interest: behind the first contact, or outside of the part that is looked at? */
+static bool is_left_out(const struct walk *walk, const struct region *region)
 {
-	const struct sweep_entry root = {whole, branch_root(walk->pair->a), branch_root(walk->pair->b), false, 0};
-	enum progress progress = GOES_ON;
+	return region->s0 >= walk->contact->s || region->s1 < walk->from || region->s0 > walk->to;
+}
 
+/* Goes on with the contact that was found so far. */
+static enum progress run(struct walk *walk, const struct region *part)
+{
+	enum progress progress = GOES_ON;
+	struct region *whole;
+
+	walk->sweep->region_count = 0;
+	whole = new_region(walk->sweep);
+	*whole = *part;
 	walk->depth = 0;
-	walk->contact->s = INFINITY;
-	*push(walk) = root;
+	*push(walk) = (struct sweep_entry){whole, branch_root(walk->pair->a), branch_root(walk->pair->b), false, 0};
 	while (walk->depth && progress == GOES_ON) {
 		struct sweep_entry entry = walk->sweep->stack[--walk->depth];
 
-		if (entry.region->s0 >= walk->contact->s)
+		if (is_left_out(walk, entry.region))
 			continue;
 		if (sweep_breaks_off(walk->sweep) || (walk->visits_end && walk->sweep->visits > walk->visits_end))
 			return TOO_DEEP;
@@ -227,52 +247,92 @@ static enum progress run(struct walk *walk, struct region *whole)
 	return progress;
 }
 
-/* Recursion ends: each half has one more of at most DEPTH_MAX halvings behind it. */
-static enum sweep_answer sweep_region(struct walk *walk, const struct region *part)
+static enum sweep_answer answer_of(const struct walk *walk, enum progress progress)
 {
-	struct region *whole, first, second;
+	if (progress == TOO_DEEP)
+		return SWEEP_UNDECIDED;
+	return walk->contact->s < INFINITY ? SWEEP_CONTACT : SWEEP_APART;
+}
+
+/*
+ * From `from` to `to` of the chord, in parts where the regions are too many. Every part begins at the
+ * whole chord and halves it alike, so that the parts together look at the same nodes and
+ * triangles over the same regions as one walk would: how many regions are kept changes no result. Recursion ends: a part of
+ * 2^-50 of the chord has a few hundred regions around it and a thousand in it.
+ */
+static enum progress run_part(struct walk *walk, const struct region *whole, double from, double to)
+{
+	double middle = 0.5 * (from + to);
+	enum progress progress;
+
+	walk->from = from;
+	walk->to = to;
+	progress = run(walk, whole);
+	if (progress != TOO_MANY_REGIONS)
+		return progress;
+	progress = run_part(walk, whole, from, middle);
+	if (progress != GOES_ON || walk->contact->s <= middle)
+		return progress;
+	return run_part(walk, whole, middle, to);
+}
+
+static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord)
+{
+	enum progress progress;
+	struct region whole;
+	double first;
+
+	region_init(&whole, walk->pair, REGION_CHORD, chord);
+	walk->from = 0;
+	walk->to = 1;
+	walk->contact->s = INFINITY;
+	progress = run(walk, &whole);
+	if (progress != TOO_MANY_REGIONS)
+		return answer_of(walk, progress);
+	progress = run_part(walk, &whole, 0, 0.5);
+	if (progress == GOES_ON && walk->contact->s > 0.5)
+		progress = run_part(walk, &whole, 0.5, 1);
+	if (progress != GOES_ON || walk->any || !(walk->contact->s < INFINITY))
+		return answer_of(walk, progress);
+	/* Of several pairs of triangles that touch at the first instant, the one that one walk would have met first. */
+	first = walk->contact->s;
+	walk->contact->s = INFINITY;
+	return answer_of(walk, run_part(walk, &whole, first, first));
+}
+
+/* Recursion ends: each half has one more of at most DEPTH_MAX halvings behind it. */
+static enum sweep_answer sweep_positions(struct walk *walk, const struct region *part)
+{
+	enum progress progress;
+	struct region first, second, whole = *part;
 	enum sweep_answer answer;
 
-	walk->sweep->region_count = 0;
-	whole = new_region(walk->sweep);
-	*whole = *part;
-	switch (run(walk, whole)) {
-	case GOES_ON:
-	case FINISHED:
-		return walk->contact->s < INFINITY ? SWEEP_CONTACT : SWEEP_APART;
-	case TOO_DEEP:
-		return SWEEP_UNDECIDED;
-	case TOO_MANY_REGIONS:
-		break;
-	}
-	*whole = *part;
-	region_halve(whole, walk->pair, &first, &second);
+	walk->contact->s = INFINITY;
+	progress = run(walk, part);
+	if (progress != TOO_MANY_REGIONS)
+		return answer_of(walk, progress);
+	region_halve(&whole, walk->pair, &first, &second);
 	walk->sweep->bisections++;
-	answer = sweep_region(walk, &first);
-	return answer == SWEEP_APART ? sweep_region(walk, &second) : answer;
+	answer = sweep_positions(walk, &first);
+	return answer == SWEEP_APART ? sweep_positions(walk, &second) : answer;
 }
 
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact};
-	struct region whole;
+			    .contact = contact, .memory_margin = tolerance};
 
-	region_init(&whole, pair, REGION_CHORD, chord);
-	return sweep_region(&walk, &whole);
+	return sweep_over(&walk, chord);
 }
 
 enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 				  double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact};
-	struct region whole;
+			    .contact = contact, .any = true};
 
-	walk.any = true;
-	region_init(&whole, pair, REGION_CHORD, chord);
-	return sweep_region(&walk, &whole);
+	return sweep_over(&walk, chord);
 }
 
 enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
@@ -280,13 +340,12 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 			    struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact};
-	struct chord box = {.q0 = *low, .q1 = *high};
+			    .contact = contact, .any = true, .to = 1};
+	const struct chord box = {.q0 = *low, .q1 = *high};
 	struct region whole;
 
-	walk.any = true;
 	if (max_visits)
 		walk.visits_end = sweep->visits + max_visits;
 	region_init(&whole, pair, REGION_BOX, &box);
-	return sweep_region(&walk, &whole);
+	return sweep_positions(&walk, &whole);
 }

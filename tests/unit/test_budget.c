@@ -8,6 +8,8 @@
 
 enum { SAMPLES = 6 };
 
+static const struct position_errors exact = {.any = false};
+
 /* Two solids on a chain whose axes wander in short steps about a place where the solids are near each other. */
 struct walk {
 	struct random random;
@@ -86,15 +88,31 @@ static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, co
 	budgets_resume(&w->budgets, from);
 }
 
+/* Of the amount one part is chord error, the other path tolerance. */
+static struct position_errors random_errors(struct walk *w, const axis_values *amount)
+{
+	struct position_errors errors = {.any = false};
+	double share = random_below(&w->random, 3) ? random_in(&w->random, 0, 1) : random_below(&w->random, 2);
+
+	for (int k = 0; k < SLOT_COUNT; k++) {
+		errors.chord.v[k] = share * amount->v[k];
+		errors.path.v[k] = (1 - share) * amount->v[k];
+		errors.any |= amount->v[k] > 0;
+	}
+	return errors;
+}
+
 static void step_straight(struct walk *w, struct sweep *sweep)
 {
 	axis_values q1 = next_place(w), amount = {{0}}, was = w->budgets.now.at;
+	struct position_errors errors;
 	bool strays = random_below(&w->random, 3) == 0;
 
 	for (size_t i = 0; i < w->duo.chain.count && strays; i++)
 		amount.v[w->duo.chain.joints[i].slot] =
 			random_size(&w->random, 1e-3, 1) * (w->duo.chain.joints[i].rotary ? 0.01 : 1);
-	if (budgets_cover(&w->budgets, &w->at, &q1, strays ? &amount : NULL)) {
+	errors = random_errors(w, &amount);
+	if (budgets_cover(&w->budgets, &w->at, &q1, &errors)) {
 		w->covered++;
 		w->recalled += memcmp(&was, &w->budgets.now.at, sizeof(was)) != 0;
 		for (int i = 0; i < SAMPLES; i++) {
@@ -113,6 +131,7 @@ static void step_straight(struct walk *w, struct sweep *sweep)
 static void step_box(struct walk *w, struct sweep *sweep)
 {
 	axis_values q1 = next_place(w), low, high, amount = {{0}};
+	struct position_errors errors;
 	bool strays = random_below(&w->random, 3) == 0;
 
 	for (int k = 0; k < SLOT_COUNT; k++) {
@@ -120,7 +139,8 @@ static void step_box(struct walk *w, struct sweep *sweep)
 		high.v[k] = fmax(w->at.v[k], q1.v[k]);
 		amount.v[k] = strays ? 1e-3 : 0;
 	}
-	if (budgets_cover_box(&w->budgets, &low, &high, &q1, strays ? &amount : NULL)) {
+	errors = random_errors(w, &amount);
+	if (budgets_cover_box(&w->budgets, &low, &high, &q1, &errors)) {
 		w->boxes++;
 		for (int i = 0; i < SAMPLES; i++) {
 			axis_values q, off = random_off(&w->random, &amount);
@@ -195,7 +215,7 @@ START_TEST(no_point_moves_farther_than_the_room)
 			for (int k = 0; k < SLOT_COUNT; k++)
 				q.v[k] = at.v[k] + middle * (other.v[k] - at.v[k]);
 			budget_set(&budget, &at, &state, room);
-			*(budget_covers(&budget, &q, NULL) ? &low : &high) = middle;
+			*(budget_covers(&budget, &q, &exact) ? &low : &high) = middle;
 		}
 		for (int k = 0; k < SLOT_COUNT; k++)
 			q.v[k] = at.v[k] + low * (other.v[k] - at.v[k]);
@@ -232,20 +252,20 @@ START_TEST(budget_is_not_slack)
 
 	chain_state_init(&state, &chain, &q, &ball, &ball);
 	budget_init(&budget, &chain);
-	ck_assert(!budget_covers(&budget, &q, NULL));
+	ck_assert(!budget_covers(&budget, &q, &exact));
 	budget_set(&budget, &q, &state, 5);
 	q.v[SLOT_X] = 4.999;
-	ck_assert(budget_covers(&budget, &q, NULL));
+	ck_assert(budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = 0;
-	ck_assert(budget_covers(&budget, &q, NULL));
+	ck_assert(budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = -4.999;
-	ck_assert(budget_covers(&budget, &q, NULL));
+	ck_assert(budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = -5;
-	ck_assert(!budget_covers(&budget, &q, NULL));
+	ck_assert(!budget_covers(&budget, &q, &exact));
 	budget_set(&budget, &q, &state, 0);
-	ck_assert(!budget_covers(&budget, &q, NULL));
+	ck_assert(!budget_covers(&budget, &q, &exact));
 	budget_set(&budget, &q, &state, -1);
-	ck_assert(!budget_covers(&budget, &q, NULL));
+	ck_assert(!budget_covers(&budget, &q, &exact));
 }
 END_TEST
 

@@ -111,7 +111,7 @@ static enum leaf_answer prove(const struct trial *t, const struct region *region
 	long certificates = 0;
 
 	*contact = (struct contact){.s = INFINITY};
-	return leaf_prove(region, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b), t->clearance, false,
+	return leaf_prove(region, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b), &(struct leaf_question){t->clearance, 0, false},
 			  contact, &certificates);
 }
 

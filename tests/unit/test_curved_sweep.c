@@ -131,15 +131,15 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 
 	span_init(&whole, &c->path);
 	span_walk_init(&walk, &whole, 16 * c->tolerance);
-	follower_init(&follower, &c->duo.pair, c->clearance, number % 4 == 0);
+	follower_init(&follower, &c->duo.pair, c->clearance, c->tolerance, number % 4 == 0);
 	while (span_walk_next(&walk, &step.span)) {
 		steps = mem_grow(steps, &capacity, count + 1, sizeof(*steps));
 		steps[count++] = (struct batch_step){.motion = step};
 	}
 	for (; passage == PASSAGE_CLEAR && next < count; next += leaped ? leaped : 1) {
-		leaped = follower_leap(&follower, sweep, &steps[next], count - next, c->tolerance);
+		leaped = follower_leap(&follower, sweep, &steps[next], count - next);
 		if (!leaped)
-			passage = follower_step(&follower, sweep, &steps[next].motion, c->tolerance, &contact);
+			passage = follower_step(&follower, sweep, &steps[next].motion, &contact);
 	}
 	if (passage != PASSAGE_CLEAR)
 		step = steps[next - 1].motion;
@@ -264,13 +264,13 @@ START_TEST(arcs_with_a_path_tolerance)
 		if (hypot(normal.x, normal.y) < 0.1)
 			continue;
 		needle_and_wall(&duo, &chain, normal, radius, gap);
-		follower_init(&follower, &duo.pair, 0, false);
+		follower_init(&follower, &duo.pair, 0, 1e-3, false);
 		span_init(&whole, &path);
 		span_walk_init(&walk, &whole, 16e-3);
 		for (int k = 0; k < SLOT_COUNT; k++)
 			step.tolerance.v[k] = ALLOWED;
 		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
-			passage = follower_step(&follower, &sweep, &step, 1e-3, &contact);
+			passage = follower_step(&follower, &sweep, &step, &contact);
 		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g",
 			n, gap, leap_along(normal));
 		duo_release(&duo);

@@ -5,6 +5,8 @@
 #include "first_contact.h"
 #include "step_program.h"
 
+static const struct position_errors exact = {.any = false};
+
 /* Offers the next few steps at once; how many the follower took, all of them truly clear. */
 static int skip_some(struct program *p, struct follower *follower, int first, long number)
 {
@@ -19,7 +21,7 @@ static int skip_some(struct program *p, struct follower *follower, int first, lo
 			high.v[k] = fmax(high.v[k], p->corners[i].v[k]);
 		}
 	}
-	if (!follower_skip(follower, &low, &high, &p->corners[first + count], (size_t)count))
+	if (!follower_skip(follower, &low, &high, &exact, &p->corners[first + count], (size_t)count))
 		return 0;
 	for (int i = first; i < first + count; i++)
 		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
@@ -32,7 +34,7 @@ static int leap_over(struct program *p, struct follower *follower, struct sweep 
 		     int first, long number)
 {
 	struct contact contact = {0};
-	int count = (int)follower_leap(follower, sweep, &steps[first], (size_t)(STEPS - first), p->tolerance);
+	int count = (int)follower_leap(follower, sweep, &steps[first], (size_t)(STEPS - first));
 
 	for (int i = first; i < first + count; i++)
 		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
@@ -52,7 +54,7 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 		paths[i] = path_between(&p->corners[i], &p->corners[i + 1], PATH_STRAIGHT);
 		steps[i] = (struct batch_step){.motion = step_on(&paths[i])};
 	}
-	follower_init(&follower, &p->duo.pair, p->clearance, measure);
+	follower_init(&follower, &p->duo.pair, p->clearance, p->tolerance, measure);
 	for (int i = 0; i < STEPS; i++) {
 		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
 		struct contact contact = {0};
@@ -71,7 +73,7 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 			follower_lose(&follower);
 			continue;
 		}
-		passage = follower_step(&follower, sweep, &steps[i].motion, p->tolerance, &contact);
+		passage = follower_step(&follower, sweep, &steps[i].motion, &contact);
 		require(passage != PASSAGE_UNDECIDED, "case %ld, step %d: undecided", number, i);
 		oracle_judge(&p->duo, q0, q1, p->clearance, p->tolerance,
 			     passage == PASSAGE_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
@@ -115,12 +117,12 @@ START_TEST(standing_still_costs_nothing)
 		static long number;
 
 		program_init(&p, 2, number++);
-		follower_init(&follower, &p.duo.pair, p.clearance, false);
+		follower_init(&follower, &p.duo.pair, p.clearance, p.tolerance, false);
 		for (int i = 0; i < 100; i++) {
 			struct path path = path_between(&p.corners[0], &p.corners[0], PATH_STRAIGHT);
 			struct motion_step step = step_on(&path);
 
-			if (follower_step(&follower, &sweep, &step, p.tolerance, &contact) != PASSAGE_CLEAR)
+			if (follower_step(&follower, &sweep, &step, &contact) != PASSAGE_CLEAR)
 				break;
 		}
 		duo_release(&p.duo);
@@ -155,7 +157,7 @@ START_TEST(clear_wherever_the_control_may_go)
 		allowed = random_size(&p.random, 1e-3, 1);
 		for (size_t k = 0; k < p.duo.chain.count; k++)
 			tolerance.v[p.duo.chain.joints[k].slot] = allowed * (p.duo.chain.joints[k].rotary ? 0.017 : 1);
-		follower_init(&follower, &p.duo.pair, p.clearance, n % 3 == 0);
+		follower_init(&follower, &p.duo.pair, p.clearance, fmax(p.tolerance, 0.01), n % 3 == 0);
 		for (int i = 0; i < STEPS; i++) {
 			const axis_values *q0 = &p.corners[i], *q1 = &p.corners[i + 1];
 			enum path_kind kind = random_below(&p.random, 3) ? PATH_STRAIGHT : PATH_BOX;
@@ -165,7 +167,7 @@ START_TEST(clear_wherever_the_control_may_go)
 
 			if (random_below(&p.random, 3))
 				step.tolerance = tolerance;
-			if (follower_step(&follower, &sweep, &step, fmax(p.tolerance, 0.01), &contact) != PASSAGE_CLEAR)
+			if (follower_step(&follower, &sweep, &step, &contact) != PASSAGE_CLEAR)
 				break;
 			clear++;
 			boxes += kind == PATH_BOX;
@@ -213,7 +215,7 @@ static enum passage go(struct follower *follower, struct sweep *sweep, double x0
 	struct contact contact;
 
 	step.tolerance.v[SLOT_X] = step.tolerance.v[SLOT_Y] = tolerance;
-	return follower_step(follower, sweep, &step, 1e-3, &contact);
+	return follower_step(follower, sweep, &step, &contact);
 }
 
 START_TEST(what_happened_before)
@@ -223,7 +225,7 @@ START_TEST(what_happened_before)
 	struct duo duo;
 
 	stand_by_wall(&duo, 1);
-	follower_init(&follower, &duo.pair, 0, false);
+	follower_init(&follower, &duo.pair, 0, 1e-3, false);
 	/* Gone from there unwatched, back through the wall to where there is room. */
 	ck_assert_int_eq(go(&follower, &sweep, 0, 0, 0.1, 0, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
 	follower_lose(&follower);
@@ -252,7 +254,7 @@ START_TEST(as_far_as_the_control_may_go)
 		struct duo duo;
 
 		stand_by_wall(&duo, side);
-		follower_init(&follower, &duo.pair, 0, k & 4);
+		follower_init(&follower, &duo.pair, 0, 1e-3, k & 4);
 		/* Along the wall at 0.02 mm. */
 		ck_assert_int_eq(go(&follower, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), PASSAGE_CLEAR);
 		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), PASSAGE_CLEAR);

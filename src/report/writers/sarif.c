@@ -155,6 +155,8 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 		json_put(object, "b", json_text(f->b));
 		json_put(object, "point", json_point(f->point));
 		json_put(object, "clearance", json_real(f->clearance));
+		if (f->path_tolerance > 0)
+			json_put(object, "path_tolerance", json_real(f->path_tolerance));
 	}
 	return object;
 }

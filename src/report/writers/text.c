@@ -62,6 +62,13 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 		format_units_add(out, f->clearance);
 		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
 	}
+	if (f->path_tolerance > 0) {
+		strbuf_addf(out, "    path     ");
+		format_units_add(out, f->clearance);
+		strbuf_addf(out, " mm apart as programmed; the path tolerance can take ");
+		format_units_add(out, f->path_tolerance);
+		strbuf_addf(out, " mm of that\n");
+	}
 }
 
 /* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
