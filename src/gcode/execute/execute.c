@@ -1,13 +1,19 @@
 #include "gcode/execute/execute.h"
 
 #include "base/units.h"
+#include "gcode/execute/arc_move.h"
+#include "gcode/execute/canned_cycle.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/feedback_moves.h"
+#include "gcode/execute/length_change.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/offsets.h"
 #include "gcode/execute/path_control.h"
 #include "gcode/execute/reference_return.h"
+#include "gcode/execute/straight_move.h"
+#include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
@@ -175,6 +181,40 @@ static bool execute_nonmodal(struct interp *interp)
 	}
 }
 
+static bool cancel_motion(struct interp *interp)
+{
+	interp->state.motion = CODE_NONE;
+	return true;
+}
+
+/* The motion of the block. Each of these sends its moves by motion_commands.h, and calls no other of them. */
+static bool execute_motion(struct interp *interp)
+{
+	static const struct {
+		int code;
+		bool (*run)(struct interp *interp);
+	} motions[] = {
+		{G0, straight_move_run},	 {G1, straight_move_run},      {G2, arc_move_run},
+		{G3, arc_move_run},		 {G80, cancel_motion},	       {G33, feedback_moves_run},
+		{G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
+		{G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
+	};
+	int code = interp->block.motion;
+
+	if (!dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
+		return false;
+	if (code == CODE_NONE)
+		return true;
+	if (code_is_cycle(code))
+		return canned_cycle_run(interp);
+	interp->state.cycle.has_level = false;
+	for (size_t i = 0; i < sizeof(motions) / sizeof(motions[0]); i++) {
+		if (motions[i].code == code)
+			return motions[i].run(interp);
+	}
+	return fault(&interp->at, block_motion_column(&interp->block), "G%g: this motion is not supported yet", code / 10.0);
+}
+
 /* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */
 bool execute_block(struct interp *interp)
 {
@@ -186,7 +226,7 @@ bool execute_block(struct interp *interp)
 		return false;
 	if (!execute_feed(interp) || !execute_speed(interp))
 		return false;
-	if (!tool_length_select(interp) || !tool_length_change(interp) || !tool_length_mcode(interp))
+	if (!tool_change_select(interp) || !tool_change_run(interp) || !tool_length_mcode(interp))
 		return false;
 	execute_spindle(interp);
 	if (block->g[G_NONMODAL] == G4 && !motion_commands_dwell(interp))
@@ -197,13 +237,13 @@ bool execute_block(struct interp *interp)
 		state->scale = block->g[G_UNITS] == G20 ? MM_PER_INCH : 1;
 	if (!execute_increments(interp) || !cutter_comp_select(interp) || !cutter_comp_check_block(interp))
 		return false;
-	if (!tool_length_length(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||
+	if (!tool_length_select(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||
 	    !execute_path(interp) || !path_control_select(interp))
 		return false;
 	execute_modes(interp);
 	if (!coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
 		return false;
-	if (!execute_nonmodal(interp) || !motion_commands_motion(interp))
+	if (!execute_nonmodal(interp) || !execute_motion(interp))
 		return false;
 	if (block->m[M_STOP] != CODE_NONE && !cutter_comp_stop(interp))
 		return false;

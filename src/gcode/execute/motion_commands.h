@@ -1,4 +1,4 @@
-/* motion_commands.h - what a block makes the axes do: straight moves, arcs, dwells. */
+/* motion_commands.h - canonical moves to the sink: what every code that moves axes calls. */
 #ifndef FIVECHECK_GCODE_EXECUTE_MOTION_COMMANDS_H
 #define FIVECHECK_GCODE_EXECUTE_MOTION_COMMANDS_H
 
@@ -9,7 +9,16 @@
 /* Fills in what the modes and the block say of a move, and numbers it. */
 void motion_commands_fill(struct interp *interp, struct canon_move *move);
 
-/* Sends a move to the sink with what the modes and the block say of it. False: the sink wants no more. */
+/*
+ * Appends to the moves that wait until the end of a compensated move is known
+ * (cutter_comp/comp_queue.h). False: there are too many, which was reported.
+ */
+bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item);
+
+/*
+ * Sends a move, with what the modes and the block say of it, to the sink, or to
+ * the moves that wait. False: the sink wants no more, or too many wait, which was reported.
+ */
 bool motion_commands_emit(struct interp *interp, const struct canon_move *move);
 
 /*
@@ -27,8 +36,5 @@ bool motion_commands_seconds(const struct interp *interp, char letter, double *s
 
 /* G4. */
 bool motion_commands_dwell(struct interp *interp);
-
-/* The block's motion, in machine coordinates with G53; G80. */
-bool motion_commands_motion(struct interp *interp);
 
 #endif

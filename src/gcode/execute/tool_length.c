@@ -5,8 +5,6 @@
 
 #include "base/units.h"
 #include "gcode/execute/length_change.h"
-#include "gcode/execute/motion_commands.h"
-#include "gcode/execute/reference_return.h"
 
 axis_values tool_length_rotary_zero(const struct interp *interp)
 {
@@ -110,31 +108,6 @@ bool tool_length_offsets_changed(struct interp *interp, int column)
 	return !changed || switch_tcp(interp, column, state->tcp, state->length);
 }
 
-bool tool_length_select(struct interp *interp)
-{
-	return !block_has(&interp->block, 'T') ||
-	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
-}
-
-bool tool_length_change(struct interp *interp)
-{
-	const struct block *block = &interp->block;
-	struct state *state = &interp->state;
-	int column = block_has(block, 'T') ? block_column(block, 'T') : block->m_column[M_TOOL];
-
-	if (block->m[M_TOOL] == CODE_NONE)
-		return true;
-	if (state->selected < 0)
-		return fault(&interp->at, column, "M6, but no T has selected a tool");
-	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
-		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
-	if (!reference_return_change_tool(interp))
-		return false;
-	state->tool = state->selected;
-	state->spindle = SPINDLE_STOPPED;
-	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
-}
-
 static bool find_spindle_length(struct interp *interp, int column, double *length)
 {
 	int number = interp->state.tool;
@@ -235,7 +208,7 @@ static bool is_taken_back(const struct interp *interp, int code, int doubt)
 	       traits_of(interp)->g49_finds_length_gone == ANSWER_YES;
 }
 
-bool tool_length_length(struct interp *interp)
+bool tool_length_select(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;

@@ -1,4 +1,4 @@
-/* tool_length.h - tool change, tool length compensation, and tool centre point control on and off. */
+/* tool_length.h - tool length compensation, and tool centre point control on and off. */
 #ifndef FIVECHECK_GCODE_EXECUTE_TOOL_LENGTH_H
 #define FIVECHECK_GCODE_EXECUTE_TOOL_LENGTH_H
 
@@ -6,12 +6,8 @@
 
 #include "gcode/state.h"
 
-/* T and M6 of the block. */
-bool tool_length_select(struct interp *interp);
-bool tool_length_change(struct interp *interp);
-
 /* G43, G43.4 and G49 of the block; nothing without one. What axes do meanwhile: length_change.h. */
-bool tool_length_length(struct interp *interp);
+bool tool_length_select(struct interp *interp);
 
 /* Rotary zero under TCP with the offsets in force. */
 axis_values tool_length_rotary_zero(const struct interp *interp);

@@ -104,12 +104,6 @@ static bool send_to(struct interp *interp, struct plane_point end)
 	return send_all(interp, end);
 }
 
-static bool add(struct interp *interp, const struct comp_item *item)
-{
-	return comp_queue_add(&interp->comp.queue, item) ||
-	       fault(&interp->at, 1, "too many blocks under cutter compensation without a move in its plane");
-}
-
 /* Fills in what the block says of a move, and its end on the axes off the plane. */
 static struct canon_move complete(struct interp *interp, const struct canon_move *move, const slot_values *target)
 {
@@ -136,7 +130,7 @@ static bool add_line(struct interp *interp, const slot_values *target, const str
 	struct comp_item item = {.kind = COMP_LINE, .move = complete(interp, move, target), .direction = direction,
 				 .end = end};
 
-	if (!add(interp, &item))
+	if (!motion_commands_enqueue(interp, &item))
 		return false;
 	arrive(interp, target, end);
 	return true;
@@ -162,7 +156,7 @@ static bool add_arc(struct interp *interp, const slot_values *target, const stru
 	item->move = complete(interp, move, target);
 	item->move.kind = CANON_ARC;
 	item->move.arc = space_arc(interp, item->centre);
-	return add(interp, item);
+	return motion_commands_enqueue(interp, item);
 }
 
 /* ---------------------------------------------------------------- corners */
@@ -242,7 +236,7 @@ static bool go_round(struct interp *interp, struct plane_point corner, struct pl
 	here.v[across] = interp->state.position.v[across];
 	if (move->kind == CANON_RAPID) {
 		item = (struct comp_item){.kind = COMP_LINE, .end = end, .move = complete(interp, move, &here)};
-		good = add(interp, &item);
+		good = motion_commands_enqueue(interp, &item);
 	} else {
 		good = add_arc(interp, &here, move, &item);
 	}
@@ -386,7 +380,7 @@ bool cutter_comp_select(struct interp *interp)
 	if (code == CODE_NONE)
 		return true;
 	if (code != G40)
-		return comp_switch_on(interp);
+		return cutter_comp_switch_on(interp);
 	if (comp->entered) {
 		if (!send_to(interp, comp->current))
 			return false;
@@ -395,13 +389,6 @@ bool cutter_comp_select(struct interp *interp)
 	comp->side = 0;
 	comp->entered = false;
 	return true;
-}
-
-bool cutter_comp_emit(struct interp *interp, const struct canon_move *move)
-{
-	struct comp_item item = {.kind = COMP_PAUSE, .move = *move};
-
-	return interp->comp.queue.count ? add(interp, &item) : interp->sink->move(interp->sink->context, move);
 }
 
 bool cutter_comp_end_block(struct interp *interp)
@@ -413,7 +400,7 @@ bool cutter_comp_end_block(struct interp *interp)
 	if (!interp->comp.queue.count)
 		return interp->sink->block(interp->sink->context, at->file, at->line, at->text, interp->moves);
 	item.text = mem_strndup(at->text, strlen(at->text));
-	if (add(interp, &item))
+	if (motion_commands_enqueue(interp, &item))
 		return true;
 	free(item.text);
 	return false;

@@ -22,7 +22,7 @@ bool cutter_comp_check_block(struct interp *interp);
 bool cutter_comp_select(struct interp *interp);
 
 /* The block's G41 or G42: the side and the radius, checked; the entry is made by the next move. */
-bool comp_switch_on(struct interp *interp);
+bool cutter_comp_switch_on(struct interp *interp);
 
 /* Moves are to be made by cutter_comp_line and cutter_comp_arc. */
 bool cutter_comp_is_on(const struct interp *interp);
@@ -30,10 +30,7 @@ bool cutter_comp_is_on(const struct interp *interp);
 /* To the programmed position; of an arc the programmed centre and its turns. */
 bool cutter_comp_line(struct interp *interp, const slot_values *target, struct canon_move *move);
 bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct plane_point centre, int turns,
-	      struct canon_move *move);
-
-/* Sends a complete move to the sink, after those that wait. */
-bool cutter_comp_emit(struct interp *interp, const struct canon_move *move);
+		     struct canon_move *move);
 
 /* Tells the sink that the block is carried out, once its moves are. */
 bool cutter_comp_end_block(struct interp *interp);

@@ -26,7 +26,7 @@ static bool find_radius(struct interp *interp, double *radius)
 	       fault(&interp->at, column, "the diameter of tool T%d is not known; a setup defines it", number);
 }
 
-bool comp_switch_on(struct interp *interp)
+bool cutter_comp_switch_on(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct cutter_comp *comp = &interp->comp;

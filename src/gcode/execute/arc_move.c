@@ -1,0 +1,162 @@
+#include "gcode/execute/arc_move.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "gcode/execute/arc.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+
+/* mm and radians: ends of an arc that are so close are the same point, and the arc a full circle. */
+#define SAME_POINT 1e-9
+/* LinuxCNC's min_arc_angle (emccanon.cc). */
+#define SAME_ANGLE 1e-12
+
+/* The axes of an arc's plane, and the letters of its centre. */
+struct arc_plane {
+	int code;
+	enum axis_slot a, b;
+	char centre_a, centre_b, not_used;
+	vec3 normal;
+};
+
+static const struct arc_plane *find_plane(int code)
+{
+	static const struct arc_plane planes[] = {{G17, SLOT_X, SLOT_Y, 'I', 'J', 'K', {0, 0, 1}},
+						  {G18, SLOT_Z, SLOT_X, 'K', 'I', 'J', {0, 1, 0}},
+						  {G19, SLOT_Y, SLOT_Z, 'J', 'K', 'I', {1, 0, 0}}};
+
+	return &planes[code == G17 ? 0 : code == G18 ? 1 : 2];
+}
+
+/* One coordinate of the centre: as an offset from the start (G91.1), or in program coordinates (G90.1). */
+static bool centre_word(struct interp *interp, char letter, enum axis_slot slot, double start, double *value)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+
+	if (state->arc_absolute && !block_has(block, letter))
+		return fault(&interp->at, block_motion_column(block),
+			     "an arc with an absolute centre (G90.1) needs both its words; %c is missing", letter);
+	*value = block_has(block, letter) ? block_value(block, letter) * state->scale : 0;
+	*value += state->arc_absolute ? state->offset.v[slot] : start;
+	return true;
+}
+
+static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *plane, struct plane_point start,
+			       struct plane_point end, struct plane_point *centre)
+{
+	const struct state *state = &interp->state;
+	const struct arc_tolerance *tolerance = state->scale > 1 ? &arc_tolerance_inch : &arc_tolerance_mm;
+	int column = block_motion_column(&interp->block);
+	double r0, r1;
+
+	if (block_has(&interp->block, plane->not_used))
+		return fault(&interp->at, block_column(&interp->block, plane->not_used),
+			     "%c does not belong to the centre of an arc in the plane of G%d", plane->not_used,
+			     plane->code / 10);
+	if (!centre_word(interp, plane->centre_a, plane->a, start.a, &centre->a) ||
+	    !centre_word(interp, plane->centre_b, plane->b, start.b, &centre->b))
+		return false;
+	switch (arc_check_centre(start, end, *centre, tolerance, &r0, &r1)) {
+	case ARC_ZERO_RADIUS:
+		return fault(&interp->at, column, "an arc of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
+			     r1);
+	case ARC_RADII_DIFFER:
+		return fault(&interp->at, column,
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end", r0, r1);
+	default:
+		return true;
+	}
+}
+
+static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *plane, struct plane_point start,
+			       struct plane_point end, struct plane_point *centre)
+{
+	const struct block *block = &interp->block;
+	const struct arc_tolerance *tolerance = interp->state.scale > 1 ? &arc_tolerance_inch : &arc_tolerance_mm;
+	double radius = block_value(block, 'R') * interp->state.scale;
+	int column = block_column(block, 'R');
+	char a = AXIS_LETTERS[plane->a], b = AXIS_LETTERS[plane->b];
+
+	if (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
+		return fault(&interp->at, column, "an arc has a radius (R) or a centre (I, J, K), not both");
+	if (!block_has(block, a) && !block_has(block, b))
+		return fault(&interp->at, column, "an arc by its radius needs %c or %c", a, b);
+	switch (arc_find_centre(start, end, radius, block->motion == G2, tolerance, centre)) {
+	case ARC_NO_CHORD:
+		return fault(&interp->at, column,
+			     "an arc by its radius (R) cannot end where it starts; a full circle has a centre "
+			     "(I, J, K)");
+	case ARC_RADIUS_TOO_SMALL:
+		return fault(&interp->at, column,
+			     "a radius of %.6g mm does not reach from the start of the arc to its end", fabs(radius));
+	default:
+		return true;
+	}
+}
+
+static vec3 centre_in_space(const struct state *state, const slot_values *start, const struct arc_plane *plane,
+			    struct plane_point centre)
+{
+	double xyz[3] = {start->v[SLOT_X], start->v[SLOT_Y], start->v[SLOT_Z]};
+
+	xyz[plane->a] = centre.a;
+	xyz[plane->b] = centre.b;
+	return rotated_frame_point(state, (vec3){xyz[0], xyz[1], xyz[2]});
+}
+
+/* The full turns that the block's P adds to, if it does. */
+static bool find_turns(struct interp *interp, int *turns)
+{
+	enum answer has_turns = traits_of(interp)->arcs_have_turns;
+
+	return is_answered(interp, block_column(&interp->block, 'P'), has_turns,
+			   "whether P of G2 and G3 is a number of turns") &&
+	       (has_turns == ANSWER_NO || block_integer(&interp->block, &interp->at, 'P', 1, INT_MAX, turns));
+}
+
+/* LinuxCNC's manual, "G2, G3 Arc Move". */
+bool arc_move_run(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+	const struct arc_plane *plane = find_plane(state->plane);
+	const uint32_t offsets = letter_bit('I') | letter_bit('J') | letter_bit('K');
+	const bool *has_axis = interp->config->has_axis;
+	struct canon_move move = {.kind = CANON_ARC};
+	struct plane_point start, end, centre;
+	slot_values here = rotated_frame_straight(state), target;
+	int turns = 1;
+
+	interp->state.motion = block->motion;
+	if (!has_axis[plane->a] || !has_axis[plane->b])
+		return fault(&interp->at, block_motion_column(block),
+			     "the machine has no %c axis, which an arc in the plane of G%d needs",
+			     AXIS_LETTERS[has_axis[plane->a] ? plane->b : plane->a], plane->code / 10);
+	if (!block_has(block, 'R') && !(block->letters & offsets))
+		return fault(&interp->at, block_motion_column(block),
+			     "an arc needs a centre (I, J, K) or a radius (R)");
+	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
+		return false;
+	/* LinuxCNC gives P to the arc and to a G64 of the block. */
+	if (block_has(block, 'P') && !find_turns(interp, &turns))
+		return false;
+	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
+	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};
+	if (block_has(block, 'R') ? !find_arc_by_radius(interp, plane, start, end, &centre)
+				  : !find_arc_by_centre(interp, plane, start, end, &centre))
+		return false;
+	if (interp->comp.arc_refused)
+		return fault(&interp->at, block_motion_column(block),
+			     "the move after cutter compensation (G40) must be straight, not an arc");
+	if (cutter_comp_is_on(interp))
+		return cutter_comp_arc(interp, &target, centre, turns, &move);
+	move.arc.centre = centre_in_space(state, &here, plane, centre);
+	move.arc.normal = rotated_frame_direction(state, plane->normal);
+	move.arc.sweep = arc_sweep(start, end, centre, block->motion == G2, turns,
+				   fmax(SAME_ANGLE, SAME_POINT / hypot(start.a - centre.a, start.b - centre.b)));
+	return motion_commands_go(interp, &target, &move);
+}

@@ -1,0 +1,12 @@
+/* arc_move.h - G2 and G3: circles and helices in a plane, by their centre or their radius. */
+#ifndef FIVECHECK_GCODE_EXECUTE_ARC_MOVE_H
+#define FIVECHECK_GCODE_EXECUTE_ARC_MOVE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* False: reported, or the sink wants no more. */
+bool arc_move_run(struct interp *interp);
+
+#endif

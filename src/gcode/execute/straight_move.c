@@ -1,0 +1,61 @@
+#include "gcode/execute/straight_move.h"
+
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/tool_length.h"
+
+static bool go_in_program(struct interp *interp, struct canon_move *move)
+{
+	slot_values target;
+
+	if (!endpoint_find(interp, false, &target))
+		return false;
+	return cutter_comp_is_on(interp) ? cutter_comp_line(interp, &target, move)
+					 : motion_commands_go(interp, &target, move);
+}
+
+/* G53 suspends work offsets, turned coordinates, length compensation and TCP for one block. */
+static bool go_in_machine(struct interp *interp, struct canon_move *move)
+{
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL];
+	struct suspended suspended;
+	bool named[SLOT_COUNT];
+	slot_values target;
+
+	if (!tool_length_suspend(interp, column, &suspended) || !endpoint_find(interp, true, &target) ||
+	    !motion_commands_go(interp, &target, move) || !tool_length_resume(interp, column, &suspended))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		named[slot] = block_has(block, AXIS_LETTERS[slot]);
+	tool_length_after_machine(interp, G53, named);
+	return true;
+}
+
+bool straight_move_run(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const struct dialect_traits *traits = traits_of(interp);
+	bool machine = block->g[G_NONMODAL] == G53, feeds = block->motion != G0;
+	struct canon_move move = {.kind = CANON_RAPID};
+
+	interp->state.motion = block->motion;
+	if (machine && feeds && !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate,
+					     "whether G53 with G1 moves at the feed"))
+		return false;
+	if (machine && traits->g53_rate == G53_RATE_RAPID)
+		feeds = false;
+	if (feeds && !(block->letters & AXIS_BITS)) {
+		if (!is_answered(interp, block_motion_column(block), traits->empty_feed_move,
+				 "whether G1 without an axis word needs a feed rate"))
+			return false;
+		if (traits->empty_feed_move == EMPTY_FEED_MOVE_IGNORED)
+			return true;
+	}
+	if (feeds && !motion_commands_feed(interp, &move.feed))
+		return false;
+	move.kind = feeds ? CANON_FEED : CANON_RAPID;
+	interp->comp.arc_refused = false;
+	return machine ? go_in_machine(interp, &move) : go_in_program(interp, &move);
+}

@@ -1,0 +1,12 @@
+/* straight_move.h - G0 and G1, in program coordinates or with G53 in those of the machine. */
+#ifndef FIVECHECK_GCODE_EXECUTE_STRAIGHT_MOVE_H
+#define FIVECHECK_GCODE_EXECUTE_STRAIGHT_MOVE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* False: reported, or the sink wants no more. */
+bool straight_move_run(struct interp *interp);
+
+#endif

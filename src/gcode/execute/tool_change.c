@@ -1,0 +1,32 @@
+#include "gcode/execute/tool_change.h"
+
+#include <limits.h>
+
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/reference_return.h"
+#include "gcode/execute/tool_table.h"
+
+bool tool_change_select(struct interp *interp)
+{
+	return !block_has(&interp->block, 'T') ||
+	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
+}
+
+bool tool_change_run(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	int column = block_has(block, 'T') ? block_column(block, 'T') : block->m_column[M_TOOL];
+
+	if (block->m[M_TOOL] == CODE_NONE)
+		return true;
+	if (state->selected < 0)
+		return fault(&interp->at, column, "M6, but no T has selected a tool");
+	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
+		return fault(&interp->at, column, "the setup defines no tool T%d", state->selected);
+	if (!reference_return_change_tool(interp))
+		return false;
+	state->tool = state->selected;
+	state->spindle = SPINDLE_STOPPED;
+	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
+}

@@ -1,0 +1,15 @@
+/* tool_change.h - T and M6. */
+#ifndef FIVECHECK_GCODE_EXECUTE_TOOL_CHANGE_H
+#define FIVECHECK_GCODE_EXECUTE_TOOL_CHANGE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+
+/* T of the block; nothing without one. False: reported. */
+bool tool_change_select(struct interp *interp);
+
+/* M6 of the block; nothing without one. False: reported, or the sink wants no more. */
+bool tool_change_run(struct interp *interp);
+
+#endif
