@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
@@ -124,7 +125,7 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 	const struct cycle_memory *memory = &state->cycle;
 	bool used = state->retract != G99 || state->incremental;
 	bool moved = used && fabs(level - memory->height) > SAME_COORDINATE;
-	bool rescaled = memory->scale < state->scale || memory->scale > state->scale;
+	bool rescaled = !same_double(memory->scale, state->scale);
 
 	if (cycle->traits->level_is_coordinate == ANSWER_YES || !(moved || rescaled || memory->turned))
 		return true;

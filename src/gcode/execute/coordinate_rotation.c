@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
@@ -186,7 +187,7 @@ bool coordinate_rotation_check_words(struct interp *interp, bool machine)
 		bool named = block_has(block, AXIS_LETTERS[slot]);
 		double value = named ? block_value(block, AXIS_LETTERS[slot]) : 0;
 
-		if (state->unsure[slot] && state->unsure_code == G69 && !absolute && (value < 0 || value > 0))
+		if (state->unsure[slot] && state->unsure_code == G69 && !absolute && !same_double(value, 0))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
 				     "%c by an increment after G69: the first move after it is absolute",
 				     AXIS_LETTERS[slot]);

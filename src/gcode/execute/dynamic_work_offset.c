@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/work_offset_use.h"
 
 /* mm: coordinates that differ by less are the same. */
@@ -9,7 +10,7 @@
 
 static bool is_zero(double value)
 {
-	return !(value < 0 || value > 0);
+	return same_double(value, 0);
 }
 
 /* The manual does not say what comes first in a block. */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/rotated_frame.h"
@@ -94,10 +95,10 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		if (!block_has(block, letter))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
-		if (!machine && (!state->incremental || value < 0 || value > 0) &&
+		if (!machine && (!state->incremental || !same_double(value, 0)) &&
 		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
 			return false;
-		if (!machine && state->incremental && (value < 0 || value > 0) &&
+		if (!machine && state->incremental && !same_double(value, 0) &&
 		    !endpoint_is_known(interp, slot, block_column(block, letter)))
 			return false;
 		if (state->incremental)

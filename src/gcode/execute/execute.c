@@ -176,8 +176,13 @@ static bool execute_nonmodal(struct interp *interp)
 	case G92_2:
 	case G92_3:
 		return offsets_shift(interp);
+	case CODE_NONE:
+	case G4:	/* is done already */
+	case G53:	/* belongs to the motion */
+		return true;
 	default:
-		return true;	/* G4 is done already, G53 belongs to the motion */
+		return fault(&interp->at, interp->block.g_column[G_NONMODAL], "G%g is not supported yet",
+			     interp->block.g[G_NONMODAL] / 10.0);
 	}
 }
 

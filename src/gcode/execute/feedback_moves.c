@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -59,7 +60,7 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	if (block->motion != G38_2 && block->motion != G38_4)
 		return true;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (target->v[slot] < start.v[slot] || target->v[slot] > start.v[slot])
+		if (!same_double(target->v[slot], start.v[slot]))
 			return true;
 	}
 	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/rotated_frame.h"
@@ -44,10 +45,8 @@ bool motion_commands_go(struct interp *interp, const slot_values *target, struct
 	if (!dynamic_work_offset_check_turn(interp, &position))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		double here = state->position.v[slot], there = position.v[slot];
-
-		if (here < there || here > there)
-			state_set_position(state, slot, there);
+		if (!same_double(state->position.v[slot], position.v[slot]))
+			state_set_position(state, slot, position.v[slot]);
 	}
 	move->end = state->canonical;
 	return motion_commands_emit(interp, move);

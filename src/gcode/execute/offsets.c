@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/g10_tool_table.h"
@@ -199,7 +200,7 @@ static void change_shift_here(struct interp *interp, int system, int slot, doubl
 static bool is_shifted(const struct state *state)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (state->shift.v[slot] < 0 || state->shift.v[slot] > 0)
+		if (!same_double(state->shift.v[slot], 0))
 			return true;
 	}
 	return false;

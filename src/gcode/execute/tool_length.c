@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/length_change.h"
 
@@ -72,7 +73,7 @@ void tool_length_after_machine(struct interp *interp, int code, const bool moved
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		any = any || moved[slot];
-	if (!any || (state->tcp == TCP_OFF && !(state->length < 0 || state->length > 0)))
+	if (!any || (state->tcp == TCP_OFF && same_double(state->length, 0)))
 		return;
 	if (dialect->after_machine_move)
 		dialect->after_machine_move(interp, code, moved);
@@ -104,7 +105,7 @@ bool tool_length_offsets_changed(struct interp *interp, int column)
 		return true;
 	zero = tool_length_rotary_zero(interp);
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
-		changed = changed || fabs(zero.v[slot] - state->rotary_zero.v[slot]) > 0;
+		changed = changed || !same_double(zero.v[slot], state->rotary_zero.v[slot]);
 	return !changed || switch_tcp(interp, column, state->tcp, state->length);
 }
 
@@ -173,7 +174,7 @@ static bool put(struct interp *interp, int column, enum tcp_source source, doubl
 	struct state *state = &interp->state;
 
 	if (source != TCP_OFF || state->tcp != TCP_OFF)
-		return (source == state->tcp && !(length < state->length || length > state->length)) ||
+		return (source == state->tcp && same_double(length, state->length)) ||
 		       switch_tcp(interp, column, source, length);
 	state->length = length;
 	state_update_offset(state);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
+
 /*
  * Controls compute with about nine digits (B-63944EN, operation error): of
  * numbers that are nearer to each other, but not equal, nobody knows the order.
@@ -34,9 +36,9 @@ static bool holds(enum expr_operation operation, double left, double right)
 {
 	switch (operation) {
 	case EXPR_EQ:
-		return !(left < right) && !(left > right);
+		return same_double(left, right);
 	case EXPR_NE:
-		return left < right || left > right;
+		return !same_double(left, right);
 	case EXPR_GT:
 		return left > right;
 	case EXPR_GE:

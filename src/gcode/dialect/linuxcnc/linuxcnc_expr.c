@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
 #include "gcode/dialect/linuxcnc/system_param_names.h"
 #include "gcode/dialect/linuxcnc/system_params.h"
@@ -40,7 +41,7 @@ static const struct expr_operator operators[] = {
 
 static bool power(const struct line_place *at, int column, double *left, double right)
 {
-	if (*left < 0 && (floor(right) < right || floor(right) > right))
+	if (*left < 0 && !same_double(floor(right), right))
 		return fault(at, column, "a negative number to a power that is not whole");
 	*left = pow(*left, right);
 	return true;
