@@ -6,7 +6,7 @@
 
 #include "base/axes.h"
 #include "machine/motion_bound.h"
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 
 /* By how much each axis may be away from where it is said to be: mm, radians. */
 struct position_errors {

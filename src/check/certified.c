@@ -46,7 +46,7 @@ void follower_init(struct follower *follower, const struct body_pair *bodies, do
 	*follower = (struct follower){.bodies = *bodies, .clearance = clearance, .tolerance = tolerance};
 	follower->measures = measure;
 	follower->target = measure ? INFINITY : clearance;
-	follower->bodies.memory = &follower->memory;
+	follower->bodies.coherence = &follower->coherence;
 	budgets_init(&follower->budgets, bodies->chain);
 }
 
@@ -55,11 +55,11 @@ void follower_cap(struct follower *follower, double most)
 	follower->target = most;
 }
 
-/* Its memory is its own. */
+/* What it remembers is its own. */
 static void copy_state(struct follower *to, const struct follower *from)
 {
 	*to = *from;
-	to->bodies.memory = &to->memory;
+	to->bodies.coherence = &to->coherence;
 }
 
 void follower_fork(const struct follower *whole, struct follower *part)
@@ -145,7 +145,7 @@ static double ask_distance(struct follower *follower, struct sweep *sweep, const
 
 	follower->queries++;
 	if (!WITH_KEPT_BUDGETS || follower->sweep_visits <= 0 || distance - needed(follower) > PAYING_ROOM * way ||
-	    !(follower->memory.near - needed(follower) > SHARP_NEED * way))
+	    !(follower->coherence.near - needed(follower) > SHARP_NEED * way))
 		return distance;
 	distance = fmax(distance,
 			sweep_distance(sweep, &follower->bodies, q, SHARP_SHARE, enough, follower->sweep_visits));
@@ -286,7 +286,7 @@ static bool is_taut(const struct follower *follower, const struct chord *chord)
 	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
 	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, NULL);
 	return fmin(bound.bend[0] + bound.drift[0], bound.bend[1] + bound.drift[1]) <=
-	       STRAY_SHARE * follower->memory.near;
+	       STRAY_SHARE * follower->coherence.near;
 }
 
 /* The longest stretch that is worth it, not much longer than the last; less than two steps: none. */

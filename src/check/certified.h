@@ -7,7 +7,7 @@
 #include "check/batch.h"
 #include "check/budgets.h"
 #include "motion/motion.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 #include "scene/scene.h"
 
 /* How a pair came through one step. */
@@ -24,7 +24,7 @@ struct follower {
 	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
 	double tolerance;	/* mm: e */
 	bool measures;	/* the smallest clearance */
-	struct memory memory;
+	struct coherence coherence;
 	struct budgets budgets;
 	bool settled;	/* the pair is apart where the last step ended */
 	bool lost;	/* steps were left out since the last one */

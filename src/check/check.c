@@ -15,7 +15,7 @@
 #include "check/ledger.h"
 #include "check/relay.h"
 #include "check/step.h"
-#include "scene/overlap.h"
+#include "scene/static_query.h"
 
 /* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
 #define BATCH_STEPS 1024
@@ -154,7 +154,7 @@ static void report_undecided(struct checker *c, const struct runner_result *resu
 
 	c->failed = true;
 	if (motion->span.path->kind != PATH_BOX) {
-		scene_undecided(c->scene, pair, c->options->tolerance, c->diag);
+		static_query_report_undecided(c->scene, pair, c->options->tolerance, c->diag);
 		return;
 	}
 	diag_error(c->diag, (struct srcloc){c->file, motion->line, 1},
@@ -264,32 +264,32 @@ static void check_stance(struct checker *c, bool tool_only, int move)
 		const struct scene_pair *pair = &c->scene->pairs[runner->pair];
 		struct ledger_entry entry = {.block = c->block, .rank = (int)runner->pair};
 		struct contact contact;
-		enum stance stance;
+		enum pose_state stance;
 
 		if ((runner->past_limits_only && !past_a_limit) || !runner_is_active(runner, c->tool) ||
 		    (tool_only && !runner->tool))
 			continue;
-		stance = scene_stance(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
+		stance = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 				      &c->held.diag);
 		c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
 		if (c->broken_off)
 			break;
-		c->failed |= stance == STANCE_FAILED;
-		if (stance == STANCE_UNKNOWN && runner->unknown_block < 0)
+		c->failed |= stance == POSE_FAILED;
+		if (stance == POSE_UNKNOWN && runner->unknown_block < 0)
 			runner->unknown_block = c->block;
-		if ((stance == STANCE_CLEAR || stance == STANCE_UNKNOWN) && c->measures)
+		if ((stance == POSE_CLEAR || stance == POSE_UNKNOWN) && c->measures)
 			runner_stand(runner, &c->sweep, &c->position);
-		if (stance != STANCE_NEAR && stance != STANCE_OVERLAP)
+		if (stance != POSE_NEAR && stance != POSE_OVERLAP)
 			continue;
 		entry.finding = pair_finding(c, pair,
-					     stance == STANCE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE,
+					     stance == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE,
 					     &contact, NULL);
 		entry.finding.move = move;
 		entry.finding.time = c->time;
 		entry.block_time = c->block_time;
 		ledger_add(&c->ledger, &entry);
 		c->found = true;
-		if (c->options->gauges && stance == STANCE_OVERLAP)
+		if (c->options->gauges && stance == POSE_OVERLAP)
 			journal_add_room(&c->journal, c->block, &(struct check_room){.pair = runner->pair});
 		runner_found(runner, c->block);
 	}

@@ -6,8 +6,8 @@
 
 #include "base/axes.h"
 #include "geom/vec3.h"
-#include "scene/leaf.h"
 #include "scene/scene.h"
+#include "scene/tri_pair.h"
 
 enum finding_kind { FINDING_COLLISION, FINDING_CLEARANCE, FINDING_LIMIT, FINDING_START_OVERLAP };
 enum { FINDING_KINDS = FINDING_START_OVERLAP + 1 };

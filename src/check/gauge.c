@@ -20,7 +20,7 @@
 void gauge_init(struct gauge *gauge, const struct body_pair *bodies, double cap)
 {
 	*gauge = (struct gauge){.bodies = *bodies, .cap = cap, .bound = cap};
-	gauge->bodies.memory = &gauge->memory;
+	gauge->bodies.coherence = &gauge->coherence;
 	budget_init(&gauge->budget, bodies->chain);
 }
 
@@ -42,7 +42,7 @@ static void renew(struct gauge *gauge, struct sweep *sweep, const axis_values *q
 	struct chain_state state;
 	double proven = sweep_distance(sweep, bodies, q, LOOK_SHARE, 0, 0);
 
-	gauge->found = gauge->memory.near;
+	gauge->found = gauge->coherence.near;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
 	budget_set(&gauge->budget, q, &state, proven);
 }

@@ -6,7 +6,7 @@
 
 #include "check/budget.h"
 #include "motion/motion.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 #include "scene/sweep.h"
 
 /*
@@ -18,7 +18,7 @@
 /* Only the block under way is remembered. */
 struct gauge {
 	struct body_pair bodies;
-	struct memory memory;
+	struct coherence coherence;
 	struct budget budget;
 	double found;	/* mm: two triangles were this close where the budget begins */
 	double cap;	/* mm */

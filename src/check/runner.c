@@ -6,7 +6,7 @@
 #include "base/mem.h"
 #include "motion/path.h"
 #include "motion/span.h"
-#include "scene/overlap.h"
+#include "scene/static_query.h"
 
 static int tool_of(const struct scene *scene, const struct scene_pair *pair)
 {
@@ -95,7 +95,7 @@ static enum passage pass_entangled(struct runner *runner, struct sweep *sweep, c
 	if (passage == PASSAGE_UNDECIDED || (passage == PASSAGE_CONTACT && !(contact->s > 0)))
 		return passage;
 	runner->entangled = false;
-	inside = scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0, &point, &unheard);
+	inside = static_query_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0, &point, &unheard);
 	if (inside == INSIDE_UNKNOWN && runner->unknown_block < 0)
 		runner->unknown_block = block;
 	if (inside != INSIDE_YES)
@@ -200,7 +200,7 @@ static void gauge_entangled(struct runner *runner, const struct motion_step *ste
 	vec3 point;
 
 	gauge->entangled = !(gauge->bound > 0);
-	if (!gauge->entangled && scene_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0,
+	if (!gauge->entangled && static_query_contained(runner->scene, &runner->scene->pairs[runner->pair], &step->span.q0,
 						 &point, &unheard) == INSIDE_YES) {
 		gauge->bound = 0;
 		gauge->entangled = true;

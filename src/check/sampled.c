@@ -4,7 +4,7 @@
 
 #include "check/axis_cache.h"
 #include "geom/moved_tri.h"
-#include "scene/branch.h"
+#include "scene/bvh_pair.h"
 
 /* One motion, and the pose of the sample at s. */
 struct sample {
@@ -109,9 +109,9 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 	size_t depth = 1;
 
 	box_motion_init(&boxes, bodies->a, bodies->b, ends, no_play, no_stray);
-	sweep_queue_reserve(sweep, 1)[0] = (struct branch_pair){branch_root(bodies->a), branch_root(bodies->b), 0};
+	sweep_queue_reserve(sweep, 1)[0] = (struct bvh_pair){subtree_root(bodies->a), subtree_root(bodies->b), 0};
 	while (depth) {
-		struct branch_pair at = sweep->queue[--depth];
+		struct bvh_pair at = sweep->queue[--depth];
 		float apart[BVH_WIDTH], loose[BVH_WIDTH];
 		const struct bvh_node *node;
 		bool open_a;
@@ -121,17 +121,17 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 				return true;
 			continue;
 		}
-		open_a = branch_opens_first(&at.a, &at.b);
+		open_a = bvh_pair_opens_a(&at.a, &at.b);
 		node = &(open_a ? bodies->a : bodies->b)->nodes[open_a ? at.a.leaf.first : at.b.leaf.first];
 		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box,
 			    (float)sample->sampler->clearance * (1 + 0x1p-20f), apart, loose);
 		for (int l = 0; l < node->used; l++) {
-			struct branch child = branch_child(node, l);
+			struct subtree child = subtree_child(node, l);
 
 			if (apart[l] > sample->sampler->clearance)
 				continue;
 			sweep_queue_reserve(sweep, depth + 1)[depth] =
-				open_a ? (struct branch_pair){child, at.b, 0} : (struct branch_pair){at.a, child, 0};
+				open_a ? (struct bvh_pair){child, at.b, 0} : (struct bvh_pair){at.a, child, 0};
 			depth++;
 		}
 	}

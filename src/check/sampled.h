@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "motion/motion.h"
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 #include "scene/sweep.h"
 
 struct axis_cache;

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "check/batch.h"
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 
 /* The most steps to a stretch; a power of two, so that halving ends at single steps. */
 enum { STRETCH_MAX = 32 };

@@ -3,20 +3,20 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/failure_report.h"
 #include "cli/diag_tee.h"
 #include "cli/error_list.h"
-#include "cli/path_checks.h"
+#include "cli/failure_report.h"
 #include "cli/input_files.h"
+#include "cli/path_checks.h"
 #include "cli/program.h"
 #include "cli/programs.h"
 #include "cli/report_date.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
-#include "report/tables/dump.h"
-#include "report/mesh_lint.h"
-#include "report/tables/pairs.h"
 #include "report/machine_report.h"
+#include "report/mesh_lint.h"
+#include "report/tables/dump.h"
+#include "report/tables/pairs.h"
 #include "scene/scene.h"
 
 static const struct srcloc nowhere;

@@ -96,7 +96,7 @@ static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *d
 		if (pair->status == PAIR_RIGID || pair->status == PAIR_WAIVED || pair->status == PAIR_CUTTING ||
 		    is_away(scene, a) || is_away(scene, b))
 			continue;
-		if (!scene_overlap(scene, pair, &home, TOUCH, &point, diag))
+		if (!static_query_overlaps(scene, pair, &home, TOUCH, &point, diag))
 			continue;
 		add_name(out, a);
 		strbuf_addf(out, " and ");

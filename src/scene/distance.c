@@ -5,7 +5,7 @@
 
 #include "base/minmax.h"
 #include "geom/moved_tri.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 
 /* One search. */
 struct search {
@@ -19,9 +19,9 @@ struct search {
 	size_t depth;
 };
 
-static void push(struct search *search, const struct branch *a, const struct branch *b, float least)
+static void push(struct search *search, const struct subtree *a, const struct subtree *b, float least)
 {
-	sweep_queue_reserve(search->sweep, search->depth + 1)[search->depth] = (struct branch_pair){*a, *b, least};
+	sweep_queue_reserve(search->sweep, search->depth + 1)[search->depth] = (struct bvh_pair){*a, *b, least};
 	search->depth++;
 }
 
@@ -34,20 +34,20 @@ static bool dismiss(struct search *search, double least)
 	return true;
 }
 
-/* What an axis that helped before says of two branches: mm. */
-static double gap_of(const struct search *search, const struct branch *a, const struct branch *b)
+/* What an axis that helped before says of two subtrees: mm. */
+static double gap_of(const struct search *search, const struct subtree *a, const struct subtree *b)
 {
-	if (!search->pair->memory)
+	if (!search->pair->coherence)
 		return 0;
-	return memory_gap(search->pair->memory, &search->pose, search->pair, &a->box, &b->box);
+	return coherence_gap(search->pair->coherence, &search->pose, search->pair, &a->box, &b->box);
 }
 
-/* Opens the larger branch; of its children the nearest comes onto the stack last and is looked at first. */
-static void push_children(struct search *search, const struct branch_pair *entry)
+/* Opens the larger subtree; of its children the nearest comes onto the stack last and is looked at first. */
+static void push_children(struct search *search, const struct bvh_pair *entry)
 {
-	bool open_a = branch_opens_first(&entry->a, &entry->b);
+	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
 	const struct bvh *bvh = open_a ? search->pair->a : search->pair->b;
-	const struct branch *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
+	const struct subtree *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
 	const struct bvh_node *node = &bvh->nodes[opened->leaf.first];
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 	int order[BVH_WIDTH];
@@ -64,11 +64,11 @@ static void push_children(struct search *search, const struct branch_pair *entry
 	}
 	for (int i = 0; i < node->used; i++) {
 		int lane = order[i];
-		struct branch child;
+		struct subtree child;
 
 		if (dismiss(search, apart[lane]))
 			continue;
-		child = branch_child(node, lane);
+		child = subtree_child(node, lane);
 		if (dismiss(search, gap_of(search, open_a ? &child : kept, open_a ? kept : &child)))
 			continue;
 		push(search, open_a ? &child : kept, open_a ? kept : &child, apart[lane]);
@@ -77,26 +77,26 @@ static void push_children(struct search *search, const struct branch_pair *entry
 
 static void remember(const struct search *search, size_t i, size_t j, vec3 direction)
 {
-	struct memory *memory = search->pair->memory;
+	struct coherence *coherence = search->pair->coherence;
 
-	if (!memory)
+	if (!coherence)
 		return;
-	memory->near_a = (uint32_t)i;
-	memory->near_b = (uint32_t)j;
-	memory_learn(memory, direction, &search->pose);
+	coherence->near_a = (uint32_t)i;
+	coherence->near_b = (uint32_t)j;
+	coherence_learn(coherence, direction, &search->pose);
 }
 
 /* The triangles that were near last time bound the distance from above before the search begins. */
 static void recall(struct search *search)
 {
-	const struct memory *memory = search->pair->memory;
+	const struct coherence *coherence = search->pair->coherence;
 	vec3 on_a, on_b;
 	tri a, b;
 
-	if (!memory)
+	if (!coherence)
 		return;
-	a = tri_of(&search->pair->a->mesh, memory->near_a);
-	b = tri_of(&search->pair->b->mesh, memory->near_b);
+	a = tri_of(&search->pair->a->mesh, coherence->near_a);
+	b = tri_of(&search->pair->b->mesh, coherence->near_b);
 	b = tri_transform(&b, &search->pose);
 	search->found = tri_distance(&a, &b, &on_a, &on_b);
 }
@@ -139,7 +139,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 		      double enough, long max_visits)
 {
 	struct search search = {.sweep = sweep, .pair = pair, .share = share, .found = INFINITY, .proven = INFINITY};
-	struct branch a = branch_root(pair->a), b = branch_root(pair->b);
+	struct subtree a = subtree_root(pair->a), b = subtree_root(pair->b);
 	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
 	const double no_stray[VIEWS] = {0, 0};
 	long visits_end = max_visits ? sweep->visits + max_visits : LONG_MAX;
@@ -152,7 +152,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	push(&search, &a, &b, 0);
 	recall(&search);
 	while (search.depth && search.found > enough && sweep->visits < visits_end && !sweep_breaks_off(sweep)) {
-		struct branch_pair entry = sweep->queue[--search.depth];
+		struct bvh_pair entry = sweep->queue[--search.depth];
 
 		if (dismiss(&search, entry.least))
 			continue;
@@ -161,25 +161,25 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 		else
 			push_children(&search, &entry);
 	}
-	if (pair->memory)
-		pair->memory->near = search.found;
+	if (pair->coherence)
+		pair->coherence->near = search.found;
 	return search.depth ? 0 : larger(search.proven - rounding, 0);
 }
 
 void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact)
 {
 	struct body_pair bodies = *pair;
-	struct memory memory = {0};
+	struct coherence coherence = {0};
 	vec3 on_a, on_b;
 	double distance;
 	xform pose;
 	tri a, b;
 
-	bodies.memory = &memory;
+	bodies.coherence = &coherence;
 	sweep_distance(sweep, &bodies, &contact->q, 1, 0, 0);
 	pose = body_pair_pose(pair, &contact->q);
-	a = tri_of(&pair->a->mesh, memory.near_a);
-	b = tri_of(&pair->b->mesh, memory.near_b);
+	a = tri_of(&pair->a->mesh, coherence.near_a);
+	b = tri_of(&pair->b->mesh, coherence.near_b);
 	b = tri_transform(&b, &pose);
 	distance = tri_distance(&a, &b, &on_a, &on_b);
 	if (distance < contact->distance) {

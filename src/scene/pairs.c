@@ -5,8 +5,8 @@
 #include "base/mem.h"
 #include "base/strbuf.h"
 #include "base/units.h"
-#include "scene/overlap.h"
-#include "scene/rules.h"
+#include "scene/pair_rules.h"
+#include "scene/static_query.h"
 
 /* Node pairs that a proof of "out of reach" may look at, some milliseconds in all: not proved means checked. */
 #define REACH_VISITS 30000
@@ -14,7 +14,7 @@
 /* Positions looked at before such a proof is tried: it is vain where the bodies meet at one of them. */
 #define REACH_SAMPLES 32
 
-/* mm: regions of travel smaller than this are not halved further by such a proof. */
+/* mm: intervals of travel smaller than this are not halved further by such a proof. */
 #define REACH_GRAIN 1.0
 
 static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
@@ -93,7 +93,7 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 		return false;
 	return sweep_box(&scene->sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact) ==
 		       SWEEP_APART &&
-	       scene_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+	       static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
 }
 
 static bool is_cutting(const struct body *a, const struct body *b)
@@ -119,7 +119,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 
 		/* The lower bound may be lax: ask for the distance itself. */
 		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_GRAIN * 1e-3, &contact) != SWEEP_APART ||
-		    scene_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
+		    static_query_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
 			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
 			       AXIS_LETTERS[pair->chain.joints[0].slot], within);
 			return true;
@@ -135,7 +135,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
-	struct ruling ruling = rules_apply(scene->machine, a, b);
+	struct pair_ruling ruling = pair_rules_apply(scene->machine, a, b);
 
 	chain_init(&pair->chain, scene->machine, a->link, b->link);
 	pair->clearance = ruling.clearance >= 0 ? ruling.clearance : clearance;

@@ -75,7 +75,7 @@ const struct topology *scene_body_topology(struct scene *scene, int body, struct
 bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
 
 /* Reports that rounding alone exceeds the tolerance for this pair. */
-void scene_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag);
+void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag);
 
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status);
 
@@ -87,7 +87,7 @@ const char *pair_status_name(enum pair_status status);
  * is one inside the other? Touching within `tolerance` mm counts. *point is in
  * a's mesh coordinates.
  */
-bool scene_overlap(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
+bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
 		   vec3 *point, struct diag *diag);
 
 #endif

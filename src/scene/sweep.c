@@ -4,32 +4,32 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
-#include "scene/branch.h"
-#include "scene/memory.h"
+#include "scene/bvh_pair.h"
+#include "scene/coherence.h"
 
 /* Halving more often than a double has bits brings nothing new. */
 #define DEPTH_MAX 60
 
 /*
- * What share of the larger branch's size the boxes may lose by moving before
+ * What share of the larger subtree's size the boxes may lose by moving before
  * the motion is halved. Measured: 0.06 to 0.15 are about equally good, 0.4 costs
  * four times as much where bodies nearly touch while they turn.
  */
 #define LOOSE 0.1f
 
-/* Regions kept at a time; a sweep that needs more is done part by part. */
-#define REGIONS_MAX 4096
+/* Intervals kept at a time; a sweep that needs more is done part by part. */
+#define INTERVALS_MAX 4096
 
-/* Node pairs that could be looked at in the time that halving a region takes. */
+/* Node pairs that could be looked at in the time that halving an interval takes. */
 #define HALVING_VISITS 20
 
 /* Node pairs looked at, some 100 us, between two questions whether to go on. */
 #define ASK_VISITS 10000
 
 struct sweep_entry {
-	struct region *region;
-	struct branch a, b;
-	bool tested;	/* the boxes were not found apart over this region, and `loose` is known */
+	struct motion_interval *interval;
+	struct subtree a, b;
+	bool tested;	/* the boxes were not found apart over this interval, and `loose` is known */
 	float loose;	/* mm: about what the boxes' test loses because they move */
 };
 
@@ -38,21 +38,21 @@ struct walk {
 	struct sweep *sweep;
 	const struct body_pair *pair;
 	double clearance, tolerance;
-	double memory_margin;	/* mm: what the axes in the memory must prove beyond the clearance */
+	double coherence_margin;	/* mm: what the remembered axes must prove beyond the clearance */
 	struct contact *contact;
 	size_t depth;	/* of the stack */
 	bool any;	/* one contact is enough, early or late */
 	long visits_end;	/* stop when the sweep has made so many visits; 0: never */
-	double from, to;	/* of a chord, only regions that have an instant between these are looked at */
+	double from, to;	/* of a chord, only intervals that have an instant between these are looked at */
 };
 
 void sweep_release(struct sweep *sweep)
 {
 	free(sweep->stack);
 	free(sweep->queue);
-	for (size_t i = 0; i < sweep->region_capacity; i++)
-		free(sweep->regions[i]);
-	free(sweep->regions);
+	for (size_t i = 0; i < sweep->interval_capacity; i++)
+		free(sweep->intervals[i]);
+	free(sweep->intervals);
 	*sweep = (struct sweep){0};
 }
 
@@ -65,20 +65,20 @@ bool sweep_breaks_off(struct sweep *sweep)
 	return sweep->broken_off;
 }
 
-struct branch_pair *sweep_queue_reserve(struct sweep *sweep, size_t count)
+struct bvh_pair *sweep_queue_reserve(struct sweep *sweep, size_t count)
 {
 	sweep->queue = mem_grow(sweep->queue, &sweep->queue_capacity, count, sizeof(*sweep->queue));
 	return sweep->queue;
 }
 
-static struct region *new_region(struct sweep *sweep)
+static struct motion_interval *new_interval(struct sweep *sweep)
 {
-	if (sweep->region_count == sweep->region_capacity) {
-		sweep->regions = mem_grow(sweep->regions, &sweep->region_slots, sweep->region_capacity + 1,
-					  sizeof(struct region *));
-		sweep->regions[sweep->region_capacity++] = mem_alloc(sizeof(struct region));
+	if (sweep->interval_count == sweep->interval_capacity) {
+		sweep->intervals = mem_grow(sweep->intervals, &sweep->interval_slots, sweep->interval_capacity + 1,
+					  sizeof(struct motion_interval *));
+		sweep->intervals[sweep->interval_capacity++] = mem_alloc(sizeof(struct motion_interval));
 	}
-	return sweep->regions[sweep->region_count++];
+	return sweep->intervals[sweep->interval_count++];
 }
 
 /* A new entry on top of the stack, for the caller to fill; entries may move. */
@@ -91,57 +91,57 @@ static struct sweep_entry *push(struct walk *walk)
 	return &sweep->stack[walk->depth++];
 }
 
-static bool is_final(const struct walk *walk, const struct region *region)
+static bool is_final(const struct walk *walk, const struct motion_interval *interval)
 {
-	return region->reach <= 0.5 * walk->tolerance;
+	return interval->reach <= 0.5 * walk->tolerance;
 }
 
 /* How a step of a walk ends. */
-enum progress { GOES_ON, FINISHED, TOO_DEEP, TOO_MANY_REGIONS };
+enum progress { GOES_ON, FINISHED, TOO_DEEP, TOO_MANY_INTERVALS };
 
 /* Later half first onto the stack, so that the earlier is looked at first. */
 static enum progress push_halves(struct walk *walk, const struct sweep_entry *entry)
 {
-	struct region *region = entry->region;
+	struct motion_interval *interval = entry->interval;
 	struct sweep_entry half = *entry;
 
-	if (region->depth >= DEPTH_MAX)
+	if (interval->depth >= DEPTH_MAX)
 		return TOO_DEEP;
-	if (!region->halved && walk->sweep->region_count + 2 > REGIONS_MAX)
-		return TOO_MANY_REGIONS;
-	if (!region->halved) {
-		struct region *first = new_region(walk->sweep), *second = new_region(walk->sweep);
+	if (!interval->halved && walk->sweep->interval_count + 2 > INTERVALS_MAX)
+		return TOO_MANY_INTERVALS;
+	if (!interval->halved) {
+		struct motion_interval *first = new_interval(walk->sweep), *second = new_interval(walk->sweep);
 
-		region_halve(region, walk->pair, first, second);
+		motion_interval_halve(interval, walk->pair, first, second);
 		walk->sweep->bisections++;
 		walk->sweep->visits += HALVING_VISITS;
 	}
 	half.tested = false;
-	half.region = region->halves[1];
+	half.interval = interval->halves[1];
 	*push(walk) = half;
-	half.region = region->halves[0];
+	half.interval = interval->halves[0];
 	*push(walk) = half;
 	return GOES_ON;
 }
 
-/* mm: farther apart than this, no two points of the bodies need a closer look in the region. */
-static double required_in(const struct walk *walk, const struct region *region)
+/* mm: farther apart than this, no two points of the bodies need a closer look in the interval. */
+static double required_in(const struct walk *walk, const struct motion_interval *interval)
 {
-	return walk->clearance + region->path;
+	return walk->clearance + interval->path;
 }
 
-/* Opens the larger of two branches and keeps the children that are not proved apart. */
+/* Opens the larger of two subtrees and keeps the children that are not proved apart. */
 static void push_children(struct walk *walk, const struct sweep_entry *entry)
 {
-	bool open_a = branch_opens_first(&entry->a, &entry->b);
+	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
 	const struct bvh *bvh = open_a ? walk->pair->a : walk->pair->b;
 	const struct bvh_node *node = &bvh->nodes[open_a ? entry->a.leaf.first : entry->b.leaf.first];
-	const struct branch kept = open_a ? entry->b : entry->a;
-	struct region *region = entry->region;
-	double required = required_in(walk, region);
+	const struct subtree kept = open_a ? entry->b : entry->a;
+	struct motion_interval *interval = entry->interval;
+	double required = required_in(walk, interval);
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&region->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + 0x1p-20f), apart, loose);
+	boxes_apart(&interval->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + 0x1p-20f), apart, loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;
@@ -151,9 +151,9 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 			continue;
 		}
 		child = push(walk);
-		child->region = region;
-		child->a = open_a ? branch_child(node, l) : kept;
-		child->b = open_a ? kept : branch_child(node, l);
+		child->interval = interval;
+		child->a = open_a ? subtree_child(node, l) : kept;
+		child->b = open_a ? kept : subtree_child(node, l);
 		child->tested = true;
 		child->loose = loose[l];
 	}
@@ -162,20 +162,20 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 {
 	walk->sweep->visits++;
-	if (box_pair_apart(&entry->region->boxes, &entry->a.box, &entry->b.box, &entry->loose) >
-	    required_in(walk, entry->region)) {
+	if (box_pair_apart(&entry->interval->boxes, &entry->a.box, &entry->b.box, &entry->loose) >
+	    required_in(walk, entry->interval)) {
 		walk->sweep->certificates++;
 		return true;
 	}
 	return false;
 }
 
-static bool apart_by_memory(const struct walk *walk, const struct sweep_entry *entry)
+static bool apart_by_coherence(const struct walk *walk, const struct sweep_entry *entry)
 {
-	struct memory *memory = walk->pair->memory;
+	struct coherence *coherence = walk->pair->coherence;
 
-	return memory && memory_parts_branches(memory, entry->region, walk->pair, &entry->a, &entry->b,
-					       required_in(walk, entry->region) + walk->memory_margin);
+	return coherence && coherence_separates_subtrees(coherence, entry->interval, walk->pair, &entry->a, &entry->b,
+					       required_in(walk, entry->interval) + walk->coherence_margin);
 }
 
 /*
@@ -191,54 +191,54 @@ static bool is_loose(const struct sweep_entry *entry)
 
 static enum progress step(struct walk *walk, struct sweep_entry *entry)
 {
-	bool final = is_final(walk, entry->region);
+	bool final = is_final(walk, entry->interval);
 
 	if (!entry->tested && apart_by_boxes(walk, entry))
 		return GOES_ON;
 	if (!final && is_loose(entry))
 		return push_halves(walk, entry);
 	if (!entry->a.leaf.count || !entry->b.leaf.count) {
-		if (apart_by_memory(walk, entry))
+		if (apart_by_coherence(walk, entry))
 			walk->sweep->certificates++;
 		else
 			push_children(walk, entry);
 		return GOES_ON;
 	}
 	walk->sweep->visits += entry->a.leaf.count * entry->b.leaf.count;
-	switch (leaf_prove(entry->region, walk->pair, entry->a.leaf, entry->b.leaf,
-			   &(struct leaf_question){walk->clearance, walk->memory_margin, final}, walk->contact,
+	switch (tri_pair_prove(entry->interval, walk->pair, entry->a.leaf, entry->b.leaf,
+			   &(struct tri_pair_query){walk->clearance, walk->coherence_margin, final}, walk->contact,
 			   &walk->sweep->certificates)) {
-	case LEAF_TOUCHES:
+	case TRI_PAIR_TOUCHES:
 		return walk->any ? FINISHED : GOES_ON;
-	case LEAF_OPEN:
+	case TRI_PAIR_OPEN:
 		return push_halves(walk, entry);
-	case LEAF_APART:
+	case TRI_PAIR_APART:
 		break;
 	}
 	return GOES_ON;
 }
 
-/* Is the entry's region of no interest: behind the first contact, or outside of the part that is looked at? */
-static bool is_left_out(const struct walk *walk, const struct region *region)
+/* Is the entry's interval of no interest: behind the first contact, or outside of the part that is looked at? */
+static bool is_left_out(const struct walk *walk, const struct motion_interval *interval)
 {
-	return region->s0 >= walk->contact->s || region->s1 < walk->from || region->s0 > walk->to;
+	return interval->s0 >= walk->contact->s || interval->s1 < walk->from || interval->s0 > walk->to;
 }
 
 /* Goes on with the contact that was found so far. */
-static enum progress run(struct walk *walk, const struct region *part)
+static enum progress run(struct walk *walk, const struct motion_interval *part)
 {
 	enum progress progress = GOES_ON;
-	struct region *whole;
+	struct motion_interval *whole;
 
-	walk->sweep->region_count = 0;
-	whole = new_region(walk->sweep);
+	walk->sweep->interval_count = 0;
+	whole = new_interval(walk->sweep);
 	*whole = *part;
 	walk->depth = 0;
-	*push(walk) = (struct sweep_entry){whole, branch_root(walk->pair->a), branch_root(walk->pair->b), false, 0};
+	*push(walk) = (struct sweep_entry){whole, subtree_root(walk->pair->a), subtree_root(walk->pair->b), false, 0};
 	while (walk->depth && progress == GOES_ON) {
 		struct sweep_entry entry = walk->sweep->stack[--walk->depth];
 
-		if (is_left_out(walk, entry.region))
+		if (is_left_out(walk, entry.interval))
 			continue;
 		if (sweep_breaks_off(walk->sweep) || (walk->visits_end && walk->sweep->visits > walk->visits_end))
 			return TOO_DEEP;
@@ -255,12 +255,12 @@ static enum sweep_answer answer_of(const struct walk *walk, enum progress progre
 }
 
 /*
- * From `from` to `to` of the chord, in parts where the regions are too many. Every part begins at the
+ * From `from` to `to` of the chord, in parts where the intervals are too many. Every part begins at the
  * whole chord and halves it alike, so that the parts together look at the same nodes and
- * triangles over the same regions as one walk would: how many regions are kept changes no result. Recursion ends: a part of
- * 2^-50 of the chord has a few hundred regions around it and a thousand in it.
+ * triangles over the same intervals as one walk would: how many intervals are kept changes no result. Recursion ends: a part of
+ * 2^-50 of the chord has a few hundred intervals around it and a thousand in it.
  */
-static enum progress run_part(struct walk *walk, const struct region *whole, double from, double to)
+static enum progress run_part(struct walk *walk, const struct motion_interval *whole, double from, double to)
 {
 	double middle = 0.5 * (from + to);
 	enum progress progress;
@@ -268,7 +268,7 @@ static enum progress run_part(struct walk *walk, const struct region *whole, dou
 	walk->from = from;
 	walk->to = to;
 	progress = run(walk, whole);
-	if (progress != TOO_MANY_REGIONS)
+	if (progress != TOO_MANY_INTERVALS)
 		return progress;
 	progress = run_part(walk, whole, from, middle);
 	if (progress != GOES_ON || walk->contact->s <= middle)
@@ -279,15 +279,15 @@ static enum progress run_part(struct walk *walk, const struct region *whole, dou
 static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord)
 {
 	enum progress progress;
-	struct region whole;
+	struct motion_interval whole;
 	double first;
 
-	region_init(&whole, walk->pair, REGION_CHORD, chord);
+	motion_interval_init(&whole, walk->pair, INTERVAL_CHORD, chord);
 	walk->from = 0;
 	walk->to = 1;
 	walk->contact->s = INFINITY;
 	progress = run(walk, &whole);
-	if (progress != TOO_MANY_REGIONS)
+	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
 	progress = run_part(walk, &whole, 0, 0.5);
 	if (progress == GOES_ON && walk->contact->s > 0.5)
@@ -301,17 +301,17 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 }
 
 /* Recursion ends: each half has one more of at most DEPTH_MAX halvings behind it. */
-static enum sweep_answer sweep_positions(struct walk *walk, const struct region *part)
+static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_interval *part)
 {
 	enum progress progress;
-	struct region first, second, whole = *part;
+	struct motion_interval first, second, whole = *part;
 	enum sweep_answer answer;
 
 	walk->contact->s = INFINITY;
 	progress = run(walk, part);
-	if (progress != TOO_MANY_REGIONS)
+	if (progress != TOO_MANY_INTERVALS)
 		return answer_of(walk, progress);
-	region_halve(&whole, walk->pair, &first, &second);
+	motion_interval_halve(&whole, walk->pair, &first, &second);
 	walk->sweep->bisections++;
 	answer = sweep_positions(walk, &first);
 	return answer == SWEEP_APART ? sweep_positions(walk, &second) : answer;
@@ -321,7 +321,7 @@ enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair,
 			      double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .memory_margin = tolerance};
+			    .contact = contact, .coherence_margin = tolerance};
 
 	return sweep_over(&walk, chord);
 }
@@ -342,10 +342,10 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
 			    .contact = contact, .any = true, .to = 1};
 	const struct chord box = {.q0 = *low, .q1 = *high};
-	struct region whole;
+	struct motion_interval whole;
 
 	if (max_visits)
 		walk.visits_end = sweep->visits + max_visits;
-	region_init(&whole, pair, REGION_BOX, &box);
+	motion_interval_init(&whole, pair, INTERVAL_BOX, &box);
 	return sweep_positions(&walk, &whole);
 }

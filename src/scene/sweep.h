@@ -6,9 +6,9 @@
 #include <stddef.h>
 
 #include "base/callbacks.h"
-#include "scene/branch.h"
-#include "scene/leaf.h"
-#include "scene/region.h"
+#include "scene/bvh_pair.h"
+#include "scene/motion_interval.h"
+#include "scene/tri_pair.h"
 
 struct sweep_entry;
 
@@ -16,13 +16,13 @@ struct sweep_entry;
 struct sweep {
 	struct sweep_entry *stack;
 	size_t stack_capacity;
-	struct branch_pair *queue;
+	struct bvh_pair *queue;
 	size_t queue_capacity;
-	struct region **regions;
-	size_t region_count, region_capacity;	/* in use, allocated */
-	size_t region_slots;
-	long certificates;	/* node and triangle pairs proved apart over a region */
-	long bisections;	/* regions halved */
+	struct motion_interval **intervals;
+	size_t interval_count, interval_capacity;	/* in use, allocated */
+	size_t interval_slots;
+	long certificates;	/* node and triangle pairs proved apart over an interval */
+	long bisections;	/* intervals halved */
 	long visits;	/* node pairs looked at */
 	const struct cancel *cancel;	/* borrowed; or NULL */
 	long ask_at;	/* visits when it is asked next */
@@ -33,7 +33,7 @@ struct sweep {
 bool sweep_breaks_off(struct sweep *sweep);
 
 /* Room for `count` entries of the queue, which is for the walks that look at one pose. */
-struct branch_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
+struct bvh_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
 
 void sweep_release(struct sweep *sweep);
 
@@ -44,7 +44,7 @@ enum sweep_answer {
 };
 
 /*
- * A region whose motion is at most tolerance (mm) is one instant: what is not
+ * An interval whose motion is at most tolerance (mm) is one instant: what is not
  * proved apart by then touches, and is at most clearance + tolerance apart.
  *
  * The motion along a chord:

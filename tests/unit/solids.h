@@ -7,7 +7,7 @@
 
 #include "base/mem.h"
 #include "geom/moved_tri.h"
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 #include "truth.h"
 
 static inline void solid_add(struct mesh *mesh, vec3 a, vec3 b, vec3 c)

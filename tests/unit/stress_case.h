@@ -9,7 +9,7 @@
 
 #include "check/check.h"
 #include "first_contact.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 
 #define NEVER (-1.0)
 
@@ -135,12 +135,12 @@ static inline void stress_judge(const struct stress_case *c, const char *name, c
 	require(distance <= c->clearance + c->tolerance * (1 + 1e-9), "%s, %s: %.12g apart", name, how, distance);
 }
 
-/* By a sweep over both meshes, with fresh storage and a memory, too. */
+/* By a sweep over both meshes, with fresh storage, and with what a first sweep remembered. */
 static inline void stress_sweep(const struct stress_case *c, const char *name, const char *how)
 {
 	struct mesh a = stress_copy(&c->a), b = stress_copy(&c->b);
 	struct sweep sweep = {0};
-	struct memory memory = {0};
+	struct coherence coherence = {0};
 	struct contact contact = {0};
 	struct duo duo;
 
@@ -151,7 +151,7 @@ static inline void stress_sweep(const struct stress_case *c, const char *name, c
 
 		require(answer != SWEEP_UNDECIDED, "%s, %s: undecided", name, how);
 		stress_judge(c, name, how, answer == SWEEP_CONTACT, contact.s, contact.distance);
-		duo.pair.memory = &memory;
+		duo.pair.coherence = &coherence;
 	}
 	sweep_release(&sweep);
 	duo_release(&duo);

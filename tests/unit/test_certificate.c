@@ -1,8 +1,8 @@
-#include "scene/leaf.h"
+#include "scene/tri_pair.h"
 
 #include <stdlib.h>
 
-#include "scene/memory.h"
+#include "scene/coherence.h"
 #include "solids.h"
 
 enum { INSTANTS = 65 };
@@ -106,21 +106,21 @@ static struct leaf the_only_leaf(const struct bvh *bvh)
 	return (struct leaf){bvh->nodes[0].first[0], bvh->nodes[0].count[0]};
 }
 
-static enum leaf_answer prove(const struct trial *t, const struct region *region, struct contact *contact)
+static enum tri_pair_answer prove(const struct trial *t, const struct motion_interval *interval, struct contact *contact)
 {
 	long certificates = 0;
 
 	*contact = (struct contact){.s = INFINITY};
-	return leaf_prove(region, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b), &(struct leaf_question){t->clearance, 0, false},
+	return tri_pair_prove(interval, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b), &(struct tri_pair_query){t->clearance, 0, false},
 			  contact, &certificates);
 }
 
 /* Axes from some instant of the move, and from nowhere. */
-static void memory_init(struct memory *memory, struct trial *t)
+static void memory_init(struct coherence *coherence, struct trial *t)
 {
 	tri a = tri_of(&t->duo.a->mesh, 0), b = tri_of(&t->duo.b->mesh, 0);
 
-	*memory = (struct memory){0};
+	*coherence = (struct coherence){0};
 	for (int i = 0; i < 3; i++) {
 		xform pose = pose_at(t, random_in(&t->random, 0, 1), NULL);
 		tri moved = tri_transform(&b, &pose);
@@ -128,41 +128,41 @@ static void memory_init(struct memory *memory, struct trial *t)
 
 		if (i && tri_distance(&a, &moved, &x, &y) > 0)
 			n = vec3_scale(1 / vec3_norm(vec3_sub(y, x)), vec3_sub(y, x));
-		memory_learn(memory, n, &pose);
+		coherence_learn(coherence, n, &pose);
 	}
 }
 
 /* The gap that it shows at one pose is there. */
-static void watch_memory_gap(struct trial *t, struct memory *memory)
+static void watch_memory_gap(struct trial *t, struct coherence *coherence)
 {
 	struct box a = box_whole(t->duo.a), b = box_whole(t->duo.b);
 	xform pose = pose_at(t, random_in(&t->random, 0, 1), NULL);
-	double gap = memory_gap(memory, &pose, &t->duo.pair, &a, &b), distance = distance_at(t, &pose);
+	double gap = coherence_gap(coherence, &pose, &t->duo.pair, &a, &b), distance = distance_at(t, &pose);
 
-	require(gap <= distance + 1e-9, "case %ld: memory's gap %.12g, distance %.12g", t->number, gap, distance);
+	require(gap <= distance + 1e-9, "case %ld: coherence's gap %.12g, distance %.12g", t->number, gap, distance);
 }
 
 /* Of what the boxes claim: the distance is at least that. */
-static double boxes_claim(const struct trial *t, const struct region *region)
+static double boxes_claim(const struct trial *t, const struct motion_interval *interval)
 {
 	struct box a = box_whole(t->duo.a), b = box_whole(t->duo.b);
 	float apart[BVH_WIDTH], loose[BVH_WIDTH], single;
 	double claim;
 
-	boxes_apart(&region->boxes, 0, &t->duo.a->nodes[0], &b, INFINITY, apart, loose);
+	boxes_apart(&interval->boxes, 0, &t->duo.a->nodes[0], &b, INFINITY, apart, loose);
 	claim = apart[0];
-	boxes_apart(&region->boxes, 1, &t->duo.b->nodes[0], &a, INFINITY, apart, loose);
+	boxes_apart(&interval->boxes, 1, &t->duo.b->nodes[0], &a, INFINITY, apart, loose);
 	claim = fmax(claim, apart[0]);
-	single = box_pair_apart(&region->boxes, &a, &b, loose);
+	single = box_pair_apart(&interval->boxes, &a, &b, loose);
 	return fmax(claim, single);
 }
 
-static bool parted_as_branches(struct memory *memory, const struct trial *t, const struct region *region)
+static bool parted_as_branches(struct coherence *coherence, const struct trial *t, const struct motion_interval *interval)
 {
-	const struct branch a = branch_root(t->duo.a), b = branch_root(t->duo.b);
+	const struct subtree a = subtree_root(t->duo.a), b = subtree_root(t->duo.b);
 
-	memory->idle = 0;
-	return memory_parts_branches(memory, region, &t->duo.pair, &a, &b, t->clearance);
+	coherence->idle = 0;
+	return coherence_separates_subtrees(coherence, interval, &t->duo.pair, &a, &b, t->clearance);
 }
 
 START_TEST(what_is_proved_of_a_chord_is_so)
@@ -172,16 +172,16 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 
 	for (long n = 0; n < cases; n++) {
 		struct trial t;
-		struct region region;
-		struct memory memory;
+		struct motion_interval interval;
+		struct coherence coherence;
 		struct contact contact;
 		double claim, least;
-		bool apart, remembered, branches;
+		bool apart, remembered, subtrees;
 
 		trial_init(&t, 1, n, 0.1, 150);
-		region_init(&region, &t.duo.pair, REGION_CHORD, &t.chord);
-		memory_init(&memory, &t);
-		apart = prove(&t, &region, &contact) == LEAF_APART;
+		motion_interval_init(&interval, &t.duo.pair, INTERVAL_CHORD, &t.chord);
+		memory_init(&coherence, &t);
+		apart = prove(&t, &interval, &contact) == TRI_PAIR_APART;
 		touched += contact.s < INFINITY;
 		if (contact.s < INFINITY) {
 			xform pose = pose_at(&t, contact.s, NULL);
@@ -189,32 +189,32 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 			require(distance_at(&t, &pose) <= t.clearance + 1e-9, "case %ld: no contact at %g", n,
 				contact.s);
 		}
-		t.duo.pair.memory = &memory;
-		remembered = prove(&t, &region, &contact) == LEAF_APART;
-		branches = parted_as_branches(&memory, &t, &region);
-		claim = boxes_claim(&t, &region);
-		if (apart || remembered || branches || claim > 0) {
+		t.duo.pair.coherence = &coherence;
+		remembered = prove(&t, &interval, &contact) == TRI_PAIR_APART;
+		subtrees = parted_as_branches(&coherence, &t, &interval);
+		claim = boxes_claim(&t, &interval);
+		if (apart || remembered || subtrees || claim > 0) {
 			least = fmin(sampled_least(&t, INSTANTS), t.least);
 			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n,
 				t.clearance, least);
-			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by memory, %.12g is",
+			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by coherence, %.12g is",
 				n, t.clearance, least);
-			require(!branches || least > t.clearance - 1e-9, "case %ld: %.12g proved of the branches, %.12g is",
+			require(!subtrees || least > t.clearance - 1e-9, "case %ld: %.12g proved of the subtrees, %.12g is",
 				n, t.clearance, least);
 			require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 			if ((apart || remembered) && least > 0)
 				tightest = fmax(tightest, t.clearance / least);
 		}
-		watch_memory_gap(&t, &memory);
+		watch_memory_gap(&t, &coherence);
 		proved += apart;
 		by_memory += remembered && !apart;
-		parted += branches;
+		parted += subtrees;
 		boxed += claim > 0;
 		duo_release(&t.duo);
 	}
 	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && parted > cases / 10 &&
 			boxed > cases / 10,
-		"proved %ld, touched %ld, only by memory %ld, as branches %ld, boxes apart %ld", proved, touched, by_memory,
+		"proved %ld, touched %ld, only by coherence %ld, as subtrees %ld, boxes apart %ld", proved, touched, by_memory,
 		parted, boxed);
 	require(tightest > 0.999, "the proofs are slack: %g", tightest);
 }
@@ -260,7 +260,7 @@ START_TEST(the_bend_is_needed)
 
 	for (long n = 0; n < cases; n++) {
 		struct trial t;
-		struct region region;
+		struct motion_interval interval;
 		struct contact contact;
 
 		trial_init(&t, 2, n, 1, 150);
@@ -268,10 +268,10 @@ START_TEST(the_bend_is_needed)
 			double least = sampled_least(&t, INSTANTS);
 
 			t.clearance = 0;
-			region_init(&region, &t.duo.pair, REGION_CHORD, &t.chord);
-			require(least > 0 || prove(&t, &region, &contact) != LEAF_APART, "case %ld: proved", n);
-			region.stray[0] = 1e-9;
-			wrong += least <= 0 && prove(&t, &region, &contact) == LEAF_APART;
+			motion_interval_init(&interval, &t.duo.pair, INTERVAL_CHORD, &t.chord);
+			require(least > 0 || prove(&t, &interval, &contact) != TRI_PAIR_APART, "case %ld: proved", n);
+			interval.stray[0] = 1e-9;
+			wrong += least <= 0 && prove(&t, &interval, &contact) == TRI_PAIR_APART;
 		}
 		duo_release(&t.duo);
 	}
@@ -285,7 +285,7 @@ START_TEST(what_is_proved_of_a_box_is_so)
 
 	for (long n = 0; n < cases; n++) {
 		struct trial t;
-		struct region region;
+		struct motion_interval interval;
 		struct contact contact;
 		axis_values middle, half;
 		double claim, least = INFINITY;
@@ -302,9 +302,9 @@ START_TEST(what_is_proved_of_a_box_is_so)
 			half.v[k] = 0.5 * (high - low);
 		}
 		t.chord.deviation = (axis_values){{0}};
-		region_init(&region, &t.duo.pair, REGION_BOX, &t.chord);
-		apart = prove(&t, &region, &contact) == LEAF_APART;
-		claim = boxes_claim(&t, &region);
+		motion_interval_init(&interval, &t.duo.pair, INTERVAL_BOX, &t.chord);
+		apart = prove(&t, &interval, &contact) == TRI_PAIR_APART;
+		claim = boxes_claim(&t, &interval);
 		for (int i = 0; i < INSTANTS && (apart || claim > 0); i++) {
 			axis_values off = random_off(&t.random, &half);
 			xform pose = duo_pose(&t.duo, &middle, &middle, 0, &off);

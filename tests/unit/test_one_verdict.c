@@ -92,7 +92,7 @@ static enum sweep_answer sweep_alone(struct near_program *n, struct sweep *sweep
 	const struct passing passing = {.sweep = sweep, .bodies = &bodies, .clearance = n->p.clearance,
 					.tolerance = n->p.tolerance};
 
-	bodies.memory = NULL;
+	bodies.coherence = NULL;
 	return step_sweep(&passing, &n->steps[step].motion, contact);
 }
 

@@ -7,7 +7,7 @@
 
 #include "geom/boxes.h"
 #include "geom/tolerance.h"
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 #include "solids.h"
 
 /* --------------------------------------------------------- POSE_ROUNDING */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "first_contact.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 
 /* Two random solids near each other at some instant of a random move. */
 struct encounter {
@@ -47,12 +47,12 @@ START_TEST(chords_agree_with_brute_force)
 
 	for (long n = 0; n < cases; n++) {
 		struct encounter e;
-		struct memory memory = {0};
+		struct coherence coherence = {0};
 		struct contact contact;
 		enum sweep_answer answer;
 
 		encounter_init(&e, 1, n);
-		e.duo.pair.memory = random_below(&e.random, 2) ? &memory : NULL;
+		e.duo.pair.coherence = random_below(&e.random, 2) ? &coherence : NULL;
 		answer = sweep_chord(&sweep, &e.duo.pair, &e.chord, e.clearance, e.tolerance, &contact);
 		oracle_judge(&e.duo, &e.chord.q0, &e.chord.q1, e.clearance, e.tolerance, answer, &contact, "chord", n);
 		touched += answer == SWEEP_CONTACT;
@@ -177,13 +177,13 @@ START_TEST(distance_is_a_good_lower_bound)
 
 	for (long n = 0; n < cases; n++) {
 		struct encounter e;
-		struct memory memory = {0};
+		struct coherence coherence = {0};
 		axis_values *q;
 		double share, enough, bound, truth;
 		xform pose;
 
 		encounter_init(&e, 4, n);
-		e.duo.pair.memory = random_below(&e.random, 2) ? &memory : NULL;
+		e.duo.pair.coherence = random_below(&e.random, 2) ? &coherence : NULL;
 		for (int k = 0; k < 2; k++) {
 			q = k ? &e.chord.q1 : &e.chord.q0;
 			pose = duo_pose(&e.duo, q, q, 0, NULL);

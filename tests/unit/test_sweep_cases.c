@@ -1,7 +1,7 @@
 #include <stdlib.h>
 
 #include "first_contact.h"
-#include "scene/memory.h"
+#include "scene/coherence.h"
 #include "scene/sweep.h"
 
 static const struct joint along_x = {SLOT_X, false, {1, 0, 0}, {0, 0, 0}};
@@ -56,16 +56,16 @@ static enum sweep_answer sweep_once(struct duo *duo, const struct chord *chord, 
 				    struct contact *contact)
 {
 	struct sweep sweep = {0};
-	struct memory memory = {0};
+	struct coherence coherence = {0};
 	enum sweep_answer answer, again;
 	struct contact second;
 
 	answer = sweep_chord(&sweep, &duo->pair, chord, clearance, tolerance, contact);
-	/* Once more with storage that has been used, and with a memory. */
-	duo->pair.memory = &memory;
+	/* Once more with storage that has been used, and with what was remembered. */
+	duo->pair.coherence = &coherence;
 	again = sweep_chord(&sweep, &duo->pair, chord, clearance, tolerance, &second);
-	require(again == answer, "a memory changes the answer from %d to %d", (int)answer, (int)again);
-	duo->pair.memory = NULL;
+	require(again == answer, "a coherence changes the answer from %d to %d", (int)answer, (int)again);
+	duo->pair.coherence = NULL;
 	sweep_release(&sweep);
 	return answer;
 }
@@ -187,7 +187,7 @@ START_TEST(starts_and_ends)
 END_TEST
 
 /*
- * 100,000 degrees of a disc with 32 corners within a square frame, 0.2 mm from it: more regions than are kept at a
+ * 100,000 degrees of a disc with 32 corners within a square frame, 0.2 mm from it: more intervals than are kept at a
  * time. Then the same while it drifts towards the frame, whose wall it meets at the very end.
  */
 START_TEST(many_turns)

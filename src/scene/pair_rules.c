@@ -1,4 +1,4 @@
-#include "scene/rules.h"
+#include "scene/pair_rules.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -29,9 +29,9 @@ static int rank(const struct pair_rule *rule)
 	return a > b ? 3 * a + b : 3 * b + a;
 }
 
-struct ruling rules_apply(const struct machine *machine, const struct body *a, const struct body *b)
+struct pair_ruling pair_rules_apply(const struct machine *machine, const struct body *a, const struct body *b)
 {
-	struct ruling ruling = {PAIR_DERIVED, NULL, -1};
+	struct pair_ruling ruling = {PAIR_DERIVED, NULL, -1};
 	int check_rank = -1, clearance_rank = -1;
 
 	for (size_t i = 0; i < machine->rule_count; i++) {

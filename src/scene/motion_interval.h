@@ -1,6 +1,6 @@
-/* region.h - a stretch of relative motion of two bodies, with all that a proof over it needs; it can be halved. */
-#ifndef FIVECHECK_SCENE_REGION_H
-#define FIVECHECK_SCENE_REGION_H
+/* motion_interval.h - a stretch of relative motion of two bodies, with all that a proof over it needs; it can be halved. */
+#ifndef FIVECHECK_SCENE_MOTION_INTERVAL_H
+#define FIVECHECK_SCENE_MOTION_INTERVAL_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "machine/chain.h"
 #include "machine/motion_bound.h"
 
-struct memory;
+struct coherence;
 
 /* Two bodies and the joints between them. Borrows everything. */
 struct body_pair {
@@ -22,7 +22,7 @@ struct body_pair {
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double slop;	/* mm: both meshes' together */
 	double reach;	/* mm: of both meshes' farthest corners from the origins of their coordinates, together, or more */
-	struct memory *memory;	/* what helped last time; NULL: none is kept */
+	struct coherence *coherence;	/* what helped last time; NULL: none is kept */
 };
 
 void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bvh *b, const xform *place_a,
@@ -60,10 +60,10 @@ struct chord {
  * BOX: every position between the chord's q0 (least) and q1 (greatest), axis by
  * axis; it has no time.
  */
-enum region_kind { REGION_CHORD, REGION_BOX };
+enum interval_kind { INTERVAL_CHORD, INTERVAL_BOX };
 
-struct region {
-	enum region_kind kind;
+struct motion_interval {
+	enum interval_kind kind;
 	struct chord chord;
 	double s0, s1;
 	int depth;	/* how often it was halved */
@@ -77,17 +77,17 @@ struct region {
 	double reach;	/* mm: CHORD: L/2 + d + rounding; BOX: from the middle to any place; rounding is in both */
 	struct box_motion boxes;
 	bool halved;
-	struct region *halves[2];	/* the earlier first; valid once halved */
+	struct motion_interval *halves[2];	/* the earlier first; valid once halved */
 };
 
-/* Fills a region that covers the whole of the chord or box. */
-void region_init(struct region *region, const struct body_pair *pair, enum region_kind kind,
+/* Fills an interval that covers the whole of the chord or box. */
+void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
 		 const struct chord *chord);
 
 /* Fills the halves, which the caller provides. */
-void region_halve(struct region *region, const struct body_pair *pair, struct region *first, struct region *second);
+void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair, struct motion_interval *first, struct motion_interval *second);
 
 /* BOX: how far b's points may be off their places along the unit vector n of a's mesh coordinates, mm. */
-double region_play_along(const struct region *region, const struct body_pair *pair, vec3 n);
+double motion_interval_play_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n);
 
 #endif

@@ -1,4 +1,4 @@
-#include "scene/rules.h"
+#include "scene/pair_rules.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -31,20 +31,20 @@ static struct pair_rule rule(struct pair_name a, struct pair_name b, enum pair_c
 }
 
 /* Both orders of the rules and of the bodies must rule the same. */
-static struct ruling apply(const struct pair_rule *rules, size_t count, const struct body *a, const struct body *b)
+static struct pair_ruling apply(const struct pair_rule *rules, size_t count, const struct body *a, const struct body *b)
 {
 	struct pair_rule reversed[8];
 	struct machine machine = {.rules = NULL, .rule_count = count};
-	struct ruling one, two, three;
+	struct pair_ruling one, two, three;
 
 	for (size_t i = 0; i < count; i++)
 		reversed[i] = rules[count - 1 - i];
 	machine.rules = reversed;
-	two = rules_apply(&machine, a, b);
+	two = pair_rules_apply(&machine, a, b);
 	for (size_t i = 0; i < count; i++)
 		reversed[i] = rules[i];
-	one = rules_apply(&machine, a, b);
-	three = rules_apply(&machine, b, a);
+	one = pair_rules_apply(&machine, a, b);
+	three = pair_rules_apply(&machine, b, a);
 	ck_assert_int_eq(one.check, two.check);
 	ck_assert_int_eq(one.check, three.check);
 	ck_assert_double_eq(one.clearance, two.clearance);
@@ -56,7 +56,7 @@ static struct ruling apply(const struct pair_rule *rules, size_t count, const st
 static void expect(const struct pair_rule *rules, size_t count, const struct body *a, const struct body *b,
 		   enum pair_check check, double clearance)
 {
-	struct ruling ruling = apply(rules, count, a, b);
+	struct pair_ruling ruling = apply(rules, count, a, b);
 
 	ck_assert_int_eq(ruling.check, check);
 	ck_assert_double_eq(ruling.clearance, clearance);

@@ -1,4 +1,4 @@
-#include "scene/region.h"
+#include "scene/motion_interval.h"
 
 #include <math.h>
 
@@ -84,22 +84,22 @@ static void state_at(struct chain_state *state, xform *pose, const struct body_p
 }
 
 /* What follows from states and chord. */
-static void finish_chord(struct region *region, const struct body_pair *pair)
+static void finish_chord(struct motion_interval *interval, const struct body_pair *pair)
 {
-	double rounding = fmax(body_pair_rounding(pair, &region->chord.q0, region->poses[0].translation),
-			       body_pair_rounding(pair, &region->chord.q1, region->poses[1].translation));
+	double rounding = fmax(body_pair_rounding(pair, &interval->chord.q0, interval->poses[0].translation),
+			       body_pair_rounding(pair, &interval->chord.q1, interval->poses[1].translation));
 	struct chord_bound bound;
 
-	chord_bound_init(&bound, pair->chain, &region->states[0], &region->states[1], &region->chord.q0,
-			 &region->chord.q1, &region->chord.deviation, region->chord.tolerance);
-	region->path = fmin(bound.path[0], bound.path[1]);
+	chord_bound_init(&bound, pair->chain, &interval->states[0], &interval->states[1], &interval->chord.q0,
+			 &interval->chord.q1, &interval->chord.deviation, interval->chord.tolerance);
+	interval->path = fmin(bound.path[0], bound.path[1]);
 	for (int v = 0; v < VIEWS; v++) {
-		region->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
-		region->path_growth[v] = bound.path_growth[v];
-		region->play[v] = (vec3){0, 0, 0};
+		interval->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
+		interval->path_growth[v] = bound.path_growth[v];
+		interval->play[v] = (vec3){0, 0, 0};
 	}
-	region->reach = 0.5 * bound.length + fmin(bound.drift[0], bound.drift[1]) + rounding;
-	box_motion_init(&region->boxes, pair->a, pair->b, region->poses, region->play, region->stray);
+	interval->reach = 0.5 * bound.length + fmin(bound.drift[0], bound.drift[1]) + rounding;
+	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->play, interval->stray);
 }
 
 static axis_values half_sizes(const struct chord *box)
@@ -133,48 +133,48 @@ static vec3 play_of(double half, double turn, bool rotary, vec3 d)
 		      turn * sqrt(d.x * d.x + d.y * d.y)};
 }
 
-static void finish_box(struct region *region, const struct body_pair *pair)
+static void finish_box(struct motion_interval *interval, const struct body_pair *pair)
 {
 	const struct chain *chain = pair->chain;
-	axis_values middle = middle_of(&region->chord), half = half_sizes(&region->chord);
+	axis_values middle = middle_of(&interval->chord), half = half_sizes(&interval->chord);
 	double rounding;
 
-	state_at(&region->states[0], &region->poses[0], pair, &middle);
-	region->poses[1] = region->poses[0];
-	rounding = body_pair_rounding(pair, &middle, region->poses[0].translation);
-	box_bound_init(&region->bound, chain, &region->states[0], &half);
-	region->path = 0;
-	region->play[0] = region->play[1] = (vec3){0, 0, 0};
-	region->stray[0] = region->stray[1] = rounding;
+	state_at(&interval->states[0], &interval->poses[0], pair, &middle);
+	interval->poses[1] = interval->poses[0];
+	rounding = body_pair_rounding(pair, &middle, interval->poses[0].translation);
+	box_bound_init(&interval->bound, chain, &interval->states[0], &half);
+	interval->path = 0;
+	interval->play[0] = interval->play[1] = (vec3){0, 0, 0};
+	interval->stray[0] = interval->stray[1] = rounding;
 	for (size_t i = 0; i < chain->count; i++) {
-		vec3 in_a = mat3_apply_transposed(&pair->place_a.rotation, region->states[0].direction[i]);
-		vec3 in_b = mat3_apply_transposed(&region->poses[0].rotation, in_a);
+		vec3 in_a = mat3_apply_transposed(&pair->place_a.rotation, interval->states[0].direction[i]);
+		vec3 in_b = mat3_apply_transposed(&interval->poses[0].rotation, in_a);
 		double h = half.v[chain->joints[i].slot];
 		bool rotary = chain->joints[i].rotary;
 
-		region->play[0] = vec3_add(region->play[0], play_of(h, region->bound.turn[0][i], rotary, in_a));
-		region->play[1] = vec3_add(region->play[1], play_of(h, region->bound.turn[1][i], rotary, in_b));
+		interval->play[0] = vec3_add(interval->play[0], play_of(h, interval->bound.turn[0][i], rotary, in_a));
+		interval->play[1] = vec3_add(interval->play[1], play_of(h, interval->bound.turn[1][i], rotary, in_b));
 	}
-	region->reach = fmin(region->bound.reach[0], region->bound.reach[1]) + rounding;
-	box_motion_init(&region->boxes, pair->a, pair->b, region->poses, region->play, region->stray);
+	interval->reach = fmin(interval->bound.reach[0], interval->bound.reach[1]) + rounding;
+	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->play, interval->stray);
 }
 
-void region_init(struct region *region, const struct body_pair *pair, enum region_kind kind,
+void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
 		 const struct chord *chord)
 {
-	region->kind = kind;
-	region->chord = *chord;
-	region->s0 = 0;
-	region->s1 = 1;
-	region->depth = 0;
-	region->halved = false;
-	if (kind == REGION_BOX) {
-		finish_box(region, pair);
+	interval->kind = kind;
+	interval->chord = *chord;
+	interval->s0 = 0;
+	interval->s1 = 1;
+	interval->depth = 0;
+	interval->halved = false;
+	if (kind == INTERVAL_BOX) {
+		finish_box(interval, pair);
 		return;
 	}
-	state_at(&region->states[0], &region->poses[0], pair, &chord->q0);
-	state_at(&region->states[1], &region->poses[1], pair, &chord->q1);
-	finish_chord(region, pair);
+	state_at(&interval->states[0], &interval->poses[0], pair, &chord->q0);
+	state_at(&interval->states[1], &interval->poses[1], pair, &chord->q1);
+	finish_chord(interval, pair);
 }
 
 static void halve_straight(const struct chord *whole, struct chord *first, struct chord *second)
@@ -187,10 +187,10 @@ static void halve_straight(const struct chord *whole, struct chord *first, struc
 }
 
 /* Across the joint that moves the bodies most. */
-static void halve_box(const struct region *region, const struct body_pair *pair, struct chord *first,
+static void halve_box(const struct motion_interval *interval, const struct body_pair *pair, struct chord *first,
 		      struct chord *second)
 {
-	axis_values half = half_sizes(&region->chord), middle = middle_of(&region->chord);
+	axis_values half = half_sizes(&interval->chord), middle = middle_of(&interval->chord);
 	double most = -1;
 	int slot = 0;
 
@@ -199,60 +199,60 @@ static void halve_box(const struct region *region, const struct body_pair *pair,
 		double way = half.v[joint->slot];
 
 		if (joint->rotary)
-			way *= fmin(region->states[0].rho[0][i], region->states[0].rho[1][i]);
+			way *= fmin(interval->states[0].rho[0][i], interval->states[0].rho[1][i]);
 		if (way > most) {
 			most = way;
 			slot = joint->slot;
 		}
 	}
-	*first = *second = region->chord;
+	*first = *second = interval->chord;
 	first->q1.v[slot] = second->q0.v[slot] = middle.v[slot];
 }
 
-void region_halve(struct region *region, const struct body_pair *pair, struct region *first, struct region *second)
+void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair, struct motion_interval *first, struct motion_interval *second)
 {
-	double middle = 0.5 * (region->s0 + region->s1);
+	double middle = 0.5 * (interval->s0 + interval->s1);
 
-	region->halves[0] = first;
-	region->halves[1] = second;
-	region->halved = true;
-	first->kind = second->kind = region->kind;
-	first->depth = second->depth = region->depth + 1;
+	interval->halves[0] = first;
+	interval->halves[1] = second;
+	interval->halved = true;
+	first->kind = second->kind = interval->kind;
+	first->depth = second->depth = interval->depth + 1;
 	first->halved = second->halved = false;
-	first->s0 = region->s0;
-	second->s1 = region->s1;
-	if (region->kind == REGION_BOX) {
-		first->s1 = region->s1;
-		second->s0 = region->s0;
-		halve_box(region, pair, &first->chord, &second->chord);
+	first->s0 = interval->s0;
+	second->s1 = interval->s1;
+	if (interval->kind == INTERVAL_BOX) {
+		first->s1 = interval->s1;
+		second->s0 = interval->s0;
+		halve_box(interval, pair, &first->chord, &second->chord);
 		finish_box(first, pair);
 		finish_box(second, pair);
 		return;
 	}
 	first->s1 = second->s0 = middle;
-	(region->chord.halve ? region->chord.halve : halve_straight)(&region->chord, &first->chord, &second->chord);
-	first->states[0] = region->states[0];
-	first->poses[0] = region->poses[0];
+	(interval->chord.halve ? interval->chord.halve : halve_straight)(&interval->chord, &first->chord, &second->chord);
+	first->states[0] = interval->states[0];
+	first->poses[0] = interval->poses[0];
 	state_at(&first->states[1], &first->poses[1], pair, &first->chord.q1);
 	second->states[0] = first->states[1];
 	second->poses[0] = first->poses[1];
-	second->states[1] = region->states[1];
-	second->poses[1] = region->poses[1];
+	second->states[1] = interval->states[1];
+	second->poses[1] = interval->poses[1];
 	finish_chord(first, pair);
 	finish_chord(second, pair);
 }
 
-double region_play_along(const struct region *region, const struct body_pair *pair, vec3 n)
+double motion_interval_play_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n)
 {
 	vec3 in_a_link = mat3_apply(&pair->place_a.rotation, n);
-	axis_values half = half_sizes(&region->chord);
+	axis_values half = half_sizes(&interval->chord);
 	double play = 0;
 
 	for (size_t i = 0; i < pair->chain->count; i++) {
-		vec3 d = region->states[0].direction[i];
+		vec3 d = interval->states[0].direction[i];
 
 		if (pair->chain->joints[i].rotary)
-			play += region->bound.turn[0][i] * vec3_norm(vec3_cross(in_a_link, d));
+			play += interval->bound.turn[0][i] * vec3_norm(vec3_cross(in_a_link, d));
 		else
 			play += half.v[pair->chain->joints[i].slot] * fabs(vec3_dot(in_a_link, d));
 	}

@@ -1,9 +1,9 @@
-#include "scene/overlap.h"
+#include "scene/static_query.h"
 
 #include <math.h>
 
 #include "geom/topology.h"
-#include "scene/branch.h"
+#include "scene/bvh_pair.h"
 
 static bool in_box(vec3 p, const struct bvh *bvh)
 {
@@ -48,7 +48,7 @@ static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
 	       fabs(to_a.x) <= hb.x + reach_a && fabs(to_a.y) <= hb.y + reach_a && fabs(to_a.z) <= hb.z + reach_a;
 }
 
-enum inside scene_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
+enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
 			    struct diag *diag)
 {
 	struct body_pair bodies;
@@ -79,7 +79,7 @@ static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodi
 	return sweep_chord(sweep, bodies, &chord, clearance, tolerance, contact);
 }
 
-enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
+enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag)
 {
 	struct body_pair bodies;
@@ -88,39 +88,39 @@ enum stance scene_stance(struct scene *scene, struct sweep *sweep, const struct 
 	vec3 point;
 
 	if (!scene_pair_bodies(scene, pair, &bodies, diag))
-		return STANCE_FAILED;
+		return POSE_FAILED;
 	answer = still(sweep, &bodies, q, 0, tolerance, contact);
 	if (answer == SWEEP_CONTACT) {
 		contact->distance = 0;
-		return STANCE_OVERLAP;
+		return POSE_OVERLAP;
 	}
 	if (answer == SWEEP_APART)
-		inside = scene_contained(scene, pair, q, &point, diag);
+		inside = static_query_contained(scene, pair, q, &point, diag);
 	if (inside == INSIDE_YES) {
 		*contact = (struct contact){0, *q, 0, point, 0};
-		return STANCE_OVERLAP;
+		return POSE_OVERLAP;
 	}
 	if (answer == SWEEP_APART && pair->clearance > 0)
 		answer = still(sweep, &bodies, q, pair->clearance, tolerance, contact);
 	if (answer == SWEEP_UNDECIDED)
-		scene_undecided(scene, pair, tolerance, diag);
+		static_query_report_undecided(scene, pair, tolerance, diag);
 	if (answer != SWEEP_APART)
-		return answer == SWEEP_UNDECIDED ? STANCE_FAILED : STANCE_NEAR;
-	return inside == INSIDE_UNKNOWN ? STANCE_UNKNOWN : STANCE_CLEAR;
+		return answer == SWEEP_UNDECIDED ? POSE_FAILED : POSE_NEAR;
+	return inside == INSIDE_UNKNOWN ? POSE_UNKNOWN : POSE_CLEAR;
 }
 
-bool scene_overlap(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
+bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
 		   vec3 *point, struct diag *diag)
 {
 	struct contact contact;
 
-	if (scene_stance(scene, &scene->sweep, pair, q, tolerance, &contact, diag) != STANCE_OVERLAP)
+	if (static_query_pose(scene, &scene->sweep, pair, q, tolerance, &contact, diag) != POSE_OVERLAP)
 		return false;
 	*point = contact.point;
 	return true;
 }
 
-void scene_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag)
+void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag)
 {
 	diag_error(diag, scene->bodies[pair->b].body->loc,
 		   "'%s' and '%s' cannot be decided to within %g mm: their coordinates are too large for that; "

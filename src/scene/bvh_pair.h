@@ -1,0 +1,46 @@
+/* bvh_pair.h - one box of a tree as a walk over two trees meets it: an inner node, or a leaf. */
+#ifndef FIVECHECK_SCENE_BVH_PAIR_H
+#define FIVECHECK_SCENE_BVH_PAIR_H
+
+#include <math.h>
+
+#include "geom/boxes.h"
+#include "geom/bvh.h"
+#include "scene/tri_pair.h"
+
+struct subtree {
+	struct box box;
+	float size;	/* mm: the box's diagonal */
+	struct leaf leaf;	/* count 0: the inner node nodes[leaf.first] */
+};
+
+static inline struct subtree subtree_of(struct box box, struct leaf leaf)
+{
+	const float *h = box.half;
+
+	return (struct subtree){box, 2 * sqrtf(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), leaf};
+}
+
+static inline struct subtree subtree_root(const struct bvh *bvh)
+{
+	return subtree_of(box_whole(bvh), (struct leaf){0, 0});
+}
+
+static inline struct subtree subtree_child(const struct bvh_node *node, int lane)
+{
+	return subtree_of(box_of(node, lane), (struct leaf){node->first[lane], node->count[lane]});
+}
+
+/* A subtree of each body's tree, and the least distance (mm) that their boxes allow. */
+struct bvh_pair {
+	struct subtree a, b;
+	float least;
+};
+
+/* Of two subtrees, not both leaves, is a the one to open? The larger that can be. */
+static inline bool bvh_pair_opens_a(const struct subtree *a, const struct subtree *b)
+{
+	return b->leaf.count || (!a->leaf.count && a->size >= b->size);
+}
+
+#endif
