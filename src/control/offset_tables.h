@@ -12,12 +12,19 @@ struct work_offset {
 	long line;	/* in the setup file */
 };
 
+/* What a tool needs so that its contact with the part is work and not a crash. */
+enum tool_kind {
+	TOOL_TURNS,	/* a cutter: a programmed feed and a spindle that turns */
+	TOOL_STANDS	/* a probe, a nozzle, a laser, a drag knife: a programmed feed alone */
+};
+
 struct tool {
 	int number;	/* > 0 */
 	const char *name;	/* or "" */
 	double length;	/* from the gauge point to the tip */
 	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
 	double length_offset;	/* H of the same number, unless the setup's <offset> says otherwise */
+	enum tool_kind kind;
 	long line;	/* in the setup file */
 };
 

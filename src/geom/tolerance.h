@@ -25,6 +25,12 @@
  */
 #define POSE_ROUNDING 0x1p-44
 
+/*
+ * mm: how deep a cutter that does not cut may enter the finished part. A retract begins on the surface
+ * that was just cut, and the part's mesh leaves its true surface by some hundredths.
+ */
+#define RAPID_ALLOWANCE 0.1
+
 /* mm: a coordinate in a mesh beyond this is no machine; its float granularity is 64 mm. */
 #define COORDINATE_MAX 1e9
 

@@ -34,6 +34,8 @@ struct axis {
 	long line;	/* in the XML file */
 };
 
+struct tool_solid;
+
 enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
 
 struct body {
@@ -44,6 +46,9 @@ struct body {
 	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
 	const char *mesh_root;	/* the folder that the mesh must be in, whoever set it outlives the body; or NULL */
 	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
+	const struct tool_solid *profile;	/* what a cutter's solid was made from; NULL: it is no cutter, or a mesh */
+	double rapid_allowance;	/* mm, of a part: how deep a cutter that does not cut may enter it */
+	double gouge;	/* mm, of a part: how deep a cutter that cuts may enter it; negative: as deep as it wants */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
 	struct srcloc loc;	/* of the element that names it */

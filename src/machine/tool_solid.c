@@ -99,6 +99,33 @@ static struct plan make_plan(const struct tool_solid *solid)
 	return plan;
 }
 
+void tool_solid_cut(const struct tool_solid *solid, double height, struct arena *arena, struct tool_solid *upper,
+		    struct tool_solid *lower)
+{
+	double cut = bottom(solid) + height, z = solid->top, end;
+	struct tool_section *above = arena_alloc(arena, solid->count * sizeof(*above));
+	struct tool_section *below = arena_alloc(arena, solid->count * sizeof(*below));
+
+	*upper = (struct tool_solid){.sections = above, .top = z, .tip = TIP_FLAT};
+	*lower = *solid;
+	lower->sections = below;
+	lower->count = 0;
+	lower->top = cut;
+	for (size_t i = 0; i < solid->count; i++, z = end) {
+		const struct tool_section *s = &solid->sections[i];
+		double at = s->diameter;
+
+		end = z - s->length;
+		if (z > cut && end < cut)
+			at += (s->diameter_end - s->diameter) * (z - cut) / s->length;
+		if (z > cut)
+			above[upper->count++] = (struct tool_section){
+				z - fmax(end, cut), s->diameter, end < cut ? at : s->diameter_end};
+		if (end < cut)
+			below[lower->count++] = (struct tool_section){fmin(z, cut) - end, at, s->diameter_end};
+	}
+}
+
 double tool_solid_tip_height(const struct tool_solid *solid)
 {
 	if (solid->tip == TIP_CONE)

@@ -37,6 +37,13 @@ struct tool_solid {
 	double corner;	/* BULL: radius of the rounded edge, mm, at most the section's radius */
 };
 
+/*
+ * Cuts the solid `height` mm above its end: *upper has a flat end there, *lower keeps
+ * the tip. The height is at least the tip's and less than the whole. The sections live in the arena.
+ */
+void tool_solid_cut(const struct tool_solid *solid, double height, struct arena *arena, struct tool_solid *upper,
+		    struct tool_solid *lower);
+
 /* Height of what the tip takes from the last section, mm; the section must be at least that long. */
 double tool_solid_tip_height(const struct tool_solid *solid);
 

@@ -4,6 +4,7 @@
 #include "base/units.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
+#include "machine/tool_solid.h"
 #include "xml_case.h"
 
 static const char machine_text[] =
@@ -268,7 +269,59 @@ START_TEST(empty_setup_and_bare_tool)
 }
 END_TEST
 
+/* What is above the flutes is a neck, with a shank's role; the cutter keeps its tip and its profile. */
+START_TEST(cuts_off_what_is_above_the_flutes)
+{
+	struct setup *s = load_good("<setup version='1'>\n<tool number='5' length='60' kind='probe'>"
+				    "<cutter tip='ball' flute_length='12'><section length='40' diameter='20' "
+				    "diameter_end='10'/><section length='20' diameter='10'/></cutter></tool></setup>");
+	const struct tool_solid *flutes;
+
+	ck_assert_int_eq(setup_tool(s, 5)->kind, TOOL_STANDS);
+	ck_assert_uint_eq(s->body_count, 2);
+	ck_assert_str_eq(s->bodies[0].name, "T5 neck");
+	ck_assert_int_eq(s->bodies[0].role, ROLE_SHANK);
+	ck_assert_ptr_null(s->bodies[0].profile);
+	ck_assert_str_eq(s->bodies[1].name, "T5 cutter");
+	flutes = s->bodies[1].profile;
+	ck_assert_uint_eq(flutes->count, 1);
+	ck_assert_int_eq(flutes->tip, TIP_BALL);
+	ck_assert_double_eq_tol(flutes->top, -48, 1e-12);
+	ck_assert_double_eq_tol(flutes->sections[0].length, 12, 1e-12);
+	setup_free(s);
+	s = load_good("<setup version='1'>\n<tool number='5' length='60'><cutter flute_length='50'>"
+		      "<section length='40' diameter='20' diameter_end='10'/><section length='20' diameter='10'/>"
+		      "</cutter></tool></setup>");
+	ck_assert_int_eq(setup_tool(s, 5)->kind, TOOL_TURNS);
+	flutes = s->bodies[1].profile;
+	ck_assert_uint_eq(flutes->count, 2);
+	ck_assert_double_eq_tol(flutes->sections[0].length, 30, 1e-12);
+	ck_assert_double_eq_tol(flutes->sections[0].diameter, 17.5, 1e-12);
+	setup_free(s);
+}
+END_TEST
+
+START_TEST(reads_how_deep_a_cutter_may_go)
+{
+	struct setup *s = load_good("<setup version='1'><part name='a' mesh='a.stl'/>\n"
+				    "<part name='b' mesh='b.stl' rapid_allowance='0.3' gouge='0'/></setup>");
+
+	ck_assert_double_eq(s->bodies[0].rapid_allowance, 0.1);
+	ck_assert_double_lt(s->bodies[0].gouge, 0);
+	ck_assert_double_eq(s->bodies[1].rapid_allowance, 0.3);
+	ck_assert_double_eq(s->bodies[1].gouge, 0);
+	setup_free(s);
+}
+END_TEST
+
 static const struct xml_case bad[] = {
+    {SETUP("<part name='p' mesh='p.stl' gouge='-1'/>"),
+     "s.xml:2: error: gouge=\"-1\" of <part> is not between 0 and 5000 mm\n"},
+    {TOOL("5", "60", "<cutter tip='ball' flute_length='4'><section length='60' diameter='10'/></cutter>"),
+     "s.xml:2: error: flute_length=\"4\" of <cutter> is not between the height of its tip and its length, 5 and "
+     "60 mm\n"},
+    {TOOL("5", "60", "<cutter mesh='c.stl' flute_length='4'/>"),
+     "s.xml:2: error: <cutter> with a mesh has its tip there: remove tip, angle, corner and flute_length\n"},
     {"<machine version='1'/>", "s.xml:1: error: this is a machine file where a setup file is wanted\n"},
     {"<setup/>", "s.xml:1: error: <setup> lacks the attribute 'version'\n"},
     {"<setup version='1.0'/>",
@@ -322,7 +375,7 @@ static const struct xml_case bad[] = {
      "s.xml:2: error: <cutter> has both a mesh and sections\n"},
     {TOOL("1", "10", "<cutter/>"), "s.xml:2: error: <cutter> needs sections, or a mesh\n"},
     {TOOL("1", "10", "<cutter mesh='c' tip='ball'/>"),
-     "s.xml:2: error: <cutter> with a mesh has its tip there: remove tip, angle and corner\n"},
+     "s.xml:2: error: <cutter> with a mesh has its tip there: remove tip, angle, corner and flute_length\n"},
     {TOOL("1", "10", "<cutter units='inch'>" SECTION("10", "2") "</cutter>"),
      "s.xml:2: error: <cutter>: units are those of a mesh, and it has none\n"},
     {TOOL("1", "10", "<holder tip='flat'>" SECTION("10", "2") "</holder>"),
@@ -452,6 +505,8 @@ int main(void)
 	tcase_add_test(good, stacks_and_places_tools);
 	tcase_add_test(good, stacks_around_meshes);
 	tcase_add_test(good, spindles_up_and_down);
+	tcase_add_test(good, cuts_off_what_is_above_the_flutes);
+	tcase_add_test(good, reads_how_deep_a_cutter_may_go);
 	tcase_add_test(good, inches);
 	tcase_add_test(good, empty_setup_and_bare_tool);
 	suite_add_tcase(suite, good);

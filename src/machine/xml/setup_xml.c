@@ -1,3 +1,5 @@
+#include "geom/tolerance.h"
+#include "machine/tool_solid.h"
 #include "machine/xml/setup_xml.h"
 
 #include <string.h>
@@ -63,6 +65,24 @@ static void read_work_offset(struct xml_reader *xml, const xmlNode *node, const 
 	setup->offsets[setup->offset_count++] = offset;
 }
 
+/* How deep a cutter may enter a part, at rapid and at feed. */
+static void read_depths(struct xml_reader *xml, const xmlNode *node, struct body *body)
+{
+	static const char *const names[] = {"rapid_allowance", "gouge"};
+	double *const depths[] = {&body->rapid_allowance, &body->gouge};
+
+	body->rapid_allowance = RAPID_ALLOWANCE;
+	body->gouge = -1;
+	for (int i = 0; i < 2; i++) {
+		if (!xml_attribute(node, names[i]))
+			continue;
+		*depths[i] = xml_length(xml, node, names[i], 0);
+		if (*depths[i] < 0 || *depths[i] > TOOL_SIZE_MAX)
+			xml_error(xml, node, "%s=\"%s\" of <part> is not between 0 and %g mm", names[i],
+				  xml_quote(xml_attribute(node, names[i])).text, TOOL_SIZE_MAX);
+	}
+}
+
 /* A <fixture> or <part>. */
 static void read_mounted(struct xml_reader *xml, const xmlNode *node, const struct machine *machine,
 			 struct setup *setup)
@@ -73,6 +93,8 @@ static void read_mounted(struct xml_reader *xml, const xmlNode *node, const stru
 
 	if (!body_read(xml, node, &setup->arena, &machine->workholding.frame, &body))
 		return;
+	if (body.role == ROLE_PART)
+		read_depths(xml, node, &body);
 	body_check_name(xml, node, body.name, machine->bodies, machine->body_count);
 	body_check_name(xml, node, body.name, setup->bodies, setup->body_count);
 	setup->bodies[setup->body_count++] = body;
@@ -119,7 +141,7 @@ static bool make_room(struct xml_reader *xml, const xmlNode *node, struct setup 
 	setup->offsets = arena_alloc(&setup->arena, offsets * sizeof(*setup->offsets));
 	setup->tools = arena_alloc(&setup->arena, tools * sizeof(*setup->tools));
 	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
-	setup->bodies = arena_alloc(&setup->arena, (mounted + 3 * tools) * sizeof(*setup->bodies));
+	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
 	return true;
 }
 

@@ -26,6 +26,7 @@ struct piece {
 	bool mesh;
 	struct tool_solid solid;	/* unless it is a mesh */
 	double length;	/* of its sections */
+	double flutes;	/* mm of a cutter, from its end, that cut; 0: all of it */
 };
 
 static double read_diameter(struct xml_reader *xml, const xmlNode *node, const char *name, double least,
@@ -135,6 +136,25 @@ static void read_sections(struct tool_reader *reader, const xmlNode *node, struc
 	piece->solid.count = count;
 }
 
+/* How much of a cutter cuts: what is above its flutes rubs, and is a body of its own. */
+static void read_flutes(struct xml_reader *xml, const xmlNode *node, struct piece *piece)
+{
+	const char *text = xml_attribute(node, "flute_length");
+	double flutes, least;
+
+	if (!text)
+		return;
+	flutes = xml_length(xml, node, "flute_length", 0);
+	least = fmax(tool_solid_tip_height(&piece->solid), TOOL_SECTION_MIN);
+	if (flutes < least - TIP_TOLERANCE || flutes > piece->length + SUM_TOLERANCE)
+		xml_error(xml, node,
+			  "flute_length=\"%s\" of <cutter> is not between the height of its tip and its length, %.9g and "
+			  "%.9g mm",
+			  xml_quote(text).text, least, piece->length);
+	else if (flutes < piece->length - TOOL_SECTION_MIN)
+		piece->flutes = fmax(flutes, least);
+}
+
 static void read_piece(struct tool_reader *reader, const xmlNode *node, struct piece *piece)
 {
 	bool cutter = xml_is(node, "cutter");
@@ -146,9 +166,10 @@ static void read_piece(struct tool_reader *reader, const xmlNode *node, struct p
 		return;
 	}
 	if (piece->mesh) {
-		if (xml_attribute(node, "tip") || xml_attribute(node, "angle") || xml_attribute(node, "corner"))
+		if (xml_attribute(node, "tip") || xml_attribute(node, "angle") || xml_attribute(node, "corner") ||
+		    xml_attribute(node, "flute_length"))
 			xml_error(reader->xml, node,
-				  "<cutter> with a mesh has its tip there: remove tip, angle and corner");
+				  "<cutter> with a mesh has its tip there: remove tip, angle, corner and flute_length");
 		return;
 	}
 	if (!xml_first(node)) {
@@ -159,8 +180,10 @@ static void read_piece(struct tool_reader *reader, const xmlNode *node, struct p
 		xml_error(reader->xml, node, "<%s>: units are those of a mesh, and it has none",
 			  (const char *)node->name);
 	read_sections(reader, node, piece);
-	if (cutter && piece->solid.count)
-		read_tip(reader->xml, node, &piece->solid);
+	if (!cutter || !piece->solid.count)
+		return;
+	read_tip(reader->xml, node, &piece->solid);
+	read_flutes(reader->xml, node, piece);
 }
 
 /* Sections hang below what ends at a known height, or stand on what begins at one. */
@@ -205,19 +228,18 @@ static xform tool_placement(const struct spindle *spindle)
 	return placement;
 }
 
-static const struct mesh *tessellate(struct tool_reader *reader, const struct piece *piece)
+static const struct mesh *tessellate(struct tool_reader *reader, const xmlNode *node, const struct tool_solid *solid)
 {
 	struct mesh *mesh;
-	size_t triangles = tool_solid_triangles(&piece->solid);
+	size_t triangles = tool_solid_triangles(solid);
 
 	if (triangles > TOOL_TRIANGLES_MAX - reader->triangles) {
-		xml_error(reader->xml, piece->node, "the tools' sections make more than %zu triangles",
-			  TOOL_TRIANGLES_MAX);
+		xml_error(reader->xml, node, "the tools' sections make more than %zu triangles", TOOL_TRIANGLES_MAX);
 		return NULL;
 	}
 	reader->triangles += triangles;
 	mesh = arena_alloc(&reader->setup->arena, sizeof(*mesh));
-	tool_solid_mesh(&piece->solid, &reader->setup->arena, mesh);
+	tool_solid_mesh(solid, &reader->setup->arena, mesh);
 	return mesh;
 }
 
@@ -232,29 +254,51 @@ static const char *piece_name(struct arena *arena, int number, const char *what)
 	return name;
 }
 
-static void add_bodies(struct tool_reader *reader, const struct tool *tool, const struct piece pieces[PIECES])
+/* A piece of a tool that is a body: a mesh where `solid` is NULL. */
+static void add_body(struct tool_reader *reader, const struct tool *tool, const xmlNode *node, const char *what,
+		     enum body_role role, const struct tool_solid *solid)
 {
 	const struct machine *machine = reader->machine;
 	struct setup *setup = reader->setup;
+	struct body body = {.name = piece_name(&setup->arena, tool->number, what),
+			    .role = role,
+			    .link = machine->spindle.link,
+			    .tool = tool->number,
+			    .scale = 1,
+			    .placement = tool_placement(&machine->spindle),
+			    .loc = {.file = setup->path, .line = xmlGetLineNo(node)}};
 
+	if (!solid)
+		body_read_mesh(reader->xml, node, &setup->arena, &body);
+	else if (!reader->xml->errors)
+		body.solid = tessellate(reader, node, solid);
+	if (solid && role == ROLE_CUTTER) {
+		struct tool_solid *profile = arena_alloc(&setup->arena, sizeof(*profile));
+
+		*profile = *solid;
+		body.profile = profile;
+	}
+	body_check_name(reader->xml, node, body.name, machine->bodies, machine->body_count);
+	body_check_name(reader->xml, node, body.name, setup->bodies, setup->body_count);
+	setup->bodies[setup->body_count++] = body;
+}
+
+static void add_bodies(struct tool_reader *reader, const struct tool *tool, const struct piece pieces[PIECES])
+{
 	for (int i = 0; i < PIECES; i++) {
-		struct body body = {.name = piece_name(&setup->arena, tool->number, piece_names[i]),
-				    .role = piece_roles[i],
-				    .link = machine->spindle.link,
-				    .tool = tool->number,
-				    .scale = 1,
-				    .placement = tool_placement(&machine->spindle)};
+		const struct piece *piece = &pieces[i];
+		struct tool_solid neck, flutes;
 
-		if (!pieces[i].node)
+		if (!piece->node)
 			continue;
-		body.loc = (struct srcloc){.file = setup->path, .line = xmlGetLineNo(pieces[i].node)};
-		if (pieces[i].mesh)
-			body_read_mesh(reader->xml, pieces[i].node, &setup->arena, &body);
-		else if (!reader->xml->errors)
-			body.solid = tessellate(reader, &pieces[i]);
-		body_check_name(reader->xml, pieces[i].node, body.name, machine->bodies, machine->body_count);
-		body_check_name(reader->xml, pieces[i].node, body.name, setup->bodies, setup->body_count);
-		setup->bodies[setup->body_count++] = body;
+		if (!(piece->flutes > 0)) {
+			add_body(reader, tool, piece->node, piece_names[i], piece_roles[i],
+				 piece->mesh ? NULL : &piece->solid);
+			continue;
+		}
+		tool_solid_cut(&piece->solid, piece->flutes, &reader->setup->arena, &neck, &flutes);
+		add_body(reader, tool, piece->node, "neck", ROLE_SHANK, &neck);
+		add_body(reader, tool, piece->node, piece_names[i], piece_roles[i], &flutes);
 	}
 }
 
@@ -282,10 +326,12 @@ void tool_read(struct tool_reader *reader, const xmlNode *node)
 	struct xml_reader *xml = reader->xml;
 	struct setup *setup = reader->setup;
 	const char *name = xml_label(xml, node, "name", &setup->arena);
+	static const char *const kinds[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
 	struct piece pieces[PIECES] = {{0}};
 	struct tool tool = {.number = xml_integer(xml, node, "number", 0, 1, TOOL_NUMBER_MAX),
 			    .name = name ? name : "",
 			    .length = xml_length(xml, node, "length", 1),
+			    .kind = xml_choice(node, "kind", kinds) ? TOOL_STANDS : TOOL_TURNS,
 			    .line = xmlGetLineNo(node)};
 	const struct tool *other = setup_tool(setup, tool.number);
 	size_t errors = xml->errors;

@@ -8,6 +8,9 @@
 #include "machine/setup.h"
 #include "machine/xml/xml_read.h"
 
+/* Bodies of one tool: holder, shank, cutter, and the neck above the cutter's flutes. */
+#define TOOL_BODIES_MAX 4
+
 /* T and H words of eight digits exist. */
 #define TOOL_NUMBER_MAX 99999999
 
