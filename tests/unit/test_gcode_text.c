@@ -84,6 +84,30 @@ START_TEST(number_forms)
 }
 END_TEST
 
+/* Whatever the bytes: a blank before them, which leads past the quick way of reading, changes nothing. */
+START_TEST(quick_and_slow_numbers_agree)
+{
+	static const char bytes[] = "0123456789012345678901234567890123456789...+-  \tX";
+	struct random random = random_case(2, 0);
+
+	for (int i = 0; i < 300000; i++) {
+		size_t length = 1 + random_bits(&random) % 26, quick = 0, slow = 0;
+		double quick_value = 0, slow_value = 0;
+		bool quick_point = false, slow_point = false;
+		char text[32] = " ";
+
+		for (size_t k = 1; k <= length; k++)
+			text[k] = bytes[random_bits(&random) % (sizeof(bytes) - 1)];
+		require(number_read(text + 1, &quick, &quick_value, &quick_point) ==
+			    number_read(text, &slow, &slow_value, &slow_point),
+			"%s", text);
+		require(quick + (quick > 0) == slow && quick_point == slow_point &&
+			    !memcmp(&quick_value, &slow_value, sizeof(quick_value)),
+			"%s", text);
+	}
+}
+END_TEST
+
 START_TEST(line_ends)
 {
 	const char *moves = "rapid 1 0 0 0 0\nrapid 1 2 0 0 0\n";
@@ -266,7 +290,7 @@ int main(void)
 	const TTest *const tests[] = {
 	    numbers_are_correctly_rounded,
 	    numbers_beyond_the_mantissa,
-	    number_forms,
+	    number_forms, quick_and_slow_numbers_agree,
 	    line_ends,
 	    faulty_files,
 	    long_lines,

@@ -37,6 +37,54 @@ static double slow_value(const char *text, size_t begin, size_t end, int fractio
 	return strtod(clean, NULL);
 }
 
+/* The value of a number whose digits are all in the mantissa: a quotient of two exact doubles is correctly rounded. */
+static bool exact_value(uint64_t mantissa, int fraction_digits, double *value)
+{
+	/* Clinger, "How to Read Floating Point Numbers Accurately", 1990. */
+	if (mantissa > EXACT_MANTISSA_MAX || fraction_digits > EXACT_POWER_MAX)
+		return false;
+	*value = (double)mantissa / power_of_ten[fraction_digits];
+	return true;
+}
+
+static const char *skip_blanks(const char *at)
+{
+	while (is_blank(*at))
+		at++;
+	return at;
+}
+
+/*
+ * The usual number in one pass: no blanks between its digits, and all of them fit the mantissa. False: it is no such
+ * number, and nothing has changed.
+ */
+static bool read_quickly(const char *text, size_t *position, double *value, bool *point)
+{
+	const char *at = text + *position, *first, *point_at = NULL, *next;
+	bool negative = *at == '-';
+	uint64_t mantissa = 0;
+
+	at += *at == '-' || *at == '+';
+	for (first = at;; at++) {
+		if (is_digit(*at))
+			mantissa = 10 * mantissa + (uint64_t)(*at - '0');
+		else if (*at == '.' && !point_at)
+			point_at = at;
+		else
+			break;
+	}
+	next = skip_blanks(at);
+	if (at - first - (point_at != NULL) > MANTISSA_DIGITS_MAX || at - first == (point_at != NULL))
+		return false;
+	if (is_digit(*next) || *next == '.' || !exact_value(mantissa, point_at ? (int)(at - point_at - 1) : 0, value))
+		return false;
+	if (negative)
+		*value = -*value;
+	*point = point_at != NULL;
+	*position = (size_t)(next - text);
+	return true;
+}
+
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point)
 {
 	size_t at = *position, begin;
@@ -44,6 +92,8 @@ enum number_status number_read(const char *text, size_t *position, double *value
 	int digits = 0, significant = 0, fraction_digits = 0;
 	bool negative = false, seen_point = false;
 
+	if (read_quickly(text, position, value, point))
+		return NUMBER_OK;
 	while (is_blank(text[at]))
 		at++;
 	if (text[at] == '+' || text[at] == '-')
@@ -67,10 +117,7 @@ enum number_status number_read(const char *text, size_t *position, double *value
 		return NUMBER_MISSING;
 	if (digits > NUMBER_LENGTH_MAX)
 		return NUMBER_TOO_LONG;
-	/* A quotient of two exact doubles is correctly rounded (Clinger 1990). */
-	if (significant <= MANTISSA_DIGITS_MAX && mantissa <= EXACT_MANTISSA_MAX && fraction_digits <= EXACT_POWER_MAX)
-		*value = (double)mantissa / power_of_ten[fraction_digits];
-	else
+	if (significant > MANTISSA_DIGITS_MAX || !exact_value(mantissa, fraction_digits, value))
 		*value = slow_value(text, begin, at, fraction_digits);
 	if (negative)
 		*value = -*value;
