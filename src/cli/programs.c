@@ -1,11 +1,10 @@
 #include "cli/programs.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/parallel_for.h"
 #include "cli/path_checks.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
@@ -17,39 +16,19 @@ struct session {
 	struct program_context context;
 	struct ordered_output order;
 	struct program_outcome *outcomes;	/* one a program */
-	atomic_size_t next;	/* program */
 };
 
-static void *work(void *context)
+static void check_program(void *context, int worker, size_t i)
 {
 	struct session *session = context;
-	const struct options *options = session->options;
-	size_t i;
+	struct program_output *output = &session->order.programs[i];
 
-	while ((i = atomic_fetch_add(&session->next, 1)) < options->program_count) {
-		struct program_output *output = &session->order.programs[i];
-
-		/* When nobody can hear it any more, nothing is worth checking. */
-		session->outcomes[i].status = RUN_INCOMPLETE;
-		if (!ordered_output_is_lost(&session->order))
-			program_check(&session->context, options->programs[i], output, &session->outcomes[i]);
-		program_output_end(output);
-	}
-	return NULL;
-}
-
-/* A thread that cannot start is no loss: the others do its share. */
-static void work_together(struct session *session, int count)
-{
-	pthread_t *threads = mem_zalloc((size_t)count, sizeof(*threads));
-	int started = 0;
-
-	while (started < count - 1 && !pthread_create(&threads[started], NULL, work, session))
-		started++;
-	work(session);
-	for (int i = 0; i < started; i++)
-		pthread_join(threads[i], NULL);
-	free(threads);
+	(void)worker;
+	/* When nobody can hear it any more, nothing is worth checking. */
+	session->outcomes[i].status = RUN_INCOMPLETE;
+	if (!ordered_output_is_lost(&session->order))
+		program_check(&session->context, session->options->programs[i], output, &session->outcomes[i]);
+	program_output_end(output);
 }
 
 static void tell_end(const struct session *session, double seconds, const struct input_files *inputs,
@@ -164,7 +143,7 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 	stderr_ui_expect(ui, options->program_count);
 	sinks_begin(sinks, &session.context.run);
 	interrupt_watch();
-	work_together(&session, threads);
+	parallel_for(options->program_count, threads, check_program, &session);
 	stderr_ui_finish(ui);
 	tell_strange_waivers(&session, waiving->file);
 	input_files_sort(inputs);
