@@ -15,18 +15,30 @@ struct arena_chunk {
 	alignas(max_align_t) unsigned char bytes[];
 };
 
-void *arena_alloc(struct arena *arena, size_t size)
+/* A chunk with room for `size` bytes, from the spare ones if the first of them will do. */
+static struct arena_chunk *next_chunk(struct arena *arena, size_t size)
+{
+	struct arena_chunk *chunk = arena->spare;
+	size_t room = size > CHUNK_SIZE ? size : CHUNK_SIZE;
+
+	if (chunk && chunk->size >= size) {
+		arena->spare = chunk->next;
+		return chunk;
+	}
+	chunk = mem_alloc(sizeof(*chunk) + room);
+	chunk->size = room;
+	return chunk;
+}
+
+static void *reserve(struct arena *arena, size_t size)
 {
 	const size_t align = alignof(max_align_t);
 	size_t start = (arena->used + align - 1) / align * align;
 	struct arena_chunk *chunk = arena->chunks;
 
 	if (!chunk || size > chunk->size || start > chunk->size - size) {
-		size_t room = size > CHUNK_SIZE ? size : CHUNK_SIZE;
-
-		chunk = mem_zalloc(1, sizeof(*chunk) + room);
+		chunk = next_chunk(arena, size);
 		chunk->next = arena->chunks;
-		chunk->size = room;
 		arena->chunks = chunk;
 		start = 0;
 	}
@@ -34,23 +46,46 @@ void *arena_alloc(struct arena *arena, size_t size)
 	return chunk->bytes + start;
 }
 
-char *arena_strdup(struct arena *arena, const char *text)
+void *arena_alloc(struct arena *arena, size_t size)
 {
-	size_t length = strlen(text) + 1;
-
-	return memcpy(arena_alloc(arena, length), text, length);
+	return memset(reserve(arena, size), 0, size);
 }
 
-void arena_release(struct arena *arena)
+void *arena_copy(struct arena *arena, const void *bytes, size_t size)
 {
-	struct arena_chunk *chunk = arena->chunks;
+	return memcpy(reserve(arena, size), bytes, size);
+}
 
+char *arena_strdup(struct arena *arena, const char *text)
+{
+	return arena_copy(arena, text, strlen(text) + 1);
+}
+
+void arena_clear(struct arena *arena)
+{
+	while (arena->chunks) {
+		struct arena_chunk *chunk = arena->chunks;
+
+		arena->chunks = chunk->next;
+		chunk->next = arena->spare;
+		arena->spare = chunk;
+	}
+	arena->used = 0;
+}
+
+static void free_chunks(struct arena_chunk *chunk)
+{
 	while (chunk) {
 		struct arena_chunk *next = chunk->next;
 
 		free(chunk);
 		chunk = next;
 	}
-	arena->chunks = NULL;
-	arena->used = 0;
+}
+
+void arena_release(struct arena *arena)
+{
+	free_chunks(arena->chunks);
+	free_chunks(arena->spare);
+	*arena = (struct arena){0};
 }
