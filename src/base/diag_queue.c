@@ -1,15 +1,14 @@
-#include "base/held.h"
+#include "base/diag_queue.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
 
-struct held_entry {
-	enum diag_severity severity;
-	struct srcloc loc;
-	char *file, *text, *excerpt;	/* owned; file and excerpt may be NULL */
-	long block;
+struct queued_diag {
+	struct diag_entry entry;
+	char *file, *text, *excerpt;	/* the entry's, owned; file and excerpt may be NULL */
+	long mark;
 };
 
 static char *copy_of(const char *text)
@@ -17,44 +16,44 @@ static char *copy_of(const char *text)
 	return text ? mem_strndup(text, strlen(text)) : NULL;
 }
 
-static void hold(void *context, const struct diag_entry *entry)
+static void add(void *context, const struct diag_entry *entry)
 {
-	struct held *held = context;
-	struct held_entry *copy;
+	struct diag_queue *queue = context;
+	struct queued_diag *item;
 
-	held->entries = mem_grow(held->entries, &held->capacity, held->count + 1, sizeof(*held->entries));
-	copy = &held->entries[held->count++];
-	*copy = (struct held_entry){entry->severity, entry->loc,	    copy_of(entry->loc.file),
-				    copy_of(entry->text), copy_of(entry->excerpt), held->block};
-	copy->loc.file = copy->file;
+	queue->items = mem_grow(queue->items, &queue->capacity, queue->count + 1, sizeof(*queue->items));
+	item = &queue->items[queue->count++];
+	*item = (struct queued_diag){*entry, copy_of(entry->loc.file), copy_of(entry->text), copy_of(entry->excerpt),
+				     queue->mark};
+	item->entry.loc.file = item->file;
+	item->entry.text = item->text;
+	item->entry.excerpt = item->excerpt;
 }
 
-void held_init(struct held *held)
+void diag_queue_init(struct diag_queue *queue)
 {
-	*held = (struct held){0};
-	held->diag.handle = hold;
-	held->diag.context = held;
+	*queue = (struct diag_queue){.diag = {.handle = add, .context = queue}};
 }
 
-void held_deliver(struct held *held, struct diag *out, long last_block)
+void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last)
 {
-	for (size_t i = 0; i < held->count; i++) {
-		struct held_entry *entry = &held->entries[i];
+	for (size_t i = 0; i < queue->count; i++) {
+		struct queued_diag *item = &queue->items[i];
 
-		if (entry->block <= last_block)
-			diag_pass(out, &(struct diag_entry){entry->severity, entry->loc, entry->text, entry->excerpt});
-		free(entry->file);
-		free(entry->text);
-		free(entry->excerpt);
+		if (item->mark <= last)
+			diag_pass(out, &item->entry);
+		free(item->file);
+		free(item->text);
+		free(item->excerpt);
 	}
-	held->count = 0;
+	queue->count = 0;
 }
 
-void held_release(struct held *held)
+void diag_queue_release(struct diag_queue *queue)
 {
 	struct diag nowhere = {0};
 
-	held_deliver(held, &nowhere, -1);
-	free(held->entries);
-	*held = (struct held){0};
+	diag_queue_deliver(queue, &nowhere, -1);
+	free(queue->items);
+	*queue = (struct diag_queue){0};
 }

@@ -1,25 +1,25 @@
-/* held.h - diagnostics that wait until it is known whether, or when, they are to be heard. */
-#ifndef FIVECHECK_BASE_HELD_H
-#define FIVECHECK_BASE_HELD_H
+/* diag_queue.h - diagnostics that wait until it is known whether, or when, they are to be told. */
+#ifndef FIVECHECK_BASE_DIAG_QUEUE_H
+#define FIVECHECK_BASE_DIAG_QUEUE_H
 
 #include <stddef.h>
 
 #include "base/diag.h"
 
-struct held_entry;
+struct queued_diag;
 
-/* Give `diag` to whom reports; set `block` to the number of the block that is being read. */
-struct held {
+/* Give `diag` to whoever reports. Not to be moved after diag_queue_init. */
+struct diag_queue {
 	struct diag diag;
-	long block;
-	struct held_entry *entries;
+	long mark;	/* what is reported gets this number: the NC block that is being read, or 0 */
+	struct queued_diag *items;
 	size_t count, capacity;
 };
 
-void held_init(struct held *held);
-void held_release(struct held *held);
+void diag_queue_init(struct diag_queue *queue);
+void diag_queue_release(struct diag_queue *queue);
 
-/* Hands on to `out` what was reported up to the given block, drops the rest. */
-void held_deliver(struct held *held, struct diag *out, long last_block);
+/* Hands on to `out` what was reported with a mark up to `last`, and drops the rest. */
+void diag_queue_deliver(struct diag_queue *queue, struct diag *out, long last);
 
 #endif

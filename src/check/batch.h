@@ -5,16 +5,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/diag.h"
-#include "base/strbuf.h"
 #include "check/budget.h"
-#include "motion/motion.h"
-#include "motion/tcp.h"
+#include "check/path_copies.h"
+#include "motion/events.h"
 
 /* Where a step stands: `block` numbers the program's blocks from 0. */
 struct batch_step {
-	struct motion_step motion;	/* its path is the batch's once it is settled */
-	size_t path;	/* index into paths */
+	struct motion_step motion;	/* its path is the batch's copy */
 	long block;
 	bool beyond;	/* past a limit, or near enough for the path tolerance: nothing is out of reach */
 };
@@ -32,12 +29,7 @@ struct batch_chunk {
 struct batch {
 	struct batch_step *steps;
 	size_t step_count, step_capacity;
-	struct path *paths;
-	size_t path_count, path_capacity;
-	size_t *path_tcp;	/* of each path: index into tcps */
-	size_t path_tcp_capacity;
-	struct tcp *tcps;
-	size_t tcp_count, tcp_capacity;
+	struct path_copies paths;
 	struct batch_chunk *chunks;	/* chunk i: the CHUNK_STEPS steps, or what is left, from i * CHUNK_STEPS on */
 	size_t chunk_capacity;
 };
@@ -45,13 +37,10 @@ struct batch {
 void batch_release(struct batch *batch);
 void batch_clear(struct batch *batch);
 
-/* Copies a step and, if it is curved, its path. */
+/* Copies a step and its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block);
 
-/* Points the steps to the batch's own paths; call it before using them. */
-void batch_settle(struct batch *batch);
-
-/* The same, and sums up the chunks. */
+/* Sums up the chunks; call it before using them. */
 void batch_close(struct batch *batch);
 
 #endif

@@ -1,4 +1,4 @@
-#include "check/ledger.h"
+#include "check/block_log.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,47 +6,64 @@
 
 #include "base/mem.h"
 
-void ledger_release(struct ledger *ledger)
+void block_log_init(struct block_log *log)
 {
-	free(ledger->entries);
-	free(ledger->blocks);
-	strbuf_release(&ledger->texts);
-	*ledger = (struct ledger){0};
+	*log = (struct block_log){0};
+	diag_queue_init(&log->diags);
 }
 
-void ledger_add(struct ledger *ledger, const struct ledger_entry *entry)
+void block_log_release(struct block_log *log)
 {
-	ledger->entries = mem_grow(ledger->entries, &ledger->entry_capacity, ledger->entry_count + 1,
-				   sizeof(*ledger->entries));
-	ledger->entries[ledger->entry_count++] = *entry;
+	diag_queue_release(&log->diags);
+	arena_release(&log->texts);
+	free(log->findings);
+	free(log->blocks);
+	free(log->rooms);
+	free(log->out);
+	*log = (struct block_log){0};
 }
 
-/* Offset of the text, which is added. */
-static size_t add_text(struct ledger *ledger, const char *text)
+void block_log_begin(struct block_log *log, long block)
 {
-	size_t offset = ledger->texts.length;
-
-	strbuf_add(&ledger->texts, text, strlen(text) + 1);
-	return offset;
+	log->diags.mark = block;
 }
 
-void ledger_close_block(struct ledger *ledger, long block, const char *file, long line, const char *text,
-			double seconds, int moves)
+struct block_record *block_log_complete(struct block_log *log, const struct block_record *block)
 {
-	struct ledger_block new = {.block = block, .line = line, .seconds = seconds, .moves = moves};
-	const struct ledger_block *last = ledger->block_count ? &ledger->blocks[ledger->block_count - 1] : NULL;
+	struct block_record *copy;
 
-	/* Most blocks come from the same file as the one before. */
-	new.file = last && !strcmp(ledger->texts.text + last->file, file) ? last->file : add_text(ledger, file);
-	new.text = add_text(ledger, text);
-	ledger->blocks = mem_grow(ledger->blocks, &ledger->block_capacity, ledger->block_count + 1,
-				  sizeof(*ledger->blocks));
-	ledger->blocks[ledger->block_count++] = new;
+	log->blocks = mem_grow(log->blocks, &log->block_capacity, log->block_count + 1, sizeof(*log->blocks));
+	copy = &log->blocks[log->block_count++];
+	*copy = *block;
+	copy->text = arena_strdup(&log->texts, block->text);
+	return copy;
+}
+
+void block_log_forget(struct block_log *log)
+{
+	size_t kept = 0;
+
+	if (!log->block_count)
+		return;
+	for (size_t i = 0; i < log->room_count; i++)
+		if (log->rooms[i].block > log->blocks[log->block_count - 1].block)
+			log->rooms[kept++] = log->rooms[i];
+	log->room_count = kept;
+	log->block_count = 0;
+	arena_clear(&log->texts);
+}
+
+/* --------------------------------------------------------------- findings */
+
+void block_log_add_finding(struct block_log *log, const struct block_finding *finding)
+{
+	log->findings = mem_grow(log->findings, &log->finding_capacity, log->finding_count + 1, sizeof(*log->findings));
+	log->findings[log->finding_count++] = *finding;
 }
 
 static int by_time(const void *left, const void *right)
 {
-	const struct ledger_entry *a = left, *b = right;
+	const struct block_finding *a = left, *b = right;
 
 	if (a->block != b->block)
 		return a->block < b->block ? -1 : 1;
@@ -55,45 +72,96 @@ static int by_time(const void *left, const void *right)
 	return (a->rank > b->rank) - (a->rank < b->rank);
 }
 
-void ledger_sort(struct ledger *ledger)
+void block_log_sort(struct block_log *log)
 {
-	if (ledger->entry_count)
-		qsort(ledger->entries, ledger->entry_count, sizeof(*ledger->entries), by_time);
+	if (log->finding_count)
+		qsort(log->findings, log->finding_count, sizeof(*log->findings), by_time);
 }
 
-static const struct ledger_block *find_block(const struct ledger *ledger, long block)
+static const struct block_record *find_block(const struct block_log *log, long block)
 {
-	if (!ledger->block_count || block < ledger->blocks[0].block ||
-	    block - ledger->blocks[0].block >= (long)ledger->block_count)
+	if (!log->block_count || block < log->blocks[0].block ||
+	    block - log->blocks[0].block >= (long)log->block_count)
 		return NULL;
-	return &ledger->blocks[block - ledger->blocks[0].block];
+	return &log->blocks[block - log->blocks[0].block];
 }
 
-bool ledger_finding(const struct ledger *ledger, size_t i, struct finding *out)
+bool block_log_finding(const struct block_log *log, size_t i, struct finding *out)
 {
-	const struct ledger_entry *entry = &ledger->entries[i];
-	const struct ledger_block *block = find_block(ledger, entry->block);
+	const struct block_finding *finding = &log->findings[i];
+	const struct block_record *block = find_block(log, finding->block);
 
 	if (!block)
 		return false;
-	*out = entry->finding;
-	out->file = strbuf_text(&ledger->texts) + block->file;
+	*out = finding->finding;
+	out->file = block->file;
 	out->line = block->line;
 	out->column = 1;
-	out->text = strbuf_text(&ledger->texts) + block->text;
+	out->text = block->text;
 	out->moves = block->moves;
-	out->fraction = block->seconds > 0 ? fmin(entry->block_time / block->seconds, 1) : 0;
+	out->fraction = block->seconds > 0 ? fmin(finding->block_time / block->seconds, 1) : 0;
 	return true;
 }
 
-void ledger_drop(struct ledger *ledger, size_t entries)
+void block_log_drop_findings(struct block_log *log, size_t count)
 {
-	ledger->entry_count -= entries;
-	if (ledger->entry_count) {
-		memmove(ledger->entries, ledger->entries + entries, ledger->entry_count * sizeof(*ledger->entries));
-		return;
+	log->finding_count -= count;
+	if (log->finding_count)
+		memmove(log->findings, log->findings + count, log->finding_count * sizeof(*log->findings));
+}
+
+/* ----------------------------------------------------------- measurements */
+
+void block_log_add_room(struct block_log *log, long block, const struct check_room *room)
+{
+	log->rooms = mem_grow(log->rooms, &log->room_capacity, log->room_count + 1, sizeof(*log->rooms));
+	log->rooms[log->room_count++] = (struct block_room){block, *room};
+}
+
+static int by_block(const void *a, const void *b)
+{
+	const struct block_room *x = a, *y = b;
+
+	if (x->block != y->block)
+		return x->block < y->block ? -1 : 1;
+	return (x->room.pair > y->room.pair) - (x->room.pair < y->room.pair);
+}
+
+/* Gathers the rooms of one block in log->out, each pair once, from those at *next on. */
+static size_t gather(struct block_log *log, long block, size_t *next)
+{
+	size_t count = 0;
+
+	for (; *next < log->room_count && log->rooms[*next].block <= block; ++*next) {
+		const struct check_room *room = &log->rooms[*next].room;
+
+		if (count && log->out[count - 1].pair == room->pair) {
+			if (room->clearance < log->out[count - 1].clearance)
+				log->out[count - 1] = *room;
+			continue;
+		}
+		log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
+		log->out[count++] = *room;
 	}
-	/* Entries that are left belong to the block that is still open: no closed one is needed. */
-	ledger->block_count = 0;
-	strbuf_clear(&ledger->texts);
+	return count;
+}
+
+void block_log_measured(struct block_log *log, long last, const struct check_sink *sink)
+{
+	size_t next = 0;
+
+	if (log->room_count)
+		qsort(log->rooms, log->room_count, sizeof(*log->rooms), by_block);
+	for (size_t i = 0; i < log->block_count && log->blocks[i].block <= last; i++) {
+		const struct block_record *block = &log->blocks[i];
+		size_t count = gather(log, block->block, &next);
+		struct check_block out = {
+			.file = block->file, .line = block->line, .number = block->block + 1,
+			.seconds = block->seconds, .steps = block->steps, .interpret = block->interpret,
+			.check = block->check, .rooms = log->out, .room_count = count,
+		};
+
+		if (block->measured)
+			sink->block(sink->context, &out);
+	}
 }

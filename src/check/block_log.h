@@ -1,52 +1,80 @@
-/* ledger.h - findings that wait until their block is complete, and come out in the order of time. */
-#ifndef FIVECHECK_CHECK_LEDGER_H
-#define FIVECHECK_CHECK_LEDGER_H
+/* block_log.h - what waits until its NC block is complete: findings, measurements and diagnostics. */
+#ifndef FIVECHECK_CHECK_BLOCK_LOG_H
+#define FIVECHECK_CHECK_BLOCK_LOG_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/strbuf.h"
-#include "check/finding.h"
+#include "base/arena.h"
+#include "base/diag_queue.h"
+#include "check/sink.h"
 
-/* A finding whose block is known by its number only; its texts and totals follow. */
-struct ledger_entry {
+/* A finding of which the block is known by its number only: place, text, moves and fraction follow from the block. */
+struct block_finding {
 	struct finding finding;
-	long block;
+	long block;	/* from 0 */
 	double block_time;	/* s of motion in the block before it */
-	int rank;	/* breaks ties in time: -1 a limit, else the number of the pair */
+	int rank;	/* orders findings of one instant: -1 a limit, else the number of the pair */
 };
 
-struct ledger_block {
+/* What a pair was measured to keep in a part of a block. */
+struct block_room {
 	long block;
+	struct check_room room;
+};
+
+/* A complete block. */
+struct block_record {
+	long block;	/* from 0 */
+	const char *file;	/* outlives the log */
 	long line;
-	size_t file, text;	/* offsets in texts */
+	const char *text;
 	double seconds;	/* of motion */
 	int moves;
+	bool measured;	/* is handed over to check_sink.block, with: */
+	long steps;
+	double interpret, check;	/* s */
 };
 
-struct ledger {
-	struct ledger_entry *entries;
-	size_t entry_count, entry_capacity;
-	struct ledger_block *blocks;	/* complete ones, in order */
+/* Not to be moved after block_log_init. */
+struct block_log {
+	struct diag_queue diags;	/* its diag is for whoever reports */
+	struct block_finding *findings;
+	size_t finding_count, finding_capacity;
+	struct block_record *blocks;	/* complete, in order, without a gap */
 	size_t block_count, block_capacity;
-	struct strbuf texts;
+	struct arena texts;	/* the blocks' */
+	struct block_room *rooms;	/* in any order; a pair may have several in one block: the least counts */
+	size_t room_count, room_capacity;
+	struct check_room *out;	/* of one block, while it is handed over */
+	size_t out_capacity;
 };
 
-void ledger_release(struct ledger *ledger);
-void ledger_add(struct ledger *ledger, const struct ledger_entry *entry);
-void ledger_close_block(struct ledger *ledger, long block, const char *file, long line, const char *text,
-			double seconds, int moves);
+void block_log_init(struct block_log *log);
+void block_log_release(struct block_log *log);
 
-/* Orders the entries by time, then rank. */
-void ledger_sort(struct ledger *ledger);
+/* The block with this number begins: what is reported to diags from now on belongs to it. */
+void block_log_begin(struct block_log *log, long block);
 
-/*
- * The finding of entry i with its block's place, text, number of moves and the fraction filled
- * in; valid until the ledger changes. False: its block is not complete yet.
- */
-bool ledger_finding(const struct ledger *ledger, size_t i, struct finding *out);
+void block_log_add_finding(struct block_log *log, const struct block_finding *finding);
+void block_log_add_room(struct block_log *log, long block, const struct check_room *room);
 
-/* Drops the first `entries` entries, and all blocks that no entry needs. */
-void ledger_drop(struct ledger *ledger, size_t entries);
+/* The block is complete. Its text is copied. The result may be changed until the log is used again. */
+struct block_record *block_log_complete(struct block_log *log, const struct block_record *block);
+
+/* Orders the findings by block, time, then rank. */
+void block_log_sort(struct block_log *log);
+
+/* The i-th finding with everything filled in; valid until the log changes. False: its block is not complete. */
+bool block_log_finding(const struct block_log *log, size_t i, struct finding *out);
+
+/* The first `count` findings have been dealt with. */
+void block_log_drop_findings(struct block_log *log, size_t count);
+
+/* Hands the measured blocks up to the number `last` to sink->block. */
+void block_log_measured(struct block_log *log, long last, const struct check_sink *sink);
+
+/* Forgets all complete blocks and their measurements: findings that are left belong to the block that is not. */
+void block_log_forget(struct block_log *log);
 
 #endif

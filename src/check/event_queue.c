@@ -1,212 +1,201 @@
-#include "check/tape.h"
+#include "check/event_queue.h"
 
-#include <stdint.h>
+#include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/mem.h"
+#include "check/path_copies.h"
 
-/* A tape is handed on after so many entries, or bytes of text. */
-#define ENTRIES_ENOUGH 2048
-#define TEXT_ENOUGH 1000000
+/* Parts of the queue: one is written while the other is read. Measured: more bring nothing. */
+enum { PARTS = 2 };
 
-/* A text that was not there. */
-#define NO_TEXT SIZE_MAX
+/* A part is handed over once it holds so many entries or bytes of text: smaller parts cost more locking. */
+#define PART_ENTRIES 2048
+#define PART_TEXT 1000000
 
-enum tape_kind { TAPE_LIMIT, TAPE_STEP, TAPE_TOOL, TAPE_BLOCK, TAPE_DIAG, TAPE_OPENED };
+enum entry_kind { ENTRY_EVENT, ENTRY_DIAG, ENTRY_OPENED };
 
-struct tape_entry {
-	enum tape_kind kind;
-	struct motion_summary summary;
-	size_t index;	/* of the step or limit */
-	size_t file, text, excerpt;	/* offsets in texts */
+struct entry {
+	enum entry_kind kind;
 	union {
-		struct {
-			int number;
-			axis_values position;
-		} tool;
-		struct {
-			long line;
-			double seconds;
-			int moves;
-		} block;
-		struct {
-			enum diag_severity severity;
-			struct srcloc loc;
-		} diag;
+		struct motion_event event;
+		struct diag_entry diag;
+		const char *path;
 	} of;
 };
 
-void tape_release(struct tape *tape)
+struct part {
+	struct entry *entries;
+	size_t count, capacity;
+	struct path_copies paths;
+	struct arena texts;
+	size_t text_size;	/* bytes */
+};
+
+struct event_queue {
+	struct part parts[PARTS];	/* those from `taken` to `given` are the receiver's, the others the reader's */
+	atomic_bool stopped;	/* by the receiver */
+	pthread_mutex_t lock;	/* for what follows */
+	pthread_cond_t changed;
+	size_t given, taken;	/* parts in all */
+	bool ended;
+};
+
+struct event_queue *event_queue_new(void)
 {
-	free(tape->entries);
-	free(tape->limits);
-	batch_release(&tape->steps);
-	strbuf_release(&tape->texts);
-	*tape = (struct tape){0};
+	struct event_queue *queue = mem_zalloc(1, sizeof(*queue));
+
+	pthread_mutex_init(&queue->lock, NULL);
+	pthread_cond_init(&queue->changed, NULL);
+	return queue;
 }
 
-void tape_clear(struct tape *tape)
+void event_queue_free(struct event_queue *queue)
 {
-	tape->count = tape->limit_count = 0;
-	batch_clear(&tape->steps);
-	strbuf_clear(&tape->texts);
-}
-
-bool tape_is_full(const struct tape *tape)
-{
-	return tape->count >= ENTRIES_ENOUGH || tape->texts.length >= TEXT_ENOUGH;
-}
-
-static struct tape_entry *add(struct tape *tape, enum tape_kind kind, const struct motion_summary *summary)
-{
-	struct tape_entry *entry;
-
-	tape->entries = mem_grow(tape->entries, &tape->capacity, tape->count + 1, sizeof(*tape->entries));
-	entry = &tape->entries[tape->count++];
-	*entry = (struct tape_entry){.kind = kind, .file = NO_TEXT, .text = NO_TEXT, .excerpt = NO_TEXT};
-	if (summary)
-		entry->summary = *summary;
-	return entry;
-}
-
-static size_t add_text(struct tape *tape, const char *text)
-{
-	size_t offset = tape->texts.length;
-
-	if (!text)
-		return NO_TEXT;
-	strbuf_add(&tape->texts, text, strlen(text) + 1);
-	return offset;
-}
-
-/* Mostly that of the entry before. */
-static size_t add_file(struct tape *tape, const char *file)
-{
-	size_t last = tape->count > 1 ? tape->entries[tape->count - 2].file : NO_TEXT;
-
-	return last != NO_TEXT && file && !strcmp(tape->texts.text + last, file) ? last : add_text(tape, file);
-}
-
-void tape_limit(struct tape *tape, const struct motion_summary *summary, const struct motion_limit *limit)
-{
-	struct tape_entry *entry = add(tape, TAPE_LIMIT, summary);
-
-	entry->file = add_file(tape, limit->file);
-	entry->index = tape->limit_count;
-	tape->limits = mem_grow(tape->limits, &tape->limit_capacity, tape->limit_count + 1, sizeof(*tape->limits));
-	tape->limits[tape->limit_count++] = *limit;
-}
-
-void tape_step(struct tape *tape, const struct motion_summary *summary, const struct motion_step *step)
-{
-	struct tape_entry *entry = add(tape, TAPE_STEP, summary);
-
-	entry->file = add_file(tape, step->file);
-	entry->index = tape->steps.step_count;
-	batch_add(&tape->steps, step, 0);
-}
-
-void tape_tool(struct tape *tape, const struct motion_summary *summary, int tool, const axis_values *position)
-{
-	struct tape_entry *entry = add(tape, TAPE_TOOL, summary);
-
-	entry->of.tool.number = tool;
-	entry->of.tool.position = *position;
-}
-
-void tape_block(struct tape *tape, const struct motion_summary *summary, const char *file, long line,
-		const char *text, double seconds, int moves)
-{
-	struct tape_entry *entry = add(tape, TAPE_BLOCK, summary);
-
-	entry->file = add_file(tape, file);
-	entry->text = add_text(tape, text);
-	entry->of.block.line = line;
-	entry->of.block.seconds = seconds;
-	entry->of.block.moves = moves;
-}
-
-void tape_diag(struct tape *tape, const struct diag_entry *of)
-{
-	struct tape_entry *entry = add(tape, TAPE_DIAG, NULL);
-
-	entry->file = add_file(tape, of->loc.file);
-	entry->text = add_text(tape, of->text);
-	entry->excerpt = add_text(tape, of->excerpt);
-	entry->of.diag.severity = of->severity;
-	entry->of.diag.loc = of->loc;
-}
-
-void tape_opened(struct tape *tape, const char *path)
-{
-	add(tape, TAPE_OPENED, NULL)->text = add_text(tape, path);
-}
-
-void tape_close(struct tape *tape)
-{
-	batch_settle(&tape->steps);
-}
-
-static const char *text_at(const struct tape *tape, size_t offset)
-{
-	return offset == NO_TEXT ? NULL : tape->texts.text + offset;
-}
-
-static void play_diag(const struct tape *tape, const struct tape_entry *entry, struct diag *diag)
-{
-	struct diag_entry of = {entry->of.diag.severity, entry->of.diag.loc, text_at(tape, entry->text),
-				text_at(tape, entry->excerpt)};
-
-	of.loc.file = text_at(tape, entry->file);
-	diag_pass(diag, &of);
-}
-
-static bool play_move(const struct tape *tape, const struct tape_entry *entry, const struct motion_sink *sink)
-{
-	if (entry->kind == TAPE_LIMIT) {
-		struct motion_limit limit = tape->limits[entry->index];
-
-		limit.file = text_at(tape, entry->file);
-		return sink->limit(sink->context, &limit);
-	} else {
-		struct motion_step step = tape->steps.steps[entry->index].motion;
-
-		step.file = text_at(tape, entry->file);
-		return sink->step(sink->context, &step);
+	for (int i = 0; i < PARTS; i++) {
+		free(queue->parts[i].entries);
+		path_copies_release(&queue->parts[i].paths);
+		arena_release(&queue->parts[i].texts);
 	}
+	pthread_cond_destroy(&queue->changed);
+	pthread_mutex_destroy(&queue->lock);
+	free(queue);
 }
 
-bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct file_opened *opened,
-	       struct motion_summary *summary)
+/* ----------------------------------------------------------------- reader */
+
+/* The part that is being written: only the reader changes `given`. */
+static struct part *open_part(struct event_queue *queue)
 {
+	return &queue->parts[queue->given % PARTS];
+}
+
+static struct entry *add(struct part *part, enum entry_kind kind)
+{
+	part->entries = mem_grow(part->entries, &part->capacity, part->count + 1, sizeof(*part->entries));
+	part->entries[part->count].kind = kind;
+	return &part->entries[part->count++];
+}
+
+static const char *keep_text(struct part *part, const char *text)
+{
+	size_t size = text ? strlen(text) + 1 : 0;
+
+	part->text_size += size;
+	return text ? arena_copy(&part->texts, text, size) : NULL;
+}
+
+/* Gives the open part to the receiver and waits for an empty one. */
+static void hand_over(struct event_queue *queue)
+{
+	pthread_mutex_lock(&queue->lock);
+	queue->given++;
+	pthread_cond_signal(&queue->changed);
+	while (queue->given - queue->taken == PARTS && !queue->stopped)
+		pthread_cond_wait(&queue->changed, &queue->lock);
+	pthread_mutex_unlock(&queue->lock);
+}
+
+bool event_queue_add(struct event_queue *queue, const struct motion_event *event)
+{
+	struct part *part = open_part(queue);
+	struct motion_event *copy = &add(part, ENTRY_EVENT)->of.event;
+
+	*copy = *event;
+	if (event->kind == MOTION_STEP)
+		copy->of.step.span.path = path_copies_add(&part->paths, &event->of.step.span);
+	else if (event->kind == MOTION_BLOCK)
+		copy->of.block.text = keep_text(part, event->of.block.text);
+	if (part->count >= PART_ENTRIES || part->text_size >= PART_TEXT)
+		hand_over(queue);
+	return !queue->stopped;
+}
+
+void event_queue_add_diag(struct event_queue *queue, const struct diag_entry *entry)
+{
+	struct part *part = open_part(queue);
+	struct diag_entry *copy = &add(part, ENTRY_DIAG)->of.diag;
+
+	*copy = *entry;
+	/* Diagnostics are few, and not all of their names are kept elsewhere. */
+	copy->loc.file = keep_text(part, entry->loc.file);
+	copy->text = keep_text(part, entry->text);
+	copy->excerpt = keep_text(part, entry->excerpt);
+}
+
+void event_queue_add_opened(struct event_queue *queue, const char *path)
+{
+	struct part *part = open_part(queue);
+
+	add(part, ENTRY_OPENED)->of.path = keep_text(part, path);
+}
+
+void event_queue_end(struct event_queue *queue)
+{
+	if (!queue->stopped)
+		hand_over(queue);
+	pthread_mutex_lock(&queue->lock);
+	queue->ended = true;
+	pthread_cond_signal(&queue->changed);
+	pthread_mutex_unlock(&queue->lock);
+}
+
+/* --------------------------------------------------------------- receiver */
+
+/* The next part to read; NULL: there are no more. */
+static struct part *wait_for_part(struct event_queue *queue)
+{
+	struct part *part;
+
+	pthread_mutex_lock(&queue->lock);
+	while (queue->taken == queue->given && !queue->ended)
+		pthread_cond_wait(&queue->changed, &queue->lock);
+	part = queue->taken < queue->given ? &queue->parts[queue->taken % PARTS] : NULL;
+	pthread_mutex_unlock(&queue->lock);
+	return part;
+}
+
+static void give_back(struct event_queue *queue, struct part *part, bool goes_on)
+{
+	part->count = part->text_size = 0;
+	path_copies_clear(&part->paths);
+	arena_clear(&part->texts);
+	pthread_mutex_lock(&queue->lock);
+	queue->taken++;
+	if (!goes_on)
+		queue->stopped = true;
+	pthread_cond_signal(&queue->changed);
+	pthread_mutex_unlock(&queue->lock);
+}
+
+/* False: the sink stopped. */
+static bool tell(const struct event_receiver *receiver, const struct entry *entry)
+{
+	switch (entry->kind) {
+	case ENTRY_EVENT:
+		return receiver->sink->event(receiver->sink->context, &entry->of.event);
+	case ENTRY_DIAG:
+		diag_pass(receiver->diag, &entry->of.diag);
+		break;
+	case ENTRY_OPENED:
+		receiver->opened->call(receiver->opened->context, entry->of.path);
+		break;
+	}
+	return true;
+}
+
+bool event_queue_receive(struct event_queue *queue, const struct event_receiver *receiver)
+{
+	struct part *part;
 	bool goes_on = true;
 
-	for (size_t i = 0; i < tape->count && goes_on; i++) {
-		const struct tape_entry *entry = &tape->entries[i];
-
-		if (entry->kind < TAPE_DIAG)
-			*summary = entry->summary;
-		switch (entry->kind) {
-		case TAPE_LIMIT:
-		case TAPE_STEP:
-			goes_on = play_move(tape, entry, sink);
-			break;
-		case TAPE_TOOL:
-			goes_on = sink->tool(sink->context, entry->of.tool.number, &entry->of.tool.position);
-			break;
-		case TAPE_BLOCK:
-			goes_on = sink->block(sink->context, text_at(tape, entry->file), entry->of.block.line,
-					      text_at(tape, entry->text), entry->of.block.seconds,
-					      entry->of.block.moves);
-			break;
-		case TAPE_DIAG:
-			play_diag(tape, entry, diag);
-			break;
-		case TAPE_OPENED:
-			opened->call(opened->context, text_at(tape, entry->text));
-			break;
-		}
+	while (goes_on && (part = wait_for_part(queue))) {
+		for (size_t i = 0; i < part->count && goes_on; i++)
+			goes_on = tell(receiver, &part->entries[i]);
+		give_back(queue, part, goes_on);
 	}
 	return goes_on;
 }

@@ -1,48 +1,40 @@
-/* tape.h - a stretch of what motion_run says of a program, to be said again later. */
-#ifndef FIVECHECK_CHECK_TAPE_H
-#define FIVECHECK_CHECK_TAPE_H
+/* event_queue.h - a bounded queue from the thread that reads a program to the thread that checks it. */
+#ifndef FIVECHECK_CHECK_EVENT_QUEUE_H
+#define FIVECHECK_CHECK_EVENT_QUEUE_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
-#include "base/diag.h"
-#include "base/strbuf.h"
 #include "base/callbacks.h"
-#include "check/batch.h"
-#include "motion/motion.h"
+#include "base/diag.h"
+#include "motion/events.h"
 
-struct tape_entry;
+/* Holds motion events, diagnostics and names of opened files in the order in which they came, as copies. */
+struct event_queue;
 
-/* Owns copies of all that it was told. All zero is empty. */
-struct tape {
-	struct tape_entry *entries;
-	size_t count, capacity;
-	struct batch steps;	/* their paths are the batch's once tape_close was called */
-	struct motion_limit *limits;
-	size_t limit_count, limit_capacity;
-	struct strbuf texts;
+struct event_queue *event_queue_new(void);
+void event_queue_free(struct event_queue *queue);
+
+/*
+ * For the reading thread. Where the queue is full, it waits until the receiver has taken something. False: the
+ * receiver has stopped, and nothing more will be taken.
+ */
+bool event_queue_add(struct event_queue *queue, const struct motion_event *event);
+
+/* The same for what may be told between events, without waiting. */
+void event_queue_add_diag(struct event_queue *queue, const struct diag_entry *entry);
+void event_queue_add_opened(struct event_queue *queue, const char *path);
+
+/* Nothing more will come. */
+void event_queue_end(struct event_queue *queue);
+
+/* Who is told what is in the queue. All pointers are borrowed. */
+struct event_receiver {
+	const struct motion_sink *sink;
+	struct diag *diag;
+	const struct file_opened *opened;	/* NULL: nobody; then no opened file may be in the queue */
 };
 
-void tape_release(struct tape *tape);
-void tape_clear(struct tape *tape);
-
-/* Is it long enough to be worth handing on? */
-bool tape_is_full(const struct tape *tape);
-
-/* The calls of a motion_sink, of a diag and of a watch; *summary is the run's at that moment. */
-void tape_limit(struct tape *tape, const struct motion_summary *summary, const struct motion_limit *limit);
-void tape_step(struct tape *tape, const struct motion_summary *summary, const struct motion_step *step);
-void tape_tool(struct tape *tape, const struct motion_summary *summary, int tool, const axis_values *position);
-void tape_block(struct tape *tape, const struct motion_summary *summary, const char *file, long line,
-		const char *text, double seconds, int moves);
-void tape_diag(struct tape *tape, const struct diag_entry *entry);
-void tape_opened(struct tape *tape, const char *path);
-
-/* Call it before playing. */
-void tape_close(struct tape *tape);
-
-/* Makes the same calls in the same order, *summary set before each; false: the sink stopped. opened may be NULL. */
-bool tape_play(const struct tape *tape, const struct motion_sink *sink, struct diag *diag, const struct file_opened *opened,
-	       struct motion_summary *summary);
+/* For the checking thread: tells the receiver everything until event_queue_end. False: the sink said stop before. */
+bool event_queue_receive(struct event_queue *queue, const struct event_receiver *receiver);
 
 #endif

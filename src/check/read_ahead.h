@@ -1,6 +1,6 @@
-/* relay.h - motion_run with the program read by one thread, while another hears what it says. */
-#ifndef FIVECHECK_CHECK_RELAY_H
-#define FIVECHECK_CHECK_RELAY_H
+/* read_ahead.h - motion_run with the program read by one thread while another thread works on what was read. */
+#ifndef FIVECHECK_CHECK_READ_AHEAD_H
+#define FIVECHECK_CHECK_READ_AHEAD_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,12 +8,13 @@
 #include "motion/motion.h"
 
 /*
- * As motion_run, call for call, but the sink, diag and options->watch are called from a thread of their own, until
- * relay_run returns; the reader is a few thousand steps ahead of them. A reader that waits for input notices that the
- * sink has stopped when input comes. Where no thread is to be had it is motion_run.
+ * As motion_run, event for event, but the sink, diag and options->read.opened are called from another thread, until
+ * read_ahead_run returns; the calling thread reads, a few thousand events ahead. *summary is filled in unless the sink
+ * stops. While the calling thread waits for input, it notices only with the next input that the sink has stopped.
+ * options->names is required. If no thread can be started, this is motion_run.
  */
-bool relay_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
-	       FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
-	       struct motion_summary *summary);
+bool read_ahead_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
+		    FILE *in, const char *name, const struct motion_sink *sink, struct diag *diag,
+		    struct motion_summary *summary);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "check/batch.h"
 #include "check/certified.h"
-#include "check/check.h"
+#include "check/options.h"
 #include "check/gauge.h"
 #include "check/sampled.h"
 #include "scene/scene.h"

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "check/check.h"
-#include "check/sensitivity.h"
+#include "check/measure/sensitivity.h"
 #include "machine/machine.h"
 #include "report/writers/writers.h"
 

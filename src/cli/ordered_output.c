@@ -17,7 +17,7 @@ static void report(void *context, const struct diag_entry *entry)
 
 	error_list_add(&output->errors, entry);
 	pthread_mutex_lock(&output->order->lock);
-	diag_pass(is_current(output) ? &output->order->ui->diag : &output->held.diag, entry);
+	diag_pass(is_current(output) ? &output->order->ui->diag : &output->waiting.diag, entry);
 	pthread_mutex_unlock(&output->order->lock);
 }
 
@@ -31,7 +31,7 @@ void ordered_output_init(struct ordered_output *order, size_t count, struct stde
 
 		output->order = order;
 		output->diag = (struct diag){.handle = report, .context = output};
-		held_init(&output->held);
+		diag_queue_init(&output->waiting);
 	}
 }
 
@@ -40,7 +40,7 @@ void ordered_output_release(struct ordered_output *order)
 	for (size_t i = 0; i < order->count; i++) {
 		struct program_output *output = &order->programs[i];
 
-		held_release(&output->held);
+		diag_queue_release(&output->waiting);
 		for (size_t k = 0; k < FORMAT_COUNT; k++)
 			strbuf_release(&output->text[k]);
 		error_list_release(&output->errors);
@@ -96,7 +96,7 @@ void program_output_progress(struct program_output *output, const char *file, lo
 /* What has waited until now. */
 static void write_held(struct program_output *output)
 {
-	held_deliver(&output->held, &output->order->ui->diag, LONG_MAX);
+	diag_queue_deliver(&output->waiting, &output->order->ui->diag, LONG_MAX);
 	for (size_t i = 0; i < output->order->sinks->count; i++) {
 		if (output->text[i].length)
 			write_now(output->order, i, &output->text[i]);

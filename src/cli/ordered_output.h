@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/held.h"
+#include "base/diag_queue.h"
 #include "base/strbuf.h"
 #include "cli/stderr_ui.h"
 #include "cli/error_list.h"
@@ -26,7 +26,7 @@ struct ordered_output {
 struct program_output {
 	struct ordered_output *order;
 	struct diag diag;	/* for its diagnostics; counts them whether they were heard or not */
-	struct held held;	/* diagnostics that wait */
+	struct diag_queue waiting;	/* diagnostics that wait */
 	struct strbuf text[FORMAT_COUNT];	/* for each channel, that waits */
 	struct error_list errors;	/* the first of its errors */
 	bool ended;

@@ -46,7 +46,7 @@ struct canon_arc {
 
 struct canon_move {
 	enum canon_kind kind;
-	const char *file;	/* of the block: the program's or a subprogram's; lives as long as the interpreter */
+	const char *file;	/* of the block: the program's or a subprogram's; kept in gcode_config.names */
 	long line;	/* of the block */
 	int number;	/* of this move in its block, from 1 */
 	bool tcp;
@@ -61,13 +61,44 @@ struct canon_move {
 	int tool;	/* TOOL_CHANGE */
 };
 
-/* Where an interpreter sends its moves. */
+/* A block has been carried out. */
+struct canon_block {
+	const char *file;	/* as in canon_move */
+	long line;
+	const char *text;	/* the line as it stands in the file; valid during the call */
+	int moves;
+};
+
+enum canon_event_kind { CANON_MOVE, CANON_BLOCK };
+
+/* What an interpreter tells, in the order of the program: the moves of a block, then its end. */
+struct canon_event {
+	enum canon_event_kind kind;
+	union {
+		struct canon_move move;
+		struct canon_block block;
+	} of;
+};
+
+/* Where an interpreter sends its events. */
 struct canon_sink {
 	void *context;
 	/* False: stop interpreting; the sink knows why. */
-	bool (*move)(void *context, const struct canon_move *move);
-	/* A block has been carried out, with `moves` moves. False: stop. */
-	bool (*block)(void *context, const char *file, long line, const char *text, int moves);
+	bool (*event)(void *context, const struct canon_event *event);
 };
+
+static inline bool canon_tell_move(const struct canon_sink *sink, const struct canon_move *move)
+{
+	const struct canon_event event = {.kind = CANON_MOVE, .of.move = *move};
+
+	return sink->event(sink->context, &event);
+}
+
+static inline bool canon_tell_block(const struct canon_sink *sink, const struct canon_block *block)
+{
+	const struct canon_event event = {.kind = CANON_BLOCK, .of.block = *block};
+
+	return sink->event(sink->context, &event);
+}
 
 #endif

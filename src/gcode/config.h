@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "base/axes.h"
+#include "base/file_names.h"
 #include "control/controller.h"
 #include "control/offset_tables.h"
 #include "gcode/dialect.h"
@@ -31,6 +32,7 @@ struct gcode_config {
 	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
 	double length_change;	/* mm: added to every length offset that the program starts with */
 	struct read_options read;
+	struct file_names *names;	/* keeps the names of the program's files; NULL: they live as long as the interpreter */
 };
 
 #endif

@@ -191,7 +191,7 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	bool good = true;
 
 	interp->program.sources.opened = interp->config->read.opened;
-	sources_open_main(&interp->program.sources, in, name);
+	sources_open_main(&interp->program.sources, in, name, interp->config->names);
 	interp->program.source = interp->program.sources.items[0];
 	reader = &interp->program.source->reader;
 	interp->at = (struct line_place){.diag = interp->diag, .file = interp->program.source->name};

@@ -27,13 +27,19 @@
 
 void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name, struct motion_summary *summary)
+		const char *name)
 {
 	*drive = (struct drive){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
-				.summary = summary, .position = machine_home(machine)};
-	*summary = (struct motion_summary){0};
+				.position = machine_home(machine)};
 	drive->controller = drive->position;
 	drive->tool = setup ? setup->initial_tool : 0;
+}
+
+/* Tells drive->event.of as an event of this kind. */
+static bool tell(struct drive *drive, enum motion_event_kind kind)
+{
+	drive->event.kind = kind;
+	return drive->sink->event(drive->sink->context, &drive->event);
 }
 
 static struct srcloc place(const struct drive *drive, const struct canon_move *move)
@@ -271,16 +277,17 @@ static axis_values blend_tolerance(const struct drive *drive, const struct canon
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
-	const struct drive *drive = run->drive;
+	struct drive *drive = run->drive;
 	double since = before + crossing->u * path->seconds;
-	struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
+	const struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
 				     .position = path_position(path, crossing->u), .time = drive->time + since,
 				     .block_time = drive->block_time + since, .file = run->move->file,
 				     .line = run->move->line, .move = run->move->number,
 				     .tool = drive->tool};
 
 	run->outside = true;
-	return drive->sink->limit(drive->sink->context, &limit);
+	drive->event.of.limit = limit;
+	return tell(drive, MOTION_LIMIT);
 }
 
 static bool report_limits(struct run *run)
@@ -310,24 +317,25 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct drive *drive = run->drive;
 	double seconds = leg->path.seconds;
-	struct motion_step step;
+	/* Filled in place: an event is large, and there are many of them. */
+	struct motion_step *step = &drive->event.of.step;
 	struct span_walk walk;
 
-	step.file = run->move->file;
-	step.line = run->move->line;
-	step.move = run->move->number;
-	step.tool = drive->tool;
-	step.tolerance = run->tolerance;
-	step.outside = run->outside;
-	step.rapid = run->move->kind == CANON_RAPID;
-	step.spindle_turns = run->move->spindle_turns;
+	step->file = run->move->file;
+	step->line = run->move->line;
+	step->move = run->move->number;
+	step->tool = drive->tool;
+	step->tolerance = run->tolerance;
+	step->outside = run->outside;
+	step->rapid = run->move->kind == CANON_RAPID;
+	step->spindle_turns = run->move->spindle_turns;
 	span_walk_init(&walk, &leg->span, drive->options->flatness);
-	while (span_walk_next(&walk, &step.span)) {
-		step.time = drive->time + step.span.u0 * seconds;
-		step.block_time = drive->block_time + step.span.u0 * seconds;
-		step.seconds = (step.span.u1 - step.span.u0) * seconds;
-		drive->summary->spans++;
-		if (!drive->sink->step(drive->sink->context, &step))
+	while (span_walk_next(&walk, &step->span)) {
+		step->time = drive->time + step->span.u0 * seconds;
+		step->block_time = drive->block_time + step->span.u0 * seconds;
+		step->seconds = (step->span.u1 - step->span.u0) * seconds;
+		drive->event.summary.spans++;
+		if (!tell(drive, MOTION_STEP))
 			return false;
 	}
 	drive->time += seconds;
@@ -352,8 +360,8 @@ static bool carry_out(struct drive *drive, const struct canon_move *move)
 		return true;
 	run.tolerance = blend_tolerance(drive, move);
 	if (move->blend && !(move->blend_tolerance > 0) && !(drive->machine->controller.path_tolerance > 0))
-		drive->summary->blend_unbounded = true;
-	drive->summary->moves++;
+		drive->event.summary.blend_unbounded = true;
+	drive->event.summary.moves++;
 	if (!report_limits(&run))
 		return false;
 	for (size_t i = 0; i < run.count; i++)
@@ -364,9 +372,8 @@ static bool carry_out(struct drive *drive, const struct canon_move *move)
 
 /* ------------------------------------------------------------- canon_sink */
 
-bool drive_move(void *context, const struct canon_move *move)
+static bool take_move(struct drive *drive, const struct canon_move *move)
 {
-	struct drive *drive = context;
 	bool ok = true;
 
 	switch (move->kind) {
@@ -381,21 +388,26 @@ bool drive_move(void *context, const struct canon_move *move)
 		break;
 	case CANON_TOOL_CHANGE:
 		drive->tool = move->tool;
-		ok = drive->sink->tool(drive->sink->context, move->tool, &drive->position);
+		drive->event.of.tool = (struct motion_tool){move->tool, drive->position};
+		ok = tell(drive, MOTION_TOOL);
 		break;
 	}
-	drive->summary->seconds = drive->time;
+	drive->event.summary.seconds = drive->time;
 	return ok;
 }
 
-bool drive_block(void *context, const char *file, long line, const char *text, int moves)
+static bool end_block(struct drive *drive, const struct canon_block *block)
 {
-	struct drive *drive = context;
-	double seconds = drive->block_time;
-
-	drive->summary->blocks++;
+	drive->event.of.block = (struct motion_block){block->file, block->line, block->text, drive->block_time,
+						      block->moves};
+	drive->event.summary.blocks++;
 	drive->block_time = 0;
-	return drive->sink->block(drive->sink->context, file, line, text, seconds, moves);
+	return tell(drive, MOTION_BLOCK);
+}
+
+bool drive_event(void *context, const struct canon_event *event)
+{
+	return event->kind == CANON_BLOCK ? end_block(context, &event->of.block) : take_move(context, &event->of.move);
 }
 
 /* ------------------------------------------------------------- kinematics */

@@ -21,17 +21,16 @@ struct drive {
 	struct tcp tcp;	/* meaningful while tcp.state.on */
 	int tool;
 	double time, block_time;
-	struct motion_summary *summary;	/* its lines are not counted here */
+	struct motion_event event;	/* the last one told; its summary is the run's, whose lines are not counted here */
 };
 
-/* Stands at home with the setup's first tool, *summary all zero. All pointers are borrowed; setup may be NULL. */
+/* Stands at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
 void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name, struct motion_summary *summary);
+		const char *name);
 
-/* The callbacks of a canon_sink whose context is a struct drive. */
-bool drive_move(void *context, const struct canon_move *move);
-bool drive_block(void *context, const char *file, long line, const char *text, int moves);
+/* The callback of a canon_sink whose context is a struct drive. */
+bool drive_event(void *context, const struct canon_event *event);
 
 /* The machine's kinematics; `drive` is its context. */
 struct kinematics drive_kinematics(struct drive *drive);

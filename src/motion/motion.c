@@ -11,7 +11,8 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 	struct gcode_config config = {.dialect = dialect_of_row(machine->controller.dialect),
 				      .controller = machine->controller,
 				      .home = machine_home(machine),
-				      .read = options->read};
+				      .read = options->read,
+				      .names = options->names};
 
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
@@ -43,12 +44,14 @@ struct run {
 	struct interp *interp;
 };
 
-static bool end_block(void *context, const char *file, long line, const char *text, int moves)
+/* A block's end is the moment at which lines are counted. */
+static bool on_event(void *context, const struct canon_event *event)
 {
 	struct run *run = context;
 
-	run->drive.summary->lines = interp_lines(run->interp);
-	return drive_block(&run->drive, file, line, text, moves);
+	if (event->kind == CANON_BLOCK)
+		run->drive.event.summary.lines = interp_lines(run->interp);
+	return drive_event(&run->drive, event);
 }
 
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
@@ -57,14 +60,15 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 {
 	const struct gcode_config config = config_of(machine, setup, options);
 	struct run run;
-	const struct canon_sink canon = {.context = &run, .move = drive_move, .block = end_block};
+	const struct canon_sink canon = {&run, on_event};
 	struct kinematics kinematics;
 	bool ok;
 
-	drive_init(&run.drive, machine, setup, options, sink, diag, name, summary);
+	drive_init(&run.drive, machine, setup, options, sink, diag, name);
 	kinematics = drive_kinematics(&run.drive);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);
+	*summary = run.drive.event.summary;
 	summary->lines = interp_lines(run.interp);
 	interp_free(run.interp);
 	return ok;

@@ -8,7 +8,7 @@
 #include "base/strbuf.h"
 #include "check/check.h"
 #include "check/finding.h"
-#include "check/sensitivity.h"
+#include "check/measure/sensitivity.h"
 #include "report/format/digest.h"
 #include "report/tables/stats.h"
 #include "report/verdict.h"

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "base/strbuf.h"
-#include "check/sensitivity.h"
+#include "check/measure/sensitivity.h"
 
 /* Appends a line for each answer, indented, below a heading; `clear` is the verdict that they are about. */
 void sensitivity_report_text(struct strbuf *out, const struct sensitivity *answers, size_t count, bool clear);

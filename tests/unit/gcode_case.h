@@ -60,10 +60,9 @@ static inline void case_write_arc(struct gcode_case *c, const struct canon_arc *
 		    degrees(arc->sweep));
 }
 
-static inline bool case_move(void *context, const struct canon_move *move)
+static inline bool case_move(struct gcode_case *c, const struct canon_move *move)
 {
 	static const char *const names[] = {"rapid", "feed", "arc", "dwell", "tool"};
-	struct gcode_case *c = context;
 
 	strbuf_addf(&c->moves, "%s", names[move->kind]);
 	if (move->kind == CANON_DWELL)
@@ -156,18 +155,20 @@ static inline struct kinematics case_kinematics(struct gcode_case *c)
 		.context = c, .tcp = case_tcp, .orient = case_orient, .table_point = case_table_point};
 }
 
-static inline bool case_block(void *context, const char *file, long line, const char *text, int moves)
+static inline bool case_event(void *context, const struct canon_event *event)
 {
 	struct gcode_case *c = context;
+	const struct canon_block *block = &event->of.block;
 
-	(void)file;
-	strbuf_addf(&c->blocks, "%ld:%d:%s\n", line, moves, text);
+	if (event->kind == CANON_MOVE)
+		return case_move(c, &event->of.move);
+	strbuf_addf(&c->blocks, "%ld:%d:%s\n", block->line, block->moves, block->text);
 	return true;
 }
 
 static inline bool case_run_stream(struct gcode_case *c, FILE *in)
 {
-	struct canon_sink sink = {.context = c, .move = case_move, .block = case_block};
+	struct canon_sink sink = {.context = c, .event = case_event};
 	struct kinematics kinematics = case_kinematics(c);
 	struct interp *interp;
 	bool good;

@@ -15,7 +15,6 @@ struct record {
 	struct motion_options options;
 	struct motion_sink sink;
 	struct drive drive;
-	struct motion_summary summary;
 	struct motion_step steps[EVENTS];
 	struct path paths[EVENTS];	/* of the steps: theirs are borrowed */
 	int step_count;
@@ -31,19 +30,15 @@ struct record {
 	long line;
 };
 
-static inline bool on_limit(void *context, const struct motion_limit *limit)
+static inline void on_limit(struct record *record, const struct motion_limit *limit)
 {
-	struct record *record = context;
-
 	ck_assert_int_lt(record->limit_count, EVENTS);
 	record->limits[record->limit_count++] = *limit;
 	record->steps_before_limit = record->step_count;
-	return true;
 }
 
-static inline bool on_step(void *context, const struct motion_step *step)
+static inline bool on_step(struct record *record, const struct motion_step *step)
 {
-	struct record *record = context;
 	const struct machine *machine = record->drive.machine;
 
 	/* Steps join without a gap, in place and in time. */
@@ -71,26 +66,39 @@ static inline bool on_step(void *context, const struct motion_step *step)
 	return record->step_count != record->stop_at;
 }
 
-static inline bool on_tool(void *context, int tool, const axis_values *position)
+static inline void on_tool(struct record *record, const struct motion_tool *change)
 {
-	struct record *record = context;
-
-	record->tool = tool;
+	record->tool = change->tool;
 	record->tool_changes++;
-	record->tool_position = *position;
-	return true;
+	record->tool_position = change->position;
 }
 
-static inline bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
+static inline void on_block(struct record *record, const struct motion_block *block)
+{
+	record->blocks++;
+	record->block_seconds = block->seconds;
+	record->block_moves = block->moves;
+	record->line = block->line;
+	snprintf(record->block_text, sizeof(record->block_text), "%s", block->text);
+}
+
+static inline bool on_event(void *context, const struct motion_event *event)
 {
 	struct record *record = context;
 
-	(void)file;
-	record->blocks++;
-	record->block_seconds = seconds;
-	record->block_moves = moves;
-	record->line = line;
-	snprintf(record->block_text, sizeof(record->block_text), "%s", text);
+	switch (event->kind) {
+	case MOTION_STEP:
+		return on_step(record, &event->of.step);
+	case MOTION_LIMIT:
+		on_limit(record, &event->of.limit);
+		break;
+	case MOTION_TOOL:
+		on_tool(record, &event->of.tool);
+		break;
+	case MOTION_BLOCK:
+		on_block(record, &event->of.block);
+		break;
+	}
 	return true;
 }
 
@@ -99,14 +107,13 @@ static inline void listen(struct record *record)
 	memset(record, 0, sizeof(*record));
 	rig_listen(&record->messages);
 	record->options.flatness = 0.001;
-	record->sink = (struct motion_sink){record, on_limit, on_step, on_tool, on_block};
+	record->sink = (struct motion_sink){record, on_event};
 }
 
 static inline void start(struct record *record, const struct machine *machine)
 {
 	listen(record);
-	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc",
-		   &record->summary);
+	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
 	record->last = record->drive.position;
 }
 
@@ -116,9 +123,16 @@ static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
 				   .feed = {.linear = 20, .angular = radians(30)}};
 }
 
+static inline bool carry_out(struct record *record, const struct canon_move *move)
+{
+	const struct canon_event event = {CANON_MOVE, .of.move = *move};
+
+	return drive_event(&record->drive, &event);
+}
+
 static inline void go(struct record *record, struct canon_move move)
 {
-	ck_assert_msg(drive_move(&record->drive, &move), "%s", record->messages.text);
+	ck_assert_msg(carry_out(record, &move), "%s", record->messages.text);
 }
 
 static inline bool switch_tcp(struct drive *drive, const struct kinematics_tcp *state, struct srcloc loc,

@@ -34,8 +34,8 @@ START_TEST(feeds)
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[4].seconds, 2, 1e-12);
 	ck_assert_int_eq(record.step_count, 5);
-	ck_assert_int_eq((int)record.summary.moves, 5);
-	ck_assert_double_eq_tol(record.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
+	ck_assert_int_eq((int)record.drive.event.summary.moves, 5);
+	ck_assert_double_eq_tol(record.drive.event.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
 }
 END_TEST
 
@@ -139,7 +139,7 @@ START_TEST(dogleg_breaks_where_axes_arrive)
 	ck_assert_double_eq_tol(record.steps[1].time, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].seconds, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[2].seconds, 0.3, 1e-12);
-	ck_assert_int_eq((int)record.summary.moves, 1);
+	ck_assert_int_eq((int)record.drive.event.summary.moves, 1);
 	/* A feed is straight all the same. */
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	ck_assert_int_eq(record.step_count, 4);
@@ -240,6 +240,7 @@ END_TEST
 START_TEST(dwells_tools_and_blocks)
 {
 	struct machine machine = rig_three_axes();
+	const struct canon_event block = {CANON_BLOCK, .of.block = {"part.nc", 12, "G1 X30", 2}};
 	struct record record;
 
 	start(&record, &machine);
@@ -254,15 +255,15 @@ START_TEST(dwells_tools_and_blocks)
 	ck_assert_int_eq(record.steps[1].tool, 7);
 	ck_assert_double_eq_tol(record.steps[1].time, 4.5, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].block_time, 0.5, 1e-12);
-	ck_assert(drive_block(&record.drive, "part.nc", 12, "G1 X30", 2));
+	ck_assert(drive_event(&record.drive, &block));
 	ck_assert_double_eq_tol(record.block_seconds, 1.5, 1e-12);
 	ck_assert_int_eq(record.block_moves, 2);
 	ck_assert_str_eq(record.block_text, "G1 X30");
 	go(&record, move_to(CANON_FEED, (axis_values){{50}}));
 	ck_assert_double_eq_tol(record.steps[2].block_time, 0, 1e-15);
-	ck_assert_double_eq_tol(record.summary.seconds, 6.5, 1e-12);
-	ck_assert_int_eq((int)record.summary.blocks, 1);
-	ck_assert_int_eq((int)record.summary.spans, 3);
+	ck_assert_double_eq_tol(record.drive.event.summary.seconds, 6.5, 1e-12);
+	ck_assert_int_eq((int)record.drive.event.summary.blocks, 1);
+	ck_assert_int_eq((int)record.drive.event.summary.spans, 3);
 }
 END_TEST
 
@@ -277,11 +278,11 @@ START_TEST(moves_of_no_length_make_no_step)
 	go(&record, move_to(CANON_FEED, (axis_values){{0.3}}));
 	go(&record, move_to(CANON_FEED, (axis_values){{0.1 + 0.2}}));
 	ck_assert_int_eq(record.step_count, 1);
-	ck_assert_int_eq((int)record.summary.moves, 1);
+	ck_assert_int_eq((int)record.drive.event.summary.moves, 1);
 	/* A full circle ends where it starts and is a move. */
 	full.arc = (struct canon_arc){{10, 0, 0}, {0, 0, 1}, 2 * PI};
 	go(&record, full);
-	ck_assert_int_eq((int)record.summary.moves, 2);
+	ck_assert_int_eq((int)record.drive.event.summary.moves, 2);
 }
 END_TEST
 
@@ -294,7 +295,7 @@ START_TEST(blending)
 	start(&record, &machine);
 	go(&record, move);
 	ck_assert(!(record.steps[0].tolerance.v[SLOT_X] > 0));
-	ck_assert(!record.summary.blend_unbounded);
+	ck_assert(!record.drive.event.summary.blend_unbounded);
 	move.blend = true;
 	move.blend_tolerance = 0.05;
 	move.end.v[SLOT_X] = 20;
@@ -302,7 +303,7 @@ START_TEST(blending)
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_Z], 0.05, 1e-15);
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_A], radians(0.05), 1e-15);
 	ck_assert(!(record.steps[1].tolerance.v[SLOT_W] > 0));
-	ck_assert(!record.summary.blend_unbounded);
+	ck_assert(!record.drive.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0.02;
 	move.end.v[SLOT_X] = 30;
 	go(&record, move);
@@ -312,13 +313,13 @@ START_TEST(blending)
 	move.end.v[SLOT_X] = 40;
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[3].tolerance.v[SLOT_Z], 0.02, 1e-15);
-	ck_assert(!record.summary.blend_unbounded);
+	ck_assert(!record.drive.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0;
 	move.blend = true;
 	move.blend_tolerance = 0;
 	move.end.v[SLOT_X] = 50;
 	go(&record, move);
-	ck_assert(record.summary.blend_unbounded);
+	ck_assert(record.drive.event.summary.blend_unbounded);
 }
 END_TEST
 
@@ -330,7 +331,7 @@ START_TEST(the_sink_can_stop)
 
 	start(&record, &machine);
 	record.stop_at = 1;
-	ck_assert(!drive_move(&record.drive, &move));
+	ck_assert(!carry_out(&record, &move));
 	ck_assert_uint_eq(record.messages.diag.errors, 0);
 }
 END_TEST
@@ -343,7 +344,7 @@ static void assert_refused(struct canon_move move, const char *part)
 	start(&record, &machine);
 	if (move.tcp)
 		guide(&record, 100);
-	ck_assert(!drive_move(&record.drive, &move));
+	ck_assert(!carry_out(&record, &move));
 	ck_assert_uint_eq(record.messages.diag.errors, 1);
 	ck_assert_msg(strstr(record.messages.text, part), "%s", record.messages.text);
 	ck_assert_int_eq(record.messages.loc.line, 12);

@@ -232,20 +232,18 @@ static void remove_files(const char *folder, const char *const names[], size_t c
 	ck_assert_int_eq(rmdir(folder), 0);
 }
 
-static bool note_file(void *context, const char *file, long line, const char *text, int moves)
+static bool note_files(void *context, const struct canon_event *event)
 {
 	struct gcode_case *c = context;
+	const struct canon_block *block = &event->of.block;
 
-	(void)text;
-	(void)moves;
-	strbuf_addf(&c->blocks, "%s:%ld\n", strrchr(file, '/') ? strrchr(file, '/') + 1 : file, line);
+	if (event->kind == CANON_MOVE) {
+		ck_assert_ptr_nonnull(event->of.move.file);
+		return case_move(c, &event->of.move);
+	}
+	strbuf_addf(&c->blocks, "%s:%ld\n", strrchr(block->file, '/') ? strrchr(block->file, '/') + 1 : block->file,
+		    block->line);
 	return true;
-}
-
-static bool count_move(void *context, const struct canon_move *move)
-{
-	ck_assert_ptr_nonnull(move->file);
-	return case_move(context, move);
 }
 
 START_TEST(subprograms_in_files)
@@ -254,7 +252,7 @@ START_TEST(subprograms_in_files)
 	char folder[] = "/tmp/fivecheck-flow-XXXXXX";
 	const char *includes[1];
 	struct gcode_case c;
-	struct canon_sink sink = {.context = &c, .move = count_move, .block = note_file};
+	struct canon_sink sink = {.context = &c, .event = note_files};
 	struct kinematics kinematics = case_kinematics(&c);
 	struct interp *interp;
 	FILE *in = tmpfile();

@@ -208,22 +208,19 @@ static void *write_program(void *stream)
 	return NULL;
 }
 
-static bool check_stream_move(void *context, const struct canon_move *move)
+static bool check_stream_event(void *context, const struct canon_event *event)
 {
-	int *count = context, i = ++*count;
+	const struct canon_move *move = &event->of.move;
+	const struct canon_block *block = &event->of.block;
+	int *count = context, i = *count + 1;
 
+	if (event->kind == CANON_BLOCK)
+		return block->text[0] == 'N' ? block->moves == 1 : block->moves == 0;
+	*count = i;
 	require(move->line == i, "line %ld", move->line);
 	require(fabs(move->end.v[SLOT_X] - (i % 500 + (i % 1000) / 1000.0)) < 1e-12, "line %d", i);
 	require(move->end.v[SLOT_Y] == -(i % 77), "line %d", i);
 	return true;
-}
-
-static bool skip_block(void *context, const char *file, long line, const char *text, int moves)
-{
-	(void)file;
-	(void)context;
-	(void)line;
-	return text[0] == 'N' ? moves == 1 : moves == 0;
 }
 
 /* 8 MB through a pipe: every line whole, wherever the buffer ends. */
@@ -231,7 +228,7 @@ START_TEST(streaming)
 {
 	struct gcode_config config = {.dialect = &dialect_linuxcnc, .has_axis = {true, true, true}};
 	int count = 0, ends[2];
-	struct canon_sink sink = {.context = &count, .move = check_stream_move, .block = skip_block};
+	struct canon_sink sink = {.context = &count, .event = check_stream_event};
 	struct kinematics none = {0};
 	struct diag diag = {0};
 	struct interp *interp;

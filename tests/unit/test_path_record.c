@@ -1,4 +1,4 @@
-#include "check/course.h"
+#include "check/measure/path_record.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -6,57 +6,57 @@
 #include "motion/span.h"
 
 /* Three blocks of one step each to x, the second with C at `turn`; they are `blocks` many. */
-static void travel(struct course *course, double x, double turn, int tool, long blocks)
+static void travel(struct path_record *path, double x, double turn, int tool, long blocks)
 {
 	for (long i = 0; i < blocks; i++) {
 		struct motion_step step = {.line = i + 1};
 
 		step.span.q1.v[SLOT_X] = x + 10 * (double)i;
 		step.span.q1.v[SLOT_C] = i == 1 ? turn : 0;
-		course_step(course, &step);
-		course_block(course, i + 1, tool, &step.span.q1);
+		path_record_step(path, &step);
+		path_record_block(path, i + 1, tool, &step.span.q1);
 	}
 }
 
-static bool is_same(struct course *course, double x, double turn, int tool, long blocks, double way)
+static bool is_same(struct path_record *path, double x, double turn, int tool, long blocks, double way)
 {
-	course_compare(course);
-	travel(course, x, turn, tool, blocks);
-	course_end(course);
-	ck_assert(!course->lost);
-	ck_assert_double_eq_tol(course->way, way, 1e-12);
-	return course->same;
+	path_record_compare(path);
+	travel(path, x, turn, tool, blocks);
+	path_record_end(path);
+	ck_assert(!path->lost);
+	ck_assert_double_eq_tol(path->way, way, 1e-12);
+	return path->same;
 }
 
 START_TEST(runs_are_compared)
 {
-	struct course course;
+	struct path_record path;
 	uint64_t x, y;
 
-	ck_assert(course_init(&course));
-	course_record(&course);
-	travel(&course, 5, 1, 2, 3);
-	x = course.ways[SLOT_X];
-	y = course.ways[SLOT_Y];
-	ck_assert(is_same(&course, 5, 1, 2, 3, 0));
-	ck_assert(course.ways[SLOT_X] == x && course.ways[SLOT_Y] == y);
-	/* Farther along X: still the same course. */
-	ck_assert(is_same(&course, 5.25, 1, 2, 3, 0.25));
-	ck_assert(course.ways[SLOT_X] != x && course.ways[SLOT_Y] == y);
+	ck_assert(path_record_init(&path));
+	path_record_start(&path);
+	travel(&path, 5, 1, 2, 3);
+	x = path.ways[SLOT_X];
+	y = path.ways[SLOT_Y];
+	ck_assert(is_same(&path, 5, 1, 2, 3, 0));
+	ck_assert(path.ways[SLOT_X] == x && path.ways[SLOT_Y] == y);
+	/* Farther along X: still the same path. */
+	ck_assert(is_same(&path, 5.25, 1, 2, 3, 0.25));
+	ck_assert(path.ways[SLOT_X] != x && path.ways[SLOT_Y] == y);
 	/* Another turn, another tool, less, more. */
-	ck_assert(!is_same(&course, 5, 1 + 1e-6, 2, 3, 0));
-	ck_assert(!is_same(&course, 5, 1, 3, 3, 0));
-	ck_assert(!is_same(&course, 5, 1, 2, 2, 0));
-	ck_assert(!is_same(&course, 5, 1, 2, 4, 0));
+	ck_assert(!is_same(&path, 5, 1 + 1e-6, 2, 3, 0));
+	ck_assert(!is_same(&path, 5, 1, 3, 3, 0));
+	ck_assert(!is_same(&path, 5, 1, 2, 2, 0));
+	ck_assert(!is_same(&path, 5, 1, 2, 4, 0));
 	/* What was recorded is not changed by that. */
-	ck_assert(is_same(&course, 4, 1, 2, 3, 1));
-	course_release(&course);
+	ck_assert(is_same(&path, 4, 1, 2, 3, 1));
+	path_record_release(&path);
 }
 END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("course");
+	Suite *suite = suite_create("path_record");
 	TCase *tcase = tcase_create("runs");
 	SRunner *runner = srunner_create(suite);
 	int failed;

@@ -167,41 +167,23 @@ static void read_axes(enum kind kind, const axis_values *values, double q[5])
 	q[4] = degrees(values->v[SLOT_C]);
 }
 
-static bool on_limit(void *context, const struct motion_limit *limit)
+static void on_step(struct run *run, const struct motion_step *step)
 {
-	(void)context;
-	(void)limit;
-	return true;
-}
-
-static bool on_step(void *context, const struct motion_step *step)
-{
-	struct run *run = context;
-
 	read_axes(run->kind, &step->span.q1, run->now);
 	if (run->watcher && step->line == run->watch)
 		run->watcher(run, step->span.u1, run->now);
-	return true;
 }
 
-static bool on_tool(void *context, int tool, const axis_values *position)
-{
-	(void)context;
-	(void)tool;
-	(void)position;
-	return true;
-}
-
-static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
+static bool on_event(void *context, const struct motion_event *event)
 {
 	struct run *run = context;
 
-	(void)file;
-	(void)text;
-	(void)seconds;
-	(void)moves;
-	ck_assert_int_lt(line, LINES);
-	memcpy(run->ends[line], run->now, sizeof(run->now));
+	if (event->kind == MOTION_STEP)
+		on_step(run, &event->of.step);
+	if (event->kind == MOTION_BLOCK) {
+		ck_assert_int_lt(event->of.block.line, LINES);
+		memcpy(run->ends[event->of.block.line], run->now, sizeof(run->now));
+	}
 	return true;
 }
 
@@ -229,7 +211,7 @@ static bool carry_out(struct run *run, const struct machine *machine)
 	struct length_offset lengths[] = {{1, LENGTH}};
 	struct setup setup = {.lengths = lengths, .length_count = 1};
 	struct motion_options options = {.flatness = 0.01};
-	struct motion_sink sink = {run, on_limit, on_step, on_tool, on_block};
+	struct motion_sink sink = {run, on_event};
 	struct motion_summary summary;
 	FILE *in = fmemopen(run->text.text, strlen(run->text.text), "r");
 	bool good;

@@ -1,5 +1,5 @@
 /* What another thread hears of a program is what motion_run says of it: every call, in order, to the bit. */
-#include "check/relay.h"
+#include "check/read_ahead.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ struct log {
 	uint64_t sum, *sums;
 	size_t count, capacity, stop_at;	/* the call that returns false, from 1; 0: none */
 	struct diag diag;
-	struct motion_summary *summary;	/* looked at in each call of the sink */
+	struct file_names names;
 	long diags;
 };
 
@@ -33,9 +33,8 @@ static void mix_axes(struct log *log, const axis_values *q)
 	mix(log, q->v, sizeof(q->v));
 }
 
-static void mix_summary(struct log *log)
+static void mix_summary(struct log *log, const struct motion_summary *s)
 {
-	const struct motion_summary *s = log->summary;
 	const long counts[] = {s->lines, s->blocks, s->moves, s->spans, s->blend_unbounded};
 
 	mix(log, counts, sizeof(counts));
@@ -49,9 +48,8 @@ static bool heard(struct log *log)
 	return log->count != log->stop_at;
 }
 
-static bool on_limit(void *context, const struct motion_limit *limit)
+static void mix_limit(struct log *log, const struct motion_limit *limit)
 {
-	struct log *log = context;
 	const long numbers[] = {1, limit->slot, limit->line, limit->move, limit->tool};
 	const double reals[] = {limit->bound, limit->time, limit->block_time};
 
@@ -59,13 +57,10 @@ static bool on_limit(void *context, const struct motion_limit *limit)
 	mix(log, reals, sizeof(reals));
 	mix_axes(log, &limit->position);
 	mix_text(log, limit->file);
-	mix_summary(log);
-	return heard(log);
 }
 
-static bool on_step(void *context, const struct motion_step *step)
+static void mix_step(struct log *log, const struct motion_step *step)
 {
-	struct log *log = context;
 	const long numbers[] = {2, step->line, step->move, step->tool, step->outside, step->span.path->kind};
 	const double reals[] = {step->time, step->block_time, step->seconds, step->span.u0, step->span.u1};
 	struct span halves[2];
@@ -82,31 +77,45 @@ static bool on_step(void *context, const struct motion_step *step)
 		mix_axes(log, &halves[1].q0);
 	}
 	mix_text(log, step->file);
-	mix_summary(log);
-	return heard(log);
 }
 
-static bool on_tool(void *context, int tool, const axis_values *position)
+static void mix_tool(struct log *log, const struct motion_tool *change)
 {
-	struct log *log = context;
-	const int numbers[] = {3, tool};
+	const int numbers[] = {3, change->tool};
 
 	mix(log, numbers, sizeof(numbers));
-	mix_axes(log, position);
-	mix_summary(log);
-	return heard(log);
+	mix_axes(log, &change->position);
 }
 
-static bool on_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
+static void mix_block(struct log *log, const struct motion_block *block)
 {
-	struct log *log = context;
-	const long numbers[] = {4, line, moves};
+	const long numbers[] = {4, block->line, block->moves};
 
 	mix(log, numbers, sizeof(numbers));
-	mix(log, &seconds, sizeof(seconds));
-	mix_text(log, file);
-	mix_text(log, text);
-	mix_summary(log);
+	mix(log, &block->seconds, sizeof(block->seconds));
+	mix_text(log, block->file);
+	mix_text(log, block->text);
+}
+
+static bool on_event(void *context, const struct motion_event *event)
+{
+	struct log *log = context;
+
+	switch (event->kind) {
+	case MOTION_STEP:
+		mix_step(log, &event->of.step);
+		break;
+	case MOTION_LIMIT:
+		mix_limit(log, &event->of.limit);
+		break;
+	case MOTION_TOOL:
+		mix_tool(log, &event->of.tool);
+		break;
+	case MOTION_BLOCK:
+		mix_block(log, &event->of.block);
+		break;
+	}
+	mix_summary(log, &event->summary);
 	return heard(log);
 }
 
@@ -164,18 +173,24 @@ static bool run(run_fn *how, struct log *log, const char *program, size_t stop_a
 	struct tool tools[] = {{.number = 1, .name = "", .length = 80, .diameter = 6},
 			       {.number = 2, .name = "", .length = 70, .diameter = 6}};
 	struct setup setup = {.tools = tools, .tool_count = 2};
-	struct motion_options options = {.flatness = 0.01};
-	const struct motion_sink sink = {log, on_limit, on_step, on_tool, on_block};
+	struct motion_options options = {.flatness = 0.01, .names = &log->names};
+	const struct motion_sink sink = {log, on_event};
 	FILE *in = fmemopen((void *)(uintptr_t)program, strlen(program), "r");
 	bool ok;
 
 	ck_assert_ptr_nonnull(in);
 	rig_find(&machine, SLOT_Z)->limit_max = 50;
-	*log = (struct log){.sum = UINT64_C(0xcbf29ce484222325), .stop_at = stop_at, .summary = summary};
+	*log = (struct log){.sum = UINT64_C(0xcbf29ce484222325), .stop_at = stop_at};
 	log->diag = (struct diag){.handle = on_diag, .context = log};
 	ok = how(&machine, &setup, &options, in, "part.nc", &sink, &log->diag, summary);
 	fclose(in);
 	return ok;
+}
+
+static void release(struct log *log)
+{
+	free(log->sums);
+	file_names_release(&log->names);
 }
 
 static void compare(const struct log *want, const struct log *got, long n)
@@ -199,14 +214,14 @@ START_TEST(all_is_heard_as_it_was_said)
 		struct log want, got;
 		bool ok = run(motion_run, &want, program, 0, &summaries[0]);
 
-		ck_assert(run(relay_run, &got, program, 0, &summaries[1]) == ok);
+		ck_assert(run(read_ahead_run, &got, program, 0, &summaries[1]) == ok);
 		compare(&want, &got, n);
-		mix_summary(&want);
-		mix_summary(&got);
+		mix_summary(&want, &summaries[0]);
+		mix_summary(&got, &summaries[1]);
 		require(want.sum == got.sum, "case %ld: the summaries differ", n);
 		diags += want.diags;
-		free(want.sums);
-		free(got.sums);
+		release(&want);
+		release(&got);
 		free(program);
 	}
 	ck_assert_int_gt(diags, 0);
@@ -225,11 +240,11 @@ START_TEST(a_listener_may_stop)
 		run(motion_run, &all, program, 0, &summaries[0]);
 		stop_at = 1 + (size_t)random_in(&random, 0, (double)(all.count - (size_t)all.diags));
 		run(motion_run, &want, program, stop_at, &summaries[0]);
-		ck_assert(!run(relay_run, &got, program, stop_at, &summaries[1]));
+		ck_assert(!run(read_ahead_run, &got, program, stop_at, &summaries[1]));
 		compare(&want, &got, n);
-		free(all.sums);
-		free(want.sums);
-		free(got.sums);
+		release(&all);
+		release(&want);
+		release(&got);
 		free(program);
 	}
 }
@@ -237,7 +252,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("relay");
+	Suite *suite = suite_create("read_ahead");
 	TCase *tcase = tcase_create("calls");
 	SRunner *runner = srunner_create(suite);
 	int failed;

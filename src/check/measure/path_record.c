@@ -1,4 +1,4 @@
-#include "check/course.h"
+#include "check/measure/path_record.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,74 +12,74 @@ struct record {
 	axis_values end;
 };
 
-bool course_init(struct course *course)
+bool path_record_init(struct path_record *path)
 {
-	*course = (struct course){.file = tmpfile()};
-	return course->file != NULL;
+	*path = (struct path_record){.file = tmpfile()};
+	return path->file != NULL;
 }
 
-void course_release(struct course *course)
+void path_record_release(struct path_record *path)
 {
-	if (course->file)
-		fclose(course->file);
-	*course = (struct course){0};
+	if (path->file)
+		fclose(path->file);
+	*path = (struct path_record){0};
 }
 
-static void restart(struct course *course, bool compares)
+static void restart(struct path_record *path, bool compares)
 {
-	course->compares = compares;
-	course->same = true;
-	course->way = 0;
-	memset(course->ways, 0, sizeof(course->ways));
-	if (fseek(course->file, 0, SEEK_SET))
-		course->lost = true;
+	path->compares = compares;
+	path->same = true;
+	path->way = 0;
+	memset(path->ways, 0, sizeof(path->ways));
+	if (fseek(path->file, 0, SEEK_SET))
+		path->lost = true;
 }
 
-void course_record(struct course *course)
+void path_record_start(struct path_record *path)
 {
-	restart(course, false);
+	restart(path, false);
 }
 
-void course_compare(struct course *course)
+void path_record_compare(struct path_record *path)
 {
-	restart(course, true);
+	restart(path, true);
 }
 
-void course_step(struct course *course, const struct motion_step *step)
+void path_record_step(struct path_record *path, const struct motion_step *step)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		uint64_t bits;
 
 		/* Fowler, Noll and Vo's hash (FNV-1a), a number at a time. */
 		memcpy(&bits, &step->span.q1.v[slot], sizeof(bits));
-		course->ways[slot] = (course->ways[slot] ^ bits) * UINT64_C(0x100000001b3) + 1;
+		path->ways[slot] = (path->ways[slot] ^ bits) * UINT64_C(0x100000001b3) + 1;
 	}
 }
 
-static void compare(struct course *course, const struct record *now)
+static void compare(struct path_record *path, const struct record *now)
 {
 	struct record then;
 	double way = 0;
 
-	if (fread(&then, sizeof(then), 1, course->file) != 1) {
-		course->same = false;
-		course->lost |= ferror(course->file) != 0;
+	if (fread(&then, sizeof(then), 1, path->file) != 1) {
+		path->same = false;
+		path->lost |= ferror(path->file) != 0;
 		return;
 	}
 	if (now->line != then.line || now->tool != then.tool)
-		course->same = false;
+		path->same = false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		double off = fabs(now->end.v[slot] - then.end.v[slot]);
 
 		if (!slot_is_rotary(slot))
 			way += off * off;
 		else if (off > SAME_ANGLE)
-			course->same = false;
+			path->same = false;
 	}
-	course->way = fmax(course->way, sqrt(way));
+	path->way = fmax(path->way, sqrt(way));
 }
 
-void course_block(struct course *course, long line, int tool, const axis_values *end)
+void path_record_block(struct path_record *path, long line, int tool, const axis_values *end)
 {
 	struct record record;
 
@@ -87,16 +87,16 @@ void course_block(struct course *course, long line, int tool, const axis_values 
 	record.line = line;
 	record.tool = tool;
 	record.end = *end;
-	if (course->compares)
-		compare(course, &record);
-	else if (fwrite(&record, sizeof(record), 1, course->file) != 1)
-		course->lost = true;
+	if (path->compares)
+		compare(path, &record);
+	else if (fwrite(&record, sizeof(record), 1, path->file) != 1)
+		path->lost = true;
 }
 
-void course_end(struct course *course)
+void path_record_end(struct path_record *path)
 {
 	struct record more;
 
-	if (fread(&more, sizeof(more), 1, course->file) == 1)
-		course->same = false;
+	if (fread(&more, sizeof(more), 1, path->file) == 1)
+		path->same = false;
 }

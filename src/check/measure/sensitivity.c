@@ -1,4 +1,4 @@
-#include "check/sensitivity.h"
+#include "check/measure/sensitivity.h"
 
 #include <errno.h>
 #include <math.h>
@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "check/course.h"
+#include "check/measure/path_record.h"
+#include "motion/motion.h"
 
 /* What remains of a clearance may be measured as so much less: then a change cannot be proved any farther... */
 #define STALL 2
@@ -27,7 +28,7 @@ struct search {
 	FILE *in;
 	off_t start;
 	const char *name;
-	struct course course;
+	struct path_record path;
 	uint64_t ways[SLOT_COUNT];	/* of the recorded run */
 	bool affects[SLOT_COUNT];	/* axes that go elsewhere with the quantity changed */
 	double spread;	/* how many times a change may show in the distance of two bodies; INFINITY: it cannot be told */
@@ -40,7 +41,7 @@ struct search {
 struct probe {
 	struct search *search;
 	enum check_result result;
-	bool orderly;	/* the course was the recorded one, as far as it went */
+	bool orderly;	/* the path was the recorded one, as far as it went */
 	char *why;	/* the first error; owned */
 };
 
@@ -105,9 +106,9 @@ static struct probe run(struct search *search, double amount, double measures)
 		changes.work.y = answer->quantity == CHANGE_Y ? change : 0;
 		changes.work.z = answer->quantity == CHANGE_Z ? change : 0;
 		changes.length = answer->quantity == CHANGE_LENGTH ? change : 0;
-		course_compare(&search->course);
+		path_record_compare(&search->path);
 	} else {
-		course_record(&search->course);
+		path_record_start(&search->path);
 	}
 	search->options.change = &changes;
 	search->options.measure_cap = measures * fmin(search->spread, 1e3) + 2 * STALL * search->options.tolerance;
@@ -119,9 +120,9 @@ static struct probe run(struct search *search, double amount, double measures)
 	if (diag.errors)
 		probe.result = CHECK_INCOMPLETE;
 	if (answer && probe.result == CHECK_CLEAR)
-		course_end(&search->course);
-	probe.orderly = search->course.same && !search->course.lost &&
-			search->course.way <= amount * search->spread * (1 + 1e-9) + 1e-9;
+		path_record_end(&search->path);
+	probe.orderly = search->path.same && !search->path.lost &&
+			search->path.way <= amount * search->spread * (1 + 1e-9) + 1e-9;
 	return probe;
 }
 
@@ -258,7 +259,7 @@ static void search_clear(struct search *search)
 		return;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		search->affects[slot] = search->course.ways[slot] != search->ways[slot];
+		search->affects[slot] = search->path.ways[slot] != search->ways[slot];
 		any |= search->affects[slot];
 	}
 	if (!any && probe.orderly) {
@@ -352,12 +353,12 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 	struct probe probe;
 	double *proven;
 
-	if (!course_init(&search.course)) {
+	if (!path_record_init(&search.path)) {
 		diag_error(diag, (struct srcloc){0}, "--sensitivity: cannot make a temporary file: %s", strerror(errno));
 		return 0;
 	}
 	search.options.all = search.options.gauges = search.options.times = false;
-	search.options.course = &search.course;
+	search.options.record = &search.path;
 	search.proven = mem_zalloc(scene->pair_count, sizeof(*search.proven));
 	proven = mem_zalloc(scene->pair_count, sizeof(*proven));
 	probe = run(&search, 0, fmax(fmax(range[CHANGE_X], range[CHANGE_Y]), fmax(range[CHANGE_Z], range[CHANGE_LENGTH])));
@@ -367,12 +368,12 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 	free(probe.why);
 	if (probe.result == result) {
 		memcpy(proven, search.proven, scene->pair_count * sizeof(*proven));
-		memcpy(search.ways, search.course.ways, sizeof(search.ways));
+		memcpy(search.ways, search.path.ways, sizeof(search.ways));
 		count = list_answers(range, answers);
 		for (size_t i = 0; i < count; i++)
 			answer_one(&search, result, &answers[i], proven);
 	}
-	course_release(&search.course);
+	path_record_release(&search.path);
 	free(search.proven);
 	free(proven);
 	return count;

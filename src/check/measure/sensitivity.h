@@ -1,6 +1,6 @@
 /* sensitivity.h - by how much a work offset or the tool length may be off before a program's verdict turns. */
-#ifndef FIVECHECK_CHECK_SENSITIVITY_H
-#define FIVECHECK_CHECK_SENSITIVITY_H
+#ifndef FIVECHECK_CHECK_MEASURE_SENSITIVITY_H
+#define FIVECHECK_CHECK_MEASURE_SENSITIVITY_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -34,7 +34,7 @@ bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 	motion_commands_fill(interp, &item.move);
 	if (interp->comp.queue.count > 0)
 		return motion_commands_enqueue(interp, &item);
-	return interp->sink->move(interp->sink->context, &item.move);
+	return canon_tell_move(interp->sink, &item.move);
 }
 
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move)

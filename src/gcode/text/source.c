@@ -15,14 +15,15 @@ static struct source *add(struct sources *sources, FILE *in, const char *name)
 {
 	struct source *source = mem_zalloc(1, sizeof(*source));
 
-	source->name = mem_strndup(name, strlen(name));
+	source->name = file_names_keep(sources->names, name);
 	reader_init(&source->reader, in);
 	sources->items[sources->count++] = source;
 	return source;
 }
 
-void sources_open_main(struct sources *sources, FILE *in, const char *name)
+void sources_open_main(struct sources *sources, FILE *in, const char *name, struct file_names *names)
 {
+	sources->names = names ? names : &sources->own_names;
 	add(sources, in, name);
 }
 
@@ -41,11 +42,10 @@ void sources_close(struct sources *sources)
 void sources_release(struct sources *sources)
 {
 	sources_close(sources);
-	for (size_t i = 0; i < sources->count; i++) {
-		free(sources->items[i]->name);
+	for (size_t i = 0; i < sources->count; i++)
 		free(sources->items[i]);
-	}
 	sources->count = 0;
+	file_names_release(&sources->own_names);
 }
 
 struct position source_here(struct source *source)

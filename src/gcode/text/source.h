@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "base/callbacks.h"
+#include "base/file_names.h"
 #include "gcode/read_options.h"
 #include "gcode/text/fault.h"
 #include "gcode/text/reader.h"
@@ -15,7 +16,7 @@
 #define SOURCE_MAX 200
 
 struct source {
-	char *name;	/* as messages call it */
+	const char *name;	/* as messages call it; one of the names that are kept */
 	FILE *file;	/* to be closed; NULL: borrowed */
 	struct line_reader reader;
 };
@@ -25,6 +26,8 @@ struct sources {
 	struct source *items[SOURCE_MAX];
 	size_t count;
 	bool led_out;	/* a file that was looked for is outside of the input root */
+	struct file_names *names;	/* where names are kept */
+	struct file_names own_names;	/* the same, if nobody else keeps them */
 	const struct file_opened *opened;	/* is told what else is opened; or NULL */
 };
 
@@ -35,8 +38,8 @@ struct position {
 	long line;
 };
 
-/* The program itself; `in` is borrowed. */
-void sources_open_main(struct sources *sources, FILE *in, const char *name);
+/* The program itself; `in` is borrowed. names: who keeps the files' names, or NULL: sources, until sources_release. */
+void sources_open_main(struct sources *sources, FILE *in, const char *name, struct file_names *names);
 
 /*
  * The file `label`.ngc, in the folder of the program or else in the folders of
@@ -53,7 +56,7 @@ bool sources_find(struct sources *sources, const struct read_options *options, c
 bool sources_find_program(struct sources *sources, const struct read_options *options, int number,
 			  const struct line_place *at, int column, struct source **source);
 
-/* Closes the files; the names live until sources_release. */
+/* Closes the files; the sources and their names stay until sources_release. */
 void sources_close(struct sources *sources);
 void sources_release(struct sources *sources);
 

@@ -35,10 +35,8 @@ static double greatest_deviation(const struct span *span)
 	return greatest;
 }
 
-static bool dump_step(void *context, const struct motion_step *step)
+static bool dump_step(struct dump *dump, const struct motion_step *step)
 {
-	struct dump *dump = context;
-
 	strbuf_addf(&dump->row, "%ld\t%d\t%d", step->line, step->move, step->tool);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (machine_axis(dump->machine, slot))
@@ -48,10 +46,8 @@ static bool dump_step(void *context, const struct motion_step *step)
 	return output_text(dump->out, &dump->row);
 }
 
-static bool dump_limit(void *context, const struct motion_limit *limit)
+static void dump_limit(struct dump *dump, const struct motion_limit *limit)
 {
-	struct dump *dump = context;
-
 	if (!dump->past_limit)
 		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
 			     "axis %c leaves its travel at the limit of %.10g %s; "
@@ -59,25 +55,14 @@ static bool dump_limit(void *context, const struct motion_limit *limit)
 			     AXIS_LETTERS[limit->slot], format_units_value(limit->slot, limit->bound),
 			     format_units_unit(limit->slot));
 	dump->past_limit = true;
-	return true;
 }
 
-static bool dump_tool(void *context, int tool, const axis_values *position)
+static bool on_event(void *context, const struct motion_event *event)
 {
-	(void)context;
-	(void)tool;
-	(void)position;
-	return true;
-}
-
-static bool dump_block(void *context, const char *file, long line, const char *text, double seconds, int moves)
-{
-	(void)context;
-	(void)file;
-	(void)line;
-	(void)text;
-	(void)seconds;
-	(void)moves;
+	if (event->kind == MOTION_STEP)
+		return dump_step(context, &event->of.step);
+	if (event->kind == MOTION_LIMIT)
+		dump_limit(context, &event->of.limit);
 	return true;
 }
 
@@ -85,7 +70,7 @@ bool dump_path(struct output *out, const struct machine *machine, const struct s
 	       const struct motion_options *options, FILE *in, const char *name, struct diag *diag)
 {
 	struct dump dump = {.out = out, .machine = machine, .diag = diag, .name = name};
-	const struct motion_sink sink = {&dump, dump_limit, dump_step, dump_tool, dump_block};
+	const struct motion_sink sink = {&dump, on_event};
 	struct motion_summary summary;
 	bool good = dump_header(&dump) && motion_run(machine, setup, options, in, name, &sink, diag, &summary);
 

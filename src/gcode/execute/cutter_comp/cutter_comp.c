@@ -52,10 +52,14 @@ bool cutter_comp_is_on(const struct interp *interp)
 
 /* ------------------------------------------------------------------ queue */
 
-static bool send_block(struct interp *interp, const struct comp_item *item)
+/* An item that waited. */
+static bool tell_item(struct interp *interp, const struct comp_item *item)
 {
-	return interp->sink->block(interp->sink->context, item->move.file, item->move.line, item->text,
-				   item->move.number);
+	const struct canon_move *move = &item->move;
+
+	if (item->kind != COMP_BLOCK)
+		return canon_tell_move(interp->sink, move);
+	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
 }
 
 /* Everything that waits, as its ends are now; the next move starts at `start`. */
@@ -66,12 +70,8 @@ static bool send_all(struct interp *interp, struct plane_point start)
 
 	interp->comp.queue = (struct comp_queue){.start = start};
 	comp_queue_settle(&queue, slot_a(interp), slot_b(interp));
-	for (size_t i = 0; i < queue.count && good; i++) {
-		const struct comp_item *item = &queue.items[i];
-
-		good = item->kind == COMP_BLOCK ? send_block(interp, item)
-						: interp->sink->move(interp->sink->context, &item->move);
-	}
+	for (size_t i = 0; i < queue.count && good; i++)
+		good = tell_item(interp, &queue.items[i]);
 	comp_queue_release(&queue);
 	return good;
 }
@@ -398,7 +398,8 @@ bool cutter_comp_end_block(struct interp *interp)
 				 .move = {.file = at->file, .line = at->line, .number = interp->moves}};
 
 	if (!interp->comp.queue.count)
-		return interp->sink->block(interp->sink->context, at->file, at->line, at->text, interp->moves);
+		return canon_tell_block(interp->sink,
+					&(struct canon_block){at->file, at->line, at->text, interp->moves});
 	item.text = mem_strndup(at->text, strlen(at->text));
 	if (motion_commands_enqueue(interp, &item))
 		return true;

@@ -1,0 +1,269 @@
+#include "check/checker.h"
+
+#include <time.h>
+
+#include "check/step.h"
+#include "scene/static_query.h"
+
+double checker_clock(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+bool checker_has_enough(const struct checker *c)
+{
+	return c->found && !c->options->all;
+}
+
+bool checker_owns(const struct checker *c, long block)
+{
+	const struct check_options *options = c->options;
+
+	return options->shards < 2 || (block / SHARE_BLOCKS) % options->shards == options->shard - 1;
+}
+
+/* --------------------------------------------------------------- findings */
+
+/*
+ * What is reported beside a required clearance is the distance itself, and so it is
+ * where the control may leave the path by `tolerance` (NULL: it may not).
+ */
+static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found,
+			       const axis_values *tolerance)
+{
+	struct contact contact = *found;
+	struct body_pair bodies;
+
+	if ((!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0) ||
+	    !scene_pair_bodies(c->scene, pair, &bodies, &c->log.diags.diag))
+		return contact;
+	sweep_nearest(&c->sweep, &bodies, &contact);
+	if (tolerance)
+		contact.path_displacement = body_pair_path_displacement(&bodies, &contact.q, tolerance);
+	return contact;
+}
+
+/* The pair meets here, in a move of this number. `tolerance` as in measured(). */
+static void add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
+			const struct contact *found, const axis_values *tolerance)
+{
+	const struct scene_pair *pair = &c->scene->pairs[at->rank];
+	const struct contact contact = measured(c, pair, found, tolerance);
+	struct block_finding finding = *at;
+
+	finding.finding = finding_of_pair(c->scene, pair, kind, &contact, c->tool);
+	finding.finding.move = move;
+	finding.finding.time = at->finding.time;
+	block_log_add_finding(&c->log, &finding);
+	c->found = true;
+}
+
+static void add_contact(struct checker *c, const struct runner_result *result)
+{
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+	const struct batch_step *step = &c->batch.steps[result->step];
+	const struct motion_step *motion = &step->motion;
+	const double since = result->contact.s * motion->seconds;
+	const struct block_finding at = {.finding.time = motion->time + since, .block = step->block,
+					 .block_time = motion->block_time + since, .rank = (int)result->pair};
+
+	add_finding(c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move, &result->contact,
+		    step_may_stray(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
+}
+
+static void report_undecided(struct checker *c, const struct runner_result *result)
+{
+	const struct motion_step *motion = &c->batch.steps[result->step].motion;
+	const struct scene_pair *pair = &c->scene->pairs[result->pair];
+
+	c->failed = true;
+	if (motion->span.path->kind != PATH_BOX) {
+		static_query_report_undecided(c->scene, pair, c->options->tolerance, c->diag);
+		return;
+	}
+	diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
+		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
+		   "whose way is not known (rapid=\"any\"); if it is, say so, or move fewer axes at once",
+		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+}
+
+/* Contacts go to the log; what is undecided behind the first of them does not matter without `all`. */
+static void take_results(struct checker *c)
+{
+	size_t first_contact = c->batch.step_count;
+
+	for (size_t i = 0; i < c->scheduler.result_count; i++) {
+		const struct runner_result *result = &c->scheduler.results[i];
+
+		if (result->passage != PASSAGE_CONTACT)
+			continue;
+		add_contact(c, result);
+		if (!c->options->all && result->step < first_contact)
+			first_contact = result->step;
+	}
+	for (size_t i = 0; i < c->scheduler.result_count; i++) {
+		const struct runner_result *result = &c->scheduler.results[i];
+
+		if (result->passage != PASSAGE_UNDECIDED || result->step > first_contact)
+			continue;
+		report_undecided(c, result);
+	}
+}
+
+/* Hands on the findings whose blocks are complete, and the diagnostics that came before them. */
+static void hand_on_findings(struct checker *c)
+{
+	struct block_log *log = &c->log;
+	size_t done = 0;
+	struct finding finding;
+
+	block_log_sort(log);
+	while (!c->stopped && done < log->finding_count && block_log_finding(log, done, &finding)) {
+		const long block = log->findings[done].block;
+
+		diag_queue_deliver(&log->diags, c->diag, c->options->all ? c->block : block);
+		c->stats->findings++;
+		done++;
+		if (!c->sink->finding(c->sink->context, &finding) || !c->options->all) {
+			c->stopped = true;
+			c->last_block = block;
+		}
+	}
+	block_log_drop_findings(log, done);
+	if (!c->found || c->options->all)
+		diag_queue_deliver(&log->diags, c->diag, c->block);
+}
+
+/* ---------------------------------------------------------------- batches */
+
+/* False: broken off. */
+static bool gauge(struct checker *c)
+{
+	double start = checker_clock();
+	bool complete = scheduler_gauge(&c->scheduler, &c->batch, c->tool, c->options);
+
+	for (size_t i = 0; i < c->scheduler.count && complete; i++) {
+		const struct runner *runner = &c->scheduler.runners[i];
+
+		for (size_t k = 0; k < runner->room_count; k++) {
+			const double clearance = runner->rooms[k].clearance;
+			const struct check_room room = {runner->pair, clearance, clearance >= c->options->gauge_cap};
+
+			block_log_add_room(&c->log, runner->rooms[k].block, &room);
+		}
+	}
+	c->gauging += checker_clock() - start;
+	return complete;
+}
+
+static void check_batch(struct checker *c)
+{
+	batch_close(&c->batch);
+	c->broken_off = !scheduler_run(&c->scheduler, &c->batch, c->tool, c->options);
+	if (!c->broken_off) {
+		take_results(c);
+		c->broken_off = c->options->gauges && !gauge(c);
+	}
+	if (c->broken_off)
+		c->last_block = c->batch.steps[0].block - 1;
+}
+
+/* Says how far the check is, or why it ends here. */
+static void tell_progress(struct checker *c)
+{
+	const struct check_sink *sink = c->sink;
+
+	if (c->stopped || (!c->broken_off && (!sink->progress || sink->progress(sink->context, c->checked.line))))
+		return;
+	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},
+		   "interrupted after line %ld: what follows was not checked", c->checked.line);
+	c->stopped = c->failed = true;
+}
+
+void checker_process(struct checker *c, struct block_record *timed)
+{
+	double start = checker_clock();
+
+	if (!checker_has_enough(c) && !c->broken_off && c->batch.step_count)
+		check_batch(c);
+	batch_clear(&c->batch);
+	/* Of a batch that is not checked whole nobody knows what comes first. */
+	if (!c->broken_off) {
+		hand_on_findings(c);
+		c->checked = c->last;
+	}
+	c->stats->seconds_check += checker_clock() - start;
+	if (timed) {
+		const double check = c->stats->seconds_check - c->read_check;
+
+		timed->interpret = checker_clock() - c->read_from - check;
+		timed->check = check - c->gauging;
+	}
+	if (c->sink->block)
+		block_log_measured(&c->log, c->last_block, c->sink);
+	block_log_forget(&c->log);
+	tell_progress(c);
+	if (c->stopped)
+		c->stats->motion = c->summary;
+}
+
+/* ------------------------------------------------------------------ poses */
+
+/* Do the axes stand where nothing is out of reach? */
+static bool is_past_a_limit(const struct checker *c)
+{
+	const struct machine *machine = c->scene->machine;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		double at = c->position.v[axis->slot];
+
+		if (at < axis->limit_min || at > axis->limit_max)
+			return true;
+	}
+	return false;
+}
+
+/* Looks at a pair as it stands at the current position. */
+static void check_pair_at_rest(struct checker *c, struct runner *runner, int move)
+{
+	const struct scene_pair *pair = &c->scene->pairs[runner->pair];
+	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
+					 .rank = (int)runner->pair};
+	struct contact contact;
+	enum pose_state state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
+					  &c->log.diags.diag);
+
+	c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
+	if (c->broken_off)
+		return;
+	c->failed |= state == POSE_FAILED;
+	if (state == POSE_UNKNOWN && runner->unknown_block < 0)
+		runner->unknown_block = c->block;
+	if ((state == POSE_CLEAR || state == POSE_UNKNOWN) && c->measures)
+		runner_stand(runner, &c->sweep, &c->position);
+	if (state != POSE_NEAR && state != POSE_OVERLAP)
+		return;
+	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, &contact, NULL);
+	if (c->options->gauges && state == POSE_OVERLAP)
+		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = runner->pair});
+	runner_found(runner, c->block);
+}
+
+void checker_at_rest(struct checker *c, bool tool_only, int move)
+{
+	bool past_a_limit = is_past_a_limit(c);
+	double start = checker_clock();
+
+	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off && checker_owns(c, c->block); i++) {
+		struct runner *runner = &c->scheduler.runners[i];
+
+		if ((!runner->past_limits_only || past_a_limit) && runner_is_active(runner, c->tool) &&
+		    (!tool_only || runner->tool))
+			check_pair_at_rest(c, runner, move);
+	}
+	c->stats->seconds_check += checker_clock() - start;
+}

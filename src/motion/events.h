@@ -1,0 +1,89 @@
+/* events.h - what motion_run tells of a program: one tagged event after another, in the order of time. */
+#ifndef FIVECHECK_MOTION_EVENTS_H
+#define FIVECHECK_MOTION_EVENTS_H
+
+#include <stdbool.h>
+
+#include "base/axes.h"
+#include "motion/span.h"
+
+/* A straight piece of a move. */
+struct motion_step {
+	struct span span;
+	const char *file;	/* of the block: the program's or a subprogram's (motion_options.names) */
+	long line;	/* of the block */
+	int move;	/* of the block, from 1 */
+	int tool;	/* in the spindle; 0: none */
+	double time;	/* s since the start of the program, dwells included, where the span starts */
+	double block_time;	/* s of motion in this block before the span, dwells excluded */
+	double seconds;	/* the span's own duration */
+	axis_values tolerance;	/* how far the control may leave the path (G64), mm and radians; not in the deviation */
+	bool outside;	/* some part of the move is past an axis limit */
+	bool rapid;	/* at the axes' rates, else at a programmed feed */
+	bool spindle_turns;
+};
+
+/* An axis leaves its travel: the first instant of it in one move. Comes before the steps of that move. */
+struct motion_limit {
+	int slot;
+	double bound;	/* the limit, mm or radians */
+	axis_values position;	/* where the axes are at that instant */
+	double time;
+	double block_time;
+	const char *file;
+	long line;
+	int move;
+	int tool;
+};
+
+/* A new tool is in the spindle. */
+struct motion_tool {
+	int tool;
+	axis_values position;	/* where the axes are */
+};
+
+/* A block is complete. */
+struct motion_block {
+	const char *file;
+	long line;
+	const char *text;	/* the line as it stands in the file */
+	double seconds;	/* of motion, dwells excluded */
+	int moves;
+};
+
+/* How far a run is, or what it was. */
+struct motion_summary {
+	long lines;
+	long blocks;	/* blocks carried out */
+	long moves;	/* of nonzero length */
+	long spans;
+	double seconds;	/* machining time, dwells included */
+	bool blend_unbounded;	/* G64 was in force with no tolerance from program or machine */
+};
+
+enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_BLOCK };
+
+/*
+ * Plain data that can be copied. Two pointers in it are valid during the call only, and whoever keeps the event longer
+ * keeps a copy of what they point to: step.span.path with its tcp (path_copies.h does that), and block.text. File names
+ * live as long as the table that they are kept in.
+ */
+struct motion_event {
+	enum motion_event_kind kind;
+	struct motion_summary summary;	/* up to here; `lines` counts to the last complete block */
+	union {
+		struct motion_step step;
+		struct motion_limit limit;
+		struct motion_tool tool;
+		struct motion_block block;
+	} of;
+};
+
+/* Where the events go. */
+struct motion_sink {
+	void *context;
+	/* False: stop the program. */
+	bool (*event)(void *context, const struct motion_event *event);
+};
+
+#endif
