@@ -23,10 +23,10 @@ enum { WITH_CHUNKS = 0 };
 enum { WITH_CHUNKS = 1 };	/* many steps are passed at once by the box of their positions */
 #endif
 
-#ifdef FIVECHECK_WITHOUT_STRETCHES
-enum { WITH_STRETCHES = 0 };
+#ifdef FIVECHECK_WITHOUT_MERGED_STEPS
+enum { WITH_MERGED_STEPS = 0 };
 #else
-enum { WITH_STRETCHES = 1 };	/* several steps are swept at once */
+enum { WITH_MERGED_STEPS = 1 };	/* several steps are swept at once */
 #endif
 
 #ifdef FIVECHECK_WITHOUT_SIMD

@@ -61,7 +61,7 @@ static void add_finding(struct checker *c, const struct block_finding *at, enum 
 	c->found = true;
 }
 
-static void add_contact(struct checker *c, const struct runner_result *result)
+static void add_contact(struct checker *c, const struct pair_check_result *result)
 {
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
 	const struct batch_step *step = &c->batch.steps[result->step];
@@ -74,7 +74,7 @@ static void add_contact(struct checker *c, const struct runner_result *result)
 		    step_may_stray(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
 }
 
-static void report_undecided(struct checker *c, const struct runner_result *result)
+static void report_undecided(struct checker *c, const struct pair_check_result *result)
 {
 	const struct motion_step *motion = &c->batch.steps[result->step].motion;
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
@@ -96,18 +96,18 @@ static void take_results(struct checker *c)
 	size_t first_contact = c->batch.step_count;
 
 	for (size_t i = 0; i < c->scheduler.result_count; i++) {
-		const struct runner_result *result = &c->scheduler.results[i];
+		const struct pair_check_result *result = &c->scheduler.results[i];
 
-		if (result->passage != PASSAGE_CONTACT)
+		if (result->answer != QUERY_CONTACT)
 			continue;
 		add_contact(c, result);
 		if (!c->options->all && result->step < first_contact)
 			first_contact = result->step;
 	}
 	for (size_t i = 0; i < c->scheduler.result_count; i++) {
-		const struct runner_result *result = &c->scheduler.results[i];
+		const struct pair_check_result *result = &c->scheduler.results[i];
 
-		if (result->passage != PASSAGE_UNDECIDED || result->step > first_contact)
+		if (result->answer != QUERY_UNDECIDED || result->step > first_contact)
 			continue;
 		report_undecided(c, result);
 	}
@@ -146,13 +146,13 @@ static bool gauge(struct checker *c)
 	bool complete = scheduler_gauge(&c->scheduler, &c->batch, c->tool, c->options);
 
 	for (size_t i = 0; i < c->scheduler.count && complete; i++) {
-		const struct runner *runner = &c->scheduler.runners[i];
+		const struct pair_check *check = &c->scheduler.checks[i];
 
-		for (size_t k = 0; k < runner->room_count; k++) {
-			const double clearance = runner->rooms[k].clearance;
-			const struct check_room room = {runner->pair, clearance, clearance >= c->options->gauge_cap};
+		for (size_t k = 0; k < check->room_count; k++) {
+			const double clearance = check->rooms[k].clearance;
+			const struct check_room room = {check->pair, clearance, clearance >= c->options->block_clearance_cap};
 
-			block_log_add_room(&c->log, runner->rooms[k].block, &room);
+			block_log_add_room(&c->log, check->rooms[k].block, &room);
 		}
 	}
 	c->gauging += checker_clock() - start;
@@ -165,7 +165,7 @@ static void check_batch(struct checker *c)
 	c->broken_off = !scheduler_run(&c->scheduler, &c->batch, c->tool, c->options);
 	if (!c->broken_off) {
 		take_results(c);
-		c->broken_off = c->options->gauges && !gauge(c);
+		c->broken_off = c->options->block_clearances && !gauge(c);
 	}
 	if (c->broken_off)
 		c->last_block = c->batch.steps[0].block - 1;
@@ -228,11 +228,11 @@ static bool is_past_a_limit(const struct checker *c)
 }
 
 /* Looks at a pair as it stands at the current position. */
-static void check_pair_at_rest(struct checker *c, struct runner *runner, int move)
+static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move)
 {
-	const struct scene_pair *pair = &c->scene->pairs[runner->pair];
+	const struct scene_pair *pair = &c->scene->pairs[check->pair];
 	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
-					 .rank = (int)runner->pair};
+					 .rank = (int)check->pair};
 	struct contact contact;
 	enum pose_state state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
 					  &c->log.diags.diag);
@@ -241,16 +241,16 @@ static void check_pair_at_rest(struct checker *c, struct runner *runner, int mov
 	if (c->broken_off)
 		return;
 	c->failed |= state == POSE_FAILED;
-	if (state == POSE_UNKNOWN && runner->unknown_block < 0)
-		runner->unknown_block = c->block;
+	if (state == POSE_UNKNOWN && check->unknown_block < 0)
+		check->unknown_block = c->block;
 	if ((state == POSE_CLEAR || state == POSE_UNKNOWN) && c->measures)
-		runner_stand(runner, &c->sweep, &c->position);
+		pair_check_stand(check, &c->sweep, &c->position);
 	if (state != POSE_NEAR && state != POSE_OVERLAP)
 		return;
 	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, &contact, NULL);
-	if (c->options->gauges && state == POSE_OVERLAP)
-		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = runner->pair});
-	runner_found(runner, c->block);
+	if (c->options->block_clearances && state == POSE_OVERLAP)
+		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = check->pair});
+	pair_check_found(check, c->block);
 }
 
 void checker_at_rest(struct checker *c, bool tool_only, int move)
@@ -259,11 +259,11 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 	double start = checker_clock();
 
 	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off && checker_owns(c, c->block); i++) {
-		struct runner *runner = &c->scheduler.runners[i];
+		struct pair_check *check = &c->scheduler.checks[i];
 
-		if ((!runner->past_limits_only || past_a_limit) && runner_is_active(runner, c->tool) &&
-		    (!tool_only || runner->tool))
-			check_pair_at_rest(c, runner, move);
+		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&
+		    (!tool_only || check->tool))
+			check_pair_at_rest(c, check, move);
 	}
 	c->stats->seconds_check += checker_clock() - start;
 }

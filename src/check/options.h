@@ -27,8 +27,8 @@ struct check_options {
 	/* Its cancel is asked in the middle of a batch, too; of a batch that is broken off nothing is told. */
 	struct read_options read;
 	int threads;	/* >= 1 */
-	bool gauges;	/* measures what clearance remains in each block, which takes more time */
-	double gauge_cap;	/* mm: and no more than this of it */
+	bool block_clearances;	/* measures what clearance remains in each block, which takes more time */
+	double block_clearance_cap;	/* mm: and no more than this of it */
 	bool times;	/* checks each block by itself and takes its time, which takes more of it */
 	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
 	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */

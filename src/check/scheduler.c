@@ -7,13 +7,13 @@
 #include "base/parallel_for.h"
 
 /*
- * A runner that looked at more node pairs than this in a batch is worth
+ * A check that looked at more node pairs than this in a batch is worth
  * several threads in the next one; and starting threads is worth it at all.
  */
 #define HEAVY 20000
 
 /*
- * A heavy runner's batch is dealt out in parts of whole chunks, large ones first: each is this share of what is
+ * A heavy check's batch is dealt out in parts of whole chunks, large ones first: each is this share of what is
  * left, so that all threads come to the end at about the same time and yet few parts begin without a past.
  */
 #define PART_SHARE 4
@@ -22,7 +22,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 	       struct diag *diag)
 {
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1};
-	scheduler->runners = mem_zalloc(scene->pair_count, sizeof(*scheduler->runners));
+	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
 	for (int i = 0; i < scheduler->threads; i++)
@@ -32,7 +32,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 
 		if (status != PAIR_CHECKED && status != PAIR_OUT_OF_REACH)
 			continue;
-		if (!runner_init(&scheduler->runners[scheduler->count], scene, i, options, measure, diag))
+		if (!pair_check_init(&scheduler->checks[scheduler->count], scene, i, options, measure, diag))
 			return false;
 		scheduler->count++;
 	}
@@ -42,10 +42,10 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 void scheduler_release(struct scheduler *scheduler)
 {
 	for (size_t i = 0; i < scheduler->count; i++)
-		runner_release(&scheduler->runners[i]);
+		pair_check_release(&scheduler->checks[i]);
 	for (int i = 0; i < scheduler->threads; i++)
 		sweep_release(&scheduler->sweeps[i]);
-	free(scheduler->runners);
+	free(scheduler->checks);
 	free(scheduler->visits);
 	free(scheduler->sweeps);
 	free(scheduler->jobs);
@@ -56,32 +56,32 @@ void scheduler_release(struct scheduler *scheduler)
 void scheduler_change_tool(struct scheduler *scheduler)
 {
 	for (size_t i = 0; i < scheduler->count; i++)
-		if (scheduler->runners[i].tool)
-			follower_lose(&scheduler->runners[i].follower);
+		if (scheduler->checks[i].tool)
+			strategy_forget_position(&scheduler->checks[i].strategy);
 }
 
 void scheduler_jump(struct scheduler *scheduler)
 {
 	for (size_t i = 0; i < scheduler->count; i++)
-		runner_jump(&scheduler->runners[i]);
+		pair_check_jump(&scheduler->checks[i]);
 }
 
 /* ------------------------------------------------------------------ jobs */
 
-static void add_job(struct scheduler *scheduler, struct runner *runner, struct runner *copy, size_t from, size_t to)
+static void add_job(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from, size_t to)
 {
 	scheduler->jobs = mem_grow(scheduler->jobs, &scheduler->job_capacity, scheduler->job_count + 1, sizeof(*scheduler->jobs));
-	scheduler->jobs[scheduler->job_count++] = (struct job){runner, copy, from, to, 0};
+	scheduler->jobs[scheduler->job_count++] = (struct job){check, copy, from, to, 0};
 }
 
 /*
  * Parts of a batch know nothing of each other. That a pair has met matters to
- * what follows, so a runner that goes on behind a finding is not divided.
+ * what follows, so a check that goes on behind a finding is not divided.
  */
-static bool is_divisible(const struct scheduler *scheduler, const struct runner *runner, const struct check_options *options)
+static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check, const struct check_options *options)
 {
-	return scheduler->visits[runner - scheduler->runners] > HEAVY && options->method == CHECK_CERTIFIED && !options->all &&
-	       !runner->entangled && !runner->past_limits_only;
+	return scheduler->visits[check - scheduler->checks] > HEAVY && options->method == CHECK_CERTIFIED && !options->all &&
+	       !check->maybe_inside && !check->past_limits_only;
 }
 
 static size_t part_of(size_t left)
@@ -91,19 +91,19 @@ static size_t part_of(size_t left)
 	return part ? part : left < CHUNK_STEPS ? left : CHUNK_STEPS;
 }
 
-static void divide(struct scheduler *scheduler, struct runner *runner, const struct batch *batch)
+static void divide(struct scheduler *scheduler, struct pair_check *check, const struct batch *batch)
 {
 	size_t count;
 
 	for (size_t from = 0; from < batch->step_count; from += count) {
-		struct runner *copy = mem_zalloc(1, sizeof(*copy));
+		struct pair_check *copy = mem_zalloc(1, sizeof(*copy));
 
-		*copy = *runner;
+		*copy = *check;
 		copy->results = NULL;
 		copy->result_count = copy->result_capacity = 0;
-		follower_fork(&runner->follower, &copy->follower);
+		strategy_fork(&check->strategy, &copy->strategy);
 		count = part_of(batch->step_count - from);
-		add_job(scheduler, runner, copy, from, from + count);
+		add_job(scheduler, check, copy, from, from + count);
 	}
 }
 
@@ -111,15 +111,15 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 {
 	scheduler->job_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
-		struct runner *runner = &scheduler->runners[i];
+		struct pair_check *check = &scheduler->checks[i];
 
-		runner->result_count = 0;
-		if (!runner_is_active(runner, tool))
+		check->result_count = 0;
+		if (!pair_check_is_active(check, tool))
 			continue;
-		if (is_divisible(scheduler, runner, options))
-			divide(scheduler, runner, batch);
+		if (is_divisible(scheduler, check, options))
+			divide(scheduler, check, batch);
 		else
-			add_job(scheduler, runner, NULL, 0, batch->step_count);
+			add_job(scheduler, check, NULL, 0, batch->step_count);
 	}
 }
 
@@ -130,7 +130,7 @@ struct work {
 	struct scheduler *scheduler;
 	const struct batch *batch;
 	const struct check_options *options;
-	bool gauges;	/* the jobs' runners measure, and find nothing */
+	bool block_clearances;	/* the jobs' checks measure, and find nothing */
 };
 
 static void do_job(void *context, int worker, size_t i)
@@ -141,48 +141,48 @@ static void do_job(void *context, int worker, size_t i)
 	struct sweep sweep = work->scheduler->sweeps[worker];
 	long before = sweep.visits;
 
-	if (work->gauges)
-		runner_gauge(job->runner, &sweep, work->batch, work->options);
+	if (work->block_clearances)
+		pair_check_measure(job->check, &sweep, work->batch, work->options);
 	else
-		runner_run(job->copy ? job->copy : job->runner, &sweep, work->batch, job->from, job->to, work->options);
+		pair_check_run(job->copy ? job->copy : job->check, &sweep, work->batch, job->from, job->to, work->options);
 	job->visits = sweep.visits - before;
 	work->scheduler->sweeps[worker] = sweep;
 }
 
 /* ---------------------------------------------------------------- results */
 
-static void add_results(struct scheduler *scheduler, const struct runner *runner)
+static void add_results(struct scheduler *scheduler, const struct pair_check *check)
 {
-	scheduler->results = mem_grow(scheduler->results, &scheduler->result_capacity, scheduler->result_count + runner->result_count,
+	scheduler->results = mem_grow(scheduler->results, &scheduler->result_capacity, scheduler->result_count + check->result_count,
 				 sizeof(*scheduler->results));
-	for (size_t i = 0; i < runner->result_count; i++)
-		scheduler->results[scheduler->result_count++] = runner->results[i];
+	for (size_t i = 0; i < check->result_count; i++)
+		scheduler->results[scheduler->result_count++] = check->results[i];
 }
 
 /*
- * Results and visits of all jobs. Of a divided runner the first part that met with something counts, and the state
+ * Results and visits of all jobs. Of a divided check the first part that met with something counts, and the state
  * after the last part goes on.
  */
 static void gather(struct scheduler *scheduler)
 {
-	const struct runner *met = NULL;
+	const struct pair_check *met = NULL;
 
 	scheduler->result_count = 0;
 	scheduler->work = 0;
 	memset(scheduler->visits, 0, scheduler->count * sizeof(*scheduler->visits));
 	for (size_t i = 0; i < scheduler->job_count; i++) {
 		const struct job *job = &scheduler->jobs[i];
-		const struct runner *ran = job->copy ? job->copy : job->runner;
+		const struct pair_check *ran = job->copy ? job->copy : job->check;
 
-		scheduler->visits[job->runner - scheduler->runners] += job->visits;
+		scheduler->visits[job->check - scheduler->checks] += job->visits;
 		scheduler->work += job->visits;
-		if (ran->result_count && met != job->runner) {
+		if (ran->result_count && met != job->check) {
 			add_results(scheduler, ran);
-			met = job->runner;
+			met = job->check;
 		}
 		if (!job->copy)
 			continue;
-		follower_join(&job->runner->follower, &job->copy->follower);
+		strategy_join(&job->check->strategy, &job->copy->strategy);
 		free(job->copy->results);
 		free(job->copy);
 	}
@@ -210,13 +210,13 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 bool scheduler_gauge(struct scheduler *scheduler, const struct batch *batch, int tool,
 		     const struct check_options *options)
 {
-	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .gauges = true};
+	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .block_clearances = true};
 
 	scheduler->job_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
-		scheduler->runners[i].room_count = 0;
-		if (runner_is_active(&scheduler->runners[i], tool))
-			add_job(scheduler, &scheduler->runners[i], NULL, 0, batch->step_count);
+		scheduler->checks[i].room_count = 0;
+		if (pair_check_is_active(&scheduler->checks[i], tool))
+			add_job(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
 	}
 	parallel_for(scheduler->job_count, scheduler->threads, do_job, &work);
 	return is_complete(scheduler);
@@ -229,17 +229,17 @@ void scheduler_collect(const struct scheduler *scheduler, long last_block, struc
 		stats->bisections += scheduler->sweeps[i].bisections;
 	}
 	for (size_t i = 0; i < scheduler->count; i++) {
-		const struct runner *runner = &scheduler->runners[i];
+		const struct pair_check *check = &scheduler->checks[i];
 
-		stats->budgets += runner->follower.covered_steps;
-		stats->queries += runner->follower.queries;
-		stats->samples += runner->sampler.samples;
-		if (runner->unknown_block >= 0 && runner->unknown_block <= last_block) {
+		stats->budgets += check->strategy.covered_steps;
+		stats->queries += check->strategy.queries;
+		stats->samples += check->sampler.samples;
+		if (check->unknown_block >= 0 && check->unknown_block <= last_block) {
 			if (!stats->pairs_unknown)
-				stats->first_unknown = runner->pair;
+				stats->first_unknown = check->pair;
 			stats->pairs_unknown++;
 		}
 		if (proven)
-			proven[runner->pair] = follower_proven(&runner->follower);
+			proven[check->pair] = strategy_proven(&check->strategy);
 	}
 }

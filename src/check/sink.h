@@ -22,7 +22,7 @@ struct check_block {
 	double seconds;	/* of motion, dwells excluded */
 	long steps;	/* straight pieces of it that were checked */
 	double interpret, check;	/* s of wall time; with check_options.times */
-	const struct check_room *rooms;	/* in the order of the pairs; with check_options.gauges */
+	const struct check_room *rooms;	/* in the order of the pairs; with check_options.block_clearances */
 	size_t room_count;
 };
 

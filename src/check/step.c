@@ -66,13 +66,13 @@ static void halve(const struct chord *whole, struct chord *first, struct chord *
 					 whole->curve, halves[i].u0, halves[i].u1, whole->halve};
 }
 
-enum sweep_answer chord_sweep(const struct passing *passing, const struct chord *chord, struct contact *contact)
+enum sweep_answer chord_sweep(const struct clearance_query *query, const struct chord *chord, struct contact *contact)
 {
-	return (passing->any ? sweep_chord_any : sweep_chord)(passing->sweep, passing->bodies, chord,
-							      passing->clearance, passing->tolerance, contact);
+	return (query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord,
+							      query->clearance, query->tolerance, contact);
 }
 
-static enum sweep_answer sweep_positions(const struct passing *passing, const struct motion_step *step,
+static enum sweep_answer sweep_positions(const struct clearance_query *query, const struct motion_step *step,
 					 struct contact *contact)
 {
 	axis_values low, high;
@@ -82,18 +82,18 @@ static enum sweep_answer sweep_positions(const struct passing *passing, const st
 		low.v[i] -= step->tolerance.v[i];
 		high.v[i] += step->tolerance.v[i];
 	}
-	return sweep_box(passing->sweep, passing->bodies, &low, &high, passing->clearance, passing->tolerance,
-			 passing->box_visits, contact);
+	return sweep_box(query->sweep, query->bodies, &low, &high, query->clearance, query->tolerance,
+			 query->box_visits, contact);
 }
 
-enum sweep_answer step_sweep(const struct passing *passing, const struct motion_step *step, struct contact *contact)
+enum sweep_answer step_sweep(const struct clearance_query *query, const struct motion_step *step, struct contact *contact)
 {
 	const struct span *span = &step->span;
-	bool strays = step_may_stray(passing->bodies->chain, step);
+	bool strays = step_may_stray(query->bodies->chain, step);
 	const struct chord chord = {span->q0, span->q1, span->deviation, strays ? &step->tolerance : NULL,
 				    span->path, span->u0, span->u1, halve};
 
 	if (step_is_box(step))
-		return sweep_positions(passing, step, contact);
-	return chord_sweep(passing, &chord, contact);
+		return sweep_positions(query, step, contact);
+	return chord_sweep(query, &chord, contact);
 }

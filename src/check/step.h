@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "check/budget.h"
+#include "check/certified/motion_budget.h"
 #include "motion/motion.h"
 #include "scene/sweep.h"
 
@@ -24,7 +24,7 @@ bool step_is_box(const struct motion_step *step);
 void step_box(const struct motion_step *step, axis_values *low, axis_values *high);
 
 /* What is asked of a step: do the bodies stay farther apart than the clearance? Borrows everything. */
-struct passing {
+struct clearance_query {
 	struct sweep *sweep;
 	const struct body_pair *bodies;
 	double clearance, tolerance;	/* mm, as in sweep_chord */
@@ -32,9 +32,9 @@ struct passing {
 	long box_visits;	/* node pairs to look at for a step whose way is not known; 0: no limit */
 };
 
-enum sweep_answer chord_sweep(const struct passing *passing, const struct chord *chord, struct contact *contact);
+enum sweep_answer chord_sweep(const struct clearance_query *query, const struct chord *chord, struct contact *contact);
 
 /* The same along a step, with the path tolerance that it has. */
-enum sweep_answer step_sweep(const struct passing *passing, const struct motion_step *step, struct contact *contact);
+enum sweep_answer step_sweep(const struct clearance_query *query, const struct motion_step *step, struct contact *contact);
 
 #endif

@@ -147,7 +147,7 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--pose needs the name of a file: standard output has the report";
 	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
 		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
-	else if (o->check.gauge_cap > 0 && !o->clearance_report)
+	else if (o->check.block_clearance_cap > 0 && !o->clearance_report)
 		fault = "--clearance-cap is for --clearance-report";
 	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
 		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
@@ -263,9 +263,9 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 		options->check.step = 0.01;
 	if (options->mode == RUN_PARSE_ONLY)
 		options->check.method = CHECK_NOTHING;
-	if (!(options->check.gauge_cap > 0))
-		options->check.gauge_cap = 10;
-	options->check.gauges = options->clearance_report;
+	if (!(options->check.block_clearance_cap > 0))
+		options->check.block_clearance_cap = 10;
+	options->check.block_clearances = options->clearance_report;
 	options->check.times = options->timing;
 	options->check.read.includes = options->includes.items;
 	options->check.read.include_count = options->includes.count;

@@ -102,7 +102,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "write what was checked into FILE.json, with digests\nof all that was read"},
 	{KEY_CLEARANCE_REPORT, "clearance-report", "FILE", IN_CHECK, TEXT(clearance_report),
 	 .help = "write the proven clearance of each block and pair\ninto FILE (CSV), which takes more time"},
-	{KEY_CLEARANCE_CAP, "clearance-cap", "MM", IN_CHECK, NUMBER(check.gauge_cap, 1e-3, 1e5, "mm"),
+	{KEY_CLEARANCE_CAP, "clearance-cap", "MM", IN_CHECK, NUMBER(check.block_clearance_cap, 1e-3, 1e5, "mm"),
 	 .help = "measure no more than this (10)"},
 	{KEY_TIMING, "timing", "FILE", IN_CHECK, TEXT(timing),
 	 .help = "write the time that each block took into FILE\n(CSV), which takes more of it"},

@@ -55,7 +55,7 @@ struct body {
 };
 
 /* <pair>: what the user says of two bodies, roles or links. */
-enum pair_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
+enum rule_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
 enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
 
 struct pair_name {
@@ -67,7 +67,7 @@ struct pair_name {
 
 struct pair_rule {
 	struct pair_name a, b;
-	enum pair_check check;
+	enum rule_check check;
 	double clearance;	/* mm; negative: not given */
 	const char *reason;	/* or NULL */
 	long line;

@@ -6,7 +6,7 @@
 
 /* What holds for a pair after all rules; clearance < 0: no rule gives one. */
 struct pair_ruling {
-	enum pair_check check;
+	enum rule_check check;
 	const char *reason;	/* of NEVER */
 	double clearance;
 };

@@ -23,7 +23,7 @@ ABLATIONS = [
     ('budget', 'BUDGET', ''),
     ('kept budgets', 'KEPT_BUDGETS', ''),
     ('chunks', 'CHUNKS', ''),
-    ('stretches', 'STRETCHES', ''),
+    ('stretches', 'MERGED_STEPS', ''),
     ('cached axes', 'CACHED_AXES', ''),
     ('supports', 'SUPPORTS', ''),
     ('interpolated axes', 'INTERPOLATED_AXES', ''),

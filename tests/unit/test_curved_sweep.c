@@ -1,6 +1,6 @@
 #include <stdlib.h>
 
-#include "check/certified.h"
+#include "check/certified/strategy.h"
 #include "motion/path.h"
 #include "motion_rig.h"
 #include "solids.h"
@@ -119,33 +119,33 @@ static double moved_between(const struct curve *c, double u, double v)
 /* All steps of the curve; what is said of each stretch against true positions. 1: contact. */
 static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 {
-	struct follower follower;
+	struct strategy strategy;
 	struct span_walk walk;
 	struct batch_step *steps = NULL;
 	size_t capacity = 0, count = 0, leaped, next = 0;
 	struct motion_step step = {.line = 1, .move = 1};
 	struct contact contact = {0};
 	struct span whole;
-	enum passage passage = PASSAGE_CLEAR;
+	enum query_answer answer = QUERY_CLEAR;
 	double until = 1;
 
 	span_init(&whole, &c->path);
 	span_walk_init(&walk, &whole, 16 * c->tolerance);
-	follower_init(&follower, &c->duo.pair, c->clearance, c->tolerance, number % 4 == 0);
+	strategy_init(&strategy, &c->duo.pair, c->clearance, c->tolerance, number % 4 == 0);
 	while (span_walk_next(&walk, &step.span)) {
 		steps = mem_grow(steps, &capacity, count + 1, sizeof(*steps));
 		steps[count++] = (struct batch_step){.motion = step};
 	}
-	for (; passage == PASSAGE_CLEAR && next < count; next += leaped ? leaped : 1) {
-		leaped = follower_leap(&follower, sweep, &steps[next], count - next);
+	for (; answer == QUERY_CLEAR && next < count; next += leaped ? leaped : 1) {
+		leaped = strategy_advance_chord(&strategy, sweep, &steps[next], count - next);
 		if (!leaped)
-			passage = follower_step(&follower, sweep, &steps[next].motion, &contact);
+			answer = strategy_advance_step(&strategy, sweep, &steps[next].motion, &contact);
 	}
-	if (passage != PASSAGE_CLEAR)
+	if (answer != QUERY_CLEAR)
 		step = steps[next - 1].motion;
 	free(steps);
-	require(passage != PASSAGE_UNDECIDED, "case %ld: undecided", number);
-	if (passage == PASSAGE_CONTACT) {
+	require(answer != QUERY_UNDECIDED, "case %ld: undecided", number);
+	if (answer == QUERY_CONTACT) {
 		xform pose;
 		double d;
 
@@ -162,11 +162,11 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 		d = brute_distance(c->duo.a, c->duo.b, &pose, c->clearance + 1);
 		if (d > c->clearance)
 			continue;
-		require(passage == PASSAGE_CONTACT, "case %ld: called clear, %g apart at %.9g", number, d, u);
+		require(answer == QUERY_CONTACT, "case %ld: called clear, %g apart at %.9g", number, d, u);
 		require(moved_between(c, u, until) <= c->tolerance + 1e-9,
 			"case %ld: contact at %.9g, but %g apart at %.9g", number, until, d, u);
 	}
-	return passage == PASSAGE_CONTACT;
+	return answer == QUERY_CONTACT;
 }
 
 START_TEST(arcs)
@@ -254,8 +254,8 @@ START_TEST(arcs_with_a_path_tolerance)
 		double gap = leap_along(normal) * random_in(&random, 0.9, 0.999) - 1e-4;
 		struct path path = half_circle(normal, radius);
 		struct motion_step step = {.line = 1, .move = 1};
-		enum passage passage = PASSAGE_CLEAR;
-		struct follower follower;
+		enum query_answer answer = QUERY_CLEAR;
+		struct strategy strategy;
 		struct span_walk walk;
 		struct contact contact;
 		struct span whole;
@@ -264,14 +264,14 @@ START_TEST(arcs_with_a_path_tolerance)
 		if (hypot(normal.x, normal.y) < 0.1)
 			continue;
 		needle_and_wall(&duo, &chain, normal, radius, gap);
-		follower_init(&follower, &duo.pair, 0, 1e-3, false);
+		strategy_init(&strategy, &duo.pair, 0, 1e-3, false);
 		span_init(&whole, &path);
 		span_walk_init(&walk, &whole, 16e-3);
 		for (int k = 0; k < SLOT_COUNT; k++)
 			step.tolerance.v[k] = ALLOWED;
-		while (passage == PASSAGE_CLEAR && span_walk_next(&walk, &step.span))
-			passage = follower_step(&follower, &sweep, &step, &contact);
-		require(passage == PASSAGE_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g",
+		while (answer == QUERY_CLEAR && span_walk_next(&walk, &step.span))
+			answer = strategy_advance_step(&strategy, &sweep, &step, &contact);
+		require(answer == QUERY_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g",
 			n, gap, leap_along(normal));
 		duo_release(&duo);
 	}
@@ -283,15 +283,15 @@ int main(void)
 {
 	Suite *suite = suite_create("curved_sweep");
 	TCase *tcase = tcase_create("true motion");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_add_test(tcase, arcs);
 	tcase_add_test(tcase, guided_moves);
 	tcase_add_test(tcase, arcs_with_a_path_tolerance);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,4 +1,4 @@
-#include "check/certified.h"
+#include "check/certified/strategy.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -89,11 +89,11 @@ static bool near_program_init(struct near_program *n, uint64_t test, long number
 static enum sweep_answer sweep_alone(struct near_program *n, struct sweep *sweep, int step, struct contact *contact)
 {
 	struct body_pair bodies = n->p.duo.pair;
-	const struct passing passing = {.sweep = sweep, .bodies = &bodies, .clearance = n->p.clearance,
+	const struct clearance_query query = {.sweep = sweep, .bodies = &bodies, .clearance = n->p.clearance,
 					.tolerance = n->p.tolerance};
 
 	bodies.coherence = NULL;
-	return step_sweep(&passing, &n->steps[step].motion, contact);
+	return step_sweep(&query, &n->steps[step].motion, contact);
 }
 
 static void require_apart(struct near_program *n, struct sweep *sweep, int first, int count, const char *what, long number)
@@ -108,7 +108,7 @@ static void require_apart(struct near_program *n, struct sweep *sweep, int first
 }
 
 /* Offers the next few steps as one chunk. */
-static int offer_chunk(struct near_program *n, struct follower *follower, int first)
+static int offer_chunk(struct near_program *n, struct strategy *strategy, int first)
 {
 	struct position_errors errors = {.any = false};
 	axis_values low = n->p.corners[first], high = low;
@@ -123,7 +123,7 @@ static int offer_chunk(struct near_program *n, struct follower *follower, int fi
 			errors.any |= errors.path.v[k] > 0;
 		}
 	}
-	return follower_skip(follower, &low, &high, &errors, &n->p.corners[first + count], (size_t)count) ? count : 0;
+	return strategy_advance_box(strategy, &low, &high, &errors, &n->p.corners[first + count], (size_t)count) ? count : 0;
 }
 
 struct counts {
@@ -131,12 +131,12 @@ struct counts {
 };
 
 /* False: contact, and the program ends. */
-static bool take_step(struct near_program *n, struct follower *follower, struct sweep *sweep, struct sweep *alone, int i,
+static bool take_step(struct near_program *n, struct strategy *strategy, struct sweep *sweep, struct sweep *alone, int i,
 		      long number, struct counts *counts)
 {
 	struct contact contact, truth;
 
-	if (follower_step(follower, sweep, &n->steps[i].motion, &contact) == PASSAGE_CLEAR) {
+	if (strategy_advance_step(strategy, sweep, &n->steps[i].motion, &contact) == QUERY_CLEAR) {
 		require_apart(n, alone, i, 1, "a step", number);
 		counts->steps++;
 		return true;
@@ -151,7 +151,7 @@ static bool take_step(struct near_program *n, struct follower *follower, struct 
 	return false;
 }
 
-/* Whatever a follower passes, by budgets, chunks, merged steps or what it remembers, the sweep alone calls apart. */
+/* Whatever a strategy passes, by budgets, chunks, merged steps or what it remembers, the sweep alone calls apart. */
 START_TEST(quick_ways_pass_only_what_the_sweep_does)
 {
 	struct sweep sweep = {0}, alone = {0};
@@ -160,27 +160,27 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 
 	for (long number = 0; number < cases; number++) {
 		struct near_program n;
-		struct follower follower;
+		struct strategy strategy;
 		bool usable = near_program_init(&n, 1, number);
 
-		follower_init(&follower, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 4 == 0);
+		strategy_init(&strategy, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 4 == 0);
 		for (int i = 0; usable && i < STEPS;) {
-			int passed = random_below(&n.p.random, 2) ? 0 : offer_chunk(&n, &follower, i);
+			int passed = random_below(&n.p.random, 2) ? 0 : offer_chunk(&n, &strategy, i);
 
 			require_apart(&n, &alone, i, passed, "a chunk", number);
 			counts.chunks += passed;
 			if (!passed) {
-				passed = (int)follower_leap(&follower, &sweep, &n.steps[i], (size_t)(STEPS - i));
+				passed = (int)strategy_advance_chord(&strategy, &sweep, &n.steps[i], (size_t)(STEPS - i));
 				require_apart(&n, &alone, i, passed, "merging", number);
 				counts.merged += passed;
 			}
 			i += passed;
 			if (passed || i == STEPS)
 				continue;
-			if (!take_step(&n, &follower, &sweep, &alone, i++, number, &counts))
+			if (!take_step(&n, &strategy, &sweep, &alone, i++, number, &counts))
 				break;
 			if (!random_below(&n.p.random, 10))
-				follower_lose(&follower);
+				strategy_forget_position(&strategy);
 		}
 		duo_release(&n.p.duo);
 	}
@@ -308,7 +308,7 @@ int main(void)
 {
 	Suite *suite = suite_create("one_verdict");
 	TCase *tcase = tcase_create("verdicts");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_set_timeout(tcase, 0);
@@ -317,8 +317,8 @@ int main(void)
 	tcase_add_test(tcase, path_displacement_of_a_pair);
 	tcase_add_test(tcase, a_long_head_over_a_small_plate);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

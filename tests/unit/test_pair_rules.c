@@ -25,7 +25,7 @@ static struct pair_name body_name(const char *name)
 	return (struct pair_name){.kind = NAME_BODY, .body = name};
 }
 
-static struct pair_rule rule(struct pair_name a, struct pair_name b, enum pair_check check, double clearance)
+static struct pair_rule rule(struct pair_name a, struct pair_name b, enum rule_check check, double clearance)
 {
 	return (struct pair_rule){a, b, check, clearance, check == PAIR_NEVER ? "because" : NULL, 1};
 }
@@ -54,7 +54,7 @@ static struct pair_ruling apply(const struct pair_rule *rules, size_t count, con
 }
 
 static void expect(const struct pair_rule *rules, size_t count, const struct body *a, const struct body *b,
-		   enum pair_check check, double clearance)
+		   enum rule_check check, double clearance)
 {
 	struct pair_ruling ruling = apply(rules, count, a, b);
 

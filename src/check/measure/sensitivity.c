@@ -357,7 +357,7 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 		diag_error(diag, (struct srcloc){0}, "--sensitivity: cannot make a temporary file: %s", strerror(errno));
 		return 0;
 	}
-	search.options.all = search.options.gauges = search.options.times = false;
+	search.options.all = search.options.block_clearances = search.options.times = false;
 	search.options.record = &search.path;
 	search.proven = mem_zalloc(scene->pair_count, sizeof(*search.proven));
 	proven = mem_zalloc(scene->pair_count, sizeof(*proven));

@@ -251,7 +251,7 @@ static void read_pair(struct xml_reader *xml, const xmlNode *node, struct machin
 	bool clearance = xml_attribute(node, "clearance") != NULL;
 
 	rule->line = xmlGetLineNo(node);
-	rule->check = (enum pair_check)xml_choice(node, "check", checks);
+	rule->check = (enum rule_check)xml_choice(node, "check", checks);
 	rule->clearance = xml_length(xml, node, "clearance", -1);
 	rule->reason = xml_label(xml, node, "reason", &machine->arena);
 	read_pair_name(xml, node, "a", machine, &rule->a);

@@ -1,6 +1,6 @@
 /* axis_cache.h - the paper's separating axes of triangle pairs at both ends of one motion, kept while it lasts. */
-#ifndef FIVECHECK_CHECK_AXIS_CACHE_H
-#define FIVECHECK_CHECK_AXIS_CACHE_H
+#ifndef FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
+#define FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
-/* budget.h - a distance proven once, and how much of it the axes have used up since. */
-#ifndef FIVECHECK_CHECK_BUDGET_H
-#define FIVECHECK_CHECK_BUDGET_H
+/* motion_budget.h - a distance proven once, and how much of it the axes have used up since. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_MOTION_BUDGET_H
+#define FIVECHECK_CHECK_CERTIFIED_MOTION_BUDGET_H
 
 #include <stdbool.h>
 
@@ -28,7 +28,7 @@ struct position_errors {
  * A budget whose room is the proven distance less clearance and tolerance (c + e) covers no motion that the sweep would
  * report: what the sweep reports is at most c + e + the path displacement apart, in either view (test_one_verdict).
  */
-struct budget {
+struct motion_budget {
 	const struct chain *chain;
 	bool known;
 	axis_values at;
@@ -37,29 +37,29 @@ struct budget {
 	double used[VIEWS];	/* mm, at the end of the last motion that was covered or at `at` */
 };
 
-void budget_init(struct budget *budget, const struct chain *chain);
+void motion_budget_init(struct motion_budget *budget, const struct chain *chain);
 
 /* Starts anew at q with the state of the chain there; room may be 0 or less: then it covers nothing. */
-void budget_set(struct budget *budget, const axis_values *q, const struct chain_state *state, double room);
+void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state, double room);
 
 /* The axes stand at q again without having been followed from `at`. */
-void budget_resume(struct budget *budget, const axis_values *q);
+void motion_budget_resume(struct motion_budget *budget, const axis_values *q);
 
 /* Is q covered? */
-bool budget_holds(const struct budget *budget, const axis_values *q);
+bool motion_budget_holds(const struct motion_budget *budget, const axis_values *q);
 
 /* Is the motion from where the budget was last used to q1 covered? If so it is used. */
-bool budget_covers(struct budget *budget, const axis_values *q1, const struct position_errors *errors);
+bool motion_budget_covers(struct motion_budget *budget, const axis_values *q1, const struct position_errors *errors);
 
 /* The same for every position between low and high, after which the axes stand at q1. */
-bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
+bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		       const axis_values *q1, const struct position_errors *errors);
 
 /*
  * mm of the room that are left wherever between low and high the axes stand; below 0, or
  * -INFINITY when nothing is known: nothing is proven there. Uses nothing up.
  */
-double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
+double motion_budget_rest(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		   const struct position_errors *errors);
 
 #endif

@@ -1,11 +1,11 @@
-#include "check/stretch.h"
+#include "check/certified/merged_steps.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "random.h"
 
-enum { STEPS = STRETCH_MAX };
+enum { STEPS = MERGED_STEPS_MAX };
 
 /* A way of single straight steps and of pieces of arcs, some of them long and some short. */
 struct way {
@@ -99,7 +99,7 @@ START_TEST(the_way_is_near_its_chord_and_its_halves)
 
 		way_init(&way, 1, n);
 		count = (size_t)1 << random_below(&way.random, 6);
-		chord = stretch_chord(way.steps, count);
+		chord = merged_steps_chord(way.steps, count);
 		for (int depth = 0; depth < 9; depth++) {
 			int side = random_below(&way.random, 2);
 
@@ -134,7 +134,7 @@ START_TEST(a_line_in_pieces_deviates_by_nothing)
 		}
 		span_init(&steps[i].motion.span, &paths[i]);
 	}
-	chord = stretch_chord(steps, 4);
+	chord = merged_steps_chord(steps, 4);
 	for (int k = 0; k < SLOT_COUNT; k++)
 		ck_assert_double_le(chord.deviation.v[k], 1e-12);
 }
@@ -146,9 +146,9 @@ START_TEST(rapids_of_unknown_way_are_left_out)
 	struct batch_step step = {.block = 0};
 
 	step.motion.span.path = &path;
-	ck_assert(!stretch_takes(&step));
+	ck_assert(!merged_steps_takes(&step));
 	path.kind = PATH_ARC;
-	ck_assert(stretch_takes(&step));
+	ck_assert(merged_steps_takes(&step));
 }
 END_TEST
 
@@ -156,15 +156,15 @@ int main(void)
 {
 	Suite *suite = suite_create("stretch");
 	TCase *tcase = tcase_create("several steps as one");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_add_test(tcase, the_way_is_near_its_chord_and_its_halves);
 	tcase_add_test(tcase, a_line_in_pieces_deviates_by_nothing);
 	tcase_add_test(tcase, rapids_of_unknown_way_are_left_out);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

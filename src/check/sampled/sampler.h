@@ -1,6 +1,6 @@
-/* sampled.h - the paper's two methods: looking at poses every so often, and not at what happens in between. */
-#ifndef FIVECHECK_CHECK_SAMPLED_H
-#define FIVECHECK_CHECK_SAMPLED_H
+/* sampler.h - the paper's two methods: looking at poses every so often, and not at what happens in between. */
+#ifndef FIVECHECK_CHECK_SAMPLED_SAMPLER_H
+#define FIVECHECK_CHECK_SAMPLED_SAMPLER_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-#include "check/certified.h"
+#include "check/certified/strategy.h"
 
 #include <stdlib.h>
 
@@ -7,8 +7,8 @@
 
 static const struct position_errors exact = {.any = false};
 
-/* Offers the next few steps at once; how many the follower took, all of them truly clear. */
-static int skip_some(struct program *p, struct follower *follower, int first, long number)
+/* Offers the next few steps at once; how many the strategy took, all of them truly clear. */
+static int skip_some(struct program *p, struct strategy *strategy, int first, long number)
 {
 	int count = 1 + random_below(&p->random, 6);
 	axis_values low = p->corners[first], high = low;
@@ -21,7 +21,7 @@ static int skip_some(struct program *p, struct follower *follower, int first, lo
 			high.v[k] = fmax(high.v[k], p->corners[i].v[k]);
 		}
 	}
-	if (!follower_skip(follower, &low, &high, &exact, &p->corners[first + count], (size_t)count))
+	if (!strategy_advance_box(strategy, &low, &high, &exact, &p->corners[first + count], (size_t)count))
 		return 0;
 	for (int i = first; i < first + count; i++)
 		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
@@ -30,11 +30,11 @@ static int skip_some(struct program *p, struct follower *follower, int first, lo
 }
 
 /* Offers all steps from the given one on to be swept together; how many were, all of them truly clear. */
-static int leap_over(struct program *p, struct follower *follower, struct sweep *sweep, const struct batch_step *steps,
+static int leap_over(struct program *p, struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps,
 		     int first, long number)
 {
 	struct contact contact = {0};
-	int count = (int)follower_leap(follower, sweep, &steps[first], (size_t)(STEPS - first));
+	int count = (int)strategy_advance_chord(strategy, sweep, &steps[first], (size_t)(STEPS - first));
 
 	for (int i = first; i < first + count; i++)
 		oracle_judge(&p->duo, &p->corners[i], &p->corners[i + 1], p->clearance, p->tolerance, SWEEP_APART,
@@ -42,27 +42,27 @@ static int leap_over(struct program *p, struct follower *follower, struct sweep 
 	return count;
 }
 
-/* Follows the program as far as its first contact; every passage is judged. *leaped counts the steps of leaps. */
+/* Follows the program as far as its first contact; every answer is judged. *leaped counts the steps of leaps. */
 static bool follow(struct program *p, struct sweep *sweep, bool measure, long number, long *leaped)
 {
 	struct path paths[STEPS];
 	struct batch_step steps[STEPS];
-	struct follower follower;
+	struct strategy strategy;
 	double proven;
 
 	for (int i = 0; i < STEPS; i++) {
 		paths[i] = path_between(&p->corners[i], &p->corners[i + 1], PATH_STRAIGHT);
 		steps[i] = (struct batch_step){.motion = step_on(&paths[i])};
 	}
-	follower_init(&follower, &p->duo.pair, p->clearance, p->tolerance, measure);
+	strategy_init(&strategy, &p->duo.pair, p->clearance, p->tolerance, measure);
 	for (int i = 0; i < STEPS; i++) {
 		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
 		struct contact contact = {0};
-		enum passage passage;
-		int skipped = random_below(&p->random, 3) ? 0 : skip_some(p, &follower, i, number);
+		enum query_answer answer;
+		int skipped = random_below(&p->random, 3) ? 0 : skip_some(p, &strategy, i, number);
 
 		if (!skipped) {
-			skipped = leap_over(p, &follower, sweep, steps, i, number);
+			skipped = leap_over(p, &strategy, sweep, steps, i, number);
 			*leaped += skipped;
 		}
 		if (skipped) {
@@ -70,16 +70,16 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 			continue;
 		}
 		if (i && !random_below(&p->random, 10)) {
-			follower_lose(&follower);
+			strategy_forget_position(&strategy);
 			continue;
 		}
-		passage = follower_step(&follower, sweep, &steps[i].motion, &contact);
-		require(passage != PASSAGE_UNDECIDED, "case %ld, step %d: undecided", number, i);
+		answer = strategy_advance_step(&strategy, sweep, &steps[i].motion, &contact);
+		require(answer != QUERY_UNDECIDED, "case %ld, step %d: undecided", number, i);
 		oracle_judge(&p->duo, q0, q1, p->clearance, p->tolerance,
-			     passage == PASSAGE_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
-		if (passage == PASSAGE_CONTACT)
+			     answer == QUERY_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
+		if (answer == QUERY_CONTACT)
 			return true;
-		proven = follower_proven(&follower);
+		proven = strategy_proven(&strategy);
 		if (measure && proven > p->clearance)
 			require(!(oracle_first(&p->duo, q0, q1, proven * (1 - 1e-9), p->tolerance) < INFINITY),
 				"case %ld, step %d: clearance of %g measured, it is less", number, i, proven);
@@ -110,24 +110,24 @@ START_TEST(standing_still_costs_nothing)
 {
 	struct sweep sweep = {0};
 	struct program p;
-	struct follower follower;
+	struct strategy strategy;
 	struct contact contact;
 
 	do {
 		static long number;
 
 		program_init(&p, 2, number++);
-		follower_init(&follower, &p.duo.pair, p.clearance, p.tolerance, false);
+		strategy_init(&strategy, &p.duo.pair, p.clearance, p.tolerance, false);
 		for (int i = 0; i < 100; i++) {
 			struct path path = path_between(&p.corners[0], &p.corners[0], PATH_STRAIGHT);
 			struct motion_step step = step_on(&path);
 
-			if (follower_step(&follower, &sweep, &step, &contact) != PASSAGE_CLEAR)
+			if (strategy_advance_step(&strategy, &sweep, &step, &contact) != QUERY_CLEAR)
 				break;
 		}
 		duo_release(&p.duo);
-	} while (!follower.settled);
-	ck_assert_int_eq(follower.queries, 1);
+	} while (!strategy.clear_at_end);
+	ck_assert_int_eq(strategy.queries, 1);
 	sweep_release(&sweep);
 }
 END_TEST
@@ -149,7 +149,7 @@ START_TEST(clear_wherever_the_control_may_go)
 
 	for (long n = 0; n < cases; n++) {
 		struct program p;
-		struct follower follower;
+		struct strategy strategy;
 		axis_values tolerance = {{0}};
 		double allowed;
 
@@ -157,7 +157,7 @@ START_TEST(clear_wherever_the_control_may_go)
 		allowed = random_size(&p.random, 1e-3, 1);
 		for (size_t k = 0; k < p.duo.chain.count; k++)
 			tolerance.v[p.duo.chain.joints[k].slot] = allowed * (p.duo.chain.joints[k].rotary ? 0.017 : 1);
-		follower_init(&follower, &p.duo.pair, p.clearance, fmax(p.tolerance, 0.01), n % 3 == 0);
+		strategy_init(&strategy, &p.duo.pair, p.clearance, fmax(p.tolerance, 0.01), n % 3 == 0);
 		for (int i = 0; i < STEPS; i++) {
 			const axis_values *q0 = &p.corners[i], *q1 = &p.corners[i + 1];
 			enum path_kind kind = random_below(&p.random, 3) ? PATH_STRAIGHT : PATH_BOX;
@@ -167,7 +167,7 @@ START_TEST(clear_wherever_the_control_may_go)
 
 			if (random_below(&p.random, 3))
 				step.tolerance = tolerance;
-			if (follower_step(&follower, &sweep, &step, &contact) != PASSAGE_CLEAR)
+			if (strategy_advance_step(&strategy, &sweep, &step, &contact) != QUERY_CLEAR)
 				break;
 			clear++;
 			boxes += kind == PATH_BOX;
@@ -206,7 +206,7 @@ static void stand_by_wall(struct duo *duo, double side)
 	duo_init(duo, &chain, &wall, &cube, &identity, &identity);
 }
 
-static enum passage go(struct follower *follower, struct sweep *sweep, double x0, double y0, double x1, double y1,
+static enum query_answer go(struct strategy *strategy, struct sweep *sweep, double x0, double y0, double x1, double y1,
 		       enum path_kind kind, double tolerance)
 {
 	axis_values from = {{x0, y0}}, to = {{x1, y1}};
@@ -215,30 +215,30 @@ static enum passage go(struct follower *follower, struct sweep *sweep, double x0
 	struct contact contact;
 
 	step.tolerance.v[SLOT_X] = step.tolerance.v[SLOT_Y] = tolerance;
-	return follower_step(follower, sweep, &step, &contact);
+	return strategy_advance_step(strategy, sweep, &step, &contact);
 }
 
 START_TEST(what_happened_before)
 {
 	struct sweep sweep = {0};
-	struct follower follower;
+	struct strategy strategy;
 	struct duo duo;
 
 	stand_by_wall(&duo, 1);
-	follower_init(&follower, &duo.pair, 0, 1e-3, false);
+	strategy_init(&strategy, &duo.pair, 0, 1e-3, false);
 	/* Gone from there unwatched, back through the wall to where there is room. */
-	ck_assert_int_eq(go(&follower, &sweep, 0, 0, 0.1, 0, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
-	follower_lose(&follower);
-	ck_assert_int_eq(go(&follower, &sweep, 40, 0, 0.2, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
-	follower_lose(&follower);
-	ck_assert_int_eq(go(&follower, &sweep, 0.2, 0, 0.1, 0, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
+	ck_assert_int_eq(go(&strategy, &sweep, 0, 0, 0.1, 0, PATH_STRAIGHT, 0), QUERY_CLEAR);
+	strategy_forget_position(&strategy);
+	ck_assert_int_eq(go(&strategy, &sweep, 40, 0, 0.2, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
+	strategy_forget_position(&strategy);
+	ck_assert_int_eq(go(&strategy, &sweep, 0.2, 0, 0.1, 0, PATH_STRAIGHT, 0), QUERY_CLEAR);
 	/* Into the wall, and standing there: still in contact, whether that was a finding or not. */
-	ck_assert_int_eq(go(&follower, &sweep, 0.1, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
-	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
-	follower_lose(&follower);
-	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
-	ck_assert_int_eq(go(&follower, &sweep, 11, 0, 0, 0, PATH_STRAIGHT, 0), PASSAGE_CONTACT);
-	ck_assert_int_eq(go(&follower, &sweep, 0, 0, 0, 5, PATH_STRAIGHT, 0), PASSAGE_CLEAR);
+	ck_assert_int_eq(go(&strategy, &sweep, 0.1, 0, 11, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
+	ck_assert_int_eq(go(&strategy, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
+	strategy_forget_position(&strategy);
+	ck_assert_int_eq(go(&strategy, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
+	ck_assert_int_eq(go(&strategy, &sweep, 11, 0, 0, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
+	ck_assert_int_eq(go(&strategy, &sweep, 0, 0, 0, 5, PATH_STRAIGHT, 0), QUERY_CLEAR);
 	sweep_release(&sweep);
 	duo_release(&duo);
 }
@@ -250,17 +250,17 @@ START_TEST(as_far_as_the_control_may_go)
 		const double side = k & 1 ? -1 : 1;
 		const enum path_kind kind = k & 2 ? PATH_BOX : PATH_STRAIGHT;
 		struct sweep sweep = {0};
-		struct follower follower;
+		struct strategy strategy;
 		struct duo duo;
 
 		stand_by_wall(&duo, side);
-		follower_init(&follower, &duo.pair, 0, 1e-3, k & 4);
+		strategy_init(&strategy, &duo.pair, 0, 1e-3, k & 4);
 		/* Along the wall at 0.02 mm. */
-		ck_assert_int_eq(go(&follower, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), PASSAGE_CLEAR);
-		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), PASSAGE_CLEAR);
-		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 99, side * 9.5, 150, kind, 0.03), PASSAGE_CONTACT);
-		follower_lose(&follower);
-		ck_assert_int_eq(go(&follower, &sweep, side * 9.98, 99, side * 9.98, 99, kind, 0.03), PASSAGE_CONTACT);
+		ck_assert_int_eq(go(&strategy, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), QUERY_CLEAR);
+		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), QUERY_CLEAR);
+		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 99, side * 9.5, 150, kind, 0.03), QUERY_CONTACT);
+		strategy_forget_position(&strategy);
+		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 99, side * 9.98, 99, kind, 0.03), QUERY_CONTACT);
 		sweep_release(&sweep);
 		duo_release(&duo);
 	}
@@ -269,9 +269,9 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("follower");
+	Suite *suite = suite_create("strategy");
 	TCase *tcase = tcase_create("programs");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_add_test(tcase, first_contact_of_many_steps);
@@ -280,8 +280,8 @@ int main(void)
 	tcase_add_test(tcase, what_happened_before);
 	tcase_add_test(tcase, as_far_as_the_control_may_go);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

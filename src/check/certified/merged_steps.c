@@ -1,4 +1,4 @@
-#include "check/stretch.h"
+#include "check/certified/merged_steps.h"
 
 #include <assert.h>
 #include <math.h>
@@ -11,7 +11,7 @@
  */
 #define RADIAN 100.0
 
-bool stretch_takes(const struct batch_step *step)
+bool merged_steps_takes(const struct batch_step *step)
 {
 	return step->motion.span.path->kind != PATH_BOX;
 }
@@ -95,8 +95,8 @@ static void halve(const struct chord *whole, struct chord *first, struct chord *
 	first->tolerance = second->tolerance = whole->tolerance;
 }
 
-struct chord stretch_chord(const struct batch_step *steps, size_t count)
+struct chord merged_steps_chord(const struct batch_step *steps, size_t count)
 {
-	assert(count > 0 && count <= STRETCH_MAX && !(count & (count - 1)));
+	assert(count > 0 && count <= MERGED_STEPS_MAX && !(count & (count - 1)));
 	return over_steps(steps, 0, (double)count);
 }

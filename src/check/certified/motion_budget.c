@@ -1,16 +1,16 @@
-#include "check/budget.h"
+#include "check/certified/motion_budget.h"
 
 #include <math.h>
 
 #include "base/ablation.h"
 #include "base/minmax.h"
 
-void budget_init(struct budget *budget, const struct chain *chain)
+void motion_budget_init(struct motion_budget *budget, const struct chain *chain)
 {
-	*budget = (struct budget){.chain = chain};
+	*budget = (struct motion_budget){.chain = chain};
 }
 
-void budget_set(struct budget *budget, const axis_values *q, const struct chain_state *state, double room)
+void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state, double room)
 {
 	budget->known = WITH_BUDGET && room > 0;
 	budget->at = *q;
@@ -22,7 +22,7 @@ void budget_set(struct budget *budget, const axis_values *q, const struct chain_
 	}
 }
 
-static void use_at(const struct budget *budget, const axis_values *q, double used[VIEWS])
+static void use_at(const struct motion_budget *budget, const axis_values *q, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;
 
@@ -48,7 +48,7 @@ static void use_at(const struct budget *budget, const axis_values *q, double use
 }
 
 /* As use_at, when each joint is off by up to the given amount in either direction. */
-static void use_within(const struct budget *budget, const axis_values *amount, double used[VIEWS])
+static void use_within(const struct motion_budget *budget, const axis_values *amount, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;
 
@@ -71,13 +71,13 @@ static void use_within(const struct budget *budget, const axis_values *amount, d
 	}
 }
 
-void budget_resume(struct budget *budget, const axis_values *q)
+void motion_budget_resume(struct motion_budget *budget, const axis_values *q)
 {
 	if (budget->known)
 		use_at(budget, q, budget->used);
 }
 
-bool budget_holds(const struct budget *budget, const axis_values *q)
+bool motion_budget_holds(const struct motion_budget *budget, const axis_values *q)
 {
 	double used[VIEWS];
 
@@ -88,7 +88,7 @@ bool budget_holds(const struct budget *budget, const axis_values *q)
 }
 
 /* Adds to each view's use what the errors take; `used` is that of the path itself. */
-static void add_errors(const struct budget *budget, const struct position_errors *errors, double used[VIEWS])
+static void add_errors(const struct motion_budget *budget, const struct position_errors *errors, double used[VIEWS])
 {
 	const struct chain *chain = budget->chain;
 	double chord[VIEWS], path[VIEWS], turns = 0;
@@ -103,7 +103,7 @@ static void add_errors(const struct budget *budget, const struct position_errors
 		used[v] += chord[v] + path[v] + turns * (used[v] + chord[v]);
 }
 
-bool budget_covers(struct budget *budget, const axis_values *q1, const struct position_errors *errors)
+bool motion_budget_covers(struct motion_budget *budget, const axis_values *q1, const struct position_errors *errors)
 {
 	double used[VIEWS], most[VIEWS];
 
@@ -121,7 +121,7 @@ bool budget_covers(struct budget *budget, const axis_values *q1, const struct po
 }
 
 /* As use_within, for every position between low and high. */
-static void use_in_box(const struct budget *budget, const axis_values *low, const axis_values *high,
+static void use_in_box(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		       const struct position_errors *errors, double used[VIEWS])
 {
 	axis_values amount;
@@ -132,7 +132,7 @@ static void use_in_box(const struct budget *budget, const axis_values *low, cons
 	add_errors(budget, errors, used);
 }
 
-bool budget_covers_box(struct budget *budget, const axis_values *low, const axis_values *high,
+bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		       const axis_values *q1, const struct position_errors *errors)
 {
 	double used[VIEWS];
@@ -146,7 +146,7 @@ bool budget_covers_box(struct budget *budget, const axis_values *low, const axis
 	return true;
 }
 
-double budget_rest(const struct budget *budget, const axis_values *low, const axis_values *high,
+double motion_budget_rest(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		   const struct position_errors *errors)
 {
 	double used[VIEWS];

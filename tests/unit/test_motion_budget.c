@@ -1,4 +1,4 @@
-#include "check/budgets.h"
+#include "check/certified/kept_budgets.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,7 @@ struct walk {
 	struct random random;
 	long number;
 	struct duo duo;
-	struct budgets budgets;
+	struct kept_budgets budgets;
 	double clearance;
 	axis_values centre, at;
 	double step;	/* mm, and hundredths of a radian */
@@ -40,7 +40,7 @@ static void walk_init(struct walk *w, uint64_t test, long number)
 	place_b = place_near(random, &chain, &w->centre, &place_a,
 			     vec3_scale(size * random_in(random, 1, 4), random_unit(random)));
 	duo_init(&w->duo, &chain, &a, &b, &place_a, &place_b);
-	budgets_init(&w->budgets, &w->duo.chain);
+	kept_budgets_init(&w->budgets, &w->duo.chain);
 	w->at = w->centre;
 	w->clearance = random_below(random, 2) ? 0 : random_size(random, 1e-3, 5);
 	w->step = random_size(random, 1e-2, 20);
@@ -84,8 +84,8 @@ static void renew(struct walk *w, struct sweep *sweep, const axis_values *at, co
 	double distance = sweep_distance(sweep, &w->duo.pair, at, 0.7, 0, 0);
 
 	chain_state_init(&state, &w->duo.chain, at, &w->duo.pair.ball_a, &w->duo.pair.ball_b);
-	budgets_set(&w->budgets, at, &state, distance - w->clearance);
-	budgets_resume(&w->budgets, from);
+	kept_budgets_set(&w->budgets, at, &state, distance - w->clearance);
+	kept_budgets_resume(&w->budgets, from);
 }
 
 /* Of the amount one part is chord error, the other path tolerance. */
@@ -112,7 +112,7 @@ static void step_straight(struct walk *w, struct sweep *sweep)
 		amount.v[w->duo.chain.joints[i].slot] =
 			random_size(&w->random, 1e-3, 1) * (w->duo.chain.joints[i].rotary ? 0.01 : 1);
 	errors = random_errors(w, &amount);
-	if (budgets_cover(&w->budgets, &w->at, &q1, &errors)) {
+	if (kept_budgets_cover(&w->budgets, &w->at, &q1, &errors)) {
 		w->covered++;
 		w->recalled += memcmp(&was, &w->budgets.now.at, sizeof(was)) != 0;
 		for (int i = 0; i < SAMPLES; i++) {
@@ -140,7 +140,7 @@ static void step_box(struct walk *w, struct sweep *sweep)
 		amount.v[k] = strays ? 1e-3 : 0;
 	}
 	errors = random_errors(w, &amount);
-	if (budgets_cover_box(&w->budgets, &low, &high, &q1, &errors)) {
+	if (kept_budgets_cover_box(&w->budgets, &low, &high, &q1, &errors)) {
 		w->boxes++;
 		for (int i = 0; i < SAMPLES; i++) {
 			axis_values q, off = random_off(&w->random, &amount);
@@ -176,7 +176,7 @@ START_TEST(what_is_covered_is_apart)
 			/* Now and then the axes go elsewhere unwatched. */
 			if (!random_below(&w.random, 20)) {
 				w.at = next_place(&w);
-				budgets_resume(&w.budgets, &w.at);
+				kept_budgets_resume(&w.budgets, &w.at);
 			}
 		}
 		covered += w.covered;
@@ -203,19 +203,19 @@ START_TEST(no_point_moves_farther_than_the_room)
 		double room = random_size(&random, 0.01, 300), low = 0, high = 10, moved[VIEWS] = {0, 0};
 		struct turned poses[2];
 		struct chain_state state;
-		struct budget budget;
+		struct motion_budget budget;
 		axis_values at, other, q;
 
 		random_move(&random, &chain, 100, &at, &other);
 		chain_state_init(&state, &chain, &at, &balls[0], &balls[1]);
-		budget_init(&budget, &chain);
+		motion_budget_init(&budget, &chain);
 		for (int i = 0; i < 60; i++) {
 			double middle = 0.5 * (low + high);
 
 			for (int k = 0; k < SLOT_COUNT; k++)
 				q.v[k] = at.v[k] + middle * (other.v[k] - at.v[k]);
-			budget_set(&budget, &at, &state, room);
-			*(budget_covers(&budget, &q, &exact) ? &low : &high) = middle;
+			motion_budget_set(&budget, &at, &state, room);
+			*(motion_budget_covers(&budget, &q, &exact) ? &low : &high) = middle;
 		}
 		for (int k = 0; k < SLOT_COUNT; k++)
 			q.v[k] = at.v[k] + low * (other.v[k] - at.v[k]);
@@ -247,25 +247,25 @@ START_TEST(budget_is_not_slack)
 	const struct chain chain = {.count = 1, .joints = {{SLOT_X, false, {1, 0, 0}, {0, 0, 0}}}};
 	struct ball ball = {{0, 0, 0}, 10};
 	struct chain_state state;
-	struct budget budget;
+	struct motion_budget budget;
 	axis_values q = {{0}};
 
 	chain_state_init(&state, &chain, &q, &ball, &ball);
-	budget_init(&budget, &chain);
-	ck_assert(!budget_covers(&budget, &q, &exact));
-	budget_set(&budget, &q, &state, 5);
+	motion_budget_init(&budget, &chain);
+	ck_assert(!motion_budget_covers(&budget, &q, &exact));
+	motion_budget_set(&budget, &q, &state, 5);
 	q.v[SLOT_X] = 4.999;
-	ck_assert(budget_covers(&budget, &q, &exact));
+	ck_assert(motion_budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = 0;
-	ck_assert(budget_covers(&budget, &q, &exact));
+	ck_assert(motion_budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = -4.999;
-	ck_assert(budget_covers(&budget, &q, &exact));
+	ck_assert(motion_budget_covers(&budget, &q, &exact));
 	q.v[SLOT_X] = -5;
-	ck_assert(!budget_covers(&budget, &q, &exact));
-	budget_set(&budget, &q, &state, 0);
-	ck_assert(!budget_covers(&budget, &q, &exact));
-	budget_set(&budget, &q, &state, -1);
-	ck_assert(!budget_covers(&budget, &q, &exact));
+	ck_assert(!motion_budget_covers(&budget, &q, &exact));
+	motion_budget_set(&budget, &q, &state, 0);
+	ck_assert(!motion_budget_covers(&budget, &q, &exact));
+	motion_budget_set(&budget, &q, &state, -1);
+	ck_assert(!motion_budget_covers(&budget, &q, &exact));
 }
 END_TEST
 
@@ -273,15 +273,15 @@ int main(void)
 {
 	Suite *suite = suite_create("budget");
 	TCase *tcase = tcase_create("budgets");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_add_test(tcase, what_is_covered_is_apart);
 	tcase_add_test(tcase, no_point_moves_farther_than_the_room);
 	tcase_add_test(tcase, budget_is_not_slack);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,4 +1,4 @@
-#include "check/gauge.h"
+#include "check/measure/block_clearance.h"
 
 #include <stdlib.h>
 
@@ -16,24 +16,24 @@ static bool comes_within(const struct program *p, int first, int last, double di
 }
 
 /* Gauges a block of a few steps and compares it with the truth; true if its bound is neither 0 nor the cap. */
-static bool gauge_block(const struct program *p, struct gauge *gauge, struct sweep *sweep, int first, int last, long number)
+static bool gauge_block(const struct program *p, struct block_clearance *block, struct sweep *sweep, int first, int last, long number)
 {
 	double bound;
 
-	gauge_start(gauge);
+	block_clearance_start(block);
 	for (int i = first; i < last; i++) {
 		struct path path = path_between(&p->corners[i], &p->corners[i + 1], PATH_STRAIGHT);
 		struct motion_step step = step_on(&path);
 
-		gauge_step(gauge, sweep, &step, p->tolerance);
+		block_clearance_step(block, sweep, &step, p->tolerance);
 	}
-	bound = gauge->bound;
-	require(bound >= 0 && bound <= gauge->cap, "case %ld, step %d: a bound of %g", number, first, bound);
+	bound = block->bound;
+	require(bound >= 0 && bound <= block->cap, "case %ld, step %d: a bound of %g", number, first, bound);
 	require(bound <= 0 || !comes_within(p, first, last, bound * (1 - 1e-9)),
 		"case %ld, step %d: %.9g mm proven, it is less", number, first, bound);
-	require(bound >= GAUGE_SHARE * gauge->cap || comes_within(p, first, last, bound / GAUGE_SHARE + 3 * p->tolerance),
+	require(bound >= BLOCK_CLEARANCE_SHARE * block->cap || comes_within(p, first, last, bound / BLOCK_CLEARANCE_SHARE + 3 * p->tolerance),
 		"case %ld, step %d: only %.9g mm proven, it is much more", number, first, bound);
-	return bound > 0 && bound < gauge->cap;
+	return bound > 0 && bound < block->cap;
 }
 
 START_TEST(between_the_truth_and_a_share_of_it)
@@ -43,15 +43,15 @@ START_TEST(between_the_truth_and_a_share_of_it)
 
 	for (long n = 0; n < cases; n++) {
 		struct program p;
-		struct gauge gauge;
+		struct block_clearance block;
 
 		program_init(&p, 1, n);
-		gauge_init(&gauge, &p.duo.pair, random_size(&p.random, 1, 50));
+		block_clearance_init(&block, &p.duo.pair, random_size(&p.random, 1, 50));
 		for (int first = 0, last; first < STEPS; first = last) {
 			last = first + 1 + random_below(&p.random, 6);
 			last = last < STEPS ? last : STEPS;
-			told += gauge_block(&p, &gauge, &sweep, first, last, n);
-			capped += !(gauge.bound < gauge.cap);
+			told += gauge_block(&p, &block, &sweep, first, last, n);
+			capped += !(block.bound < block.cap);
 		}
 		duo_release(&p.duo);
 	}
@@ -68,13 +68,13 @@ START_TEST(clear_without_a_look)
 
 	for (long n = 0; n < cases; n++) {
 		struct program p;
-		struct gauge gauge;
+		struct block_clearance block;
 		axis_values low, high;
 		int last;
 
 		program_init(&p, 2, n);
-		gauge_init(&gauge, &p.duo.pair, random_size(&p.random, 0.01, 5));
-		gauge_block(&p, &gauge, &sweep, 0, 1, n);
+		block_clearance_init(&block, &p.duo.pair, random_size(&p.random, 0.01, 5));
+		gauge_block(&p, &block, &sweep, 0, 1, n);
 		last = 2 + random_below(&p.random, 5);
 		low = high = p.corners[1];
 		for (int i = 1; i <= last; i++) {
@@ -83,9 +83,9 @@ START_TEST(clear_without_a_look)
 				high.v[k] = fmax(high.v[k], p.corners[i].v[k]);
 			}
 		}
-		if (gauge_clears(&gauge, &low, &high, &(struct position_errors){.any = false})) {
+		if (block_clearance_clears(&block, &low, &high, &(struct position_errors){.any = false})) {
 			clear++;
-			require(!comes_within(&p, 1, last, gauge.cap), "case %ld: not clear", n);
+			require(!comes_within(&p, 1, last, block.cap), "case %ld: not clear", n);
 		}
 		duo_release(&p.duo);
 	}
@@ -109,7 +109,7 @@ static void stand_by_wall(struct duo *duo)
 	duo_init(duo, &chain, &wall, &cube, &identity, &identity);
 }
 
-static double go(struct gauge *gauge, struct sweep *sweep, double x0, double y0, double x1, double y1,
+static double go(struct block_clearance *block, struct sweep *sweep, double x0, double y0, double x1, double y1,
 		 enum path_kind kind, double tolerance)
 {
 	axis_values from = {{x0, y0}}, to = {{x1, y1}};
@@ -117,9 +117,9 @@ static double go(struct gauge *gauge, struct sweep *sweep, double x0, double y0,
 	struct motion_step step = step_on(&path);
 
 	step.tolerance.v[SLOT_X] = tolerance;
-	gauge_start(gauge);
-	gauge_step(gauge, sweep, &step, 1e-3);
-	return gauge->bound;
+	block_clearance_start(block);
+	block_clearance_step(block, sweep, &step, 1e-3);
+	return block->bound;
 }
 
 static void between(double value, double least, double most)
@@ -130,25 +130,25 @@ static void between(double value, double least, double most)
 START_TEST(known_distances)
 {
 	struct sweep sweep = {0};
-	struct gauge gauge;
+	struct block_clearance block;
 	struct duo duo;
 
 	stand_by_wall(&duo);
-	gauge_init(&gauge, &duo.pair, 8);
+	block_clearance_init(&block, &duo.pair, 8);
 	/* Nearer than the cap by nothing, at the end, at the start, all along, and on the way. */
-	between(go(&gauge, &sweep, 0, 0, 1, 0, PATH_STRAIGHT, 0), 8, 8);
-	between(go(&gauge, &sweep, 1, 0, 6, 0, PATH_STRAIGHT, 0), GAUGE_SHARE * 4, 4);
-	between(go(&gauge, &sweep, 6, 0, -100, 0, PATH_STRAIGHT, 0), GAUGE_SHARE * 4, 4);
-	between(go(&gauge, &sweep, 9.5, -400, 9.5, 400, PATH_STRAIGHT, 0), GAUGE_SHARE * 0.5, 0.5);
-	between(go(&gauge, &sweep, 7, -400, 9, 400, PATH_STRAIGHT, 0), GAUGE_SHARE * 1, 1);
+	between(go(&block, &sweep, 0, 0, 1, 0, PATH_STRAIGHT, 0), 8, 8);
+	between(go(&block, &sweep, 1, 0, 6, 0, PATH_STRAIGHT, 0), BLOCK_CLEARANCE_SHARE * 4, 4);
+	between(go(&block, &sweep, 6, 0, -100, 0, PATH_STRAIGHT, 0), BLOCK_CLEARANCE_SHARE * 4, 4);
+	between(go(&block, &sweep, 9.5, -400, 9.5, 400, PATH_STRAIGHT, 0), BLOCK_CLEARANCE_SHARE * 0.5, 0.5);
+	between(go(&block, &sweep, 7, -400, 9, 400, PATH_STRAIGHT, 0), BLOCK_CLEARANCE_SHARE * 1, 1);
 	/* The control may come 0.25 mm nearer, or anywhere in the box. */
-	between(go(&gauge, &sweep, 9.5, -40, 9.5, 40, PATH_STRAIGHT, 0.25), 0.1, 0.25);
-	between(go(&gauge, &sweep, 0, 0, 8, 40, PATH_BOX, 0.25), 0.5, 1.75);
+	between(go(&block, &sweep, 9.5, -40, 9.5, 40, PATH_STRAIGHT, 0.25), 0.1, 0.25);
+	between(go(&block, &sweep, 0, 0, 8, 40, PATH_BOX, 0.25), 0.5, 1.75);
 	/* Through the wall, and in it. */
-	between(go(&gauge, &sweep, 0, 0, 40, 0, PATH_STRAIGHT, 0), 0, 0);
-	between(go(&gauge, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), 0, 0);
+	between(go(&block, &sweep, 0, 0, 40, 0, PATH_STRAIGHT, 0), 0, 0);
+	between(go(&block, &sweep, 11, 0, 11, 0, PATH_STRAIGHT, 0), 0, 0);
 	/* What was seen in one block does not stick to the next. */
-	between(go(&gauge, &sweep, 0, 0, 0, 1, PATH_STRAIGHT, 0), 8, 8);
+	between(go(&block, &sweep, 0, 0, 0, 1, PATH_STRAIGHT, 0), 8, 8);
 	sweep_release(&sweep);
 	duo_release(&duo);
 }
@@ -156,17 +156,17 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("gauge");
+	Suite *suite = suite_create("block");
 	TCase *tcase = tcase_create("blocks");
-	SRunner *runner = srunner_create(suite);
+	SRunner *check = srunner_create(suite);
 	int failed;
 
 	tcase_add_test(tcase, between_the_truth_and_a_share_of_it);
 	tcase_add_test(tcase, clear_without_a_look);
 	tcase_add_test(tcase, known_distances);
 	suite_add_tcase(suite, tcase);
-	srunner_run_all(runner, CK_NORMAL);
-	failed = srunner_ntests_failed(runner);
-	srunner_free(runner);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
 	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

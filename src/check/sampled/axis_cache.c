@@ -1,4 +1,4 @@
-#include "check/axis_cache.h"
+#include "check/sampled/axis_cache.h"
 
 #include <stdlib.h>
 

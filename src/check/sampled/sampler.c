@@ -1,8 +1,8 @@
-#include "check/sampled.h"
+#include "check/sampled/sampler.h"
 
 #include <math.h>
 
-#include "check/axis_cache.h"
+#include "check/sampled/axis_cache.h"
 #include "geom/moved_tri.h"
 #include "scene/bvh_pair.h"
 

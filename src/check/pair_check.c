@@ -1,0 +1,232 @@
+#include "check/pair_check.h"
+
+#include <stdlib.h>
+
+#include "base/ablation.h"
+#include "base/mem.h"
+#include "motion/path.h"
+#include "motion/span.h"
+#include "scene/static_query.h"
+
+static int tool_of(const struct scene *scene, const struct scene_pair *pair)
+{
+	int a = scene->bodies[pair->a].body->tool, b = scene->bodies[pair->b].body->tool;
+
+	return a ? a : b;
+}
+
+bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, const struct check_options *options,
+		 bool measure, struct diag *diag)
+{
+	const struct scene_pair *p = &scene->pairs[pair];
+	struct body_pair bodies;
+
+	if (!scene_pair_bodies(scene, p, &bodies, diag))
+		return false;
+	*check = (struct pair_check){
+		.scene = scene,
+		.pair = pair,
+		.tool = tool_of(scene, p),
+		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
+		.found_block = -1,
+		.unknown_block = -1,
+	};
+	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, measure);
+	if (measure && options->measure_cap > 0)
+		strategy_cap(&check->strategy, p->clearance + options->measure_cap);
+	sampler_init(&check->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
+	block_clearance_init(&check->block, &bodies, options->block_clearance_cap);
+	return true;
+}
+
+void pair_check_release(struct pair_check *check)
+{
+	sampler_release(&check->sampler);
+	free(check->results);
+	free(check->rooms);
+	check->results = NULL;
+	check->rooms = NULL;
+}
+
+bool pair_check_is_active(const struct pair_check *check, int tool)
+{
+	return !check->tool || check->tool == tool;
+}
+
+void pair_check_found(struct pair_check *check, long block)
+{
+	check->found_block = block;
+	check->maybe_inside = check->block.maybe_inside = true;
+	strategy_forget_position(&check->strategy);
+}
+
+void pair_check_jump(struct pair_check *check)
+{
+	check->maybe_inside = true;
+	/* The samples of a program are the same whoever takes them: only its start has one of its own. */
+	check->sampler.started = true;
+	strategy_forget_position(&check->strategy);
+}
+
+static void add_result(struct pair_check *check, size_t step, enum query_answer answer, const struct contact *contact)
+{
+	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
+				   sizeof(*check->results));
+	check->results[check->result_count++] = (struct pair_check_result){check->pair, step, answer, *contact};
+}
+
+static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
+			 const struct check_options *options, struct contact *contact)
+{
+	if (options->method == CHECK_CERTIFIED)
+		return strategy_advance_step(&check->strategy, sweep, step, contact);
+	return sampler_step(&check->sampler, sweep, step, contact) ? QUERY_CONTACT : QUERY_CLEAR;
+}
+
+/* A step after a contact, which may start with one body wholly inside the other: the sweep sees surfaces only. */
+static enum query_answer pass_entangled(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
+				   long block, const struct check_options *options, struct contact *contact)
+{
+	enum query_answer answer = pass(check, sweep, step, options, contact);
+	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	enum inside inside;
+	vec3 point;
+
+	if (answer == QUERY_UNDECIDED || (answer == QUERY_CONTACT && !(contact->s > 0)))
+		return answer;
+	check->maybe_inside = false;
+	inside = static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point, &unheard);
+	if (inside == INSIDE_UNKNOWN && check->unknown_block < 0)
+		check->unknown_block = block;
+	if (inside != INSIDE_YES)
+		return answer;
+	*contact = (struct contact){0, step->span.q0, 0, point, 0};
+	return QUERY_CONTACT;
+}
+
+/* Steps from i on that the pair passes as one chunk; 0: it must take them one by one. */
+static size_t skip_chunk(struct pair_check *check, const struct batch *batch, size_t i, size_t to,
+			 const struct check_options *options)
+{
+	size_t count = to - i < CHUNK_STEPS ? to - i : CHUNK_STEPS;
+	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+	if (i % CHUNK_STEPS)
+		return 0;
+	if (check->past_limits_only && !chunk->beyond) {
+		strategy_forget_position(&check->strategy);
+		return count;
+	}
+	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || check->maybe_inside ||
+	    !strategy_advance_box(&check->strategy, &chunk->low, &chunk->high, &chunk->errors,
+			   &batch->steps[i + count - 1].motion.span.q1, count))
+		return 0;
+	return count;
+}
+
+/* Steps from i on that nothing has to be asked of one by one. */
+static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
+		   const struct check_options *options)
+{
+	size_t skipped = skip_chunk(check, batch, i, to, options);
+
+	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
+	    batch->steps[i].block == check->found_block)
+		return skipped;
+	return strategy_advance_chord(&check->strategy, sweep, &batch->steps[i], to - i);
+}
+
+void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
+		const struct check_options *options)
+{
+	size_t skipped;
+
+	check->result_count = 0;
+	for (size_t i = from; i < to; i += skipped ? skipped : 1) {
+		const struct batch_step *step = &batch->steps[i];
+		struct contact contact = {0};
+		enum query_answer answer;
+
+		skipped = skip(check, sweep, batch, i, to, options);
+		if (skipped)
+			continue;
+
+		if (step->block == check->found_block ||
+		    (check->past_limits_only && !step->beyond)) {
+			strategy_forget_position(&check->strategy);
+			continue;
+		}
+		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
+				  ? pass_entangled(check, sweep, &step->motion, step->block, options, &contact)
+				  : pass(check, sweep, &step->motion, options, &contact);
+		if (answer == QUERY_CLEAR)
+			continue;
+		add_result(check, i, answer, &contact);
+		if (!options->all || answer == QUERY_UNDECIDED) {
+			strategy_forget_position(&check->strategy);
+			return;
+		}
+		pair_check_found(check, step->block);
+	}
+}
+
+void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at)
+{
+	const struct path path = {.kind = PATH_STRAIGHT, .start = *at, .end = *at};
+	struct motion_step still = {.line = 1};
+	struct contact contact;
+
+	span_init(&still.span, &path);
+	/* Clear or not: it was looked at before, more exactly. */
+	strategy_advance_step(&check->strategy, sweep, &still, &contact);
+	strategy_forget_position(&check->strategy);
+}
+
+/* The block's room for the step's block. */
+static void start_room(struct pair_check *check, long block)
+{
+	if (check->room_count && check->rooms[check->room_count - 1].block == block)
+		return;
+	check->rooms = mem_grow(check->rooms, &check->room_capacity, check->room_count + 1, sizeof(*check->rooms));
+	check->rooms[check->room_count++] = (struct pair_check_room){block, check->block.cap};
+	block_clearance_start(&check->block);
+}
+
+/* The block sees surfaces only: as long as one body may be wholly inside the other, it has to be looked at. */
+static void measure_inside(struct pair_check *check, const struct motion_step *step)
+{
+	struct block_clearance *block = &check->block;
+	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	vec3 point;
+
+	block->maybe_inside = !(block->bound > 0);
+	if (!block->maybe_inside && static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0,
+						 &point, &unheard) == INSIDE_YES) {
+		block->bound = 0;
+		block->maybe_inside = true;
+	}
+}
+
+void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
+		  const struct check_options *options)
+{
+	struct block_clearance *block = &check->block;
+	bool clears = false;
+
+	check->room_count = 0;
+	for (size_t i = 0; i < batch->step_count; i++) {
+		const struct batch_step *step = &batch->steps[i];
+		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+		if (i % CHUNK_STEPS == 0)
+			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors);
+		if (check->past_limits_only && !step->beyond)
+			continue;
+		start_room(check, step->block);
+		if (!clears)
+			block_clearance_step(block, sweep, &step->motion, options->tolerance);
+		if (block->maybe_inside || !(block->bound > 0))
+			measure_inside(check, &step->motion);
+		check->rooms[check->room_count - 1].clearance = block->bound;
+	}
+}
