@@ -327,8 +327,9 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->tool = drive->tool;
 	step->tolerance = run->tolerance;
 	step->outside = run->outside;
-	step->rapid = run->move->kind == CANON_RAPID;
-	step->spindle_turns = run->move->spindle_turns;
+	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
+			   : run->move->spindle_turns	? STEP_FEED_TURNING
+							: STEP_FEED_STANDING;
 	span_walk_init(&walk, &leg->span, drive->options->flatness);
 	while (span_walk_next(&walk, &step->span)) {
 		step->time = drive->time + step->span.u0 * seconds;

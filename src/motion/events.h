@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/axes.h"
+#include "control/step_class.h"
 #include "motion/span.h"
 
 /* A straight piece of a move. */
@@ -19,8 +20,7 @@ struct motion_step {
 	double seconds;	/* the span's own duration */
 	axis_values tolerance;	/* how far the control may leave the path (G64), mm and radians; not in the deviation */
 	bool outside;	/* some part of the move is past an axis limit */
-	bool rapid;	/* at the axes' rates, else at a programmed feed */
-	bool spindle_turns;
+	enum step_class step_class;
 };
 
 /* An axis leaves its travel: the first instant of it in one move. Comes before the steps of that move. */

@@ -132,6 +132,51 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 	return true;
 }
 
+/* The pair is of the cutter's core from now on. */
+static void set_core(struct scene *scene, struct scene_pair *pair, double depth)
+{
+	int *cutter = scene->bodies[pair->a].body->role == ROLE_CUTTER ? &pair->a : &pair->b;
+
+	*cutter = scene_core(scene, *cutter, depth);
+}
+
+static void derive_cutting(struct scene *scene, struct scene_pair *pair)
+{
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *part = cutter == a ? b : a;
+	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+
+	pair->clearance = 0;
+	pair->fault = PAIR_RAPID_CONTACT;
+	if (!cutter->profile) {
+		pair->steps = 0;
+		decide(pair, PAIR_CUTTING, "the cutter is a mesh: how deep it enters the part is not checked");
+		return;
+	}
+	set_core(scene, pair, part->rapid_allowance);
+	pair->steps = STEP_RAPID | (turns ? STEP_FEED_STANDING : 0);
+	decide(pair, PAIR_CUTTING, "the cutter cuts the part; %s it may enter it %g mm deep",
+	       turns ? "at rapid or standing" : "at rapid", part->rapid_allowance);
+}
+
+/* Beside the pair of a cutter and a part: while it cuts, it may not enter deeper than the part says. */
+static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
+{
+	const struct body *a = scene->bodies[cutting->a].body, *b = scene->bodies[cutting->b].body;
+	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *part = cutter == a ? b : a;
+	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+	struct scene_pair *pair;
+
+	if (part->gouge < 0 || !cutter->profile)
+		return;
+	pair = &scene->pairs[scene->pair_count++];
+	*pair = *cutting;
+	pair->fault = PAIR_GOUGE;
+	pair->steps = turns ? STEP_FEED_TURNING : STEP_FEED_TURNING | STEP_FEED_STANDING;
+	set_core(scene, pair, part->gouge);
+	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
+}
+
 static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -139,14 +184,16 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 
 	chain_init(&pair->chain, scene->machine, a->link, b->link);
 	pair->clearance = ruling.clearance >= 0 ? ruling.clearance : clearance;
-	if (chain_is_rigid(&pair->chain))
+	pair->steps = STEP_ANY;
+	/* check="always" counts for what is rigid and for what cuts, too. */
+	if (ruling.check == PAIR_ALWAYS)
+		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
+	else if (chain_is_rigid(&pair->chain))
 		decide(pair, PAIR_RIGID, "no joint between them");
-	else if (is_cutting(a, b))
-		decide(pair, PAIR_CUTTING, "the cutter cuts the part");
 	else if (ruling.check == PAIR_NEVER)
 		decide(pair, PAIR_WAIVED, "%s", ruling.reason);
-	else if (ruling.check == PAIR_ALWAYS)
-		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
+	else if (is_cutting(a, b))
+		derive_cutting(scene, pair);
 	else
 		return derive_from_geometry(scene, pair, diag);
 	return true;
@@ -157,7 +204,8 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 	size_t n = scene->body_count;
 	bool good = true;
 
-	scene->pairs = mem_zalloc(n * (n - (n > 0)) / 2, sizeof(*scene->pairs));
+	/* Of a cutter and a part there may be two. */
+	scene->pairs = mem_zalloc(n * n, sizeof(*scene->pairs));
 	for (size_t a = 0; a < n; a++) {
 		for (size_t b = a + 1; b < n; b++) {
 			struct scene_pair *pair = &scene->pairs[scene->pair_count++];
@@ -165,6 +213,8 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 			pair->a = (int)a;
 			pair->b = (int)b;
 			good &= derive(scene, pair, clearance, diag);
+			if (pair->status == PAIR_CUTTING)
+				add_gouge(scene, pair);
 		}
 	}
 	return good;

@@ -5,15 +5,53 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/same_double.h"
 #include "geom/stl.h"
 #include "geom/tolerance.h"
 #include "geom/topology.h"
+#include "machine/tool_core.h"
+#include "machine/tool_solid.h"
 #include "scene/pairs.h"
 
 static void add_bodies(struct scene *scene, const struct body *bodies, size_t count)
 {
 	for (size_t i = 0; i < count; i++)
 		scene->bodies[scene->body_count++] = (struct scene_body){.body = &bodies[i]};
+}
+
+/* Each cutter may have two cores for each part. */
+static size_t most_cores(const struct scene *scene)
+{
+	size_t cutters = 0, parts = 0;
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		cutters += scene->bodies[i].body->role == ROLE_CUTTER;
+		parts += scene->bodies[i].body->role == ROLE_PART;
+	}
+	return 2 * cutters * parts;
+}
+
+int scene_core(struct scene *scene, int body, double depth)
+{
+	const struct body *cutter = scene->bodies[body].body;
+	struct body *core;
+	struct tool_solid solid;
+	struct mesh *mesh;
+
+	for (size_t i = scene->body_count; i < scene->body_count + scene->core_count; i++) {
+		const struct scene_body *other = &scene->bodies[i];
+
+		if (other->body->profile == cutter->profile && same_double(other->depth, depth))
+			return (int)i;
+	}
+	solid = tool_core(cutter->profile, depth, &scene->cores);
+	mesh = arena_alloc(&scene->cores, sizeof(*mesh));
+	tool_solid_mesh(&solid, &scene->cores, mesh);
+	core = arena_alloc(&scene->cores, sizeof(*core));
+	*core = *cutter;
+	core->solid = mesh;
+	scene->bodies[scene->body_count + scene->core_count] = (struct scene_body){.body = core, .depth = depth};
+	return (int)(scene->body_count + scene->core_count++);
 }
 
 struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
@@ -28,6 +66,7 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 	add_bodies(scene, machine->bodies, machine->body_count);
 	if (setup)
 		add_bodies(scene, setup->bodies, setup->body_count);
+	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
 	if (!pairs_derive(scene, clearance, diag)) {
 		scene_free(scene);
 		return NULL;
@@ -39,7 +78,7 @@ void scene_free(struct scene *scene)
 {
 	if (!scene)
 		return;
-	for (size_t i = 0; i < scene->body_count; i++) {
+	for (size_t i = 0; i < scene->body_count + scene->core_count; i++) {
 		bvh_free(scene->bodies[i].bvh);
 		if (scene->bodies[i].topology)
 			topology_release(scene->bodies[i].topology);
@@ -49,6 +88,7 @@ void scene_free(struct scene *scene)
 		free(scene->pairs[i].reason);
 	sweep_release(&scene->sweep);
 	pthread_mutex_destroy(&scene->building);
+	arena_release(&scene->cores);
 	free(scene->bodies);
 	free(scene->pairs);
 	free(scene);

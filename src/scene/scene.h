@@ -6,7 +6,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/arena.h"
 #include "base/diag.h"
+#include "control/step_class.h"
 #include "geom/bvh.h"
 #include "machine/chain.h"
 #include "machine/machine.h"
@@ -20,19 +22,25 @@ enum pair_status {
 	PAIR_ADJACENT,	/* neighbours of the machine's structure, close together by design: excused, not proved */
 	PAIR_OUT_OF_REACH,	/* proved apart over the whole travel */
 	PAIR_WAIVED,	/* by the user */
-	PAIR_CUTTING	/* a cutter and the part: the cutter is meant to cut it */
+	PAIR_CUTTING	/* a cutter and the part: the cutter is meant to cut it, but not at rapid, nor too deep */
 };
+
+/* What it is called when the bodies of a pair meet. */
+enum pair_fault { PAIR_COLLISION, PAIR_RAPID_CONTACT, PAIR_GOUGE };
 
 struct scene_body {
 	const struct body *body;
 	struct bvh *bvh;	/* NULL until scene_body_bvh builds it */
 	struct topology *topology;	/* NULL until asked for */
 	bool failed;	/* its mesh could not be read, and that was reported */
+	double depth;	/* mm, of a core */
 };
 
 struct scene_pair {
 	int a, b;	/* bodies, a before b */
 	enum pair_status status;
+	enum pair_fault fault;
+	unsigned steps;	/* bits of enum step_class: the steps in which the pair has to stay apart */
 	double clearance;	/* mm that must remain */
 	char *reason;	/* one line, for people */
 	struct chain chain;	/* b as a sees it */
@@ -43,7 +51,13 @@ struct scene {
 	const struct setup *setup;	/* borrowed, or NULL */
 	struct scene_body *bodies;	/* machine's, fixtures and parts, tools'; in the order of the XML */
 	size_t body_count;
-	struct scene_pair *pairs;	/* every pair of bodies: (0,1) (0,2) ... */
+	/*
+	 * Behind the bodies: what lies deep inside of a cutter (machine/tool_core.h). A pair of a cutter and a part
+	 * names the cutter's core, whose struct body is the cutter's but for its solid.
+	 */
+	size_t core_count;
+	struct arena cores;
+	struct scene_pair *pairs;	/* every pair of bodies: (0,1) (0,2) ...; of cutter and part, one a fault */
 	size_t pair_count;
 	size_t meshes_read;
 	struct sweep sweep;	/* working storage for the derivation */
@@ -67,6 +81,12 @@ bool scene_build(struct scene *scene, struct diag *diag);
 
 /* The body's tree, read and built at the first call; NULL if its mesh is faulty (reported once). */
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);
+
+/*
+ * The core of a body that is a cutter made of sections, `depth` mm below its surface: a
+ * body of the scene, made at the first call.
+ */
+int scene_core(struct scene *scene, int body, double depth);
 
 /* What the body's mesh encloses; NULL as above. */
 const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag);
