@@ -170,6 +170,8 @@ static const struct {
 	{BOTH, "#1=12.3456\nG0 X#1\nM30\n", "12.346"},
 	/* several statements of a line, the line's number, a comment */
 	{BOTH, "N10 #1=1. #2=2. (done)\nG0 X[#1+#2];\nM30\n", "3"},
+	/* what LinuxCNC obeys in comments is text here */
+	{BOTH, "(PY, x)\nG0 X1. (ABORT, it is done)\nM30\n", "1"},
 	/* FM branch: forward first, then from the start, so that the second N1 is found from the second line */
 	{F, "N1 G0 X1.\nGOTO 1\nG0 X9.\nN1 X2.\nM30\n", "1 2"},
 	{F, "#1=0\nN1 #1=#1+1\nG0 X#1\nIF [#1 LT 3] GOTO 1\nM30\n", "1 2 3"},

@@ -1,7 +1,6 @@
 #include "gcode/text/lexer.h"
 
 #include <string.h>
-#include <strings.h>
 
 #include "gcode/text/number.h"
 
@@ -46,18 +45,12 @@ bool lexer_keyword(struct lexer *lexer, const char *keyword)
 	return true;
 }
 
-/* Comments that a control obeys; LinuxCNC's manual, "Comments" (messages and the log move nothing). */
-static bool check_active_comment(const struct lexer *lexer, const char *text)
+static bool check_comment(const struct lexer *lexer, const char *text)
 {
-	text += strspn(text, " \t");
-	if (!strncasecmp(text, "py,", 3))
-		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python is not supported");
-	if (!strncasecmp(text, "abort,", 6))
-		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
-	return true;
+	return !lexer->rules->check_comment || lexer->rules->check_comment(lexer, text + strspn(text, " \t"));
 }
 
-/* Steps over "(...)"; nested comments are faults as in LinuxCNC. */
+/* Steps over "(...)". Controls differ in where a comment inside a comment ends, so that it is a fault. */
 static bool skip_comment(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position + 1;
@@ -67,7 +60,7 @@ static bool skip_comment(struct lexer *lexer)
 		return fault(lexer->at, lexer_column(lexer), "this comment is not closed");
 	if (text[length] == '(')
 		return fault(lexer->at, lexer_column(lexer) + 1 + (int)length, "a comment inside a comment");
-	if (!check_active_comment(lexer, text))
+	if (!check_comment(lexer, text))
 		return false;
 	lexer->position += length + 2;
 	return true;
@@ -81,7 +74,7 @@ static bool skip_rest(struct lexer *lexer)
 		return fault(lexer->at, lexer_column(lexer),
 			     "';' ends a block on this control; write what follows on a line of its own, "
 			     "or in parentheses if it is a comment");
-	if (!check_active_comment(lexer, rest))
+	if (!check_comment(lexer, rest))
 		return false;
 	lexer->position += strlen(rest) + 1;
 	return true;
@@ -103,37 +96,17 @@ static bool fault_at_byte(const struct lexer *lexer, char byte)
 {
 	int column = lexer_column(lexer);
 
-	switch (byte) {
-	case '#':
-		return fault(lexer->at, column, "an assignment stands in a block of its own");
-	case '[':
-		return fault(lexer->at, column, "an expression stands behind a letter or an assignment's '='");
-	case '$':
-		return fault(lexer->at, column, "$: spindle numbers are not supported yet");
-	case '@':
-	case '^':
-		return fault(lexer->at, column, "%c: polar coordinates are not supported yet", byte);
-	case '/':
-		return fault(lexer->at, column, "'/' stands at the start of a block only");
-	case '%':
-		return fault(lexer->at, column, "'%%' stands alone on its line");
-	default:
-		break;
+	for (size_t i = 0; i < lexer->rules->refusal_count; i++) {
+		if (lexer->rules->refusals[i].byte == byte)
+			return fault(lexer->at, column, "%s", lexer->rules->refusals[i].message);
 	}
+	if (byte == '/')
+		return fault(lexer->at, column, "'/' stands at the start of a block only");
+	if (byte == '%')
+		return fault(lexer->at, column, "'%%' stands alone on its line");
 	if (byte > ' ' && byte <= '~')
 		return fault(lexer->at, column, "unexpected '%c'", byte);
 	return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
-}
-
-static bool fault_without_number(struct lexer *lexer, char letter, int column)
-{
-	const char *text = lexer->at->text;
-
-	while (strchr("+- \t", text[lexer->position]) && text[lexer->position])
-		lexer->position++;
-	if (text[lexer->position] == '#' || text[lexer->position] == '[')
-		return fault_at_byte(lexer, text[lexer->position]);
-	return fault(lexer->at, column, "%c without a number", letter);
 }
 
 static enum lexer_result read_word(struct lexer *lexer, char letter, struct word *word)
@@ -158,7 +131,7 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 	result = lexer->rules->value ? lexer->rules->value(lexer, word) : LEXER_END;
 	if (result != LEXER_END)
 		return result;
-	fault_without_number(lexer, letter, word->column);
+	fault_report(lexer->at, word->column, "%c without a number", letter);
 	return LEXER_FAULT;
 }
 

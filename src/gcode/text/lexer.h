@@ -19,6 +19,12 @@ struct word {
 
 enum lexer_result { LEXER_WORD, LEXER_END, LEXER_FAULT };
 
+/* A byte that starts no word, and what to say of it instead of that it is unexpected. */
+struct lexer_refusal {
+	char byte;
+	const char *message;
+};
+
 /*
  * How a dialect writes its lines. Constant data. The lexer itself reads plain
  * numbers only: the hooks read and compute whatever else a dialect has. A hook
@@ -35,6 +41,10 @@ struct lexer_rules {
 	/* Reads an assignment that stands among the words, at this byte. */
 	char assignment_start;
 	bool (*assignment)(struct lexer *lexer);
+	/* Is the comment with this text one that the control does not obey? NULL: none are obeyed. */
+	bool (*check_comment)(const struct lexer *lexer, const char *text);
+	const struct lexer_refusal *refusals;
+	size_t refusal_count;
 };
 
 struct lexer {

@@ -111,81 +111,49 @@ static const char *own_folder(const struct sources *sources, size_t *length)
 	return strcmp(name, "<stdin>") ? name : NULL;
 }
 
-/* False: a file that would do is outside of the root, which was reported. */
-static bool stays_in(const struct sources *sources, const char *root, const struct line_place *at, int column)
+size_t sources_folder_count(const struct read_options *options)
 {
-	return !sources->led_out ||
-	       fault(at, column, "the subprogram's file is outside of the input root %s, or a link leads there", root);
+	return 1 + options->include_count;
 }
 
-bool sources_find(struct sources *sources, const struct read_options *options, const char *label,
+struct source *sources_open(struct sources *sources, const struct read_options *options, size_t folder,
+			    const char *name)
+{
+	const char *path;
+	size_t length;
+
+	if (sources->count == SOURCE_MAX)
+		return NULL;
+	if (folder > 0) {
+		path = options->includes[folder - 1];
+		length = strlen(path);
+	} else {
+		path = own_folder(sources, &length);
+	}
+	return path ? find_in(sources, options->input_root, path, length, name) : NULL;
+}
+
+bool sources_check_room(const struct sources *sources, const struct line_place *at, int column)
+{
+	return sources->count < SOURCE_MAX ||
+	       fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
+}
+
+bool sources_check_root(const struct sources *sources, const struct read_options *options,
+			const struct line_place *at, int column)
+{
+	return !sources->led_out || fault(at, column,
+					  "the subprogram's file is outside of the input root %s, or a link leads there",
+					  options->input_root);
+}
+
+bool sources_find(struct sources *sources, const struct read_options *options, const char *name,
 		  const struct line_place *at, int column, struct source **source)
 {
-	struct strbuf name = {0};
-	const char *folder;
-	size_t length;
-
 	*source = NULL;
-	if (strpbrk(label, "/\\") || strstr(label, "..") || label[0] == '.' || label[0] == '\0')
-		return fault(at, column, "a subprogram's file has a plain name, without folders; '%s' is none", label);
-	if (sources->count == SOURCE_MAX)
-		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
-	strbuf_addf(&name, "%s.ngc", label);
-	folder = own_folder(sources, &length);
-	if (folder)
-		*source = find_in(sources, options->input_root, folder, length, name.text);
-	for (size_t i = 0; i < options->include_count && !*source; i++)
-		*source =
-		    find_in(sources, options->input_root, options->includes[i], strlen(options->includes[i]), name.text);
-	strbuf_release(&name);
-	return stays_in(sources, options->input_root, at, column);
-}
-
-/* The one file of the folder that has a name of the program. False: there are two, which was reported. */
-static bool find_program_in(struct sources *sources, const char *root, const char *folder, size_t length, int number,
-			    const struct line_place *at, int column, struct source **source)
-{
-	static const char *const endings[] = {"", ".nc", ".NC", ".cnc", ".CNC", ".tap", ".TAP", ".txt", ".TXT"};
-	char names[6][24];
-
-	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++) {
-		static const int digits[] = {1, 4, 5};
-		bool known = false;
-
-		snprintf(names[i], sizeof(names[i]), "%s%0*d", i < 3 ? "O" : "", digits[i % 3], number);
-		for (size_t j = 0; j < i; j++)
-			known = known || !strcmp(names[i], names[j]);
-		for (size_t j = 0; j < sizeof(endings) / sizeof(*endings) && !known; j++) {
-			char name[32];
-			struct source *next;
-
-			snprintf(name, sizeof(name), "%.23s%.7s", names[i], endings[j]);
-			next = sources->count < SOURCE_MAX ? find_in(sources, root, folder, length, name) : NULL;
-			if (next && *source)
-				return fault(at, column, "both %s and %s may be the program O%d", (*source)->name,
-					     next->name, number);
-			*source = next ? next : *source;
-		}
-	}
-	return true;
-}
-
-bool sources_find_program(struct sources *sources, const struct read_options *options, int number,
-			  const struct line_place *at, int column, struct source **source)
-{
-	const char *folder;
-	size_t length;
-
-	*source = NULL;
-	if (sources->count == SOURCE_MAX)
-		return fault(at, column, "more than %d files of subprograms", SOURCE_MAX - 1);
-	folder = own_folder(sources, &length);
-	if (folder && !find_program_in(sources, options->input_root, folder, length, number, at, column, source))
+	if (!sources_check_room(sources, at, column))
 		return false;
-	for (size_t i = 0; i < options->include_count && !*source; i++) {
-		if (!find_program_in(sources, options->input_root, options->includes[i], strlen(options->includes[i]),
-				     number, at, column, source))
-			return false;
-	}
-	return stays_in(sources, options->input_root, at, column);
+	for (size_t folder = 0; folder < sources_folder_count(options) && !*source; folder++)
+		*source = sources_open(sources, options, folder, name);
+	return sources_check_root(sources, options, at, column);
 }

@@ -42,19 +42,31 @@ struct position {
 void sources_open_main(struct sources *sources, FILE *in, const char *name, struct file_names *names);
 
 /*
- * The file `label`.ngc, in the folder of the program or else in the folders of
- * the options, and nowhere else; opened once. *source is NULL if there is none.
- * False: reported at the column (a label that is no plain file name, too many files).
+ * Subprograms are looked for in folders: number 0 is the program's own, which
+ * standard input does not have, and the others are those of the options.
  */
-bool sources_find(struct sources *sources, const struct read_options *options, const char *label,
-		  const struct line_place *at, int column, struct source **source);
+size_t sources_folder_count(const struct read_options *options);
 
 /*
- * The file of the program O<number> of Fanuc and Haas, in the same folders: O12, O0012 or O00012, with or without the
- * O, and nothing, .nc, .cnc, .tap or .txt behind it. False: reported (there are two, or too many files).
+ * The file of this name in one folder, opened once; NULL: it is not there, or
+ * outside of the input root, which sources_check_root tells. The name has no folders in it.
  */
-bool sources_find_program(struct sources *sources, const struct read_options *options, int number,
-			  const struct line_place *at, int column, struct source **source);
+struct source *sources_open(struct sources *sources, const struct read_options *options, size_t folder,
+			    const char *name);
+
+/* Is there room for one more file? False: reported at the column. */
+bool sources_check_room(const struct sources *sources, const struct line_place *at, int column);
+
+/* Were all files that were looked for inside of the input root? False: reported at the column. */
+bool sources_check_root(const struct sources *sources, const struct read_options *options,
+			const struct line_place *at, int column);
+
+/*
+ * The first file of this name in the folders; *source is NULL if there is none.
+ * False: reported at the column.
+ */
+bool sources_find(struct sources *sources, const struct read_options *options, const char *name,
+		  const struct line_place *at, int column, struct source **source);
 
 /* Closes the files; the sources and their names stay until sources_release. */
 void sources_close(struct sources *sources);

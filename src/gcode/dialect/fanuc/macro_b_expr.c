@@ -272,8 +272,15 @@ static enum lexer_result read_argument(struct lexer *lexer, struct word *word)
 	return read_word(lexer, word, true);
 }
 
-const struct lexer_rules macro_b_word_rules = {.semicolon_ends_block = true, .value = read_block_word};
-const struct lexer_rules macro_b_argument_rules = {.semicolon_ends_block = true, .value = read_argument};
+static const struct lexer_refusal refusals[] = {
+	{'#', "an assignment stands in a block of its own"},
+	{'[', "an expression stands behind a letter or an assignment's '='"},
+};
+
+#define REFUSALS .refusals = refusals, .refusal_count = sizeof(refusals) / sizeof(*refusals)
+
+const struct lexer_rules macro_b_word_rules = {.semicolon_ends_block = true, .value = read_block_word, REFUSALS};
+const struct lexer_rules macro_b_argument_rules = {.semicolon_ends_block = true, .value = read_argument, REFUSALS};
 
 /* -------------------------------------------------------------- statements */
 

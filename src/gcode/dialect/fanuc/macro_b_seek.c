@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/dialect/fanuc/program_files.h"
 
 /* What a line is to those who search: its start without blanks and comments, in capitals. */
 #define GIST_MAX 256
@@ -326,7 +327,7 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, any = {.aim = AIM_ANY_PROGRAM};
 	struct position start = {NULL, 0, 1};
 
-	if (!sources_find_program(&interp->program.sources, &interp->config->read, number, &interp->at, column, &start.source))
+	if (!program_files_find(interp, number, column, &start.source))
 		return false;
 	if (!start.source)
 		return fault(&interp->at, column,

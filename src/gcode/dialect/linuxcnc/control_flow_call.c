@@ -75,6 +75,25 @@ bool control_flow_call_skip(struct interp *interp, struct lexer *lexer, const st
 
 /* ------------------------------------------------------------------- calls */
 
+/*
+ * The file <name>.ngc, in the folder of the program or else in the folders of
+ * the options, and nowhere else; *source is NULL if there is none. False: reported.
+ */
+static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
+{
+	struct strbuf file = {0};
+	bool good;
+
+	if (strpbrk(name, "/\\") || strstr(name, "..") || name[0] == '.' || name[0] == '\0')
+		return fault(&interp->at, column,
+			     "a subprogram's file has a plain name, without folders; '%s' is none", name);
+	strbuf_addf(&file, "%s.ngc", name);
+	good = sources_find(&interp->program.sources, &interp->config->read, strbuf_text(&file), &interp->at, column,
+			    source);
+	strbuf_release(&file);
+	return good;
+}
+
 /* To a subprogram that was met before, to the start of its own file, or forward in this file. */
 static bool go_to(struct interp *interp, const char *name, int column)
 {
@@ -89,7 +108,7 @@ static bool go_to(struct interp *interp, const char *name, int column)
 			     oword_title(name, title));
 	if (label)
 		return control_stack_jump(interp, &label->body, column);
-	if (!sources_find(&interp->program.sources, &interp->config->read, name, &interp->at, column, &source))
+	if (!find_file(interp, name, column, &source))
 		return false;
 	control_stack_skip_to(interp, SKIP_SEARCH, O_SUB, name, column);
 	return !source || control_stack_jump(interp, &(struct position){source, 0, 1}, column);

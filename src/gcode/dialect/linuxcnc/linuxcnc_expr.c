@@ -1,6 +1,7 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 
 #include <math.h>
+#include <strings.h>
 
 #include "base/same_double.h"
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
@@ -360,8 +361,28 @@ static bool read_assignment(struct lexer *lexer)
 	return true;
 }
 
+/* Comments that the control obeys (LinuxCNC's manual, "Comments"); messages and the log move nothing. */
+static bool check_comment(const struct lexer *lexer, const char *text)
+{
+	if (!strncasecmp(text, "py,", 3))
+		return fault(lexer->at, lexer_column(lexer), "a comment that runs Python is not supported");
+	if (!strncasecmp(text, "abort,", 6))
+		return fault(lexer->at, lexer_column(lexer), "the comment (ABORT, ...) stops the program here");
+	return true;
+}
+
+static const struct lexer_refusal refusals[] = {
+	{'[', "an expression stands behind a letter or an assignment's '='"},
+	{'$', "$: spindle numbers are not supported yet"},
+	{'@', "@: polar coordinates are not supported yet"},
+	{'^', "^: polar coordinates are not supported yet"},
+};
+
 const struct lexer_rules linuxcnc_lexer_rules = {
 	.value = read_word_value,
 	.assignment_start = '#',
 	.assignment = read_assignment,
+	.check_comment = check_comment,
+	.refusals = refusals,
+	.refusal_count = sizeof(refusals) / sizeof(*refusals),
 };
