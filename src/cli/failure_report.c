@@ -54,7 +54,7 @@ static void tell_program(struct sinks *sinks, const struct report_run *run, cons
 	char text[sizeof(why) + 32];
 	const struct report_error one = {.text = text};
 	const struct report_program about = {
-		.name = strcmp(name, "-") ? name : "<stdin>", .unread = why, .waived = "",
+		.name = strcmp(name, "-") ? name : "<stdin>", .unread = why, .waived = "", .first_kind = -1,
 		.errors = errors ? errors->items : &one, .error_count = errors ? errors->count : 1,
 	};
 	struct strbuf out = {0};

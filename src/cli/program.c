@@ -60,8 +60,11 @@ struct program {
 	int *matched;	/* of the waivers */
 	struct strbuf waived_text;	/* what was waived and why, a line each */
 	long known, waived, left_out;	/* findings that do not fail the run */
-	long first_line;	/* of the first finding; 0: none yet */
-	char *first_file;	/* the same; owned */
+	/* The first finding that fails the run. */
+	int first_kind;	/* enum finding_kind; -1: none yet */
+	long first_line;
+	char *first_file;	/* owned */
+	struct strbuf first_text;	/* its message with its place */
 };
 
 static bool tell_finding(struct program *program, const struct finding *finding, enum finding_status status,
@@ -119,7 +122,9 @@ static void keep_first(struct program *program, const struct finding *finding)
 	program->outcome->has_first = true;
 	program->outcome->first_axes = finding->axes;
 	program->outcome->first_tool = finding->tool;
+	program->first_kind = (int)finding->kind;
 	program->first_line = finding->line;
+	text_headline(&program->first_text, finding, (struct finding_style){.status = FINDING_FAILS});
 	program->first_file = mem_strndup(finding->file, strlen(finding->file));
 }
 
@@ -218,6 +223,7 @@ static void report(struct program *program, const struct verdict *verdict, const
 		.proven = proven,
 		.sensitivity = program->sensitivity, .sensitivity_count = program->sensitivity_count,
 		.errors = errors->items, .error_count = errors->count, .waived = strbuf_text(&program->waived_text),
+		.first_kind = program->first_kind, .first_text = program->first_text.text,
 	};
 
 	if (verdict && !has_text(context->sinks))
@@ -305,9 +311,18 @@ static void run(struct program *program, struct program_file *file, const char *
 	if (outcome->result == CHECK_INCOMPLETE && is_xml_name(path))
 		diag_note(diag, nowhere, "%s was read as an NC program; a setup is given with --setup", path);
 	verdict = (struct verdict){
-		program->name, outcome->result, &context->options->check, &outcome->stats, context->scene,
-		program->known, program->waived, program->left_out, program->first_line, program->first_file,
-		program->output->errors.warnings, program->output->errors.first_warning,
+		.file = program->name,
+		.result = outcome->result,
+		.options = &context->options->check,
+		.stats = &outcome->stats,
+		.scene = context->scene,
+		.known = program->known,
+		.waived = program->waived,
+		.left_out = program->left_out,
+		.first_line = program->first_line,
+		.first_file = program->first_file,
+		.warnings = program->output->errors.warnings,
+		.first_warning = program->output->errors.first_warning,
 	};
 	outcome->accepted = verdict_is_accepted(&verdict);
 	outcome->waived = program->waived;
@@ -327,7 +342,7 @@ static void run(struct program *program, struct program_file *file, const char *
 void program_check(const struct program_context *context, const char *path, struct program_output *output,
 		   struct program_outcome *outcome)
 {
-	struct program program = {.context = context, .output = output, .outcome = outcome};
+	struct program program = {.context = context, .output = output, .outcome = outcome, .first_kind = -1};
 	struct program_file file;
 	bool opened;
 	off_t start;
@@ -356,6 +371,7 @@ void program_check(const struct program_context *context, const char *path, stru
 	free(program.matched);
 	strbuf_release(&program.waived_text);
 	free(program.first_file);
+	strbuf_release(&program.first_text);
 	for (size_t i = 0; i < FORMAT_COUNT; i++)
 		strbuf_release(&program.text[i]);
 }

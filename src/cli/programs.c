@@ -119,9 +119,18 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 		.context = {
 			.options = options, .check = options->check, .scene = scene, .sinks = sinks,
 			.baseline = baseline, .tables = tables,
-			.run = {scene, &options->check, options->clearance, options->program_count,
-				options->fail_on, options->exit_zero, options->quiet, waiving, options->shard,
-				options->shards},
+			.run = {
+				.scene = scene,
+				.options = &options->check,
+				.clearance = options->clearance,
+				.programs = options->program_count,
+				.fail_on = options->fail_on,
+				.exit_zero = options->exit_zero,
+				.quiet = options->quiet,
+				.waiving = waiving,
+				.shard = options->shard,
+				.shards = options->shards,
+			},
 		},
 	};
 	static const struct cancel cancel = {NULL, is_pressed};

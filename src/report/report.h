@@ -62,6 +62,8 @@ struct report_program {
 	const struct sensitivity *sensitivity;	/* how long the verdict holds */
 	size_t sensitivity_count;	/* 0: not asked for, or not known */
 	const char *waived;	/* what was waived and why, a line each */
+	int first_kind;	/* enum finding_kind of the first finding that fails the run; -1: there is none */
+	const char *first_text;	/* its message with its place, in the GNU form; NULL: there is none */
 };
 
 /* A file that was read. Borrows everything. */

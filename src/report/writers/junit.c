@@ -54,6 +54,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 		text_finding(out, run->scene->machine, finding, style);
 }
 
+/* "part.nc:118:1: error: the machine has no B axis" */
 static void add_error(struct strbuf *out, const struct report_program *program, const struct report_error *error)
 {
 	strbuf_addf(out, "%s:", error->file ? error->file : program->name);
@@ -61,29 +62,34 @@ static void add_error(struct strbuf *out, const struct report_program *program, 
 		strbuf_addf(out, "%ld:", error->line);
 	if (error->line && error->column)
 		strbuf_addf(out, "%d:", error->column);
-	strbuf_addf(out, " error: %s\n", error->text);
+	strbuf_addf(out, " error: %s", error->text);
 }
 
-/* <failure> or <error>: the first line is the message, too. */
-static void add_outcome(xmlNode *testcase, const char *element, const char *type, const char *body)
+/* <failure> or <error> */
+static void add_outcome(xmlNode *testcase, const char *element, const char *type, const char *message,
+			const char *body)
 {
-	char *message = mem_strndup(body, strcspn(body, "\n"));
 	xmlNode *node = add_text_node(testcase, element, body);
 
 	set(node, "message", message);
 	set(node, "type", type);
-	free(message);
 }
 
-/* The kind stands in brackets at the end of the finding's first line. */
-static char *kind_of(const char *findings)
+/* The first error is the message; all errors and the findings before them are the text. */
+static void add_errors(xmlNode *testcase, const struct report_program *program, const char *findings)
 {
-	size_t length = strcspn(findings, "\n");
-	const char *from;
+	struct strbuf message = {0}, body = {0};
 
-	for (from = findings + length; from > findings && from[-1] != '['; from--)
-		;
-	return mem_strndup(from, strcspn(from, "]\n"));
+	for (size_t i = 0; i < program->error_count; i++) {
+		add_error(&body, program, &program->errors[i]);
+		if (!i)
+			strbuf_add(&message, body.text, body.length);
+		strbuf_addf(&body, "\n");
+	}
+	strbuf_addf(&body, "%s", findings);
+	add_outcome(testcase, "error", "incomplete", strbuf_text(&message), strbuf_text(&body));
+	strbuf_release(&message);
+	strbuf_release(&body);
 }
 
 static void add_node(struct strbuf *out, xmlDoc *doc, xmlNode *node)
@@ -99,23 +105,17 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 {
 	xmlDoc *doc = xmlNewDoc(BAD_CAST "1.0");
 	xmlNode *testcase = xmlNewDocNode(doc, NULL, BAD_CAST "testcase", NULL);
-	struct strbuf body = {0}, verdict = {0};
+	struct strbuf verdict = {0};
 
 	xmlDocSetRootElement(doc, testcase);
 	set(testcase, "classname", run->scene->machine->path);
 	set(testcase, "name", program->name);
 	set(testcase, "file", program->name);
-	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE) {
-		for (size_t i = 0; i < program->error_count; i++)
-			add_error(&body, program, &program->errors[i]);
-		strbuf_addf(&body, "%s", strbuf_text(out));
-		add_outcome(testcase, "error", "incomplete", strbuf_text(&body));
-	} else if (out->length) {
-		char *kind = kind_of(out->text);
-
-		add_outcome(testcase, "failure", kind, out->text);
-		free(kind);
-	}
+	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE)
+		add_errors(testcase, program, strbuf_text(out));
+	else if (program->first_kind >= 0)
+		add_outcome(testcase, "failure", finding_kind_name((enum finding_kind)program->first_kind),
+			    program->first_text, strbuf_text(out));
 	if (program->verdict) {
 		text_verdict(&verdict, program->verdict);
 		strbuf_addf(&verdict, "%s", program->waived);
@@ -123,7 +123,6 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	}
 	strbuf_clear(out);
 	add_node(out, doc, testcase);
-	strbuf_release(&body);
 	strbuf_release(&verdict);
 	xmlFreeDoc(doc);
 }

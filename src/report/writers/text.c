@@ -83,19 +83,25 @@ static void add_head(struct strbuf *out, const struct finding *f, struct finding
 	strbuf_addf(out, "%s %s: ", style.colour ? "\033[0m" : "", finding_kind_name(f->kind));
 }
 
-void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
-		  struct finding_style style)
+void text_headline(struct strbuf *out, const struct finding *f, struct finding_style style)
 {
 	static const char *const marks[] = {
-	    [FINDING_FAILS] = "",
-	    [FINDING_KNOWN] = ", known",
-	    [FINDING_WAIVED] = ", waived",
-	    [FINDING_LEFT_OUT] = "",
+		[FINDING_FAILS] = "",
+		[FINDING_KNOWN] = ", known",
+		[FINDING_WAIVED] = ", waived",
+		[FINDING_LEFT_OUT] = "",
 	};
 
 	add_head(out, f, style);
 	text_message(out, f);
-	strbuf_addf(out, " [%s%s]\n    block    ", finding_kind_name(f->kind), marks[style.status]);
+	strbuf_addf(out, " [%s%s]", finding_kind_name(f->kind), marks[style.status]);
+}
+
+void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
+		  struct finding_style style)
+{
+	text_headline(out, f, style);
+	strbuf_addf(out, "\n    block    ");
 	format_units_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
 	add_place(out, f);

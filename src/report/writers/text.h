@@ -13,6 +13,9 @@
 /* Appends what happens: "head (Z) meets table (C)". */
 void text_message(struct strbuf *out, const struct finding *finding);
 
+/* Appends the message with its place: "part.nc:118:1: error: collision: head (Z) meets table (C) [collision]". */
+void text_headline(struct strbuf *out, const struct finding *finding, struct finding_style style);
+
 /*
  * Appends a finding: one line "file:line:column: error: kind: what happens
  * [kind]", then indented lines with the block, the place in it, the axes, the
