@@ -1,4 +1,4 @@
-/* main.c - starts a process that can rely on its three files, runs the command line, cleans up. */
+/* main.c - prepares the process, runs the command line, and returns the exit status. */
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include "report/format/json.h"
 #include "report/output.h"
 
-/* A failed assertion is our mistake and has its own exit status. */
+/* assert() has failed: a mistake of fivecheck itself, which has its own exit status. */
 static void on_abort(int signal_number)
 {
 	(void)signal_number;
@@ -18,8 +18,8 @@ static void on_abort(int signal_number)
 }
 
 /*
- * Where a shell closed one of the three, the next file to be opened would take
- * its place and receive the report. The opposite access makes every use fail.
+ * If the shell closed standard input, output or error, the next file that is opened would get its number and receive
+ * the report. /dev/null takes the number instead, opened so that every use of it fails.
  */
 static void hold_standard_files(void)
 {
@@ -62,7 +62,7 @@ int main(int argc, char **argv)
 	struct stderr_ui ui;
 
 	hold_standard_files();
-	/* A reader that left, or a file at its limit, is an error of a write, not the end of the process. */
+	/* A closed pipe or a file at its size limit makes the write fail; it does not end the process. */
 	signal(SIGPIPE, SIG_IGN);
 	signal(SIGXFSZ, SIG_IGN);
 	signal(SIGABRT, on_abort);

@@ -25,7 +25,8 @@ static const struct srcloc nowhere;
 static bool set_mode(struct parser *parser, const struct option_row *row)
 {
 	if (parser->mode && parser->mode != row) {
-		diag_error(parser->diag, nowhere, "--%s and --%s cannot go together", parser->mode->name, row->name);
+		diag_error(parser->diag, nowhere, "--%s and --%s cannot be used together", parser->mode->name,
+			   row->name);
 		return false;
 	}
 	parser->mode = row;
@@ -46,13 +47,13 @@ static bool is_final(enum run_mode mode)
 	return mode == RUN_HELP || mode == RUN_VERSION;
 }
 
-/* Of two setups, lists, shards or kinds to fail on the first would be forgotten: a check of less than was asked for. */
+/* The second of two setups, lists, shards or --fail-on would replace the first, so that less would be checked. */
 static bool refuse_second(const struct parser *parser, const struct option_row *row)
 {
 	if (!parser->seen[row - option_table] ||
 	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD))
 		return false;
-	diag_error(parser->diag, nowhere, "--%s was given twice, but only one would count", row->name);
+	diag_error(parser->diag, nowhere, "--%s was given twice, but only one of them can be used", row->name);
 	return true;
 }
 
@@ -81,16 +82,16 @@ static bool check_modes(const struct parser *parser)
 		if (!parser->seen[i] || row->modes & 1U << parser->options->mode)
 			continue;
 		if (parser->mode)
-			diag_error(parser->diag, nowhere, "--%s means nothing with --%s", row->name,
+			diag_error(parser->diag, nowhere, "--%s cannot be used with --%s", row->name,
 				   parser->mode->name);
 		else
-			diag_error(parser->diag, nowhere, "--%s means nothing in a check", row->name);
+			diag_error(parser->diag, nowhere, "--%s cannot be used in a check", row->name);
 		return false;
 	}
 	return true;
 }
 
-/* Without --format the results are text; what has no file of its own goes to --output. */
+/* Without --format the results are text. One format may lack a file: it goes to the file of --output. */
 static bool check_formats(const struct parser *parser)
 {
 	struct options *o = parser->options;
@@ -104,10 +105,11 @@ static bool check_formats(const struct parser *parser)
 	if (!wanted)
 		o->formats[FORMAT_TEXT].wanted = true;
 	else if (unnamed > 1)
-		diag_error(parser->diag, nowhere, "one format can go to %s; the others need files of their own: "
-						  "--format=FORMAT=FILE", o->output ? "--output" : "standard output");
+		diag_error(parser->diag, nowhere,
+			   "only one format can go to %s; give the others files: --format=FORMAT=FILE",
+			   o->output ? "--output" : "standard output");
 	else if (!unnamed && o->output)
-		diag_error(parser->diag, nowhere, "every format has a file of its own: there is nothing for --output");
+		diag_error(parser->diag, nowhere, "every format has its own file, so nothing is left for --output");
 	else
 		return true;
 	return !wanted;
@@ -128,37 +130,36 @@ static bool check_combinations(const struct parser *parser)
 	const char *fault = NULL;
 
 	if (o->quiet && o->verbose)
-		fault = "--quiet and --verbose cannot go together";
+		fault = "--quiet and --verbose cannot be used together";
 	else if (o->check.step > 0 && o->check.method == CHECK_CERTIFIED)
 		fault = "--step is for the sampled methods: --method=interpolated or --method=conventional";
 	else if (o->verbose && o->check.method != CHECK_CERTIFIED)
-		fault = "--verbose tells proven clearances, and the sampled methods prove none";
+		fault = "--verbose prints proven clearances, but the sampled methods prove nothing";
 	else if (o->verbose && !o->formats[FORMAT_TEXT].wanted)
 		fault = "--verbose is for --format=text";
 	else if (o->quiet && o->progress == PROGRESS_PLAIN)
-		fault = "--quiet and --progress=plain cannot go together";
+		fault = "--quiet and --progress=plain cannot be used together";
 	else if (o->depfile && !names_file(o))
-		fault = "--depfile says what a file depends on: name it with --output or --format=FORMAT=FILE";
+		fault = "--depfile needs an output file whose inputs it can list: --output or --format=FORMAT=FILE";
 	else if (o->depfile && !strcmp(o->depfile, "-"))
-		fault = "--depfile needs the name of a file: standard output has the report";
+		fault = "--depfile needs the name of a file: standard output gets the report";
 	else if (o->record && !strcmp(o->record, "-"))
-		fault = "--record needs the name of a file: standard output has the report";
+		fault = "--record needs the name of a file: standard output gets the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
-		fault = "--pose needs the name of a file: standard output has the report";
+		fault = "--pose needs the name of a file: standard output gets the report";
 	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
-		fault = "--clearance-report tells proven clearances, and the sampled methods prove none";
+		fault = "--clearance-report lists proven clearances, but the sampled methods prove nothing";
 	else if (o->check.block_clearance_cap > 0 && !o->clearance_report)
-		fault = "--clearance-cap is for --clearance-report";
+		fault = "--clearance-cap needs --clearance-report";
 	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
-		fault = "--sensitivity asks how long a proof holds, and the sampled methods prove nothing";
+		fault = "--sensitivity is about a proof, but the sampled methods prove nothing";
 	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
-		fault = "--sensitivity is told by --format=text and --format=ndjson";
+		fault = "--sensitivity needs --format=text or --format=ndjson";
 	else if (options_want_sensitivity(o) && (o->baseline || o->waivers || o->fail_on))
-		fault =
-		    "--sensitivity cannot go together with --baseline, --waivers or --fail-on: it is about the verdict "
-		    "without them";
+		fault = "--sensitivity cannot be used together with --baseline, --waivers or --fail-on: it is about "
+			"the verdict without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
-		fault = "--clearance-report and --timing need the name of a file: standard output has the report";
+		fault = "--clearance-report and --timing need the name of a file: standard output gets the report";
 	if (fault)
 		diag_error(parser->diag, nowhere, "%s", fault);
 	return !fault;
@@ -175,31 +176,31 @@ static bool check_operands(const struct parser *parser)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)
 		diag_error(parser->diag, nowhere,
-			   "no machine file was named ('fivecheck init' writes one to begin with)");
+			   "no machine file was given ('fivecheck init' writes one to begin with)");
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
-			   "machine and setup cannot come from standard input; only a program can");
+			   "the machine and the setup cannot be read from standard input, only a program can");
 	else if (runs && !o->program_count && !o->files_from)
-		diag_error(parser->diag, nowhere, "no program was named (- is standard input)");
+		diag_error(parser->diag, nowhere, "no program was given (- is standard input)");
 	else if (!runs && o->program_count)
-		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was named", parser->mode->name,
+		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was given", parser->mode->name,
 			   o->programs[0]);
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
 	else if (inputs > 0 && o->record)
 		diag_error(parser->diag, nowhere,
-			   "--record cannot tell which program came from standard input: give it as a file");
+			   "--record cannot name a program that is read from standard input: give it as a file");
 	else if (inputs > 0 && o->files_from && !strcmp(o->files_from, "-"))
 		diag_error(parser->diag, nowhere,
 			   "standard input cannot be both a program and the list of --files-from");
 	else if (inputs > 1)
-		diag_error(parser->diag, nowhere, "- was named twice, but standard input can be read once only");
+		diag_error(parser->diag, nowhere, "- was given twice, but standard input can be read only once");
 	else
 		return true;
 	return false;
 }
 
-/* What a list must not do: name nothing, which would pass any gate, or standard input that is read already. */
+/* An empty list would pass any gate. The list may also name standard input a second time. */
 static bool check_listed(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -209,7 +210,7 @@ static bool check_listed(const struct parser *parser)
 	return o->program_count > 0 && check_operands(parser);
 }
 
-/* --shard: of several programs some, of one program some of its blocks. */
+/* --shard K/N: a part of the programs, or of a single program a part of its blocks. */
 static bool apply_shard(const struct parser *parser)
 {
 	struct options *o = parser->options;
@@ -221,15 +222,15 @@ static bool apply_shard(const struct parser *parser)
 	o->check.shard = o->shard;
 	o->check.shards = o->shards;
 	if (o->shards > 1 && (o->baseline || o->waivers)) {
-		diag_error(
-		    parser->diag, nowhere,
-		    "--%s cannot go with --shard of one program: each shard would accept what may be accepted once",
-		    o->baseline ? "baseline" : "waivers");
+		diag_error(parser->diag, nowhere,
+			   "--%s cannot be used with --shard of one program: every shard would accept a finding that "
+			   "may be accepted once",
+			   o->baseline ? "baseline" : "waivers");
 		return false;
 	}
 	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
-			   "--%s cannot go with --shard of one program: it is about all of its blocks",
+			   "--%s cannot be used with --shard of one program: it needs all blocks",
 			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : "sensitivity");
 		return false;
 	}

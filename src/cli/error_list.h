@@ -9,7 +9,7 @@
 
 enum { ERROR_LIST_MAX = 10 };
 
-/* All zero is none. */
+/* All zero is empty. */
 struct error_list {
 	struct report_error *items;	/* owned */
 	size_t count;	/* ERROR_LIST_MAX at most */
@@ -17,7 +17,7 @@ struct error_list {
 	char *first_warning;	/* with its place; owned; NULL: none */
 };
 
-/* Keeps a copy of an error or of the first warning; other entries are ignored, and so are errors beyond ERROR_LIST_MAX. */
+/* Keeps a copy of the first ERROR_LIST_MAX errors and of the first warning, and counts the warnings. */
 void error_list_add(struct error_list *errors, const struct diag_entry *entry);
 void error_list_release(struct error_list *errors);
 

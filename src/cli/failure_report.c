@@ -8,9 +8,9 @@
 #include "machine/setup.h"
 #include "report/tables/stats.h"
 
-static const char why[] = "the machine, the setup, or what was read with them is at fault";
+static const char why[] = "the machine, the setup, or another file that was read with them is faulty";
 
-/* May the channel's file be replaced: is it none, empty, or one that the same writer has made? */
+/* May the file of the sink be replaced? Yes if it does not exist, is empty, or was written by the same writer. */
 static bool is_replaceable(const struct sink *sink)
 {
 	const char *mark = sink->writer->mark;
@@ -36,7 +36,7 @@ static void drop_channels(struct sinks *sinks, struct diag *diag)
 	for (size_t i = 0; i < sinks->count; i++) {
 		struct sink *sink = &sinks->items[i];
 
-		/* A record says what was checked, and nothing was. */
+		/* A record tells what was checked; nothing was checked. */
 		if (sink->writer == report_writers[FORMAT_RECORD] || !is_replaceable(sink)) {
 			diag_note(diag, (struct srcloc){0}, "%s was left as it is: nothing was checked", sink->path);
 			output_discard(&sink->out);
@@ -47,7 +47,7 @@ static void drop_channels(struct sinks *sinks, struct diag *diag)
 	sinks->count = kept;
 }
 
-/* The errors stand with the first program; the others refer to them. */
+/* The first program gets the errors; the others only say that nothing was checked. */
 static void tell_program(struct sinks *sinks, const struct report_run *run, const char *name,
 			 const struct error_list *errors)
 {

@@ -1,4 +1,4 @@
-/* failure_report.h - the reports of a run whose machine, setup or other file is at fault, so that no program was checked. */
+/* failure_report.h - writes the reports of a run that could not check any program because a file is faulty. */
 #ifndef FIVECHECK_CLI_FAILURE_REPORT_H
 #define FIVECHECK_CLI_FAILURE_REPORT_H
 
@@ -8,9 +8,10 @@
 #include "report/sink.h"
 
 /*
- * Writes them, every program incomplete, and closes the channels: a CI server must not take the reports of an earlier
- * run for this one's. A file that is there and is no such report stays, with a note: a machine that
- * cannot be read does not tell its meshes, which must not be overwritten. False: not all could be written, reported.
+ * Reports every program as incomplete and closes the sinks, so that a CI server does not read the reports of an earlier
+ * run. A file is replaced only if it is empty or begins like a report of its format: as long as the machine file cannot
+ * be read, its meshes are unknown, and they must not be overwritten. A note names each file that is left as it was.
+ * False, reported: a report could not be written.
  */
 bool failure_report_write(const struct options *options, const struct error_list *errors, struct sinks *sinks,
 		   struct diag *diag);

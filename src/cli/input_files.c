@@ -1,4 +1,3 @@
-/* For the coarse clock. */
 #define _GNU_SOURCE
 
 #include "cli/input_files.h"
@@ -35,7 +34,6 @@ void input_files_init(struct input_files *inputs)
 {
 	*inputs = (struct input_files){.opened = {inputs, on_opened}};
 	pthread_mutex_init(&inputs->lock, NULL);
-	/* Not the coarse clock: newer kernels stamp files with the fine one where it matters. */
 	clock_gettime(CLOCK_REALTIME, &inputs->started);
 }
 
@@ -103,8 +101,8 @@ bool input_files_digest(struct input_files *inputs, struct diag *diag)
 		struct stat status;
 
 		if (!stat(file->path, &status) && !S_ISREG(status.st_mode)) {
-			/* A pipe cannot be read twice, and opening it would wait for its writer. */
-			diag_error(diag, (struct srcloc){0}, "--record: %s is no regular file", file->path);
+			/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
+			diag_error(diag, (struct srcloc){0}, "--record: %s is not a regular file", file->path);
 			good = false;
 		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
 			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
@@ -142,7 +140,7 @@ bool input_files_write_depfile(const struct input_files *inputs, const struct op
 		good = depfile_add_name(&text, inputs->items[i].path, false, diag) && good;
 	}
 	strbuf_addf(&text, "\n");
-	/* A mesh that is no longer used may be deleted: a rule without a recipe keeps make from asking for it. */
+	/* An empty rule for each input keeps make working after an unused mesh was deleted. */
 	for (size_t i = 0; i < inputs->count && good; i++) {
 		strbuf_addf(&text, "\n");
 		good = depfile_add_name(&text, inputs->items[i].path, true, diag);

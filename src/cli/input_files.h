@@ -1,4 +1,4 @@
-/* input_files.h - which files a run depends on. */
+/* input_files.h - the files that a run reads, their digests, and the make rule that names them. */
 #ifndef FIVECHECK_CLI_INPUT_FILES_H
 #define FIVECHECK_CLI_INPUT_FILES_H
 
@@ -14,31 +14,31 @@
 #include "report/report.h"
 
 struct input_files {
-	struct file_opened opened;	/* for programs: their subprograms */
+	struct file_opened opened;	/* give it to the check: it adds the files of subprograms */
 	pthread_mutex_t lock;
 	struct timespec started;
 	struct report_file *items;	/* their paths are owned */
 	size_t count, capacity;
 };
 
-/* Not to be moved afterwards: its callback points back at it. */
+/* Takes the time: later changes of a file are noticed. Must not be moved afterwards: `opened` points back at it. */
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
 
-/* Machine, setup (the file's, not the machine's own), meshes if they are read, programs but standard input. */
+/* Adds machine, setup, baseline, waivers, programs other than standard input, and with `meshes` the meshes. */
 void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes);
 
-/* Sorts by kind and name. Call it when the programs have been read. */
+/* Sorts by kind and name; to be called after the check, when all subprograms are known. */
 void input_files_sort(struct input_files *inputs);
 
 /*
- * Takes the digests of all. A file that has changed since inputs_init, is no regular one, or
- * cannot be read, is reported, and the result false: nobody could say what was checked.
+ * Computes the SHA-256 of each file. False, reported: a file has changed since input_files_init, is not a regular file,
+ * or cannot be read, so that nobody can tell what was checked.
  */
 bool input_files_digest(struct input_files *inputs, struct diag *diag);
 
-/* Writes --depfile, if that was asked for; false: reported. */
+/* Writes the file of --depfile if there is one. False: reported. */
 bool input_files_write_depfile(const struct input_files *inputs, const struct options *options, struct diag *diag);
 
 #endif

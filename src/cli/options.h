@@ -40,22 +40,22 @@ struct options {
 	char **programs;	/* "-" is standard input, once at most; owned array */
 	size_t program_count;
 	const char *files_from;	/* a list of more; "-" is standard input; or NULL */
-	char *list;	/* its text, cut into names; owned */
-	int shard, shards;	/* which part of the programs, from 1, of how many; 0: all */
+	char *list;	/* the text of that file, cut into names; owned */
+	int shard, shards;	/* K and N of --shard; 0: not given */
 	struct check_options check;
 	double clearance;	/* mm */
 	struct format_choice formats[FORMAT_COUNT];
-	struct text_list includes;	/* folders; check has them, too */
+	struct text_list includes;	/* folders; `check` refers to them */
 	const char *output;	/* NULL: standard output */
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
-	const char *record;	/* or NULL; the path of formats[FORMAT_RECORD], too */
+	const char *record;	/* or NULL; also the path of formats[FORMAT_RECORD] */
 	const char *baseline;	/* or NULL */
 	const char *clearance_report, *timing;	/* or NULL */
-	double sensitivity[CHANGES];	/* mm: how far to look; all 0: not asked for */
+	double sensitivity[CHANGES];	/* mm: the ranges of --sensitivity; all 0: not given */
 	const char *waivers;	/* or NULL */
 	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
-	bool exit_zero;	/* whatever is found */
+	bool exit_zero;
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
 	int dialect;	/* row of control/dialects.h; -1: the machine's */

@@ -8,7 +8,7 @@
 
 static bool is_current(const struct program_output *output)
 {
-	return output == &output->order->programs[output->order->turn];
+	return output == &output->order->programs[output->order->current];
 }
 
 static void report(void *context, const struct diag_entry *entry)
@@ -93,7 +93,7 @@ void program_output_progress(struct program_output *output, const char *file, lo
 	pthread_mutex_unlock(&output->order->lock);
 }
 
-/* What has waited until now. */
+/* Writes what was buffered. */
 static void write_held(struct program_output *output)
 {
 	diag_queue_deliver(&output->waiting, &output->order->ui->diag, LONG_MAX);
@@ -110,10 +110,10 @@ void program_output_end(struct program_output *output)
 	pthread_mutex_lock(&order->lock);
 	output->ended = true;
 	stderr_ui_done(order->ui);
-	while (order->turn < order->count && order->programs[order->turn].ended) {
-		order->turn++;
-		if (order->turn < order->count)
-			write_held(&order->programs[order->turn]);
+	while (order->current < order->count && order->programs[order->current].ended) {
+		order->current++;
+		if (order->current < order->count)
+			write_held(&order->programs[order->current]);
 	}
 	pthread_mutex_unlock(&order->lock);
 }

@@ -7,7 +7,7 @@
 #include "base/path_sandbox.h"
 #include "base/strbuf.h"
 
-/* The same name in the same folder, however that is spelled. */
+/* Do both paths name the same entry of the same folder? */
 static bool is_same_entry(const char *a, const char *b)
 {
 	const char *names[2] = {a, b};
@@ -30,7 +30,7 @@ static bool is_same_entry(const char *a, const char *b)
 	       folders[0].st_ino == folders[1].st_ino;
 }
 
-/* The same regular file, under whatever names; or the same name, of a file that is yet to be made. */
+/* Are both the same regular file? Files that do not exist yet are compared by folder and name. */
 static bool is_same(const char *a, const char *b)
 {
 	struct stat sa, sb;
@@ -40,7 +40,7 @@ static bool is_same(const char *a, const char *b)
 	return S_ISREG(sa.st_mode) && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
-/* A file that is to be written, and the option that says so. */
+/* A file that will be written, and the option that names it. */
 struct written {
 	const char *option, *path;
 };
@@ -77,7 +77,7 @@ static bool is_free(const struct written *written, const char *other, struct dia
 	return false;
 }
 
-/* Results on standard output, which the shell may have sent to the file that is to be written, would be lost. */
+/* The shell may have redirected standard output, which gets the results, to the same file. */
 static bool spares_results(const struct options *options, const struct written *written, struct diag *diag)
 {
 	struct stat results, status;
@@ -88,7 +88,7 @@ static bool spares_results(const struct options *options, const struct written *
 	if (!has_results || fstat(STDOUT_FILENO, &results) || !S_ISREG(results.st_mode) ||
 	    stat(written->path, &status) || status.st_dev != results.st_dev || status.st_ino != results.st_ino)
 		return true;
-	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, where the results on standard output go",
+	diag_error(diag, (struct srcloc){0}, "--%s would overwrite %s, to which standard output is redirected",
 		   written->option, written->path);
 	return false;
 }
@@ -158,7 +158,8 @@ static bool confine(const char *root, struct body *bodies, size_t count, struct 
 		bodies[i].mesh_root = root;
 		if (!bodies[i].mesh_path || path_sandbox_holds(root, bodies[i].mesh_path))
 			continue;
-		diag_error(diag, bodies[i].loc, "the mesh %s is outside of the input root %s, or a link leads there",
+		diag_error(diag, bodies[i].loc,
+			   "the mesh %s is outside of the input root %s, or a symbolic link leads outside",
 			   bodies[i].mesh_path, root);
 		good = false;
 	}
@@ -172,7 +173,7 @@ bool path_checks_root(const struct options *options, const struct machine *machi
 	struct stat status;
 
 	if (root && (stat(root, &status) || !S_ISDIR(status.st_mode))) {
-		diag_error(diag, (struct srcloc){0}, "--input-root %s is no folder", root);
+		diag_error(diag, (struct srcloc){0}, "--input-root: %s is not a folder", root);
 		return false;
 	}
 	return confine(root, machine->bodies, machine->body_count, diag) &&

@@ -1,4 +1,4 @@
-/* path_checks.h - keeps a slip of the command line from overwriting an input, and foreign files from naming just any file. */
+/* path_checks.h - refuses to overwrite inputs, and refuses input files outside of --input-root. */
 #ifndef FIVECHECK_CLI_PATH_CHECKS_H
 #define FIVECHECK_CLI_PATH_CHECKS_H
 
@@ -10,19 +10,25 @@
 #include "machine/machine.h"
 #include "machine/setup.h"
 
-/* False, reported, if a file that is to be written is the machine, the setup, a program, or another one. */
+/*
+ * False, reported: an output is the machine file, the setup, a program or another file of the command line, or two
+ * outputs are the same file.
+ */
 bool path_checks_outputs(const struct options *options, struct diag *diag);
 
-/* The same of the meshes of the machine and the setup, which may be NULL. */
+/* False, reported: an output is a mesh of the machine or of the setup, which may be NULL. */
 bool path_checks_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,
 			struct diag *diag);
 
-/* The same of all that was read: files of subprograms are known only when the programs have been checked. */
+/*
+ * False, reported: an output is a file that was read. The files of subprograms are known only after the check, so this
+ * runs before outputs take their names.
+ */
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
 /*
- * Is every mesh that machine and setup name inside of --input-root, links followed? False: reported. The bodies
- * remember the root: what is read later is held to it, too.
+ * False, reported: the machine or the setup names a mesh outside of --input-root, symbolic links followed. The bodies
+ * remember the root, so that meshes which are read later obey it, too.
  */
 bool path_checks_root(const struct options *options, const struct machine *machine, const struct setup *setup,
 		   struct diag *diag);

@@ -55,10 +55,10 @@ struct program {
 	size_t sensitivity_count;
 	FILE *stream;
 	off_t size;	/* of the file; 0: not known */
-	struct strbuf text[FORMAT_COUNT];	/* what each channel is about to be told */
-	bool *used;	/* of the baseline */
-	int *matched;	/* of the waivers */
-	struct strbuf waived_text;	/* what was waived and why, a line each */
+	struct strbuf text[FORMAT_COUNT];	/* what each sink will be given next */
+	bool *used;	/* see baseline_knows */
+	int *matched;	/* see waiver_match_find */
+	struct strbuf waived_text;	/* waived findings and the reasons, one per line */
 	long known, waived, left_out;	/* findings that do not fail the run */
 	/* The first finding that fails the run. */
 	int first_kind;	/* enum finding_kind; -1: none yet */
@@ -84,8 +84,9 @@ static bool tell_finding(struct program *program, const struct finding *finding,
 	return good;
 }
 
-/* Sets *waiver to the one that counts. One that has expired is told, and counts no more. */
-static enum finding_status weigh(struct program *program, const struct finding *finding, const struct waiver **waiver)
+/* Sets *waiver to the waiver that accepts the finding, or NULL. A waiver that has expired is reported and ignored. */
+static enum finding_status status_of_finding(struct program *program, const struct finding *finding,
+					     const struct waiver **waiver)
 {
 	const struct program_context *context = program->context;
 	const struct waiver_match *waiving = context->run.waiving;
@@ -96,7 +97,7 @@ static enum finding_status weigh(struct program *program, const struct finding *
 		return FINDING_WAIVED;
 	if (*waiver)
 		diag_warning(&program->output->diag, (struct srcloc){waiving->file->path, (*waiver)->line, 0},
-			     "this waiver expired on %s: the finding in line %ld of %s is waived no more",
+			     "this waiver expired on %s: the finding in line %ld of %s fails the run",
 			     (*waiver)->expires, finding->line, finding->file);
 	*waiver = NULL;
 	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
@@ -132,7 +133,7 @@ static bool on_finding(void *context, const struct finding *finding)
 {
 	struct program *program = context;
 	const struct waiver *waiver;
-	enum finding_status status = weigh(program, finding, &waiver);
+	enum finding_status status = status_of_finding(program, finding, &waiver);
 	bool fails = status == FINDING_FAILS;
 
 	program->known += status == FINDING_KNOWN;
@@ -142,11 +143,11 @@ static bool on_finding(void *context, const struct finding *finding)
 		keep_waived(program, finding, waiver);
 	if (fails && !program->outcome->has_first)
 		keep_first(program, finding);
-	/* What is accepted does not stop the check, whether or not the rest does. */
+	/* Accepted findings never stop the check. */
 	return tell_finding(program, finding, status, waiver) && (!fails || program->context->options->check.all);
 }
 
-/* A waiver that is not needed any more would wait for a contact that nobody has looked at. */
+/* An unused waiver would silently accept a future contact that nobody has looked at. */
 static void tell_unused(struct program *program)
 {
 	const struct waivers *file = program->context->run.waiving->file;
@@ -159,12 +160,14 @@ static void tell_unused(struct program *program)
 		    (limits_only && strcmp(waiver->kind, finding_kind_name(FINDING_LIMIT)) != 0))
 			continue;
 		diag_warning(&program->output->diag, (struct srcloc){file->path, waiver->line, 0},
-			     program->matched[i] ? "this waiver accepts more findings of %s than there are (times=\"\")"
-						 : "this waiver matches no finding of %s; take it out", program->name);
+			     program->matched[i]
+				 ? "this waiver accepts more findings of %s than there are: lower times=\"\""
+				 : "this waiver matches no finding of %s: remove it",
+			     program->name);
 	}
 }
 
-/* How much of the program's file has been read; below 0: not known, or all of it, and what is left are loops. */
+/* The share of the program's file that has been read; negative: unknown, or all of it (a loop may still run). */
 static double share_read(const struct program *program)
 {
 	off_t at = program->size > 0 ? ftello(program->stream) : -1;
@@ -196,7 +199,7 @@ static bool has_text(const struct sinks *sinks)
 	return false;
 }
 
-/* Where nothing that people read is written, the verdict goes to standard error. */
+/* Without a text report the verdict goes to standard error. */
 static void tell_verdict(struct program *program, const struct verdict *verdict)
 {
 	struct diag *diag = &program->output->diag;
@@ -234,7 +237,7 @@ static void report(struct program *program, const struct verdict *verdict, const
 	}
 }
 
-/* Likely a setup that lacks its option. */
+/* Probably a setup whose --setup was forgotten. */
 static bool is_xml_name(const char *path)
 {
 	size_t length = strlen(path);
@@ -255,7 +258,7 @@ static enum run_status status_of(enum check_result result)
 	return RUN_INTERNAL;
 }
 
-/* How long the verdict holds, if that was asked for and there is one. */
+/* --sensitivity: how far the setup may be off before the verdict changes. */
 static void measure_sensitivity(struct program *program, FILE *in, off_t start, const struct check_sink *sink)
 {
 	const struct program_context *context = program->context;
@@ -264,7 +267,7 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start, 
 	if (!options_want_sensitivity(context->options) || program->outcome->result == CHECK_INCOMPLETE)
 		return;
 	if (fseeko(in, start, SEEK_SET)) {
-		diag_error(diag, nowhere, "--sensitivity reads %s again, and cannot: %s", program->name,
+		diag_error(diag, nowhere, "--sensitivity has to read %s again, but cannot: %s", program->name,
 			   strerror(errno));
 		return;
 	}
@@ -273,22 +276,22 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start, 
 						     program->sensitivity);
 	if (interrupt_seen())
 		diag_error(diag, (struct srcloc){program->name, 0, 0},
-			   "interrupted before --sensitivity came to its end");
+			   "interrupted before --sensitivity was finished");
 }
 
-/* A pipe cannot be read again: that is said before it is read at all. False: reported. */
+/* --sensitivity reads the program again, which a pipe does not allow. False: reported. */
 static bool find_start(const struct program *program, const struct program_file *file, off_t *start)
 {
 	*start = ftello(file->stream);
 	if (*start >= 0 || !options_want_sensitivity(program->context->options))
 		return true;
 	diag_error(&program->output->diag, nowhere,
-		   "--sensitivity reads a program several times, and %s is a pipe, or the like: give it as a file",
+		   "--sensitivity reads a program several times, but %s cannot be read twice: give a regular file",
 		   file->name);
 	return false;
 }
 
-/* The check itself, and what it says. */
+/* Checks the program and reports it. */
 static void run(struct program *program, struct program_file *file, const char *path, off_t start)
 {
 	const struct program_context *context = program->context;
@@ -334,7 +337,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !ordered_output_is_lost(program->output->order)) {
-		diag_error(diag, nowhere, "internal error: the check of %s broke off and nobody said why", file->name);
+		diag_error(diag, nowhere, "internal error: the check of %s ended early without an error", file->name);
 		outcome->status = RUN_INTERNAL;
 	}
 }

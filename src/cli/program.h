@@ -1,4 +1,4 @@
-/* program.h - one NC program of a run: opens it, checks it, reports on it. */
+/* program.h - opens, checks and reports one NC program of a run. */
 #ifndef FIVECHECK_CLI_PROGRAM_H
 #define FIVECHECK_CLI_PROGRAM_H
 
@@ -19,36 +19,36 @@ struct program_file {
 	const char *name;	/* for messages */
 };
 
-/* Opens a program, "-" being standard input. False: reported. */
+/* Opens a program; "-" is standard input. False: reported. */
 bool program_open(struct program_file *file, const char *path, struct diag *diag);
 
-/* False, and reported, if not all of it could be read. */
+/* False, reported: not all of the program could be read. */
 bool program_close(struct program_file *file, struct diag *diag);
 
-/* What the programs of a run share; borrowed, and not changed by them. */
+/* What the programs of a run share. Borrows everything. */
 struct program_context {
 	const struct options *options;
 	struct check_options check;	/* the options', with the threads that one program may use */
 	struct scene *scene;
 	struct report_run run;
 	const struct baseline *baseline;	/* or NULL */
-	const struct sinks *sinks;	/* where it is reported */
-	struct block_tables *tables;	/* or NULL: nothing is measured, and several programs may be checked at once */
+	const struct sinks *sinks;
+	struct block_tables *tables;	/* or NULL; with tables, only one program may be checked at a time */
 };
 
-/* What became of one program. */
+/* The result of one program. */
 struct program_outcome {
 	enum run_status status;
 	enum check_result result;
 	struct check_stats stats;
 	long waived;	/* findings */
-	bool accepted;	/* what was found does not fail the run */
-	bool has_first;	/* something was found; then: */
+	bool accepted;	/* there are findings, and none of them fails the run */
+	bool has_first;	/* a finding fails the run; then: */
 	axis_values first_axes;	/* where the machine stood */
 	int first_tool;	/* in the spindle */
 };
 
-/* Checks one program and says its findings and its verdict. */
+/* Checks one program and reports its findings and its verdict. */
 void program_check(const struct program_context *context, const char *path, struct program_output *output,
 		   struct program_outcome *outcome);
 

@@ -9,7 +9,7 @@
 
 static const struct srcloc nowhere;
 
-/* Bytes: a million names. What is longer, such as a pipe that never ends, is no list. */
+/* Bytes: about a million names. The limit ends the reading of a pipe that never ends. */
 #define PROGRAM_LIST_MAX ((size_t)64 << 20)
 
 /* Reads to the end; returns what is wrong, or NULL. */
@@ -21,7 +21,7 @@ static const char *read_all(struct strbuf *text, FILE *in)
 	errno = 0;
 	while ((count = fread(bytes, 1, sizeof(bytes), in)) > 0) {
 		if (memchr(bytes, 0, count))
-			return "it has a byte 0, and a list takes one name a line";
+			return "it contains a byte 0, but a list has one name per line";
 		if (text->length + count > PROGRAM_LIST_MAX)
 			return "it is longer than 64 MB";
 		strbuf_add(text, bytes, count);
@@ -29,7 +29,7 @@ static const char *read_all(struct strbuf *text, FILE *in)
 	return ferror(in) ? strerror(errno ? errno : EIO) : NULL;
 }
 
-/* Cuts the text into lines in place; names cannot be empty. */
+/* Cuts the text into lines in place and skips empty ones. */
 static void add_names(struct options *options, char *text)
 {
 	size_t capacity = options->program_count;
@@ -38,7 +38,7 @@ static void add_names(struct options *options, char *text)
 		size_t length = strcspn(text, "\n");
 
 		end = text + length + (text[length] == '\n');
-		/* A list from another system. */
+		/* Lines of other systems end in CR LF. */
 		if (length > 0 && text[length - 1] == '\r')
 			length--;
 		text[length] = '\0';

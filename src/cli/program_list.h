@@ -1,4 +1,4 @@
-/* program_list.h - the programs of a long run: named in a file, shared out among computers. */
+/* program_list.h - the programs of a run: reads --files-from, and keeps those of --shard. */
 #ifndef FIVECHECK_CLI_PROGRAM_LIST_H
 #define FIVECHECK_CLI_PROGRAM_LIST_H
 
@@ -7,13 +7,10 @@
 #include "base/diag.h"
 #include "cli/options.h"
 
-/*
- * Appends the programs that --files-from names, one a line ("-" is standard
- * input), to those of the command line. False: reported; no program at all is a fault, too.
- */
+/* Appends the programs that the file of --files-from names, one per line. False: reported. */
 bool program_list_read(struct options *options, struct diag *diag);
 
-/* Leaves the programs of --shard: of N shards the K-th has the K-th program, the (K+N)-th, and so on. */
+/* Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. */
 void program_list_take_shard(struct options *options);
 
 #endif

@@ -24,7 +24,7 @@ static void check_program(void *context, int worker, size_t i)
 	struct program_output *output = &session->order.programs[i];
 
 	(void)worker;
-	/* When nobody can hear it any more, nothing is worth checking. */
+	/* After a failed write nobody would see the result. */
 	session->outcomes[i].status = RUN_INCOMPLETE;
 	if (!ordered_output_is_lost(&session->order))
 		program_check(&session->context, session->options->programs[i], output, &session->outcomes[i]);
@@ -60,7 +60,7 @@ static bool write_pose(const struct session *session)
 			return pose_write(options->pose, session->context.scene, &outcome->first_axes,
 					  outcome->first_tool, diag);
 	}
-	diag_note(diag, (struct srcloc){0}, "nothing was found: %s was not written", options->pose);
+	diag_note(diag, (struct srcloc){0}, "nothing was found, so %s was not written", options->pose);
 	return true;
 }
 
@@ -73,7 +73,7 @@ static bool is_named(const struct options *options, const char *program)
 	return false;
 }
 
-/* Likely a name that is spelled in another way; of a shard they may be the others'. */
+/* The names of programs may be spelled differently. With --shard other shards have the programs. */
 static void tell_strange_waivers(const struct session *session, const struct waivers *file)
 {
 	size_t count = 0;
@@ -82,11 +82,12 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 		count += !is_named(session->options, file->items[i].program);
 	if (count)
 		diag_note(&session->order.ui->diag, (struct srcloc){file->path, 0, 0},
-			  "%zu of %zu waivers %s of programs that were not checked now (program=\"\" is the name as "
-			  "the command line has it)", count, file->count, count == 1 ? "is" : "are");
+			  "%zu of %zu waivers %s programs that were not checked in this run (program=\"\" must be "
+			  "the name as it stands on the command line)", count, file->count,
+			  count == 1 ? "names" : "name");
 }
 
-/* The worst of the programs, of --pose, and of what was reported besides. */
+/* The greatest status of the programs, of --pose, and of errors that concern no program. */
 static enum run_status status_of(const struct session *session)
 {
 	enum run_status status = RUN_CLEAR;
@@ -139,12 +140,12 @@ enum run_status programs_check(const struct options *options, struct scene *scen
 
 	if ((size_t)threads > options->program_count)
 		threads = options->program_count ? (int)options->program_count : 1;
-	/* Rows that waited for another program's would take memory; and times are told apart. */
+	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
 	if (tables)
 		threads = 1;
 	session.context.check.read.opened = &inputs->opened;
 	session.context.check.read.cancel = &cancel;
-	/* What is accepted must not hide what comes after it. */
+	/* The check must go on after an accepted finding. */
 	session.context.check.all = options->check.all || options->baseline || options->waivers || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));

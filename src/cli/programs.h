@@ -1,4 +1,4 @@
-/* programs.h - the NC programs of a run, several at a time, and what they come to. */
+/* programs.h - checks the NC programs of a run, several at a time, and combines their results. */
 #ifndef FIVECHECK_CLI_PROGRAMS_H
 #define FIVECHECK_CLI_PROGRAMS_H
 
@@ -11,12 +11,10 @@
 #include "scene/scene.h"
 
 /*
- * Checks the programs that the options name, on as many threads as they allow, and
- * reports in the order in which they were given. `seconds` is what loading took,
- * the files
- * of subprograms are added to the inputs, which are then sorted and complete; the baseline may be NULL, and so may
- * the tables: with them programs are checked one after the other. If a file that is to be written turns out
- * to be an input, that is reported, and the channels are discarded.
+ * Checks the programs that the options name, with as many threads as the options allow, and reports them in the order
+ * of the command line. `seconds` is the time that loading took. Adds the files of subprograms to the inputs and sorts
+ * them. The baseline and the tables may be NULL; with tables, programs are checked one after the other. If an output
+ * turns out to be an input, reports that and discards the sinks.
  */
 enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, struct stderr_ui *ui,
 			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,

@@ -25,12 +25,12 @@ bool report_date_get(char out[DATE_SIZE], struct diag *diag)
 	struct tm day;
 
 	if (epoch && *epoch && !read_epoch(&now, epoch)) {
-		diag_error(diag, (struct srcloc){0}, "SOURCE_DATE_EPOCH is '%s', no number of seconds since 1970",
-			   epoch);
+		diag_error(diag, (struct srcloc){0},
+			   "SOURCE_DATE_EPOCH is '%s', which is not a number of seconds since 1970", epoch);
 		return false;
 	}
 	if (!gmtime_r(&now, &day) || strftime(out, DATE_SIZE, "%Y-%m-%d", &day) != DATE_SIZE - 1) {
-		diag_error(diag, (struct srcloc){0}, "the clock of this computer tells no date");
+		diag_error(diag, (struct srcloc){0}, "the clock of this computer has no valid date");
 		return false;
 	}
 	return true;

@@ -1,4 +1,4 @@
-/* report_date.h - which day it is, or shall be. */
+/* report_date.h - the day that waivers are compared with. */
 #ifndef FIVECHECK_CLI_REPORT_DATE_H
 #define FIVECHECK_CLI_REPORT_DATE_H
 
@@ -8,8 +8,8 @@
 #include "machine/waivers.h"
 
 /*
- * The day in UTC: of SOURCE_DATE_EPOCH (reproducible-builds.org: seconds since 1970) where the environment has it, so
- * that a run can be repeated, else of the clock. False: SOURCE_DATE_EPOCH is no such number, reported.
+ * Today in UTC, or the day of SOURCE_DATE_EPOCH (seconds since 1970; reproducible-builds.org) if the environment has
+ * it, so that a run can be repeated. False: SOURCE_DATE_EPOCH is not such a number, reported.
  */
 bool report_date_get(char out[DATE_SIZE], struct diag *diag);
 

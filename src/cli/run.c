@@ -26,7 +26,7 @@ static enum run_status worst(enum run_status a, enum run_status b)
 	return a > b ? a : b;
 }
 
-/* What a run works with; all zero is nothing. */
+/* What a run has loaded; all zero is nothing. */
 struct job {
 	struct baseline *baseline;	/* or NULL */
 	struct waivers *waivers;	/* or NULL */
@@ -35,7 +35,7 @@ struct job {
 	const struct setup *setup;	/* the machine's own, or the next */
 	struct setup *loaded;
 	struct scene *scene;
-	double seconds;	/* that it took to load */
+	double seconds;	/* that loading took */
 };
 
 static void job_release(struct job *job)
@@ -74,8 +74,8 @@ static bool needs_scene(enum run_mode mode)
 	return mode == RUN_CHECK || mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
 }
 
-/* Operands the other way round. */
-static void tell_order(const struct options *options, struct diag *diag)
+/* The operands may have been exchanged. */
+static void note_order(const struct options *options, struct diag *diag)
 {
 	const char *first = options->program_count ? options->programs[0] : "";
 	size_t length = strlen(first);
@@ -90,7 +90,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 
 	job->machine = machine_load(options->machine, diag);
 	if (!job->machine)
-		tell_order(options, diag);
+		note_order(options, diag);
 	if (!job->machine || !load_setup(job, options, diag) ||
 	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
@@ -121,7 +121,10 @@ static bool open_channels(struct sinks *sinks, const struct options *options, st
 	return true;
 }
 
-/* A pair with a clearance has no findings of the kind collision: to leave out their kind would let collisions pass. */
+/*
+ * A pair that must keep a clearance only has findings of the kind clearance. --fail-on=collision alone would let its
+ * collisions pass, so it is refused.
+ */
 static bool check_kinds(const struct options *options, const struct scene *scene, struct diag *diag)
 {
 	const unsigned both = 1U << FINDING_COLLISION | 1U << FINDING_CLEARANCE;
@@ -134,15 +137,15 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 		if ((pair->status != PAIR_CHECKED && pair->status != PAIR_OUT_OF_REACH) || !(pair->clearance > 0))
 			continue;
 		diag_error(diag, nowhere,
-			   "--fail-on names collision without clearance, but '%s' and '%s' must keep %g mm, and where "
-			   "such bodies collide the finding is of the kind clearance: name it, too",
+			   "--fail-on names collision but not clearance: '%s' and '%s' must keep %g mm, and a "
+			   "collision of such bodies is reported as clearance; add clearance to --fail-on",
 			   scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name, pair->clearance);
 		return false;
 	}
 	return true;
 }
 
-/* All that a check reads before the programs; false: reported. */
+/* Reads everything but the programs. False: reported. */
 static bool load_all(struct job *job, const struct options *options, struct diag *diag)
 {
 	if (options->baseline) {
@@ -153,11 +156,11 @@ static bool load_all(struct job *job, const struct options *options, struct diag
 	return job_load(job, options, diag) && check_kinds(options, job->scene, diag);
 }
 
-/* Checks the programs; a report says itself what it lacks, and so is kept whatever came of the check. */
+/* Checks the programs. Reports are kept even if the check is incomplete, since they say so themselves. */
 static enum run_status check_programs(struct job *job, const struct options *options, struct stderr_ui *ui,
 				      struct sinks *sinks, struct block_tables *tables, struct input_files *inputs)
 {
-	/* Without collisions there is no need of bodies: their meshes stay unread. */
+	/* --parse-only needs no bodies: their meshes are not read. */
 	struct scene bare = {.machine = job->machine, .setup = job->setup};
 	struct diag *diag = &ui->diag;
 	enum run_status status;
@@ -165,7 +168,7 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	input_files_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
 	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, ui, sinks, inputs,
 				job->baseline, &job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
-	/* Without a channel, nothing may be written. */
+	/* Without a sink nothing may be written: programs_check has discarded them. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
 		status = worst(status, RUN_INCOMPLETE);
 	if (sinks->count && !block_tables_commit(tables, diag))
@@ -184,12 +187,12 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 	struct input_files inputs;
 	struct diag_tee tee;
 
-	/* Before anything is read: what changes from here on is noticed. */
+	/* Before any file is read, so that later changes are noticed. */
 	input_files_init(&inputs);
 	diag_tee_init(&tee, diag);
 	if (!open_channels(&sinks, options, diag) ||
 	    !block_tables_open(&tables, options->clearance_report, options->timing, diag)) {
-		/* There is nowhere to tell it. */
+		/* No report can be written. */
 	} else if (!load_all(job, options, &tee.diag)) {
 		failure_report_write(options, &tee.errors, &sinks, diag);
 	} else if (path_checks_meshes(options, job->machine, job->setup, diag)) {
@@ -258,7 +261,7 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 	return RUN_INTERNAL;
 }
 
-/* One table: the path, the pairs, the machine. Where it broke off it is not put in the place of a whole one. */
+/* Writes one table: the path, the pairs or the machine. An incomplete table does not replace the file. */
 static enum run_status run_table(struct job *job, const struct options *options, struct diag *diag)
 {
 	enum run_status status = RUN_INCOMPLETE;
@@ -267,7 +270,7 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	if (output_open(&out, options->output, diag) && job_load(job, options, diag) &&
 	    path_checks_meshes(options, job->machine, job->setup, diag)) {
 		status = run_mode(job, options, diag, &out);
-		/* What went to a stream is out; it must be whole all the same. A write that failed has to be told. */
+		/* Standard output already has the text, and a failed write must be reported. */
 		if ((!options->output || out.error || status < RUN_INCOMPLETE) && !output_commit(&out, diag))
 			status = worst(status, RUN_INCOMPLETE);
 	}
@@ -290,6 +293,6 @@ enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 	}
 	job_release(&job);
 	stderr_ui_clear(ui);
-	/* Whatever was reported as an error was left unchecked. */
+	/* After any error something was not checked. */
 	return diag->errors ? worst(status, RUN_INCOMPLETE) : status;
 }

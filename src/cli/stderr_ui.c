@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The first " error:" and the like in bold colour; `text` is as diag_format made it. */
+/* Colours the first " note:", " warning:" or " error:" of a text that diag_format made. */
 static void add_coloured(struct strbuf *out, const char *text, enum diag_severity severity)
 {
 	static const char *const words[] = {" note:", " warning:", " error:"};
@@ -69,15 +69,15 @@ void stderr_ui_expect(struct stderr_ui *ui, size_t programs)
 
 enum { BAR_WIDTH = 20, WIDTH_DEFAULT = 80 };
 
-/* What is to be shown. */
+/* What the progress line shows. */
 struct progress {
-	const char *file;	/* NULL: nothing is known of a single program */
+	const char *file;	/* the program that is being read; NULL: unknown */
 	long lines;
-	double share;	/* of the run; 0: not known */
+	double share;	/* of the run; 0: unknown */
 	double spent;	/* s */
 };
 
-/* "1 h 02 min", "12 s": what is estimated has no decimals. */
+/* "1 h 02 min", "12 s": an estimate has no decimals. */
 static void add_estimate(struct strbuf *out, double seconds)
 {
 	double whole = ceil(seconds), minutes = floor(whole / 60);
@@ -90,7 +90,7 @@ static void add_estimate(struct strbuf *out, double seconds)
 		strbuf_addf(out, "%.0f h %02.0f min", floor(minutes / 60), fmod(minutes, 60));
 }
 
-/* "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711", or of one program its rate in lines. */
+/* "12 of 40 programs, 3.1/s, 9 s left; part.nc: line 4711"; with one program "part.nc: line 4711, 52000 lines/s". */
 static void add_run(struct strbuf *out, const struct stderr_ui *ui, const struct progress *now)
 {
 	bool several = ui->programs > 1;
@@ -127,7 +127,7 @@ static void add_bar(struct strbuf *out, double share)
 	strbuf_addf(out, "] ");
 }
 
-/* Columns of the terminal, less the last: a line that fills it goes on in the next, and could not be taken back. */
+/* Columns of the terminal less one: a line that fills the last column wraps and cannot be erased. */
 static size_t width(void)
 {
 	struct winsize size;
@@ -137,7 +137,7 @@ static size_t width(void)
 	return (size_t)size.ws_col - 1;
 }
 
-/* As much of the text as fits, not within a character of UTF-8: every byte but those that go on counts. */
+/* How many bytes of the text fit into the columns; a character of UTF-8 is not cut and counts as one column. */
 static int cut(const char *text, size_t columns)
 {
 	size_t length = 0;
@@ -177,7 +177,7 @@ static bool is_wanted(const struct stderr_ui *ui)
 	       (ui->kind == PROGRESS_PLAIN || (ui->kind == PROGRESS_AUTO && ui->terminal));
 }
 
-/* Not at once behind what was printed either: it would flicker, and a short run needs none. */
+/* Progress that follows other output at once would flicker, and a short run needs none. */
 static bool is_due(const struct stderr_ui *ui)
 {
 	return stderr_ui_seconds() - ui->shown >= (ui->kind == PROGRESS_PLAIN ? 10 : 0.2);
@@ -199,7 +199,7 @@ void stderr_ui_done(struct stderr_ui *ui)
 void stderr_ui_finish(struct stderr_ui *ui)
 {
 	stderr_ui_clear(ui);
-	/* The last of the plain lines stays as a total. */
+	/* The last plain line is the total. */
 	if (ui->kind == PROGRESS_PLAIN && is_wanted(ui) && ui->programs > 1)
 		show(ui, NULL, 0, -1);
 }

@@ -13,27 +13,27 @@
 #include "report/format/format_units.h"
 #include "report/format/utf8.h"
 
-/* Bytes: a program of which very much is at fault has some megabytes. */
+/* Bytes: the line of a program with very many errors has some megabytes. */
 #define LINE_MAX_LENGTH ((size_t)64 << 20)
 
 struct entry {
 	json_t *finding;
-	const char *program;	/* in `programs` */
+	const char *program;	/* borrowed from `programs` */
 };
 
 struct baseline {
 	struct entry *entries;
 	size_t count, capacity;
-	json_t **programs;	/* lines of this kind, which follow their findings */
+	json_t **programs;	/* lines of this kind; each follows the findings of its program */
 	size_t program_count, program_capacity;
 };
 
-/* Where the reading stands. */
+/* A baseline that is being read. */
 struct reading {
 	struct baseline *baseline;
 	struct srcloc at;
 	struct diag *diag;
-	size_t named;	/* entries that have their program */
+	size_t named;	/* entries whose program is known */
 	bool begun, ended;
 };
 
@@ -88,13 +88,13 @@ static bool take_object(struct reading *reading, json_t *object)
 	reading->ended = !strcmp(kind, "summary");
 	if (!strcmp(kind, "program"))
 		return add_program(reading, object);
-	/* What is waived is accepted for a while only. */
+	/* A waiver accepts a finding only until its last day. */
 	if (!reading->ended && (!accepted || strcmp(accepted, "waiver") != 0))
 		add_finding(reading->baseline, object);
 	return true;
 }
 
-/* The next line, or as much of it as shows that it is none; false: there are no more. */
+/* Reads the next line, at most up to a byte 0 or the maximum length. False: there are no more. */
 static bool next_line(struct strbuf *line, FILE *in)
 {
 	int c;
@@ -120,7 +120,7 @@ static bool take_lines(struct reading *reading, FILE *in)
 		json_t *object = json_loadb(strbuf_text(&line), line.length, JSON_REJECT_DUPLICATES, NULL);
 
 		reading->at.line++;
-		good = object ? take_object(reading, object) : refuse(reading, "a line that is no JSON object");
+		good = object ? take_object(reading, object) : refuse(reading, "a line that is not a JSON object");
 		json_decref(object);
 	}
 	strbuf_release(&line);
@@ -171,7 +171,7 @@ size_t baseline_count(const struct baseline *baseline)
 	return baseline->count;
 }
 
-/* `clean` as JSON has it; NULL matches null and what is not there. */
+/* Is the member equal to the text as JSON holds it? NULL equals null and a missing member. */
 static bool is_text(const json_t *object, const char *key, const char *text)
 {
 	const char *known = text_of(object, key);

@@ -1,4 +1,4 @@
-/* baseline.h - findings that are known and accepted: the NDJSON of an earlier run. */
+/* baseline.h - findings of an earlier run, as NDJSON, that are accepted. */
 #ifndef FIVECHECK_REPORT_BASELINE_H
 #define FIVECHECK_REPORT_BASELINE_H
 
@@ -11,17 +11,17 @@
 
 struct baseline;
 
-/* Reads the whole results of a run (ndjson.h). What is cut short or no such file is reported, and NULL. */
+/* Reads the NDJSON results of a run. NULL, reported: the file is something else or was cut short. */
 struct baseline *baseline_load(const char *path, struct diag *diag);
 void baseline_free(struct baseline *baseline);
 
-/* How many findings it has. */
+/* The number of findings. */
 size_t baseline_count(const struct baseline *baseline);
 
 /*
- * Is the finding known: of the same program and file and of the same kind, the same bodies (or axis and limit) with
- * every axis within `tolerance` (mm and degrees) of where it was? Line numbers do not count. A known finding is known
- * once: used[baseline_count], all false for a program's first finding, keeps what was matched.
+ * Is the finding in the baseline? Program, file, kind, and the bodies (or the axis and its limit) must be equal, and
+ * every axis must be within `tolerance` (mm and degrees); the line number may differ. Each finding of the baseline
+ * accepts one finding: used[baseline_count] marks those that have. The caller clears it before each program.
  */
 bool baseline_knows(const struct baseline *baseline, bool *used, const struct machine *machine, const char *program,
 		    const struct finding *finding, double tolerance);

@@ -1,4 +1,4 @@
-/* depfile.h - names of files as make reads them. */
+/* depfile.h - writes names of files as make reads them. */
 #ifndef FIVECHECK_REPORT_DEPFILE_H
 #define FIVECHECK_REPORT_DEPFILE_H
 
@@ -8,9 +8,8 @@
 #include "base/strbuf.h"
 
 /*
- * Appends a name, escaped for a rule's targets or for its prerequisites, after a
- * blank if the text does not end in one or begin with it. False: reported, the
- * name has a character that no makefile can hold. Source: GNU make's manual,
+ * Appends the name, escaped as a target or as a prerequisite of a rule, with a blank before it unless it is the first
+ * of its line. False, reported: the name has a line break, which no makefile can hold. Source: manual of GNU make,
  * "Rule Syntax", "Using Wildcard Characters in File Names", "Static Pattern".
  */
 bool depfile_add_name(struct strbuf *out, const char *name, bool target, struct diag *diag);

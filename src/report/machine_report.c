@@ -86,7 +86,7 @@ static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
 		    format_units_value(axis->slot, axis->home), wraps[axis->wrap]);
 }
 
-/* Of every corner as it is placed: the bounds of a turned box would be too large. */
+/* The bounds of all corners after placement; the bounds of a rotated box would be too large. */
 static void placed_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest)
 {
 	*least = (vec3){INFINITY, INFINITY, INFINITY};
@@ -101,7 +101,7 @@ static void placed_bounds(const struct mesh *mesh, const xform *placement, vec3 
 	}
 }
 
-/* Three decimals; what rounds to zero has no sign. */
+/* Three decimals; a number that rounds to zero has no sign. */
 static void add_interval(struct strbuf *out, char axis, double least, double greatest)
 {
 	strbuf_addf(out, ", %c %.3f to %.3f", axis, fabs(least) < 0.0005 ? 0.0 : least,
@@ -129,7 +129,7 @@ static bool add_body(const struct machine_report *tree, int index, int depth)
 	return true;
 }
 
-/* A link's bodies, its spindle and workholding, then what it carries; no deeper than a machine has axes. */
+/* Appends a link's bodies, spindle and workholding, then the links that it carries; recursion ends with the axes. */
 static bool add_link(const struct machine_report *tree, int link, int depth)
 {
 	const struct machine *machine = tree->scene->machine;

@@ -1,4 +1,4 @@
-/* machine_report.h - what a machine file says, as it was understood (--check-machine). */
+/* machine_report.h - prints how a machine file was understood (--check-machine). */
 #ifndef FIVECHECK_REPORT_MACHINE_REPORT_H
 #define FIVECHECK_REPORT_MACHINE_REPORT_H
 
@@ -9,9 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Appends the tree of axes with their bodies (triangles, bounds in machine
- * coordinates at the zero pose), the table of which axis carries which (Table
- * I of Chen, Lin and Chang). False: a mesh is faulty, reported.
+ * Appends the tree of axes with their bodies (triangles, bounds in machine coordinates at the zero pose) and the table
+ * of which axis carries which (Table I of Chen, Lin and Chang). False, reported: a mesh is faulty.
  */
 bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 

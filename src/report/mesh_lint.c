@@ -83,7 +83,7 @@ static bool is_away(const struct scene *scene, const struct body *body)
 	return body->tool && (!scene->setup || body->tool != scene->setup->initial_tool);
 }
 
-/* Pairs that can move against each other, and of which the user has not already said that they may meet. */
+/* Lists overlaps of pairs that can move against each other, unless the user has waived the pair. */
 static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *diag)
 {
 	axis_values home = machine_home(scene->machine);

@@ -1,4 +1,4 @@
-/* mesh_lint.h - what meshes and the home position have that a careful drawing would not (--check-machine). */
+/* mesh_lint.h - lists what is odd about meshes and the home position (--check-machine). */
 #ifndef FIVECHECK_REPORT_MESH_LINT_H
 #define FIVECHECK_REPORT_MESH_LINT_H
 
@@ -9,9 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Appends meshes that are open, that face both ways or hold degenerate
- * triangles, and bodies that overlap at home. False: a mesh is faulty,
- * reported.
+ * Appends meshes that are open, face both ways or hold degenerate triangles, and bodies that overlap at home. False,
+ * reported: a mesh is faulty.
  */
 bool mesh_lint_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 

@@ -1,4 +1,4 @@
-/* For realpath, and for files without a name where the system has them. */
+/* For realpath and O_TMPFILE. */
 #define _GNU_SOURCE
 
 #include "report/output.h"
@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 /*
- * A file in the folder of `target` that has no name yet, so that an interrupted
- * run leaves nothing behind. -1: neither the system nor the file system offers that.
+ * Opens a file without a name in the folder of `target`: an interrupted run leaves nothing behind. -1: the system or
+ * the file system cannot do that.
  */
 static int open_nameless(const char *target, mode_t mode)
 {
@@ -35,7 +35,7 @@ static int open_nameless(const char *target, mode_t mode)
 #endif
 }
 
-/* Gives the nameless file `fd` a name, or makes a new file of that name. -1: errno says why not. */
+/* Gives the nameless file `fd` a name, or creates a file of that name if fd is -1. -1: see errno. */
 static int make_named(const char *name, int fd, mode_t mode)
 {
 	char link[32];
@@ -46,7 +46,7 @@ static int make_named(const char *name, int fd, mode_t mode)
 	return linkat(AT_FDCWD, link, AT_FDCWD, name, AT_SYMLINK_FOLLOW);
 }
 
-/* Sets out->temporary, a name beside the target that no file has had; as make_named. */
+/* As make_named, with an unused name beside the target, which becomes out->temporary. */
 static int name_beside(struct output *out, int fd, mode_t mode)
 {
 	struct strbuf name = {0};
@@ -66,10 +66,10 @@ static int name_beside(struct output *out, int fd, mode_t mode)
 	return result;
 }
 
-/* A new file beside the target, with the permissions that a file written in place would have. */
+/* Opens a new file beside the target, with the permissions of the target. */
 static FILE *open_beside(struct output *out, mode_t mode)
 {
-	/* Without /proc it could not be given its name later. */
+	/* A nameless file gets its name through /proc. */
 	int fd = access("/proc/self/fd", X_OK) ? -1 : open_nameless(out->target, mode);
 
 	if (fd < 0)
@@ -82,7 +82,7 @@ static bool open_file(struct output *out, const char *path)
 	struct stat status;
 
 	if (stat(path, &status)) {
-		/* Through a link that leads nowhere the file is made where it leads to. */
+		/* A dangling symbolic link: the file is created where the link points. */
 		if (errno != ENOENT || !lstat(path, &status)) {
 			out->file = fopen(path, "wb");
 			return out->file != NULL;
@@ -174,7 +174,7 @@ void output_discard(struct output *out)
 {
 	if (!out->file)
 		return;
-	/* Standard output stays open: it is not ours, and what was written may be read. */
+	/* Standard output stays open: the caller owns it. */
 	if (out->file == stdout)
 		fflush(stdout);
 	else

@@ -13,34 +13,33 @@
 struct output {
 	FILE *file;
 	const char *name;	/* for messages; borrowed */
-	char *target;	/* the file that is replaced at the end; NULL: `file` is what the user named */
-	char *temporary;	/* its name beside it until then; NULL: it has none yet */
+	char *target;	/* the file that output_commit replaces; NULL: `file` is written in place */
+	char *temporary;	/* name of the new file until then; NULL: it has no name yet */
 	int error;	/* errno of the first write that failed; 0: none */
 };
 
 /*
- * Opens standard output (path NULL) or a file (borrowed). An existing regular
- * file stays as it is until output_commit replaces it; what is no regular
- * file, such as a pipe or /dev/null, is written to directly. False: reported.
+ * Opens standard output (path NULL) or a file; the path is borrowed. A regular file stays as it is until output_commit
+ * replaces it; a pipe, a device and the like are written directly. False: reported.
  */
 bool output_open(struct output *out, const char *path, struct diag *diag);
 
-/* Writes the bytes; false once any write has failed. What failed is reported by output_commit. */
+/* Writes bytes. False once any write has failed; output_commit reports the failure. */
 bool output_write(struct output *out, const char *bytes, size_t count);
 
-/* The same for a text, which is then empty. */
+/* Writes a text and empties it; otherwise like output_write. */
 bool output_text(struct output *out, struct strbuf *text);
 
-/* Hands everything written so far to the system; false once any write has failed. */
+/* Hands everything written so far to the system. False once any write has failed. */
 bool output_flush(struct output *out);
 
 /*
- * Closes, and puts a file in its place. False if anything could not be
- * written: reported, except for a pipe whose reader has left.
+ * Closes the output and gives the new file its name. False, reported: something could not be written. A pipe that its
+ * reader has closed is not reported.
  */
 bool output_commit(struct output *out, struct diag *diag);
 
-/* Closes and leaves the named file as it was. Nothing happens if it is closed. */
+/* Closes the output and leaves the named file as it was. Does nothing if the output is closed. */
 void output_discard(struct output *out);
 
 /* Prints a text on standard output and empties it. False: reported. */

@@ -30,7 +30,7 @@ static bool is_present(const struct scene_body *body, int tool)
 	return body->body->tool == 0 || body->body->tool == tool;
 }
 
-/* A needle has no normal; readers take 0 0 0 for "compute it". */
+/* A degenerate triangle has no normal; readers compute a normal that is 0 0 0. */
 static vec3 normal_of(const vec3 corners[3])
 {
 	vec3 n = vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0]));
@@ -54,7 +54,7 @@ static void write_body(struct output *out, const struct bvh *bvh, const xform *p
 	}
 }
 
-/* Builds what is not yet built, and counts. */
+/* Builds the trees that are still missing and counts the triangles. */
 static bool count_triangles(struct scene *scene, int tool, uint32_t *count, struct diag *diag)
 {
 	size_t sum = 0;

@@ -1,4 +1,4 @@
-/* pose.h - all bodies as they stand at one instant, as one STL file (--pose). */
+/* pose.h - writes all bodies at one instant as one STL file (--pose). */
 #ifndef FIVECHECK_REPORT_POSE_H
 #define FIVECHECK_REPORT_POSE_H
 
@@ -9,9 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Writes a binary STL in mm and machine coordinates: the machine, the
- * fixtures, the part, and of the tools the one in the spindle (0: none).
- * False: reported, and the file is as it was.
+ * Writes a binary STL in mm and machine coordinates: the machine, the fixtures, the part and the tool in the spindle
+ * (0: none). False, reported: the file is as it was.
  */
 bool pose_write(const char *path, struct scene *scene, const axis_values *axes, int tool, struct diag *diag);
 

@@ -15,53 +15,53 @@
 #include "report/waiver_match.h"
 #include "scene/scene.h"
 
-/* What a finding weighs. */
+/* What a finding means for the exit status. */
 enum finding_status {
-	FINDING_FAILS,
+	FINDING_FAILS,	/* the run fails */
 	FINDING_KNOWN,	/* in the baseline */
-	FINDING_WAIVED,	/* by a waiver */
-	FINDING_LEFT_OUT	/* of a kind that --fail-on does not name */
+	FINDING_WAIVED,	/* accepted by a waiver */
+	FINDING_LEFT_OUT	/* its kind is not in --fail-on */
 };
 
-/* How it looks. */
+/* How a finding is printed. */
 struct finding_style {
 	enum finding_status status;
 	bool colour;
-	const struct waiver *waiver;	/* of what is waived; borrowed */
+	const struct waiver *waiver;	/* that accepts the finding; borrowed; or NULL */
 };
 
-/* What a run is about. Borrows everything. */
+/* What a run checks, and how. Borrows everything. */
 struct report_run {
 	const struct scene *scene;
 	const struct check_options *options;
-	double clearance;	/* mm: of pairs to which the machine file gives none */
+	double clearance;	/* mm: for pairs to which the machine file gives none */
 	size_t programs;
-	unsigned fail_on;	/* a bit for each kind of finding that fails; 0: all */
+	unsigned fail_on;	/* a bit for each kind of finding that fails the run; 0: all do */
 	bool exit_zero;
-	bool quiet;	/* no statistics */
+	bool quiet;	/* print no statistics */
 	const struct waiver_match *waiving;
-	int shard, shards;	/* of the programs, or of the blocks of one; 0: all */
+	int shard, shards;	/* K and N of --shard; 0: not given */
 };
 
-/* What made a check incomplete. */
+/* An error that made a check incomplete. */
 struct report_error {
-	char *file;	/* NULL: no file is to blame */
-	long line;	/* 0: not known, likewise the column */
+	char *file;	/* NULL: the error concerns no file */
+	long line;	/* 0: unknown, likewise the column */
 	int column;
 	char *text;
 };
 
-/* One program at its end. Borrows everything. */
+/* A program that was checked. Borrows everything. */
 struct report_program {
 	const char *name;
-	const struct verdict *verdict;	/* NULL: it was not read */
-	const char *unread;	/* why not */
-	const double *proven;	/* check_run's; NULL: not asked for */
-	const struct report_error *errors;	/* the first of them */
+	const struct verdict *verdict;	/* NULL: the program was not read */
+	const char *unread;	/* the reason for that */
+	const double *proven;	/* as check_run fills it; NULL: not asked for */
+	const struct report_error *errors;	/* the first errors */
 	size_t error_count;
-	const struct sensitivity *sensitivity;	/* how long the verdict holds */
-	size_t sensitivity_count;	/* 0: not asked for, or not known */
-	const char *waived;	/* what was waived and why, a line each */
+	const struct sensitivity *sensitivity;	/* results of --sensitivity */
+	size_t sensitivity_count;	/* 0: not asked for, or unknown */
+	const char *waived;	/* waived findings and the reasons, one per line */
 	int first_kind;	/* enum finding_kind of the first finding that fails the run; -1: there is none */
 	const char *first_text;	/* its message with its place, in the GNU form; NULL: there is none */
 };
@@ -69,7 +69,7 @@ struct report_program {
 /* A file that was read. Borrows everything. */
 struct report_file {
 	const char *kind, *path;
-	char digest[DIGEST_SIZE];	/* SHA-256; "": not asked for */
+	char digest[DIGEST_SIZE];	/* SHA-256; "": not computed */
 };
 
 struct report_end {
@@ -77,21 +77,20 @@ struct report_end {
 	int status;	/* the exit status */
 	const struct report_file *files;
 	size_t file_count;
-	size_t left_out;	/* items beyond the writer's limit */
+	size_t left_out;	/* items that were dropped because of the writer's limit */
 };
 
 /*
- * Each function appends to `out`. A finding's and a program's text is what the
- * format says at once, except where `whole`: then what the findings of a
- * program appended stays in `out`, and the program's function turns it into its own.
+ * An output format. Each function appends to `out`. Normally the text of a finding is written at once. With `whole` it
+ * stays in `out` until the program is finished, and then program() replaces it with the text of the whole program.
  */
 struct report_writer {
 	const char *name;	/* as --format calls it */
-	const char *mark;	/* what all files that it writes begin with, and no input does; NULL: nothing */
+	const char *mark;	/* what all its files, and no input files, begin with; NULL: there is no such text */
 	bool whole;
-	bool collects;	/* nothing is written before the end, which receives all items */
-	const char *separator;	/* between items, which are lines; NULL: none */
-	size_t limit;	/* of items; 0: none */
+	bool collects;	/* end() receives all items and writes them */
+	const char *separator;	/* between items, each of which is a line; NULL: none */
+	size_t limit;	/* number of items that are written; 0: no limit */
 	void (*begin)(struct strbuf *out, const struct report_run *run);
 	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
 			struct finding_style style);

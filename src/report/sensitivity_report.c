@@ -6,7 +6,7 @@
 #include "report/format/json.h"
 #include "report/format/format_units.h"
 
-/* Rounded down: what is printed must be proved too. */
+/* Rounded down, so that the printed number is proved, too. */
 static void add_down(struct strbuf *out, double mm)
 {
 	strbuf_addf(out, "%.4f", floor(mm * 1e4 + 1e-6) / 1e4);
@@ -28,7 +28,7 @@ static void add_found(struct strbuf *out, const struct sensitivity *answer)
 	format_units_add_plain(out, answer->b ? answer->b : "");
 }
 
-/* "clear is proved up to 0.9961", and how far it was tried besides */
+/* "clear is proved up to 0.9961", and how far it was tried without a proof. */
 static void add_extent(struct strbuf *out, const struct sensitivity *answer, bool clear)
 {
 	if (clear) {
@@ -55,7 +55,7 @@ static void add_answer(struct strbuf *out, const struct sensitivity *answer, boo
 	}
 	add_extent(out, answer, clear);
 	if (answer->state == SENSITIVITY_TURNS) {
-		/* A change of this much, rounded up, turns it. */
+		/* Rounded up: a change by the printed amount changes the verdict. */
 		strbuf_addf(out, "; at %.4f ", ceil(answer->turn * 1e4 - 1e-6) / 1e4);
 		add_found(out, answer);
 	} else if (answer->state == SENSITIVITY_UNKNOWN && answer->why) {

@@ -124,7 +124,7 @@ const char *verdict_word(const struct verdict *v)
 	return v->options->method == CHECK_CERTIFIED && !verdict_is_shard(v) ? "clear" : "passed";
 }
 
-/* Where nothing was found the sentence itself says it. */
+/* If nothing was found, the sentence itself says this. */
 static bool caution_sampled(struct strbuf *out, const struct verdict *v)
 {
 	enum check_method method = v->options->method;
@@ -198,13 +198,13 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* A finding is the first of its block and pair: what is not reported cannot be accepted either. */
+/* Only the first finding of a block and pair is reported; later ones of that pair would be hidden by accepting it. */
 static bool caution_accepted(struct strbuf *out, const struct verdict *v)
 {
 	if (!accepted(v))
 		return false;
-	strbuf_addf(out, "what the same bodies or axis do after an accepted finding, in the rest of its block, "
-			 "is not checked");
+	strbuf_addf(out, "after an accepted finding, the same bodies or axis are not checked in the rest of that "
+			 "block");
 	return true;
 }
 
@@ -217,7 +217,7 @@ static bool caution_shard(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
-/* A reader of the report alone must not miss what was said beside it. */
+/* Warnings go to standard error; the report must mention them, too. */
 static bool caution_warnings(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->warnings)
@@ -235,7 +235,7 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 		caution_accepted, caution_shard, caution_warnings,
 	};
 
-	/* Without a check of bodies, what is said of them would be said of nothing. */
+	/* --parse-only checks no bodies, so that cautions about bodies do not apply. */
 	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
 	    cautions[i] != caution_shard && cautions[i] != caution_warnings)
 		return false;

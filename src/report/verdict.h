@@ -1,4 +1,4 @@
-/* verdict.h - what may be said of a checked program: the one sentence, and what must be said beside it. */
+/* verdict.h - the verdict about a program: one sentence, and cautions that must stand beside it. */
 #ifndef FIVECHECK_REPORT_VERDICT_H
 #define FIVECHECK_REPORT_VERDICT_H
 
@@ -15,23 +15,23 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	/* Findings that do not fail the run: in the baseline, waived, of other kinds than --fail-on's. */
+	/* Numbers of findings that do not fail the run: in the baseline, waived, of a kind that is not in --fail-on. */
 	long known, waived, left_out;
-	long first_line;	/* of the first finding that does */
-	const char *first_file;	/* the same; NULL: `file` */
-	long warnings;	/* of the check: what was taken for granted */
+	long first_line;	/* of the first finding that fails the run */
+	const char *first_file;	/* of that finding; NULL: `file` */
+	long warnings;	/* number of warnings during the check */
 	const char *first_warning;	/* with its place; NULL: none */
 };
 
 /*
- * "clear" stands in the sentence only where every instant was proved. The
- * sampled methods, --parse-only, findings and faults each say what they are.
+ * Appends the sentence. It contains "clear" only if every instant was proved; the sampled methods, --parse-only,
+ * findings and errors have sentences of their own.
  */
 void verdict_add_sentence(struct strbuf *out, const struct verdict *verdict);
 
 /*
- * The same as one word: "clear", "passed" where no proof was asked for or only a part of the blocks is proved, "found",
- * "accepted" where nothing found fails the run, "incomplete"; NULL is incomplete.
+ * The verdict as one word: "clear"; "passed" if no proof was asked for or only a part of the blocks was proved;
+ * "found"; "accepted" if no finding fails the run; "incomplete", also for NULL.
  */
 const char *verdict_word(const struct verdict *verdict);
 
@@ -43,10 +43,7 @@ bool verdict_is_shard(const struct verdict *verdict);
 
 enum { VERDICT_CAUTIONS = 10 };
 
-/*
- * Appends the i-th caution, one line without its end, i < VERDICT_CAUTIONS;
- * false if it does not apply.
- */
+/* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);
 
 /* How many pairs of the scene have this status. */

@@ -1,4 +1,4 @@
-/* waiver_match.h - which waiver, if any, names a finding. */
+/* waiver_match.h - finds the waiver that accepts a finding. */
 #ifndef FIVECHECK_REPORT_WAIVER_MATCH_H
 #define FIVECHECK_REPORT_WAIVER_MATCH_H
 
@@ -9,19 +9,19 @@
 #include "machine/machine.h"
 #include "machine/waivers.h"
 
-/* A run's waivers, and the day that they are held against. Borrows the file. */
+/* The waivers of a run and the day with which their last days are compared. Borrows the file. */
 struct waiver_match {
 	const struct waivers *file;	/* NULL: there are none */
 	char today[DATE_SIZE];
 };
 
-/* Is its last day over? */
+/* Is the last day of the waiver over? */
 bool waiver_match_is_expired(const struct waiver_match *waiving, const struct waiver *waiver);
 
 /*
- * The waiver for this finding of the program: of its kind, bodies (or axis), block and position. matched[], one for
- * each waiver and all 0 for a program's first finding, counts what each was taken for; none is taken more than
- * `times`. One that has expired is returned only if no other fits. NULL: none fits.
+ * The waiver whose kind, bodies (or axis), block and position fit this finding of the program, or NULL. matched[] has
+ * an element for each waiver and counts how many findings it has accepted; a waiver accepts at most `times` findings.
+ * The caller clears matched[] before each program. An expired waiver is returned only if no other fits.
  */
 const struct waiver *waiver_match_find(const struct waiver_match *waiving, int *matched, const struct machine *machine,
 				const char *program, const struct finding *finding);

@@ -45,8 +45,8 @@ static enum argv_result take_option(void *context, const struct option_row *row,
 static void add_help(struct strbuf *out)
 {
 	strbuf_addf(out, "Usage: fivecheck completion bash|zsh|fish\n"
-			 "Prints the completions of a shell, which 'make install' puts in their places. For the\n"
-			 "running shell only:\n"
+			 "Prints the completions of a shell. 'make install' installs them. To try them in the\n"
+			 "running shell:\n"
 			 "    eval \"$(fivecheck completion bash)\"\n\n");
 	argv_parser_help(out, completion_table, COMPLETION_OPTION_COUNT);
 }

@@ -1,4 +1,4 @@
-/* completion.h - `fivecheck completion`: completions for shells, made from the tables of options and subcommands. */
+/* completion.h - `fivecheck completion`: prints the completions of a shell. */
 #ifndef FIVECHECK_CLI_COMPLETION_COMPLETION_H
 #define FIVECHECK_CLI_COMPLETION_COMPLETION_H
 

@@ -14,7 +14,7 @@
 
 static const struct srcloc nowhere;
 
-/* A file in place of standard output, where that is a terminal. */
+/* The default output if standard output is a terminal. */
 static const char usual_file[] = "machine.xml";
 
 struct request {
@@ -58,7 +58,7 @@ static bool is_new(const char *path, struct diag *diag)
 
 	if (!path || stat(path, &status) != 0 || !S_ISREG(status.st_mode))
 		return true;
-	diag_error(diag, nowhere, "%s exists already, and may have been edited: remove it, or name another file with "
+	diag_error(diag, nowhere, "%s already exists and may have been edited: remove it, or name another file with "
 				  "--output", path);
 	return false;
 }
@@ -76,7 +76,7 @@ static bool write_file(const char *path, struct strbuf *text, struct diag *diag)
 	return good;
 }
 
-/* Is the mesh there? Its path is relative to the folder of the machine file. */
+/* Does the mesh exist? Its path is relative to the folder of the machine file. */
 static bool has_mesh(const char *output, const char *mesh)
 {
 	const char *slash = output && *mesh != '/' ? strrchr(output, '/') : NULL;
@@ -89,7 +89,7 @@ static bool has_mesh(const char *output, const char *mesh)
 	return there;
 }
 
-/* Tells what stands in the file, and what comes next. */
+/* Prints the chains of axes and the next steps. */
 static void tell(const struct machine_plan *plan, const char *output, struct diag *diag)
 {
 	const char *name = output ? output : "MACHINE.xml";
@@ -102,15 +102,17 @@ static void tell(const struct machine_plan *plan, const char *output, struct dia
 			strbuf_addf(&missing, "%s%s", missing.length ? ", " : "", plan->bodies[i].path);
 	}
 	if (missing.length)
-		diag_note(diag, nowhere, "next: with every axis at 0, export from the CAD assembly what %s names, or "
-					 "change the names there: %s", name, strbuf_text(&missing));
-	diag_note(diag, nowhere, "%s: look through its TODO lines and run 'fivecheck --check-machine %s'",
-		  missing.length ? "then" : "next", name);
+		diag_note(diag, nowhere,
+			  "next: with every axis at 0, export these meshes from the CAD assembly, or change "
+			  "their names in %s: %s",
+			  name, strbuf_text(&missing));
+	diag_note(diag, nowhere, "%s: look through the TODO lines of %s and run 'fivecheck --check-machine %s'",
+		  missing.length ? "then" : "next", name, name);
 	strbuf_release(&text);
 	strbuf_release(&missing);
 }
 
-/* Questions go to the terminal; so must not the file, unless that was asked for. */
+/* The questions go to the terminal, so the machine file goes to a file unless --output says otherwise. */
 static bool ask(struct request *request)
 {
 	if (!isatty(STDIN_FILENO))
@@ -128,7 +130,7 @@ static enum run_status make_file(struct request *request)
 {
 	struct strbuf text = {0};
 
-	/* Before any question is answered in vain. */
+	/* Check the output file before the user answers questions. */
 	if (!is_new(request->output, request->diag) || !ask(request) ||
 	    !machine_plan_finish(&request->plan, request->diag))
 		return RUN_INCOMPLETE;
@@ -145,9 +147,9 @@ static enum run_status print_help(struct diag *diag)
 
 	strbuf_addf(&text, "Usage: fivecheck init [OPTIONS] FAMILY\n"
 			   "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
-			   "head-table: what the two rotary axes turn. Everything is told in machine coordinates with\n"
-			   "every axis at 0. What is missing is asked for on a terminal, and is an error\n"
-			   "elsewhere.\n\n");
+			   "head-table: what the two rotary axes turn. Give everything in machine coordinates with\n"
+			   "every axis at 0. On a terminal, init asks for what is missing; otherwise that is an\n"
+			   "error.\n\n");
 	argv_parser_help(&text, init_options, INIT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
 			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"

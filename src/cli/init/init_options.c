@@ -2,21 +2,21 @@
 
 #include "control/dialects.h"
 
-/* The key, and what --help and the completions need. */
+/* What --help and the completions need; the key tells machine_plan_set what to do. */
 #define TEXT .modes = 0, .kind = VALUE_TEXT
 #define CHOICE(names) .modes = 0, .kind = VALUE_CHOICE, .choices = (names)
 
 const struct option_row init_options[INIT_OPTION_COUNT] = {
 	{PLAN_ROTARY, "rotary", "AXIS,AXIS", TEXT,
-	 .help = "the rotary axes, first the one that carries the other\n(head-table: first the head's): A,C"},
+	 .help = "the rotary axes; the one that carries the other comes\nfirst (head-table: that of the head): A,C"},
 	{PLAN_TABLE, "table", "AXIS,...", TEXT,
-	 .help = "the linear axes that move the table, from the base on\n(none)"},
+	 .help = "the linear axes that move the table, in order from the\nbase (none)"},
 	{PLAN_HEAD, "head", "AXIS,...", TEXT,
-	 .help = "those that move the head (the others, as Y,X,Z)"},
+	 .help = "the linear axes that move the head (the rest of Y,X,Z)"},
 	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", TEXT,
 	 .help = "the travel, in mm or degrees; X=none: unlimited"},
 	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", TEXT,
-	 .help = "a point on a rotary axis; once for each"},
+	 .help = "a point on a rotary axis; give one for each"},
 	{PLAN_SPINDLE, "spindle", "X,Y,Z", TEXT,
 	 .help = "the gauge point, where tools are mounted"},
 	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", TEXT,
@@ -24,19 +24,19 @@ const struct option_row init_options[INIT_OPTION_COUNT] = {
 	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", TEXT,
 	 .help = "the origin of fixtures and parts (0,0,0)"},
 	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", TEXT,
-	 .help = "how an axis moves what it carries, for a positive\nvalue, if not as is usual"},
+	 .help = "how the axis moves what it carries for a positive\nvalue (as is usual for its name)"},
 	{PLAN_RATES, "rates", "AXIS=RATE,...", TEXT,
-	 .help = "the rates of rapids, a minute (30000 mm, 7200\ndegrees)"},
+	 .help = "the rates of rapids per minute (30000 mm, 7200\ndegrees)"},
 	{PLAN_HOME, "home", "AXIS=VALUE,...", TEXT,
 	 .help = "where programs start (0)"},
 	{PLAN_TITLE, "title", "AXIS=TEXT", TEXT,
-	 .help = "what reports call an axis; once for each"},
+	 .help = "what reports call the axis; give one for each"},
 	{PLAN_BODY, "body", "LINK=FILE.stl", TEXT,
-	 .help = "a mesh on an axis, or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given again"},
+	 .help = "a mesh on an axis or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given several times"},
 	{PLAN_NAME, "name", "TEXT", TEXT,
 	 .help = "the name of the machine"},
 	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
-	 .help = "mm (the default) or inch, of the file and the options"},
+	 .help = "mm (the default) or inch, for the file and the options"},
 	{PLAN_DIALECT, "dialect", "NAME", CHOICE(dialect_names),
 	 .help = "how the control reads programs: %s;\nthe default is the first"},
 	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),

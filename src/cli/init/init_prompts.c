@@ -11,10 +11,10 @@ static const struct srcloc nowhere;
 
 struct prompt {
 	enum machine_plan_key key;
-	int slot; /* the axis it is about; -1: none */
-	const char *text; /* what is asked for; %s stands for the unit */
-	const char *example; /* behind the axis */
-	bool optional; /* what holds without an answer is said in the text; asked, but not missed */
+	int slot;	/* the axis; -1: none */
+	const char *text;	/* what is asked for; %s stands for the unit */
+	const char *example;	/* an answer, without the axis */
+	bool optional;	/* there is a default, which the text names */
 };
 
 enum { PROMPTS_MAX = 32 };
@@ -57,7 +57,7 @@ static void add_axis(struct prompts *list, const struct machine_plan *plan, int 
 			      "0,0,120", false});
 }
 
-/* What is open, as far as is known by now. */
+/* Lists what is missing, as far as the answers so far tell. */
 static void list_open(struct prompts *list, const struct machine_plan *plan)
 {
 	list->count = 0;
@@ -84,7 +84,7 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 	    (struct prompt){PLAN_DIALECT, -1, "the dialect of the programs", dialect_names[0], true});
 }
 
-/* "the travel of X in mm" would need grammar; "X: the travel in mm" does not. */
+/* "X: the travel in mm, or none where there is no limit" */
 static void add_text(struct strbuf *out, const struct machine_plan *plan, const struct prompt *prompt)
 {
 	const char *const *choices = init_options_row(prompt->key)->choices;
@@ -101,7 +101,7 @@ static void add_text(struct strbuf *out, const struct machine_plan *plan, const 
 		strbuf_addf(out, "%s%s%s", i ? ", " : ": ", choices[i], i ? "" : " (the default)");
 }
 
-/* As the option takes it. */
+/* The answer in the form that the option takes. */
 static void add_answer(struct strbuf *out, const struct prompt *prompt, const char *answer)
 {
 	if (prompt->slot >= 0)
@@ -148,7 +148,7 @@ bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 	return complete;
 }
 
-/* One line, without its end; false at the end of the input. */
+/* Reads one line without its end. False: the input has ended. */
 static bool read_line(struct strbuf *line, FILE *in)
 {
 	int c;
@@ -173,7 +173,7 @@ static bool ask(struct machine_plan *plan, const struct prompt *prompt, FILE *in
 	fflush(stderr);
 	good = read_line(&line, in);
 	if (good && line.length) {
-		/* What makes no sense is said, stays open, and so is asked again. */
+		/* A wrong answer is reported; it leaves the value missing, so the question comes again. */
 		add_answer(&answer, prompt, strbuf_text(&line));
 		machine_plan_set(plan, init_options_row(prompt->key), strbuf_text(&answer), diag);
 	}
@@ -191,7 +191,7 @@ bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag)
 	for (;;) {
 		size_t i = 0;
 
-		/* Each answer may open others. */
+		/* An answer may lead to further questions. */
 		list_open(&list, plan);
 		while (i < list.count && list.items[i].optional && asked[list.items[i].key])
 			i++;
@@ -199,7 +199,8 @@ bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag)
 			return true;
 		asked[list.items[i].key] = true;
 		if (!ask(plan, &list.items[i], in, diag)) {
-			diag_error(diag, nowhere, "the questions were not answered: nothing is written");
+			diag_error(diag, nowhere,
+				   "the input ended before all questions were answered: nothing was written");
 			return false;
 		}
 	}

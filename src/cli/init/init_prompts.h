@@ -1,4 +1,4 @@
-/* init_prompts.h - what `fivecheck init` has to know and was not told: asked on a terminal, else an error each. */
+/* init_prompts.h - asks on a terminal for what `fivecheck init` still needs, or reports it as errors. */
 #ifndef FIVECHECK_CLI_INIT_INIT_PROMPTS_H
 #define FIVECHECK_CLI_INIT_INIT_PROMPTS_H
 
@@ -8,15 +8,15 @@
 #include "base/diag.h"
 #include "cli/init/machine_plan.h"
 
-/* Is anything missing that has to be told? */
+/* Is anything missing that has no default? */
 bool init_prompts_are_missing(const struct machine_plan *plan);
 
-/* Reports everything that is missing, with the option that tells it; true if nothing is. */
+/* Reports everything that is missing and has no default, with its option. True: nothing is missing. */
 bool init_prompts_report(const struct machine_plan *plan, struct diag *diag);
 
 /*
- * Asks for what is missing, on standard error, until every answer makes sense; `in` has the answers, a line each.
- * False, reported, if they end before.
+ * Asks on standard error for what is missing and reads answers from `in`, one per line, until each is valid. False,
+ * reported: the input ended before.
  */
 bool init_prompts_ask(struct machine_plan *plan, FILE *in, struct diag *diag);
 

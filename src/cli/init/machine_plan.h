@@ -10,13 +10,13 @@
 #include "base/diag.h"
 #include "geom/vec3.h"
 
-/* Which of the two chains the rotary axes stand in; the paper's machine is table-table. */
+/* What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. */
 enum family { FAMILY_TABLE_TABLE, FAMILY_HEAD_HEAD, FAMILY_HEAD_TABLE, FAMILY_COUNT };
 
 extern const char *const machine_plan_families[FAMILY_COUNT + 1];	/* ends in NULL */
 extern const char *const machine_plan_rapids[], *const machine_plan_units[];	/* likewise */
 
-/* What can be told; the numbers are those of the options without a letter. */
+/* Keys of the options; those without a letter are above 255. */
 enum machine_plan_key {
 	PLAN_HELP = 'h',
 	PLAN_OUTPUT = 'o',
@@ -27,9 +27,9 @@ enum machine_plan_key {
 	PLAN_KEY_END
 };
 
-/* Lengths in the units of the file that is to be written, angles in degrees, rates in these a minute. */
+/* Lengths in the units of the machine file, angles in degrees, rates in these per minute. */
 struct machine_plan_axis {
-	bool has_limits, has_min, has_max;	/* has_limits alone: unlimited, as was said */
+	bool has_limits, has_min, has_max;	/* has_limits alone: the user said that there is no limit */
 	double min, max;
 	bool has_location, has_direction, has_rate, has_home;
 	vec3 location, direction;
@@ -37,7 +37,7 @@ struct machine_plan_axis {
 	const char *title;	/* or NULL */
 };
 
-/* Axes that carry each other, from the base on. */
+/* Axes in the order in which they carry each other, from the base. */
 struct machine_plan_chain {
 	int slots[SLOT_COUNT];
 	size_t count;
@@ -50,9 +50,9 @@ struct machine_plan_body {
 
 struct machine_plan {
 	struct arena arena;	/* owns the texts */
-	int family;	/* enum family; -1: not told */
+	int family;	/* enum family; -1: unknown */
 	struct machine_plan_chain rotary;
-	struct machine_plan_chain head, table;	/* linear axes as told; all axes once plan_finish is done */
+	struct machine_plan_chain head, table;	/* linear axes; after machine_plan_finish all axes */
 	bool has_table, has_head;
 	struct machine_plan_axis axes[SLOT_COUNT];
 	bool has_spindle, has_workholding;
@@ -60,22 +60,22 @@ struct machine_plan {
 	struct machine_plan_body *bodies;	/* owned */
 	size_t body_count, body_capacity;
 	const char *name;	/* or NULL */
-	int inch, dialect, rapid;	/* index of the choices; -1: not told */
+	int inch, dialect, rapid;	/* index of the choice; -1: unknown */
 };
 
 void machine_plan_init(struct machine_plan *plan);
 void machine_plan_release(struct machine_plan *plan);
 
-/* One more body on the axis of a slot, or on the base (-1); its file is the three texts in a row. */
+/* Adds a body on the axis of a slot, or on the base (-1). Its file is the three texts joined. */
 void machine_plan_add_body(struct machine_plan *plan, int slot, const char *folder, const char *name,
 			   const char *ending);
 
 bool machine_plan_chain_has(const struct machine_plan_chain *chain, int slot);
 
-/* Is it an axis of the machine? Known once the rotary axes are. */
+/* Is the slot an axis of the machine? Valid as soon as the rotary axes are known. */
 bool machine_plan_has_axis(const struct machine_plan *plan, int slot);
 
-/* Does it stand in the chain from the base to the table? After plan_finish. */
+/* Does the axis move the table? Valid after machine_plan_finish. */
 bool machine_plan_turns_table(const struct machine_plan *plan, int slot);
 
 #endif

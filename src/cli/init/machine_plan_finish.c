@@ -61,7 +61,7 @@ static bool check_axis(const struct machine_plan *plan, int slot, struct diag *d
 
 	if (!machine_plan_has_axis(plan, slot)) {
 		if (is_told(axis))
-			diag_error(diag, nowhere, "the options speak of %c, but the machine has X, Y, Z, %c and %c",
+			diag_error(diag, nowhere, "an option names the axis %c, but the machine has X, Y, Z, %c and %c",
 				   letter, AXIS_LETTERS[plan->rotary.slots[0]], AXIS_LETTERS[plan->rotary.slots[1]]);
 		return !is_told(axis);
 	}
@@ -80,13 +80,13 @@ static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 
 		if (body_name_is_reserved(body->name)) {
 			diag_error(diag, nowhere,
-				   "--body: a body cannot be called '%s', which means something else in a "
-				   "machine file: give the file %s another name",
+				   "--body: the name '%s' has another meaning in a machine file: give the file %s "
+				   "another name",
 				   body->name, body->path);
 			return false;
 		}
 		if (body->slot >= 0 && !machine_plan_has_axis(plan, body->slot)) {
-			diag_error(diag, nowhere, "--body: %s hangs on %c, but the machine has no such axis",
+			diag_error(diag, nowhere, "--body: %s is mounted on %c, but the machine has no such axis",
 				   body->path, AXIS_LETTERS[body->slot]);
 			return false;
 		}
@@ -94,8 +94,8 @@ static bool check_bodies(const struct machine_plan *plan, struct diag *diag)
 			if (strcmp(plan->bodies[k].name, body->name) != 0)
 				continue;
 			diag_error(diag, nowhere,
-				   "--body: two bodies would be called '%s': give the file %s another name", body->name,
-				   body->path);
+				   "--body: two bodies would have the name '%s': give the file %s another name",
+				   body->name, body->path);
 			return false;
 		}
 	}

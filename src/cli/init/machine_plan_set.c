@@ -9,7 +9,7 @@
 
 static const struct srcloc nowhere;
 
-/* The value of one axis, `length` bytes of text. */
+/* Reads the value of one axis from `length` bytes of text. */
 static bool set_axis_value(struct machine_plan_axis *axis, int key, const char *text, size_t length)
 {
 	switch (key) {
@@ -62,7 +62,7 @@ static bool set_title(struct machine_plan *plan, const char *text)
 	return true;
 }
 
-/* LINK=FILE; the body is called as the file. */
+/* LINK=FILE; the body gets the name of the file. */
 static bool set_body(struct machine_plan *plan, const char *text)
 {
 	static const char base[] = "base=";
@@ -150,7 +150,7 @@ static bool set(struct machine_plan *plan, int key, const char *text)
 	}
 }
 
-/* What the form alone does not say. */
+/* What the form of the argument does not say. */
 static const char *hint_of(int key)
 {
 	switch (key) {
@@ -177,10 +177,10 @@ bool machine_plan_set(struct machine_plan *plan, const struct option_row *row, c
 	if (row->choices) {
 		for (int i = 0; row->choices[i]; i++)
 			strbuf_addf(&names, "%s%s", i ? ", " : "", row->choices[i]);
-		diag_error(diag, nowhere, "%s%s: '%s' is none of: %s", row->key == PLAN_FAMILY ? "" : "--", row->name,
+		diag_error(diag, nowhere, "%s%s: '%s' is not one of %s", row->key == PLAN_FAMILY ? "" : "--", row->name,
 			   text, strbuf_text(&names));
 	} else {
-		diag_error(diag, nowhere, "--%s: '%s' is not of the form %s%s", row->name, text, row->argument,
+		diag_error(diag, nowhere, "--%s: '%s' does not have the form %s%s", row->name, text, row->argument,
 			   hint_of(row->key));
 	}
 	strbuf_release(&names);

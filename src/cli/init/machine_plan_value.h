@@ -1,4 +1,4 @@
-/* machine_plan_value.h - reads the small values of `fivecheck init`: numbers, vectors, lists of axes. */
+/* machine_plan_value.h - reads numbers, vectors and lists of axes for `fivecheck init`. */
 #ifndef FIVECHECK_CLI_INIT_MACHINE_PLAN_VALUE_H
 #define FIVECHECK_CLI_INIT_MACHINE_PLAN_VALUE_H
 
@@ -7,24 +7,24 @@
 
 #include "cli/init/machine_plan.h"
 
-/* All return false and leave *out as it was where the text, of `length` bytes, is nothing of the kind. */
+/* Each returns false and leaves *out untouched if the text (of `length` bytes) has another form. */
 
-/* A coordinate or an angle: a decimal number of at most 100,000, which no machine exceeds in any unit. */
+/* A coordinate or an angle: a decimal number of at most 100,000, more than any machine needs in any unit. */
 bool machine_plan_read_number(double *out, const char *text, size_t length);
 
 /* Three numbers, separated by commas or blanks. */
 bool machine_plan_read_vector(vec3 *out, const char *text);
 
-/* MIN:MAX, where either may be missing, or "none". */
+/* "MIN:MAX", where either may be missing, or "none". */
 bool machine_plan_read_limits(struct machine_plan_axis *out, const char *text, size_t length);
 
 /* Letters of axes, all rotary or all linear, none twice, with or without commas; or "none". */
 bool machine_plan_read_chain(struct machine_plan_chain *out, const char *text, bool rotary);
 
-/* "X=..." -> the slot of X, and where the rest begins; -1: it does not begin like that. */
+/* The slot of the X in "X=..."; *rest is what follows the =. -1: the text begins differently. */
 int machine_plan_read_letter(const char *text, const char **rest);
 
-/* A text that can stand in an XML file: UTF-8 without control characters, not empty, at most 200 bytes. */
+/* Can the text stand in an XML file? UTF-8 without control characters, not empty, at most 200 bytes. */
 bool machine_plan_is_text(const char *text);
 
 #endif

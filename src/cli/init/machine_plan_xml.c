@@ -4,7 +4,7 @@
 #include "control/dialects.h"
 #include "machine/machine.h"
 
-/* What is typical of a machining centre; only times depend on it, unless rapids are doglegs, and then it was told. */
+/* Typical rates of a machining centre. Only times depend on them: with rapid="dogleg" the user gives the rates. */
 #define LINEAR_RATE 30000.0	/* mm/min */
 #define LINEAR_RATE_INCH 1200.0
 #define ROTARY_RATE 7200.0	/* degrees/min */

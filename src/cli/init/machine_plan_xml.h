@@ -5,10 +5,10 @@
 #include "base/strbuf.h"
 #include "cli/init/machine_plan.h"
 
-/* The plan has to be finished. */
+/* Appends the whole file. The plan must have been completed by machine_plan_finish. */
 void machine_plan_xml_write(struct strbuf *out, const struct machine_plan *plan);
 
-/* One line: what carries what, from the base to the spindle and to the workholding. */
+/* Appends one line with both chains: "base > Y > X > Z > spindle; base > A > C > workholding". */
 void machine_plan_xml_chains(struct strbuf *out, const struct machine_plan *plan);
 
 #endif

@@ -5,12 +5,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* 64 digits and the NUL. */
+/* 64 digits and the terminating NUL. */
 enum { DIGEST_SIZE = 65 };
 
 void digest_bytes(char digest[DIGEST_SIZE], const char *bytes, size_t count);
 
-/* False: errno says why the file could not be read. */
+/* False: the file could not be read, see errno. */
 bool digest_file(char digest[DIGEST_SIZE], const char *path);
 
 #endif

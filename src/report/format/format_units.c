@@ -17,13 +17,13 @@ const char *format_units_unit(int slot)
 
 void format_units_add(struct strbuf *out, double value)
 {
-	/* What rounds to zero must not keep its sign. */
+	/* A number that rounds to zero loses its sign. */
 	strbuf_addf(out, "%.4f", fabs(value) < 0.00005 ? 0.0 : value);
 }
 
 void format_units_add_duration(struct strbuf *out, double seconds)
 {
-	/* Rounded first, or 59.9996 s would read 60.000 s. */
+	/* Rounded first; otherwise 59.9996 s would be printed as 60.000 s. */
 	double rounded = round(seconds * 1000) / 1000;
 	double hours = floor(rounded / 3600);
 	double minutes = floor((rounded - 3600 * hours) / 60);

@@ -12,7 +12,7 @@ void json_init(void)
 	json_set_alloc_funcs(mem_alloc, free);
 }
 
-/* Memory cannot run out (json_init): what fails here is a number that is none. */
+/* json_init makes running out of memory fatal, so this fails only if the value is a number that is not finite. */
 void json_put(json_t *object, const char *key, json_t *value)
 {
 	int failed = json_object_set_new(object, key, value);

@@ -1,4 +1,4 @@
-/* json.h - the JSON of the reports: texts that are always valid, numbers with the same digits, one line an object. */
+/* json.h - builds JSON for the reports: strings are valid UTF-8, numbers have a fixed precision. */
 #ifndef FIVECHECK_REPORT_FORMAT_JSON_H
 #define FIVECHECK_REPORT_FORMAT_JSON_H
 
@@ -10,19 +10,19 @@
 #include "geom/vec3.h"
 #include "machine/machine.h"
 
-/* Lets the JSON library take its memory where everybody does. Once, before anything else. */
+/* Makes the JSON library use mem_alloc. To be called once, before any other function of the library. */
 void json_init(void);
 
-/* Sets a key to a value and takes the value over. */
+/* Sets a key to a value and takes ownership of the value. */
 void json_put(json_t *object, const char *key, json_t *value);
 
-/* Appends to an array and takes the value over. */
+/* Appends to an array and takes ownership of the value. */
 void json_push(json_t *array, json_t *value);
 
-/* A string; bytes that are no UTF-8 become U+FFFD. null for NULL. */
+/* A string, or null for NULL. Bytes that are not UTF-8 become U+FFFD. */
 json_t *json_text(const char *text);
 
-/* {"part":2,"parts":5,"of":"blocks"}, or of "programs"; null for 0 of 0. */
+/* {"part":2,"parts":5,"of":"blocks"}, or "of":"programs"; null if shards is 0. */
 json_t *json_share(int shard, int shards, bool of_blocks);
 
 /* Axes by name in the order X Y Z A B C U V W, in mm and degrees. */

@@ -6,7 +6,7 @@
 
 #include "base/mem.h"
 
-/* The current folder, to be freed; NULL: nobody knows. */
+/* The current folder, which the caller frees; NULL: unknown. */
 static char *current_folder(void)
 {
 	size_t size = 256;
@@ -23,7 +23,7 @@ static char *current_folder(void)
 	return folder;
 }
 
-/* What stands behind the current folder in an absolute path; NULL: it is not below it. */
+/* The rest of an absolute path that begins with the current folder; NULL: it does not. */
 static const char *below_current(const char *path)
 {
 	char *folder = current_folder();

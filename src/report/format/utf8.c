@@ -12,7 +12,7 @@ size_t utf8_length(const char *bytes)
 		if ((text[i] & 0xc0) != 0x80)
 			return 0;
 	}
-	/* Overlong forms, surrogates, and what is beyond U+10FFFF. */
+	/* Refuse overlong forms, surrogates, and code points beyond U+10FFFF. */
 	if ((c == 0xe0 && text[1] < 0xa0) || (c == 0xed && text[1] > 0x9f) || (c == 0xf0 && text[1] < 0x90) ||
 	    (c == 0xf4 && text[1] > 0x8f))
 		return 0;
@@ -39,7 +39,7 @@ size_t utf8_units(const char *text)
 	while (*text) {
 		size_t length = utf8_length(text);
 
-		/* What is beyond U+FFFF takes four bytes here and two units there. */
+		/* A code point beyond U+FFFF has four bytes and two UTF-16 units. */
 		units += length == 4 ? 2 : 1;
 		text += length ? length : 1;
 	}

@@ -11,7 +11,7 @@ static bool open_one(struct output *out, const char *path, const char *header, s
 		return true;
 	if (!output_open(out, path, diag))
 		return false;
-	/* Whether that went well is known when the table is put in its place. */
+	/* block_tables_commit reports a write that failed. */
 	output_write(out, header, strlen(header));
 	return true;
 }
@@ -29,7 +29,7 @@ bool block_tables_are_wanted(const struct block_tables *tables)
 	return tables->clearance.file || tables->timing.file;
 }
 
-/* A field that may hold anything: quoted where it has to be. */
+/* A field with any text, quoted if necessary. */
 static void add_text(struct strbuf *row, const char *text)
 {
 	bool quoted = strpbrk(text, ",\"\r\n") != NULL;
@@ -58,7 +58,7 @@ static void add_room(struct block_tables *tables, const struct scene *scene, con
 	add_place(&tables->row, program, block);
 	add_text(&tables->row, scene->bodies[pair->a].body->name);
 	add_text(&tables->row, scene->bodies[pair->b].body->name);
-	/* Rounded down: what is printed must be proven too. */
+	/* Rounded down, so that the printed number is proved, too. */
 	if (room->capped)
 		strbuf_addf(&tables->row, "%.10g,1\n", room->clearance);
 	else

@@ -1,4 +1,4 @@
-/* block_tables.h - what is measured of each block, as comma-separated tables (--clearance-report, --timing). */
+/* block_tables.h - measurements of each block as comma-separated tables (--clearance-report, --timing). */
 #ifndef FIVECHECK_REPORT_TABLES_BLOCK_TABLES_H
 #define FIVECHECK_REPORT_TABLES_BLOCK_TABLES_H
 
@@ -17,7 +17,7 @@ struct block_tables {
 };
 
 /*
- * Opens those that have a path and writes their headers (RFC 4180, lines ending in LF alone):
+ * Opens the tables that have a path and writes their headers (RFC 4180, but lines end in LF):
  * program file line block body_a body_b clearance_mm capped, and
  * program file line block steps motion_s interpret_us check_us. False: reported.
  */
@@ -25,11 +25,11 @@ bool block_tables_open(struct block_tables *tables, const char *clearance, const
 
 bool block_tables_are_wanted(const struct block_tables *tables);
 
-/* Adds a block of a program. What could not be written is told by tables_commit: it is no matter of the check's. */
+/* Adds a block of a program. block_tables_commit reports a write that failed. */
 void block_tables_add(struct block_tables *tables, const struct scene *scene, const char *program,
 		const struct check_block *block);
 
-/* As output_commit and output_discard, for both; the tables are then closed. */
+/* output_commit and output_discard for both tables, which are then closed. */
 bool block_tables_commit(struct block_tables *tables, struct diag *diag);
 void block_tables_discard(struct block_tables *tables);
 

@@ -5,10 +5,7 @@
 #include "base/strbuf.h"
 #include "scene/scene.h"
 
-/*
- * Appends a table, tab separated: the header "a b status clearance reason",
- * then a row a pair in the order of the XML.
- */
+/* Appends a tab separated table: the header "a b status clearance reason", then a row per pair as in the XML. */
 void pairs_add(struct strbuf *out, const struct scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* stats.h - what a run cost and how it was decided: the block that closes the text report. */
+/* stats.h - statistics about the work and the time of a run. */
 #ifndef FIVECHECK_REPORT_TABLES_STATS_H
 #define FIVECHECK_REPORT_TABLES_STATS_H
 
@@ -12,10 +12,10 @@
 /* Sums over the programs of a run; all zero to begin with. */
 struct run_stats {
 	size_t programs;
-	size_t clear, incomplete, accepted;	/* of them; accepted: findings that do not fail the run */
+	size_t clear, incomplete, accepted;	/* programs; accepted: with findings that do not fail the run */
 	long waived;	/* findings */
 	struct check_stats check;
-	double seconds_load;	/* machine, setup, meshes, pairs */
+	double seconds_load;	/* for machine, setup, meshes and pairs */
 };
 
 /* Adds a program: counts and times are summed; the pairs are the scene's. */

@@ -5,7 +5,7 @@
 #include "report/writers/text.h"
 #include "report/format/utf8.h"
 
-/* Ends of lines and % are escaped everywhere; what separates properties only in them. */
+/* Escapes % and line ends, and the characters of `more`, which separate properties. */
 static void add_escaped(struct strbuf *out, const char *text, const char *more)
 {
 	struct strbuf clean = {0};
@@ -77,7 +77,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 {
 	(void)run;
 	(void)items;
-	/* One notice for all: ten places are few enough for what fails. */
+	/* One notice for all waived findings: the ten items are needed for findings that fail. */
 	if (end->sums->waived)
 		strbuf_addf(out, "::notice title=fivecheck::%ld waived (--waivers)\n", end->sums->waived);
 	if (end->left_out)
@@ -92,9 +92,8 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 }
 
 /*
- * A line "::error file=...,line=...,col=...,title=...::text" for each finding
- * and each fault, ten at most, which is what GitHub shows of a step (GitHub,
- * "Workflow commands for GitHub Actions"); then how many more there are.
+ * A line "::error file=...,line=...,col=...,title=...::text" for each finding and each error, at most ten, since GitHub
+ * shows no more of one step; then their remaining number. Source: GitHub, "Workflow commands for GitHub Actions".
  */
 const struct report_writer github_writer = {
 	.name = "github", .limit = 10, .begin = add_nothing, .finding = add_finding, .program = add_program,

@@ -11,7 +11,7 @@
 #include "report/writers/text.h"
 #include "report/format/utf8.h"
 
-/* What XML 1.0 can hold (section 2.2): no control characters but tab and line feed, not U+FFFE and U+FFFF. */
+/* Makes text that XML 1.0 allows (section 2.2): no control characters but tab and line feed, no U+FFFE and U+FFFF. */
 static char *xml_text(const char *text)
 {
 	struct strbuf clean = {0};
@@ -23,7 +23,6 @@ static char *xml_text(const char *text)
 		if ((unsigned char)*c < 0x20 && *c != '\t' && *c != '\n')
 			*c = ' ';
 		if (!strncmp(c, "\xef\xbf\xbe", 3) || !strncmp(c, "\xef\xbf\xbf", 3))
-			/* In the middle of the text. */
 			memcpy(c, "\xef\xbf\xbd", 3); /* NOLINT(bugprone-not-null-terminated-result) */
 	}
 	strbuf_release(&clean);
@@ -148,8 +147,8 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 }
 
 /*
- * One testsuite. A program with findings has a failure, an incomplete one an
- * error; both name the first place in the message and all in the text.
+ * One test suite. A program with findings has a failure, an incomplete one has an error. The message has the first
+ * place, the text has all of them.
  */
 const struct report_writer junit_writer = {
 	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",

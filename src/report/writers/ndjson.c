@@ -156,9 +156,9 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 }
 
 /*
- * A line of kind "header" first, with the number of this format; findings as
- * they are found, a line of kind "program" after each program's, and one of
- * kind "summary" last: a file without it was cut short.
+ * The first line has the kind "header" and the number of this format. Then come findings as they are found, a line of
+ * kind "program" after the findings of each program, and a last line of kind "summary": without it, the
+ * file was cut short.
  */
 const struct report_writer ndjson_writer = {
 	.name = "ndjson", .mark = "{\"kind\":\"header\"",

@@ -11,7 +11,7 @@
 
 enum { RECORD_FORMAT = 1 };
 
-/* Whatever can change a verdict or the exit status. */
+/* All options that can change a verdict or the exit status. */
 static json_t *options_of(const struct report_run *run)
 {
 	const struct check_options *options = run->options;
@@ -36,7 +36,7 @@ static json_t *options_of(const struct report_run *run)
 	json_put(object, "fail_on", kinds);
 	json_put(object, "exit_zero", json_boolean(run->exit_zero));
 	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
-	/* On another day other waivers may have expired. */
+	/* On another day other waivers have expired. */
 	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
 	return object;
 }
@@ -71,7 +71,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	(void)style;
 }
 
-/* Nothing is claimed of a program in which something was found: no block of it counts as proved. */
+/* The number of blocks that are proved: 0 unless the program is clear. */
 static long proved(const struct verdict *verdict)
 {
 	bool all = verdict && verdict->result == CHECK_CLEAR && verdict->options->method == CHECK_CERTIFIED;
@@ -128,8 +128,8 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 }
 
 /*
- * One JSON object: version, options, every file that was read with its SHA-256, every program's verdict. It names no
- * time, computer or number of threads: the same inputs give the same bytes.
+ * One JSON object: version, options, every file that was read with its SHA-256, and the verdict of every program. It
+ * contains no time, computer or number of threads: the same inputs give the same bytes.
  */
 const struct report_writer record_writer = {
 	.name = "record", .collects = true, .begin = add_nothing, .finding = add_finding, .program = add_program,

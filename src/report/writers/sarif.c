@@ -8,7 +8,7 @@
 #include "report/format/uri.h"
 #include "report/format/utf8.h"
 
-/* In the order of enum finding_kind, and one more; the names are kept from version to version. */
+/* In the order of enum finding_kind, then "incomplete". The identifiers never change between versions. */
 static const struct rule {
 	const char *id, *name, *brief, *help;
 } rules[] = {
@@ -59,7 +59,7 @@ static json_t *rules_of(void)
 	return array;
 }
 
-/* Everything of the run but its results, which stream; `out` ends where they begin. */
+/* Everything of the run up to its results, which follow one by one. */
 static void add_begin(struct strbuf *out, const struct report_run *run)
 {
 	json_t *tool = json_object(), *driver = json_object();
@@ -77,7 +77,7 @@ static void add_begin(struct strbuf *out, const struct report_run *run)
 	strbuf_addf(out, ",\"results\":[\n");
 }
 
-/* line 0: the file alone; units 0: the column alone, without its end */
+/* line 0: the file without a region; end 0: the column without its end. */
 static json_t *location_of(const char *file, long line, size_t column, size_t end, const char *snippet)
 {
 	json_t *location = json_object(), *physical = json_object(), *artifact = json_object(), *region = json_object();
@@ -170,7 +170,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 
 	strbuf_add(&block, line, strcspn(line, "\r\n"));
 	text_message(&text, f);
-	/* The finding's column is where the block starts, and it goes to the end of the line. */
+	/* The region is the block, from its column to the end of its line. */
 	add_result(out, (int)f->kind, style, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
 			       strbuf_text(&block)),
@@ -207,10 +207,9 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 }
 
 /*
- * One run. Rules are the kinds of findings, and "incomplete" for what could
- * not be checked. Locations are relative to the current folder where they can
- * be, and columns count UTF-16 code units. Source: OASIS, "Static Analysis
- * Results Interchange Format (SARIF) Version 2.1.0".
+ * One run. The rules are the kinds of findings, and "incomplete" for errors. Locations are relative to the current
+ * folder if possible; columns count UTF-16 code units. Source: OASIS, "Static Analysis Results Interchange Format
+ * (SARIF) Version 2.1.0".
  */
 const struct report_writer sarif_writer = {
 	.name = "sarif", .mark = "{\"$schema\":\"https://docs.oasis-open.org/sarif/",

@@ -71,7 +71,7 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 	}
 }
 
-/* "part.nc:118:1: error: collision: "; what does not fail the run is a warning. */
+/* "part.nc:118:1: error: collision: "; a finding that does not fail the run is a warning. */
 static void add_head(struct strbuf *out, const struct finding *f, struct finding_style style)
 {
 	bool fails = style.status == FINDING_FAILS;
@@ -149,7 +149,7 @@ void text_proven(struct strbuf *out, const struct scene *scene, const double *pr
 		if (isinf(proven[i]))
 			strbuf_addf(out, "%12s", "not met");
 		else
-			/* Rounded down: what is printed must be proven too. */
+			/* Rounded down, so that the printed number is proved, too. */
 			strbuf_addf(out, "%12.4f", floor(proven[i] * 1e4) / 1e4);
 		strbuf_addf(out, "  %s - %s\n", scene->bodies[pair->a].body->name, scene->bodies[pair->b].body->name);
 	}
@@ -169,7 +169,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
-	/* A list of verdicts without it would look complete. */
+	/* Without this line the list of verdicts would look complete. */
 	if (!program->verdict) {
 		strbuf_addf(out, "%s: incomplete: %s\n", program->name, program->unread);
 		return;

@@ -1,4 +1,4 @@
-/* text.h - findings and verdicts for people and for editors that jump to the line (GNU form). */
+/* text.h - findings and verdicts for people, in the GNU form that editors understand. */
 #ifndef FIVECHECK_REPORT_WRITERS_TEXT_H
 #define FIVECHECK_REPORT_WRITERS_TEXT_H
 
@@ -10,25 +10,23 @@
 #include "report/report.h"
 #include "report/verdict.h"
 
-/* Appends what happens: "head (Z) meets table (C)". */
+/* Appends the message alone: "head (Z) meets table (C)". */
 void text_message(struct strbuf *out, const struct finding *finding);
 
 /* Appends the message with its place: "part.nc:118:1: error: collision: head (Z) meets table (C) [collision]". */
 void text_headline(struct strbuf *out, const struct finding *finding, struct finding_style style);
 
 /*
- * Appends a finding: one line "file:line:column: error: kind: what happens
- * [kind]", then indented lines with the block, the place in it, the axes, the
- * time, and for bodies the point and the distance; for a start-overlap also
- * the <pair> line that would waive it.
+ * Appends a finding: the headline, then indented lines with the block, the place in it, the time and the axes; for
+ * bodies also the point and the distance; for a start-overlap the <pair> line that would waive it.
  */
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
 		  struct finding_style style);
 
-/* Appends the verdict's line and, indented, what stands beside it. */
+/* Appends the line of the verdict and its cautions, indented. */
 void text_verdict(struct strbuf *out, const struct verdict *verdict);
 
-/* Appends the smallest proven clearance of each required pair; proven is check_run's. */
+/* Appends the smallest proven clearance of each required pair; `proven` is as check_run fills it. */
 void text_proven(struct strbuf *out, const struct scene *scene, const double *proven);
 
 #endif
