@@ -31,6 +31,12 @@ enum feed_forgotten { FEED_FORGOTTEN_UNKNOWN, FEED_FORGOTTEN_BY_CODE, FEED_FORGO
 /* A G1 that names no axis: it needs a feed all the same, or it is ignored. */
 enum empty_feed_move { EMPTY_FEED_MOVE_UNKNOWN, EMPTY_FEED_MOVE_CHECKED, EMPTY_FEED_MOVE_IGNORED };
 
+/* The centre of an arc before any G90.1 or G91.1: counted from its start, or in program coordinates. */
+enum arc_centre { ARC_CENTRE_UNKNOWN, ARC_CENTRE_INCREMENTAL, ARC_CENTRE_ABSOLUTE };
+
+/* What T does. */
+enum t_word { T_WORD_UNKNOWN, T_WORD_SELECTS };
+
 /* How G53 moves: at the rapid rate, or as G0 and G1 say. */
 enum g53_rate { G53_RATE_UNKNOWN, G53_RATE_PROGRAMMED, G53_RATE_RAPID };
 
@@ -74,7 +80,7 @@ struct cycle_traits {
 	char repeat_letter;
 };
 
-/* Power-on: G-codes in tenths. 0: not known, and the program must give one before its first axis word. */
+/* Modes at power-on: G-codes in tenths. 0: not known, and the program must choose before the first word that needs it. */
 struct power_on {
 	int units;	/* G20, G21 */
 	int distance;	/* G90, G91 */
@@ -95,6 +101,7 @@ struct dialect_traits {
 	enum feed_forgotten feed_forgotten;
 	enum empty_feed_move empty_feed_move;
 	enum answer g64_has_tolerance;	/* in P */
+	enum arc_centre arc_centre;
 	enum answer arcs_have_turns;	/* in P */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */
@@ -106,6 +113,7 @@ struct dialect_traits {
 	enum answer references_in_parameters;	/* programs write G28's and G30's; no: the machine file has G30's */
 	enum answer g30_has_number;	/* in P */
 	enum turned_by_machine turned_by_machine;
+	enum t_word t_word;
 	enum answer tool_change_stays;	/* M6 moves no axis if the machine file names no place; no: it must */
 	/* Work offsets. */
 	int additional_offsets;	/* of G54.1 or G154 */
@@ -142,7 +150,7 @@ struct dialect {
 	 * NULL: that is not known, if there is one.
 	 */
 	void (*after_machine_move)(struct interp *interp, int code, const bool moved[SLOT_COUNT]);
-	/* Fills interp->block from the line in hand; no words: there is nothing to carry out. Never NULL. */
+	/* Fills interp->block from the line in hand; no words: there is nothing to carry out. NULL: not known. */
 	bool (*read_block)(struct interp *interp);
 	/* The block has been read and checked, and nothing of it has been carried out: what it assigns takes effect. */
 	bool (*before_block)(struct interp *interp);

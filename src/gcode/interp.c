@@ -65,7 +65,8 @@ static bool run_block(struct interp *interp)
 	struct block_modes modes = {interp->state.motion, interp->state.incremental};
 	int blanks = (int)strspn(interp->at.text, " \t");
 
-	if (!dialect->read_block(interp))
+	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
+	    !dialect->read_block(interp))
 		return false;
 	interp->begun = interp->begun || block->words > 0 ||
 			(traits_of(interp)->text_before_percent != ANSWER_YES && interp->at.text[blanks] != '\0');

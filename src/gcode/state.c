@@ -87,11 +87,36 @@ static void init_references(struct state *state, const struct gcode_config *conf
 	}
 }
 
+enum feed_mode state_feed_mode(int code)
+{
+	return code == G93 ? FEED_INVERSE_TIME : code == G95 ? FEED_PER_REVOLUTION : FEED_PER_MINUTE;
+}
+
+double state_unit(int code)
+{
+	return code == G20 ? MM_PER_INCH : 1;
+}
+
+static void init_modes(struct state *state, const struct dialect_traits *traits)
+{
+	const struct power_on *on = &traits->power_on;
+
+	state->plane = on->plane ? on->plane : G17;
+	state->incremental = on->distance == G91;
+	state->arc_absolute = traits->arc_centre == ARC_CENTRE_ABSOLUTE;
+	state->scale = state_unit(on->units);
+	state->feed_mode = state_feed_mode(on->feed_mode);
+	state->unknown_modes = (on->units ? 0U : 1U << G_UNITS) | (on->distance ? 0U : 1U << G_DISTANCE) |
+			       (on->plane ? 0U : 1U << G_PLANE) | (on->feed_mode ? 0U : 1U << G_FEED_MODE) |
+			       (traits->arc_centre ? 0U : 1U << G_ARC_DISTANCE);
+}
+
 void state_init(struct state *state, const struct gcode_config *config)
 {
-	*state = (struct state){.motion = CODE_NONE, .plane = G17, .scale = 1, .retract = CODE_NONE, .selected = -1,
+	*state = (struct state){.motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
 				.length_number = -1, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
+	init_modes(state, &config->dialect->traits);
 	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {
 		int system = system_of_name(config->work_offsets[i].name);

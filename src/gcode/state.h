@@ -65,6 +65,8 @@ struct state {
 	axis_values canonical;	/* the same in mm and radians */
 	slot_values offset;	/* program coordinates + offset = position; derived */
 	int motion;	/* G0 to G3, or CODE_NONE */
+	/* Bits 1 << enum g_group: what is in force is not known, because neither the program nor its dialect has said it. */
+	unsigned unknown_modes;
 	int plane;	/* G17, G18, G19 */
 	bool incremental;
 	bool arc_absolute;
@@ -79,7 +81,7 @@ struct state {
 	struct rotated_frame frame;
 	struct dynamic_work_offset dynamic;
 	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: execute/coordinate_rotation.h */
-	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: plane_check_word */
+	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: execute/coordinate_rotation.h */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
 	bool work_assigned;	/* the program assigned a value to the one in force, and has not selected it since */
@@ -146,8 +148,12 @@ static inline bool is_answered(const struct interp *interp, int column, int answ
 	return answer || dialect_answers(interp->config->dialect, &interp->at, column, answer, question);
 }
 
-/* At the start of a program: LinuxCNC's manual, "G-code defaults"; the axes at home, lengths in mm. */
+/* At the start of a program: the modes that the dialect has at power-on; the axes at home. */
 void state_init(struct state *state, const struct gcode_config *config);
+
+/* What G93 to G95 switch to, and mm per unit of length of G20 and G21. */
+enum feed_mode state_feed_mode(int code);
+double state_unit(int code);
 
 /* Recomputes state->offset after a change of anything that it is made of. */
 void state_update_offset(struct state *state);

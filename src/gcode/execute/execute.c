@@ -1,6 +1,5 @@
 #include "gcode/execute/execute.h"
 
-#include "base/units.h"
 #include "gcode/execute/arc_move.h"
 #include "gcode/execute/canned_cycle.h"
 #include "gcode/execute/coordinate_rotation.h"
@@ -17,6 +16,43 @@
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
+/* Whatever the block says in the words of a mode needs the mode to be known: by the program, or at power-on. */
+static bool check_modes(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	unsigned *unknown = &interp->state.unknown_modes;
+	bool dwells = block->g[G_NONMODAL] == G4 && block->motion == CODE_NONE;
+	bool arc = block->motion == G2 || block->motion == G3;
+	bool in_plane = arc || (block->motion != CODE_NONE && code_is_cycle(block->motion)) ||
+			block->g[G_ROTATION] != CODE_NONE || block->g[G_CUTTER] != CODE_NONE;
+	bool axes = !dwells && (block->letters & AXIS_BITS), feed = block_has(block, 'F');
+	int column = block_motion_column(block), feed_column = feed ? block_column(block, 'F') : 0;
+	const struct {
+		int group;
+		bool needed;
+		int column;
+		const char *question;
+	} modes[] = {
+		{G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21"},
+		{G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21"},
+		{G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91"},
+		{G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19"},
+		{G_ARC_DISTANCE, arc && (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))), column,
+		 "whether I, J and K count from the start of an arc"},
+		{G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95"},
+	};
+
+	for (int group = 0; group < G_GROUPS; group++)
+		*unknown &= ~(block->g[group] == CODE_NONE ? 0U : 1U << group);
+	for (size_t i = 0; i < sizeof(modes) / sizeof(modes[0]); i++) {
+		bool is_known = !modes[i].needed || !(*unknown & 1U << modes[i].group);
+
+		if (!is_answered(interp, modes[i].column, is_known, modes[i].question))
+			return false;
+	}
+	return true;
+}
+
 /* G93, G94, G95; then F, which inverse time mode gives to the motion of its own block only. */
 static bool execute_feed(struct interp *interp)
 {
@@ -26,10 +62,9 @@ static bool execute_feed(struct interp *interp)
 	double feed;
 
 	if (block->g[G_FEED_MODE] != CODE_NONE) {
-		state->feed_mode = block->g[G_FEED_MODE] == G93   ? FEED_INVERSE_TIME
-				   : block->g[G_FEED_MODE] == G94 ? FEED_PER_MINUTE
-								  : FEED_PER_REVOLUTION;
-		if (!is_answered(interp, block->g_column[G_FEED_MODE], traits_of(interp)->feed_forgotten,
+		state->feed_mode = state_feed_mode(block->g[G_FEED_MODE]);
+		if (state->feed_linear > 0 &&
+		    !is_answered(interp, block->g_column[G_FEED_MODE], traits_of(interp)->feed_forgotten,
 				 "whether the feed rate outlives G93, G94 and G95"))
 			return false;
 		if (traits_of(interp)->feed_forgotten == FEED_FORGOTTEN_BY_CODE || state->feed_mode != before)
@@ -227,7 +262,10 @@ bool execute_block(struct interp *interp)
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
 
-	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) || !cutter_comp_start_block(interp))
+	if (state->unknown_modes && !check_modes(interp))
+		return false;
+	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
+	    !cutter_comp_start_block(interp))
 		return false;
 	if (!execute_feed(interp) || !execute_speed(interp))
 		return false;
@@ -239,7 +277,7 @@ bool execute_block(struct interp *interp)
 	if (block->g[G_PLANE] != CODE_NONE)
 		state->plane = block->g[G_PLANE];
 	if (block->g[G_UNITS] != CODE_NONE)
-		state->scale = block->g[G_UNITS] == G20 ? MM_PER_INCH : 1;
+		state->scale = state_unit(block->g[G_UNITS]);
 	if (!execute_increments(interp) || !cutter_comp_select(interp) || !cutter_comp_check_block(interp))
 		return false;
 	if (!tool_length_select(interp) || !offsets_select(interp) || !work_offset_use_check(interp) ||

@@ -8,7 +8,10 @@
 
 bool tool_change_select(struct interp *interp)
 {
-	return !block_has(&interp->block, 'T') ||
+	if (!block_has(&interp->block, 'T'))
+		return true;
+	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
+			   "whether T changes the tool or selects it for M6") &&
 	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
 }
 

@@ -70,7 +70,10 @@ static bool skip_rest(struct lexer *lexer)
 {
 	const char *rest = lexer->at->text + lexer->position + 1;
 
-	if (lexer->rules->semicolon_ends_block && rest[strspn(rest, " \t;")] != '\0')
+	if (!lexer->rules->semicolon)
+		return fault(lexer->at, lexer_column(lexer),
+			     "whether ';' starts a comment or ends the block is not known of this control");
+	if (lexer->rules->semicolon == SEMICOLON_ENDS_BLOCK && rest[strspn(rest, " \t;")] != '\0')
 		return fault(lexer->at, lexer_column(lexer),
 			     "';' ends a block on this control; write what follows on a line of its own, "
 			     "or in parentheses if it is a comment");

@@ -25,13 +25,16 @@ struct lexer_refusal {
 	const char *message;
 };
 
+/* What ';' does; where that is not known, it is a fault. */
+enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLOCK };
+
 /*
  * How a dialect writes its lines. Constant data. The lexer itself reads plain
  * numbers only: the hooks read and compute whatever else a dialect has. A hook
  * that is NULL: the dialect has no such thing. False from a hook: the fault was reported.
  */
 struct lexer_rules {
-	bool semicolon_ends_block;	/* else it starts a comment */
+	enum semicolon semicolon;
 	/*
 	 * Reads the value of a word that has no plain number behind its letter;
 	 * letter and column are given. LEXER_END: no value comes next, and

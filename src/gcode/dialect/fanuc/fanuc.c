@@ -100,6 +100,7 @@ const struct dialect dialect_fanuc = {
 		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
 		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
 		.g64_has_tolerance = ANSWER_NO,
+		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		.arcs_have_turns = ANSWER_NO,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
@@ -113,6 +114,7 @@ const struct dialect dialect_fanuc = {
 		.g30_has_number = ANSWER_YES,
 		/* 16-C operator's manual (B-62764EN), "Coordinate system rotation". */
 		.turned_by_machine = TURNED_BY_MACHINE_REFUSED,
+		.t_word = T_WORD_SELECTS,
 		.tool_change_stays = ANSWER_NO,
 		/* G54.1 P1 to P48; G54 with P is the same. */
 		.additional_offsets = 48,

@@ -142,6 +142,7 @@ const struct dialect dialect_haas = {
 		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
 		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
 		.g64_has_tolerance = ANSWER_NO,
+		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		.arcs_have_turns = ANSWER_NO,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
@@ -153,6 +154,7 @@ const struct dialect dialect_haas = {
 		.g30_has_number = ANSWER_YES,
 		/* The manual says nothing of it. */
 		.turned_by_machine = TURNED_BY_MACHINE_ACROSS,
+		.t_word = T_WORD_SELECTS,
 		.tool_change_stays = ANSWER_NO,
 		/* G154 P1 to P99; G110 to G129 are the first of them. */
 		.additional_offsets = EXTENDED_COUNT,

@@ -379,6 +379,7 @@ static const struct lexer_refusal refusals[] = {
 };
 
 const struct lexer_rules linuxcnc_lexer_rules = {
+	.semicolon = SEMICOLON_STARTS_COMMENT,
 	.value = read_word_value,
 	.assignment_start = '#',
 	.assignment = read_assignment,
