@@ -4,20 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/decimal.h"
 #include "base/mem.h"
 
 static const struct srcloc nowhere;
 
-/* strtod alone would take blanks, hexadecimal, "inf" and "nan". */
 bool option_value_number(double *out, const char *text)
 {
-	char *end;
 	double value;
 
-	if (!*text || strspn(text, "0123456789+-.eE") != strlen(text))
-		return false;
-	value = strtod(text, &end);
-	if (*end || !isfinite(value))
+	if (text[strcspn(text, " \t\r\n\v\f")] || !decimal_read(text, strlen(text), &value) || !isfinite(value))
 		return false;
 	*out = value;
 	return true;

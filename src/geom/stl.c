@@ -13,7 +13,7 @@
 
 #include "base/path_sandbox.h"
 #include "base/mem.h"
-#include "geom/decimal.h"
+#include "base/decimal.h"
 
 /*
  * Binary: 80 bytes of anything, a 32-bit count, then 50 bytes a triangle: the
@@ -234,7 +234,7 @@ static bool read_coordinate(struct reader *r, struct soup *soup, float *out)
 
 	if (!next_word(r))
 		return truncated(r, "a coordinate");
-	if (!decimal_read(r->word, r->word_length, out, &value)) {
+	if (!decimal_read_float(r->word, r->word_length, out, &value)) {
 		if (!is_not_a_number(r))
 			return unexpected(r, "a coordinate");
 		*out = NAN;
@@ -311,7 +311,7 @@ static bool read_solids(struct reader *r, struct soup *soup)
 	return true;
 }
 
-/* decimal_read and strncasecmp follow the locale, the format does not. */
+/* strncasecmp follows the locale, the format does not. */
 static bool read_ascii(struct reader *r, struct soup *soup)
 {
 	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "base/strbuf.h"
-#include "geom/decimal.h"
+#include "base/decimal.h"
 
 static char folder[] = "/tmp/test_stl.XXXXXX";
 
@@ -353,11 +353,13 @@ END_TEST
 static void expect_decimal(const char *word)
 {
 	float nearest;
-	double value;
+	double value, nearest_double;
 
-	ck_assert_msg(decimal_read(word, strlen(word), &nearest, &value), "%s", word);
+	ck_assert_msg(decimal_read_float(word, strlen(word), &nearest, &value), "%s", word);
 	ck_assert_msg(nearest == strtof(word, NULL) && value == strtod(word, NULL), "%s gives %.9g and %.17g", word,
 		      (double)nearest, value);
+	nearest_double = 7;
+	ck_assert(decimal_read(word, strlen(word), &nearest_double) && nearest_double == value);
 }
 
 START_TEST(decimals_are_the_nearest)
@@ -408,7 +410,8 @@ START_TEST(what_is_no_decimal)
 		float nearest;
 		double value;
 
-		ck_assert_msg(!decimal_read(words[i], strlen(words[i]), &nearest, &value), "\"%s\"", words[i]);
+		ck_assert_msg(!decimal_read_float(words[i], strlen(words[i]), &nearest, &value), "\"%s\"", words[i]);
+		ck_assert_msg(!decimal_read(words[i], strlen(words[i]), &value), "\"%s\"", words[i]);
 	}
 }
 END_TEST

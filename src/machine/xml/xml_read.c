@@ -1,10 +1,10 @@
 #include "machine/xml/xml_read.h"
 
-#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/decimal.h"
 #include "base/units.h"
 #include "machine/xml/xml_file.h"
 #include "machine/xml/xml_schema.h"
@@ -101,60 +101,28 @@ struct xml_quote xml_quote(const char *text)
 	return quote;
 }
 
-static const char *skip_digits(const char *at)
-{
-	while (*at >= '0' && *at <= '9')
-		at++;
-	return at;
-}
-
 static const char *skip_space(const char *at)
 {
 	return at + strspn(at, " \t\r\n");
 }
 
-/* The end of a number at `at`, or NULL: strtod alone would take hexadecimal, "inf" and "nan". */
-static const char *skip_number(const char *at)
+/* Reads the number at `text`, which is moved behind it and the blanks that follow. */
+static bool take_number(const char **text, double *value)
 {
-	const char *digits, *fraction;
+	const char *start = skip_space(*text);
+	size_t length = strcspn(start, " \t\r\n");
 
-	at += *at == '+' || *at == '-';
-	digits = at;
-	at = skip_digits(at);
-	fraction = at;
-	if (*at == '.')
-		at = skip_digits(at + 1);
-	/* There is a digit before the point, or behind it. */
-	if (fraction == digits && at <= fraction + 1)
-		return NULL;
-	if (*at == 'e' || *at == 'E') {
-		digits = at + 1;
-		digits += *digits == '+' || *digits == '-';
-		at = skip_digits(digits);
-		if (at == digits)
-			return NULL;
-	}
-	return at;
-}
-
-static double to_double(const char *text)
-{
-	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-	locale_t old = uselocale(c);
-	double value = strtod(text, NULL);
-
-	uselocale(old);
-	freelocale(c);
-	return value;
+	*text = skip_space(start + length);
+	return decimal_read(start, length, value);
 }
 
 bool xml_parse_number(const char *text, double *out)
 {
-	const char *start = skip_space(text), *end = skip_number(start);
+	double value;
 
-	if (!end || *skip_space(end))
+	if (!take_number(&text, &value) || *text)
 		return false;
-	*out = to_double(start);
+	*out = value;
 	return true;
 }
 
@@ -253,11 +221,7 @@ vec3 xml_vector(struct xml_reader *xml, const xmlNode *node, const char *name)
 	if (!text)
 		return (vec3){0, 0, 0};
 	for (int i = 0; i < 3; i++) {
-		const char *start = skip_space(text);
-
-		text = skip_number(start);
-		v[i] = text ? to_double(start) : INFINITY;
-		if (!text || !isfinite(v[i])) {
+		if (!take_number(&text, &v[i]) || !isfinite(v[i]) || (i == 2 && *text)) {
 			complain(xml, node, name, "is not three numbers that can be used");
 			return (vec3){0, 0, 0};
 		}

@@ -1,5 +1,6 @@
-#include "geom/decimal.h"
+#include "base/decimal.h"
 
+#include <locale.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,41 +57,64 @@ static bool scan_decimal(struct decimal *d, const char *word, size_t length)
 	return at == word + length;
 }
 
-/*
- * The nearest double, if it is cheap to have (both factors are exact, so that
- * one rounding is made) and rounding it once more gives the nearest float: it
- * does unless the double lies half-way between two floats.
- */
+/* The nearest double, if it is cheap to have: both factors are exact, so that one rounding is made. */
 static bool quick_value(const struct decimal *d, double *value)
 {
 	static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
 				      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-	const uint64_t below_float = ((uint64_t)1 << 29) - 1, half_way = (uint64_t)1 << 28;
-	uint64_t bits;
 	double v = (double)d->digits;
 
 	if (!d->exact || d->digits > (uint64_t)1 << 53 || abs(d->exponent) > 22)
 		return false;
 	v = d->exponent < 0 ? v / tens[-d->exponent] : v * tens[d->exponent];
-	memcpy(&bits, &v, sizeof(bits));
-	/* Between 1e-22 and 1e38 floats are neither subnormal nor infinite. */
-	if ((bits & below_float) == half_way)
-		return false;
 	*value = d->negative ? -v : v;
 	return true;
 }
 
-bool decimal_read(const char *word, size_t length, float *nearest, double *value)
+/* Does rounding this double once more give the float nearest to the decimal? Not if it lies half-way between two. */
+static bool rounds_once(double value)
+{
+	const uint64_t below_float = ((uint64_t)1 << 29) - 1, half_way = (uint64_t)1 << 28;
+	uint64_t bits;
+
+	/* Between 1e-22 and 1e38 floats are neither subnormal nor infinite. */
+	memcpy(&bits, &value, sizeof(bits));
+	return (bits & below_float) != half_way;
+}
+
+/* The C library's conversions follow the thread's locale: they are asked in the C locale. */
+static void read_slowly(const char *word, float *nearest, double *value)
+{
+	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0), previous = uselocale(c);
+
+	*nearest = strtof(word, NULL);
+	*value = strtod(word, NULL);
+	uselocale(previous);
+	if (c)
+		freelocale(c);
+}
+
+bool decimal_read(const char *word, size_t length, double *value)
+{
+	struct decimal d;
+	float unused;
+
+	if (!scan_decimal(&d, word, length))
+		return false;
+	if (!quick_value(&d, value))
+		read_slowly(word, &unused, value);
+	return true;
+}
+
+bool decimal_read_float(const char *word, size_t length, float *nearest, double *value)
 {
 	struct decimal d;
 
 	if (!scan_decimal(&d, word, length))
 		return false;
-	if (quick_value(&d, value)) {
+	if (quick_value(&d, value) && rounds_once(*value))
 		*nearest = (float)*value;
-	} else {
-		*nearest = strtof(word, NULL);
-		*value = strtod(word, NULL);
-	}
+	else
+		read_slowly(word, nearest, value);
 	return true;
 }
