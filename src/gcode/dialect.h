@@ -6,17 +6,21 @@
 
 #include "base/axes.h"
 #include "control/controller.h"
-#include "gcode/codes.h"
+#include "gcode/code.h"
 #include "gcode/text/fault.h"
 
 struct interp;
 
 /*
  * A control is one folder of gcode/dialect with a table of this type, and one
- * row of control/dialects.h. It inherits nothing: an answer that its table
- * leaves out is 0, which is "not known", and a program that needs the answer
- * is refused (dialect_answers). Rows of codes that several controls share are
- * sets that each of them names.
+ * row of control/dialects.h; no other file asks which control it is. It inherits
+ * nothing: an answer that its table leaves out is 0, which is "not known", and
+ * a program that needs the answer is refused (dialect_answers). Rows of codes
+ * that several controls share are sets that each of them names.
+ *
+ * What a new control does in its own way is an answer here if others may do it
+ * differently, too (add a member, and let the code that carries it out ask by
+ * is_answered), and a hook in its folder if it is a language of its own.
  */
 
 /* What a number without a decimal point means: whole units, or what the machine file's least_input says. */
@@ -64,7 +68,7 @@ enum h_zero { H_ZERO_UNKNOWN, H_ZERO_SPINDLE, H_ZERO_NONE };
 /* How canned cycles drill: each answer is needed by each of them. */
 struct cycle_traits {
 	enum answer words_outlive_cycle;	/* words hold for the next cycle of another code, too */
-	enum answer without_axes;	/* a cycle without axis words keeps its words and drills nothing; no: an error */
+	enum answer without_axes;	/* a cycle without axis words keeps its words, drills nothing; no: an error */
 	enum answer starts_at_r;	/* before any G98 or G99, the tool retracts to R; no: to the level before */
 	enum answer never_below_r;	/* with G98, the tool retracts to R where that lies higher */
 	enum answer level_is_coordinate;	/* the level changes with the coordinates; no: that is refused */
@@ -74,13 +78,13 @@ struct cycle_traits {
 	enum answer only_xyz;	/* a rotary axis cannot be named */
 	enum answer spindle_must_turn;	/* for taps and bores; no: the control starts it */
 	enum answer taps_confuse_planes;	/* G74 and G84 go elsewhere in other planes than that of G17 */
-	enum answer feeds_to_clear;	/* taps and G89 leave the hole at the feed; no: to R, and rapidly on from there */
+	enum answer feeds_to_clear;	/* taps and G89 leave the hole at the feed; no: they do up to R */
 	enum answer rises_first;	/* to R, before it goes over the first hole */
 	enum answer exact_path;	/* whatever path mode is in force */
 	char repeat_letter;
 };
 
-/* Modes at power-on: G-codes in tenths. 0: not known, and the program must choose before the first word that needs it. */
+/* Modes at power-on: G-codes in tenths. 0: not known; the program must choose before the first word that needs it. */
 struct power_on {
 	int units;	/* G20, G21 */
 	int distance;	/* G90, G91 */
@@ -91,12 +95,12 @@ struct power_on {
 struct dialect_traits {
 	struct power_on power_on;
 	enum whole_numbers whole_numbers;
-	enum answer known_order;	/* what a block does is done in the order of LinuxCNC's manual; no: it is not known */
+	enum answer known_order;	/* execute_block has the control's order; no: it is not known */
 	/* G4: the letters that can have its time, and whether it needs a block without motion. */
 	const char *dwell_letters;
 	enum dwell_p dwell_p;
 	enum answer dwell_alone;
-	enum answer text_before_percent;	/* lines that are no blocks may stand before the first '%'; no: blank ones */
+	enum answer text_before_percent;	/* lines that are no blocks may precede the first '%'; no: blank ones */
 	/* Motion and feed. */
 	enum feed_forgotten feed_forgotten;
 	enum empty_feed_move empty_feed_move;
@@ -127,8 +131,8 @@ struct dialect_traits {
 	/* Tool lengths. */
 	enum h_missing h_missing;
 	enum h_zero h_zero;
-	enum answer length_never_moves;	/* its change moves no axis; no: length_offset_moves of the machine file says */
-	enum answer g49_finds_length_gone;	/* after G28, G30 or G53 has taken the length back, G49 changes nothing */
+	enum answer length_never_moves;	/* its change moves no axis; no: the machine file says it */
+	enum answer g49_finds_length_gone;	/* after G28, G30, G53 that may have taken it back */
 	const char *call_letters;	/* of M97 to M99; NULL: none */
 };
 

@@ -151,7 +151,7 @@ static bool fault_of_reader(struct interp *interp, enum reader_status status, co
 /* Lines between two questions whether to go on; blank ones, which nobody else hears of, count as well. */
 #define QUIT_LINES 4096
 
-/* The next line of the file in hand. False: the program has ended, or *good: a fault was reported, or the run was cancelled. */
+/* The next line of the file in hand. False: the program has ended; *good is false after a fault or a cancellation. */
 static bool next_line(struct interp *interp, bool *good)
 {
 	struct source *source = interp->program.source;
@@ -166,8 +166,7 @@ static bool next_line(struct interp *interp, bool *good)
 	interp->at.line = source->reader.line;
 	if (status == READER_LINE)
 		return true;
-	*good = status == READER_END ? end_file(interp)
-				     : fault_of_reader(interp, status, interp->at.text);
+	*good = status == READER_END ? end_file(interp) : fault_of_reader(interp, status, interp->at.text);
 	if (!*good)
 		note_callers(interp);
 	return false;

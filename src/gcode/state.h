@@ -5,9 +5,9 @@
 #include <stdbool.h>
 
 #include "gcode/canon.h"
+#include "gcode/config.h"
 #include "gcode/execute/cutter_comp/comp_queue.h"
 #include "gcode/execute/tool_table.h"
-#include "gcode/config.h"
 #include "gcode/kinematics.h"
 #include "gcode/program.h"
 #include "gcode/text/block.h"
@@ -65,7 +65,7 @@ struct state {
 	axis_values canonical;	/* the same in mm and radians */
 	slot_values offset;	/* program coordinates + offset = position; derived */
 	int motion;	/* G0 to G3, or CODE_NONE */
-	/* Bits 1 << enum g_group: what is in force is not known, because neither the program nor its dialect has said it. */
+	/* Bits 1 << enum g_group: neither the program nor its dialect has said what is in force. */
 	unsigned unknown_modes;
 	int plane;	/* G17, G18, G19 */
 	bool incremental;
@@ -80,7 +80,7 @@ struct state {
 	struct cycle_memory cycle;
 	struct rotated_frame frame;
 	struct dynamic_work_offset dynamic;
-	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE: execute/coordinate_rotation.h */
+	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: execute/coordinate_rotation.h */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
@@ -92,7 +92,7 @@ struct state {
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
 	int length_doubt;	/* G28, G30, G53 or DOUBT_M6: what may have taken the length back, or CODE_NONE */
-	bool length_moves;	/* in this block the change of length moves axes by length_shift: execute/tool_length.h */
+	bool length_moves;	/* in this block the change of length moves axes by length_shift */
 	slot_values length_shift;	/* of X, Y and Z, in program coordinates */
 	enum tcp_source tcp;
 	axis_values rotary_zero;	/* as the sink was told last */

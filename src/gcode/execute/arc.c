@@ -28,8 +28,7 @@ enum arc_status arc_check_centre(struct plane_point start, struct plane_point en
 	difference = fabs(*start_radius - *end_radius);
 	if (difference > SPIRAL_GREATEST * tolerance->spiral)
 		return ARC_RADII_DIFFER;
-	if (difference > tolerance->spiral &&
-	    difference > SPIRAL_RELATIVE_TOLERANCE * fmax(*start_radius, *end_radius))
+	if (difference > tolerance->spiral && difference > SPIRAL_RELATIVE_TOLERANCE * fmax(*start_radius, *end_radius))
 		return ARC_RADII_DIFFER;
 	return ARC_OK;
 }

@@ -157,8 +157,8 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
 	if (cycle->r < cycle->bottom)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10,
-			     cycle->r - offset, cycle->bottom - offset);
+			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10, cycle->r - offset,
+			     cycle->bottom - offset);
 	cycle->clear = find_clear(cycle, level);
 	return true;
 }
@@ -170,8 +170,8 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	bool given = block_has(&interp->block, 'P');
 	bool by_code = cycle->traits->p_is_needed == ANSWER_YES;
 	bool needed = by_code && (cycle->code == G82 || cycle->code == G86 || cycle->code == G89);
-	bool optional = cycle->code != G73 && cycle->code != G81 && cycle->code != G83 && cycle->code != G85 &&
-			cycle->code != G87;
+	bool optional =
+	    cycle->code != G73 && cycle->code != G81 && cycle->code != G83 && cycle->code != G85 && cycle->code != G87;
 
 	if (!needed && !optional)
 		return true;
@@ -190,8 +190,8 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 static bool find_peck(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
-	int column = block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q')
-						    : block_motion_column(&interp->block);
+	int column =
+	    block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q') : block_motion_column(&interp->block);
 	double q = 0;
 
 	if (cycle->code != G73 && cycle->code != G83)
@@ -247,7 +247,8 @@ static bool find_repeats(struct canned_cycle *cycle)
 	if (cycle->repeats == 0 && (block->letters & AXIS_BITS & ~letter_bit(AXIS_LETTERS[cycle->depth])))
 		return fault(&interp->at, block_column(block, letter),
 			     "%c0 with a position: whether the tool goes there depends on the control; leave out one "
-			     "of them", letter);
+			     "of them",
+			     letter);
 	return true;
 }
 
@@ -296,8 +297,7 @@ static bool check_spindle(struct canned_cycle *cycle)
 	enum spindle_turn turn = interp->state.spindle;
 	int column = block_motion_column(&interp->block), code = cycle->code;
 
-	if (cycle->traits->spindle_must_turn == ANSWER_NO ||
-	    (code != G74 && code != G84 && code != G86 && code != G87))
+	if (cycle->traits->spindle_must_turn == ANSWER_NO || (code != G74 && code != G84 && code != G86 && code != G87))
 		return true;
 	if (turn == SPINDLE_STOPPED)
 		return fault(&interp->at, column, "G%d while the spindle stands", code / 10);
@@ -313,7 +313,8 @@ static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
 {
 	/* Tapping without M3: the cycle starts the spindle itself. */
 	bool taps = cycle->code == G74 || cycle->code == G84;
-	struct canon_move move = {.kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
+	struct canon_move move = {
+	    .kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
 
 	cycle->at.v[cycle->depth] = height;
 	return motion_commands_go(cycle->interp, &cycle->at, &move);
@@ -331,8 +332,8 @@ static bool feed(struct canned_cycle *cycle, double height)
 
 static bool rest(struct canned_cycle *cycle)
 {
-	return !cycle->dwells || motion_commands_emit(cycle->interp, &(struct canon_move){.kind = CANON_DWELL,
-										 .seconds = cycle->dwell});
+	return !cycle->dwells ||
+	       motion_commands_emit(cycle->interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = cycle->dwell});
 }
 
 static bool make_pecks(struct canned_cycle *cycle)
@@ -358,10 +359,9 @@ static bool step_aside(struct canned_cycle *cycle, double sign, double height)
 /* Down beside the hole's axis, up on it with the tool turning, and out the same way. */
 static bool bore_back(struct canned_cycle *cycle)
 {
-	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) &&
-	       step_aside(cycle, -1, cycle->bottom) && feed(cycle, cycle->top) && feed(cycle, cycle->bottom) &&
-	       step_aside(cycle, 1, cycle->bottom) && rapid(cycle, cycle->clear) &&
-	       step_aside(cycle, -1, cycle->clear);
+	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) && step_aside(cycle, -1, cycle->bottom) &&
+	       feed(cycle, cycle->top) && feed(cycle, cycle->bottom) && step_aside(cycle, 1, cycle->bottom) &&
+	       rapid(cycle, cycle->clear) && step_aside(cycle, -1, cycle->clear);
 }
 
 /* Out at the feed: all the way for taps and G89 on some controls, else to R, and on from there at the rapid rate. */
@@ -465,21 +465,21 @@ static bool are_traits_known(const struct interp *interp, const struct cycle_tra
 		int answer;
 		const char *question;
 	} questions[] = {
-		{traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
-		{traits->without_axes, "what a canned cycle without axis words does"},
-		{traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
-		{traits->never_below_r, "whether canned cycles with G98 retract below R"},
-		{traits->level_is_coordinate, "whether the level of G98 is a coordinate"},
-		{traits->p_is_needed, "which canned cycles dwell for P"},
-		{traits->q_has_sign, "whether Q of a canned cycle has a sign"},
-		{traits->zero_repeats_refused, "what a canned cycle does that is repeated 0 times"},
-		{traits->only_xyz, "whether canned cycles move rotary axes"},
-		{traits->spindle_must_turn, "whether canned cycles start the spindle"},
-		{traits->taps_confuse_planes, "where G74 and G84 go in other planes than that of G17"},
-		{traits->feeds_to_clear, "where taps and G89 retract at the feed to"},
-		{traits->rises_first, "at which height canned cycles go to their first hole"},
-		{traits->exact_path, "whether canned cycles drill in exact path mode"},
-		{traits->repeat_letter, "which word repeats a canned cycle"},
+	    {traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
+	    {traits->without_axes, "what a canned cycle without axis words does"},
+	    {traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
+	    {traits->never_below_r, "whether canned cycles with G98 retract below R"},
+	    {traits->level_is_coordinate, "whether the level of G98 is a coordinate"},
+	    {traits->p_is_needed, "which canned cycles dwell for P"},
+	    {traits->q_has_sign, "whether Q of a canned cycle has a sign"},
+	    {traits->zero_repeats_refused, "what a canned cycle does that is repeated 0 times"},
+	    {traits->only_xyz, "whether canned cycles move rotary axes"},
+	    {traits->spindle_must_turn, "whether canned cycles start the spindle"},
+	    {traits->taps_confuse_planes, "where G74 and G84 go in other planes than that of G17"},
+	    {traits->feeds_to_clear, "where taps and G89 retract at the feed to"},
+	    {traits->rises_first, "at which height canned cycles go to their first hole"},
+	    {traits->exact_path, "whether canned cycles drill in exact path mode"},
+	    {traits->repeat_letter, "which word repeats a canned cycle"},
 	};
 
 	for (size_t i = 0; i < sizeof(questions) / sizeof(questions[0]); i++) {
@@ -492,7 +492,9 @@ static bool are_traits_known(const struct interp *interp, const struct cycle_tra
 bool canned_cycle_run(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	struct canned_cycle cycle = {.interp = interp, .code = interp->block.motion, .traits = traits_of(interp)->cycles,
+	struct canned_cycle cycle = {.interp = interp,
+				     .code = interp->block.motion,
+				     .traits = traits_of(interp)->cycles,
 				     .at = rotated_frame_straight(state)};
 	int column = block_motion_column(&interp->block);
 	bool kept, good;

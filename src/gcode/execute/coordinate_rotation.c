@@ -39,8 +39,8 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 
 		if (given && (slot > SLOT_Z || slot == across))
 			return fault(&interp->at, block_column(&interp->block, AXIS_LETTERS[slot]),
-				     "%c does not belong to the centre of G68 in the plane of G%d",
-				     AXIS_LETTERS[slot], state->plane / 10);
+				     "%c does not belong to the centre of G68 in the plane of G%d", AXIS_LETTERS[slot],
+				     state->plane / 10);
 		words += given;
 		if (slot <= SLOT_Z)
 			at[slot] = given ? block_value(&interp->block, AXIS_LETTERS[slot]) * state->scale
@@ -84,8 +84,9 @@ static bool turn_in_plane(struct interp *interp)
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "G68 under tool centre point control; cancel that first");
 	if (interp->block.letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
-		return fault(&interp->at, column, "G68 with I, J, K: three-dimensional coordinate conversion is not "
-						  "supported yet");
+		return fault(&interp->at, column,
+			     "G68 with I, J, K: three-dimensional coordinate conversion is not "
+			     "supported yet");
 	if (!block_has(&interp->block, 'R'))
 		return fault(&interp->at, column,
 			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
@@ -127,8 +128,8 @@ static bool tilt(struct interp *interp)
 	third = mat3_turn(z, radians(word_or(interp, 'K', 0)));
 	first = mat3_mul(&first, &second);
 	frame.turn = mat3_mul(&first, &third);
-	frame.origin = vec3_scale(state->scale, (vec3){word_or(interp, 'X', 0), word_or(interp, 'Y', 0),
-						       word_or(interp, 'Z', 0)});
+	frame.origin =
+	    vec3_scale(state->scale, (vec3){word_or(interp, 'X', 0), word_or(interp, 'Y', 0), word_or(interp, 'Z', 0)});
 	state->frame = frame;
 	return true;
 }
@@ -140,8 +141,7 @@ static bool turn_back(struct interp *interp)
 
 	state->frame = (struct rotated_frame){0};
 	state->cycle.turned = true;
-	if (state->tcp == TCP_BY_PLANE &&
-	    !tool_length_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
+	if (state->tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
 		return false;
 	mark_unsure(state, &before, G69);
 	return true;
@@ -162,8 +162,8 @@ static bool check_both_words(struct interp *interp)
 			continue;
 		return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
 			     "%c without %c in the first absolute move after G68: whether %c keeps its programmed or "
-			     "its turned coordinate depends on the control; name both", AXIS_LETTERS[slot],
-			     AXIS_LETTERS[other], AXIS_LETTERS[other]);
+			     "its turned coordinate depends on the control; name both",
+			     AXIS_LETTERS[slot], AXIS_LETTERS[other], AXIS_LETTERS[other]);
 	}
 	return true;
 }
@@ -271,8 +271,8 @@ static bool check_by_machine(struct interp *interp)
 		return fault(&interp->at, block->g_column[G_NONMODAL], "G%d while G68 is in force; G69 first",
 			     code / 10);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (slot != across && (block_has(block, AXIS_LETTERS[slot]) ||
-				       (code != G53 && !(block->letters & AXIS_BITS))))
+		if (slot != across &&
+		    (block_has(block, AXIS_LETTERS[slot]) || (code != G53 && !(block->letters & AXIS_BITS))))
 			return fault(&interp->at, block->g_column[G_NONMODAL],
 				     "G%d with %c while G68 is in force: whether the way there and the coordinates "
 				     "behind it are turned depends on the control; G69 first",

@@ -1,4 +1,4 @@
-/* coordinate_rotation.h - coordinates turned by the program: in the plane (G68), in space (G68.2, with G53.1), and back (G69). */
+/* coordinate_rotation.h - coordinates turned in the plane (G68), in space (G68.2, G53.1), and back (G69). */
 #ifndef FIVECHECK_GCODE_EXECUTE_COORDINATE_ROTATION_H
 #define FIVECHECK_GCODE_EXECUTE_COORDINATE_ROTATION_H
 

@@ -54,7 +54,7 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 	if (config->wrap[slot] == WRAP_SHORTEST)
 		return shortest(interp, slot, value + origin, column, target);
 	if (fabs(value) >= 360 && !is_answered(interp, column, traits_of(interp)->wrap_below_turn,
-						"where an absolute position of a turn or more leads a wrapped axis"))
+					       "where an absolute position of a turn or more leads a wrapped axis"))
 		return false;
 	if (fabs(value) >= 360 && traits_of(interp)->wrap_below_turn == ANSWER_YES)
 		return fault(&interp->at, column,
@@ -70,7 +70,8 @@ bool endpoint_is_known(struct interp *interp, int slot, int column)
 		return true;
 	return fault(&interp->at, column,
 		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
-		     "absolute coordinate (G90) first", AXIS_LETTERS[slot]);
+		     "absolute coordinate (G90) first",
+		     AXIS_LETTERS[slot]);
 }
 
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
@@ -104,7 +105,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		if (state->incremental)
 			target->v[slot] += value;
 		else if (!endpoint_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
-					  block_column(block, letter), &target->v[slot]))
+					    block_column(block, letter), &target->v[slot]))
 			return false;
 		if (!state->incremental && block->motion >= G0 && block->motion <= G3)
 			state->probed[slot] = false;

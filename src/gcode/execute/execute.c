@@ -33,13 +33,13 @@ static bool check_modes(struct interp *interp)
 		int column;
 		const char *question;
 	} modes[] = {
-		{G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21"},
-		{G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21"},
-		{G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91"},
-		{G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19"},
-		{G_ARC_DISTANCE, arc && (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))), column,
-		 "whether I, J and K count from the start of an arc"},
-		{G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95"},
+	    {G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21"},
+	    {G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21"},
+	    {G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91"},
+	    {G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19"},
+	    {G_ARC_DISTANCE, arc && (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))), column,
+	     "whether I, J and K count from the start of an arc"},
+	    {G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95"},
 	};
 
 	for (int group = 0; group < G_GROUPS; group++)
@@ -234,10 +234,10 @@ static bool execute_motion(struct interp *interp)
 		int code;
 		bool (*run)(struct interp *interp);
 	} motions[] = {
-		{G0, straight_move_run},	 {G1, straight_move_run},      {G2, arc_move_run},
-		{G3, arc_move_run},		 {G80, cancel_motion},	       {G33, feedback_moves_run},
-		{G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
-		{G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
+	    {G0, straight_move_run},	 {G1, straight_move_run},     {G2, arc_move_run},
+	    {G3, arc_move_run},		 {G80, cancel_motion},	      {G33, feedback_moves_run},
+	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
+	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
 	};
 	int code = interp->block.motion;
 
@@ -252,7 +252,8 @@ static bool execute_motion(struct interp *interp)
 		if (motions[i].code == code)
 			return motions[i].run(interp);
 	}
-	return fault(&interp->at, block_motion_column(&interp->block), "G%g: this motion is not supported yet", code / 10.0);
+	return fault(&interp->at, block_motion_column(&interp->block), "G%g: this motion is not supported yet",
+		     code / 10.0);
 }
 
 /* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */

@@ -108,8 +108,7 @@ bool g10_tool_table_write(struct interp *interp, int mode)
 	if (!check_offsets(interp, mode, number))
 		return false;
 	if (block_has(block, 'Z'))
-		tool_table_set_length(&interp->tools, number,
-				      offset_of(interp, mode, SLOT_Z, block_value(block, 'Z')));
+		tool_table_set_length(&interp->tools, number, offset_of(interp, mode, SLOT_Z, block_value(block, 'Z')));
 	if (block_has(block, 'R'))
 		tool_table_set_diameter(&interp->tools, number, 2 * block_value(block, 'R') * interp->state.scale);
 	return true;

@@ -25,8 +25,7 @@ static bool is_settled(const struct interp *interp, int slot)
 	bool incremental = distance == CODE_NONE ? interp->state.incremental : distance == G91;
 	bool straight = block->motion >= G0 && block->motion <= G3;
 
-	return block_has(block, AXIS_LETTERS[slot]) && !incremental && straight &&
-	       block->g[G_ROTATION] == CODE_NONE &&
+	return block_has(block, AXIS_LETTERS[slot]) && !incremental && straight && block->g[G_ROTATION] == CODE_NONE &&
 	       (block->g[G_NONMODAL] == CODE_NONE || block->g[G_NONMODAL] == G53);
 }
 

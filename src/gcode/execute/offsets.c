@@ -138,7 +138,8 @@ static bool find_written(struct interp *interp, int mode, int *system)
 	const struct block *block = &interp->block;
 	const struct dialect_traits *traits = traits_of(interp);
 	bool additional = mode == 20 && traits->g10_l20 == G10_L20_ADDITIONAL;
-	int first = additional ? 1 : traits->g10_first, last = additional ? traits->additional_offsets : traits->g10_last;
+	int first = additional ? 1 : traits->g10_first,
+	    last = additional ? traits->additional_offsets : traits->g10_last;
 	int column = block_column(block, 'L');
 
 	if (mode == 20 && !is_answered(interp, column, traits->g10_l20, "what G10 L20 writes"))
@@ -180,7 +181,8 @@ bool offsets_set(struct interp *interp)
 						      "whether G10 in incremental distance mode (G91) adds its words"))
 		return false;
 	interp->state.work_known[system] = true;
-	return change_slots(interp, system, mode == 20 && traits->g10_l20 == G10_L20_HERE ? change_work_here : change_work);
+	return change_slots(interp, system,
+			    mode == 20 && traits->g10_l20 == G10_L20_HERE ? change_work_here : change_work);
 }
 
 static void change_shift(struct interp *interp, int system, int slot, double word)

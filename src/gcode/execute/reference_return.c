@@ -70,7 +70,8 @@ static bool find_number(struct interp *interp, int *index)
 		return true;
 	return fault(&interp->at, by_p ? block_column(block, 'P') : block->g_column[G_NONMODAL],
 		     "the machine file has no reference position %d; <reference number=\"%d\" X=\"\" .../> in its "
-		     "<controller> gives it", number, number);
+		     "<controller> gives it",
+		     number, number);
 }
 
 static slot_values place_values(const struct interp *interp, int index)

@@ -1,4 +1,4 @@
-/* rotated_frame.h - coordinate systems turned by the program (G68, G68.2): between programmed and controller positions. */
+/* rotated_frame.h - from programmed to controller positions in turned coordinates (G68, G68.2), and back. */
 #ifndef FIVECHECK_GCODE_EXECUTE_ROTATED_FRAME_H
 #define FIVECHECK_GCODE_EXECUTE_ROTATED_FRAME_H
 

@@ -41,8 +41,9 @@ bool straight_move_run(struct interp *interp)
 	struct canon_move move = {.kind = CANON_RAPID};
 
 	interp->state.motion = block->motion;
-	if (machine && feeds && !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate,
-					     "whether G53 with G1 moves at the feed"))
+	if (machine && feeds &&
+	    !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate,
+			 "whether G53 with G1 moves at the feed"))
 		return false;
 	if (machine && traits->g53_rate == G53_RATE_RAPID)
 		feeds = false;

@@ -22,7 +22,8 @@ axis_values tool_length_rotary_zero(const struct interp *interp)
 static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
-	struct kinematics_tcp tcp = {.on = source != TCP_OFF, .length = length, .rotary_zero = tool_length_rotary_zero(interp)};
+	struct kinematics_tcp tcp = {
+	    .on = source != TCP_OFF, .length = length, .rotary_zero = tool_length_rotary_zero(interp)};
 	axis_values position = state->canonical;
 
 	if (!interp->kinematics->tcp(interp->kinematics->context, &tcp, line_loc(&interp->at, column), &position))
@@ -136,7 +137,8 @@ static bool find_length_number(struct interp *interp, int *number)
 	if (missing == H_MISSING_REFUSED)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
 	if (*number < 0)
-		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before", code);
+		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H, of which none was given before",
+			     code);
 	return true;
 }
 

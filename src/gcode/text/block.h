@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "gcode/codes.h"
+#include "gcode/code.h"
 #include "gcode/config.h"
 #include "gcode/text/fault.h"
 #include "gcode/text/lexer.h"

@@ -86,11 +86,14 @@ static bool fault_without_time(const struct block *block, const struct line_plac
 
 	for (size_t i = 0; i < count; i++)
 		length += (size_t)snprintf(text + length, sizeof(text) - length, "%s%c",
-					   i == 0 ? "" : i + 1 < count ? ", " : " or ", letters[i]);
+					   i == 0	   ? ""
+					   : i + 1 < count ? ", "
+							   : " or ",
+					   letters[i]);
 	return fault(at, block->g_column[G_NONMODAL], "G4 needs its time in %s%s", count > 1 ? "one word, " : "", text);
 }
 
-/* The time of a dwell stands in one of some letters; where it does not stand alone, axis words are those of a motion. */
+/* A dwell has its time in one of some letters; where it need not stand alone, other axis words are a motion's. */
 static bool check_dwell(struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
 	const char *letters = dialect->traits.dwell_letters;
@@ -179,7 +182,7 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 /* How a control keeps to the path: execute/path_control.c. */
 static uint32_t contour_letters(int code)
 {
-	return code == G5_1	? letter_bit('Q') | letter_bit('R')
+	return code == G5_1   ? letter_bit('Q') | letter_bit('R')
 	       : code == G187 ? letter_bit('P') | letter_bit('E')
 			      : letter_bit('P');
 }
@@ -190,7 +193,8 @@ static uint32_t data_letters(const struct block *block, const struct dialect *di
 	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
 	double mode = block_has(block, 'L') ? block_value(block, 'L') : 0;
 
-	if (dialect->traits.g10_writes_tools != ANSWER_NO && mode > 0 && mode < 12 && g10_tool_table_takes((int)lround(mode)))
+	if (dialect->traits.g10_writes_tools != ANSWER_NO && mode > 0 && mode < 12 &&
+	    g10_tool_table_takes((int)lround(mode)))
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('Q');
 	return used;
 }
@@ -317,7 +321,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 
 	if (!check_idle(block, at))
 		return false;
-	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) && !find_motion(block, at, modes))
+	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) &&
+	    !find_motion(block, at, modes))
 		return false;
 	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && !(block->letters & AXIS_BITS) &&
 	    !(dialect->traits.cycles && dialect->traits.cycles->without_axes == ANSWER_YES))

@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/path_sandbox.h"
 #include "base/mem.h"
+#include "base/path_sandbox.h"
 #include "base/strbuf.h"
 
 static struct source *add(struct sources *sources, FILE *in, const char *name)

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/dialect/linuxcnc/control_stack.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 
 /* ------------------------------------------------------------ definitions */
 

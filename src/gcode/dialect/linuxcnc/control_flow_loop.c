@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/dialect/linuxcnc/control_stack.h"
+#include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 
 static void push_control(struct control_flow *flow, enum o_kind kind, struct label *label)
 {

@@ -88,8 +88,10 @@ static bool fault_of_end(struct interp *interp, enum comp_end end, const struct 
 	if (end == COMP_END_OFF_ARC)
 		return fault(&at, column, "the compensated arc of line %ld cannot be made: its radii differ",
 			     item->move.line);
-	return fault(&at, column, "the %s of line %ld ends in an inside corner that the tool (radius %.6g mm) cannot "
-				  "reach without gouging", what, item->move.line, interp->comp.radius);
+	return fault(&at, column,
+		     "the %s of line %ld ends in an inside corner that the tool (radius %.6g mm) cannot "
+		     "reach without gouging",
+		     what, item->move.line, interp->comp.radius);
 }
 
 /* Everything that waits ends at this point. */
@@ -127,8 +129,8 @@ static void arrive(struct interp *interp, const slot_values *target, struct plan
 static bool add_line(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		     struct plane_point direction, struct plane_point end)
 {
-	struct comp_item item = {.kind = COMP_LINE, .move = complete(interp, move, target), .direction = direction,
-				 .end = end};
+	struct comp_item item = {
+	    .kind = COMP_LINE, .move = complete(interp, move, target), .direction = direction, .end = end};
 
 	if (!motion_commands_enqueue(interp, &item))
 		return false;
@@ -172,8 +174,8 @@ static bool way_before(const struct interp *interp, struct plane_point corner, s
 		return false;
 	*way = (struct comp_way){.point = current};
 	/* The tool stands beside the corner; a quarter turn from there goes the way. */
-	way->direction = (struct plane_point){side * (current.b - corner.b) / radius,
-					      -side * (current.a - corner.a) / radius};
+	way->direction =
+	    (struct plane_point){side * (current.b - corner.b) / radius, -side * (current.a - corner.a) / radius};
 	if (queue->items[0].kind != COMP_ARC)
 		return true;
 	way->is_arc = true;
@@ -216,11 +218,14 @@ static bool meet(struct interp *interp, struct plane_point corner, const struct 
 	struct comp_way before;
 
 	if (!way_before(interp, corner, &before))
-		return fault(&interp->at, column, "an inside corner after a stop of the program under cutter "
-						  "compensation; the tool has gone too far already");
+		return fault(&interp->at, column,
+			     "an inside corner after a stop of the program under cutter "
+			     "compensation; the tool has gone too far already");
 	if (!comp_corner(&before, after, &end))
-		return fault(&interp->at, column, "an inside corner that the tool (radius %.6g mm) cannot reach "
-						  "without gouging", interp->comp.radius);
+		return fault(&interp->at, column,
+			     "an inside corner that the tool (radius %.6g mm) cannot reach "
+			     "without gouging",
+			     interp->comp.radius);
 	return send_to(interp, end);
 }
 
@@ -312,7 +317,8 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 	if (hypot(to.a - from.a, to.b - from.b) <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the entry arc of cutter compensation does not reach farther than the tool's radius, "
-			     "%.6g mm", comp->radius);
+			     "%.6g mm",
+			     comp->radius);
 	radial_angle = atan2(item->centre.b - end.b, item->centre.a - end.a);
 	radial = (struct plane_point){cos(radial_angle), sin(radial_angle)};
 	chord = (struct plane_point){from.a - end.a, from.b - end.b};
@@ -332,7 +338,7 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 }
 
 bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct plane_point centre, int turns,
-	      struct canon_move *move)
+		     struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
 	struct plane_point from = point_of(interp, &interp->state.position), to = point_of(interp, target), end;

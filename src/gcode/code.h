@@ -1,6 +1,6 @@
-/* codes.h - G and M codes, their modal groups, and sets of the codes that a dialect knows. */
-#ifndef FIVECHECK_GCODE_CODES_H
-#define FIVECHECK_GCODE_CODES_H
+/* code.h - G and M codes, their modal groups, and sets of the codes that a dialect knows. */
+#ifndef FIVECHECK_GCODE_CODE_H
+#define FIVECHECK_GCODE_CODE_H
 
 #include <stdbool.h>
 #include <stddef.h>

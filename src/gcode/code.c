@@ -1,4 +1,4 @@
-#include "gcode/codes.h"
+#include "gcode/code.h"
 
 static const struct code *find_in_set(const struct code_set *set, int number)
 {
