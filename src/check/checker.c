@@ -234,8 +234,8 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
 					 .rank = (int)check->pair};
 	struct contact contact;
-	enum pose_state state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance, &contact,
-					  &c->log.diags.diag);
+	enum pose_state state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance,
+						  &contact, &c->log.diags.diag);
 
 	c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);
 	if (c->broken_off)

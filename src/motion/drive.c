@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 #include "motion/table_point.h"
 #include "motion/limits.h"
@@ -101,17 +102,26 @@ static int moving_axes(const struct path *path)
 }
 
 /*
- * On a tilted plane the rotary axes stand still; a rapid that is no straight line is
- * then made of the axes' own ways.
+ * Under TCP a rapid keeps the tip on a line only where rapids are linear. Elsewhere the axes go
+ * their own ways to the same end, and nobody knows what the tip does on the way.
  */
 static bool goes_as_axes(const struct drive *drive, const struct canon_move *move)
 {
-	return move->tcp && move->plane && move->kind == CANON_RAPID &&
-	       drive->machine->controller.rapid != RAPID_LINEAR;
+	return move->tcp && move->kind == CANON_RAPID && drive->machine->controller.rapid != RAPID_LINEAR;
+}
+
+static bool turns(const struct path *path)
+{
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		if (!same_double(path->start.v[slot], path->end.v[slot]))
+			return true;
+	return false;
 }
 
 static enum path_kind kind_of(const struct drive *drive, const struct canon_move *move, const struct path *path)
 {
+	if (goes_as_axes(drive, move) && turns(path))
+		return PATH_BOX;
 	if (move->tcp && !goes_as_axes(drive, move))
 		return PATH_TCP;
 	if (move->kind == CANON_ARC)
@@ -121,8 +131,11 @@ static enum path_kind kind_of(const struct drive *drive, const struct canon_move
 	return PATH_STRAIGHT;
 }
 
-/* Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. */
-static void set_path(struct path *path, const struct drive *drive, const struct canon_move *move)
+/*
+ * Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. Where the axes go their
+ * own ways under TCP, *guided receives start and end as the controller means them.
+ */
+static void set_path(struct path *path, const struct drive *drive, const struct canon_move *move, struct path *guided)
 {
 	path->circular = move->kind == CANON_ARC;
 	if (!move->tcp)
@@ -135,6 +148,7 @@ static void set_path(struct path *path, const struct drive *drive, const struct 
 	if (path->circular)
 		path->arc = move->arc;
 	if (goes_as_axes(drive, move)) {
+		*guided = *path;
 		path->start = drive->position;
 		path->end = tcp_to_machine(&drive->tcp, &path->end);
 		clean(&path->end, &path->start, SLOT_X);
@@ -201,6 +215,7 @@ struct run {
 	struct drive *drive;
 	const struct canon_move *move;
 	axis_values tolerance;
+	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
 	bool outside;
 	size_t count;	/* of legs; 0: nothing moves */
 	struct leg legs[SLOT_COUNT];
@@ -221,17 +236,47 @@ static bool is_countable(const struct drive *drive, const struct canon_move *mov
 	return false;
 }
 
+/*
+ * By how much each axis leaves the box between start and end if the control keeps the tip on a line all the same:
+ * linear axes swing out while rotary ones turn. False: too long to say, which was reported.
+ */
+static bool swing_out(const struct run *run, struct path *guided, const struct path *box, axis_values *most)
+{
+	const struct drive *drive = run->drive;
+	struct span whole, piece;
+	struct span_walk walk;
+
+	*most = (axis_values){{0}};
+	guided->kind = PATH_TCP;
+	guided->tcp = &drive->tcp;
+	span_init(&whole, guided);
+	if (!span_is_flat(&whole, CURVED) && !is_countable(drive, run->move, guided))
+		return false;
+	span_walk_init(&walk, &whole, drive->options->flatness);
+	while (span_walk_next(&walk, &piece)) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.deviation.v[slot];
+			const double high = fmax(piece.q0.v[slot], piece.q1.v[slot]) + piece.deviation.v[slot];
+			const double below = fmin(box->start.v[slot], box->end.v[slot]) - low;
+			const double above = high - fmax(box->start.v[slot], box->end.v[slot]);
+
+			most->v[slot] = fmax(most->v[slot], fmax(below, above));
+		}
+	}
+	return true;
+}
+
 static bool set_legs(struct run *run)
 {
 	const struct drive *drive = run->drive;
 	const struct machine *machine = drive->machine;
 	const struct canon_move *move = run->move;
 	struct leg *leg = &run->legs[0];
-	struct path *path = &leg->path;
+	struct path *path = &leg->path, guided;
 	double seconds = 0;
 
 	run->count = 0;
-	set_path(path, drive, move);
+	set_path(path, drive, move, &guided);
 	if (!moving_axes(path) && !(path->circular && path_length(path) > 0))
 		return true;
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
@@ -240,6 +285,8 @@ static bool set_legs(struct run *run)
 		run->count = split_dogleg(machine, &whole, run->legs);
 		return true;
 	}
+	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, &guided, path, &run->swing))
+		return false;
 	span_init(&leg->span, &leg->path);
 	/* Under TCP the same place has been computed twice, by way of the controller's position: keep the first. */
 	leg->span.q0 = drive->position;
@@ -360,6 +407,9 @@ static bool carry_out(struct drive *drive, const struct canon_move *move)
 	if (!run.count)
 		return true;
 	run.tolerance = blend_tolerance(drive, move);
+	if (run.legs[0].path.kind == PATH_BOX && move->tcp)
+		for (int slot = 0; slot < SLOT_COUNT; slot++)
+			run.tolerance.v[slot] += run.swing.v[slot];
 	if (move->blend && !(move->blend_tolerance > 0) && !(drive->machine->controller.path_tolerance > 0))
 		drive->event.summary.blend_unbounded = true;
 	drive->event.summary.moves++;

@@ -188,6 +188,59 @@ END_TEST
 
 /* ---------------------------------------------------------- tcp and the rest */
 
+/*
+ * A rapid under TCP keeps the tip on a line only where rapids are linear. Elsewhere every position between the axes'
+ * ends is possible, and, as the tip may be kept on its line all the same, the positions of that line, too.
+ */
+START_TEST(rapids_under_tcp_go_as_the_axes_like)
+{
+	static const enum rapid kinds[] = {RAPID_DOGLEG, RAPID_ANY};
+
+	for (size_t i = 0; i < 2; i++) {
+		struct machine machine = rig_trunnion();
+		struct record line, free;
+		struct canon_move move = move_to(CANON_RAPID, (axis_values){{60, 0, 0, 0, 0, radians(180)}});
+		axis_values low = {{0}}, high = {{0}};
+
+		move.tcp = true;
+		start(&line, &machine);
+		line.options.flatness = 0.5;
+		guide(&line, 100);
+		go(&line, move);
+		ck_assert_int_eq(line.steps[0].span.path->kind, PATH_TCP);
+		machine.controller.rapid = kinds[i];
+		start(&free, &machine);
+		guide(&free, 100);
+		go(&free, move);
+		ck_assert_int_eq(free.step_count, 1);
+		ck_assert_int_eq(free.steps[0].span.path->kind, PATH_BOX);
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			const struct motion_step *box = &free.steps[0];
+
+			ck_assert_double_eq_tol(free.last.v[slot], line.last.v[slot], 1e-9);
+			low.v[slot] = fmin(box->span.q0.v[slot], box->span.q1.v[slot]) - box->tolerance.v[slot];
+			high.v[slot] = fmax(box->span.q0.v[slot], box->span.q1.v[slot]) + box->tolerance.v[slot];
+			ck_assert_double_lt(box->tolerance.v[slot], 100);
+		}
+		/* The tip goes along X at 60 mm in half a turn: Y swings out. */
+		ck_assert_double_gt(free.steps[0].tolerance.v[SLOT_Y], 20);
+		ck_assert_int_le(line.step_count, EVENTS);
+		for (int k = 0; k < line.step_count; k++) {
+			for (int slot = 0; slot < SLOT_COUNT; slot++) {
+				ck_assert_double_ge(line.steps[k].span.q1.v[slot], low.v[slot] - 1e-9);
+				ck_assert_double_le(line.steps[k].span.q1.v[slot], high.v[slot] + 1e-9);
+			}
+		}
+		/* While the rotary axes stand still, a rapid is what it is without TCP. */
+		move.end.v[SLOT_X] = 80;
+		move.end.v[SLOT_Y] = 15;
+		go(&free, move);
+		ck_assert_int_eq(free.steps[1].span.path->kind, kinds[i] == RAPID_ANY ? PATH_BOX : PATH_STRAIGHT);
+		ck_assert_int_eq(free.step_count, kinds[i] == RAPID_ANY ? 2 : 3);
+	}
+}
+END_TEST
+
 START_TEST(tcp_on_and_off_moves_nothing)
 {
 	struct machine machine = rig_trunnion();
@@ -384,6 +437,7 @@ int main(void)
 	tcase_add_test(tests, feeds);
 	tcase_add_test(tests, rapids);
 	tcase_add_test(tests, arcs_take_their_length);
+	tcase_add_test(tests, rapids_under_tcp_go_as_the_axes_like);
 	tcase_add_test(tests, guided_moves_are_held_to_rates);
 	tcase_add_test(tests, dogleg_breaks_where_axes_arrive);
 	tcase_add_test(tests, dogleg_of_all_axes);
