@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "check/certified/motion_budget.h"
+#include "check/step.h"
 #include "check/path_copies.h"
 #include "motion/events.h"
 

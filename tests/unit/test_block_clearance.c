@@ -156,7 +156,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("block");
+	Suite *suite = suite_create("block_clearance");
 	TCase *tcase = tcase_create("blocks");
 	SRunner *check = srunner_create(suite);
 	int failed;

@@ -154,7 +154,7 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("stretch");
+	Suite *suite = suite_create("merged_steps");
 	TCase *tcase = tcase_create("several steps as one");
 	SRunner *check = srunner_create(suite);
 	int failed;

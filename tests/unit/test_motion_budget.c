@@ -102,7 +102,7 @@ static struct position_errors random_errors(struct walk *w, const axis_values *a
 	return errors;
 }
 
-static void step_straight(struct walk *w, struct sweep *sweep)
+static void move_straight(struct walk *w, struct sweep *sweep)
 {
 	axis_values q1 = next_place(w), amount = {{0}}, was = w->budgets.now.at;
 	struct position_errors errors;
@@ -128,7 +128,7 @@ static void step_straight(struct walk *w, struct sweep *sweep)
 	w->at = q1;
 }
 
-static void step_box(struct walk *w, struct sweep *sweep)
+static void move_in_box(struct walk *w, struct sweep *sweep)
 {
 	axis_values q1 = next_place(w), low, high, amount = {{0}};
 	struct position_errors errors;
@@ -170,9 +170,9 @@ START_TEST(what_is_covered_is_apart)
 		walk_init(&w, 1, n);
 		for (int i = 0; i < 200; i++) {
 			if (random_below(&w.random, 5))
-				step_straight(&w, &sweep);
+				move_straight(&w, &sweep);
 			else
-				step_box(&w, &sweep);
+				move_in_box(&w, &sweep);
 			/* Now and then the axes go elsewhere unwatched. */
 			if (!random_below(&w.random, 20)) {
 				w.at = next_place(&w);

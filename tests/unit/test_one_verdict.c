@@ -86,14 +86,14 @@ static bool near_program_init(struct near_program *n, uint64_t test, long number
 }
 
 /* What the sweep alone says of a step: nothing is remembered from other steps. */
-static enum sweep_answer sweep_alone(struct near_program *n, struct sweep *sweep, int step, struct contact *contact)
+static enum query_answer sweep_alone(struct near_program *n, struct sweep *sweep, int step, struct contact *contact)
 {
 	struct body_pair bodies = n->p.duo.pair;
 	const struct clearance_query query = {.sweep = sweep, .bodies = &bodies, .clearance = n->p.clearance,
 					.tolerance = n->p.tolerance};
 
 	bodies.coherence = NULL;
-	return step_sweep(&query, &n->steps[step].motion, contact);
+	return clearance_query_step(&query, &n->steps[step].motion, contact);
 }
 
 static void require_apart(struct near_program *n, struct sweep *sweep, int first, int count, const char *what, long number)
@@ -101,7 +101,7 @@ static void require_apart(struct near_program *n, struct sweep *sweep, int first
 	for (int i = first; i < first + count; i++) {
 		struct contact contact;
 
-		require(sweep_alone(n, sweep, i, &contact) == SWEEP_APART,
+		require(sweep_alone(n, sweep, i, &contact) == QUERY_CLEAR,
 			"case %ld: %s passed step %d, the sweep reports it at %.12g: %.9g mm, required %.9g, tolerance %.9g",
 			number, what, i, contact.s, contact.distance, n->p.clearance, n->p.tolerance);
 	}
@@ -141,7 +141,7 @@ static bool take_step(struct near_program *n, struct strategy *strategy, struct 
 		counts->steps++;
 		return true;
 	}
-	require(sweep_alone(n, alone, i, &truth) == SWEEP_CONTACT, "case %ld: step %d is reported, the sweep does not", number,
+	require(sweep_alone(n, alone, i, &truth) == QUERY_CONTACT, "case %ld: step %d is reported, the sweep does not", number,
 		i);
 	require(!memcmp(&contact.s, &truth.s, sizeof(double)) && !memcmp(&contact.q, &truth.q, sizeof(axis_values)) &&
 			!memcmp(&contact.distance, &truth.distance, sizeof(double)) &&
@@ -218,7 +218,7 @@ START_TEST(findings_are_within_the_closed_form)
 				}
 				n.steps[i].motion = step_on(&path);
 				n.steps[i].motion.tolerance = whole.tolerance;
-				if (sweep_alone(&n, &sweep, i, &contact) != SWEEP_CONTACT)
+				if (sweep_alone(&n, &sweep, i, &contact) != QUERY_CONTACT)
 					continue;
 				most = n.p.clearance + closed_form(&n.p.duo, &contact.q, &whole.tolerance) + n.p.tolerance;
 				require(contact.distance <= most + 1e-9,

@@ -126,7 +126,7 @@ START_TEST(standing_still_costs_nothing)
 				break;
 		}
 		duo_release(&p.duo);
-	} while (!strategy.clear_at_end);
+	} while (!strategy.proof.clear_at_end);
 	ck_assert_int_eq(strategy.queries, 1);
 	sweep_release(&sweep);
 }

@@ -5,15 +5,8 @@
 #include <stdbool.h>
 
 #include "base/axes.h"
+#include "check/step.h"
 #include "machine/motion_bound.h"
-#include "scene/motion_interval.h"
-
-/* By how much each axis may be away from where it is said to be: mm, radians. */
-struct position_errors {
-	axis_values chord;	/* chord error: the programmed path is so far from the straight line */
-	axis_values path;	/* path tolerance: the control may be so far from the programmed path */
-	bool any;	/* false: all of them are 0 */
-};
 
 /*
  * At the position `at` two bodies were proven to be farther apart than what they must keep by `room`. While joint k is

@@ -25,41 +25,39 @@
 /* How much of a distance beyond the clearance that turned out too small is tried next when the smallest is measured. */
 #define MEASURE_SHARE 0.8
 
-/* And how sharply: where exactly the target is missed does not matter. */
-#define MEASURE_GRAIN 0.1
-
-/* Steps that a strategy at most sweeps before it asks for the distance again. Measured: 64 cost a tenth more nearby. */
+/* Steps that are at most swept before the distance is asked for again. Measured: 64 cost a tenth more nearby. */
 #define BACKOFF_MAX 256
 
 /*
- * What share of the distance the second-order term and the deviations of a stretch may take. Measured:
+ * What share of the distance the second-order term and the chord errors of merged steps may take. Measured:
  * 0.05 to 0.1 are about equally good; 1 costs four times as much where bodies turn fast close to each other.
  */
-#define STRAY_SHARE 0.1
-
-/* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
-#define BOX_VISITS 50000000L
+#define CHORD_ERROR_SHARE 0.1
 
 void strategy_init(struct strategy *strategy, const struct body_pair *bodies, double clearance, double tolerance,
 		   bool measure)
 {
-	*strategy = (struct strategy){.bodies = *bodies, .clearance = clearance, .tolerance = tolerance};
-	strategy->measures = measure;
-	strategy->target = measure ? INFINITY : clearance;
-	strategy->bodies.coherence = &strategy->coherence;
-	kept_budgets_init(&strategy->budgets, bodies->chain);
+	*strategy = (struct strategy){.measures = measure, .distance_pays = true};
+	pair_proof_init(&strategy->proof, bodies, clearance, tolerance);
+	if (measure)
+		strategy->proof.target = INFINITY;
+}
+
+/* What is measured next: `wanted` mm, or the clearance itself where that is hardly less. A target is c, or above c + e (proof.h). */
+static double target_of(const struct pair_proof *proof, double wanted)
+{
+	return wanted > proof->clearance + proof->tolerance ? wanted : proof->clearance;
 }
 
 void strategy_cap(struct strategy *strategy, double most)
 {
-	strategy->target = most;
+	strategy->proof.target = target_of(&strategy->proof, most);
 }
 
-/* What it remembers is its own. */
 static void copy_state(struct strategy *to, const struct strategy *from)
 {
 	*to = *from;
-	to->bodies.coherence = &to->coherence;
+	pair_proof_copy(&to->proof, &from->proof);
 }
 
 void strategy_fork(const struct strategy *whole, struct strategy *part)
@@ -72,58 +70,42 @@ void strategy_fork(const struct strategy *whole, struct strategy *part)
 void strategy_join(struct strategy *whole, const struct strategy *part)
 {
 	long covered_steps = whole->covered_steps + part->covered_steps, queries = whole->queries + part->queries;
-	double target = fmin(whole->target, part->target);
+	double target = fmin(whole->proof.target, part->proof.target);
 
 	copy_state(whole, part);
 	whole->covered_steps = covered_steps;
 	whole->queries = queries;
-	whole->target = target;
+	whole->proof.target = target;
 }
 
 double strategy_proven(const struct strategy *strategy)
 {
-	return strategy->target;
+	return strategy->proof.target;
 }
 
 void strategy_forget_position(struct strategy *strategy)
 {
 	strategy->position_unknown = true;
-	strategy->clear_at_end = false;
+	pair_proof_forget_position(&strategy->proof);
 }
 
-/*
- * mm: the distance that a quick way must leave to pass a step. No sweep at the target reports what is farther apart than
- * that, and the clearance is never above the target: so no verdict depends on which quick way was tried.
- */
-static double needed(const struct strategy *strategy)
+static bool is_measuring_first(const struct strategy *strategy)
 {
-	return strategy->target + strategy->tolerance;
+	return isinf(strategy->proof.target);
 }
 
 static bool covered(struct strategy *strategy, const struct motion_step *step, const struct position_errors *errors)
 {
-	const struct span *span = &step->span;
-	axis_values low, high;
-	bool good;
-
-	if (step_is_box(step)) {
-		step_box(step, &low, &high);
-		good = kept_budgets_cover_box(&strategy->budgets, &low, &high, &span->q1, errors);
-	} else {
-		good = kept_budgets_cover(&strategy->budgets, &span->q0, &span->q1, errors);
-	}
-	if (good) {
-		strategy->covered_steps++;
-		strategy->clear_at_end = true;
-		strategy->sweeps = false;
-	}
-	return good;
+	if (!pair_proof_step_by_budget(&strategy->proof, step, errors))
+		return false;
+	strategy->covered_steps++;
+	strategy->distance_pays = true;
+	return true;
 }
 
 /* mm that the step moves the pair, roughly: below that a distance does not help. */
-static double way_of(const struct strategy *strategy, const struct chain_state *state, const struct span *span)
+static double way_of(const struct chain *chain, const struct chain_state *state, const struct span *span)
 {
-	const struct chain *chain = strategy->bodies.chain;
 	double way = 0;
 
 	for (size_t i = 0; i < chain->count; i++) {
@@ -140,15 +122,16 @@ static double way_of(const struct strategy *strategy, const struct chain_state *
  */
 static double ask_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double way)
 {
-	double enough = needed(strategy) + way;
-	double distance = sweep_distance(sweep, &strategy->bodies, q, BUDGET_SHARE, enough, 0);
+	const struct pair_proof *proof = &strategy->proof;
+	double needed = pair_proof_needed(proof), enough = needed + way;
+	double distance = sweep_distance(sweep, &proof->bodies, q, BUDGET_SHARE, enough, 0);
 
 	strategy->queries++;
-	if (!WITH_KEPT_BUDGETS || strategy->sweep_visits <= 0 || distance - needed(strategy) > PAYING_ROOM * way ||
-	    !(strategy->coherence.near - needed(strategy) > SHARP_NEED * way))
+	if (!WITH_KEPT_BUDGETS || strategy->sweep_visits <= 0 || distance - needed > PAYING_ROOM * way ||
+	    !(proof->coherence.near - needed > SHARP_NEED * way))
 		return distance;
 	distance = fmax(distance,
-			sweep_distance(sweep, &strategy->bodies, q, SHARP_SHARE, enough, strategy->sweep_visits));
+			sweep_distance(sweep, &proof->bodies, q, SHARP_SHARE, enough, strategy->sweep_visits));
 	strategy->queries++;
 	strategy->sweep_visits = 0;
 	return distance;
@@ -157,32 +140,33 @@ static double ask_distance(struct strategy *strategy, struct sweep *sweep, const
 /* As sharply as the smallest clearance is measured. */
 static double measure_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double way)
 {
-	bool first = isinf(strategy->target);
-	double distance = sweep_distance(sweep, &strategy->bodies, q, MEASURE_SHARE,
-					 first ? strategy->clearance : needed(strategy) + way, 0);
+	struct pair_proof *proof = &strategy->proof;
+	bool first = is_measuring_first(strategy);
+	double distance = sweep_distance(sweep, &proof->bodies, q, MEASURE_SHARE,
+					 first ? proof->clearance : pair_proof_needed(proof) + way, 0);
 
 	strategy->queries++;
 	if (first)
-		strategy->target = fmax(strategy->clearance, MEASURE_SHARE * distance);
+		proof->target = target_of(proof, MEASURE_SHARE * distance);
 	return distance;
 }
 
 /* Asks for the distance where the step ends and starts a new budget with it. */
 static void renew(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step)
 {
-	const struct body_pair *bodies = &strategy->bodies;
+	struct pair_proof *proof = &strategy->proof;
+	const struct body_pair *bodies = &proof->bodies;
 	const struct span *span = &step->span;
 	struct chain_state state;
-	double way, distance, room;
+	double way, distance;
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
-	way = way_of(strategy, &state, span);
+	way = way_of(bodies->chain, &state, span);
 	distance = strategy->measures ? measure_distance(strategy, sweep, &span->q1, way)
 				      : ask_distance(strategy, sweep, &span->q1, way);
-	room = distance - needed(strategy);
-	kept_budgets_set(&strategy->budgets, &span->q1, &state, room);
-	kept_budgets_resume(&strategy->budgets, &span->q0);
-	if (room > PAYING_ROOM * way) {
+	pair_proof_add_distance(proof, &span->q1, &state, distance);
+	pair_proof_resume(proof, &span->q0);
+	if (distance - pair_proof_needed(proof) > PAYING_ROOM * way) {
 		strategy->backoff = 1;
 	} else {
 		strategy->steps_to_next_query = strategy->backoff;
@@ -190,95 +174,73 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
-/* The question that is open: does the target hold? Above the clearance any contact answers it, and roughly will do. */
-static struct clearance_query question(const struct strategy *strategy, struct sweep *sweep)
-{
-	bool any = strategy->target > strategy->clearance;
-
-	return (struct clearance_query){
-		.sweep = sweep,
-		.bodies = &strategy->bodies,
-		.clearance = strategy->target,
-		.tolerance = any ? fmax(strategy->tolerance, MEASURE_GRAIN * (strategy->target - strategy->clearance))
-				 : strategy->tolerance,
-		.any = any,
-		.box_visits = BOX_VISITS,
-	};
-}
-
 /* The step with the target as it stands. */
 static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
-			    struct contact *contact)
+				 struct contact *contact)
 {
-	const struct chain *chain = strategy->bodies.chain;
-	enum sweep_answer answer;
-	const struct position_errors errors = step_errors(chain, step);
-	struct clearance_query query;
+	struct pair_proof *proof = &strategy->proof;
+	struct position_errors errors;
+	enum query_answer answer;
 
-	if (strategy->clear_at_end && !step_moves(chain, step) && !step_may_stray(chain, step))
+	if (pair_proof_still(proof, step))
 		return QUERY_CLEAR;
+	errors = step_errors(proof->bodies.chain, step);
 	if (covered(strategy, step, &errors))
 		return QUERY_CLEAR;
-	if (!WITH_BUDGET && !isinf(strategy->target)) {
+	if (!WITH_BUDGET && !is_measuring_first(strategy)) {
 		/* No distance is of use. */
-	} else if (strategy->steps_to_next_query > 0 && !isinf(strategy->target)) {
+	} else if (strategy->steps_to_next_query > 0 && !is_measuring_first(strategy)) {
 		strategy->steps_to_next_query--;
 	} else {
 		renew(strategy, sweep, step);
 		if (covered(strategy, step, &errors))
 			return QUERY_CLEAR;
 	}
-	query = question(strategy, sweep);
 	strategy->sweep_visits -= sweep->visits;
-	answer = step_sweep(&query, step, contact);
+	answer = pair_proof_step(proof, sweep, step, contact);
 	strategy->sweep_visits += sweep->visits;
-	strategy->sweeps = true;
-	kept_budgets_resume(&strategy->budgets, &step->span.q1);
-	strategy->clear_at_end = answer == SWEEP_APART;
-	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
+	strategy->distance_pays = false;
+	return answer;
 }
 
 enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
-			   struct contact *contact)
+					struct contact *contact)
 {
+	struct pair_proof *proof = &strategy->proof;
 	enum query_answer answer;
 
 	if (strategy->position_unknown)
-		kept_budgets_resume(&strategy->budgets, &step->span.q0);
+		pair_proof_resume(proof, &step->span.q0);
 	strategy->position_unknown = false;
-	while ((answer = attempt(strategy, sweep, step, contact)) != QUERY_CLEAR &&
-	       strategy->target > strategy->clearance) {
-		double less = 0;
-
+	while ((answer = attempt(strategy, sweep, step, contact)) != QUERY_CLEAR && proof->target > proof->clearance) {
 		/* Neither a finding nor undecided yet: less than was hoped for may remain. */
-		if (answer == QUERY_CONTACT)
-			less = strategy->clearance +
-			       MEASURE_SHARE * (fmin(contact->distance, strategy->target) - strategy->clearance);
-		strategy->target = less > strategy->clearance + strategy->tolerance ? less : strategy->clearance;
-		kept_budgets_resume(&strategy->budgets, &step->span.q0);
+		double nearest = answer == QUERY_CONTACT ? fmin(contact->distance, proof->target) : proof->clearance;
+
+		proof->target = target_of(proof, proof->clearance + MEASURE_SHARE * (nearest - proof->clearance));
+		pair_proof_resume(proof, &step->span.q0);
 	}
 	return answer;
 }
 
 /* The most that the control may leave any of the steps by; NULL: it may not. */
-static const axis_values *play_of_steps(const struct chain *chain, const struct batch_step *steps, size_t count,
-					axis_values *play)
+static const axis_values *tolerance_of_steps(const struct chain *chain, const struct batch_step *steps, size_t count,
+					     axis_values *most)
 {
 	bool any = false;
 
-	*play = steps[0].motion.tolerance;
+	*most = steps[0].motion.tolerance;
 	for (size_t i = 0; i < count; i++) {
 		for (int k = 0; k < SLOT_COUNT; k++)
-			play->v[k] = fmax(play->v[k], steps[i].motion.tolerance.v[k]);
+			most->v[k] = fmax(most->v[k], steps[i].motion.tolerance.v[k]);
 		any |= step_may_stray(chain, &steps[i].motion);
 	}
-	return any ? play : NULL;
+	return any ? most : NULL;
 }
 
 /* Is the chord so nearly straight for every point that it need not be halved for that? */
-static bool is_taut(const struct strategy *strategy, const struct chord *chord)
+static bool is_nearly_straight(const struct strategy *strategy, const struct chord *chord)
 {
-	const struct body_pair *bodies = &strategy->bodies;
+	const struct body_pair *bodies = &strategy->proof.bodies;
 	struct chain_state start, end;
 	struct chord_bound bound;
 
@@ -286,14 +248,15 @@ static bool is_taut(const struct strategy *strategy, const struct chord *chord)
 	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
 	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, NULL);
 	return fmin(bound.bend[0] + bound.drift[0], bound.bend[1] + bound.drift[1]) <=
-	       STRAY_SHARE * strategy->coherence.near;
+	       CHORD_ERROR_SHARE * strategy->proof.coherence.near;
 }
 
-/* The longest stretch that is worth it, not much longer than the last; less than two steps: none. */
+/* As many steps as are worth it, not many more than the last time; less than two: none. */
 static size_t choose_merge(const struct strategy *strategy, const struct batch_step *steps, size_t count,
-			     struct chord *chord)
+			   struct chord *chord)
 {
-	size_t merge_count = strategy->merge_count < MERGED_STEPS_MAX / 2 ? 2 * strategy->merge_count : MERGED_STEPS_MAX, known = 0;
+	size_t merge_count = strategy->merge_count < MERGED_STEPS_MAX / 2 ? 2 * strategy->merge_count : MERGED_STEPS_MAX;
+	size_t known = 0;
 
 	merge_count = merge_count < 2 ? 2 : merge_count;
 	for (; known < count && known < merge_count && merged_steps_takes(&steps[known]); known++)
@@ -302,56 +265,50 @@ static size_t choose_merge(const struct strategy *strategy, const struct batch_s
 		if (merge_count > known)
 			continue;
 		*chord = merged_steps_chord(steps, merge_count);
-		if (is_taut(strategy, chord))
+		if (is_nearly_straight(strategy, chord))
 			break;
 	}
 	return merge_count;
 }
 
-size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps, size_t count)
+size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps,
+			      size_t count)
 {
-	struct contact contact;
-	enum sweep_answer answer;
-	struct clearance_query query;
+	struct pair_proof *proof = &strategy->proof;
+	axis_values tolerance;
 	struct chord chord;
-	axis_values play;
-	const struct position_errors errors = step_errors(strategy->bodies.chain, &steps[0].motion);
 	size_t merge_count;
+	bool proved;
 
-	if (!WITH_MERGED_STEPS || !strategy->sweeps || strategy->steps_to_next_query <= 0 || isinf(strategy->target))
+	if (!WITH_MERGED_STEPS || strategy->distance_pays || strategy->steps_to_next_query <= 0 ||
+	    is_measuring_first(strategy))
 		return 0;
-	if (kept_budgets_recall(&strategy->budgets, &steps[0].motion.span.q0, &steps[0].motion.span.q1, &errors))
+	if (pair_proof_recall(proof, &steps[0].motion))
 		return 0;
 	merge_count = choose_merge(strategy, steps, count, &chord);
 	strategy->merge_count = merge_count;
 	if (merge_count < 2)
 		return 0;
-	query = question(strategy, sweep);
-	query.clearance = needed(strategy);
-	query.any = true;
-	chord.tolerance = play_of_steps(strategy->bodies.chain, steps, merge_count, &play);
+	chord.tolerance = tolerance_of_steps(proof->bodies.chain, steps, merge_count, &tolerance);
 	strategy->sweep_visits -= sweep->visits;
-	answer = chord_sweep(&query, &chord, &contact);
+	proved = pair_proof_chord(proof, sweep, &chord);
 	strategy->sweep_visits += sweep->visits;
-	if (answer != SWEEP_APART) {
-		strategy->sweeps = false;
+	if (!proved) {
+		strategy->distance_pays = true;
 		return 0;
 	}
 	strategy->steps_to_next_query -= (int)merge_count;
-	strategy->clear_at_end = true;
 	strategy->position_unknown = false;
-	kept_budgets_resume(&strategy->budgets, &chord.q1);
 	return merge_count;
 }
 
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
-		   const struct position_errors *errors, const axis_values *end, size_t steps)
+			  const struct position_errors *errors, const axis_values *end, size_t steps)
 {
-	if (!kept_budgets_cover_box(&strategy->budgets, low, high, end, errors))
+	if (!pair_proof_box(&strategy->proof, low, high, errors, end))
 		return false;
 	strategy->covered_steps += (long)steps;
-	strategy->clear_at_end = true;
 	strategy->position_unknown = false;
-	strategy->sweeps = false;
+	strategy->distance_pays = true;
 	return true;
 }

@@ -1,38 +1,23 @@
-/* strategy.h - follows one pair of bodies through a program's steps and proves that it stays apart. */
+/* strategy.h - takes a pair through a program's steps: decides what to ask of its proof, and when. */
 #ifndef FIVECHECK_CHECK_CERTIFIED_STRATEGY_H
 #define FIVECHECK_CHECK_CERTIFIED_STRATEGY_H
 
 #include <stdbool.h>
 
 #include "check/batch.h"
-#include "check/certified/kept_budgets.h"
+#include "check/certified/proof.h"
 #include "motion/motion.h"
-#include "scene/coherence.h"
-#include "scene/scene.h"
 
-/* How a pair came through one step. */
-enum query_answer {
-	QUERY_CLEAR,
-	QUERY_CONTACT,	/* *contact: its s is the step's */
-	QUERY_UNDECIDED
-};
-
-/* What is known of a pair from step to step. */
+/* The strategy changes how long the answers take, never the answers: those are the proof's (proof.h). */
 struct strategy {
-	struct body_pair bodies;
-	double clearance;	/* mm: what must remain */
-	double target;	/* mm: what is being proven: the clearance, or more when the smallest one is measured */
-	double tolerance;	/* mm: e */
+	struct pair_proof proof;
 	bool measures;	/* the smallest clearance */
-	struct coherence coherence;
-	struct kept_budgets budgets;
-	bool clear_at_end;	/* the pair is apart where the last step ended */
 	bool position_unknown;	/* steps were left out since the last one */
 	int steps_to_next_query;	/* steps before the next distance query is worth its time */
-	int backoff;	/* how long to wait after the next query that does not pay */
-	bool sweeps;	/* the last step had to be swept, as distances do not pay */
-	size_t merge_count;	/* how many steps to try at once; 0: not tried yet */
-	long sweep_visits;	/* that sweeps took since the last sharp query */
+	int backoff;	/* how many steps to wait after the next query that does not pay */
+	bool distance_pays;	/* false: the last step had to be swept */
+	size_t merge_count;	/* how many steps were last tried at once; 0: none yet */
+	long sweep_visits;	/* node pairs that sweeps looked at since the last sharp query */
 	long covered_steps, queries;
 };
 
@@ -61,19 +46,20 @@ double strategy_proven(const struct strategy *strategy);
 void strategy_forget_position(struct strategy *strategy);
 
 /*
- * Takes many steps at once, of which all positions are between low and high
- * and the last is `end`, if the budget covers them all; else false, and nothing is taken.
+ * Takes many steps at once, of which all positions are between low and high, give or take `errors`,
+ * and the last is `end`, if the proof has a budget for them all; else false, and nothing is taken.
  */
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
-		   const struct position_errors *errors, const axis_values *end, size_t steps);
+			  const struct position_errors *errors, const axis_values *end, size_t steps);
 
 /*
- * Where distances do not pay, proves several of the `count` steps ahead in one go: how many; 0: none,
+ * Where distances do not pay, has several of the `count` steps ahead proved in one go. Returns how many; 0: none,
  * then they have to be taken one by one.
  */
-size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps, size_t count);
+size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, const struct batch_step *steps,
+			      size_t count);
 
 enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
-			   struct contact *contact);
+					struct contact *contact);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "check/certified/clearance_query.h"
 #include "check/step.h"
 
 /* What share of a distance a look is content with: more costs far more than asking whether a distance holds. */
@@ -83,11 +84,11 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 	for (int round = 0; low < fmin(ENOUGH * high, block->bound) && target > tolerance; round++) {
 		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, GRAIN * target), true, BOX_VISITS};
 		struct contact contact;
-		enum sweep_answer answer = step_sweep(&query, step, &contact);
+		enum query_answer answer = clearance_query_step(&query, step, &contact);
 
-		if (answer == SWEEP_APART) {
+		if (answer == QUERY_CLEAR) {
 			low = target;
-		} else if (answer == SWEEP_UNDECIDED || round >= PATIENCE) {
+		} else if (answer == QUERY_UNDECIDED || round >= PATIENCE) {
 			high = target;
 			failures = 2;
 		} else {

@@ -1,0 +1,56 @@
+#include "check/certified/clearance_query.h"
+
+#include "check/step.h"
+#include "motion/path.h"
+#include "motion/span.h"
+
+static enum query_answer answer_of(enum sweep_answer answer)
+{
+	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
+}
+
+static void halve(const struct chord *whole, struct chord *first, struct chord *second)
+{
+	const struct span span = {whole->q0, whole->q1, whole->deviation, whole->curve, whole->u0, whole->u1};
+	struct span halves[2];
+	struct chord *out[2] = {first, second};
+
+	span_halve(&span, &halves[0], &halves[1]);
+	for (int i = 0; i < 2; i++)
+		*out[i] = (struct chord){halves[i].q0, halves[i].q1, halves[i].deviation, whole->tolerance,
+					 whole->curve, halves[i].u0, halves[i].u1, whole->halve};
+}
+
+enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
+					struct contact *contact)
+{
+	return answer_of((query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord, query->clearance,
+								      query->tolerance, contact));
+}
+
+static enum query_answer sweep_positions(const struct clearance_query *query, const struct motion_step *step,
+					 struct contact *contact)
+{
+	axis_values low, high;
+
+	step_box(step, &low, &high);
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		low.v[i] -= step->tolerance.v[i];
+		high.v[i] += step->tolerance.v[i];
+	}
+	return answer_of(sweep_box(query->sweep, query->bodies, &low, &high, query->clearance, query->tolerance,
+				   query->box_visits, contact));
+}
+
+enum query_answer clearance_query_step(const struct clearance_query *query, const struct motion_step *step,
+				       struct contact *contact)
+{
+	const struct span *span = &step->span;
+	bool strays = step_may_stray(query->bodies->chain, step);
+	const struct chord chord = {span->q0, span->q1, span->deviation, strays ? &step->tolerance : NULL,
+				    span->path, span->u0, span->u1, halve};
+
+	if (step_is_box(step))
+		return sweep_positions(query, step, contact);
+	return clearance_query_chord(query, &chord, contact);
+}

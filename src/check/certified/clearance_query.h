@@ -1,0 +1,32 @@
+/* clearance_query.h - does a pair keep its distance along a step? The sweep that all other proofs stand for. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
+#define FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
+
+#include <stdbool.h>
+
+#include "motion/motion.h"
+#include "scene/sweep.h"
+
+/* Borrows everything. */
+struct clearance_query {
+	struct sweep *sweep;
+	const struct body_pair *bodies;
+	double clearance, tolerance;	/* mm, as in sweep_chord */
+	bool any;	/* any contact will do, not just the first */
+	long box_visits;	/* node pairs to look at for a step whose way is not known; 0: no limit */
+};
+
+enum query_answer {
+	QUERY_CLEAR,	/* proved: farther apart than clearance and path displacement all the way */
+	QUERY_CONTACT,	/* *contact is the first instant, its s is the step's; at most clearance + path displacement + tolerance apart */
+	QUERY_UNDECIDED
+};
+
+enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
+					struct contact *contact);
+
+/* The same along a step, with the path tolerance that it has. */
+enum query_answer clearance_query_step(const struct clearance_query *query, const struct motion_step *step,
+				       struct contact *contact);
+
+#endif

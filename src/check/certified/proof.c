@@ -1,0 +1,122 @@
+#include "check/certified/proof.h"
+
+#include <math.h>
+
+#include "check/step.h"
+
+/* Above the clearance it does not matter where exactly the target is missed: this share of what is beyond the clearance. */
+#define MEASURE_GRAIN 0.1
+
+/* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
+#define BOX_VISITS 50000000L
+
+void pair_proof_init(struct pair_proof *proof, const struct body_pair *bodies, double clearance, double tolerance)
+{
+	*proof = (struct pair_proof){
+		.bodies = *bodies, .clearance = clearance, .target = clearance, .tolerance = tolerance};
+	proof->bodies.coherence = &proof->coherence;
+	kept_budgets_init(&proof->budgets, bodies->chain);
+}
+
+void pair_proof_copy(struct pair_proof *to, const struct pair_proof *from)
+{
+	*to = *from;
+	to->bodies.coherence = &to->coherence;
+}
+
+double pair_proof_needed(const struct pair_proof *proof)
+{
+	return proof->target + proof->tolerance;
+}
+
+void pair_proof_forget_position(struct pair_proof *proof)
+{
+	proof->clear_at_end = false;
+}
+
+void pair_proof_resume(struct pair_proof *proof, const axis_values *q)
+{
+	kept_budgets_resume(&proof->budgets, q);
+}
+
+void pair_proof_add_distance(struct pair_proof *proof, const axis_values *q, const struct chain_state *state,
+			     double distance)
+{
+	kept_budgets_set(&proof->budgets, q, state, distance - pair_proof_needed(proof));
+}
+
+bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *step)
+{
+	const struct chain *chain = proof->bodies.chain;
+
+	return proof->clear_at_end && !step_moves(chain, step) && !step_may_stray(chain, step);
+}
+
+bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,
+		    const struct position_errors *errors, const axis_values *end)
+{
+	if (!kept_budgets_cover_box(&proof->budgets, low, high, end, errors))
+		return false;
+	proof->clear_at_end = true;
+	return true;
+}
+
+bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_step *step,
+			       const struct position_errors *errors)
+{
+	const struct span *span = &step->span;
+	axis_values low, high;
+
+	if (step_is_box(step)) {
+		step_box(step, &low, &high);
+		return pair_proof_box(proof, &low, &high, errors, &span->q1);
+	}
+	if (!kept_budgets_cover(&proof->budgets, &span->q0, &span->q1, errors))
+		return false;
+	proof->clear_at_end = true;
+	return true;
+}
+
+bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)
+{
+	const struct position_errors errors = step_errors(proof->bodies.chain, step);
+
+	return kept_budgets_recall(&proof->budgets, &step->span.q0, &step->span.q1, &errors);
+}
+
+bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *chord)
+{
+	const struct clearance_query query = {
+		.sweep = sweep,
+		.bodies = &proof->bodies,
+		.clearance = pair_proof_needed(proof),
+		.tolerance = proof->tolerance,
+		.any = true,
+	};
+	struct contact contact;
+
+	if (clearance_query_chord(&query, chord, &contact) != QUERY_CLEAR)
+		return false;
+	kept_budgets_resume(&proof->budgets, &chord->q1);
+	proof->clear_at_end = true;
+	return true;
+}
+
+enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep, const struct motion_step *step,
+				  struct contact *contact)
+{
+	double beyond = proof->target - proof->clearance;
+	const struct clearance_query query = {
+		.sweep = sweep,
+		.bodies = &proof->bodies,
+		.clearance = proof->target,
+		.tolerance = fmax(proof->tolerance, MEASURE_GRAIN * beyond),
+		.any = beyond > 0,
+		.box_visits = BOX_VISITS,
+	};
+	enum query_answer answer = clearance_query_step(&query, step, contact);
+
+	kept_budgets_resume(&proof->budgets, &step->span.q1);
+	proof->clear_at_end = answer == QUERY_CLEAR;
+	return answer;
+}
