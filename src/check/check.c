@@ -196,7 +196,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 			    double *proven)
 {
 	struct checker c = {.scene = scene, .options = options, .sink = sink, .diag = diag, .stats = stats,
-			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name};
+			    .measures = proven && options->method == CHECK_CERTIFIED, .file = name,
+			    .telling = ATOMIC_FLAG_INIT};
 	const size_t errors = diag->errors;
 	double start = checker_clock();
 	bool complete = false;
@@ -208,12 +209,13 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	stats->pairs_excused = scene_count_pairs(scene, PAIR_ADJACENT);
 	stats->pairs_skipped = scene->pair_count - stats->pairs_required - stats->pairs_excused;
 	block_log_init(&c.log);
-	c.sweep.cancel = options->read.cancel;
+	c.sweep.cancel = &c.asked;
+	c.asked = (struct cancel){&c, checker_asks};
 	c.position = machine_home(scene->machine);
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	c.last_block = LONG_MAX;
 	start_block(&c);
-	if (options->method == CHECK_NOTHING || scheduler_init(&c.scheduler, scene, options, proven != NULL, diag)) {
+	if (options->method == CHECK_NOTHING || scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
 		scheduler_collect(&c.scheduler, c.last_block, stats, proven);

@@ -13,6 +13,19 @@ double checker_clock(void)
 	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+bool checker_asks(void *context)
+{
+	struct checker *c = context;
+	const struct check_sink *sink = c->sink;
+
+	/* Whether to break off at once is for the caller's own callback to say. */
+	if (sink->progress && !atomic_flag_test_and_set(&c->telling)) {
+		sink->progress(sink->context, c->checked.line);
+		atomic_flag_clear(&c->telling);
+	}
+	return cancel_asked(c->options->read.cancel);
+}
+
 bool checker_has_enough(const struct checker *c)
 {
 	return c->found && !c->options->all;
@@ -80,6 +93,14 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 	const struct scene_pair *pair = &c->scene->pairs[result->pair];
 
 	c->failed = true;
+	if (motion->span.path->kind != PATH_BOX && result->exhausted) {
+		c->exhausted = true;
+		diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
+			   "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other on "
+			   "too long a way; the check stops here. Give a larger --tolerance, or divide the move",
+			   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+		return;
+	}
 	if (motion->span.path->kind != PATH_BOX) {
 		static_query_report_undecided(c->scene, pair, c->options->tolerance, c->diag);
 		return;
@@ -176,6 +197,8 @@ static void tell_progress(struct checker *c)
 {
 	const struct check_sink *sink = c->sink;
 
+	if (c->exhausted && !c->stopped)
+		c->stopped = true;
 	if (c->stopped || (!c->broken_off && (!sink->progress || sink->progress(sink->context, c->checked.line))))
 		return;
 	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},

@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_CHECK_CHECKER_H
 #define FIVECHECK_CHECK_CHECKER_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 
 #include "base/diag.h"
@@ -32,6 +33,8 @@ struct checker {
 	struct scheduler scheduler;
 	struct batch batch;
 	struct sweep sweep;	/* for poses that stand still */
+	struct cancel asked;	/* by all sweeps, now and then */
+	atomic_flag telling;	/* a thread is telling progress */
 	bool measures;	/* the smallest clearance of each pair */
 	const char *file;	/* the program */
 	long block;	/* number of the block that is being read */
@@ -40,6 +43,7 @@ struct checker {
 	bool failed;	/* something could not be decided: reported */
 	bool found;	/* two bodies; without `all`, nothing later needs to be looked at */
 	bool limit_found;
+	bool exhausted;	/* a step would take more than options->effort: reported, and the check ends with its batch */
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* since the last batch that was checked whole */
 	bool skipped;	/* blocks of other shards since the last step of ours */
@@ -54,6 +58,9 @@ struct checker {
 
 /* s of a clock that only runs forward */
 double checker_clock(void);
+
+/* A cancel_fn whose context is a checker: shows progress in the middle of long work, and asks whether to go on. */
+bool checker_asks(void *context);
 
 /* Without options->all: is the first finding there? Then nothing later needs to be looked at. */
 bool checker_has_enough(const struct checker *c);

@@ -16,6 +16,9 @@ enum check_method {
 	CHECK_NOTHING	/* interpret and watch the limits only (--parse-only) */
 };
 
+/* About four minutes on a processor of 2020: steps of real programs take a thousandth of it. */
+#define CHECK_EFFORT 1000000000L
+
 /* Of a program that is shared out, shards take turns in runs of so many blocks. */
 enum { SHARE_BLOCKS = 1024 };
 
@@ -26,6 +29,7 @@ struct check_options {
 	bool all;	/* go on after the first finding: the first per block and pair */
 	/* Its cancel is asked in the middle of a batch, too; of a batch that is broken off nothing is told. */
 	struct read_options read;
+	long effort;	/* node pairs to look at for one step of one pair before the check gives up; 0: CHECK_EFFORT */
 	int threads;	/* >= 1 */
 	bool block_clearances;	/* measures what clearance remains in each block, which takes more time */
 	double block_clearance_cap;	/* mm: and no more than this of it */

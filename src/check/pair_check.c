@@ -68,11 +68,12 @@ void pair_check_jump(struct pair_check *check)
 	strategy_forget_position(&check->strategy);
 }
 
-static void add_result(struct pair_check *check, size_t step, enum query_answer answer, const struct contact *contact)
+static void add_result(struct pair_check *check, size_t step, enum query_answer answer, bool exhausted,
+		       const struct contact *contact)
 {
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
 				   sizeof(*check->results));
-	check->results[check->result_count++] = (struct pair_check_result){check->pair, step, answer, *contact};
+	check->results[check->result_count++] = (struct pair_check_result){check->pair, step, answer, exhausted, *contact};
 }
 
 static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
@@ -156,12 +157,13 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 			strategy_forget_position(&check->strategy);
 			continue;
 		}
+		sweep->exhausted = false;
 		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
 				  ? pass_entangled(check, sweep, &step->motion, step->block, options, &contact)
 				  : pass(check, sweep, &step->motion, options, &contact);
 		if (answer == QUERY_CLEAR)
 			continue;
-		add_result(check, i, answer, &contact);
+		add_result(check, i, answer, sweep->exhausted, &contact);
 		if (!options->all || answer == QUERY_UNDECIDED) {
 			strategy_forget_position(&check->strategy);
 			return;

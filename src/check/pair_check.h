@@ -17,6 +17,7 @@ struct pair_check_result {
 	size_t pair;	/* of the scene */
 	size_t step;	/* of the batch */
 	enum query_answer answer;	/* CONTACT or UNDECIDED */
+	bool exhausted;	/* UNDECIDED, as it would take more than check_options.effort */
 	struct contact contact;
 };
 

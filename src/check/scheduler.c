@@ -18,15 +18,17 @@
  */
 #define PART_SHARE 4
 
-bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options, bool measure,
-	       struct diag *diag)
+bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
+		    const struct cancel *cancel, bool measure, struct diag *diag)
 {
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
-	for (int i = 0; i < scheduler->threads; i++)
-		scheduler->sweeps[i].cancel = options->read.cancel;
+	for (int i = 0; i < scheduler->threads; i++) {
+		scheduler->sweeps[i].cancel = cancel;
+		scheduler->sweeps[i].effort = options->effort ? options->effort : CHECK_EFFORT;
+	}
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		enum pair_status status = scene->pairs[i].status;
 

@@ -29,9 +29,9 @@ struct scheduler {
 	size_t result_count, result_capacity;
 };
 
-/* measure: as in pair_check_init. False: a mesh is faulty, reported. */
+/* cancel: asked in the middle of a batch, from any thread. measure: as in pair_check_init. False: a mesh is faulty, reported. */
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    bool measure, struct diag *diag);
+		    const struct cancel *cancel, bool measure, struct diag *diag);
 void scheduler_release(struct scheduler *scheduler);
 
 /*

@@ -30,7 +30,10 @@ struct check_sink {
 	void *context;
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
-	/* Now and then: how far the program is. False: break off, which is a fault of its own. May be NULL. */
+	/*
+	 * Now and then: how far the program is. False: break off after the batch under way, which is a fault of its
+	 * own. During a long batch it is called again with the same line, from any thread, one at a time. May be NULL.
+	 */
 	bool (*progress)(void *context, long lines);
 	/* Each block up to the one that ended the check, in order. NULL without `gauges` and `times`. */
 	void (*block)(void *context, const struct check_block *block);

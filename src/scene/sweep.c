@@ -1,5 +1,6 @@
 #include "scene/sweep.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -42,7 +43,7 @@ struct walk {
 	struct contact *contact;
 	size_t depth;	/* of the stack */
 	bool any;	/* one contact is enough, early or late */
-	long visits_end;	/* stop when the sweep has made so many visits; 0: never */
+	long visits_end;	/* stop when the sweep has made so many visits */
 	double from, to;	/* of a chord, only intervals that have an instant between these are looked at */
 };
 
@@ -240,8 +241,12 @@ static enum progress run(struct walk *walk, const struct motion_interval *part)
 
 		if (is_left_out(walk, entry.interval))
 			continue;
-		if (sweep_breaks_off(walk->sweep) || (walk->visits_end && walk->sweep->visits > walk->visits_end))
+		if (sweep_breaks_off(walk->sweep))
 			return TOO_DEEP;
+		if (walk->sweep->visits > walk->visits_end) {
+			walk->sweep->exhausted = true;
+			return TOO_DEEP;
+		}
 		progress = step(walk, &entry);
 	}
 	return progress;
@@ -317,11 +322,19 @@ static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_
 	return answer == SWEEP_APART ? sweep_positions(walk, &second) : answer;
 }
 
+/* Where the work for a question ends that may take `most` visits (0: as many as the sweep's effort allows). */
+static long visits_end(const struct sweep *sweep, long most)
+{
+	if (sweep->effort && (!most || sweep->effort < most))
+		most = sweep->effort;
+	return most ? sweep->visits + most : LONG_MAX;
+}
+
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .coherence_margin = tolerance};
+			    .contact = contact, .coherence_margin = tolerance, .visits_end = visits_end(sweep, 0)};
 
 	return sweep_over(&walk, chord);
 }
@@ -330,7 +343,7 @@ enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *p
 				  double clearance, double tolerance, struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .any = true};
+			    .contact = contact, .any = true, .visits_end = visits_end(sweep, 0)};
 
 	return sweep_over(&walk, chord);
 }
@@ -340,12 +353,11 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
 			    struct contact *contact)
 {
 	struct walk walk = {.sweep = sweep, .pair = pair, .clearance = clearance, .tolerance = tolerance,
-			    .contact = contact, .any = true, .to = 1};
+			    .contact = contact, .any = true, .to = 1,
+			    .visits_end = visits_end(sweep, max_visits)};
 	const struct chord box = {.q0 = *low, .q1 = *high};
 	struct motion_interval whole;
 
-	if (max_visits)
-		walk.visits_end = sweep->visits + max_visits;
 	motion_interval_init(&whole, pair, INTERVAL_BOX, &box);
 	return sweep_positions(&walk, &whole);
 }

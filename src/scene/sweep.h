@@ -27,6 +27,8 @@ struct sweep {
 	const struct cancel *cancel;	/* borrowed; or NULL */
 	long ask_at;	/* visits when it is asked next */
 	bool broken_off;	/* it said yes: since then nothing is proved, nor found */
+	long effort;	/* node pairs to look at for one chord or box before it stays undecided; 0: no limit */
+	bool exhausted;	/* that limit was reached; whoever asks why resets it before */
 };
 
 /* Must the walk break off? To be called again and again on the way. */
