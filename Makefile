@@ -5,9 +5,12 @@ include config.mk
 
 PREFIX ?= /usr/local
 DESTDIR ?=
+# Debian's packages have lib/x86_64-linux-gnu and the like.
+LIBDIR ?= lib
+OBJCOPY ?= objcopy
 
-# Folders may be nested; main.c alone lies in src itself and is not part of the library.
-SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
+# Folders may be nested; main.c alone is not part of the library.
+SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
 JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
@@ -19,11 +22,12 @@ COMPLETIONS := $(patsubst %,$(BUILD)/completion/fivecheck.%,bash zsh fish)
 # Where zsh looks for functions differs: Debian's packages have share/zsh/vendor-completions.
 ZSH_FUNCTIONS ?= share/zsh/site-functions
 # What install puts below PREFIX, all of it, and uninstall removes.
-INSTALLED := bin/fivecheck $(addprefix share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS))) \
+INSTALLED := bin/fivecheck include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR)/pkgconfig/fivecheck.pc \
+	$(addprefix share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS))) \
 	$(foreach m,$(MANUALS),share/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m))) \
 	share/bash-completion/completions/fivecheck $(ZSH_FUNCTIONS)/_fivecheck share/fish/vendor_completions.d/fivecheck.fish
 
-all: $(BUILD)/fivecheck $(COMPLETIONS)
+all: $(BUILD)/fivecheck $(COMPLETIONS) $(BUILD)/installed/libfivecheck.a
 
 $(BUILD)/fivecheck: $(BUILD)/src/main.o $(BUILD)/libfivecheck.a
 	@echo '  LD $@'
@@ -43,6 +47,17 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	@echo '  CC $@'
 	$(Q)$(CC) $(PP_FLAGS) $(C_FLAGS) -MMD -MP -c -o $@ $<
+
+# The library that is installed: one object, whose only global symbols are those of src/fivecheck.h. Neither the command
+# line nor the reports are in it.
+FACE_OBJECTS := $(filter-out $(BUILD)/src/cli/% $(BUILD)/src/report/%,$(OBJECTS))
+$(BUILD)/installed/libfivecheck.a: $(FACE_OBJECTS) $(BUILD)/objects
+	@mkdir -p $(@D)
+	@rm -f $@
+	@echo '  AR $@'
+	$(Q)$(LD) -r -o $(@D)/fivecheck.o $(FACE_OBJECTS)
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='fivecheck_*' $(@D)/fivecheck.o
+	$(Q)$(AR) rcs $@ $(@D)/fivecheck.o
 
 # Made from the table of options by the program itself.
 $(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
@@ -64,6 +79,8 @@ $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@
 
 install: all
+	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' src/fivecheck.pc.in \
+		> $(BUILD)/installed/fivecheck.pc
 	sh scripts/install "$(BUILD)" "$(DESTDIR)$(PREFIX)" $(INSTALLED)
 
 uninstall:

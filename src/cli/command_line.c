@@ -10,6 +10,7 @@
 #include "cli/option_value.h"
 #include "cli/program_list.h"
 #include "cli/stderr_ui.h"
+#include "fivecheck.h"
 
 struct parser {
 	struct options *options;
@@ -243,7 +244,7 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	const struct argv_parser words = {option_table, OPTION_COUNT, add_option, add_operand, &parser};
 	bool good;
 
-	*options = (struct options){.check = {.tolerance = 0.001, .threads = 1}, .dialect = -1};
+	*options = (struct options){.check = {.tolerance = FIVECHECK_TOLERANCE, .threads = 1}, .dialect = -1};
 	good = argv_parser_run(&words, argc, argv, diag);
 	options->programs = parser.operand;
 	if (parser.operands) {

@@ -9,6 +9,7 @@
 #include "base/mem.h"
 #include "check/check.h"
 #include "cli/interrupt.h"
+#include "fivecheck.h"
 #include "report/writers/text.h"
 #include "report/verdict.h"
 #include "report/waiver_match.h"
@@ -259,8 +260,9 @@ static enum run_status status_of(enum check_result result)
 }
 
 /* --sensitivity: how far the setup may be off before the verdict changes. */
-static void measure_sensitivity(struct program *program, FILE *in, off_t start, const struct check_sink *sink)
+static void measure_sensitivity(struct program *program, FILE *in, off_t start)
 {
+	const struct check_sink sink = {program, on_finding, on_progress, NULL};
 	const struct program_context *context = program->context;
 	struct diag *diag = &program->output->diag;
 
@@ -272,7 +274,7 @@ static void measure_sensitivity(struct program *program, FILE *in, off_t start, 
 		return;
 	}
 	program->sensitivity_count = sensitivity_run(context->scene, &context->check, context->options->sensitivity,
-						     program->outcome->result, in, program->name, sink, diag,
+						     program->outcome->result, in, program->name, &sink, diag,
 						     program->sensitivity);
 	if (interrupt_seen())
 		diag_error(diag, (struct srcloc){program->name, 0, 0},
@@ -295,7 +297,7 @@ static bool find_start(const struct program *program, const struct program_file 
 static void run(struct program *program, struct program_file *file, const char *path, off_t start)
 {
 	const struct program_context *context = program->context;
-	const struct check_sink sink = {program, on_finding, on_progress, context->tables ? on_block : NULL};
+	const struct fivecheck_events events = {program, on_finding, on_progress, context->tables ? on_block : NULL};
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->output->diag;
 	double *proven = NULL;
@@ -303,11 +305,9 @@ static void run(struct program *program, struct program_file *file, const char *
 
 	if (context->options->verbose)
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
-	outcome->result = check_run(context->scene, &context->check, file->stream, file->name, &sink, diag,
-				    &outcome->stats, proven);
-	if (ferror(file->stream) || diag->errors)
-		outcome->result = CHECK_INCOMPLETE;
-	measure_sensitivity(program, file->stream, start, &sink);
+	outcome->result = (enum check_result)fivecheck_check(context->model, &context->check, file->stream, file->name,
+							     &events, diag, &outcome->stats, proven);
+	measure_sensitivity(program, file->stream, start);
 	if (!program_close(file, diag))
 		outcome->result = CHECK_INCOMPLETE;
 	outcome->status = status_of(outcome->result);

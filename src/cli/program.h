@@ -6,13 +6,13 @@
 #include <stdio.h>
 
 #include "base/axes.h"
+#include "check/model.h"
 #include "cli/options.h"
 #include "cli/ordered_output.h"
 #include "cli/run_status.h"
 #include "report/baseline.h"
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
-#include "scene/scene.h"
 
 struct program_file {
 	FILE *stream;
@@ -29,7 +29,8 @@ bool program_close(struct program_file *file, struct diag *diag);
 struct program_context {
 	const struct options *options;
 	struct check_options check;	/* the options', with the threads that one program may use */
-	struct scene *scene;
+	struct model *model;
+	struct scene *scene;	/* the model's */
 	struct report_run run;
 	const struct baseline *baseline;	/* or NULL */
 	const struct sinks *sinks;

@@ -111,14 +111,15 @@ static bool is_pressed(void *context)
 	return interrupt_presses();
 }
 
-enum run_status programs_check(const struct options *options, struct scene *scene, double seconds, struct stderr_ui *ui,
+enum run_status programs_check(const struct options *options, struct model *model, double seconds, struct stderr_ui *ui,
 			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,
 			       const struct waiver_match *waiving, struct block_tables *tables)
 {
+	struct scene *scene = model_scene(model);
 	struct session session = {
 		.options = options,
 		.context = {
-			.options = options, .check = options->check, .scene = scene, .sinks = sinks,
+			.options = options, .check = options->check, .model = model, .scene = scene, .sinks = sinks,
 			.baseline = baseline, .tables = tables,
 			.run = {
 				.scene = scene,

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "check/model.h"
 #include "cli/diag_tee.h"
 #include "cli/error_list.h"
 #include "cli/failure_report.h"
@@ -11,13 +12,11 @@
 #include "cli/program.h"
 #include "cli/programs.h"
 #include "cli/report_date.h"
-#include "machine/machine.h"
-#include "machine/setup.h"
+#include "fivecheck.h"
 #include "report/machine_report.h"
 #include "report/mesh_lint.h"
 #include "report/tables/dump.h"
 #include "report/tables/pairs.h"
-#include "scene/scene.h"
 
 static const struct srcloc nowhere;
 
@@ -31,10 +30,7 @@ struct job {
 	struct baseline *baseline;	/* or NULL */
 	struct waivers *waivers;	/* or NULL */
 	struct waiver_match waiving;
-	struct machine *machine;
-	const struct setup *setup;	/* the machine's own, or the next */
-	struct setup *loaded;
-	struct scene *scene;
+	struct model *model;
 	double seconds;	/* that loading took */
 };
 
@@ -42,36 +38,21 @@ static void job_release(struct job *job)
 {
 	baseline_free(job->baseline);
 	waivers_free(job->waivers);
-	scene_free(job->scene);
-	setup_free(job->loaded);
-	machine_free(job->machine);
-}
-
-static bool load_setup(struct job *job, const struct options *options, struct diag *diag)
-{
-	job->setup = job->machine->setup;
-	if (!options->setup)
-		return true;
-	if (job->setup)
-		diag_note(diag, nowhere, "the setup %s is used, not the one inside %s", options->setup,
-			  options->machine);
-	job->loaded = setup_load(options->setup, job->machine, diag);
-	job->setup = job->loaded;
-	return job->loaded != NULL;
+	fivecheck_free(job->model);
 }
 
 static bool load_waivers(struct job *job, const struct options *options, struct diag *diag)
 {
 	if (!options->waivers)
 		return true;
-	job->waivers = waivers_load(options->waivers, job->machine, diag);
+	job->waivers = waivers_load(options->waivers, job->model->machine, diag);
 	job->waiving.file = job->waivers;
 	return job->waivers && report_date_get(job->waiving.today, diag);
 }
 
-static bool needs_scene(enum run_mode mode)
+static bool needs_pairs(enum run_mode mode)
 {
-	return mode == RUN_CHECK || mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
+	return mode == RUN_LIST_PAIRS || mode == RUN_CHECK_MACHINE;
 }
 
 /* The operands may have been exchanged. */
@@ -88,20 +69,20 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 {
 	double start = stderr_ui_seconds();
 
-	job->machine = machine_load(options->machine, diag);
-	if (!job->machine)
+	job->model = fivecheck_load(options->machine, options->setup, diag);
+	if (!job->model) {
 		note_order(options, diag);
-	if (!job->machine || !load_setup(job, options, diag) ||
-	    !machine_check_rules(job->machine, job->setup, diag))
 		return false;
-	if (!path_checks_root(options, job->machine, job->setup, diag) || !load_waivers(job, options, diag))
+	}
+	if (!path_checks_root(options, job->model->machine, job->model->setup, diag) || !load_waivers(job, options, diag))
 		return false;
 	if (options->dialect >= 0)
-		job->machine->controller.dialect = options->dialect;
-	if (needs_scene(options->mode)) {
-		job->scene = scene_new(job->machine, job->setup, options->clearance, diag);
-		if (!job->scene || (options->mode == RUN_CHECK && !scene_build(job->scene, diag)))
+		job->model->machine->controller.dialect = options->dialect;
+	if (options->mode == RUN_CHECK) {
+		if (!fivecheck_prepare(job->model, options->clearance, diag))
 			return false;
+	} else if (needs_pairs(options->mode) && !model_add_scene(job->model, options->clearance, diag)) {
+		return false;
 	}
 	job->seconds = stderr_ui_seconds() - start;
 	return diag->errors == 0;
@@ -153,20 +134,18 @@ static bool load_all(struct job *job, const struct options *options, struct diag
 		if (!job->baseline)
 			return false;
 	}
-	return job_load(job, options, diag) && check_kinds(options, job->scene, diag);
+	return job_load(job, options, diag) && check_kinds(options, job->model->scene, diag);
 }
 
 /* Checks the programs. Reports are kept even if the check is incomplete, since they say so themselves. */
 static enum run_status check_programs(struct job *job, const struct options *options, struct stderr_ui *ui,
 				      struct sinks *sinks, struct block_tables *tables, struct input_files *inputs)
 {
-	/* --parse-only needs no bodies: their meshes are not read. */
-	struct scene bare = {.machine = job->machine, .setup = job->setup};
 	struct diag *diag = &ui->diag;
 	enum run_status status;
 
-	input_files_add_files(inputs, options, job->machine, job->setup, job->scene != NULL);
-	status = programs_check(options, job->scene ? job->scene : &bare, job->seconds, ui, sinks, inputs,
+	input_files_add_files(inputs, options, job->model->machine, job->model->setup, job->model->scene != NULL);
+	status = programs_check(options, job->model, job->seconds, ui, sinks, inputs,
 				job->baseline, &job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
 	/* Without a sink nothing may be written: programs_check has discarded them. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
@@ -195,7 +174,7 @@ static enum run_status run_programs(struct job *job, const struct options *optio
 		/* No report can be written. */
 	} else if (!load_all(job, options, &tee.diag)) {
 		failure_report_write(options, &tee.errors, &sinks, diag);
-	} else if (path_checks_meshes(options, job->machine, job->setup, diag)) {
+	} else if (path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
 		status = check_programs(job, options, ui, &sinks, &tables, &inputs);
 	}
 	block_tables_discard(&tables);
@@ -217,7 +196,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 
 	if (!program_open(&file, options->programs[0], diag))
 		return RUN_INCOMPLETE;
-	good = dump_path(out, job->machine, job->setup, &motion, file.stream, file.name, diag);
+	good = dump_path(out, job->model->machine, job->model->setup, &motion, file.stream, file.name, diag);
 	good = program_close(&file, diag) && good;
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
@@ -225,7 +204,7 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 static enum run_status run_machine(const struct job *job, struct diag *diag, struct output *out)
 {
 	struct strbuf text = {0};
-	bool good = machine_report_add(&text, job->scene, diag) && mesh_lint_add(&text, job->scene, diag);
+	bool good = machine_report_add(&text, job->model->scene, diag) && mesh_lint_add(&text, job->model->scene, diag);
 
 	output_text(out, &text);
 	strbuf_release(&text);
@@ -236,7 +215,7 @@ static enum run_status run_pairs(const struct job *job, struct output *out)
 {
 	struct strbuf text = {0};
 
-	pairs_add(&text, job->scene);
+	pairs_add(&text, job->model->scene);
 	output_text(out, &text);
 	strbuf_release(&text);
 	return RUN_CLEAR;
@@ -268,7 +247,7 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	struct output out = {0};
 
 	if (output_open(&out, options->output, diag) && job_load(job, options, diag) &&
-	    path_checks_meshes(options, job->machine, job->setup, diag)) {
+	    path_checks_meshes(options, job->model->machine, job->model->setup, diag)) {
 		status = run_mode(job, options, diag, &out);
 		/* Standard output already has the text, and a failed write must be reported. */
 		if ((!options->output || out.error || status < RUN_INCOMPLETE) && !output_commit(&out, diag))

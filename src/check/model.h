@@ -1,0 +1,33 @@
+/* model.h - what programs are checked on: a machine, the setup on it, and the scene that their bodies make. */
+#ifndef FIVECHECK_CHECK_MODEL_H
+#define FIVECHECK_CHECK_MODEL_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "machine/machine.h"
+#include "machine/setup.h"
+#include "scene/scene.h"
+
+/* All of it is read only once it is loaded; several threads may check programs on it. */
+struct model {
+	struct machine *machine;
+	const struct setup *setup;	/* the loaded one, or the machine's own; NULL: none */
+	struct setup *loaded;	/* the setup of a file of its own; or NULL */
+	struct scene *scene;	/* NULL until model_add_scene */
+	struct scene bodiless;	/* machine and setup without a mesh, for a program that is only read */
+};
+
+/* Reads a machine file, and a setup file unless it is NULL. NULL: reported. */
+struct model *model_load(const char *machine, const char *setup, struct diag *diag);
+
+/* NULL is fine. */
+void model_free(struct model *model);
+
+/* Derives the pairs that must be kept apart, by `clearance` mm where no rule gives another. False: reported. */
+bool model_add_scene(struct model *model, double clearance, struct diag *diag);
+
+/* The scene; without one, machine and setup alone. */
+struct scene *model_scene(struct model *model);
+
+#endif
