@@ -72,7 +72,7 @@ $(BUILD)/gen/%.rng.h: %.rng
 $(OBJECTS): | $(SCHEMA_HEADERS)
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
-TEST_TARGETS := accept bench bench-quick build-units campaign check check-asan check-deb check-faults check-install check-layers \
+TEST_TARGETS := accept bench bench-quick build-units campaign check check-asan check-calls check-deb check-faults check-install check-layers \
 	check-long check-machines check-man check-program check-quick check-reproducible check-rs274 check-short check-tsan \
 	check-unit check-valgrind coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):
