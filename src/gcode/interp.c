@@ -42,9 +42,10 @@ long interp_lines(const struct interp *interp)
 }
 
 /* A '%' line opens the program if it is the first that is not blank, and else closes it. */
-static bool take_percent(struct interp *interp, int column)
+static bool take_percent(struct interp *interp, const char *text)
 {
-	const char *rest = interp->at.text + column;
+	const char *rest = text + 1;
+	int column = (int)(rest - interp->at.text);
 
 	if (rest[strspn(rest, " \t")] != '\0')
 		return fault(&interp->at, column, "'%%' stands alone on its line");
@@ -63,13 +64,12 @@ static bool run_block(struct interp *interp)
 	const struct dialect *dialect = interp->config->dialect;
 	struct block *block = &interp->block;
 	struct block_modes modes = {interp->state.motion, interp->state.incremental};
-	int blanks = (int)strspn(interp->at.text, " \t");
 
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
 	    !dialect->read_block(interp))
 		return false;
 	interp->begun = interp->begun || block->words > 0 ||
-			(traits_of(interp)->text_before_percent != ANSWER_YES && interp->at.text[blanks] != '\0');
+			(traits_of(interp)->text_before_percent != ANSWER_YES && *line_start(&interp->at) != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
@@ -85,7 +85,7 @@ static bool run_block(struct interp *interp)
 static bool run_line(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
-	int blanks = (int)strspn(interp->at.text, " \t");
+	const char *text;
 	bool done = false;
 
 	if (dialect->statement && !dialect->statement(interp, &done))
@@ -93,7 +93,8 @@ static bool run_line(struct interp *interp)
 	interp->begun = interp->begun || done;
 	if (done)
 		return true;
-	return interp->at.text[blanks] == '%' ? take_percent(interp, blanks + 1) : run_block(interp);
+	text = line_start(&interp->at);
+	return *text == '%' ? take_percent(interp, text) : run_block(interp);
 }
 
 static void note_callers(struct interp *interp)

@@ -126,17 +126,18 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	return set_m(block, at, word, code->group, number);
 }
 
-static bool check_axis_word(const struct block *block, const struct line_place *at, const struct word *word,
-			    const struct gcode_config *config)
+/* Only when all words have been read is it known whether X is an axis or the time of a dwell. */
+static bool check_axis_words(const struct block *block, const struct line_place *at, const struct gcode_config *config)
 {
-	int slot = slot_of_letter(word->letter);
+	bool dwell = config->dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4;
 
-	/* Where it has the time of a dwell, the letter names no axis. */
-	if (config->dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4)
-		return true;
-	if (slot < 0 || config->has_axis[slot])
-		return true;
-	return fault(at, word->column, "the machine has no %c axis", word->letter);
+	for (int slot = 0; slot < SLOT_COUNT && !dwell; slot++) {
+		char letter = AXIS_LETTERS[slot];
+
+		if (!config->has_axis[slot] && block_has(block, letter))
+			return fault(at, block_column(block, letter), "the machine has no %c axis", letter);
+	}
+	return true;
 }
 
 static bool add_value(struct block *block, const struct line_place *at, const struct word *word,
@@ -287,13 +288,8 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	if (result == LEXER_FAULT)
 		return false;
 	block->words += lexer.assignments;
-	/* Only here is it known whether X is an axis or the time of a dwell. */
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		word.letter = AXIS_LETTERS[slot];
-		word.column = block_column(block, word.letter);
-		if (block_has(block, word.letter) && !check_axis_word(block, at, &word, config))
-			return false;
-	}
+	if (!check_axis_words(block, at, config))
+		return false;
 	caution_points(block, at, config, cautions);
 	return true;
 }

@@ -16,20 +16,28 @@ static bool is_arc(int code)
 	return code == G2 || code == G3;
 }
 
-static int first_column(const struct block *block, const char *letters)
+/* The column of the first of these axis and arc words that the block has, or 0. */
+static int first_column(const struct block *block, uint32_t letters)
 {
 	int first = 0;
 
-	for (; *letters; letters++) {
-		if (block_has(block, *letters) && (first == 0 || block_column(block, *letters) < first))
-			first = block_column(block, *letters);
+	letters &= block->letters;
+	/* Most blocks are done after X, Y and Z. */
+	for (const char *letter = "XYZIJKRABCUVW"; letters && *letter; letter++) {
+		int column = block_column(block, *letter);
+
+		if ((letters & letter_bit(*letter)) && (first == 0 || column < first))
+			first = column;
+		letters &= ~letter_bit(*letter);
 	}
 	return first;
 }
 
 int block_motion_column(const struct block *block)
 {
-	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_LETTERS "IJKR");
+	const uint32_t arc = letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
+
+	return block->g[G_MOTION] != CODE_NONE ? block->g_column[G_MOTION] : first_column(block, AXIS_BITS | arc);
 }
 
 /* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
@@ -57,12 +65,12 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		return true;
 	}
 	if (given == G80 && axes)
-		return fault(at, first_column(block, AXIS_LETTERS),
+		return fault(at, first_column(block, AXIS_BITS),
 			     "axis words with G80, which cancels motion; give them a motion code instead");
 	if (given != CODE_NONE)
 		return true;
 	if (axes && modes->motion == CODE_NONE)
-		return fault(at, first_column(block, AXIS_LETTERS),
+		return fault(at, first_column(block, AXIS_BITS),
 			     "axis words, but no motion code is in force (G0, G1, G2, G3)");
 	if (axes || (offsets && is_arc(modes->motion)))
 		block->motion = modes->motion;

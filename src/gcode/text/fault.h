@@ -14,6 +14,16 @@ struct line_place {
 	const char *text;	/* as read, without its line end */
 };
 
+/* The first byte of the line that is no blank, which may be its NUL. */
+static inline const char *line_start(const struct line_place *at)
+{
+	const char *text = at->text;
+
+	while (*text == ' ' || *text == '\t')
+		text++;
+	return text;
+}
+
 /*
  * Reports an error at a column (from 1) of the line; false, so that a check can end in `return fault(...)`.
  * A macro, so that compilers and analysers see that nothing goes on behind a fault.

@@ -54,33 +54,44 @@ static const char *skip_blanks(const char *at)
 	return at;
 }
 
+/* Appends the digits that come next, of which there may be too many. */
+static const char *take_digits(const char *at, uint64_t *mantissa)
+{
+	uint64_t value = *mantissa;
+
+	for (; is_digit(*at); at++)
+		value = 10 * value + (uint64_t)(*at - '0');
+	*mantissa = value;
+	return at;
+}
+
 /*
  * The usual number in one pass: no blanks between its digits, and all of them fit the mantissa. False: it is no such
  * number, and nothing has changed.
  */
 static bool read_quickly(const char *text, size_t *position, double *value, bool *point)
 {
-	const char *at = text + *position, *first, *point_at = NULL, *next;
-	bool negative = *at == '-';
+	const char *first = text + *position + (text[*position] == '-' || text[*position] == '+'), *at, *next;
 	uint64_t mantissa = 0;
+	int digits, fraction_digits = 0;
+	bool has_point;
 
-	at += *at == '-' || *at == '+';
-	for (first = at;; at++) {
-		if (is_digit(*at))
-			mantissa = 10 * mantissa + (uint64_t)(*at - '0');
-		else if (*at == '.' && !point_at)
-			point_at = at;
-		else
-			break;
+	at = take_digits(first, &mantissa);
+	digits = (int)(at - first);
+	has_point = *at == '.';
+	if (has_point) {
+		const char *end = take_digits(at + 1, &mantissa);
+
+		fraction_digits = (int)(end - at) - 1;
+		at = end;
 	}
 	next = skip_blanks(at);
-	if (at - first - (point_at != NULL) > MANTISSA_DIGITS_MAX || at - first == (point_at != NULL))
+	if (digits + fraction_digits == 0 || digits + fraction_digits > MANTISSA_DIGITS_MAX || is_digit(*next) ||
+	    *next == '.' || !exact_value(mantissa, fraction_digits, value))
 		return false;
-	if (is_digit(*next) || *next == '.' || !exact_value(mantissa, point_at ? (int)(at - point_at - 1) : 0, value))
-		return false;
-	if (negative)
+	if (text[*position] == '-')
 		*value = -*value;
-	*point = point_at != NULL;
+	*point = has_point;
 	*position = (size_t)(next - text);
 	return true;
 }

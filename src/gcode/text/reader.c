@@ -51,16 +51,27 @@ static bool refill(struct line_reader *reader)
 	return true;
 }
 
+/* The first of these bytes in [p, end), or end. */
+static const char *find_byte(const char *p, const char *end, char byte)
+{
+	const char *found = memchr(p, byte, (size_t)(end - p));
+
+	return found ? found : end;
+}
+
 /* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
 static size_t find_break(const struct line_reader *reader, size_t from)
 {
 	const char *p = reader->buffer + from, *end = reader->buffer + reader->end;
 
-	for (; p < end; p++) {
-		/* Most bytes are settled by the first comparison. */
-		if ((unsigned char)*p <= '\r' && (*p == '\n' || *p == '\r' || *p == '\0'))
-			break;
+	/* Where lines end with CR, a search for LF would run through the whole buffer at each line. */
+	if (reader->style == LINE_END_LF) {
+		end = find_byte(p, end, '\n');
+		end = find_byte(p, end, '\r');
+		return (size_t)(find_byte(p, end, '\0') - reader->buffer);
 	}
+	while (p < end && *p != '\n' && *p != '\r' && *p != '\0')
+		p++;
 	return (size_t)(p - reader->buffer);
 }
 

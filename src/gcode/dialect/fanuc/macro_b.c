@@ -337,7 +337,7 @@ static bool do_percent(struct interp *interp, bool *done)
 bool macro_b_line(struct interp *interp, bool *done)
 {
 	struct macro_b *macro = macro_b_of(interp);
-	const char *text = interp->at.text + strspn(interp->at.text, " \t");
+	const char *text = line_start(&interp->at);
 	struct lexer lexer;
 
 	*done = false;

@@ -69,7 +69,7 @@ static bool in_loop_or_call(const struct interp *interp)
 bool control_flow_line(struct interp *interp, bool *done)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
-	const char *text = interp->at.text + strspn(interp->at.text, " \t");
+	const char *text = line_start(&interp->at);
 	struct lexer lexer;
 	struct oword oword;
 
