@@ -14,8 +14,6 @@ SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
 JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
-SCHEMA_HEADERS := $(patsubst %,$(BUILD)/gen/%.h,$(notdir $(SCHEMAS)))
-vpath %.rng $(sort $(dir $(SCHEMAS)))
 MANUALS := $(sort $(wildcard man/*.[1-9]))
 PLOTS := $(sort $(wildcard examples/plots/*.gnuplot))
 COMPLETIONS := $(patsubst %,$(BUILD)/completion/fivecheck.%,bash zsh fish)
@@ -63,13 +61,6 @@ $(BUILD)/installed/libfivecheck.a: $(FACE_OBJECTS) $(BUILD)/objects
 $(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/fivecheck completion $* > $@.new && mv $@.new $@
-
-# A schema as a C string: quotes and backslashes escaped, a line a literal.
-$(BUILD)/gen/%.rng.h: %.rng
-	@mkdir -p $(@D)
-	$(Q)sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $< > $@
-
-$(OBJECTS): | $(SCHEMA_HEADERS)
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
 TEST_TARGETS := accept bench bench-quick build-units campaign check check-asan check-calls check-deb check-faults check-install check-layers \

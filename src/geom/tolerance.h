@@ -31,6 +31,18 @@
  */
 #define RAPID_ALLOWANCE 0.1
 
+/*
+ * mm, and degrees of rotary axes: a position this near to an axis limit is inside (the contract with the user). Written
+ * and computed positions differ from the exact ones by some 1e-9; machines are repeatable to 1e-3.
+ */
+#define LIMIT_TOLERANCE 1e-6
+
+/* mm: what a setup file gives twice (a tool's length and its sections) must agree to this. Files have 3 to 6 decimals. */
+#define TOOL_SUM_TOLERANCE 1e-6
+
+/* Sine of the angle between directions below which they count as parallel: rounding leaves some 1e-16 of it. */
+#define PARALLEL_SINE 1e-12
+
 /* mm: a coordinate in a mesh beyond this is no machine; its float granularity is 64 mm. */
 #define COORDINATE_MAX 1e9
 

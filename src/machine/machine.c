@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "base/spelling.h"
+#include "base/units.h"
+#include "geom/tolerance.h"
 #include "machine/setup.h"
 
 void machine_free(struct machine *machine)
@@ -21,6 +23,13 @@ const struct axis *machine_axis(const struct machine *machine, int slot)
 		if (machine->axes[i].slot == slot)
 			return &machine->axes[i];
 	return NULL;
+}
+
+bool axis_allows(const struct axis *axis, double position)
+{
+	double tolerance = axis->rotary ? radians(LIMIT_TOLERANCE) : LIMIT_TOLERANCE;
+
+	return position >= axis->limit_min - tolerance && position <= axis->limit_max + tolerance;
 }
 
 const char *machine_link_name(const struct machine *machine, int link)

@@ -9,8 +9,8 @@
 #include "base/axes.h"
 #include "base/diag.h"
 #include "control/controller.h"
-#include "geom/mesh.h"
 #include "geom/xform.h"
+#include "machine/body.h"
 
 /*
  * Everything is in machine coordinates at the zero pose (every axis at 0), in
@@ -34,28 +34,7 @@ struct axis {
 	long line;	/* in the XML file */
 };
 
-struct tool_solid;
-
-enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
-
-struct body {
-	const char *name;	/* unique among all bodies of machine and setup */
-	enum body_role role;
-	int link;
-	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
-	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
-	const char *mesh_root;	/* the folder that the mesh must be in, whoever set it outlives the body; or NULL */
-	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
-	const struct tool_solid *profile;	/* what a cutter's solid was made from; NULL: it is no cutter, or a mesh */
-	double rapid_allowance;	/* mm, of a part: how deep a cutter that does not cut may enter it */
-	double gouge;	/* mm, of a part: how deep a cutter that cuts may enter it; negative: as deep as it wants */
-	double scale;	/* mm per unit of the mesh file */
-	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
-	struct srcloc loc;	/* of the element that names it */
-};
-
 /* <pair>: what the user says of two bodies, roles or links. */
-enum rule_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
 enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
 
 struct pair_name {
@@ -105,10 +84,7 @@ struct machine {
 	struct setup *setup;	/* the <setup> inside <machine>, or NULL; owned */
 };
 
-/*
- * Reads, validates (RELAX NG, then for meaning) and resolves a machine file.
- * Every fault is reported with file and line; NULL if there was one.
- */
+/* Reads a machine file of any format and builds it. Every fault is reported with its place; NULL if there was one. */
 struct machine *machine_load(const char *path, struct diag *diag);
 void machine_free(struct machine *machine);
 
@@ -119,11 +95,11 @@ void machine_free(struct machine *machine);
  */
 bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
 
-/* What stands for an axis or a role in a <pair>, and so names no body. */
-bool body_name_is_reserved(const char *name);
-
 /* The axis on a slot, or NULL. */
 const struct axis *machine_axis(const struct machine *machine, int slot);
+
+/* Is the position (mm, radians) within the limits, or nearer to them than LIMIT_TOLERANCE? */
+bool axis_allows(const struct axis *axis, double position);
 
 /* "base" or the axis' name. */
 const char *machine_link_name(const struct machine *machine, int link);

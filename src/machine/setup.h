@@ -9,7 +9,9 @@
 #include "base/axes.h"
 #include "base/diag.h"
 #include "control/offset_tables.h"
-#include "machine/machine.h"
+#include "machine/body.h"
+
+struct machine;
 
 struct setup {
 	struct arena arena;

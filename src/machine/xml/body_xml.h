@@ -1,25 +1,13 @@
-/* body_xml.h - reads the elements of machine and setup that name a mesh. */
+/* body_xml.h - reads what the elements that name a mesh have in common. */
 #ifndef FIVECHECK_MACHINE_XML_BODY_XML_H
 #define FIVECHECK_MACHINE_XML_BODY_XML_H
 
-#include <stdbool.h>
+#include "machine/xml/xml_reader.h"
 
-#include "base/arena.h"
-#include "machine/machine.h"
-#include "machine/xml/xml_read.h"
+/* The path of the attribute `mesh`, relative to the folder of the file, as it can be opened; or NULL. */
+const char *body_xml_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena);
 
-/* Names are compared each with each. */
-#define BODIES_MAX 4096
-
-/* Sets mesh_path (relative to the file's folder) and scale; false if it was reported as faulty. */
-bool body_read_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena, struct body *body);
-
-/* A <body>, <fixture> or <part>, placed by its location and rotation on `mount`. */
-bool body_read(struct xml_reader *xml, const xmlNode *node, struct arena *arena, const xform *mount,
-	       struct body *body);
-
-/* Reports a name that one of `count` bodies has already. */
-void body_check_name(struct xml_reader *xml, const xmlNode *node, const char *name, const struct body *bodies,
-		     size_t count);
+/* A <body>, <fixture> or <part>, with everything that it holds; role and link are the caller's. */
+void body_xml_read(struct xml_reader *xml, const xmlNode *node, struct arena *arena, struct body_description *body);
 
 #endif

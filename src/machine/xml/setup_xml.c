@@ -1,214 +1,183 @@
-#include "geom/tolerance.h"
-#include "machine/tool_solid.h"
 #include "machine/xml/setup_xml.h"
 
-#include <string.h>
-
-#include "base/mem.h"
+#include "machine/setup_build.h"
 #include "machine/xml/body_xml.h"
-#include "machine/xml/tool_xml.h"
+#include "machine/xml/xml_attribute.h"
+#include "machine/xml/xml_element.h"
 
-/* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
-static bool is_extended_name(const char *name)
+static const char *const elements[] = {SETUP_XML_ELEMENTS, NULL};
+
+static void read_work_offset(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	const char *number = NULL;
+	struct setup_description *described = context;
+	struct work_offset_description *offset = &described->offsets[described->offset_count++];
+	const char *name = xml_attribute(xml, node, "name");
 
-	if (!strncmp(name, "G54.1 P", 7))
-		number = name + 7;
-	else if (!strncmp(name, "G154 P", 6))
-		number = name + 6;
-	return number && strlen(number) <= 2 && number[0] >= '1' && number[0] <= '9' &&
-	       (!number[1] || (number[1] >= '0' && number[1] <= '9'));
+	xml_require(xml, node, "name", NULL);
+	offset->at = node;
+	offset->name = arena_strdup(&described->arena, name ? name : "");
+	xml_axis_values(xml, node, offset->value);
+	xml_read_nothing(xml, node);
 }
 
-static bool is_work_offset_name(const char *name)
+static void read_length(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+	struct setup_description *described = context;
+	struct length_offset_description *offset = &described->lengths[described->length_count++];
 
-	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
-		if (!strcmp(name, names[i]))
-			return true;
-	return is_extended_name(name);
+	xml_require(xml, node, "number", "length", NULL);
+	offset->at = node;
+	offset->number = xml_positive(xml, node, "number", 1);
+	offset->length = xml_length(xml, node, "length", 0);
+	xml_read_nothing(xml, node);
 }
 
-static void read_work_offset(struct xml_reader *xml, const xmlNode *node, const struct machine *machine,
-			     struct setup *setup)
+static void read_fixture(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	const char *name = xml_attribute(node, "name");
-	struct work_offset offset = {.line = xmlGetLineNo(node)};
+	struct setup_description *described = context;
+	struct body_description *body = &described->bodies[described->body_count++];
 
-	if (!is_work_offset_name(name)) {
-		xml_error(xml, node,
-			  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3 or "
-			  "G54.1 P1 to P99", xml_quote(name).text);
-		return;
-	}
-	for (size_t i = 0; i < setup->offset_count; i++) {
-		if (strcmp(setup->offsets[i].name, name) == 0) {
-			xml_error(xml, node, "work offset %s is given twice (the other in line %ld)", name,
-				  setup->offsets[i].line);
-			return;
-		}
-	}
-	offset.name = arena_strdup(&setup->arena, name);
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		const char letter[] = {AXIS_LETTERS[slot], '\0'};
-
-		if (!xml_attribute(node, letter))
-			continue;
-		if (!machine_axis(machine, slot))
-			xml_error(xml, node, "work offset %s has a value for %s, but the machine has no axis %s", name,
-				  letter, letter);
-		offset.value.v[slot] = slot_is_rotary(slot) ? xml_angle(xml, node, letter, 0)
-							    : xml_length(xml, node, letter, 0);
-	}
-	setup->offsets[setup->offset_count++] = offset;
+	body->role = ROLE_FIXTURE;
+	body_xml_read(xml, node, &described->arena, body);
 }
 
-/* How deep a cutter may enter a part, at rapid and at feed. */
-static void read_depths(struct xml_reader *xml, const xmlNode *node, struct body *body)
+static void read_part(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	static const char *const names[] = {"rapid_allowance", "gouge"};
-	double *const depths[] = {&body->rapid_allowance, &body->gouge};
+	struct setup_description *described = context;
+	struct body_description *body = &described->bodies[described->body_count++];
 
-	body->rapid_allowance = RAPID_ALLOWANCE;
-	body->gouge = -1;
-	for (int i = 0; i < 2; i++) {
-		if (!xml_attribute(node, names[i]))
-			continue;
-		*depths[i] = xml_length(xml, node, names[i], 0);
-		if (*depths[i] < 0 || *depths[i] > TOOL_SIZE_MAX)
-			xml_error(xml, node, "%s=\"%s\" of <part> is not between 0 and %g mm", names[i],
-				  xml_quote(xml_attribute(node, names[i])).text, TOOL_SIZE_MAX);
-	}
+	body->role = ROLE_PART;
+	body->rapid_allowance = xml_optional_length(xml, node, "rapid_allowance");
+	body->gouge = xml_optional_length(xml, node, "gouge");
+	body_xml_read(xml, node, &described->arena, body);
 }
 
-/* A <fixture> or <part>. */
-static void read_mounted(struct xml_reader *xml, const xmlNode *node, const struct machine *machine,
-			 struct setup *setup)
-{
-	struct body body = {.role = xml_is(node, "part") ? ROLE_PART : ROLE_FIXTURE,
-			    .link = machine->workholding.link,
-			    .loc = {.file = setup->path, .line = xmlGetLineNo(node)}};
+/* ------------------------------------------------------------------- tools */
 
-	if (!body_read(xml, node, &setup->arena, &machine->workholding.frame, &body))
-		return;
-	if (body.role == ROLE_PART)
-		read_depths(xml, node, &body);
-	body_check_name(xml, node, body.name, machine->bodies, machine->body_count);
-	body_check_name(xml, node, body.name, setup->bodies, setup->body_count);
-	setup->bodies[setup->body_count++] = body;
+static void read_section(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	struct piece_description *piece = context;
+	struct section_description *section = &piece->sections[piece->section_count++];
+
+	xml_require(xml, node, "length", "diameter", NULL);
+	section->at = node;
+	section->length = xml_length(xml, node, "length", 0);
+	section->diameter = xml_length(xml, node, "diameter", 0);
+	section->diameter_end = xml_optional_length(xml, node, "diameter_end");
+	xml_read_nothing(xml, node);
 }
 
-static void read_length(struct xml_reader *xml, const xmlNode *node, struct setup *setup)
-{
-	int number = xml_integer(xml, node, "number", 0, 1, TOOL_NUMBER_MAX);
+/* The tool whose pieces are being read, and where its strings go. */
+struct tool_context {
+	struct tool_description *tool;
+	struct arena *arena;
+};
 
-	for (size_t i = 0; i < setup->length_count; i++)
-		if (setup->lengths[i].number == number && number)
-			xml_error(xml, node, "<offset> %d is given twice", number);
-	setup->lengths[setup->length_count++] =
-		(struct length_offset){.number = number, .length = xml_length(xml, node, "length", 0)};
+static void read_piece(struct xml_reader *xml, const xmlNode *node, struct piece_description *piece,
+		       struct arena *arena)
+{
+	static const struct xml_child children[] = {{"section", read_section, false, false}, {.name = NULL}};
+
+	piece->at = node;
+	piece->mesh_path = body_xml_mesh(xml, node, arena);
+	piece->scale = xml_mesh_units(xml, node, xml->unit);
+	piece->has_units = xml_attribute(xml, node, "units") != NULL;
+	piece->sections = arena_alloc(arena, xml_count(node, "section") * sizeof(*piece->sections));
+	xml_read_children(xml, node, children, piece);
 }
 
-/* Every tool has the H of its number, unless an <offset> gave it. */
-static void add_tool_lengths(struct setup *setup)
+static void read_holder(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	size_t given = setup->length_count;
+	const struct tool_context *tool = context;
 
-	for (size_t i = 0; i < setup->tool_count; i++) {
-		const struct tool *tool = &setup->tools[i];
-		size_t k = 0;
-
-		while (k < given && setup->lengths[k].number != tool->number)
-			k++;
-		if (k == given)
-			setup->lengths[setup->length_count++] =
-				(struct length_offset){.number = tool->number, .length = tool->length_offset};
-	}
+	read_piece(xml, node, &tool->tool->pieces[PIECE_HOLDER], tool->arena);
 }
 
-/* Room for everything; false if there is too much of it. */
-static bool make_room(struct xml_reader *xml, const xmlNode *node, struct setup *setup)
+static void read_shank(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	size_t tools = xml_count(node, "tool"), lengths = xml_count(node, "offset");
-	size_t offsets = xml_count(node, "work_offset"), mounted = xml_count(node, "fixture") + xml_count(node, "part");
+	const struct tool_context *tool = context;
 
-	if (mounted > BODIES_MAX || tools > BODIES_MAX || lengths > BODIES_MAX) {
-		xml_error(xml, node, "more than %d fixtures and parts, tools or offsets are not supported", BODIES_MAX);
-		return false;
-	}
-	setup->offsets = arena_alloc(&setup->arena, offsets * sizeof(*setup->offsets));
-	setup->tools = arena_alloc(&setup->arena, tools * sizeof(*setup->tools));
-	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
-	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
-	return true;
+	read_piece(xml, node, &tool->tool->pieces[PIECE_SHANK], tool->arena);
 }
 
-static void check_mounts(struct xml_reader *xml, const xmlNode *root, const struct machine *machine)
+static void read_cutter(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	bool mounted = false, tools = false;
+	static const char *const tips[] = {
+		[TIP_FLAT] = "flat", [TIP_BALL] = "ball", [TIP_CONE] = "cone", [TIP_BULL] = "bull", NULL,
+	};
+	const struct tool_context *tool = context;
+	struct piece_description *piece = &tool->tool->pieces[PIECE_CUTTER];
 
-	for (const xmlNode *node = xml_first(root); node; node = xml_next(node)) {
-		if ((xml_is(node, "fixture") || xml_is(node, "part")) && !machine->workholding.present && !mounted) {
-			xml_error(xml, node, "the machine has no <workholding> for a <%s>", (const char *)node->name);
-			mounted = true;
-		}
-		if (xml_is(node, "tool") && !machine->spindle.present && !tools) {
-			xml_error(xml, node, "the machine has no <spindle> for a <tool>");
-			tools = true;
-		}
-	}
+	piece->has_tip = xml_attribute(xml, node, "tip") != NULL;
+	piece->tip = (enum tool_tip)xml_choice(xml, node, "tip", tips, TIP_FLAT);
+	piece->angle = xml_optional_angle(xml, node, "angle");
+	piece->corner = xml_optional_length(xml, node, "corner");
+	piece->flute_length = xml_optional_length(xml, node, "flute_length");
+	read_piece(xml, node, piece, tool->arena);
 }
 
-static void read_content(struct xml_reader *xml, const xmlNode *root, const struct machine *machine,
-			 struct setup *setup)
+static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context)
 {
-	struct tool_reader tools = {.xml = xml, .setup = setup, .machine = machine};
+	static const struct xml_child children[] = {{"holder", read_holder, true, false},
+						    {"shank", read_shank, true, false},
+						    {"cutter", read_cutter, true, false},
+						    {.name = NULL}};
+	static const char *const kinds[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
+	struct setup_description *described = context;
+	struct tool_context tool = {&described->tools[described->tool_count++], &described->arena};
 
-	for (const xmlNode *node = xml_first(root); node; node = xml_next(node)) {
-		if (xml_is(node, "work_offset"))
-			read_work_offset(xml, node, machine, setup);
-		else if (xml_is(node, "offset"))
-			read_length(xml, node, setup);
-		else if (xml_is(node, "fixture") || xml_is(node, "part"))
-			read_mounted(xml, node, machine, setup);
-	}
-	for (const xmlNode *node = xml_first(root); node; node = xml_next(node))
-		if (xml_is(node, "tool"))
-			tool_read(&tools, node);
-	add_tool_lengths(setup);
-	setup->initial_tool = xml_integer(xml, root, "initial_tool", 0, 0, TOOL_NUMBER_MAX);
-	if (setup->initial_tool && !setup_tool(setup, setup->initial_tool))
-		xml_error(xml, root, "initial_tool=\"%d\" of <setup>: there is no such tool", setup->initial_tool);
+	xml_require(xml, node, "number", "length", NULL);
+	tool.tool->at = node;
+	tool.tool->number = xml_positive(xml, node, "number", 1);
+	tool.tool->name = xml_label(xml, node, "name", tool.arena);
+	tool.tool->length = xml_length(xml, node, "length", 0);
+	tool.tool->length_offset = xml_optional_length(xml, node, "length_offset");
+	tool.tool->kind = xml_choice(xml, node, "kind", kinds, 0) ? TOOL_STANDS : TOOL_TURNS;
+	tool.tool->diameter = xml_optional_length(xml, node, "diameter");
+	xml_read_children(xml, node, children, &tool);
 }
 
-struct setup *setup_read(struct xml_reader *xml, const xmlNode *node, const struct machine *machine)
-{
-	struct setup *setup = mem_zalloc(1, sizeof(*setup));
-	double unit = xml->unit;
-	size_t errors = xml->errors;
+/* ------------------------------------------------------------------- setup */
 
-	setup->path = arena_strdup(&setup->arena, xml->path);
-	xml->unit = xml_units(node, unit);
-	check_mounts(xml, node, machine);
-	if (make_room(xml, node, setup))
-		read_content(xml, node, machine, setup);
+void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_description *described)
+{
+	static const char *const versions[] = {"1", NULL};
+	static const struct xml_child children[] = {{"work_offset", read_work_offset, false, false},
+						    {"offset", read_length, false, false},
+						    {"fixture", read_fixture, false, false},
+						    {"part", read_part, false, false},
+						    {"tool", read_tool, false, false},
+						    {.name = NULL}};
+	struct arena *arena = &described->arena;
+	const size_t bodies = xml_count(node, "fixture") + xml_count(node, "part");
+	const double unit = xml->unit;
+
+	described->file = xml_description_file(xml);
+	described->at = node;
+	xml_choice(xml, node, "version", versions, 0);
+	xml->unit = xml_file_units(xml, node, unit);
+	described->initial_tool = xml_whole(xml, node, "initial_tool", 0);
+	described->offsets = arena_alloc(arena, xml_count(node, "work_offset") * sizeof(*described->offsets));
+	described->lengths = arena_alloc(arena, xml_count(node, "offset") * sizeof(*described->lengths));
+	described->bodies = arena_alloc(arena, bodies * sizeof(*described->bodies));
+	described->tools = arena_alloc(arena, xml_count(node, "tool") * sizeof(*described->tools));
+	xml_read_children(xml, node, children, described);
 	xml->unit = unit;
-	if (xml->errors == errors)
-		return setup;
-	setup_free(setup);
-	return NULL;
 }
 
 struct setup *setup_load(const char *path, const struct machine *machine, struct diag *diag)
 {
+	struct setup_description described = {.initial_tool = 0};
+	struct setup *setup = NULL;
 	struct xml_reader xml;
-	struct setup *setup;
 
-	if (!xml_open(&xml, path, "setup", diag))
+	if (!xml_open(&xml, path, elements, diag))
 		return NULL;
-	setup = setup_read(&xml, xml_root(&xml), machine);
+	xml_require(&xml, xml_root(&xml), "version", NULL);
+	setup_xml_read(&xml, xml_root(&xml), &described);
+	if (!xml.errors)
+		setup = setup_build(&described, machine, diag);
+	arena_release(&described.arena);
 	xml_close(&xml);
 	return setup;
 }

@@ -2,11 +2,13 @@
 #ifndef FIVECHECK_MACHINE_XML_SETUP_XML_H
 #define FIVECHECK_MACHINE_XML_SETUP_XML_H
 
-#include "machine/machine.h"
-#include "machine/setup.h"
-#include "machine/xml/xml_read.h"
+#include "machine/xml/xml_reader.h"
 
-/* The setup, or NULL after reported faults. */
-struct setup *setup_read(struct xml_reader *xml, const xmlNode *node, const struct machine *machine);
+/* The elements that a setup may hold, itself first; for tables of elements. */
+#define SETUP_XML_ELEMENTS \
+	"setup", "work_offset", "fixture", "part", "tool", "offset", "holder", "shank", "cutter", "section"
+
+/* Fills in a description that is all zero; faults are counted by the reader. */
+void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_description *described);
 
 #endif

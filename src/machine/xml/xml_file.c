@@ -21,9 +21,18 @@ typedef const xmlError *xml_fault;
 typedef xmlError *xml_fault;
 #endif
 
+/* While it is in force, libxml2's messages become errors of the reader and nothing reaches standard error. */
+struct capture {
+	struct xml_reader *xml;
+	void *old_context, *old_generic_context;
+	xmlStructuredErrorFunc old_handler;
+	xmlGenericErrorFunc old_generic;
+	bool reported;	/* the first message; those that follow from it are not shown */
+};
+
 static void on_fault(void *context, xml_fault fault)
 {
-	struct xml_capture *capture = context;
+	struct capture *capture = context;
 	const char *message = fault->message ? fault->message : "unknown fault";
 	size_t length = strcspn(message, "\n");
 	long line = fault->line > 0 ? fault->line : 0;
@@ -32,14 +41,11 @@ static void on_fault(void *context, xml_fault fault)
 	if (fault->level < XML_ERR_ERROR || capture->reported)
 		return;
 	capture->reported = true;
-	/* Parser faults count lines in an int; of a node the document knows better than 65535. */
-	if (fault->domain != XML_FROM_PARSER && fault->node)
-		line = xmlGetLineNo(fault->node);
 	text = mem_strndup(message, length);
 	for (size_t i = 0; i < length; i++)
 		if ((unsigned char)text[i] < 0x20 || text[i] == 0x7f)
 			text[i] = '?';
-	xml_error_at(capture->xml, line, "%s: %s", capture->prefix, text);
+	xml_error_at(capture->xml, line, "this is not well-formed XML: %s", text);
 	free(text);
 }
 
@@ -49,11 +55,10 @@ static void __attribute__((format(printf, 2, 3))) drop_message(void *context, co
 	(void)format;
 }
 
-void xml_capture_begin(struct xml_capture *capture, struct xml_reader *xml, const char *prefix)
+static void capture_begin(struct capture *capture, struct xml_reader *xml)
 {
-	*capture = (struct xml_capture){
+	*capture = (struct capture){
 		.xml = xml,
-		.prefix = prefix,
 		.old_context = xmlStructuredErrorContext,
 		.old_generic_context = xmlGenericErrorContext,
 		.old_handler = xmlStructuredError,
@@ -63,7 +68,7 @@ void xml_capture_begin(struct xml_capture *capture, struct xml_reader *xml, cons
 	xmlSetGenericErrorFunc(NULL, drop_message);
 }
 
-void xml_capture_end(struct xml_capture *capture)
+static void capture_end(struct capture *capture)
 {
 	xmlSetStructuredErrorFunc(capture->old_context, capture->old_handler);
 	xmlSetGenericErrorFunc(capture->old_generic_context, capture->old_generic);
@@ -95,8 +100,9 @@ static char *read_all(struct xml_reader *xml, int fd, size_t *length)
 		free(bytes);
 		return NULL;
 	}
+	bytes[have] = '\0';
 	*length = have;
-	return bytes;
+	return mem_realloc(bytes, have + 1, 1);
 }
 
 static char *read_file(struct xml_reader *xml, size_t *length)
@@ -131,7 +137,7 @@ static char *read_file(struct xml_reader *xml, size_t *length)
 static void refuse_doctype(void *context, const xmlChar *name, const xmlChar *public_id, const xmlChar *system_id)
 {
 	xmlParserCtxt *parser = context;
-	struct xml_capture *capture = parser->_private;
+	struct capture *capture = parser->_private;
 
 	(void)name;
 	(void)public_id;
@@ -153,23 +159,22 @@ static char *library_strdup(const char *text)
 	return mem_strndup(text, strlen(text));
 }
 
-bool xml_parse_file(struct xml_reader *xml)
+bool xml_file_parse(struct xml_reader *xml)
 {
 	const int options = XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES;
-	struct xml_capture capture;
+	struct capture capture;
 	xmlParserCtxt *parser;
 	size_t length = 0;
 	char *bytes = read_file(xml, &length);
 
 	if (!bytes)
 		return false;
-	if (!xml_scan(xml, bytes, length)) {
-		free(bytes);
+	xml->bytes = bytes;
+	if (!xml_scan(xml, bytes, length))
 		return false;
-	}
-	/* The library itself, and schemas above all, does not survive every allocation that fails. */
+	/* The library itself does not survive every allocation that fails. */
 	xmlMemSetup(free, mem_alloc, library_realloc, library_strdup);
-	xml_capture_begin(&capture, xml, "this is not well-formed XML");
+	capture_begin(&capture, xml);
 	parser = xmlNewParserCtxt();
 	if (parser) {
 		parser->_private = &capture;
@@ -177,13 +182,8 @@ bool xml_parse_file(struct xml_reader *xml)
 		xml->doc = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL, options);
 		xmlFreeParserCtxt(parser);
 	}
-	xml_capture_end(&capture);
-	free(bytes);
+	capture_end(&capture);
 	if (!xml->doc && !xml->errors)
 		xml_error_at(xml, 0, "the XML parser gave up");
-	if (xml->errors && xml->doc) {
-		xmlFreeDoc(xml->doc);
-		xml->doc = NULL;
-	}
-	return xml->doc != NULL;
+	return xml->doc && !xml->errors;
 }

@@ -3,6 +3,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/mem.h"
+
 /* Of them in a tag: one for each attribute, and some in the values. */
 #define EQUALS_MAX 1000
 
@@ -46,6 +48,12 @@ static size_t count_equals(struct scan *scan)
 		step(scan);
 	} while (scan->at < scan->end && *scan->at != '<');
 	return count;
+}
+
+static void note_tag(struct xml_reader *xml, const struct scan *scan, const char *bytes)
+{
+	xml->tags = mem_grow(xml->tags, &xml->tag_capacity, xml->tag_count + 1, sizeof(*xml->tags));
+	xml->tags[xml->tag_count++] = (struct xml_tag){.offset = (size_t)(scan->at - bytes), .line = scan->line};
 }
 
 /* Encodings in which every ASCII byte is that character. */
@@ -110,9 +118,13 @@ bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length)
 			skip_past(&scan, "]]>");
 		} else if (looking_at(&scan, "<?")) {
 			skip_past(&scan, "?>");
-		} else if (count_equals(&scan) > EQUALS_MAX) {
-			xml_error_at(xml, line, "this tag has more than %d attributes", EQUALS_MAX);
-			return false;
+		} else {
+			if (!looking_at(&scan, "</"))
+				note_tag(xml, &scan, bytes);
+			if (count_equals(&scan) > EQUALS_MAX) {
+				xml_error_at(xml, line, "this tag has more than %d attributes", EQUALS_MAX);
+				return false;
+			}
 		}
 	}
 	return true;

@@ -1,17 +1,16 @@
-/* xml_scan.h - looks through the bytes of a file for what would keep the XML parser busy for minutes. */
+/* xml_scan.h - looks through the bytes of a file before the XML parser does. */
 #ifndef FIVECHECK_MACHINE_XML_XML_SCAN_H
 #define FIVECHECK_MACHINE_XML_XML_SCAN_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "machine/xml/xml_read.h"
+#include "machine/xml/xml_reader.h"
 
 /*
- * Reports bytes that are no superset of ASCII (so that the scan sees what the
- * parser sees), and tags with more attributes than any element can have:
- * libxml2 compares each attribute with all before it. What else is wrong
- * with the file is the parser's to say.
+ * Notes where every start tag is. Reports an encoding in which ASCII characters are other bytes (the scan must see
+ * what the parser sees), and a tag with more attributes than any element can have: libxml2 compares each attribute
+ * with all before it, which takes minutes for a hostile file. All other faults are left to the parser.
  */
 bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length);
 

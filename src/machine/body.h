@@ -1,0 +1,40 @@
+/* body.h - a named rigid body: a mesh on a link of the machine, in one of the roles that rules speak of. */
+#ifndef FIVECHECK_MACHINE_BODY_H
+#define FIVECHECK_MACHINE_BODY_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "geom/mesh.h"
+#include "geom/xform.h"
+
+struct tool_solid;
+
+enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
+
+struct body {
+	const char *name;	/* unique among all bodies of machine and setup */
+	enum body_role role;
+	int link;
+	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
+	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
+	const char *mesh_root;	/* the folder that the mesh must be in, whoever set it outlives the body; or NULL */
+	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
+	const struct tool_solid *profile;	/* what a cutter's solid was made from; NULL: it is no cutter, or a mesh */
+	double rapid_allowance;	/* mm, of a part: how deep a cutter that does not cut may enter it */
+	double gouge;	/* mm, of a part: how deep a cutter that cuts may enter it; negative: as deep as it wants */
+	double scale;	/* mm per unit of the mesh file */
+	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
+	struct srcloc loc;	/* of the element that names it */
+};
+
+/* What a rule of <pairs> says of two bodies, roles or links. */
+enum rule_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
+
+/* What stands for an axis or a role in a <pair>, and so names no body. */
+bool body_name_is_reserved(const char *name);
+
+/* The roles by the words that rules use; "" for the machine's own bodies. In the order of enum body_role. */
+extern const char *const body_roles[];
+
+#endif

@@ -1,0 +1,33 @@
+#include "machine/body_build.h"
+
+#include <string.h>
+
+bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
+		struct body *body)
+{
+	if (body_name_is_reserved(described->name)) {
+		description_fault(file, described->at, "name",
+				  "a body cannot be named '%s': in a <pair> that word means something else",
+				  described->name);
+		return false;
+	}
+	body->name = described->name;
+	body->role = described->role;
+	body->mesh_path = described->mesh_path;
+	body->scale = described->scale;
+	body->placement = xform_mul(mount, &described->frame);
+	body->loc = description_place(file, described->at);
+	return true;
+}
+
+void body_check_name(struct description_file *file, const void *at, const char *name, const struct body *bodies,
+		     size_t count)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (strcmp(bodies[i].name, name) == 0) {
+			description_fault(file, at, "name", "the name '%s' is taken: another body has it (%s:%ld)", name,
+					  bodies[i].loc.file, bodies[i].loc.line);
+			return;
+		}
+	}
+}

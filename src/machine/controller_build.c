@@ -1,0 +1,191 @@
+#include "machine/controller_build.h"
+
+#include <string.h>
+
+#include "control/dialects.h"
+
+#define MCODE_MAX 999
+/* mm or degrees: Fanuc's increment systems are IS-A (0.01) to IS-E (0.000001). */
+#define LEAST_INPUT_MIN 1e-6
+#define LEAST_INPUT_MAX 1.0
+
+/* ------------------------------------------------------------- parameters */
+
+static void build_mcode(struct description_file *file, const struct mcode_description *described, struct mcode *mcodes,
+			size_t *count)
+{
+	if (described->number > MCODE_MAX) {
+		description_fault(file, described->at, "number", "number=\"%s\" of <mcode> is not between 0 and %d",
+				  description_quote(file, described->at, "number").text, MCODE_MAX);
+		return;
+	}
+	/* Stops, ends, spindle, coolant, tool change and calls: every control agrees on these. */
+	if (described->number <= 9 || described->number == 30 || described->number == 98 || described->number == 99) {
+		description_fault(file, described->at, "number", "M%ld has a fixed meaning that cannot be changed",
+				  described->number);
+		return;
+	}
+	for (size_t i = 0; i < *count; i++) {
+		if (mcodes[i].number == described->number) {
+			description_fault(file, described->at, "number", "M%ld is given twice", described->number);
+			return;
+		}
+	}
+	mcodes[(*count)++] = (struct mcode){(int)described->number, described->action};
+}
+
+/* What the dialect's row says that the control has no parameter for. */
+static void check_dialect(struct description_file *file, const struct controller_description *described)
+{
+	const struct dialect_row *row = &dialect_rows[described->dialect];
+
+	if (row->has_parameters)
+		return;
+	if (described->least_input.given)
+		description_fault(file, described->at, "least_input",
+				  "least_input of <controller>: %s has no least input increment", row->title);
+	if (described->length_moves != ANSWER_UNKNOWN)
+		description_fault(file, described->at, "length_offset_moves",
+				  "length_offset_moves of <controller>: %s moves no axis then", row->title);
+}
+
+void controller_build(struct machine_description *described, struct machine *machine)
+{
+	const struct controller_description *from = &described->controller;
+	struct description_file *file = &described->file;
+	struct controller *to = &machine->controller;
+	struct mcode *mcodes;
+
+	to->unit = described->unit;
+	if (!from->at)
+		return;
+	to->dialect = from->dialect;
+	to->rapid = from->rapid;
+	to->tcp_zero_offset = from->tcp_zero_offset;
+	to->path_tolerance = from->path_tolerance.value;
+	to->least_input = from->least_input.value;
+	to->length_moves = from->length_moves;
+	if (from->path_tolerance.given && to->path_tolerance <= 0)
+		description_fault(file, from->at, "path_tolerance", "path_tolerance of <controller> must be more than 0");
+	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))
+		description_fault(file, from->at, "least_input",
+				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
+				  description_quote(file, from->at, "least_input").text);
+	check_dialect(file, from);
+	mcodes = arena_alloc(&machine->arena, from->mcode_count * sizeof(*mcodes));
+	for (size_t i = 0; i < from->mcode_count; i++)
+		build_mcode(file, &from->mcodes[i], mcodes, &to->mcode_count);
+	to->mcodes = mcodes;
+}
+
+/* ----------------------------------------------------------------- places */
+
+static const char *element_of(const struct place_description *described)
+{
+	return described->tool_change ? "tool_change" : "reference";
+}
+
+static void build_order(struct description_file *file, const struct place_description *described,
+			struct control_place *place)
+{
+	bool seen[SLOT_COUNT] = {false};
+
+	for (const char *at = described->order; *at; at++) {
+		int slot = slot_of_letter(*at);
+
+		if (*at == ' ')
+			continue;
+		if (slot < 0 || !place->has[slot]) {
+			description_fault(file, described->at, "order",
+					  "order of <%s>: it gives no position for '%c'", element_of(described),
+					  *at > ' ' && *at < 127 ? *at : '?');
+			return;
+		}
+		if (seen[slot]) {
+			description_fault(file, described->at, "order", "order of <%s> names %c twice",
+					  element_of(described), *at);
+			return;
+		}
+		seen[slot] = true;
+		place->order[place->order_count++] = slot;
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (place->has[slot] && !seen[slot])
+			description_fault(file, described->at, "order", "order of <%s> leaves out %c",
+					  element_of(described), AXIS_LETTERS[slot]);
+}
+
+/* Z first, so that the tool leaves the work, and then one axis after another. */
+static void set_default_order(struct control_place *place)
+{
+	if (place->has[SLOT_Z])
+		place->order[place->order_count++] = SLOT_Z;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (place->has[slot] && slot != SLOT_Z)
+			place->order[place->order_count++] = slot;
+}
+
+static void build_value(struct description_file *file, const struct place_description *described,
+			const struct machine *machine, int slot, struct control_place *place)
+{
+	const char letter[] = {AXIS_LETTERS[slot], '\0'};
+	const struct axis *axis = machine_axis(machine, slot);
+	double value = described->value[slot].value;
+
+	if (!described->value[slot].given)
+		return;
+	if (!axis) {
+		description_fault(file, described->at, letter,
+				  "<%s> has a position for %s, but the machine has no axis %s", element_of(described),
+				  letter, letter);
+		return;
+	}
+	if (!axis_allows(axis, value))
+		description_fault(file, described->at, letter, "%s=\"%s\" of <%s> lies outside the limits of axis %s",
+				  letter, description_quote(file, described->at, letter).text, element_of(described),
+				  letter);
+	place->has[slot] = true;
+	place->value.v[slot] = value;
+}
+
+static void build_place(struct description_file *file, const struct place_description *described,
+			const struct machine *machine, struct control_place *place)
+{
+	bool any = false;
+
+	if (place->given) {
+		description_fault(file, described->at, NULL, "<%s> is given twice", element_of(described));
+		return;
+	}
+	place->given = true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		build_value(file, described, machine, slot, place);
+		any = any || place->has[slot];
+	}
+	/* A tool may be changed where the spindle stands: that is a <tool_change> that gives nothing. */
+	if (!any && (!described->tool_change || described->order))
+		description_fault(file, described->at, NULL, "<%s> gives no position", element_of(described));
+	else if (described->order)
+		build_order(file, described, place);
+	else if (described->tool_change)
+		set_default_order(place);
+}
+
+void controller_build_places(struct machine_description *described, struct machine *machine)
+{
+	struct description_file *file = &described->file;
+	struct controller *controller = &machine->controller;
+
+	for (size_t i = 0; i < described->controller.place_count; i++) {
+		const struct place_description *place = &described->controller.places[i];
+
+		if (place->tool_change)
+			build_place(file, place, machine, &controller->tool_change);
+		else if (place->number >= 1 && place->number <= REFERENCES_MAX)
+			build_place(file, place, machine, &controller->references[place->number - 1]);
+		else
+			description_fault(file, place->at, "number",
+					  "number=\"%s\" of <reference> is not between 1 and %d",
+					  description_quote(file, place->at, "number").text, REFERENCES_MAX);
+	}
+}

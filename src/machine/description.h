@@ -1,0 +1,229 @@
+/*
+ * description.h - what a machine, setup or waivers file says, as plain data: readers of file formats fill it in,
+ * machine_build, setup_build and waivers_build judge its meaning.
+ */
+#ifndef FIVECHECK_MACHINE_DESCRIPTION_H
+#define FIVECHECK_MACHINE_DESCRIPTION_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/axes.h"
+#include "base/diag.h"
+#include "control/controller.h"
+#include "control/offset_tables.h"
+#include "geom/xform.h"
+#include "machine/body.h"
+#include "machine/tool_solid.h"
+
+/*
+ * Lengths are in mm, angles in radians, whatever the file's units are. Strings and arrays live as long as the
+ * machine or setup that is built of them: a reader allocates them in its arena. Every struct has an `at`, by which its
+ * reader knows the place in the file again; it is valid until the reader closes the file.
+ */
+
+/* Text of a file for a message: shortened, control characters replaced. */
+struct quotation {
+	char text[84];
+};
+
+/* The file behind a description. */
+struct description_file {
+	const char *path;
+	size_t faults;	/* reported by description_fault */
+	void *reader;	/* first argument of the functions */
+	/* Reports an error at a thing, or at one of its attributes (NULL: at all of it). Attributes have XML's names. */
+	void (*report)(void *reader, const void *at, const char *attribute, const char *format, va_list args)
+		__attribute__((format(printf, 4, 0)));
+	/* An attribute as it is written; empty if it is not. */
+	struct quotation (*quote)(void *reader, const void *at, const char *attribute);
+	long (*line)(void *reader, const void *at);
+};
+
+void description_fault(struct description_file *file, const void *at, const char *attribute, const char *format, ...)
+	__attribute__((format(printf, 4, 5)));
+struct quotation description_quote(const struct description_file *file, const void *at, const char *attribute);
+struct srcloc description_place(const struct description_file *file, const void *at);
+
+/* A number that need not be given. */
+struct optional_number {
+	bool given;
+	double value;	/* 0 if not given */
+};
+
+struct mcode_description {
+	const void *at;
+	long number;
+	enum mcode_action action;
+};
+
+/* <reference> and <tool_change>. */
+struct place_description {
+	const void *at;
+	bool tool_change;	/* else a reference position */
+	long number;	/* of a reference position */
+	struct optional_number value[SLOT_COUNT];
+	const char *order;	/* axis letters, apart by blanks or nothing; or NULL */
+};
+
+struct controller_description {
+	const void *at;	/* NULL: the file says nothing of it */
+	int dialect;	/* row of control/dialects.h */
+	enum rapid rapid;
+	bool tcp_zero_offset;
+	struct optional_number path_tolerance;
+	struct optional_number least_input;
+	enum answer length_moves;
+	struct mcode_description *mcodes;
+	size_t mcode_count;
+	struct place_description *places;
+	size_t place_count;
+};
+
+struct body_description {
+	const void *at;
+	const char *name;
+	const char *mesh_path;	/* as it can be opened */
+	double scale;	/* mm per unit of the mesh */
+	xform frame;	/* where its link, or the workholding, has the mesh's origin */
+	enum body_role role;
+	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it */
+	int link;	/* of a machine's own body: 0 the base, else 1 + the number of its axis in the description */
+};
+
+struct axis_description {
+	const void *at;
+	int slot;
+	const char *title;	/* or NULL */
+	bool rotary;	/* as the file says; the letter may contradict */
+	int parent;	/* the link that carries it */
+	vec3 direction;	/* of any length */
+	bool has_location;
+	vec3 location;
+	double limit_min, limit_max;	/* -INFINITY, INFINITY: none */
+	double rate_max;	/* mm or degrees a minute */
+	struct optional_number home;
+	enum wrap wrap;
+	int half_turn;	/* 1, -1; 0: not given */
+};
+
+struct spindle_description {
+	const void *at;
+	int link;
+	vec3 location, direction;
+};
+
+struct workholding_description {
+	const void *at;
+	int link;
+	xform frame;
+};
+
+struct pair_description {
+	const void *at;
+	const char *a, *b;
+	enum rule_check check;
+	struct optional_number clearance;
+	const char *reason;	/* or NULL */
+};
+
+struct machine_description {
+	struct arena arena;	/* machine_build takes it over */
+	struct description_file file;
+	const char *name;	/* or NULL */
+	double unit;	/* mm per unit of length of the control */
+	struct controller_description controller;
+	const void *base;
+	struct axis_description *axes;	/* a carrying axis before what it carries */
+	size_t axis_count;
+	struct body_description *bodies;
+	size_t body_count;
+	struct spindle_description *spindles;
+	size_t spindle_count;
+	struct workholding_description *workholdings;
+	size_t workholding_count;
+	const void *pairs_at;	/* NULL: the file says nothing of pairs */
+	struct optional_number adjacent_within;
+	struct pair_description *pairs;
+	size_t pair_count;
+	struct setup_description *setup;	/* inside of the machine's file, or NULL */
+};
+
+/* The pieces of a tool, from the gauge line down. */
+enum tool_piece { PIECE_HOLDER, PIECE_SHANK, PIECE_CUTTER, TOOL_PIECES };
+
+struct section_description {
+	const void *at;
+	double length, diameter;
+	struct optional_number diameter_end;
+};
+
+struct piece_description {
+	const void *at;	/* NULL: the tool has no such piece */
+	const char *mesh_path;	/* or NULL */
+	double scale;	/* mm per unit of the mesh */
+	bool has_units;
+	struct section_description *sections;
+	size_t section_count;
+	bool has_tip;	/* the file names it */
+	enum tool_tip tip;
+	struct optional_number angle, corner, flute_length;
+};
+
+struct tool_description {
+	const void *at;
+	long number;
+	const char *name;	/* or NULL */
+	double length;
+	struct optional_number length_offset, diameter;
+	enum tool_kind kind;
+	struct piece_description pieces[TOOL_PIECES];
+};
+
+struct work_offset_description {
+	const void *at;
+	const char *name;
+	struct optional_number value[SLOT_COUNT];
+};
+
+struct length_offset_description {
+	const void *at;
+	long number;
+	double length;
+};
+
+struct setup_description {
+	struct arena arena;	/* setup_build takes it over */
+	struct description_file file;
+	const void *at;
+	long initial_tool;	/* 0: none */
+	struct work_offset_description *offsets;
+	size_t offset_count;
+	struct length_offset_description *lengths;
+	size_t length_count;
+	struct body_description *bodies;	/* fixtures and parts */
+	size_t body_count;
+	struct tool_description *tools;
+	size_t tool_count;
+};
+
+struct waiver_description {
+	const void *at;
+	const char *program, *kind, *reason, *block;
+	const char *a, *b, *axis;	/* or NULL */
+	const char *axes;	/* "X 10.0000 mm, C 90.0000 deg" */
+	const char *expires;	/* a date, "2026-12-31" */
+	struct optional_number within;	/* mm and degrees */
+	long times;
+};
+
+struct waivers_description {
+	struct arena arena;	/* waivers_build takes it over */
+	struct description_file file;
+	struct waiver_description *items;
+	size_t count;
+};
+
+#endif

@@ -1,0 +1,195 @@
+#include "machine/setup_build.h"
+
+#include <string.h>
+
+#include "base/mem.h"
+#include "geom/tolerance.h"
+#include "machine/body_build.h"
+#include "machine/tool_build.h"
+
+/* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
+static bool is_extended_name(const char *name)
+{
+	const char *number = NULL;
+
+	if (!strncmp(name, "G54.1 P", 7))
+		number = name + 7;
+	else if (!strncmp(name, "G154 P", 6))
+		number = name + 6;
+	return number && strlen(number) <= 2 && number[0] >= '1' && number[0] <= '9' &&
+	       (!number[1] || (number[1] >= '0' && number[1] <= '9'));
+}
+
+static bool is_work_offset_name(const char *name)
+{
+	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+		if (!strcmp(name, names[i]))
+			return true;
+	return is_extended_name(name);
+}
+
+static void build_work_offset(struct description_file *file, const struct work_offset_description *described,
+			      const struct machine *machine, struct setup *setup)
+{
+	struct work_offset offset = {.name = described->name, .line = description_place(file, described->at).line};
+
+	if (!is_work_offset_name(offset.name)) {
+		description_fault(file, described->at, "name",
+				  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, "
+				  "G59.3 or G54.1 P1 to P99", description_quote(file, described->at, "name").text);
+		return;
+	}
+	for (size_t i = 0; i < setup->offset_count; i++) {
+		if (strcmp(setup->offsets[i].name, offset.name) == 0) {
+			description_fault(file, described->at, "name",
+					  "work offset %s is given twice (the other in line %ld)", offset.name,
+					  setup->offsets[i].line);
+			return;
+		}
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const char letter[] = {AXIS_LETTERS[slot], '\0'};
+
+		if (described->value[slot].given && !machine_axis(machine, slot))
+			description_fault(file, described->at, letter,
+					  "work offset %s has a value for %s, but the machine has no axis %s",
+					  offset.name, letter, letter);
+		offset.value.v[slot] = described->value[slot].value;
+	}
+	setup->offsets[setup->offset_count++] = offset;
+}
+
+/* How deep a cutter may enter a part. */
+static double build_depth(struct description_file *file, const void *at, const char *name,
+			  struct optional_number described, double fallback)
+{
+	if (!described.given)
+		return fallback;
+	if (described.value < 0 || described.value > TOOL_SIZE_MAX)
+		description_fault(file, at, name, "%s=\"%s\" of <part> is not between 0 and %g mm", name,
+				  description_quote(file, at, name).text, TOOL_SIZE_MAX);
+	return described.value;
+}
+
+/* A fixture or a part. */
+static void build_mounted(struct description_file *file, const struct body_description *described,
+			  const struct machine *machine, struct setup *setup)
+{
+	struct body body = {.link = machine->workholding.link};
+
+	if (!body_build(file, described, &machine->workholding.frame, &body))
+		return;
+	if (body.role == ROLE_PART) {
+		body.rapid_allowance = build_depth(file, described->at, "rapid_allowance", described->rapid_allowance,
+						   RAPID_ALLOWANCE);
+		body.gouge = build_depth(file, described->at, "gouge", described->gouge, -1);
+	}
+	body_check_name(file, described->at, body.name, machine->bodies, machine->body_count);
+	body_check_name(file, described->at, body.name, setup->bodies, setup->body_count);
+	setup->bodies[setup->body_count++] = body;
+}
+
+static void build_length(struct description_file *file, const struct length_offset_description *described,
+			 struct setup *setup)
+{
+	if (described->number > TOOL_NUMBER_MAX) {
+		description_fault(file, described->at, "number", "number=\"%s\" of <offset> is not between 1 and %d",
+				  description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
+		return;
+	}
+	for (size_t i = 0; i < setup->length_count; i++)
+		if (setup->lengths[i].number == described->number)
+			description_fault(file, described->at, "number", "<offset> %ld is given twice",
+					  described->number);
+	setup->lengths[setup->length_count++] =
+		(struct length_offset){.number = (int)described->number, .length = described->length};
+}
+
+/* Every tool has the H of its number, unless an <offset> gave it. */
+static void add_tool_lengths(struct setup *setup)
+{
+	size_t given = setup->length_count;
+
+	for (size_t i = 0; i < setup->tool_count; i++) {
+		const struct tool *tool = &setup->tools[i];
+		size_t k = 0;
+
+		while (k < given && setup->lengths[k].number != tool->number)
+			k++;
+		if (k == given)
+			setup->lengths[setup->length_count++] =
+				(struct length_offset){.number = tool->number, .length = tool->length_offset};
+	}
+}
+
+/* Room for everything; false if there is too much of it. */
+static bool make_room(struct setup_description *described, struct setup *setup)
+{
+	const size_t mounted = described->body_count, tools = described->tool_count, lengths = described->length_count;
+
+	if (mounted > BODIES_MAX || tools > BODIES_MAX || lengths > BODIES_MAX) {
+		description_fault(&described->file, described->at, NULL,
+				  "more than %d fixtures and parts, tools or offsets are not supported", BODIES_MAX);
+		return false;
+	}
+	setup->offsets = arena_alloc(&setup->arena, described->offset_count * sizeof(*setup->offsets));
+	setup->tools = arena_alloc(&setup->arena, tools * sizeof(*setup->tools));
+	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
+	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
+	return true;
+}
+
+/* The first body and the first tool say it for all. */
+static void check_mounts(struct setup_description *described, const struct machine *machine)
+{
+	if (described->body_count > 0 && !machine->workholding.present)
+		description_fault(&described->file, described->bodies[0].at, NULL,
+				  "the machine has no <workholding> for a <%s>", body_roles[described->bodies[0].role]);
+	if (described->tool_count > 0 && !machine->spindle.present)
+		description_fault(&described->file, described->tools[0].at, NULL,
+				  "the machine has no <spindle> for a <tool>");
+}
+
+static void build_content(struct setup_description *described, const struct machine *machine, struct setup *setup,
+			  struct diag *diag)
+{
+	struct description_file *file = &described->file;
+	struct tool_builder tools = {.file = file, .machine = machine, .setup = setup, .diag = diag};
+
+	for (size_t i = 0; i < described->offset_count; i++)
+		build_work_offset(file, &described->offsets[i], machine, setup);
+	for (size_t i = 0; i < described->length_count; i++)
+		build_length(file, &described->lengths[i], setup);
+	for (size_t i = 0; i < described->body_count; i++)
+		build_mounted(file, &described->bodies[i], machine, setup);
+	for (size_t i = 0; i < described->tool_count; i++)
+		tool_build(&tools, &described->tools[i]);
+	add_tool_lengths(setup);
+	if (described->initial_tool > TOOL_NUMBER_MAX)
+		description_fault(file, described->at, "initial_tool",
+				  "initial_tool=\"%s\" of <setup> is not between 0 and %d",
+				  description_quote(file, described->at, "initial_tool").text, TOOL_NUMBER_MAX);
+	else if (described->initial_tool && !setup_tool(setup, (int)described->initial_tool))
+		description_fault(file, described->at, "initial_tool",
+				  "initial_tool=\"%ld\" of <setup>: there is no such tool", described->initial_tool);
+	else
+		setup->initial_tool = (int)described->initial_tool;
+}
+
+struct setup *setup_build(struct setup_description *described, const struct machine *machine, struct diag *diag)
+{
+	struct setup *setup = mem_zalloc(1, sizeof(*setup));
+
+	setup->arena = described->arena;
+	described->arena = (struct arena){0};
+	setup->path = arena_strdup(&setup->arena, described->file.path);
+	check_mounts(described, machine);
+	if (make_room(described, setup))
+		build_content(described, machine, setup, diag);
+	if (described->file.faults == 0)
+		return setup;
+	setup_free(setup);
+	return NULL;
+}
