@@ -179,13 +179,17 @@ void controller_build_places(struct machine_description *described, struct machi
 	for (size_t i = 0; i < described->controller.place_count; i++) {
 		const struct place_description *place = &described->controller.places[i];
 
-		if (place->tool_change)
+		if (place->tool_change) {
 			build_place(file, place, machine, &controller->tool_change);
-		else if (place->number >= 1 && place->number <= REFERENCES_MAX)
+		} else if (place->number >= 1 && place->number <= REFERENCES_MAX) {
 			build_place(file, place, machine, &controller->references[place->number - 1]);
-		else
+		} else {
+			struct control_place none = {0};
+
 			description_fault(file, place->at, "number",
 					  "number=\"%s\" of <reference> is not between 1 and %d",
 					  description_quote(file, place->at, "number").text, REFERENCES_MAX);
+			build_place(file, place, machine, &none);
+		}
 	}
 }

@@ -87,18 +87,27 @@ static void build_subject(struct description_file *file, const struct waiver_des
 				  description_quote(file, described->at, "axis").text);
 }
 
+/* A blank text is none. */
+static const char *build_text(struct description_file *file, const void *at, const char *name, const char *text)
+{
+	if (!text || text[strspn(text, " \t\r\n")])
+		return text;
+	description_fault(file, at, name, "%s=\"\" of <waiver> is empty", name);
+	return NULL;
+}
+
 static void build_waiver(struct description_file *file, const struct waiver_description *described,
 			 const struct machine *machine, struct waiver *waiver)
 {
 	*waiver = (struct waiver){
-		.program = described->program,
+		.program = build_text(file, described->at, "program", described->program),
 		.kind = described->kind,
-		.a = described->a,
-		.b = described->b,
-		.block = described->block,
+		.a = build_text(file, described->at, "a", described->a),
+		.b = build_text(file, described->at, "b", described->b),
+		.block = described->block,	/* empty where a program ends without moving */
 		.within = described->within.given ? described->within.value : WITHIN,
 		.times = (int)described->times,
-		.reason = described->reason,
+		.reason = build_text(file, described->at, "reason", described->reason),
 		.line = description_place(file, described->at).line,
 	};
 	memcpy(waiver->expires, described->expires, DATE_SIZE);

@@ -11,26 +11,25 @@ static const char *const elements[] = {"waivers", "waiver", NULL};
 
 static const char *const kinds[] = {"collision", "clearance", "limit", "start-overlap", NULL};
 
-/* The text, in the arena. A blank one is a fault. */
 static const char *read_text(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena)
 {
 	const char *text = xml_attribute(xml, node, name);
 
-	if (text && text[strspn(text, " \t\r\n")])
-		return arena_strdup(arena, text);
-	if (text)
-		xml_error(xml, node, name, "%s=\"\" of <waiver> is empty", name);
-	return NULL;
+	return text ? arena_strdup(arena, text) : NULL;
 }
 
 /* "2026-12-31", and the month has that day: less than XML Schema's dates, which may have a zone and odd years. */
 static bool is_date(const char *text)
 {
 	static const int lengths[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+	static const char form[] = "dddd-dd-dd";
 	long year, month, day;
 
-	if (strlen(text) != DATE_SIZE - 1 || text[4] != '-' || text[7] != '-' || strspn(text, "0123456789-") != 10)
+	if (strlen(text) != DATE_SIZE - 1)
 		return false;
+	for (int i = 0; form[i]; i++)
+		if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i])
+			return false;
 	year = strtol(text, NULL, 10);
 	month = strtol(text + 5, NULL, 10);
 	day = strtol(text + 8, NULL, 10);
@@ -54,18 +53,15 @@ static void read_waiver(struct xml_reader *xml, const xmlNode *node, void *conte
 	struct waivers_description *described = context;
 	struct waiver_description *waiver = &described->items[described->count++];
 	struct arena *arena = &described->arena;
-	const char *block = xml_attribute(xml, node, "block"), *axes = xml_attribute(xml, node, "axes");
-	const char *axis = xml_attribute(xml, node, "axis");
 
 	xml_require(xml, node, "program", "kind", "block", "axes", "reason", "expires", NULL);
 	waiver->at = node;
 	waiver->program = read_text(xml, node, "program", arena);
 	waiver->kind = kinds[xml_choice(xml, node, "kind", kinds, 0)];
 	waiver->reason = read_text(xml, node, "reason", arena);
-	/* The block of a program that ends without moving has no text. */
-	waiver->block = arena_strdup(arena, block ? block : "");
-	waiver->axes = arena_strdup(arena, axes ? axes : "");
-	waiver->axis = axis ? arena_strdup(arena, axis) : NULL;
+	waiver->block = read_text(xml, node, "block", arena);
+	waiver->axes = read_text(xml, node, "axes", arena);
+	waiver->axis = read_text(xml, node, "axis", arena);
 	waiver->a = read_text(xml, node, "a", arena);
 	waiver->b = read_text(xml, node, "b", arena);
 	waiver->within = xml_optional_number(xml, node, "within");
