@@ -92,24 +92,38 @@ static bool is_later(const struct timespec *a, const struct timespec *b)
 	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
 }
 
-bool input_files_digest(struct input_files *inputs, struct diag *diag)
+void input_files_digest(struct input_files *inputs)
 {
-	bool good = true;
-
 	for (size_t i = 0; i < inputs->count; i++) {
 		struct report_file *file = &inputs->items[i];
 		struct stat status;
 
-		if (!stat(file->path, &status) && !S_ISREG(status.st_mode)) {
-			/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
-			diag_error(diag, (struct srcloc){0}, "--record: %s is not a regular file", file->path);
-			good = false;
-		} else if (!digest_file(file->digest, file->path) || stat(file->path, &status)) {
-			diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
-				   strerror(errno));
-			good = false;
+		/* A pipe cannot be read twice, and opening it would block until somebody writes to it. */
+		if (!file->digest[0] && !stat(file->path, &status) && S_ISREG(status.st_mode))
+			digest_file(file->digest, file->path);
+	}
+}
+
+bool input_files_verify(const struct input_files *inputs, bool strict, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < inputs->count; i++) {
+		const struct report_file *file = &inputs->items[i];
+		struct stat status;
+		bool there = !stat(file->path, &status);
+
+		if (there && !S_ISREG(status.st_mode)) {
+			if (strict)
+				diag_error(diag, (struct srcloc){0}, "--record: %s is not a regular file", file->path);
+			good = good && !strict;
+		} else if (!there || !file->digest[0]) {
+			if (strict)
+				diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
+					   strerror(there ? EIO : errno));
+			good = good && !strict;
 		} else if (is_later(&status.st_ctim, &inputs->started)) {
-			diag_error(diag, (struct srcloc){0}, "--record: %s changed while it was checked", file->path);
+			diag_error(diag, (struct srcloc){0}, "%s changed while it was checked", file->path);
 			good = false;
 		}
 	}

@@ -32,11 +32,14 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 /* Sorts by kind and name; to be called after the check, when all subprograms are known. */
 void input_files_sort(struct input_files *inputs);
 
+/* Computes the SHA-256 of each file that has none yet. A pipe and a file that cannot be read keep the digest "". */
+void input_files_digest(struct input_files *inputs);
+
 /*
- * Computes the SHA-256 of each file. False, reported: a file has changed since input_files_init, is not a regular file,
- * or cannot be read, so that nobody can tell what was checked.
+ * False, reported: a file has changed since input_files_init, so that nobody can tell what was checked; or, with
+ * `strict`, a file has no digest. To be called after input_files_digest.
  */
-bool input_files_digest(struct input_files *inputs, struct diag *diag);
+bool input_files_verify(const struct input_files *inputs, bool strict, struct diag *diag);
 
 /* Writes the file of --depfile if there is one. False: reported. */
 bool input_files_write_depfile(const struct input_files *inputs, const struct options *options, struct diag *diag);

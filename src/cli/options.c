@@ -11,6 +11,11 @@ bool options_want_sensitivity(const struct options *options)
 	return false;
 }
 
+bool options_want_digests(const struct options *options)
+{
+	return options->record || options->formats[FORMAT_NDJSON].wanted;
+}
+
 void options_release(struct options *options)
 {
 	free(options->programs);

@@ -42,6 +42,7 @@ struct options {
 	const char *files_from;	/* a list of more; "-" is standard input; or NULL */
 	char *list;	/* the text of that file, cut into names; owned */
 	int shard, shards;	/* K and N of --shard; 0: not given */
+	char program_list[DIGEST_SIZE];	/* see struct report_run */
 	struct check_options check;
 	double clearance;	/* mm */
 	struct format_choice formats[FORMAT_COUNT];
@@ -64,6 +65,9 @@ struct options {
 
 /* Was --sensitivity given with any amount above 0? */
 bool options_want_sensitivity(const struct options *options);
+
+/* Does a report contain the digests of the files that are read? */
+bool options_want_digests(const struct options *options);
 
 void options_release(struct options *options);
 

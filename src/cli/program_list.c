@@ -6,6 +6,7 @@
 
 #include "base/mem.h"
 #include "base/strbuf.h"
+#include "report/format/digest.h"
 
 static const struct srcloc nowhere;
 
@@ -71,10 +72,15 @@ bool program_list_read(struct options *options, struct diag *diag)
 
 void program_list_take_shard(struct options *options)
 {
+	struct strbuf names = {0};
 	size_t count = 0;
 
 	if (!options->shards)
 		return;
+	for (size_t i = 0; i < options->program_count; i++)
+		strbuf_addf(&names, "%s\n", options->programs[i]);
+	digest_bytes(options->program_list, strbuf_text(&names), names.length);
+	strbuf_release(&names);
 	for (size_t i = (size_t)options->shard - 1; i < options->program_count; i += (size_t)options->shards)
 		options->programs[count++] = options->programs[i];
 	options->program_count = count;

@@ -10,7 +10,10 @@
 /* Appends the programs that the file of --files-from names, one per line. False: reported. */
 bool program_list_read(struct options *options, struct diag *diag);
 
-/* Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. */
+/*
+ * Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. Sets options->program_list from the names of
+ * all.
+ */
 void program_list_take_shard(struct options *options);
 
 #endif

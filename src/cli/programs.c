@@ -132,6 +132,9 @@ enum run_status programs_check(const struct options *options, struct model *mode
 				.waiving = waiving,
 				.shard = options->shard,
 				.shards = options->shards,
+				.program_list = options->program_list,
+				.files = inputs->items,
+				.file_count = inputs->count,
 			},
 		},
 	};
@@ -160,8 +163,10 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	input_files_sort(inputs);
 	if (!path_checks_inputs(options, inputs, &ui->diag))
 		sinks_discard(sinks);
-	if (options->record)
-		input_files_digest(inputs, &ui->diag);
+	if (options_want_digests(options)) {
+		input_files_digest(inputs);
+		input_files_verify(inputs, options->record, &ui->diag);
+	}
 	status = status_of(&session);
 	tell_end(&session, seconds, inputs, status);
 	ordered_output_release(&session.order);

@@ -145,6 +145,9 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	enum run_status status;
 
 	input_files_add_files(inputs, options, job->model->machine, job->model->setup, job->model->scene != NULL);
+	input_files_sort(inputs);
+	if (options_want_digests(options))
+		input_files_digest(inputs);
 	status = programs_check(options, job->model, job->seconds, ui, sinks, inputs,
 				job->baseline, &job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
 	/* Without a sink nothing may be written: programs_check has discarded them. */

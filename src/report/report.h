@@ -30,6 +30,12 @@ struct finding_style {
 	const struct waiver *waiver;	/* that accepts the finding; borrowed; or NULL */
 };
 
+/* A file that was read. Borrows everything. */
+struct report_file {
+	const char *kind, *path;
+	char digest[DIGEST_SIZE];	/* SHA-256; "": not computed */
+};
+
 /* What a run checks, and how. Borrows everything. */
 struct report_run {
 	const struct scene *scene;
@@ -41,6 +47,9 @@ struct report_run {
 	bool quiet;	/* print no statistics */
 	const struct waiver_match *waiving;
 	int shard, shards;	/* K and N of --shard; 0: not given */
+	const char *program_list;	/* SHA-256 of the names of all programs before --shard took some; "": no such shard */
+	const struct report_file *files;	/* what was read before the programs, and they; only valid in begin() */
+	size_t file_count;
 };
 
 /* An error that made a check incomplete. */
@@ -64,12 +73,6 @@ struct report_program {
 	const char *waived;	/* waived findings and the reasons, one per line */
 	int first_kind;	/* enum finding_kind of the first finding that fails the run; -1: there is none */
 	const char *first_text;	/* its message with its place, in the GNU form; NULL: there is none */
-};
-
-/* A file that was read. Borrows everything. */
-struct report_file {
-	const char *kind, *path;
-	char digest[DIGEST_SIZE];	/* SHA-256; "": not computed */
 };
 
 struct report_end {

@@ -23,7 +23,7 @@ echo 'G0 B1' >>a.nc
 status fivecheck -q -a --baseline known.json m.xml a.nc 2>/dev/null | tail -n 1
 echo "no baselines:"
 head -n 3 known.json >cut.json
-sed 's/"format":1/"format":2/' known.json >other.json
+sed 's/"format":2/"format":1/' known.json >other.json
 cat known.json known.json >twice.json
 : >empty.json
 tr '\n' '\0' <known.json >zeros.json

@@ -41,5 +41,5 @@ for JOB_COMPLETION_INDEX in 0 1 2 3 4 5 6 7; do
 	SHARDS=8
 	eval "$command" 2>/dev/null || echo "kubernetes: status $?"
 done
-"$scale_out/merge" results/*.json >all.json || echo "kubernetes: merge"
+"$FIVECHECK" merge results/*.json >all.json || echo "kubernetes: merge"
 same all.json list.json

@@ -42,7 +42,7 @@ json_t *json_text(const char *text)
 	return string;
 }
 
-json_t *json_share(int shard, int shards, bool of_blocks)
+json_t *json_shard(int shard, int shards, bool of_blocks)
 {
 	json_t *object;
 

@@ -23,7 +23,7 @@ void json_push(json_t *array, json_t *value);
 json_t *json_text(const char *text);
 
 /* {"part":2,"parts":5,"of":"blocks"}, or "of":"programs"; null if shards is 0. */
-json_t *json_share(int shard, int shards, bool of_blocks);
+json_t *json_shard(int shard, int shards, bool of_blocks);
 
 /* Axes by name in the order X Y Z A B C U V W, in mm and degrees. */
 json_t *json_axes(const struct machine *machine, const axis_values *axes);

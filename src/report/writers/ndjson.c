@@ -1,9 +1,11 @@
 #include "report/writers/ndjson.h"
 
 #include <stdbool.h>
+#include <string.h>
 
-#include "report/format/json.h"
+#include "control/dialects.h"
 #include "report/format/format_units.h"
+#include "report/format/json.h"
 #include "report/sensitivity_report.h"
 #include "report/writers/writers.h"
 
@@ -17,10 +19,48 @@ const char *ndjson_method(enum check_method method)
 	return methods[method];
 }
 
-static void add_header(struct strbuf *out, const struct report_run *run)
+void ndjson_put_options(json_t *object, const struct report_run *run)
 {
 	const struct check_options *options = run->options;
-	bool sampled = options->method == CHECK_INTERPOLATED || options->method == CHECK_CONVENTIONAL;
+	json_t *includes = json_array(), *kinds = json_array();
+
+	for (size_t i = 0; i < options->read.include_count; i++)
+		json_push(includes, json_text(options->read.includes[i]));
+	for (int kind = 0; kind < FINDING_KINDS; kind++) {
+		if (!run->fail_on || run->fail_on & 1U << kind)
+			json_push(kinds, json_string(finding_kind_names[kind]));
+	}
+	json_put(object, "method", json_string(ndjson_method(options->method)));
+	json_put(object, "step", json_real(options->step));
+	json_put(object, "tolerance", json_real(options->tolerance));
+	json_put(object, "clearance", json_real(run->clearance));
+	json_put(object, "all", json_boolean(options->all));
+	json_put(object, "dialect", json_string(dialect_names[run->scene->machine->controller.dialect]));
+	json_put(object, "block_delete", json_boolean(options->read.block_delete));
+	json_put(object, "duplicates", json_string(options->read.last_duplicate_wins ? "last" : "error"));
+	json_put(object, "include", includes);
+	json_put(object, "max_blocks", options->read.max_blocks ? json_integer(options->read.max_blocks) : json_null());
+	json_put(object, "fail_on", kinds);
+}
+
+json_t *ndjson_files(const struct report_file *files, size_t count)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < count; i++) {
+		json_t *object = json_object();
+
+		json_put(object, "kind", json_string(files[i].kind));
+		json_put(object, "file", json_text(files[i].path));
+		json_put(object, "sha256", files[i].digest[0] ? json_string(files[i].digest) : json_null());
+		json_push(array, object);
+	}
+	return array;
+}
+
+static void add_header(struct strbuf *out, const struct report_run *run)
+{
+	const char *list = run->program_list;
 	json_t *object = json_object();
 
 	json_put(object, "kind", json_string("header"));
@@ -28,13 +68,11 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 	json_put(object, "fivecheck", json_string(FIVECHECK_VERSION));
 	json_put(object, "machine", json_text(run->scene->machine->path));
 	json_put(object, "setup", json_text(run->scene->setup ? run->scene->setup->path : NULL));
-	json_put(object, "method", json_string(ndjson_method(options->method)));
-	json_put(object, "step", sampled ? json_real(options->step) : json_null());
-	json_put(object, "tolerance", json_real(options->tolerance));
-	json_put(object, "clearance", json_real(run->clearance));
-	json_put(object, "all", json_boolean(options->all));
+	ndjson_put_options(object, run);
 	json_put(object, "programs", json_integer((json_int_t)run->programs));
-	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
+	json_put(object, "shard", json_shard(run->shard, run->shards, run->options->shards > 0));
+	json_put(object, "program_list", list && *list ? json_string(list) : json_null());
+	json_put(object, "files", ndjson_files(run->files, run->file_count));
 	json_add_line(out, object);
 }
 
@@ -71,6 +109,7 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "axis", json_string(axis));
 		json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
 	}
+	json_put(object, "block", json_text(f->text));
 	if (accepted[style.status])
 		json_put(object, "accepted", json_string(accepted[style.status]));
 	if (style.waiver) {
@@ -137,10 +176,27 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_add_line(out, object);
 }
 
+/* The files of subprograms are known only at the end. The files are sorted by kind. */
+static const struct report_file *find_subprograms(const struct report_end *end, size_t *count)
+{
+	const struct report_file *first = NULL;
+
+	*count = 0;
+	for (size_t i = 0; i < end->file_count; i++) {
+		if (strcmp(end->files[i].kind, "subprogram") != 0)
+			continue;
+		first = first ? first : &end->files[i];
+		(*count)++;
+	}
+	return first;
+}
+
 static void add_summary(struct strbuf *out, const struct report_run *run, const struct report_end *end,
 			const struct strbuf *items)
 {
 	const struct run_stats *sums = end->sums;
+	size_t count;
+	const struct report_file *subprograms = find_subprograms(end, &count);
 	json_t *object = json_object();
 
 	(void)run;
@@ -152,6 +208,7 @@ static void add_summary(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "incomplete", json_integer((json_int_t)sums->incomplete));
 	json_put(object, "blocks", json_integer(sums->check.motion.blocks));
 	json_put(object, "findings", json_integer(sums->check.findings));
+	json_put(object, "files", ndjson_files(subprograms, count));
 	json_add_line(out, object);
 }
 

@@ -12,14 +12,20 @@
 /* "certified", "interpolated", "conventional", "parse-only" */
 const char *ndjson_method(enum check_method method);
 
+/* The options that can change a verdict, added to the object. */
+void ndjson_put_options(json_t *object, const struct report_run *run);
+
+/* The files with their SHA-256, or null where it is unknown, as an array of objects, which the caller releases. */
+json_t *ndjson_files(const struct report_file *files, size_t count);
+
 /* The cautions of a verdict (NULL: none) as an array of strings, which the caller releases. */
 json_t *ndjson_cautions(const struct verdict *verdict);
 
-enum { NDJSON_FORMAT = 1 };
+enum { NDJSON_FORMAT = 2 };
 
 /*
  * Appends the finding as one line of JSON. Keys, in this order: kind file line column move fraction a b axes time point
- * clearance. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the order
+ * clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the order
  * X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but the keys `axis` and `bound`. A finding
  * that does not fail the run has `accepted`: "baseline", "waiver" or "fail-on"; a waived one `reason` and `expires`.
  * Bytes that are not UTF-8 become U+FFFD.

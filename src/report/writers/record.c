@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "control/dialects.h"
 #include "report/format/digest.h"
 #include "report/format/json.h"
 #include "report/writers/ndjson.h"
@@ -14,46 +13,14 @@ enum { RECORD_FORMAT = 1 };
 /* All options that can change a verdict or the exit status. */
 static json_t *options_of(const struct report_run *run)
 {
-	const struct check_options *options = run->options;
-	json_t *object = json_object(), *includes = json_array(), *kinds = json_array();
+	json_t *object = json_object();
 
-	for (size_t i = 0; i < options->read.include_count; i++)
-		json_push(includes, json_text(options->read.includes[i]));
-	for (int kind = 0; kind < FINDING_KINDS; kind++) {
-		if (!run->fail_on || run->fail_on & 1U << kind)
-			json_push(kinds, json_string(finding_kind_name((enum finding_kind)kind)));
-	}
-	json_put(object, "method", json_string(ndjson_method(options->method)));
-	json_put(object, "step", json_real(options->step));
-	json_put(object, "tolerance", json_real(options->tolerance));
-	json_put(object, "clearance", json_real(run->clearance));
-	json_put(object, "all", json_boolean(options->all));
-	json_put(object, "dialect", json_string(dialect_names[run->scene->machine->controller.dialect]));
-	json_put(object, "block_delete", json_boolean(options->read.block_delete));
-	json_put(object, "duplicates", json_string(options->read.last_duplicate_wins ? "last" : "error"));
-	json_put(object, "include", includes);
-	json_put(object, "max_blocks", options->read.max_blocks ? json_integer(options->read.max_blocks) : json_null());
-	json_put(object, "fail_on", kinds);
+	ndjson_put_options(object, run);
 	json_put(object, "exit_zero", json_boolean(run->exit_zero));
-	json_put(object, "shard", json_share(run->shard, run->shards, run->options->shards > 0));
+	json_put(object, "shard", json_shard(run->shard, run->shards, run->options->shards > 0));
 	/* On another day other waivers have expired. */
 	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());
 	return object;
-}
-
-static json_t *files_of(const struct report_end *end)
-{
-	json_t *array = json_array();
-
-	for (size_t i = 0; i < end->file_count; i++) {
-		json_t *object = json_object();
-
-		json_put(object, "kind", json_string(end->files[i].kind));
-		json_put(object, "file", json_text(end->files[i].path));
-		json_put(object, "sha256", end->files[i].digest[0] ? json_string(end->files[i].digest) : json_null());
-		json_push(array, object);
-	}
-	return array;
 }
 
 static void add_nothing(struct strbuf *out, const struct report_run *run)
@@ -119,7 +86,7 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 	json_put(object, "status", json_integer(end->status));
 	json_put(object, "options", options);
 	json_put(object, "options_sha256", json_string(digest));
-	json_put(object, "files", files_of(end));
+	json_put(object, "files", ndjson_files(end->files, end->file_count));
 	json_put(object, "programs", programs_of(items));
 	text = json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
 	strbuf_addf(out, "%s\n", text);

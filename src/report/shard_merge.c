@@ -1,0 +1,259 @@
+#include "report/shard_merge.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "report/format/json.h"
+#include "report/ndjson_run.h"
+#include "report/shard_match.h"
+
+struct merge {
+	struct ndjson_run *runs;	/* sorted by their part; owned */
+	size_t count;
+	bool of_blocks;	/* the shards are parts of the blocks of one program */
+	json_t *lines;	/* an array: the joined findings and programs */
+	struct diag *diag;
+};
+
+static json_int_t integer(const json_t *object, const char *key)
+{
+	return json_integer_value(json_object_get(object, key));
+}
+
+static json_int_t part_of(const struct ndjson_run *run)
+{
+	const json_t *shard = json_object_get(run->header, "shard");
+
+	return json_is_object(shard) ? integer(shard, "part") : 1;
+}
+
+static int compare_parts(const void *a, const void *b)
+{
+	json_int_t x = part_of(a), y = part_of(b);
+
+	return (x > y) - (x < y);
+}
+
+static bool load_runs(struct merge *merge, char *const *paths, size_t count)
+{
+	merge->runs = mem_zalloc(count + 1, sizeof(*merge->runs));
+	for (size_t i = 0; i < count; i++) {
+		merge->count++;
+		if (!ndjson_run_load(&merge->runs[i], paths[i], merge->diag))
+			return false;
+	}
+	qsort(merge->runs, merge->count, sizeof(*merge->runs), compare_parts);
+	return true;
+}
+
+/* Programs were dealt out one by one: takes the i-th program of each shard, with its findings, for each i. */
+static void join_programs(struct merge *merge)
+{
+	size_t *next = mem_zalloc(merge->count, sizeof(*next));
+
+	for (bool more = true; more;) {
+		more = false;
+		for (size_t i = 0; i < merge->count; i++) {
+			const struct ndjson_run *run = &merge->runs[i];
+			bool ended = next[i] == run->count;
+
+			while (!ended) {
+				json_t *line = run->lines[next[i]++];
+
+				json_push(merge->lines, json_incref(line));
+				ended = ndjson_run_is_program(line);
+				more = true;
+			}
+		}
+	}
+	free(next);
+}
+
+/* A finding and its place in the input, which keeps the sorting stable. */
+struct placed {
+	json_t *finding;
+	double time, fraction;
+	size_t place;
+};
+
+/* At the same time, the end of a block comes before the beginning of the next block. */
+static int compare_findings(const void *a, const void *b)
+{
+	const struct placed *x = a, *y = b;
+
+	if (x->time < y->time || x->time > y->time)
+		return x->time < y->time ? -1 : 1;
+	if (x->fraction < y->fraction || x->fraction > y->fraction)
+		return x->fraction > y->fraction ? -1 : 1;
+	return (x->place > y->place) - (x->place < y->place);
+}
+
+/* Adds the findings of all shards in the order of time. Without --all a run ends at the first that fails. */
+static void join_findings(struct merge *merge)
+{
+	bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
+	struct placed *found = NULL;
+	size_t count = 0, capacity = 0;
+
+	for (size_t i = 0; i < merge->count; i++) {
+		for (size_t k = 0; k < merge->runs[i].count; k++) {
+			json_t *line = merge->runs[i].lines[k];
+
+			if (ndjson_run_is_program(line))
+				continue;
+			found = mem_grow(found, &capacity, count + 1, sizeof(*found));
+			found[count] = (struct placed){line, json_number_value(json_object_get(line, "time")),
+						       json_number_value(json_object_get(line, "fraction")), count};
+			count++;
+		}
+	}
+	if (count)
+		qsort(found, count, sizeof(*found), compare_findings);
+	for (size_t i = 0; i < count; i++) {
+		json_push(merge->lines, json_incref(found[i].finding));
+		if (!all && !json_object_get(found[i].finding, "accepted"))
+			break;
+	}
+	free(found);
+}
+
+/* Appends the elements of `more` that are not there yet; cautions about a shard are left out. */
+static void add_distinct(json_t *array, const json_t *more)
+{
+	for (size_t i = 0; i < json_array_size(more); i++) {
+		json_t *item = json_array_get(more, i);
+		const char *text = json_string_value(item);
+		bool known = text && !strncmp(text, "shard ", 6);
+
+		for (size_t k = 0; k < json_array_size(array) && !known; k++)
+			known = json_equal(json_array_get(array, k), item);
+		if (!known)
+			json_push(array, json_incref(item));
+	}
+}
+
+static json_t *program_of(const struct ndjson_run *run)
+{
+	return run->lines[run->count - 1];
+}
+
+/* The verdict about the program as a whole. */
+static const char *joined_verdict(const struct merge *merge)
+{
+	static const char *const order[] = {"incomplete", "found", "accepted"};
+	const char *method = ndjson_run_text(merge->runs[0].header, "method");
+
+	for (size_t k = 0; k < sizeof(order) / sizeof(order[0]); k++) {
+		for (size_t i = 0; i < merge->count; i++) {
+			const char *verdict = ndjson_run_text(program_of(&merge->runs[i]), "verdict");
+
+			if (verdict && !strcmp(verdict, order[k]))
+				return order[k];
+		}
+	}
+	return method && !strcmp(method, "certified") ? "clear" : "passed";
+}
+
+/* Each shard checked its own blocks of one program: adds the program as a whole, after its findings. */
+static bool join_blocks(struct merge *merge)
+{
+	const char *verdict = joined_verdict(merge);
+	json_t *program = json_copy(program_of(&merge->runs[0])), *cautions = json_array(), *errors = json_array();
+	json_int_t blocks = 0, checked = 0;
+	bool all = json_is_true(json_object_get(merge->runs[0].header, "all"));
+	bool stopped = !strcmp(verdict, "incomplete") || (!strcmp(verdict, "found") && !all);
+
+	for (size_t i = 0; i < merge->count; i++) {
+		const json_t *part = program_of(&merge->runs[i]);
+
+		blocks = integer(part, "blocks") > blocks ? integer(part, "blocks") : blocks;
+		checked += integer(part, "checked");
+		add_distinct(cautions, json_object_get(part, "cautions"));
+		add_distinct(errors, json_object_get(part, "errors"));
+	}
+	join_findings(merge);
+	json_put(program, "verdict", json_string(verdict));
+	json_put(program, "blocks", json_integer(blocks));
+	json_put(program, "checked", json_integer(checked));
+	json_put(program, "findings", json_integer((json_int_t)json_array_size(merge->lines)));
+	json_put(program, "cautions", cautions);
+	json_put(program, "errors", errors);
+	json_push(merge->lines, program);
+	if (stopped || checked == blocks)
+		return true;
+	diag_error(merge->diag, (struct srcloc){0}, "the shards checked %lld of %lld blocks", (long long)checked,
+		   (long long)blocks);
+	return false;
+}
+
+static void add_header(struct strbuf *out, const struct merge *merge)
+{
+	json_t *header = json_copy(merge->runs[0].header);
+	json_int_t programs = 0;
+
+	for (size_t i = 0; i < merge->count; i++)
+		programs += integer(merge->runs[i].header, "programs");
+	json_put(header, "programs", json_integer(merge->of_blocks ? 1 : programs));
+	json_put(header, "shard", json_null());
+	json_put(header, "program_list", json_null());
+	json_put(header, "files", shard_match_files(merge->runs, merge->count, false));
+	json_add_line(out, header);
+}
+
+/* Appends the lines and the summary, and returns the exit status. */
+static int add_rest(struct strbuf *out, const struct merge *merge)
+{
+	json_int_t programs = 0, passed = 0, incomplete = 0, blocks = 0, findings = 0, status = 0;
+	json_t *summary = json_object();
+
+	for (size_t i = 0; i < json_array_size(merge->lines); i++) {
+		json_t *line = json_array_get(merge->lines, i);
+		const char *verdict = ndjson_run_is_program(line) ? ndjson_run_text(line, "verdict") : NULL;
+
+		json_add_line(out, json_incref(line));
+		if (!verdict)
+			continue;
+		programs++;
+		passed += !strcmp(verdict, "clear") || !strcmp(verdict, "passed");
+		incomplete += !strcmp(verdict, "incomplete");
+		blocks += integer(line, "blocks");
+		findings += integer(line, "findings");
+	}
+	for (size_t i = 0; i < merge->count; i++) {
+		json_int_t one = integer(merge->runs[i].summary, "status");
+
+		status = one > status ? one : status;
+	}
+	json_put(summary, "kind", json_string("summary"));
+	json_put(summary, "status", json_integer(status));
+	json_put(summary, "programs", json_integer(programs));
+	json_put(summary, "passed", json_integer(passed));
+	json_put(summary, "incomplete", json_integer(incomplete));
+	json_put(summary, "blocks", json_integer(blocks));
+	json_put(summary, "findings", json_integer(findings));
+	json_put(summary, "files", shard_match_files(merge->runs, merge->count, true));
+	json_add_line(out, summary);
+	return (int)status;
+}
+
+bool shard_merge(struct strbuf *out, int *status, char *const *paths, size_t count, struct diag *diag)
+{
+	struct merge merge = {.diag = diag, .lines = json_array()};
+	bool good = load_runs(&merge, paths, count) && shard_match(merge.runs, merge.count, &merge.of_blocks, diag);
+
+	if (good && merge.of_blocks)
+		good = join_blocks(&merge);
+	else if (good)
+		join_programs(&merge);
+	if (good) {
+		add_header(out, &merge);
+		*status = add_rest(out, &merge);
+	}
+	for (size_t i = 0; i < merge.count; i++)
+		ndjson_run_release(&merge.runs[i]);
+	free(merge.runs);
+	json_decref(merge.lines);
+	return good;
+}
