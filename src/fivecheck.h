@@ -126,7 +126,10 @@ double fivecheck_finding_limit(const fivecheck_finding *finding);
 typedef struct check_block fivecheck_block;
 typedef struct check_stats fivecheck_statistics;
 
-/* Callbacks; each may be NULL. They are called in the thread that called fivecheck_check. */
+/*
+ * Callbacks; each may be NULL. `finding` and `block` are called in the thread that called fivecheck_check, `progress`
+ * in any thread, one call at a time.
+ */
 struct fivecheck_events {
 	void *context;
 	/* In the order of time. False: stop. NULL: go on as the options say. */
