@@ -2,7 +2,7 @@
 
 #include "gcode/dialect/dialects.h"
 #include "gcode/interp.h"
-#include "motion/drive.h"
+#include "motion/canon_to_spans.h"
 
 /* What the interpreter has to know of machine, setup and options. Everything is borrowed from these. */
 static struct gcode_config config_of(const struct machine *machine, const struct setup *setup,
@@ -38,9 +38,9 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 	return config;
 }
 
-/* The drive comes first: it is the context of the interpreter's calls. */
+/* The converter comes first: it is the context of the interpreter's calls. */
 struct run {
-	struct drive drive;
+	struct canon_to_spans converter;
 	struct interp *interp;
 };
 
@@ -50,8 +50,8 @@ static bool on_event(void *context, const struct canon_event *event)
 	struct run *run = context;
 
 	if (event->kind == CANON_BLOCK)
-		run->drive.event.summary.lines = interp_lines(run->interp);
-	return drive_event(&run->drive, event);
+		run->converter.event.summary.lines = interp_lines(run->interp);
+	return canon_to_spans_event(&run->converter, event);
 }
 
 bool motion_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,
@@ -64,11 +64,11 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 	struct kinematics kinematics;
 	bool ok;
 
-	drive_init(&run.drive, machine, setup, options, sink, diag, name);
-	kinematics = drive_kinematics(&run.drive);
+	canon_to_spans_init(&run.converter, machine, setup, options, sink, diag, name);
+	kinematics = canon_to_spans_kinematics(&run.converter);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);
-	*summary = run.drive.event.summary;
+	*summary = run.converter.event.summary;
 	summary->lines = interp_lines(run.interp);
 	interp_free(run.interp);
 	return ok;

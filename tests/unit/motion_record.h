@@ -1,10 +1,10 @@
-/* motion_record.h - for the tests of motion: a drive on a machine, and everything that it sends. */
+/* motion_record.h - for the tests of motion: a converter on a machine, and everything that it sends. */
 #ifndef FIVECHECK_TESTS_MOTION_RECORD_H
 #define FIVECHECK_TESTS_MOTION_RECORD_H
 
 #include <check.h>
 
-#include "motion/drive.h"
+#include "motion/canon_to_spans.h"
 #include "motion_rig.h"
 
 #define EVENTS 64
@@ -14,7 +14,7 @@ struct record {
 	struct rig_messages messages;
 	struct motion_options options;
 	struct motion_sink sink;
-	struct drive drive;
+	struct canon_to_spans converter;
 	struct motion_step steps[EVENTS];
 	struct path paths[EVENTS];	/* of the steps: theirs are borrowed */
 	int step_count;
@@ -39,7 +39,7 @@ static inline void on_limit(struct record *record, const struct motion_limit *li
 
 static inline bool on_step(struct record *record, const struct motion_step *step)
 {
-	const struct machine *machine = record->drive.machine;
+	const struct machine *machine = record->converter.machine;
 
 	/* Steps join without a gap, in place and in time. */
 	if (machine) {
@@ -113,8 +113,8 @@ static inline void listen(struct record *record)
 static inline void start(struct record *record, const struct machine *machine)
 {
 	listen(record);
-	drive_init(&record->drive, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
-	record->last = record->drive.position;
+	canon_to_spans_init(&record->converter, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
+	record->last = record->converter.position;
 }
 
 static inline struct canon_move move_to(enum canon_kind kind, axis_values end)
@@ -127,7 +127,7 @@ static inline bool carry_out(struct record *record, const struct canon_move *mov
 {
 	const struct canon_event event = {CANON_MOVE, .of.move = *move};
 
-	return drive_event(&record->drive, &event);
+	return canon_to_spans_event(&record->converter, &event);
 }
 
 static inline void go(struct record *record, struct canon_move move)
@@ -135,10 +135,10 @@ static inline void go(struct record *record, struct canon_move move)
 	ck_assert_msg(carry_out(record, &move), "%s", record->messages.text);
 }
 
-static inline bool switch_tcp(struct drive *drive, const struct kinematics_tcp *state, struct srcloc loc,
+static inline bool switch_tcp(struct canon_to_spans *converter, const struct kinematics_tcp *state, struct srcloc loc,
 			      axis_values *position)
 {
-	struct kinematics kinematics = drive_kinematics(drive);
+	struct kinematics kinematics = canon_to_spans_kinematics(converter);
 
 	return kinematics.tcp(kinematics.context, state, loc, position);
 }
@@ -146,9 +146,9 @@ static inline bool switch_tcp(struct drive *drive, const struct kinematics_tcp *
 static inline void guide(struct record *record, double length)
 {
 	struct kinematics_tcp state = {.on = true, .length = length};
-	axis_values position = record->drive.position;
+	axis_values position = record->converter.position;
 
-	ck_assert(switch_tcp(&record->drive, &state, (struct srcloc){"part.nc", 1, 1}, &position));
+	ck_assert(switch_tcp(&record->converter, &state, (struct srcloc){"part.nc", 1, 1}, &position));
 }
 
 #endif

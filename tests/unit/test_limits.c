@@ -17,7 +17,7 @@ START_TEST(straight_moves_past_a_limit)
 	ck_assert(!record.steps[0].outside);
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	/* X goes out at 5/6 of the way, Z at 1/2: in the order of time. */
-	record.clock = record.drive.time = 100;
+	record.clock = record.converter.time = 100;
 	go(&record, move_to(CANON_FEED, (axis_values){{300, 0, -200}}));
 	ck_assert_int_eq(record.limit_count, 2);
 	ck_assert_int_eq(record.steps_before_limit, 2);
@@ -136,8 +136,8 @@ START_TEST(limits_agree_with_samples)
 
 			move.end.v[machine.axes[k].slot] = rig_random(&random, -size, size);
 		}
-		path = (struct path){.kind = PATH_TCP, .start = record.drive.controller, .end = move.end,
-				     .tcp = &record.drive.tcp};
+		path = (struct path){.kind = PATH_TCP, .start = record.converter.controller, .end = move.end,
+				     .tcp = &record.converter.tcp};
 		for (int k = 0; k <= 2000 && first > 1; k++)
 			if (path_position(&path, k / 2000.0).v[slot] > bound)
 				first = k / 2000.0;

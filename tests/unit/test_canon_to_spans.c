@@ -1,4 +1,4 @@
-/* The drive, fed by hand with canonical moves: times, breaks, tools, clocks, against hand computation. */
+/* test_canon_to_spans.c - the converter, fed by hand with canonical moves: times, breaks, tools, clocks, against hand computation. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -34,8 +34,8 @@ START_TEST(feeds)
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[4].seconds, 2, 1e-12);
 	ck_assert_int_eq(record.step_count, 5);
-	ck_assert_int_eq((int)record.drive.event.summary.moves, 5);
-	ck_assert_double_eq_tol(record.drive.event.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
+	ck_assert_int_eq((int)record.converter.event.summary.moves, 5);
+	ck_assert_double_eq_tol(record.converter.event.summary.seconds, 0.25 + 0.5 + 5 / 30.0 + 3 + 2, 1e-12);
 }
 END_TEST
 
@@ -139,7 +139,7 @@ START_TEST(dogleg_breaks_where_axes_arrive)
 	ck_assert_double_eq_tol(record.steps[1].time, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].seconds, 0.1, 1e-12);
 	ck_assert_double_eq_tol(record.steps[2].seconds, 0.3, 1e-12);
-	ck_assert_int_eq((int)record.drive.event.summary.moves, 1);
+	ck_assert_int_eq((int)record.converter.event.summary.moves, 1);
 	/* A feed is straight all the same. */
 	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
 	ck_assert_int_eq(record.step_count, 4);
@@ -251,7 +251,7 @@ START_TEST(tcp_on_and_off_moves_nothing)
 
 	start(&record, &machine);
 	go(&record, move_to(CANON_RAPID, position));
-	ck_assert(switch_tcp(&record.drive, &on, (struct srcloc){NULL, 0, 0}, &position));
+	ck_assert(switch_tcp(&record.converter, &on, (struct srcloc){NULL, 0, 0}, &position));
 	/* The tip is at (5, 30, 80): A = 90 back, +Y from the axis is up, -Z is +Y. */
 	ck_assert_double_eq_tol(position.v[SLOT_X], 5, 1e-12);
 	ck_assert_double_eq_tol(position.v[SLOT_Y], 40, 1e-9);
@@ -268,7 +268,7 @@ START_TEST(tcp_on_and_off_moves_nothing)
 	go(&record, move_to(CANON_RAPID, (axis_values){{6, 30, 0, radians(90)}}));
 	go(&record, move);
 	ck_assert_double_eq_tol(record.last.v[SLOT_Z], -340, 1e-9);
-	ck_assert(switch_tcp(&record.drive, &off, (struct srcloc){NULL, 0, 0}, &position));
+	ck_assert(switch_tcp(&record.converter, &off, (struct srcloc){NULL, 0, 0}, &position));
 	ck_assert_mem_eq(&position, &record.last, sizeof(position));
 	go(&record, move_to(CANON_RAPID, (axis_values){{0}}));
 	ck_assert_int_eq(record.steps[record.step_count - 1].span.path->kind, PATH_STRAIGHT);
@@ -284,7 +284,7 @@ START_TEST(tcp_without_the_kinematics_is_an_error)
 
 	machine.workholding.present = false;
 	start(&record, &machine);
-	ck_assert(!switch_tcp(&record.drive, &on, (struct srcloc){"part.nc", 4, 9}, &position));
+	ck_assert(!switch_tcp(&record.converter, &on, (struct srcloc){"part.nc", 4, 9}, &position));
 	ck_assert_uint_eq(record.messages.diag.errors, 1);
 	ck_assert_int_eq(record.messages.loc.line, 4);
 }
@@ -308,15 +308,15 @@ START_TEST(dwells_tools_and_blocks)
 	ck_assert_int_eq(record.steps[1].tool, 7);
 	ck_assert_double_eq_tol(record.steps[1].time, 4.5, 1e-12);
 	ck_assert_double_eq_tol(record.steps[1].block_time, 0.5, 1e-12);
-	ck_assert(drive_event(&record.drive, &block));
+	ck_assert(canon_to_spans_event(&record.converter, &block));
 	ck_assert_double_eq_tol(record.block_seconds, 1.5, 1e-12);
 	ck_assert_int_eq(record.block_moves, 2);
 	ck_assert_str_eq(record.block_text, "G1 X30");
 	go(&record, move_to(CANON_FEED, (axis_values){{50}}));
 	ck_assert_double_eq_tol(record.steps[2].block_time, 0, 1e-15);
-	ck_assert_double_eq_tol(record.drive.event.summary.seconds, 6.5, 1e-12);
-	ck_assert_int_eq((int)record.drive.event.summary.blocks, 1);
-	ck_assert_int_eq((int)record.drive.event.summary.spans, 3);
+	ck_assert_double_eq_tol(record.converter.event.summary.seconds, 6.5, 1e-12);
+	ck_assert_int_eq((int)record.converter.event.summary.blocks, 1);
+	ck_assert_int_eq((int)record.converter.event.summary.spans, 3);
 }
 END_TEST
 
@@ -331,11 +331,11 @@ START_TEST(moves_of_no_length_make_no_step)
 	go(&record, move_to(CANON_FEED, (axis_values){{0.3}}));
 	go(&record, move_to(CANON_FEED, (axis_values){{0.1 + 0.2}}));
 	ck_assert_int_eq(record.step_count, 1);
-	ck_assert_int_eq((int)record.drive.event.summary.moves, 1);
+	ck_assert_int_eq((int)record.converter.event.summary.moves, 1);
 	/* A full circle ends where it starts and is a move. */
 	full.arc = (struct canon_arc){{10, 0, 0}, {0, 0, 1}, 2 * PI};
 	go(&record, full);
-	ck_assert_int_eq((int)record.drive.event.summary.moves, 2);
+	ck_assert_int_eq((int)record.converter.event.summary.moves, 2);
 }
 END_TEST
 
@@ -348,7 +348,7 @@ START_TEST(blending)
 	start(&record, &machine);
 	go(&record, move);
 	ck_assert(!(record.steps[0].tolerance.v[SLOT_X] > 0));
-	ck_assert(!record.drive.event.summary.blend_unbounded);
+	ck_assert(!record.converter.event.summary.blend_unbounded);
 	move.blend = true;
 	move.blend_tolerance = 0.05;
 	move.end.v[SLOT_X] = 20;
@@ -356,7 +356,7 @@ START_TEST(blending)
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_Z], 0.05, 1e-15);
 	ck_assert_double_eq_tol(record.steps[1].tolerance.v[SLOT_A], radians(0.05), 1e-15);
 	ck_assert(!(record.steps[1].tolerance.v[SLOT_W] > 0));
-	ck_assert(!record.drive.event.summary.blend_unbounded);
+	ck_assert(!record.converter.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0.02;
 	move.end.v[SLOT_X] = 30;
 	go(&record, move);
@@ -366,13 +366,13 @@ START_TEST(blending)
 	move.end.v[SLOT_X] = 40;
 	go(&record, move);
 	ck_assert_double_eq_tol(record.steps[3].tolerance.v[SLOT_Z], 0.02, 1e-15);
-	ck_assert(!record.drive.event.summary.blend_unbounded);
+	ck_assert(!record.converter.event.summary.blend_unbounded);
 	machine.controller.path_tolerance = 0;
 	move.blend = true;
 	move.blend_tolerance = 0;
 	move.end.v[SLOT_X] = 50;
 	go(&record, move);
-	ck_assert(record.drive.event.summary.blend_unbounded);
+	ck_assert(record.converter.event.summary.blend_unbounded);
 }
 END_TEST
 
@@ -429,8 +429,8 @@ END_TEST
 
 int main(void)
 {
-	Suite *suite = suite_create("drive");
-	TCase *tests = tcase_create("drive");
+	Suite *suite = suite_create("converter");
+	TCase *tests = tcase_create("converter");
 	SRunner *runner;
 	int failed;
 

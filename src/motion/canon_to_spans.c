@@ -1,4 +1,4 @@
-#include "motion/drive.h"
+#include "motion/canon_to_spans.h"
 
 #include <assert.h>
 #include <math.h>
@@ -26,49 +26,49 @@
 /* Seconds: with moves that take decades the clock would lose its decimals. */
 #define LONGEST 1e9
 
-void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
+void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
 		const char *name)
 {
-	*drive = (struct drive){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
+	*converter = (struct canon_to_spans){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
 				.position = machine_home(machine)};
-	drive->controller = drive->position;
-	drive->tool = setup ? setup->initial_tool : 0;
+	converter->controller = converter->position;
+	converter->tool = setup ? setup->initial_tool : 0;
 }
 
-/* Tells drive->event.of as an event of this kind. */
-static bool tell(struct drive *drive, enum motion_event_kind kind)
+/* Tells converter->event.of as an event of this kind. */
+static bool tell(struct canon_to_spans *converter, enum motion_event_kind kind)
 {
-	drive->event.kind = kind;
-	return drive->sink->event(drive->sink->context, &drive->event);
+	converter->event.kind = kind;
+	return converter->sink->event(converter->sink->context, &converter->event);
 }
 
-static struct srcloc place(const struct drive *drive, const struct canon_move *move)
+static struct srcloc place(const struct canon_to_spans *converter, const struct canon_move *move)
 {
-	return (struct srcloc){move->file ? move->file : drive->name, move->line, 0};
+	return (struct srcloc){move->file ? move->file : converter->name, move->line, 0};
 }
 
-static bool is_in_reach(struct drive *drive, const struct canon_move *move)
+static bool is_in_reach(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (fabs(move->end.v[slot]) <= FARTHEST)
 			continue;
-		diag_error(drive->diag, place(drive, move), "axis %c is sent to %g, farther than can be computed",
+		diag_error(converter->diag, place(converter, move), "axis %c is sent to %g, farther than can be computed",
 			   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
 		return false;
 	}
 	if (move->kind != CANON_ARC ||
 	    (vec3_norm(move->arc.centre) <= FARTHEST && fabs(move->arc.sweep) <= FARTHEST))
 		return true;
-	diag_error(drive->diag, place(drive, move), "the arc is larger than can be computed");
+	diag_error(converter->diag, place(converter, move), "the arc is larger than can be computed");
 	return false;
 }
 
-static bool is_bearable(const struct drive *drive, const struct canon_move *move, double seconds)
+static bool is_bearable(const struct canon_to_spans *converter, const struct canon_move *move, double seconds)
 {
 	if (seconds <= LONGEST)
 		return true;
-	diag_error(drive->diag, place(drive, move), "this takes %g s: the feed or the dwell cannot be meant", seconds);
+	diag_error(converter->diag, place(converter, move), "this takes %g s: the feed or the dwell cannot be meant", seconds);
 	return false;
 }
 
@@ -105,9 +105,9 @@ static int moving_axes(const struct path *path)
  * Under TCP a rapid keeps the tip on a line only where rapids are linear. Elsewhere the axes go
  * their own ways to the same end, and nobody knows what the tip does on the way.
  */
-static bool goes_as_axes(const struct drive *drive, const struct canon_move *move)
+static bool goes_as_axes(const struct canon_to_spans *converter, const struct canon_move *move)
 {
-	return move->tcp && move->kind == CANON_RAPID && drive->machine->controller.rapid != RAPID_LINEAR;
+	return move->tcp && move->kind == CANON_RAPID && converter->machine->controller.rapid != RAPID_LINEAR;
 }
 
 static bool turns(const struct path *path)
@@ -118,15 +118,15 @@ static bool turns(const struct path *path)
 	return false;
 }
 
-static enum path_kind kind_of(const struct drive *drive, const struct canon_move *move, const struct path *path)
+static enum path_kind kind_of(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
 {
-	if (goes_as_axes(drive, move) && turns(path))
+	if (goes_as_axes(converter, move) && turns(path))
 		return PATH_BOX;
-	if (move->tcp && !goes_as_axes(drive, move))
+	if (move->tcp && !goes_as_axes(converter, move))
 		return PATH_TCP;
 	if (move->kind == CANON_ARC)
 		return PATH_ARC;
-	if (move->kind == CANON_RAPID && drive->machine->controller.rapid == RAPID_ANY && moving_axes(path) > 1)
+	if (move->kind == CANON_RAPID && converter->machine->controller.rapid == RAPID_ANY && moving_axes(path) > 1)
 		return PATH_BOX;
 	return PATH_STRAIGHT;
 }
@@ -135,26 +135,26 @@ static enum path_kind kind_of(const struct drive *drive, const struct canon_move
  * Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. Where the axes go their
  * own ways under TCP, *guided receives start and end as the controller means them.
  */
-static void set_path(struct path *path, const struct drive *drive, const struct canon_move *move, struct path *guided)
+static void set_path(struct path *path, const struct canon_to_spans *converter, const struct canon_move *move, struct path *guided)
 {
 	path->circular = move->kind == CANON_ARC;
 	if (!move->tcp)
-		path->start = drive->position;
-	else if (drive->controller_guided)
-		path->start = drive->controller;
+		path->start = converter->position;
+	else if (converter->controller_guided)
+		path->start = converter->controller;
 	else
-		path->start = tcp_from_machine(&drive->tcp, &drive->position);
+		path->start = tcp_from_machine(&converter->tcp, &converter->position);
 	path->end = clean_end(move, &path->start);
 	if (path->circular)
 		path->arc = move->arc;
-	if (goes_as_axes(drive, move)) {
+	if (goes_as_axes(converter, move)) {
 		*guided = *path;
-		path->start = drive->position;
-		path->end = tcp_to_machine(&drive->tcp, &path->end);
+		path->start = converter->position;
+		path->end = tcp_to_machine(&converter->tcp, &path->end);
 		clean(&path->end, &path->start, SLOT_X);
 	}
-	path->kind = kind_of(drive, move, path);
-	path->tcp = path->kind == PATH_TCP ? &drive->tcp : NULL;
+	path->kind = kind_of(converter, move, path);
+	path->tcp = path->kind == PATH_TCP ? &converter->tcp : NULL;
 }
 
 /* When each axis of a dogleg arrives, and the next arrival after `time`; INFINITY if there is none. */
@@ -212,7 +212,7 @@ static size_t split_dogleg(const struct machine *machine, const struct path *pat
 
 /* A move under way: what is the same for all of its steps. */
 struct run {
-	struct drive *drive;
+	struct canon_to_spans *converter;
 	const struct canon_move *move;
 	axis_values tolerance;
 	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
@@ -222,16 +222,16 @@ struct run {
 };
 
 /* False: the move is so long and so curved that its pieces could not be counted out in reasonable time. */
-static bool is_countable(const struct drive *drive, const struct canon_move *move, const struct path *path)
+static bool is_countable(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
 {
 	axis_values bend = path_bend(path, 0, 1);
 	double most = 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		most = fmax(most, bend.v[slot]);
-	if (sqrt(most / (8 * drive->options->flatness)) <= MOST_PIECES)
+	if (sqrt(most / (8 * converter->options->flatness)) <= MOST_PIECES)
 		return true;
-	diag_error(drive->diag, place(drive, move),
+	diag_error(converter->diag, place(converter, move),
 		   "this move would take more than %g straight pieces; give it fewer turns", MOST_PIECES);
 	return false;
 }
@@ -242,17 +242,17 @@ static bool is_countable(const struct drive *drive, const struct canon_move *mov
  */
 static bool swing_out(const struct run *run, struct path *guided, const struct path *box, axis_values *most)
 {
-	const struct drive *drive = run->drive;
+	const struct canon_to_spans *converter = run->converter;
 	struct span whole, piece;
 	struct span_walk walk;
 
 	*most = (axis_values){{0}};
 	guided->kind = PATH_TCP;
-	guided->tcp = &drive->tcp;
+	guided->tcp = &converter->tcp;
 	span_init(&whole, guided);
-	if (!span_is_flat(&whole, CURVED) && !is_countable(drive, run->move, guided))
+	if (!span_is_flat(&whole, CURVED) && !is_countable(converter, run->move, guided))
 		return false;
-	span_walk_init(&walk, &whole, drive->options->flatness);
+	span_walk_init(&walk, &whole, converter->options->flatness);
 	while (span_walk_next(&walk, &piece)) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.deviation.v[slot];
@@ -268,15 +268,15 @@ static bool swing_out(const struct run *run, struct path *guided, const struct p
 
 static bool set_legs(struct run *run)
 {
-	const struct drive *drive = run->drive;
-	const struct machine *machine = drive->machine;
+	const struct canon_to_spans *converter = run->converter;
+	const struct machine *machine = converter->machine;
 	const struct canon_move *move = run->move;
 	struct leg *leg = &run->legs[0];
 	struct path *path = &leg->path, guided;
 	double seconds = 0;
 
 	run->count = 0;
-	set_path(path, drive, move, &guided);
+	set_path(path, converter, move, &guided);
 	if (!moving_axes(path) && !(path->circular && path_length(path) > 0))
 		return true;
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
@@ -289,14 +289,14 @@ static bool set_legs(struct run *run)
 		return false;
 	span_init(&leg->span, &leg->path);
 	/* Under TCP the same place has been computed twice, by way of the controller's position: keep the first. */
-	leg->span.q0 = drive->position;
-	if (!span_is_flat(&leg->span, CURVED) && !is_countable(drive, move, path))
+	leg->span.q0 = converter->position;
+	if (!span_is_flat(&leg->span, CURVED) && !is_countable(converter, move, path))
 		return false;
 	if (move->kind != CANON_RAPID)
 		seconds = timing_programmed(path, &move->feed);
-	leg->path.seconds = timing_held(machine, &leg->span, drive->options->flatness, seconds);
+	leg->path.seconds = timing_held(machine, &leg->span, converter->options->flatness, seconds);
 	run->count = 1;
-	return is_bearable(drive, move, leg->path.seconds);
+	return is_bearable(converter, move, leg->path.seconds);
 }
 
 /*
@@ -306,15 +306,15 @@ static bool set_legs(struct run *run)
  * not have been preceded by either. P is a length: rotary axes take the machine
  * file's degrees, or in want of them P as degrees.
  */
-static axis_values blend_tolerance(const struct drive *drive, const struct canon_move *move)
+static axis_values blend_tolerance(const struct canon_to_spans *converter, const struct canon_move *move)
 {
-	double own = drive->machine->controller.path_tolerance;
+	double own = converter->machine->controller.path_tolerance;
 	double programmed = move->blend ? move->blend_tolerance : 0;
 	double linear = programmed > 0 ? programmed : own, rotary = radians(own > 0 ? own : programmed);
 	axis_values tolerance = {{0}};
 
-	for (size_t i = 0; i < drive->machine->axis_count; i++) {
-		const struct axis *axis = &drive->machine->axes[i];
+	for (size_t i = 0; i < converter->machine->axis_count; i++) {
+		const struct axis *axis = &converter->machine->axes[i];
 
 		tolerance.v[axis->slot] = axis->rotary ? rotary : linear;
 	}
@@ -324,17 +324,17 @@ static axis_values blend_tolerance(const struct drive *drive, const struct canon
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
-	struct drive *drive = run->drive;
+	struct canon_to_spans *converter = run->converter;
 	double since = before + crossing->u * path->seconds;
 	const struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
-				     .position = path_position(path, crossing->u), .time = drive->time + since,
-				     .block_time = drive->block_time + since, .file = run->move->file,
+				     .position = path_position(path, crossing->u), .time = converter->time + since,
+				     .block_time = converter->block_time + since, .file = run->move->file,
 				     .line = run->move->line, .move = run->move->number,
-				     .tool = drive->tool};
+				     .tool = converter->tool};
 
 	run->outside = true;
-	drive->event.of.limit = limit;
-	return tell(drive, MOTION_LIMIT);
+	converter->event.of.limit = limit;
+	return tell(converter, MOTION_LIMIT);
 }
 
 static bool report_limits(struct run *run)
@@ -345,7 +345,7 @@ static bool report_limits(struct run *run)
 	for (size_t i = 0; i < run->count; i++) {
 		const struct leg *leg = &run->legs[i];
 		struct limit_crossing crossings[SLOT_COUNT];
-		size_t count = limits_crossed(run->drive->machine, &leg->span, crossings);
+		size_t count = limits_crossed(run->converter->machine, &leg->span, crossings);
 
 		for (size_t k = 0; k < count; k++) {
 			if (reported[crossings[k].slot])
@@ -362,57 +362,57 @@ static bool report_limits(struct run *run)
 /* Sends the leg's steps, then has the clock and the axes stand at its end. */
 static bool send_leg(const struct run *run, const struct leg *leg)
 {
-	struct drive *drive = run->drive;
+	struct canon_to_spans *converter = run->converter;
 	double seconds = leg->path.seconds;
 	/* Filled in place: an event is large, and there are many of them. */
-	struct motion_step *step = &drive->event.of.step;
+	struct motion_step *step = &converter->event.of.step;
 	struct span_walk walk;
 
 	step->file = run->move->file;
 	step->line = run->move->line;
 	step->move = run->move->number;
-	step->tool = drive->tool;
+	step->tool = converter->tool;
 	step->tolerance = run->tolerance;
 	step->outside = run->outside;
 	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
 			   : run->move->spindle_turns	? STEP_FEED_TURNING
 							: STEP_FEED_STANDING;
-	span_walk_init(&walk, &leg->span, drive->options->flatness);
+	span_walk_init(&walk, &leg->span, converter->options->flatness);
 	while (span_walk_next(&walk, &step->span)) {
-		step->time = drive->time + step->span.u0 * seconds;
-		step->block_time = drive->block_time + step->span.u0 * seconds;
+		step->time = converter->time + step->span.u0 * seconds;
+		step->block_time = converter->block_time + step->span.u0 * seconds;
 		step->seconds = (step->span.u1 - step->span.u0) * seconds;
-		drive->event.summary.spans++;
-		if (!tell(drive, MOTION_STEP))
+		converter->event.summary.spans++;
+		if (!tell(converter, MOTION_STEP))
 			return false;
 	}
-	drive->time += seconds;
-	drive->block_time += seconds;
-	drive->position = leg->span.q1;
-	drive->controller = leg->path.end;
-	drive->controller_guided = leg->path.kind == PATH_TCP;
+	converter->time += seconds;
+	converter->block_time += seconds;
+	converter->position = leg->span.q1;
+	converter->controller = leg->path.end;
+	converter->controller_guided = leg->path.kind == PATH_TCP;
 	return true;
 }
 
-static bool carry_out(struct drive *drive, const struct canon_move *move)
+static bool carry_out(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	struct run run;
 
-	assert(!move->tcp || drive->tcp.state.on);
-	run.drive = drive;
+	assert(!move->tcp || converter->tcp.state.on);
+	run.converter = converter;
 	run.move = move;
 	run.outside = false;
-	if (!is_in_reach(drive, move) || !set_legs(&run))
+	if (!is_in_reach(converter, move) || !set_legs(&run))
 		return false;
 	if (!run.count)
 		return true;
-	run.tolerance = blend_tolerance(drive, move);
+	run.tolerance = blend_tolerance(converter, move);
 	if (run.legs[0].path.kind == PATH_BOX && move->tcp)
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
 			run.tolerance.v[slot] += run.swing.v[slot];
-	if (move->blend && !(move->blend_tolerance > 0) && !(drive->machine->controller.path_tolerance > 0))
-		drive->event.summary.blend_unbounded = true;
-	drive->event.summary.moves++;
+	if (move->blend && !(move->blend_tolerance > 0) && !(converter->machine->controller.path_tolerance > 0))
+		converter->event.summary.blend_unbounded = true;
+	converter->event.summary.moves++;
 	if (!report_limits(&run))
 		return false;
 	for (size_t i = 0; i < run.count; i++)
@@ -423,7 +423,7 @@ static bool carry_out(struct drive *drive, const struct canon_move *move)
 
 /* ------------------------------------------------------------- canon_sink */
 
-static bool take_move(struct drive *drive, const struct canon_move *move)
+static bool take_move(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	bool ok = true;
 
@@ -431,32 +431,32 @@ static bool take_move(struct drive *drive, const struct canon_move *move)
 	case CANON_RAPID:
 	case CANON_FEED:
 	case CANON_ARC:
-		ok = carry_out(drive, move);
+		ok = carry_out(converter, move);
 		break;
 	case CANON_DWELL:
-		ok = is_bearable(drive, move, move->seconds);
-		drive->time += ok ? move->seconds : 0;
+		ok = is_bearable(converter, move, move->seconds);
+		converter->time += ok ? move->seconds : 0;
 		break;
 	case CANON_TOOL_CHANGE:
-		drive->tool = move->tool;
-		drive->event.of.tool = (struct motion_tool){move->tool, drive->position};
-		ok = tell(drive, MOTION_TOOL);
+		converter->tool = move->tool;
+		converter->event.of.tool = (struct motion_tool){move->tool, converter->position};
+		ok = tell(converter, MOTION_TOOL);
 		break;
 	}
-	drive->event.summary.seconds = drive->time;
+	converter->event.summary.seconds = converter->time;
 	return ok;
 }
 
-static bool end_block(struct drive *drive, const struct canon_block *block)
+static bool end_block(struct canon_to_spans *converter, const struct canon_block *block)
 {
-	drive->event.of.block = (struct motion_block){block->file, block->line, block->text, drive->block_time,
+	converter->event.of.block = (struct motion_block){block->file, block->line, block->text, converter->block_time,
 						      block->moves};
-	drive->event.summary.blocks++;
-	drive->block_time = 0;
-	return tell(drive, MOTION_BLOCK);
+	converter->event.summary.blocks++;
+	converter->block_time = 0;
+	return tell(converter, MOTION_BLOCK);
 }
 
-bool drive_event(void *context, const struct canon_event *event)
+bool canon_to_spans_event(void *context, const struct canon_event *event)
 {
 	return event->kind == CANON_BLOCK ? end_block(context, &event->of.block) : take_move(context, &event->of.move);
 }
@@ -465,32 +465,32 @@ bool drive_event(void *context, const struct canon_event *event)
 
 static bool switch_tcp(void *context, const struct kinematics_tcp *state, struct srcloc loc, axis_values *position)
 {
-	struct drive *drive = context;
+	struct canon_to_spans *converter = context;
 
-	if (state->on && !tcp_init(&drive->tcp, drive->machine, state, loc, drive->diag))
+	if (state->on && !tcp_init(&converter->tcp, converter->machine, state, loc, converter->diag))
 		return false;
-	drive->tcp.state.on = state->on;
-	drive->controller = state->on ? tcp_from_machine(&drive->tcp, &drive->position) : drive->position;
-	drive->controller_guided = state->on;
-	*position = drive->controller;
+	converter->tcp.state.on = state->on;
+	converter->controller = state->on ? tcp_from_machine(&converter->tcp, &converter->position) : converter->position;
+	converter->controller_guided = state->on;
+	*position = converter->controller;
 	return true;
 }
 
 static bool orient(void *context, struct srcloc loc, struct kinematics_orientation *orientation)
 {
-	struct drive *drive = context;
+	struct canon_to_spans *converter = context;
 
-	return orient_tool(drive->machine, loc, drive->diag, orientation);
+	return orient_tool(converter->machine, loc, converter->diag, orientation);
 }
 
 static bool table_point(void *context, struct srcloc loc, axis_values *place)
 {
-	struct drive *drive = context;
+	struct canon_to_spans *converter = context;
 
-	return table_point_find(drive->machine, loc, drive->diag, place);
+	return table_point_find(converter->machine, loc, converter->diag, place);
 }
 
-struct kinematics drive_kinematics(struct drive *drive)
+struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter)
 {
-	return (struct kinematics){.context = drive, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
+	return (struct kinematics){.context = converter, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
 }

@@ -1,6 +1,6 @@
-/* drive.h - the canon_sink behind motion_run: makes steps of canonical moves, watches the limits, keeps the clock. */
-#ifndef FIVECHECK_MOTION_DRIVE_H
-#define FIVECHECK_MOTION_DRIVE_H
+/* canon_to_spans.h - makes spans of canonical moves, watches the axis limits, keeps the clock. */
+#ifndef FIVECHECK_MOTION_CANON_TO_SPANS_H
+#define FIVECHECK_MOTION_CANON_TO_SPANS_H
 
 #include <stdbool.h>
 
@@ -9,7 +9,7 @@
 #include "motion/motion.h"
 
 /* Plain data; owns nothing. */
-struct drive {
+struct canon_to_spans {
 	const struct machine *machine;
 	const struct motion_options *options;
 	const struct motion_sink *sink;
@@ -25,14 +25,14 @@ struct drive {
 };
 
 /* Stands at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
-void drive_init(struct drive *drive, const struct machine *machine, const struct setup *setup,
+void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
 		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
 		const char *name);
 
-/* The callback of a canon_sink whose context is a struct drive. */
-bool drive_event(void *context, const struct canon_event *event);
+/* The callback of a canon_sink whose context is a struct canon_to_spans. */
+bool canon_to_spans_event(void *context, const struct canon_event *event);
 
-/* The machine's kinematics; `drive` is its context. */
-struct kinematics drive_kinematics(struct drive *drive);
+/* The machine's kinematics; `converter` is its context. */
+struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter);
 
 #endif
