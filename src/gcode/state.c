@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-/* Files hold degrees of at most so many steps a unit; their way through radians and back is undone exactly. */
+/* Steps of a degree: values with no finer digits come back from radians exactly as the file had them. */
 #define DEGREE_STEPS 1e9
 
 double state_from_canonical(int slot, double value)
@@ -69,12 +69,12 @@ void state_update_offset(struct state *state)
 		state->offset.v[slot] = state->work[state->system].v[slot] + state->shift.v[slot];
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->dynamic.on; slot++)
 		state->offset.v[slot] = state->dynamic.zero.v[slot];
-	/* Under TCP the length acts along the spindle and is the sink's business. */
+	/* Under TCP the length acts along the spindle, which the kinematics accounts for. */
 	if (state->tcp == TCP_OFF)
 		state->offset.v[SLOT_Z] += state->length;
 }
 
-/* What the configuration does not place is at home. */
+/* Axes without a reference position of their own have it at home. */
 static void init_references(struct state *state, const struct gcode_config *config)
 {
 	for (int i = 0; i < 2; i++) {

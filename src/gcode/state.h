@@ -19,12 +19,12 @@
 /* G54.1 P1 and on (Fanuc), G154 P1 to P99, of which G110 to G129 are the first (Haas); they follow G59.3 */
 #define EXTENDED_COUNT 99
 
-/* One value a slot, in mm and degrees: as programs speak, so that no position drifts by being converted. */
+/* One value a slot, in mm and degrees: the units of programs, so that no conversion makes a position drift. */
 typedef struct slot_values {
 	double v[SLOT_COUNT];
 } slot_values;
 
-/* In place of a G-code that may have taken the length back: the tool change. */
+/* The tool change, where a G-code stands that may have taken the length back. */
 #define DOUBT_M6 (-2)
 
 enum feed_mode { FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_INVERSE_TIME };

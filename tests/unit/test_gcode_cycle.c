@@ -281,7 +281,7 @@ static const struct bad bads[] = {
     {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
     {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
     {&dialect_linuxcnc, "M3 G18 G84 X1 Z1 Y-1 R1", 8,
-     "G84 in the plane of G18: LinuxCNC confuses the axes and goes elsewhere; use G33.1"},
+     "G84 in the plane of G18: this control confuses the axes and goes elsewhere; use G33.1"},
     {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
     {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1", 4, "G87 needs K"},
     {&dialect_linuxcnc, "G88 X1 Z-1 R1 P1", 1,

@@ -19,24 +19,24 @@ enum arc_status {
 
 /* In mm. LinuxCNC has one set of tolerances for programs in mm and one for programs in inches. */
 struct arc_tolerance {
-	double radius;	/* no smaller radius; so much may a radius be short of half the chord */
-	double spiral;	/* between the radii of start and end */
+	double radius;	/* the smallest radius; also how much R may be shorter than half the chord */
+	double spiral;	/* how much the radii of start and end may differ */
 };
 
 extern const struct arc_tolerance arc_tolerance_mm, arc_tolerance_inch;
 
-/* Checks the radii of an arc by its centre; *start_radius and *end_radius are set in any case. */
+/* Checks the radii of an arc that is given by its centre. Always sets *start_radius and *end_radius. */
 enum arc_status arc_check_centre(struct plane_point start, struct plane_point end, struct plane_point centre,
 				 const struct arc_tolerance *tolerance, double *start_radius, double *end_radius);
 
-/* The centre of an arc by its radius; a negative radius takes the long way round. */
+/* The centre of an arc that is given by its radius; a negative radius takes the long way round. */
 enum arc_status arc_find_centre(struct plane_point start, struct plane_point end, double radius, bool clockwise,
 				const struct arc_tolerance *tolerance, struct plane_point *centre);
 
 /*
  * The angle from start to end about the centre, in the direction given, positive
- * counter-clockwise, with `turns` - 1 full turns added. What is nearer to
- * nothing than `least` radians is a full turn.
+ * counter-clockwise, with `turns` - 1 full turns added. An angle of at most
+ * `least` radians is taken for a full turn.
  */
 double arc_sweep(struct plane_point start, struct plane_point end, struct plane_point centre, bool clockwise, int turns,
 		 double least);

@@ -9,7 +9,7 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* mm and radians: ends of an arc that are so close are the same point, and the arc a full circle. */
+/* mm, radians: ends of an arc that are closer than this are the same point, and the arc is a full circle. */
 #define SAME_POINT 1e-9
 /* LinuxCNC's min_arc_angle (emccanon.cc). */
 #define SAME_ANGLE 1e-12
@@ -108,7 +108,7 @@ static vec3 centre_in_space(const struct state *state, const slot_values *start,
 	return rotated_frame_point(state, (vec3){xyz[0], xyz[1], xyz[2]});
 }
 
-/* The full turns that the block's P adds to, if it does. */
+/* The number of full turns in the block's P, if P has it. */
 static bool find_turns(struct interp *interp, int *turns)
 {
 	enum answer has_turns = traits_of(interp)->arcs_have_turns;

@@ -11,15 +11,15 @@
 #include "gcode/execute/tool_length.h"
 
 /*
- * LinuxCNC 2.9 stops so far above the last depth, mm; on other controls it is a
- * parameter, and on the way in any case.
+ * mm: LinuxCNC 2.9 stops its rapid this far above the last depth. On other controls a parameter says how far; the rapid
+ * stays within the way that the cycle makes in any case.
  */
 #define PECK_CLEARANCE 0.254
 
 /* mm: heights that differ by less are the same. */
 #define SAME_COORDINATE 1e-6
 
-/* More pecks or holes in one block are a slip of the pen, and would seem to hang. */
+/* More pecks or holes in one block are a typing mistake, and carrying them out would seem to hang. */
 #define COUNT_MAX 1000000
 
 struct canned_cycle {
@@ -40,10 +40,7 @@ struct canned_cycle {
 
 /* ------------------------------------------------------------------ words */
 
-/*
- * The word of the block or, if an earlier block of the cycle gave it, that one;
- * `column` is to blame for want of both.
- */
+/* The word of the block; without one and if words are kept, that of an earlier block of the cycle. */
 static bool cycle_word(struct canned_cycle *cycle, char letter, bool kept, double *value)
 {
 	struct interp *interp = cycle->interp;
@@ -59,7 +56,7 @@ static bool cycle_word(struct canned_cycle *cycle, char letter, bool kept, doubl
 	return true;
 }
 
-/* Words of the cycle before are kept: of the same cycle, or of any. */
+/* Does the cycle take words from the one before? */
 static bool keeps_words(const struct canned_cycle *cycle)
 {
 	int before = cycle->interp->state.motion;
@@ -117,7 +114,7 @@ static double find_clear(struct canned_cycle *cycle, double level)
 	return cycle->traits->never_below_r == ANSWER_YES ? fmax(level, cycle->r) : level;
 }
 
-/* Where the level is not said to be a coordinate, it may be the place where the tool was. */
+/* Where it is not known whether the level is a coordinate or a place, it must be both. */
 static bool check_level(const struct canned_cycle *cycle, double level)
 {
 	struct interp *interp = cycle->interp;
@@ -134,7 +131,7 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 		     "with them depends on the control; G80 first");
 }
 
-/* The height before the first of the cycles, and what R, the depth and G98 or G99 make of it. */
+/* The heights of R, of the bottom and of the retract, from the level before the first of the cycles. */
 static bool find_heights(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
@@ -175,7 +172,7 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 
 	if (!needed && !optional)
 		return true;
-	/* LinuxCNC's taps take the dwell of whatever cycle was before. */
+	/* LinuxCNC's taps take the dwell of the cycle before, whichever it was. */
 	kept = kept || (by_code && !needed);
 	cycle->dwells = by_code || given || (kept && (memory->known & letter_bit('P')));
 	if (!given && !needed && !(kept && (memory->known & letter_bit('P'))))
@@ -204,7 +201,7 @@ static bool find_peck(struct canned_cycle *cycle, bool kept)
 	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
 		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
 			     COUNT_MAX);
-	/* Else rounding would swallow it, and the pecks would never come to the bottom. */
+	/* Rounding would make such a peck 0, and the pecks would never reach the bottom. */
 	if (cycle->peck < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
 		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
 			     cycle->code / 10);
@@ -218,7 +215,7 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 
 	if (cycle->code != G87)
 		return true;
-	/* I, J and K go with X, Y and Z. */
+	/* I, J and K belong to X, Y and Z. */
 	if (!cycle_word(cycle, "IJK"[cycle->a], kept, &a) || !cycle_word(cycle, "IJK"[cycle->b], kept, &b) ||
 	    !cycle_word(cycle, "IJK"[cycle->depth], kept, &top))
 		return false;
@@ -228,7 +225,7 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	return true;
 }
 
-/* L or K: so many holes, one step of G91 apart. */
+/* L or K: the number of holes, which lie one step of G91 apart. */
 static bool find_repeats(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -252,7 +249,7 @@ static bool find_repeats(struct canned_cycle *cycle)
 	return true;
 }
 
-/* Where the holes are: rotary axes may go there with them, where the control lets them. */
+/* Where the holes are; rotary axes may move there, too, where the control allows it. */
 static bool find_holes(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -278,7 +275,7 @@ static bool find_holes(struct canned_cycle *cycle)
 	return true;
 }
 
-/* LinuxCNC up to 2.9 (interp_cycles.cc) puts the coordinates of its taps in order for the plane twice. */
+/* LinuxCNC up to 2.9 (interp_cycles.cc) exchanges the coordinates of its taps for the plane twice. */
 static bool check_tap_plane(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
@@ -287,7 +284,7 @@ static bool check_tap_plane(struct canned_cycle *cycle)
 	    (cycle->code != G74 && cycle->code != G84))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "G%d in the plane of G%d: LinuxCNC confuses the axes and goes elsewhere; use G33.1",
+		     "G%d in the plane of G%d: this control confuses the axes and goes elsewhere; use G33.1",
 		     cycle->code / 10, interp->state.plane / 10);
 }
 
@@ -356,7 +353,7 @@ static bool step_aside(struct canned_cycle *cycle, double sign, double height)
 	return rapid(cycle, height);
 }
 
-/* Down beside the hole's axis, up on it with the tool turning, and out the same way. */
+/* G87: goes down beside the axis of the hole, bores upwards on the axis, and leaves the same way. */
 static bool bore_back(struct canned_cycle *cycle)
 {
 	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) && step_aside(cycle, -1, cycle->bottom) &&
@@ -364,7 +361,7 @@ static bool bore_back(struct canned_cycle *cycle)
 	       rapid(cycle, cycle->clear) && step_aside(cycle, -1, cycle->clear);
 }
 
-/* Out at the feed: all the way for taps and G89 on some controls, else to R, and on from there at the rapid rate. */
+/* Leaves the hole at the feed as far as R, and on some controls taps and G89 further to the retract height. */
 static bool feed_out(struct canned_cycle *cycle)
 {
 	if (cycle->traits->feeds_to_clear == ANSWER_YES && cycle->code != G85)
@@ -390,7 +387,7 @@ static bool make_hole(struct canned_cycle *cycle)
 	}
 }
 
-/* LinuxCNC goes over the hole at its own height if that is above R, and else on the way to where holes are left. */
+/* Moves over the hole and down to R. Where cycles rise first, never below R. */
 static bool go_over(struct canned_cycle *cycle, bool first, double height)
 {
 	bool rises = cycle->traits->rises_first == ANSWER_YES;
@@ -417,7 +414,7 @@ static bool make_holes(struct canned_cycle *cycle)
 	return true;
 }
 
-/* LinuxCNC first leaves what lies below R, straight up. */
+/* A tool below R rises to R first, on controls that do so. */
 static bool rise(struct canned_cycle *cycle)
 {
 	const struct state *state = &cycle->interp->state;
@@ -440,7 +437,7 @@ static bool make_cycle(struct canned_cycle *cycle)
 	return good;
 }
 
-/* Where a cycle may stand without axis words, it drills in blocks that name an axis. */
+/* Where a cycle may stand without axis words, only blocks that name an axis drill. */
 static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 {
 	const struct block *block = &cycle->interp->block;

@@ -7,10 +7,9 @@
 #include "gcode/state.h"
 
 /*
- * Carries out the block's cycle (code_is_cycle) as the moves that the control
- * makes, in its order. LinuxCNC: manual, "Canned Cycles", and the moves of its
- * 2.9 interpreter; Fanuc 30i-B operator's manual (B-64484EN), canned cycle for
- * drilling; Haas mill operator's manual, canned cycles.
+ * Carries out the block's cycle (code_is_cycle): the moves that the control
+ * makes, in the control's order, as the dialect's cycle_traits say. False:
+ * reported, or the sink wants no more.
  */
 bool canned_cycle_run(struct interp *interp);
 

@@ -26,7 +26,7 @@ static int across_of(int plane)
 	return plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 }
 
-/* The centre's words; where they are missing, the tool stands on the centre. */
+/* The centre is given by its words; without words it is where the tool is. */
 static bool find_centre(struct interp *interp, vec3 *centre)
 {
 	const struct state *state = &interp->state;
@@ -53,7 +53,7 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 		     "the centre of G68 needs both of its words, or none for where the tool stands");
 }
 
-/* After the coordinates were turned, or turned back: which ones are no longer what they were. */
+/* Marks the coordinates that turning, or turning back, has changed. */
 static void mark_unsure(struct state *state, const slot_values *before, int code)
 {
 	slot_values now = rotated_frame_straight(state);
@@ -147,7 +147,7 @@ static bool turn_back(struct interp *interp)
 	return true;
 }
 
-/* After G68: of one absolute word alone it is not said whether the other coordinate is the turned one. */
+/* After G68 a single absolute word leaves open whether the other coordinate counts as turned. */
 static bool check_both_words(struct interp *interp)
 {
 	const struct state *state = &interp->state;
@@ -170,8 +170,8 @@ static bool check_both_words(struct interp *interp)
 
 /*
  * Fanuc 16-C operator's manual (B-62764EN), "Coordinate system rotation": the
- * first move after G69 is absolute. After G68 increments are turned about the
- * tool (15i, B-63324EN, the same section).
+ * first move after G69 must be absolute. After G68 increments are turned about
+ * the tool (15i, B-63324EN, the same section).
  */
 bool coordinate_rotation_check_words(struct interp *interp, bool machine)
 {
@@ -218,9 +218,9 @@ bool coordinate_rotation_turn(struct interp *interp)
 
 /*
  * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
- * (G53.1): the rotary axes turn at the rapid rate and the linear ones stand
- * still. From here on a tool point is meant on the workpiece, which may have
- * turned with its table.
+ * (G53.1): the rotary axes turn at the rapid rate and the linear axes stand
+ * still. From here on coordinates are those of the tool point on the workpiece,
+ * which may have turned with its table.
  */
 bool coordinate_rotation_orient_tool(struct interp *interp)
 {
@@ -241,7 +241,7 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 		if (interp->config->has_axis[slot])
 			target.v[slot] = state_from_canonical(slot, orientation.rotary.v[slot]);
 	}
-	/* Machine axes, in the machine's coordinates. */
+	/* The target is a position of the machine's axes. */
 	state->frame.on = false;
 	good = motion_commands_go(interp, &target, &(struct canon_move){.kind = CANON_RAPID});
 	state->frame.on = true;
@@ -256,7 +256,7 @@ static bool changes_offsets(const struct block *block)
 	return code == G10 || code == G52 || code == G92 || block->g[G_SYSTEM] != CODE_NONE;
 }
 
-/* G28, G30, G53 while G68 is in force: across the plane they mean the same either way. */
+/* G28, G30, G53 while G68 is in force: turning does not change what they mean for the axis across the plane. */
 static bool check_by_machine(struct interp *interp)
 {
 	const struct block *block = &interp->block;

@@ -6,17 +6,17 @@
 
 #include "gcode/state.h"
 
-/* Before anything else of the block: G69, and what cannot be done while coordinates are turned. */
+/* Call before anything else of the block: carries out G69, and refuses what cannot be done in turned coordinates. */
 bool coordinate_rotation_start_block(struct interp *interp);
 
-/* G68 and G68.2 of the block; nothing without one. */
+/* Carries out the block's G68 or G68.2, if it has one. */
 bool coordinate_rotation_turn(struct interp *interp);
 
 /*
- * The block's axis words after G68 or G69, before endpoint.c makes a target of
- * them. Where the tool stands is known, but not always what the control takes
- * its program coordinates for: the turned ones, or those of before. False:
- * reported.
+ * Checks the block's axis words after G68 or G69, before endpoint.c uses them.
+ * The tool's position is known then, but not always its program coordinates:
+ * a control may count from the turned coordinates or from those before. False:
+ * the words depend on that, which was reported.
  */
 bool coordinate_rotation_check_words(struct interp *interp, bool machine);
 

@@ -13,7 +13,7 @@ static bool is_zero(double value)
 	return same_double(value, 0);
 }
 
-/* The manual does not say what comes first in a block. */
+/* The manual does not say in which order a block would be carried out. */
 static bool stands_alone(const struct block *block)
 {
 	bool still = block->motion == CODE_NONE || block->motion == G0 || block->motion == G1 || block->motion == G80;
@@ -62,7 +62,7 @@ bool dynamic_work_offset_check_system(struct interp *interp, int system)
 		     "G255 first");
 }
 
-/* Which coordinates are no longer what they were, while the axes stand. */
+/* Marks the coordinates that have changed while the axes stand. */
 static void mark_unsure(struct state *state, const slot_values *before, int code)
 {
 	struct dynamic_work_offset *dynamic = &state->dynamic;
@@ -75,7 +75,7 @@ static void mark_unsure(struct state *state, const slot_values *before, int code
 	}
 }
 
-/* The offset itself must be the table's, as it is drawn at rotary zero. */
+/* The work offset must be that of the table at rotary zero. */
 static bool check_offset(struct interp *interp, int column)
 {
 	const struct state *state = &interp->state;
@@ -188,7 +188,7 @@ bool dynamic_work_offset_check_cut(struct interp *interp)
 	return true;
 }
 
-/* The column of what turns the axis. */
+/* The column of the word that turns the axis. */
 static int turn_column(const struct block *block, int slot)
 {
 	if (block_has(block, AXIS_LETTERS[slot]))

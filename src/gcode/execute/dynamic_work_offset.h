@@ -7,37 +7,37 @@
 #include "gcode/state.h"
 
 /*
- * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset (DWO)": while it
- * is on, the place to which the rotary axes have carried the work zero stands
- * in for X, Y and Z of the work offset. That is a shift: the coordinates stay
- * parallel to the machine's axes. The manual wants the work offset selected and
- * all rotary motion done before it, X, Y and Z led somewhere before anything is
- * cut, and G255 before any rotary motion; programs that do otherwise are
- * refused, because it does not say where the control would take them.
+ * Haas mill operator's manual (NGC), "G254 Dynamic Work Offset (DWO)": while
+ * G254 is on, X, Y and Z of the work offset are the place to which the rotary
+ * axes have carried the work zero. That is a shift: the coordinates stay
+ * parallel to the machine's axes. The manual asks a program to select the work
+ * offset and to finish all rotary motion before G254, to move X, Y and Z before
+ * it cuts, and to command G255 before any rotary motion. Other programs are
+ * refused, because the manual does not say where the axes would go.
  */
 
-/* Before anything of the block is carried out: does it keep to that? False: reported. */
+/* Call before anything else of the block: refuses what the manual does not allow together with G254. */
 bool dynamic_work_offset_start_block(struct interp *interp);
 
-/* G254 and G255 of the block; nothing without one. False: reported. */
+/* Carries out the block's G254 or G255, if it has one. False: reported. */
 bool dynamic_work_offset_switch(struct interp *interp);
 
-/* The work offset that the block selects is the one in force, or G254 is not. False: reported. */
+/* Refuses the selection of another work offset while G254 is on. */
 bool dynamic_work_offset_check_system(struct interp *interp, int system);
 
-/* What the block's axis words say after G254 or G255 is known. False: reported. */
+/* Refuses increments that count from a coordinate that is not known after G254 or G255. */
 bool dynamic_work_offset_check_words(struct interp *interp);
 
-/* The block cuts nothing, or X, Y and Z have been led somewhere since; after G255 by the block itself at the latest. */
+/* Refuses a cut after G254 or G255 before absolute words have moved X, Y and Z. */
 bool dynamic_work_offset_check_cut(struct interp *interp);
 
-/* No rotary axis leaves its place for this position while G254 is in force. False: reported. */
+/* Refuses a position that turns a rotary axis while G254 is on. */
 bool dynamic_work_offset_check_turn(struct interp *interp, const slot_values *position);
 
-/* Is the coordinate that a program would read the control's? False: reported at the column. */
+/* Can a program read this coordinate? False: it is not known, which was reported at the column. */
 bool dynamic_work_offset_check_read(struct interp *interp, int slot, int column);
 
-/* G28 ignores G254 on its way, too: the offset in force without it, and then with it again. */
+/* G28 ignores G254 on its way: takes the offset back for this time, and puts it in force again. */
 void dynamic_work_offset_suspend(struct state *state, bool *suspended);
 void dynamic_work_offset_resume(struct state *state, bool suspended);
 

@@ -8,12 +8,12 @@
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 
-/* Degrees: positions so close are the same, and half a turn so nearly cannot be told from its opposite. */
+/* Degrees: positions that are closer are the same; a way that is closer to half a turn may go either way round. */
 #define WRAP_TOLERANCE 1e-9
 
 /*
- * The shortest way to an aim whole turns apart (Fanuc 16i/18i-MB operator's manual,
- * B-63534EN, "Rotary axis roll-over"), which leaves open what half a turn is.
+ * The shortest way to a position modulo a turn (Fanuc 16i/18i-MB operator's manual,
+ * B-63534EN, "Rotary axis roll-over"). The manual does not say which way half a turn goes.
  */
 static bool shortest(struct interp *interp, int slot, double aim, int column, double *target)
 {
@@ -33,7 +33,7 @@ static bool shortest(struct interp *interp, int slot, double aim, int column, do
 	return true;
 }
 
-/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the aim is reached within one turn. */
+/* The sign of the word is the direction (LinuxCNC's manual, "WRAPPED_ROTARY"); the way is less than one turn. */
 static double directed(const struct interp *interp, int slot, double aim, bool negative)
 {
 	double turns = (interp->state.position.v[slot] - aim) / 360;

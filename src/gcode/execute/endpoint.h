@@ -7,8 +7,9 @@
 #include "gcode/state.h"
 
 /*
- * Straight positions (rotated_frame.h) at the end of the block's motion; with
- * `machine`, machine coordinates. Axes without a word stay. False: reported.
+ * The straight position (rotated_frame.h) at the end of the block's motion.
+ * With `machine` the words are machine coordinates. Axes without a word stay.
+ * False: reported.
  */
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target);
 
@@ -18,7 +19,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target);
  */
 bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target);
 
-/* Is it known where the axis stands? Where a probe has stopped it, it is not: false, and reported. */
+/* Is the axis' position known? False: a probe has stopped the axis, which was reported at the column. */
 bool endpoint_is_known(struct interp *interp, int slot, int column);
 
 #endif

@@ -16,7 +16,7 @@
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
-/* Whatever the block says in the words of a mode needs the mode to be known: by the program, or at power-on. */
+/* Words whose meaning depends on a mode need the mode: from the program, or as it is at power-on. */
 static bool check_modes(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -53,7 +53,7 @@ static bool check_modes(struct interp *interp)
 	return true;
 }
 
-/* G93, G94, G95; then F, which inverse time mode gives to the motion of its own block only. */
+/* G93, G94, G95; then F, which in inverse time mode holds for its own block only. */
 static bool execute_feed(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -94,7 +94,7 @@ static bool execute_speed(struct interp *interp)
 	return true;
 }
 
-/* Canned cycles of LinuxCNC mind which way the spindle turns. */
+/* Canned cycles may depend on which way the spindle turns. */
 static void execute_spindle(struct interp *interp)
 {
 	int code = interp->block.m[M_SPINDLE];
@@ -105,7 +105,7 @@ static void execute_spindle(struct interp *interp)
 						    : SPINDLE_STOPPED;
 }
 
-/* G61, G61.1: on the path; G64 may leave it, by P at most if P is given (LinuxCNC's manual, "G64"). */
+/* G61, G61.1 keep to the path; G64 may leave it, at most by P if P is given (LinuxCNC's manual, "G64"). */
 static bool execute_path(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -141,7 +141,7 @@ static bool is_angle(const struct block *block, char letter)
 	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
 }
 
-/* K of Fanuc's cycles is a number of holes, Q and R of G5.1 are numbers, too. */
+/* K of a canned cycle may be a number of holes, and Q and R of G5.1 are no lengths. */
 static bool is_count(const struct block *block, char letter)
 {
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
@@ -151,8 +151,8 @@ static bool is_count(const struct block *block, char letter)
 
 /*
  * Fanuc 30i-B operator's manual, decimal point programming; Haas, setting
- * 162: whole numbers count least input increments, of which an inch has ten
- * times as many as the same digits of mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
+ * 162: a number without a decimal point counts least input increments. In
+ * inches an increment is a tenth of the figure in mm (IS-B: 0.001 mm, 0.0001 inch, 0.001 degrees).
  */
 static bool execute_increments(struct interp *interp)
 {
@@ -212,7 +212,7 @@ static bool execute_nonmodal(struct interp *interp)
 	case G92_3:
 		return offsets_shift(interp);
 	case CODE_NONE:
-	case G4:	/* is done already */
+	case G4:	/* has been carried out */
 	case G53:	/* belongs to the motion */
 		return true;
 	default:
@@ -227,7 +227,7 @@ static bool cancel_motion(struct interp *interp)
 	return true;
 }
 
-/* The motion of the block. Each of these sends its moves by motion_commands.h, and calls no other of them. */
+/* Carries out the motion of the block. All of these send their moves by motion_commands.h, and none calls another. */
 static bool execute_motion(struct interp *interp)
 {
 	static const struct {

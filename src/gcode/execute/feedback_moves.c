@@ -8,7 +8,7 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* K is the way along the path in one revolution of the spindle. */
+/* K is the length of path for one revolution of the spindle. */
 static bool find_pitch_feed(struct interp *interp, struct canon_feed *feed)
 {
 	const struct block *block = &interp->block;
@@ -40,7 +40,7 @@ static bool tap(struct interp *interp, const slot_values *target, struct canon_m
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
 				     "%c with G33.1, which moves X, Y and Z only", AXIS_LETTERS[slot]);
 	}
-	/* Down and back to the start; I times as fast on the way back if I > 1. */
+	/* Down and back to the start; the way back is I times as fast if I > 1. */
 	if (!motion_commands_go(interp, target, move))
 		return false;
 	if (block_has(block, 'I'))
@@ -48,7 +48,7 @@ static bool tap(struct interp *interp, const slot_values *target, struct canon_m
 	return motion_commands_go(interp, &start, move);
 }
 
-/* G38.2 and G38.4 must find something on the way, so there must be a way. */
+/* G38.2 and G38.4 must find something on their way, so the way cannot be empty. */
 static bool check_probe(struct interp *interp, const slot_values *target)
 {
 	const struct block *block = &interp->block;
@@ -66,13 +66,13 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	return fault(&interp->at, column, "G38.%d to where the probe is already", block->motion % 10);
 }
 
-/* A probe stops where it finds something, at the end of its way at the latest. */
+/* The probe stops where it finds something, or at the end of its way. */
 static void forget_places(struct interp *interp)
 {
 	struct state *state = &interp->state;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		/* Under TCP one coordinate of the tool point is the business of all linear axes. */
+		/* Under TCP each coordinate of the tool point may move all linear axes. */
 		if (block_has(&interp->block, AXIS_LETTERS[slot]) || (state->tcp != TCP_OFF && slot <= SLOT_Z))
 			state->probed[slot] = true;
 	}

@@ -1,4 +1,4 @@
-/* feedback_moves.h - moves whose end only the machine knows, as full travel: threading, rigid tapping, probing. */
+/* feedback_moves.h - moves that follow the spindle or a probe: threading, rigid tapping, probing. */
 #ifndef FIVECHECK_GCODE_EXECUTE_FEEDBACK_MOVES_H
 #define FIVECHECK_GCODE_EXECUTE_FEEDBACK_MOVES_H
 
@@ -6,7 +6,11 @@
 
 #include "gcode/state.h"
 
-/* G33, G33.1, G38.2 to G38.5 (LinuxCNC's manual, the sections of these names). */
+/*
+ * Carries out G33, G33.1 and G38.2 to G38.5 (LinuxCNC's manual, the sections of
+ * these names). Where only the machine knows the end of a move, the move is
+ * its whole way. False: reported, or the sink wants no more.
+ */
 bool feedback_moves_run(struct interp *interp);
 
 #endif

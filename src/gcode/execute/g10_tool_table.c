@@ -5,7 +5,7 @@
 
 #include "gcode/execute/work_offset_use.h"
 
-/* mm or degrees: what the sums of L10 and L11 leave of an offset that is none. */
+/* mm or degrees: a smaller result of L10 or L11 is rounding, and no offset. */
 #define NO_OFFSET 1e-9
 
 /* G59.3, the fixture of L11. */
@@ -55,7 +55,7 @@ static bool check_words(struct interp *interp, int mode)
 	return true;
 }
 
-/* Under TCP a position is one of the tool's point, whose length is what L10 and L11 look for. */
+/* Under TCP a position already contains the tool's length, which L10 and L11 measure. */
 static bool check_position(struct interp *interp, int mode)
 {
 	int column = interp->block.g_column[G_NONMODAL];

@@ -17,7 +17,7 @@ slot_values length_change_place(const struct interp *interp)
 	return place;
 }
 
-/* A move of this block ends at the slot's word, wherever it starts. */
+/* Does the block move this axis to an absolute coordinate? */
 static bool is_settled(const struct interp *interp, int slot)
 {
 	const struct block *block = &interp->block;
@@ -29,13 +29,13 @@ static bool is_settled(const struct interp *interp, int slot)
 	       (block->g[G_NONMODAL] == CODE_NONE || block->g[G_NONMODAL] == G53);
 }
 
-/* A coordinate that the block leaves open, or -1. */
+/* An axis whose end the block leaves open, or -1. */
 static int find_open(const struct interp *interp, const struct length_change *change)
 {
 	bool tcp = interp->state.tcp != TCP_OFF;
 
 	for (int slot = SLOT_Z; slot >= SLOT_X; slot--) {
-		/* What a length was that may have been taken back is not known. */
+		/* The control may have taken the former length back. */
 		bool doubtful = change->doubt != CODE_NONE && (tcp || slot == SLOT_Z);
 
 		if ((doubtful || fabs(change->shift.v[slot]) > SAME_COORDINATE) && !is_settled(interp, slot))
@@ -44,7 +44,7 @@ static int find_open(const struct interp *interp, const struct length_change *ch
 	return -1;
 }
 
-/* Is it a block where the axes move by the shift alone, or with words of a straight move? */
+/* Does the block move the axes by the shift alone, or by the shift and a straight move? */
 static bool is_plain(const struct interp *interp, const struct length_change *change)
 {
 	const struct block *block = &interp->block;
@@ -58,8 +58,9 @@ static bool is_plain(const struct interp *interp, const struct length_change *ch
 /*
  * Fanuc 30i connection manual (B-63943EN-1), "Tool Length Compensation Shift
  * Types": parameter 5006#6 (TOS) tells whether the axes move or the coordinates
- * are shifted, and then nothing moves without a move command; operator's manual,
- * tool length compensation: where they move, a block's increments and the shift add up.
+ * are shifted; shifted coordinates move nothing without a move command. Operator's
+ * manual, tool length compensation: axes that move go by the block's increments
+ * plus the shift.
  */
 bool length_change_settle(struct interp *interp, const struct length_change *change)
 {

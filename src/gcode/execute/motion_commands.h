@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* Fills in what the modes and the block say of a move, and numbers it. */
+/* Fills in what the modes and the block say about a move, and numbers it. */
 void motion_commands_fill(struct interp *interp, struct canon_move *move);
 
 /*
@@ -16,15 +16,16 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move);
 bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item);
 
 /*
- * Sends a move, with what the modes and the block say of it, to the sink, or to
- * the moves that wait. False: the sink wants no more, or too many wait, which was reported.
+ * Completes a move by motion_commands_fill and sends it to the sink, or to the
+ * moves that wait. False: the sink wants no more, or too many moves wait, which
+ * was reported.
  */
 bool motion_commands_emit(struct interp *interp, const struct canon_move *move);
 
 /*
- * Goes to a straight position (rotated_frame.h) and emits the move that its end
- * completes. False: the sink wants no more, or a rotary axis may not turn now,
- * which was reported.
+ * Sets the position of the axes to a straight position (rotated_frame.h),
+ * completes *move with that end and sends it. False: the sink wants no more, or
+ * a rotary axis may not turn now, which was reported.
  */
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move);
 
@@ -34,7 +35,7 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed);
 /* The number of a dwell's word in seconds. False: its unit is not known, which was reported. */
 bool motion_commands_seconds(const struct interp *interp, char letter, double *seconds);
 
-/* G4. */
+/* Carries out G4. */
 bool motion_commands_dwell(struct interp *interp);
 
 #endif

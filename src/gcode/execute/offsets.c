@@ -19,7 +19,7 @@ static bool slot_word(const struct interp *interp, int slot, double *value)
 	return true;
 }
 
-/* An additional work offset: G54.1 P1 and on, or as the code of that control is called. */
+/* An additional work offset: G54.1 P1 and on, or G154 P1 and on. */
 static bool find_additional(struct interp *interp, int code, int *system)
 {
 	int column = interp->block.g_column[G_SYSTEM], most = traits_of(interp)->additional_offsets, number = 0;
@@ -68,7 +68,7 @@ bool offsets_select(struct interp *interp)
 	return tool_length_offsets_changed(interp, column);
 }
 
-/* Where the manuals disagree on G91 with these codes, nothing is guessed. */
+/* The manuals disagree on these codes in G91. */
 static bool refuse_incremental(struct interp *interp)
 {
 	int code = interp->block.g[G_NONMODAL];
@@ -80,12 +80,12 @@ static bool refuse_incremental(struct interp *interp)
 }
 
 /*
- * The two passes of a change: rotary slots first, because under TCP with
- * rotary zero at the work offset they change what the linear position is.
+ * Changes one slot. A change has two passes, rotary slots first: under TCP with
+ * rotary zero at the work offset they change the position of the linear slots.
  */
 typedef void change_slot(struct interp *interp, int system, int slot, double word);
 
-/* Those that go by where the axes stand. */
+/* These two compute the change from the present position. */
 static change_slot change_work_here, change_shift_here;
 
 static bool change_slots(struct interp *interp, int system, change_slot *change)
@@ -118,13 +118,13 @@ static void change_work(struct interp *interp, int system, int slot, double word
 	*value = added ? *value + word : word;
 }
 
-/* What the other offsets leave of the position. */
+/* The position without all offsets but this one. */
 static double position_without(const struct state *state, int slot, double offset)
 {
 	return state->position.v[slot] - (state->offset.v[slot] - offset);
 }
 
-/* The system is the one in force or not: in either case the present point gets the coordinate `word` in it. */
+/* Gives the present point the coordinate `word` in the system, whether the system is in force or not. */
 static void change_work_here(struct interp *interp, int system, int slot, double word)
 {
 	struct state *state = &interp->state;
@@ -132,7 +132,7 @@ static void change_work_here(struct interp *interp, int system, int slot, double
 	state->work[system].v[slot] = position_without(state, slot, state->work[state->system].v[slot]) - word;
 }
 
-/* L20 of LinuxCNC is L2 by the present position; of Fanuc and Haas it writes the additional offsets of G54.1. */
+/* The work offset that G10 L2 or L20 writes: L20 may write the additional ones. */
 static bool find_written(struct interp *interp, int mode, int *system)
 {
 	const struct block *block = &interp->block;

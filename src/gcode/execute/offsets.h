@@ -6,13 +6,13 @@
 
 #include "gcode/state.h"
 
-/* G54 to G59.3 of the block; nothing without one. */
+/* Selects the work offset that the block names, if it names one. */
 bool offsets_select(struct interp *interp);
 
-/* G10: L2 and L20; the tool table's forms are g10_tool_table.h. */
+/* Carries out G10 L2 and L20; g10_tool_table.h does what writes the tool table. */
 bool offsets_set(struct interp *interp);
 
-/* G52, G92, G92.1, G92.2, G92.3. */
+/* Carries out G52, G92, G92.1, G92.2 and G92.3. */
 bool offsets_shift(struct interp *interp);
 
 #endif

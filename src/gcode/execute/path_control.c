@@ -1,8 +1,8 @@
 #include "gcode/execute/path_control.h"
 
 /*
- * AI contour control and its forerunners hold the path within the control's
- * tolerances only: what they leave of it is what a G64 does.
+ * AI contour control and its forerunners keep to the path within the control's
+ * tolerances only, as G64 does.
  */
 static void switch_contour(struct state *state, bool on)
 {
@@ -90,7 +90,7 @@ bool path_control_select(struct interp *interp)
 	case G187:
 		return select_accuracy(interp);
 	default:
-		/* Haas, G103: how far the control reads ahead; what depends on that cannot be read here at all. */
+		/* Haas, G103: how many blocks the control reads ahead. No program that depends on that can be read. */
 		return !block_has(&interp->block, 'P') || block_integer(&interp->block, &interp->at, 'P', 0, 15, &p);
 	}
 }

@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* Such a code of the block; nothing without one. False: reported. */
+/* Carries out such a code of the block, if it has one. False: reported. */
 bool path_control_select(struct interp *interp);
 
 #endif

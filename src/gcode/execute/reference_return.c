@@ -20,8 +20,8 @@ static bool is_named(const struct interp *interp, int slot)
 }
 
 /*
- * To a place of the machine with the axes marked: one after another as the
- * place orders them, then those that it does not order, together.
+ * Moves the marked axes to a place of the machine: first one after another in
+ * the order of the place, then those without an order, together.
  */
 static bool go_to_place(struct interp *interp, const struct control_place *place, const slot_values *values,
 			const bool moves[SLOT_COUNT], int column)
@@ -99,8 +99,8 @@ static bool go_on_the_way(struct interp *interp)
 
 /*
  * LinuxCNC's manual, "G28, G28.1"; Fanuc 30i-B operator's manual, reference
- * position return; Haas, G28: by way of the point that the axis words name,
- * which is a rapid of its own, and on with these axes, or with all.
+ * position return; Haas, G28: one rapid to the point that the axis words name,
+ * then the named axes go on to the reference position, or all axes if none is named.
  */
 bool reference_return_go(struct interp *interp)
 {

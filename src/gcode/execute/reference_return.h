@@ -10,7 +10,7 @@
 bool reference_return_go(struct interp *interp);
 bool reference_return_remember(struct interp *interp);
 
-/* Before the tool of M6 is in the spindle: to where the machine changes it, if the configuration says so. */
+/* Moves the axes to the place where the machine changes the tool, if the configuration names one. */
 bool reference_return_change_tool(struct interp *interp);
 
 #endif

@@ -14,7 +14,7 @@
 slot_values rotated_frame_straight(const struct state *state);
 slot_values rotated_frame_position(const struct state *state, const slot_values *straight);
 
-/* A point and a direction, both of X Y Z, in straight coordinates, as the controller has them. */
+/* The controller's coordinates of a point and of a direction of X Y Z that are given in straight coordinates. */
 vec3 rotated_frame_point(const struct state *state, vec3 straight);
 vec3 rotated_frame_direction(const struct state *state, vec3 direction);
 

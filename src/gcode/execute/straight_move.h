@@ -6,7 +6,7 @@
 
 #include "gcode/state.h"
 
-/* False: reported, or the sink wants no more. */
+/* Carries out the block's straight move. False: reported, or the sink wants no more. */
 bool straight_move_run(struct interp *interp);
 
 #endif

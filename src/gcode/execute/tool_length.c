@@ -18,7 +18,7 @@ axis_values tool_length_rotary_zero(const struct interp *interp)
 	return zero;
 }
 
-/* Switches to the source and length and takes over what the sink makes of the position. */
+/* Switches TCP and its length; the kinematics tells what the present position becomes. */
 static bool switch_tcp(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
@@ -122,7 +122,7 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	return true;
 }
 
-/* The number of an entry of the table; 0: H0, or the tool in the spindle, in want of H. */
+/* The number of the length: the H of the block, or what stands for a missing H. 0: H0, or the tool in the spindle. */
 static bool find_length_number(struct interp *interp, int *number)
 {
 	const struct block *block = &interp->block;
@@ -170,7 +170,7 @@ static bool find_length(struct interp *interp, double *length)
 	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
 }
 
-/* TCP and length as they shall be; nothing is said of what is so already. */
+/* Sets TCP and the length, and does nothing if they are so already. */
 static bool put(struct interp *interp, int column, enum tcp_source source, double length)
 {
 	struct state *state = &interp->state;
@@ -183,7 +183,7 @@ static bool put(struct interp *interp, int column, enum tcp_source source, doubl
 	return true;
 }
 
-/* Between TCP going on, if it does, and off: there a change of the length alone changes coordinates. */
+/* If TCP is on before or after, changes the length while it is on: only there does that alone change coordinates. */
 static bool change_length(struct interp *interp, enum tcp_source source, double length, int doubt)
 {
 	struct state *state = &interp->state;

@@ -1,4 +1,4 @@
-/* tool_table.h - lengths and diameters of tools as the control has them: those of the setup, or of the program. */
+/* tool_table.h - the control's lengths and diameters of tools: from the setup, until the program writes others. */
 #ifndef FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 #define FIVECHECK_GCODE_EXECUTE_TOOL_TABLE_H
 
@@ -15,11 +15,11 @@ struct tool_table {
 void tool_table_init(struct tool_table *table, const struct gcode_config *config);
 void tool_table_release(struct tool_table *table);
 
-/* The tool T, the length H, or NULL. */
+/* The entry of tool T, and of length H; NULL: there is none. */
 const struct tool *tool_table_find(const struct tool_table *table, int number);
 const struct length_offset *tool_table_length(const struct tool_table *table, int number);
 
-/* Nothing where the table has no such tool. The length is H of the same number, too. */
+/* These change nothing if the table has no such tool. The length is also that of H with the same number. */
 void tool_table_set_length(struct tool_table *table, int number, double length);
 void tool_table_set_diameter(struct tool_table *table, int number, double diameter);
 

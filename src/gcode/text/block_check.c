@@ -173,7 +173,7 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 	const struct cycle_traits *traits = dialect->traits.cycles;
 	uint32_t used = letter_bit('R');
 
-	/* The cycle itself is refused then, for a better reason. */
+	/* canned_cycle.c refuses the cycle then, with the reason. */
 	if (!traits || !traits->repeat_letter)
 		return bits_of("IJKLPQR");
 	used |= letter_bit(traits->repeat_letter);
@@ -195,7 +195,7 @@ static uint32_t contour_letters(int code)
 			      : letter_bit('P');
 }
 
-/* What G10 sets; the words of lathe tools as well: execute/g10_tool_table.c says that they are not supported. */
+/* What G10 sets, with the words of lathe tools, which execute/g10_tool_table.c refuses. */
 static uint32_t data_letters(const struct block *block, const struct dialect *dialect)
 {
 	uint32_t used = letter_bit('L') | letter_bit('P') | letter_bit('R');
@@ -264,7 +264,7 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('D') | letter_bit('L');
 	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
 		used |= letter_bit('P');
-	/* Those of the forms that are not supported as well: execute/coordinate_rotation.c says so. */
+	/* With those of the forms that execute/coordinate_rotation.c refuses. */
 	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_ROTATION] == G68_2)
@@ -298,7 +298,7 @@ static bool check_call(struct block *block, const struct line_place *at, const s
 	return true;
 }
 
-/* Its axis words would name the axes whose mirror image ends, and move nothing. */
+/* Axis words of such a code name the axes that are no longer mirrored or scaled, and move nothing. */
 static bool check_idle(const struct block *block, const struct line_place *at)
 {
 	if (block->idle == CODE_NONE || !(block->letters & AXIS_BITS))

@@ -1,4 +1,4 @@
-/* comp_corner.h - where compensated ways meet at a corner: plane geometry. */
+/* comp_corner.h - where two compensated paths cross at an inside corner: plane geometry. */
 #ifndef FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_CORNER_H
 #define FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_CORNER_H
 
@@ -6,7 +6,7 @@
 
 #include "gcode/execute/arc.h"
 
-/* A way of the tool's centre: a line by a point and its direction (unit), or a circle. */
+/* A path of the tool's centre: a line through a point with a direction (unit), or a circle. */
 struct comp_way {
 	bool is_arc;
 	struct plane_point point, direction;

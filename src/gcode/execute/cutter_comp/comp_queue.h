@@ -1,4 +1,4 @@
-/* comp_queue.h - moves under cutter compensation that wait for the next corner to tell where they end. */
+/* comp_queue.h - moves under cutter compensation that wait until the next corner determines where they end. */
 #ifndef FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_QUEUE_H
 #define FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_QUEUE_H
 
@@ -18,8 +18,8 @@ enum comp_item_kind {
 struct comp_item {
 	enum comp_item_kind kind;
 	struct canon_move move;
-	struct plane_point end;	/* LINE, ARC: of the move, which has it only once it is settled */
-	struct plane_point direction;	/* LINE: of the programmed way; 0 where it leaves the plane's axes alone */
+	struct plane_point end;	/* LINE, ARC: where the move ends; comp_queue_settle writes it into the move */
+	struct plane_point direction;	/* LINE: of the programmed path; 0 if it does not move in the plane */
 	struct plane_point centre;	/* ARC */
 	bool clockwise;
 	int turns;
@@ -42,8 +42,8 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item);
 enum comp_end { COMP_END_GOOD, COMP_END_BEFORE_START, COMP_END_PAST_ARC, COMP_END_OFF_ARC };
 
 /*
- * Ends every move of the queue at a point of the plane; `slack` radians may an
- * arc turn too far. On a fault *faulty is the move that cannot be made.
+ * Ends every move of the queue at a point of the plane. An arc may turn `slack`
+ * radians too far. On a fault *faulty is the move that cannot be made.
  */
 enum comp_end comp_queue_end_at(struct comp_queue *queue, struct plane_point end, double slack,
 				const struct comp_item **faulty);

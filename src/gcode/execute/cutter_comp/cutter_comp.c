@@ -9,12 +9,12 @@
 #include "gcode/execute/cutter_comp/comp_corner.h"
 #include "gcode/execute/motion_commands.h"
 
-/* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; within it a way goes straight on. */
+/* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; a path that turns less goes straight on. */
 #define STRAIGHT_ON 0.05
 
 /*
- * A sweep may be trimmed to more than programmed by so much: LinuxCNC's figures for
- * mm and inches, taken for radians.
+ * Radians: how much farther than programmed a trimmed arc may turn. LinuxCNC uses
+ * its figures for mm and inches as radians.
  */
 #define SLACK_MM 0.0254
 #define SLACK_INCH 0.001
@@ -39,7 +39,7 @@ static struct plane_point point_of(const struct interp *interp, const slot_value
 	return (struct plane_point){values->v[slot_a(interp)], values->v[slot_b(interp)]};
 }
 
-/* A point beside `from`, so far away at this angle. */
+/* The point at this distance and angle from `from`. */
 static struct plane_point beside(struct plane_point from, double distance, double angle)
 {
 	return (struct plane_point){from.a + distance * cos(angle), from.b + distance * sin(angle)};
@@ -62,7 +62,7 @@ static bool tell_item(struct interp *interp, const struct comp_item *item)
 	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
 }
 
-/* Everything that waits, as its ends are now; the next move starts at `start`. */
+/* Sends everything that waits, with its present ends; the next move starts at `start`. */
 static bool send_all(struct interp *interp, struct plane_point start)
 {
 	struct comp_queue queue = interp->comp.queue;
@@ -94,7 +94,7 @@ static bool fault_of_end(struct interp *interp, enum comp_end end, const struct 
 		     what, item->move.line, interp->comp.radius);
 }
 
-/* Everything that waits ends at this point. */
+/* Ends everything that waits at this point and sends it. */
 static bool send_to(struct interp *interp, struct plane_point end)
 {
 	double slack = interp->state.scale > 1 ? SLACK_INCH : SLACK_MM;
@@ -106,7 +106,7 @@ static bool send_to(struct interp *interp, struct plane_point end)
 	return send_all(interp, end);
 }
 
-/* Fills in what the block says of a move, and its end on the axes off the plane. */
+/* Fills in what the block says about a move, and its end on the axes off the plane. */
 static struct canon_move complete(struct interp *interp, const struct canon_move *move, const slot_values *target)
 {
 	struct canon_move full = *move;
@@ -117,7 +117,7 @@ static struct canon_move complete(struct interp *interp, const struct canon_move
 	return full;
 }
 
-/* Programmed position: the axes off the plane are really there. */
+/* Takes the programmed position as the present one; only the axes off the plane are really there. */
 static void arrive(struct interp *interp, const slot_values *target, struct plane_point current)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -138,7 +138,7 @@ static bool add_line(struct interp *interp, const slot_values *target, const str
 	return true;
 }
 
-/* The centre as the move needs it: at the height of its start. */
+/* The arc as a canonical move has it: the centre at the height of the start. */
 static struct canon_arc space_arc(const struct interp *interp, struct plane_point centre)
 {
 	double xyz[3] = {0};
@@ -150,7 +150,7 @@ static struct canon_arc space_arc(const struct interp *interp, struct plane_poin
 				  .normal = interp->state.plane == G18 ? (vec3){0, 1, 0} : (vec3){0, 0, 1}};
 }
 
-/* The same for an arc, whose item has its centre, direction and turns already. */
+/* add_line for an arc; the item has its centre, direction and turns already. */
 static bool add_arc(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		    struct comp_item *item)
 {
@@ -163,7 +163,7 @@ static bool add_arc(struct interp *interp, const slot_values *target, const stru
 
 /* ---------------------------------------------------------------- corners */
 
-/* The way of the plane move that waits; false: none does. */
+/* The path of the move that waits; false: none waits. */
 static bool way_before(const struct interp *interp, struct plane_point corner, struct comp_way *way)
 {
 	const struct comp_queue *queue = &interp->comp.queue;
@@ -173,7 +173,7 @@ static bool way_before(const struct interp *interp, struct plane_point corner, s
 	if (queue->count == 0)
 		return false;
 	*way = (struct comp_way){.point = current};
-	/* The tool stands beside the corner; a quarter turn from there goes the way. */
+	/* The path is perpendicular to the line from the corner to the tool beside it. */
 	way->direction =
 	    (struct plane_point){side * (current.b - corner.b) / radius, -side * (current.a - corner.a) / radius};
 	if (queue->items[0].kind != COMP_ARC)
@@ -189,8 +189,8 @@ static bool way_before(const struct interp *interp, struct plane_point corner, s
 enum corner { CORNER_STRAIGHT_ON, CORNER_OUTSIDE, CORNER_INSIDE };
 
 /*
- * How the way turns from the present direction to `angle`: beta, -90 to 270 degrees, is
- * positive where the tool goes round the corner. A reversal is an outside
+ * How the path turns from the present direction to `angle`: beta, -90 to 270 degrees,
+ * is positive where the tool goes round the corner. A reversal is an outside
  * corner, unless it is the point of an arc that the tool follows outside.
  */
 static enum corner turn_at(const struct interp *interp, struct plane_point corner, double angle, bool pointed,
@@ -210,7 +210,7 @@ static enum corner turn_at(const struct interp *interp, struct plane_point corne
 	return beta > STRAIGHT_ON ? CORNER_OUTSIDE : CORNER_STRAIGHT_ON;
 }
 
-/* Cuts the ways off where they cross. */
+/* Ends the path before where the path after crosses it. */
 static bool meet(struct interp *interp, struct plane_point corner, const struct comp_way *after)
 {
 	int column = block_motion_column(&interp->block);
@@ -229,7 +229,7 @@ static bool meet(struct interp *interp, struct plane_point corner, const struct 
 	return send_to(interp, end);
 }
 
-/* Round the corner, at the height where the tool is; a rapid cuts straight across. */
+/* Goes round the corner at the present height; a rapid goes straight across. */
 static bool go_round(struct interp *interp, struct plane_point corner, struct plane_point end,
 		     const slot_values *target, const struct canon_move *move)
 {
@@ -247,7 +247,7 @@ static bool go_round(struct interp *interp, struct plane_point corner, struct pl
 	}
 	if (!good || !send_all(interp, end))
 		return false;
-	/* Where the axes off the plane go, they are already there. */
+	/* These axes are taken to their end already. */
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
 		state_set_position(&interp->state, slot, target->v[slot]);
 	return true;
@@ -303,8 +303,8 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 }
 
 /*
- * The tool leaves its point for the end beside the programmed end, in the
- * direction of the programmed arc there: another radius and centre.
+ * The tool moves from its point to the side of the programmed end, where it has the
+ * direction of the programmed arc: an arc with another radius and centre.
  */
 static bool enter_by_arc(struct interp *interp, const slot_values *target, struct comp_item *item, double aside,
 			 struct canon_move *move)

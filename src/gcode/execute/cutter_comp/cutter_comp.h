@@ -8,34 +8,34 @@
 
 /*
  * LinuxCNC's manual, "Cutter Compensation", and its 2.9 interpreter: the first
- * move leads beside the path, outside corners are rounded, at inside ones the
- * ways are cut off where they cross. The end of a move is known only with the
- * next one: moves wait, and the ends of their blocks with them. While
- * compensation is on, state.position is the programmed point.
+ * move leads to the side of the path, outside corners are rounded, and at
+ * inside corners the two paths end where they cross. The end of a move is known
+ * only when the next one is read, so moves and the ends of their blocks wait in
+ * comp_queue. While compensation is on, state.position is the programmed point.
  */
 
-/* Before anything else of the block, and after G40 to G42: what compensation forbids. */
+/* Refuse what compensation forbids: call one before anything else of the block, one after G40 to G42. */
 bool cutter_comp_start_block(struct interp *interp);
 bool cutter_comp_check_block(struct interp *interp);
 
-/* G40, G41, G41.1, G42, G42.1 of the block; nothing without one. */
+/* Carries out the block's G40, G41, G41.1, G42 or G42.1, if it has one. */
 bool cutter_comp_select(struct interp *interp);
 
-/* The block's G41 or G42: the side and the radius, checked; the entry is made by the next move. */
+/* Checks the block's G41 or G42 and takes its side and radius; the next move is the entry. */
 bool cutter_comp_switch_on(struct interp *interp);
 
-/* Moves are to be made by cutter_comp_line and cutter_comp_arc. */
+/* Is it on? Then cutter_comp_line and cutter_comp_arc make the moves. */
 bool cutter_comp_is_on(const struct interp *interp);
 
-/* To the programmed position; of an arc the programmed centre and its turns. */
+/* Move to the programmed position; an arc has its programmed centre and its full turns, from 1. */
 bool cutter_comp_line(struct interp *interp, const slot_values *target, struct canon_move *move);
 bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct plane_point centre, int turns,
 		     struct canon_move *move);
 
-/* Tells the sink that the block is carried out, once its moves are. */
+/* Tells the sink that the block is complete, after those of its moves that wait. */
 bool cutter_comp_end_block(struct interp *interp);
 
-/* The program stops here: what waits ends where it stands. */
+/* The program stops here: the moves that wait end where they are. */
 bool cutter_comp_stop(struct interp *interp);
 
 #endif
