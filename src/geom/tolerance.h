@@ -40,6 +40,12 @@
 /* mm: what a setup file gives twice (a tool's length and its sections) must agree to this. Files have 3 to 6 decimals. */
 #define TOOL_SUM_TOLERANCE 1e-6
 
+/*
+ * Seconds a second: axes of a dogleg that arrive within this share of the time arrive together. Rounding leaves
+ * some 1e-16 of it; a leg that is shorter than this moves nothing that could be seen.
+ */
+#define ARRIVAL_ROUNDING 1e-12
+
 /* Sine of the angle between directions below which they count as parallel: rounding leaves some 1e-16 of it. */
 #define PARALLEL_SINE 1e-12
 

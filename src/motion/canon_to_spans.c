@@ -5,9 +5,11 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
-#include "motion/table_point.h"
+#include "motion/blend.h"
+#include "motion/dogleg.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
+#include "motion/table_point.h"
 #include "motion/timing.h"
 
 /*
@@ -27,11 +29,14 @@
 #define LONGEST 1e9
 
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
-		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name)
+			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name)
 {
-	*converter = (struct canon_to_spans){.machine = machine, .options = options, .sink = sink, .diag = diag, .name = name,
-				.position = machine_home(machine)};
+	*converter = (struct canon_to_spans){.machine = machine,
+					     .flatness = flatness,
+					     .sink = sink,
+					     .diag = diag,
+					     .name = name,
+					     .position = machine_home(machine)};
 	converter->controller = converter->position;
 	converter->tool = setup ? setup->initial_tool : 0;
 }
@@ -157,56 +162,11 @@ static void set_path(struct path *path, const struct canon_to_spans *converter, 
 	path->tcp = path->kind == PATH_TCP ? &converter->tcp : NULL;
 }
 
-/* When each axis of a dogleg arrives, and the next arrival after `time`; INFINITY if there is none. */
-static double next_arrival(const struct machine *machine, const struct path *path, double time,
-			   double arrivals[SLOT_COUNT])
-{
-	double next = INFINITY;
-
-	for (size_t i = 0; i < machine->axis_count; i++) {
-		const struct axis *axis = &machine->axes[i];
-		double at = fabs(path->end.v[axis->slot] - path->start.v[axis->slot]) / axis->rate_max;
-
-		arrivals[axis->slot] = at;
-		/* Axes that arrive together but for rounding arrive together. */
-		if (at > time * (1 + 1e-12))
-			next = fmin(next, at);
-	}
-	return next;
-}
-
 /* A path of a move, and the span that is the whole of it. */
 struct leg {
 	struct path path;
 	struct span span;
 };
-
-/* Each axis goes at its own rate until it is there: a straight leg from arrival to arrival. */
-static size_t split_dogleg(const struct machine *machine, const struct path *path, struct leg legs[SLOT_COUNT])
-{
-	double arrivals[SLOT_COUNT] = {0}, time = 0, next;
-	axis_values at = path->start;
-	size_t count = 0;
-
-	while ((next = next_arrival(machine, path, time, arrivals)) < INFINITY) {
-		struct leg *leg = &legs[count++];
-
-		leg->path = *path;
-		leg->path.start = at;
-		for (int slot = 0; slot < SLOT_COUNT; slot++) {
-			double way = path->end.v[slot] - path->start.v[slot];
-
-			at.v[slot] = path->end.v[slot];
-			if (arrivals[slot] > next * (1 + 1e-12))
-				at.v[slot] = path->start.v[slot] + way * (next / arrivals[slot]);
-		}
-		leg->path.end = at;
-		leg->path.seconds = next - time;
-		span_init(&leg->span, &leg->path);
-		time = next;
-	}
-	return count;
-}
 
 /* -------------------------------------------------------------- one move */
 
@@ -229,7 +189,7 @@ static bool is_countable(const struct canon_to_spans *converter, const struct ca
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		most = fmax(most, bend.v[slot]);
-	if (sqrt(most / (8 * converter->options->flatness)) <= MOST_PIECES)
+	if (sqrt(most / (8 * converter->flatness)) <= MOST_PIECES)
 		return true;
 	diag_error(converter->diag, place(converter, move),
 		   "this move would take more than %g straight pieces; give it fewer turns", MOST_PIECES);
@@ -252,7 +212,7 @@ static bool swing_out(const struct run *run, struct path *guided, const struct p
 	span_init(&whole, guided);
 	if (!span_is_flat(&whole, CURVED) && !is_countable(converter, run->move, guided))
 		return false;
-	span_walk_init(&walk, &whole, converter->options->flatness);
+	span_walk_init(&walk, &whole, converter->flatness);
 	while (span_walk_next(&walk, &piece)) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.deviation.v[slot];
@@ -280,9 +240,13 @@ static bool set_legs(struct run *run)
 	if (!moving_axes(path) && !(path->circular && path_length(path) > 0))
 		return true;
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
-		const struct path whole = *path;
+		struct path parts[SLOT_COUNT];
 
-		run->count = split_dogleg(machine, &whole, run->legs);
+		run->count = dogleg_split(machine, path, parts);
+		for (size_t i = 0; i < run->count; i++) {
+			run->legs[i].path = parts[i];
+			span_init(&run->legs[i].span, &run->legs[i].path);
+		}
 		return true;
 	}
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, &guided, path, &run->swing))
@@ -294,31 +258,9 @@ static bool set_legs(struct run *run)
 		return false;
 	if (move->kind != CANON_RAPID)
 		seconds = timing_programmed(path, &move->feed);
-	leg->path.seconds = timing_held(machine, &leg->span, converter->options->flatness, seconds);
+	leg->path.seconds = timing_held(machine, &leg->span, converter->flatness, seconds);
 	run->count = 1;
 	return is_bearable(converter, move, leg->path.seconds);
-}
-
-/*
- * How far the control may leave the path. The P of G64 counts if there is one;
- * else the machine file's path_tolerance, with or without a G64: controls blend
- * from the start, until G61, and a move that is not marked as blended may just
- * not have been preceded by either. P is a length: rotary axes take the machine
- * file's degrees, or in want of them P as degrees.
- */
-static axis_values blend_tolerance(const struct canon_to_spans *converter, const struct canon_move *move)
-{
-	double own = converter->machine->controller.path_tolerance;
-	double programmed = move->blend ? move->blend_tolerance : 0;
-	double linear = programmed > 0 ? programmed : own, rotary = radians(own > 0 ? own : programmed);
-	axis_values tolerance = {{0}};
-
-	for (size_t i = 0; i < converter->machine->axis_count; i++) {
-		const struct axis *axis = &converter->machine->axes[i];
-
-		tolerance.v[axis->slot] = axis->rotary ? rotary : linear;
-	}
-	return tolerance;
 }
 
 static bool report_crossing(struct run *run, const struct path *path, double before,
@@ -377,7 +319,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
 			   : run->move->spindle_turns	? STEP_FEED_TURNING
 							: STEP_FEED_STANDING;
-	span_walk_init(&walk, &leg->span, converter->options->flatness);
+	span_walk_init(&walk, &leg->span, converter->flatness);
 	while (span_walk_next(&walk, &step->span)) {
 		step->time = converter->time + step->span.u0 * seconds;
 		step->block_time = converter->block_time + step->span.u0 * seconds;
@@ -406,11 +348,11 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		return false;
 	if (!run.count)
 		return true;
-	run.tolerance = blend_tolerance(converter, move);
+	run.tolerance = blend_path_tolerance(converter->machine, move);
 	if (run.legs[0].path.kind == PATH_BOX && move->tcp)
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
 			run.tolerance.v[slot] += run.swing.v[slot];
-	if (move->blend && !(move->blend_tolerance > 0) && !(converter->machine->controller.path_tolerance > 0))
+	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;
 	if (!report_limits(&run))

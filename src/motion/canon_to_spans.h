@@ -6,12 +6,15 @@
 
 #include "gcode/canon.h"
 #include "gcode/kinematics.h"
-#include "motion/motion.h"
+#include "machine/machine.h"
+#include "machine/setup.h"
+#include "motion/events.h"
+#include "motion/tcp.h"
 
 /* Plain data; owns nothing. */
 struct canon_to_spans {
 	const struct machine *machine;
-	const struct motion_options *options;
+	double flatness;	/* mm: no axis of a span's chord deviates by more */
 	const struct motion_sink *sink;
 	struct diag *diag;
 	const char *name;	/* of the program, for messages */
@@ -26,8 +29,7 @@ struct canon_to_spans {
 
 /* Stands at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
-		const struct motion_options *options, const struct motion_sink *sink, struct diag *diag,
-		const char *name);
+			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name);
 
 /* The callback of a canon_sink whose context is a struct canon_to_spans. */
 bool canon_to_spans_event(void *context, const struct canon_event *event);

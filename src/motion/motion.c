@@ -64,7 +64,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 	struct kinematics kinematics;
 	bool ok;
 
-	canon_to_spans_init(&run.converter, machine, setup, options, sink, diag, name);
+	canon_to_spans_init(&run.converter, machine, setup, options->flatness, sink, diag, name);
 	kinematics = canon_to_spans_kinematics(&run.converter);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);

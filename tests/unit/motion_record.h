@@ -12,7 +12,7 @@
 /* Everything that a run sent. Steps beyond the array are counted, not kept. */
 struct record {
 	struct rig_messages messages;
-	struct motion_options options;
+	double flatness;
 	struct motion_sink sink;
 	struct canon_to_spans converter;
 	struct motion_step steps[EVENTS];
@@ -106,14 +106,14 @@ static inline void listen(struct record *record)
 {
 	memset(record, 0, sizeof(*record));
 	rig_listen(&record->messages);
-	record->options.flatness = 0.001;
+	record->flatness = 0.001;
 	record->sink = (struct motion_sink){record, on_event};
 }
 
 static inline void start(struct record *record, const struct machine *machine)
 {
 	listen(record);
-	canon_to_spans_init(&record->converter, machine, NULL, &record->options, &record->sink, &record->messages.diag, "part.nc");
+	canon_to_spans_init(&record->converter, machine, NULL, record->flatness, &record->sink, &record->messages.diag, "part.nc");
 	record->last = record->converter.position;
 }
 
