@@ -174,7 +174,7 @@ static bool next_line(struct interp *interp, bool *good)
 }
 
 /* All of the file was read, and nothing in it ended the program: perhaps it was still being written. */
-static void warn_of_missing_end(struct interp *interp, const struct line_reader *reader)
+static void warn_of_missing_end(struct interp *interp, const struct reader *reader)
 {
 	struct srcloc loc = {interp->program.sources.items[0]->name, reader->line, 0};
 
@@ -188,7 +188,7 @@ static void warn_of_missing_end(struct interp *interp, const struct line_reader 
 
 bool interp_run(struct interp *interp, FILE *in, const char *name)
 {
-	struct line_reader *reader;
+	struct reader *reader;
 	bool good = true;
 
 	interp->program.sources.opened = interp->config->read.opened;

@@ -11,17 +11,17 @@
 /* Loops of so many bytes run in the buffer, without the file being read again. */
 #define FILE_KEEP (CHUNK / 2)
 
-void reader_init(struct line_reader *reader, FILE *in)
+void reader_init(struct reader *reader, FILE *in)
 {
 	off_t base = ftello(in);
 
-	*reader = (struct line_reader){.in = in, .base = base};
+	*reader = (struct reader){.in = in, .base = base};
 	reader->keep = base < 0 ? READER_WINDOW : FILE_KEEP;
 	reader->capacity = 2 * reader->keep + CHUNK;
 	reader->buffer = mem_alloc(reader->capacity + 1);
 }
 
-void reader_release(struct line_reader *reader)
+void reader_release(struct reader *reader)
 {
 	free(reader->buffer);
 	reader->buffer = NULL;
@@ -29,7 +29,7 @@ void reader_release(struct line_reader *reader)
 }
 
 /* Makes room for a chunk, if there is none, and reads it; false on a read error. */
-static bool refill(struct line_reader *reader)
+static bool refill(struct reader *reader)
 {
 	size_t drop = 0, want;
 
@@ -60,7 +60,7 @@ static const char *find_byte(const char *p, const char *end, char byte)
 }
 
 /* The first byte at or after `from` that ends a line or must not be there, or reader->end. */
-static size_t find_break(const struct line_reader *reader, size_t from)
+static size_t find_break(const struct reader *reader, size_t from)
 {
 	const char *p = reader->buffer + from, *end = reader->buffer + reader->end;
 
@@ -75,7 +75,7 @@ static size_t find_break(const struct line_reader *reader, size_t from)
 	return (size_t)(p - reader->buffer);
 }
 
-static enum reader_status check_byte_order_mark(struct line_reader *reader)
+static enum reader_status check_byte_order_mark(struct reader *reader)
 {
 	const char *start = reader->buffer + reader->begin;
 	size_t length = reader->end - reader->begin;
@@ -88,7 +88,7 @@ static enum reader_status check_byte_order_mark(struct line_reader *reader)
 }
 
 /* Takes the line that breaks at `at`: *next is where the following one starts. */
-static enum reader_status take_break(struct line_reader *reader, size_t at, size_t *next)
+static enum reader_status take_break(struct reader *reader, size_t at, size_t *next)
 {
 	const char *p = reader->buffer + at;
 	enum line_end style = LINE_END_LF;
@@ -108,7 +108,7 @@ static enum reader_status take_break(struct line_reader *reader, size_t at, size
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
 }
 
-enum reader_status reader_next(struct line_reader *reader, const char **text)
+enum reader_status reader_next(struct reader *reader, const char **text)
 {
 	enum reader_status status = READER_LINE;
 	size_t at, next;
@@ -148,12 +148,12 @@ enum reader_status reader_next(struct line_reader *reader, const char **text)
 	return status;
 }
 
-long long reader_position(const struct line_reader *reader)
+long long reader_position(const struct reader *reader)
 {
 	return reader->origin + (long long)reader->begin;
 }
 
-bool reader_seek(struct line_reader *reader, long long position, long line)
+bool reader_seek(struct reader *reader, long long position, long line)
 {
 	if (position >= reader->origin && position <= reader->origin + (long long)reader->end) {
 		reader->begin = (size_t)(position - reader->origin);

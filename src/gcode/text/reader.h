@@ -24,7 +24,7 @@ enum reader_status {
 
 enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
 
-struct line_reader {
+struct reader {
 	FILE *in;	/* borrowed */
 	char *buffer;	/* owned */
 	size_t capacity, keep;	/* bytes of the buffer; of what is handed out, so many stay in it */
@@ -41,9 +41,9 @@ struct line_reader {
 	long furthest;	/* the greatest such number */
 };
 
-void reader_init(struct line_reader *reader, FILE *in);
+void reader_init(struct reader *reader, FILE *in);
 /* Frees the storage; the line number remains. */
-void reader_release(struct line_reader *reader);
+void reader_release(struct reader *reader);
 
 /*
  * The next line, without its end (LF, CR LF or CR) and ended by a NUL; it
@@ -51,16 +51,16 @@ void reader_release(struct line_reader *reader);
  * of one line, reader->line is that line, and for READER_NUL_BYTE and
  * READER_MIXED_ENDS *text is what precedes the faulty byte.
  */
-enum reader_status reader_next(struct line_reader *reader, const char **text);
+enum reader_status reader_next(struct reader *reader, const char **text);
 
 /* Where the next line starts, for reader_seek. */
-long long reader_position(const struct line_reader *reader);
+long long reader_position(const struct reader *reader);
 
 /*
  * The next line will be that which starts at `position` and has the number
  * `line`. False: the input is a pipe, and the line has left its window, or the
  * file could not be repositioned; nothing has changed.
  */
-bool reader_seek(struct line_reader *reader, long long position, long line);
+bool reader_seek(struct reader *reader, long long position, long line);
 
 #endif

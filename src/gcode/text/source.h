@@ -18,7 +18,7 @@
 struct source {
 	const char *name;	/* as messages call it; one of the names that are kept */
 	FILE *file;	/* to be closed; NULL: borrowed */
-	struct line_reader reader;
+	struct reader reader;
 };
 
 /* The first is the program itself. All zero is none. */

@@ -89,7 +89,7 @@ static bool do_goto(struct interp *interp, struct lexer *lexer)
 	lexer_peek(lexer);
 	column = lexer_column(lexer);
 	return macro_b_expr_integer(lexer, "the block number of GOTO", &number) && end_statement(lexer) &&
-	       macro_b_goto(interp, number, column);
+	       macro_b_seek_goto(interp, number, column);
 }
 
 static bool do_if(struct interp *interp, struct lexer *lexer)
@@ -170,7 +170,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 		return true;
 	call->loop_count--;
 	/* Behind its END: that line would lead back, but for the loop being closed. */
-	if (!macro_b_jump(interp, &call->loops[call->loop_count].end, column))
+	if (!macro_b_seek_jump(interp, &call->loops[call->loop_count].end, column))
 		return false;
 	reader_next(&interp->program.source->reader, &interp->at.text);
 	return true;
@@ -189,7 +189,7 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 		return fault(lexer->at, column, "END%d without its DO%d: a loop cannot be entered but by its DO",
 			     number,
 			     number);
-	return macro_b_jump(interp, &top->start, column);
+	return macro_b_seek_jump(interp, &top->start, column);
 }
 
 /* ---------------------------------------------------------------- the line */
@@ -293,7 +293,7 @@ static bool do_conditional_m99(struct interp *interp, struct lexer *lexer)
 	lexer_peek(lexer);
 	column = lexer_column(lexer);
 	return macro_b_expr_integer(lexer, "the block number of M99", &number) && end_statement(lexer) &&
-	       (!holds || macro_b_goto(interp, number, column));
+	       (!holds || macro_b_seek_goto(interp, number, column));
 }
 
 static bool do_statement(struct interp *interp, struct lexer *lexer, bool *done)

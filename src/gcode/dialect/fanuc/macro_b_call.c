@@ -49,7 +49,7 @@ static bool enter(struct interp *interp, enum macro_b_call_kind kind, int number
 	*call = (struct macro_b_call){.kind = kind, .number = number, .program = program, .entry = *entry, .back = back,
 				    .left = repeats - 1, .file = interp->at.file, .line = interp->at.line,
 				    .column = column};
-	return macro_b_jump(interp, entry, column);
+	return macro_b_seek_jump(interp, entry, column);
 }
 
 static bool leave(struct interp *interp, int column)
@@ -60,12 +60,12 @@ static bool leave(struct interp *interp, int column)
 	if (call->left > 0) {
 		call->left--;
 		call->loop_count = 0;
-		return macro_b_jump(interp, &call->entry, column);
+		return macro_b_seek_jump(interp, &call->entry, column);
 	}
 	macro->level--;
 	macro->macro_calls -= is_macro_call(call->kind);
 	macro->vars.level -= is_macro_call(call->kind);
-	return macro_b_jump(interp, &call->back, column);
+	return macro_b_seek_jump(interp, &call->back, column);
 }
 
 /* --------------------------------------------------------------- arguments */
@@ -345,12 +345,12 @@ static bool do_m99(struct interp *interp, int column)
 	if (!block_integer(block, &interp->at, 'P', 1, 99999999, &number))
 		return false;
 	if (macro_b_of(interp)->level == 0 || macro_b_of(interp)->rules->m99_own_block)
-		return macro_b_goto(interp, number, p);
+		return macro_b_seek_goto(interp, number, p);
 	if (call->left > 0)
 		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");
 	if (call->kind == MACRO_B_G66)
 		return fault(&interp->at, p, "M99 P of a macro that G66 calls is not supported yet");
-	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) && macro_b_jump(interp, &target, p);
+	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) && macro_b_seek_jump(interp, &target, p);
 }
 
 bool macro_b_call_after_block(struct interp *interp)

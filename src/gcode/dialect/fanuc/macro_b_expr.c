@@ -10,7 +10,7 @@
 #include "gcode/text/number.h"
 
 /* The context of an expression. */
-struct reader {
+struct macro_reader {
 	struct interp *interp;
 	const struct macro_b_rules *rules;
 	bool argument;	/* of a macro call */
@@ -23,9 +23,9 @@ static bool is_digit(char byte)
 }
 
 /* The expression at the lexer's position. */
-static struct expr begin(struct reader *reader, struct lexer *lexer)
+static struct expr begin(struct macro_reader *reader, struct lexer *lexer)
 {
-	*reader = (struct reader){.interp = lexer->context, .rules = macro_b_of(lexer->context)->rules, .steps = 1};
+	*reader = (struct macro_reader){.interp = lexer->context, .rules = macro_b_of(lexer->context)->rules, .steps = 1};
 	return (struct expr){.lexer = lexer, .rules = reader->rules->expr, .context = reader};
 }
 
@@ -58,7 +58,7 @@ static bool read_variable_number(struct expr *expr, int *number)
 		lexer->position = position;
 		break;
 	}
-	if (isnan(operand.number) || operand.number < 0 || !macro_b_is_whole(operand.number))
+	if (isnan(operand.number) || operand.number < 0 || !macro_b_operators_is_whole(operand.number))
 		return fault(lexer->at, column, "# needs a whole number that is not negative");
 	*number = (int)operand.number;
 	return true;
@@ -66,7 +66,7 @@ static bool read_variable_number(struct expr *expr, int *number)
 
 bool macro_b_expr_variable(struct expr *expr, struct expr_operand *value)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 	int column = lexer_column(expr->lexer), number;
 
 	return read_variable_number(expr, &number) &&
@@ -78,9 +78,9 @@ bool macro_b_expr_variable(struct expr *expr, struct expr_operand *value)
 bool macro_b_expr_apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,
 			struct expr_operand *right)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 
-	return macro_b_operate(reader->rules, expr->lexer->at, column, operator->operation, left, right);
+	return macro_b_operators_apply(reader->rules, expr->lexer->at, column, operator->operation, left, right);
 }
 
 /* FIX towards zero, FUP away from it (B-63944EN, rounding up and down to an integer; Haas, FIX: truncates). */
@@ -88,7 +88,7 @@ static bool compute_fix(const struct line_place *at, int column, const struct fu
 {
 	double nearest = round(*value);
 
-	if (macro_b_nearly_equal(*value, nearest))
+	if (macro_b_operators_nearly_equal(*value, nearest))
 		return fault(at, column,
 			     "%s of a number that differs from %.15g by %.2g only, less than a control computes with",
 			     function->upper, nearest, fabs(*value - nearest));
@@ -102,7 +102,7 @@ static bool compute_fix(const struct line_place *at, int column, const struct fu
 /* To a whole number, or behind an address to its increment (B-63944EN, ROUND function; Haas, ROUND). */
 static bool compute_round(struct expr *expr, int column, double *value)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 	double scaled;
 
 	if (reader->argument)
@@ -122,7 +122,7 @@ static bool compute_round(struct expr *expr, int column, double *value)
  */
 static void wrap_angle(struct expr *expr, int column, double *value)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 	struct macro_b *macro = macro_b_of(reader->interp);
 
 	if (!reader->rules->angle_by_nat || !(*value < 0))
@@ -139,7 +139,7 @@ static void wrap_angle(struct expr *expr, int column, double *value)
 /* Behind ATAN[...]: "/[b]", where *given is set. */
 static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *given)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 	struct lexer *lexer = expr->lexer;
 	int column;
 
@@ -161,7 +161,7 @@ static bool read_divisor(struct expr *expr, struct expr_operand *second, bool *g
 /* ATAN[a]/[b] and ATAN[a,b]; ATAN[a] is that of a and 1. */
 static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand *value)
 {
-	const struct reader *reader = expr->context;
+	const struct macro_reader *reader = expr->context;
 	const struct line_place *at = expr->lexer->at;
 	struct expr_operand second = {1, false};
 	bool pair;
@@ -176,8 +176,8 @@ static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand 
 	}
 	if (!expr_close(expr) || (!pair && !read_divisor(expr, &second, &pair)))
 		return false;
-	if (!macro_b_fill_operand(reader->rules, at, column, value) ||
-	    !macro_b_fill_operand(reader->rules, at, column, &second))
+	if (!macro_b_operators_fill(reader->rules, at, column, value) ||
+	    !macro_b_operators_fill(reader->rules, at, column, &second))
 		return false;
 	*value = (struct expr_operand){function_arc_tangent(value->number, second.number), false};
 	if (pair)
@@ -188,14 +188,14 @@ static bool read_arc_tangent(struct expr *expr, int column, struct expr_operand 
 bool macro_b_expr_function(struct expr *expr, int column, const struct function_name *function,
 			   struct expr_operand *value)
 {
-	const struct macro_b_rules *rules = ((const struct reader *)expr->context)->rules;
+	const struct macro_b_rules *rules = ((const struct macro_reader *)expr->context)->rules;
 	const struct line_place *at = expr->lexer->at;
 
 	if (function->refused)
 		return fault(at, column, "%s has no function %s", rules->control, function->upper);
 	if (function->function == FUNCTION_ATAN)
 		return read_arc_tangent(expr, column, value);
-	if (!expr_bracket(expr, function->upper, value) || !macro_b_fill_operand(rules, at, column, value))
+	if (!expr_bracket(expr, function->upper, value) || !macro_b_operators_fill(rules, at, column, value))
 		return false;
 	if (!rules->truth_is_number && value->truth)
 		return fault(at, column, "the result of a comparison is no number here");
@@ -237,7 +237,7 @@ static bool fault_truth(const struct lexer *lexer, int column)
 /* The value behind the address word->letter: #1, -#1, [#1+2]. */
 static enum lexer_result read_word(struct lexer *lexer, struct word *word, bool argument)
 {
-	struct reader reader;
+	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 	double steps = argument ? 0 : steps_of(reader.interp, word->letter);
 	int column = expr_column(lexer);
@@ -288,7 +288,7 @@ const struct lexer_rules macro_b_argument_rules = {
 
 bool macro_b_expr_variable_number(struct lexer *lexer, int *number)
 {
-	struct reader reader;
+	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 
 	return read_variable_number(&expr, number);
@@ -296,7 +296,7 @@ bool macro_b_expr_variable_number(struct lexer *lexer, int *number)
 
 bool macro_b_expr_sum(struct lexer *lexer, double *value)
 {
-	struct reader reader;
+	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 	int column = expr_column(lexer);
 	struct expr_operand operand;
@@ -311,7 +311,7 @@ bool macro_b_expr_sum(struct lexer *lexer, double *value)
 
 bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true)
 {
-	struct reader reader;
+	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 	int column = expr_column(lexer);
 	struct expr_operand operand;
@@ -320,7 +320,7 @@ bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true
 		return false;
 	if (!reader.rules->truth_is_number && !operand.truth)
 		return fault(lexer->at, column, "%s needs a comparison: EQ, NE, GT, GE, LT or LE", what);
-	if (!macro_b_fill_operand(reader.rules, lexer->at, column, &operand))
+	if (!macro_b_operators_fill(reader.rules, lexer->at, column, &operand))
 		return false;
 	*is_true = fpclassify(operand.number) != FP_ZERO;
 	return true;
@@ -328,14 +328,14 @@ bool macro_b_expr_condition(struct lexer *lexer, const char *what, bool *is_true
 
 bool macro_b_expr_integer(struct lexer *lexer, const char *what, int *value)
 {
-	struct reader reader;
+	struct macro_reader reader;
 	struct expr expr = begin(&reader, lexer);
 	int column = expr_column(lexer);
 	struct expr_operand operand;
 
 	if (!expr_value(&expr, &operand))
 		return false;
-	if (isnan(operand.number) || operand.number < 0 || !macro_b_is_whole(operand.number))
+	if (isnan(operand.number) || operand.number < 0 || !macro_b_operators_is_whole(operand.number))
 		return fault(lexer->at, column, "%s must be a whole number that is not negative", what);
 	*value = (int)operand.number;
 	return true;

@@ -12,7 +12,7 @@
 #define LARGEST_WHOLE 2147483647.0
 
 /* A vacant operand counts as 0 (B-63944EN, undefined variable); what Haas makes of one is not in its manual. */
-bool macro_b_fill_operand(const struct macro_b_rules *rules, const struct line_place *at, int column,
+bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
 			  struct expr_operand *value)
 {
 	if (!isnan(value->number))
@@ -25,7 +25,7 @@ bool macro_b_fill_operand(const struct macro_b_rules *rules, const struct line_p
 	return true;
 }
 
-bool macro_b_nearly_equal(double left, double right)
+bool macro_b_operators_nearly_equal(double left, double right)
 {
 	double most = fmax(1, fmax(fabs(left), fabs(right))), difference = fabs(left - right);
 
@@ -63,9 +63,9 @@ static bool compare(const struct macro_b_rules *rules, const struct line_place *
 		*left = (struct expr_operand){(vacant == other) == (operation == EXPR_EQ), true};
 		return true;
 	}
-	if (!macro_b_fill_operand(rules, at, column, left) || !macro_b_fill_operand(rules, at, column, right))
+	if (!macro_b_operators_fill(rules, at, column, left) || !macro_b_operators_fill(rules, at, column, right))
 		return false;
-	if (macro_b_nearly_equal(left->number, right->number))
+	if (macro_b_operators_nearly_equal(left->number, right->number))
 		return fault(at, column,
 			     "these numbers differ by %.2g only, less than a control computes with; compare with a "
 			     "margin",
@@ -74,7 +74,7 @@ static bool compare(const struct macro_b_rules *rules, const struct line_place *
 	return true;
 }
 
-bool macro_b_is_whole(double value)
+bool macro_b_operators_is_whole(double value)
 {
 	return fabs(value) <= LARGEST_WHOLE && !(floor(value) < value);
 }
@@ -89,7 +89,7 @@ static bool apply_logic(const struct macro_b_rules *rules, const struct line_pla
 	for (int i = 0; i < 2; i++) {
 		if (rules->logic_truncates)
 			numbers[i] = trunc(numbers[i]);
-		if (numbers[i] < 0 || !macro_b_is_whole(numbers[i]))
+		if (numbers[i] < 0 || !macro_b_operators_is_whole(numbers[i]))
 			return fault(at, column,
 				     "AND, OR and XOR work on whole numbers that are not negative, not on %.15g",
 				     numbers[i]);
@@ -109,7 +109,7 @@ static bool apply_modulo(const struct macro_b_rules *rules, const struct line_pl
 {
 	bool negative = right < 0 || (left->number < 0 && !rules->modulo_signed);
 
-	if (negative || !macro_b_is_whole(left->number) || !macro_b_is_whole(right))
+	if (negative || !macro_b_operators_is_whole(left->number) || !macro_b_operators_is_whole(right))
 		return fault(at, column, "MOD of %.15g and %.15g: controls agree on whole numbers only%s",
 			     left->number, right, rules->modulo_signed ? "" : " that are not negative");
 	left->number = fmod(left->number, right);
@@ -145,12 +145,12 @@ static bool apply_arithmetic(const struct macro_b_rules *rules, const struct lin
 	return fault(at, column, "the result is infinite");
 }
 
-bool macro_b_operate(const struct macro_b_rules *rules, const struct line_place *at, int column,
+bool macro_b_operators_apply(const struct macro_b_rules *rules, const struct line_place *at, int column,
 		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right)
 {
 	if (operation <= EXPR_LE)
 		return compare(rules, at, column, operation, left, right);
-	if (!macro_b_fill_operand(rules, at, column, left) || !macro_b_fill_operand(rules, at, column, right))
+	if (!macro_b_operators_fill(rules, at, column, left) || !macro_b_operators_fill(rules, at, column, right))
 		return false;
 	if (operation >= EXPR_AND)
 		return apply_logic(rules, at, column, operation, left, right);

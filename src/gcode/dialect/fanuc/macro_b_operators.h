@@ -8,17 +8,17 @@
 #include "gcode/text/fault.h"
 
 /* *left becomes the result. False: reported at the column. */
-bool macro_b_operate(const struct macro_b_rules *rules, const struct line_place *at, int column,
+bool macro_b_operators_apply(const struct macro_b_rules *rules, const struct line_place *at, int column,
 		     enum expr_operation operation, struct expr_operand *left, struct expr_operand *right);
 
 /* A vacant value becomes 0 where vacant values count; else it is a fault, reported at the column. */
-bool macro_b_fill_operand(const struct macro_b_rules *rules, const struct line_place *at, int column,
+bool macro_b_operators_fill(const struct macro_b_rules *rules, const struct line_place *at, int column,
 			  struct expr_operand *value);
 
 /* Do they differ, but by so little that controls may disagree? */
-bool macro_b_nearly_equal(double left, double right);
+bool macro_b_operators_nearly_equal(double left, double right);
 
 /* A whole number, below 2^31 in size. */
-bool macro_b_is_whole(double value);
+bool macro_b_operators_is_whole(double value);
 
 #endif

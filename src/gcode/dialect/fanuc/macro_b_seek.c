@@ -170,7 +170,7 @@ static void keep_line(struct interp *interp)
 static bool look(struct interp *interp, struct search *search, const struct position *from, long to, int column,
 		 struct position *found)
 {
-	struct line_reader *reader = &from->source->reader;
+	struct reader *reader = &from->source->reader;
 	const struct position next = source_next(from->source);
 	const long long start = reader->start;
 	const char *text;
@@ -279,7 +279,7 @@ static bool seek_forward_first(struct interp *interp, int number, int column, st
 				 : fault(&interp->at, column, "the program has no block N%d", number);
 }
 
-bool macro_b_goto(struct interp *interp, int number, int column)
+bool macro_b_seek_goto(struct interp *interp, int number, int column)
 {
 	const struct position here = source_here(interp->program.source);
 	struct position target;
@@ -290,13 +290,13 @@ bool macro_b_goto(struct interp *interp, int number, int column)
 	if (number == 0)
 		return fault(&interp->at, column, "block numbers start with 1");
 	if (!macro_b_of(interp)->rules->goto_forward_first)
-		return macro_b_seek_only(interp, number, column, &target) && macro_b_jump(interp, &target, column);
+		return macro_b_seek_only(interp, number, column, &target) && macro_b_seek_jump(interp, &target, column);
 	if ((label = remembered(interp, &here, "N", number, key)))
-		return macro_b_jump(interp, &label->at, column);
+		return macro_b_seek_jump(interp, &label->at, column);
 	if (!seek_forward_first(interp, number, column, &target))
 		return false;
 	remember(interp, key, &target);
-	return macro_b_jump(interp, &target, column);
+	return macro_b_seek_jump(interp, &target, column);
 }
 
 bool macro_b_seek_end(struct interp *interp, int number, int column, struct position *found)
@@ -381,7 +381,7 @@ bool macro_b_seek_program(struct interp *interp, int number, int column, struct 
 	return true;
 }
 
-bool macro_b_jump(struct interp *interp, const struct position *to, int column)
+bool macro_b_seek_jump(struct interp *interp, const struct position *to, int column)
 {
 	struct macro_b_call *call = macro_b_call_in_hand(interp);
 

@@ -9,14 +9,14 @@
 struct interp;
 
 /* The next line in hand is the one at `to`; loops that it leaves are closed. False: reported at the column. */
-bool macro_b_jump(struct interp *interp, const struct position *to, int column);
+bool macro_b_seek_jump(struct interp *interp, const struct position *to, int column);
 
 /*
  * To the block N<number> of the program in hand. Fanuc searches forward and then
  * from the start (B-63944EN, unconditional branch); Haas's manual does not say
  * in which order, so that there must be one such block only.
  */
-bool macro_b_goto(struct interp *interp, int number, int column);
+bool macro_b_seek_goto(struct interp *interp, int number, int column);
 
 /* The block N<number> of the program in hand, which must be the only one. */
 bool macro_b_seek_only(struct interp *interp, int number, int column, struct position *found);
