@@ -221,7 +221,7 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 		*skipped = config->read.block_delete;
 		lexer_take(lexer);
 		next = lexer_peek(lexer);
-		/* "/2": one of several switches; here one answers for all. */
+		/* "/2" is one of several switches of the control; here one option stands for all. */
 		if (rules->numbered_switches && next >= '0' && next <= '9') {
 			lexer_take(lexer);
 			next = lexer_peek(lexer);
@@ -243,8 +243,8 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   struct block_cautions *cautions)
 {
-	if (config->dialect->traits.whole_numbers != WHOLE_NUMBERS_INCREMENTS || config->controller.least_input > 0 || cautions->point ||
-	    block->g[G_NONMODAL] == G4)
+	if (config->dialect->traits.whole_numbers != WHOLE_NUMBERS_INCREMENTS ||
+	    config->controller.least_input > 0 || cautions->point || block->g[G_NONMODAL] == G4)
 		return;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
 		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))

@@ -29,7 +29,7 @@ struct block {
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
 };
 
-/* What is said once in a program. */
+/* Warnings that a program gets only once. */
 struct block_cautions {
 	bool duplicate;
 	bool point;
@@ -75,7 +75,7 @@ struct block_rules {
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		const struct block_rules *rules, void *context, struct block_cautions *cautions);
 
-/* What the checks need of the modes in force. */
+/* The modes in force that the checks need. */
 struct block_modes {
 	int motion;	/* CODE_NONE: cancelled */
 	bool incremental;

@@ -6,7 +6,7 @@
 
 #include "base/diag.h"
 
-/* A line of the program and who is to be told about it. Borrows everything. */
+/* A line of the program, and where messages about it go. Borrows everything. */
 struct line_place {
 	struct diag *diag;
 	const char *file;
@@ -35,7 +35,7 @@ void fault_report(const struct line_place *at, int column, const char *format, .
 /* Reports a warning. */
 void caution(const struct line_place *at, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The place itself, for those who report on their own. */
+/* The place itself, for messages that are reported in another way. */
 struct srcloc line_loc(const struct line_place *at, int column);
 
 #endif

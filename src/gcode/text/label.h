@@ -6,7 +6,7 @@
 
 #include "gcode/text/source.h"
 
-/* So many, so that memory is bounded. */
+/* The limit that bounds memory. */
 #define LABELS_MAX 100000
 
 struct label {
@@ -25,7 +25,7 @@ struct labels {
 
 void labels_release(struct labels *labels);
 
-/* NULL: not met. */
+/* NULL: no such label was met. */
 struct label *labels_find(const struct labels *labels, const char *key);
 
 /* A new entry; the key is new. NULL: there are too many. */

@@ -125,7 +125,8 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 		lexer->position = position;
 		return LEXER_WORD;
 	case NUMBER_TOO_LONG:
-		fault_report(lexer->at, word->column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
+		fault_report(lexer->at, word->column, "%c has a number of more than %d digits", letter,
+			     NUMBER_LENGTH_MAX);
 		return LEXER_FAULT;
 	case NUMBER_MISSING:
 		break;

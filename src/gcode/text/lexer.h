@@ -1,4 +1,4 @@
-/* lexer.h - the words of one line, each a letter with its number; steps over comments and blanks. Evaluates nothing. */
+/* lexer.h - splits a line into words, a letter and its number each; skips comments and blanks, evaluates nothing. */
 #ifndef FIVECHECK_GCODE_TEXT_LEXER_H
 #define FIVECHECK_GCODE_TEXT_LEXER_H
 
@@ -14,12 +14,12 @@ struct word {
 	bool point;	/* the number has a decimal point */
 	int column;	/* of the letter, from 1 */
 	double value;
-	bool vacant;	/* of a variable without a value: the word counts as not written */
+	bool vacant;	/* its value is a variable without a value: the word counts as not written */
 };
 
 enum lexer_result { LEXER_WORD, LEXER_END, LEXER_FAULT };
 
-/* A byte that starts no word, and what to say of it instead of that it is unexpected. */
+/* A byte that starts no word, and the message for it, in place of "unexpected". */
 struct lexer_refusal {
 	char byte;
 	const char *message;
@@ -44,7 +44,7 @@ struct lexer_rules {
 	/* Reads an assignment that stands among the words, at this byte. */
 	char assignment_start;
 	bool (*assignment)(struct lexer *lexer);
-	/* Is the comment with this text one that the control does not obey? NULL: none are obeyed. */
+	/* Refuses a comment that the control obeys, such as (ABORT, ...). NULL: it obeys none. */
 	bool (*check_comment)(const struct lexer *lexer, const char *text);
 	const struct lexer_refusal *refusals;
 	size_t refusal_count;
@@ -66,7 +66,7 @@ char lexer_peek(struct lexer *lexer);
 /* Takes the byte that lexer_peek showed. */
 void lexer_take(struct lexer *lexer);
 
-/* Takes the word, in lower case here, if it comes next, blanks or not in between. */
+/* Takes this keyword, which is given in lower case, if it comes next; there may be blanks between its letters. */
 bool lexer_keyword(struct lexer *lexer, const char *keyword);
 
 /* Steps over blanks and comments. False: reported. */

@@ -5,10 +5,10 @@
 
 #include "base/mem.h"
 
-/* Read at once: several lines of the greatest length, so that the rest of a line is rarely moved. */
+/* Bytes that one read asks for: several of the longest lines, so that an incomplete line is rarely moved. */
 #define CHUNK ((size_t)4 * LINE_LENGTH_MAX)
 
-/* Loops of so many bytes run in the buffer, without the file being read again. */
+/* Bytes behind the line in hand that stay in the buffer: shorter loops need not read the file again. */
 #define FILE_KEEP (CHUNK / 2)
 
 void reader_init(struct reader *reader, FILE *in)
@@ -87,7 +87,7 @@ static enum reader_status check_byte_order_mark(struct reader *reader)
 	return READER_LINE;
 }
 
-/* Takes the line that breaks at `at`: *next is where the following one starts. */
+/* Takes the line that ends at `at`; *next is the start of the following line. */
 static enum reader_status take_break(struct reader *reader, size_t at, size_t *next)
 {
 	const char *p = reader->buffer + at;
@@ -104,7 +104,7 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 	}
 	if (reader->style == LINE_END_UNKNOWN)
 		reader->style = style;
-	/* LinuxCNC drops a lone CR as a blank, others end the block there: two different programs. */
+	/* LinuxCNC takes a lone CR for a blank, other controls end the block there: the program would mean two things. */
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
 }
 
@@ -140,7 +140,7 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	reader->open_end = at == reader->end;
 	if (!reader->open_end)
 		status = take_break(reader, at, &next);
-	/* The byte comes back with the next line: the program may jump back to this one. */
+	/* The next call puts this byte back, because the program may jump back to this line. */
 	reader->cut = at;
 	reader->cut_byte = reader->buffer[at];
 	reader->buffer[at] = '\0';

@@ -19,7 +19,7 @@ enum reader_status {
 	READER_FAILED	/* the file could not be read; errno says why */
 };
 
-/* So many bytes behind the line in hand a reader of a pipe can go back. */
+/* A reader of a pipe can go back by this number of bytes. */
 #define READER_WINDOW ((size_t)4 << 20)
 
 enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
@@ -27,17 +27,17 @@ enum line_end { LINE_END_UNKNOWN, LINE_END_LF, LINE_END_CR };
 struct reader {
 	FILE *in;	/* borrowed */
 	char *buffer;	/* owned */
-	size_t capacity, keep;	/* bytes of the buffer; of what is handed out, so many stay in it */
-	size_t begin, end;	/* what is read and not handed out yet */
-	size_t cut;	/* where the NUL of the line handed out last stands, and the byte that it replaced */
+	size_t capacity, keep;	/* bytes of the buffer, and of the lines handed out that stay in it */
+	size_t begin, end;	/* bytes that were read and not handed out yet */
+	size_t cut;	/* where the NUL of the last line stands, and the byte that it replaced */
 	char cut_byte;
 	bool at_end;
-	bool open_end;	/* the line handed out last has no end: the file stops in it */
+	bool open_end;	/* the last line has no line end: the file stops in it */
 	enum line_end style;	/* of the first line; the rest must agree */
-	long long base;	/* where the stream stood at first; -1: it cannot be repositioned */
+	long long base;	/* position of the stream at first; -1: it cannot be repositioned */
 	long long origin;	/* of the buffer's first byte, in bytes from base */
-	long long start;	/* of the line handed out last, the same */
-	long line;	/* number of the line handed out last, from 1 */
+	long long start;	/* of the last line, in bytes from base */
+	long line;	/* number of the last line, from 1 */
 	long furthest;	/* the greatest such number */
 };
 
@@ -57,9 +57,9 @@ enum reader_status reader_next(struct reader *reader, const char **text);
 long long reader_position(const struct reader *reader);
 
 /*
- * The next line will be that which starts at `position` and has the number
- * `line`. False: the input is a pipe, and the line has left its window, or the
- * file could not be repositioned; nothing has changed.
+ * Goes to the line that starts at `position` and has the number `line`: it is
+ * the next one. False: the input is a pipe, and the line has left its window, or
+ * the file could not be repositioned; nothing has changed.
  */
 bool reader_seek(struct reader *reader, long long position, long line);
 

@@ -58,7 +58,7 @@ struct position source_next(struct source *source)
 	return (struct position){source, reader_position(&source->reader), source->reader.line + 1};
 }
 
-/* A regular file; a pipe of that name must not make the program wait. */
+/* Opens a regular file only: a pipe of that name would make the program wait. */
 static FILE *open_regular(struct sources *sources, const char *root, const char *path)
 {
 	int fd = path_sandbox_open(root, path);
@@ -142,9 +142,10 @@ bool sources_check_room(const struct sources *sources, const struct line_place *
 bool sources_check_root(const struct sources *sources, const struct read_options *options,
 			const struct line_place *at, int column)
 {
-	return !sources->led_out || fault(at, column,
-					  "the subprogram's file is outside of the input root %s, or a link leads there",
-					  options->input_root);
+	if (!sources->led_out)
+		return true;
+	return fault(at, column, "the subprogram's file is outside of the input root %s, or a link leads there",
+		     options->input_root);
 }
 
 bool sources_find(struct sources *sources, const struct read_options *options, const char *name,

@@ -28,7 +28,7 @@ static bool end_statement(struct lexer *lexer)
 	return fault(lexer->at, lexer_column(lexer), "a macro statement stands in a block of its own");
 }
 
-/* What a condition leaves out is not computed, but words behind it would be lost. */
+/* Skips a statement whose condition is false. Words of a block behind it would be lost, so that they are refused. */
 static bool pass_over(struct lexer *lexer)
 {
 	int depth = 0, letters;
@@ -169,7 +169,7 @@ static bool do_while(struct interp *interp, struct lexer *lexer, bool condition)
 	if (holds)
 		return true;
 	call->loop_count--;
-	/* Behind its END: that line would lead back, but for the loop being closed. */
+	/* Goes on behind END: the line of END itself would lead back into the loop. */
 	if (!macro_b_seek_jump(interp, &call->loops[call->loop_count].end, column))
 		return false;
 	reader_next(&interp->program.source->reader, &interp->at.text);
@@ -194,7 +194,7 @@ static bool do_end(struct interp *interp, struct lexer *lexer, int column)
 
 /* ---------------------------------------------------------------- the line */
 
-/* The program's number on its first line; any other one ends it, without the M-code that has to. */
+/* The program's number may stand on its first line. Another number begins another program before M30 or M99. */
 static bool check_program_number(struct interp *interp, struct lexer *lexer)
 {
 	const struct macro_b_call *call = macro_b_call_in_hand(interp);
@@ -224,7 +224,7 @@ static bool take_number(struct lexer *lexer, double *value)
 	return true;
 }
 
-/* '/', O and N, as block_read reads them; what is wrong with them is its business. */
+/* Skips '/', O and N as block_read reads them, which reports what is wrong with them. */
 static bool skip_start(struct interp *interp, struct lexer *lexer)
 {
 	double value;

@@ -9,7 +9,7 @@
 #include "gcode/dialect/fanuc/macro_b_seek.h"
 #include "gcode/restart.h"
 
-/* A G65 or G66 block, read. */
+/* The words of a G65 or G66 block. */
 struct request {
 	int number, repeats;
 	double arguments[MACRO_B_LOCALS + 1];
@@ -174,7 +174,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 
 /* --------------------------------------------------------------- G65, G66 */
 
-/* B-63944EN, simple call (G65): variables of the call's own, vacant but for its arguments. */
+/* B-63944EN, simple call (G65): the call has local variables of its own, which are vacant but for its arguments. */
 static bool call_macro(struct interp *interp, enum macro_b_call_kind kind, const struct request *request, int column)
 {
 	struct macro_b_vars *vars = &macro_b_of(interp)->vars;
@@ -247,7 +247,7 @@ static bool modal_heeds(const struct interp *interp)
 	return true;
 }
 
-/* What a subprogram's would do, when G66 stands outside, is left open. */
+/* The manual does not say what a move of a subprogram does if G66 stands outside of it: that is refused. */
 static bool call_modal(struct interp *interp)
 {
 	const struct macro_b *macro = macro_b_of(interp);
@@ -272,8 +272,9 @@ static bool call_modal(struct interp *interp)
 /* ------------------------------------------------------------ M97, M98, M99 */
 
 /*
- * B-63944EN, subprogram call: P is the program, or without L, of more than four
- * digits, the repetitions and its last four; Haas, M98: P and L.
+ * B-63944EN, subprogram call: P is the number of the program. Without L, the last
+ * four digits of a longer P are the program, and those before them the
+ * repetitions. Haas, M98: P and L.
  */
 static bool read_m98(struct interp *interp, int *number, int *repeats)
 {
@@ -350,7 +351,8 @@ static bool do_m99(struct interp *interp, int column)
 		return fault(&interp->at, p, "M99 P with repetitions left is not supported yet");
 	if (call->kind == MACRO_B_G66)
 		return fault(&interp->at, p, "M99 P of a macro that G66 calls is not supported yet");
-	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) && macro_b_seek_jump(interp, &target, p);
+	return leave(interp, column) && macro_b_seek_only(interp, number, p, &target) &&
+	       macro_b_seek_jump(interp, &target, p);
 }
 
 bool macro_b_call_after_block(struct interp *interp)

@@ -14,7 +14,7 @@ struct macro_reader {
 	struct interp *interp;
 	const struct macro_b_rules *rules;
 	bool argument;	/* of a macro call */
-	double steps;	/* to which ROUND rounds, as a number of them in a unit */
+	double steps;	/* ROUND rounds to this number of steps a unit */
 };
 
 static bool is_digit(char byte)
@@ -25,7 +25,8 @@ static bool is_digit(char byte)
 /* The expression at the lexer's position. */
 static struct expr begin(struct macro_reader *reader, struct lexer *lexer)
 {
-	*reader = (struct macro_reader){.interp = lexer->context, .rules = macro_b_of(lexer->context)->rules, .steps = 1};
+	*reader = (struct macro_reader){
+	    .interp = lexer->context, .rules = macro_b_of(lexer->context)->rules, .steps = 1};
 	return (struct expr){.lexer = lexer, .rules = reader->rules->expr, .context = reader};
 }
 
@@ -117,8 +118,9 @@ static bool compute_round(struct expr *expr, int column, double *value)
 }
 
 /*
- * B-63944EN, ASIN, ATAN, by parameter NAT (No. 6004#0), 0 as it comes:
- * angles of 0 to 360, and 270 to 90, where they are -180 to 180 and -90 to 90 with 1.
+ * B-63944EN, ASIN and ATAN: with parameter NAT (No. 6004#0) at 0, as it is
+ * delivered, angles go from 0 to 360, and those of ASIN from 270 to 90; with 1
+ * from -180 to 180, and from -90 to 90.
  */
 static void wrap_angle(struct expr *expr, int column, double *value)
 {
@@ -220,7 +222,7 @@ bool macro_b_expr_function(struct expr *expr, int column, const struct function_
  */
 static double steps_of(const struct interp *interp, char letter)
 {
-	double steps = interp->config->controller.least_input > 0 ? round(1 / interp->config->controller.least_input) : 1000;
+	double increment = interp->config->controller.least_input, steps = increment > 0 ? round(1 / increment) : 1000;
 
 	if (letter >= 'A' && letter <= 'C')
 		return steps;

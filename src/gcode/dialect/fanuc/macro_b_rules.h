@@ -43,7 +43,7 @@ struct macro_b_rules {
 	int vacant_variable;	/* always vacant, as #0 is; 0: no other */
 	int work_group_variable;	/* the code of the work offset in force */
 	int work_at_7001, work_at_14001;	/* extended work offsets that start there */
-	bool axes_in_slot_order;	/* axis numbers are X Y Z A B C; false: from the fourth on the builder's choice */
+	bool axes_in_slot_order;	/* axis numbers are X Y Z A B C; false: from the fourth on not known */
 	const struct macro_b_range *machine_only;	/* beside those that all controls have */
 	size_t machine_only_count;
 };

@@ -7,7 +7,7 @@
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/dialect/fanuc/program_files.h"
 
-/* What a line is to those who search: its start without blanks and comments, in capitals. */
+/* The start of a line as searches compare it: without blanks and comments, in capitals. */
 #define GIST_MAX 256
 
 struct gist {
@@ -17,7 +17,7 @@ struct gist {
 	char rest[GIST_MAX];	/* what follows them */
 };
 
-/* What is looked for. */
+/* What a search looks for. */
 enum aim { AIM_BLOCK, AIM_PROGRAM, AIM_ANY_PROGRAM, AIM_END };
 
 struct search {
@@ -80,7 +80,7 @@ static void read_gist(const char *text, struct gist *gist)
 	snprintf(gist->rest, sizeof(gist->rest), "%s", at);
 }
 
-/* Most lines of a program are settled by their first byte. */
+/* The first byte tells of most lines that no search looks for them. */
 static bool may_matter(const char *text)
 {
 	text += strspn(text, " \t");
@@ -151,7 +151,7 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 	return meet_loop(interp, search, &gist, line, column);
 }
 
-/* Lines of the text in hand are kept: others go through the reader's buffer meanwhile. */
+/* Copies the text of the line in hand, because a search reads other lines into the reader's buffer. */
 static void keep_line(struct interp *interp)
 {
 	struct strbuf *line = &macro_b_of(interp)->line;
@@ -216,7 +216,7 @@ static void remember(struct interp *interp, const char *key, const struct positi
 {
 	struct label *label = labels_add(&macro_b_of(interp)->found, key, 0);
 
-	/* Without room for it, it is searched for again. */
+	/* If there is no room for it, the next jump searches again. */
 	if (label)
 		label->at = *found;
 }
@@ -346,7 +346,7 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 static bool look_in_main(struct interp *interp, int number, int column, struct position *found, bool *unfinished)
 {
 	struct source *main = interp->program.sources.items[0];
-	const struct position start = {main, interp->program.start.offset, interp->program.start.line}, forward = source_next(main);
+	const struct position start = interp->program.start, forward = source_next(main);
 	struct search search = {.aim = AIM_PROGRAM, .number = number}, rest = search;
 
 	*unfinished = false;

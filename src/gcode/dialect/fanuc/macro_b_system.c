@@ -6,7 +6,7 @@
 #include "gcode/execute/program_position.h"
 #include "gcode/execute/work_offset_use.h"
 
-/* Work offsets: six slots each, so many numbers apart. */
+/* Work offsets have six axes each, and their first variables are 20 numbers apart. */
 enum { WORK_STEP = 20, WORK_SLOTS = 6 };
 
 /* The number of a code that has no tenths. */
@@ -209,7 +209,7 @@ static bool write_work(struct interp *interp, int number, int column, double val
 		return fault_unknown(interp, number, column);
 	if (isnan(value))
 		return fault(&interp->at, column, "#%d cannot be vacant", number);
-	/* When a control heeds a change of the one in force depends on how far it reads ahead. */
+	/* When the control heeds a change of the offset in force depends on how far it reads ahead. */
 	if (system == state->system)
 		interp->state.work_assigned = true;
 	state->work[system].v[slot] = value * unit_of(state, slot);

@@ -22,7 +22,7 @@ static bool fault_unknown(struct interp *interp, int number, int column)
 		     number, interp->config->dialect->name);
 }
 
-/* A block's assignments happen at once or in turn: which of it is not in the manuals. */
+/* The manuals do not say whether the assignments of a block happen at once or one after the other. */
 static bool was_assigned(const struct interp *interp, int number)
 {
 	for (int i = 0; i < macro_b_of(interp)->assigned_count; i++) {

@@ -47,7 +47,7 @@ static bool skip_line(struct interp *interp, struct lexer *lexer, const struct o
 
 /* ------------------------------------------------------------------- lines */
 
-/* Labels that must be computed cannot be where a subprogram is looked for: its parameters do not exist yet. */
+/* While a subprogram is looked for, its parameters do not exist yet: a label that must be computed is not read. */
 static bool is_computed(const struct interp *interp, const char *text)
 {
 	enum skip skip = linuxcnc_of(interp)->flow.skip;
@@ -106,7 +106,7 @@ bool control_flow_end_of_file(struct interp *interp)
 			   "the subprogram %s is neither in %s nor in a file %s.ngc beside the program or in an "
 			   "--include folder",
 			   oword_title(call->name, title), end.file, call->name);
-		params_leave(&linuxcnc_of(interp)->params);	/* the call itself is to blame, not one more caller */
+		params_leave(&linuxcnc_of(interp)->params);	/* the message is about the call itself: the call is no caller of it */
 	} else if (flow->skip == SKIP_DEFINITION)
 		diag_error(interp->diag, flow->skip_from, "this sub is not closed: its endsub is missing");
 	else if (flow->skip != SKIP_NOTHING)

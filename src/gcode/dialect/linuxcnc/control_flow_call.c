@@ -9,17 +9,18 @@
 
 /* ------------------------------------------------------------ definitions */
 
-/* A sub that is met in passing is learnt, and its body skipped. */
+/* A sub that stands in the way is remembered, and its body is skipped. */
 static bool define(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, oword->name);
+	const struct source *source = interp->program.source;
 	char title[OWORD_TITLE];
 
 	oword_title(oword->name, title);
 	if (linuxcnc_of(interp)->params.level > 0)
 		return fault(&interp->at, oword->column, "%s sub inside of a subprogram that is being carried out",
 			     title);
-	if (label && label->at.source == interp->program.source && label->at.offset == interp->program.source->reader.start)
+	if (label && label->at.source == source && label->at.offset == source->reader.start)
 		return fault(&interp->at, oword->column,
 			     "%s sub is met again, after it was called or in a loop; LinuxCNC stops here: define it "
 			     "before its first call, once",
@@ -33,7 +34,7 @@ static bool define(struct interp *interp, struct lexer *lexer, const struct owor
 	return true;
 }
 
-/* The subprogram that a call looks for. */
+/* The line in hand is the subprogram that a call looks for. */
 static bool found(struct interp *interp, struct lexer *lexer, const struct oword *oword)
 {
 	struct control_flow *flow = &linuxcnc_of(interp)->flow;
@@ -94,7 +95,7 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 	return good;
 }
 
-/* To a subprogram that was met before, to the start of its own file, or forward in this file. */
+/* Goes to a subprogram that was met before, or to the start of its own file, or searches this file forward. */
 static bool go_to(struct interp *interp, const char *name, int column)
 {
 	struct label *label = labels_find(&linuxcnc_of(interp)->flow.labels, name);
@@ -134,7 +135,7 @@ static bool enter(struct interp *interp, const char *name, int column, bool by_m
 	memcpy(call->saved, &params->numbered[1], sizeof(call->saved));
 	if (go_to(interp, name, column))
 		return true;
-	/* The message is the caller's own. */
+	/* The message is about the call: it has no callers below it. */
 	params_leave(params);
 	return false;
 }
@@ -280,7 +281,7 @@ bool control_flow_call_line(struct interp *interp, struct lexer *lexer, const st
 	default:
 		break;
 	}
-	/* A program's number, which names what follows: nothing happens. */
+	/* A program's number only names what follows. */
 	if (linuxcnc_of(interp)->params.level > 0 && !linuxcnc_call_in_hand(interp)->by_m98)
 		return fault(&interp->at, oword->column, "a subprogram of M98 inside of a sub");
 	return oword_end(lexer, oword);

@@ -28,12 +28,12 @@ static struct control *expect_control(struct interp *interp, const struct oword 
 		fault_report(&interp->at, oword->column, "%s %s without its %s", title, oword_keyword(oword->kind),
 		      oword_keyword(kind));
 	else
-		fault_report(&interp->at, oword->column, "%s %s inside of the %s of line %ld, which is not closed", title,
-		      oword_keyword(oword->kind), oword_keyword(top->kind), top->label->at.line);
+		fault_report(&interp->at, oword->column, "%s %s inside of the %s of line %ld, which is not closed",
+			     title, oword_keyword(oword->kind), oword_keyword(top->kind), top->label->at.line);
 	return NULL;
 }
 
-/* The label of the line in hand, new or met before; each stands at one place only. */
+/* The label of the line in hand, which may be new; a label stands at one place only. */
 static bool find_label(struct interp *interp, const struct oword *oword, const char *key, struct label **label)
 {
 	const struct control *top = control_stack_top(interp);
@@ -76,7 +76,7 @@ static bool do_if(struct interp *interp, struct lexer *lexer, const struct oword
 	return true;
 }
 
-/* elseif, else, endif at the end of what was carried out. LinuxCNC computes the condition all the same. */
+/* elseif, else or endif ends the lines that were carried out. LinuxCNC computes the condition of elseif all the same. */
 static bool leave_if(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
 	double test;

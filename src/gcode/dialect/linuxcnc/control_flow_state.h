@@ -49,7 +49,8 @@ enum skip {
 #define CONTROL_KEY_MAX (2 * PARAM_NAME_MAX + 2)
 
 struct control_flow {
-	struct labels labels;	/* the key of a subprogram is its name, of others "subprogram#label"; kinds are enum o_kind */
+	/* The key of a subprogram is its name, of others "subprogram#label"; kinds are enum o_kind. */
+	struct labels labels;
 	struct control *controls;
 	size_t control_count, control_capacity;
 	struct call calls[PARAM_LEVELS];

@@ -84,8 +84,8 @@ static bool compare(const struct line_place *at, int column, enum expr_operation
 	return true;
 }
 
-static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left_operand,
-		  struct expr_operand *right_operand)
+static bool apply(struct expr *expr, int column, const struct expr_operator *operator,
+		  struct expr_operand *left_operand, struct expr_operand *right_operand)
 {
 	const struct line_place *at = expr->lexer->at;
 	double *left = &left_operand->number, right = right_operand->number;
@@ -346,7 +346,8 @@ static bool read_assignment(struct lexer *lexer)
 
 	lexer_take(lexer);
 	if (lexer_peek(lexer) == '<') {
-		if (!linuxcnc_expr_name(lexer, new.name) || !system_param_names_check_write(interp, new.name, new.column))
+		if (!linuxcnc_expr_name(lexer, new.name) ||
+		    !system_param_names_check_write(interp, new.name, new.column))
 			return false;
 		/* From here on it exists, with the value 0: so does LinuxCNC read "#<x>=[#<x>+1]". */
 		if (!params_make(&linuxcnc_of(interp)->params, new.name))

@@ -1,4 +1,4 @@
-/* linuxcnc_expr.h - values as LinuxCNC's programs write them: numbers, parameters, functions, expressions in brackets. */
+/* linuxcnc_expr.h - values of LinuxCNC's programs: numbers, parameters, functions, expressions in brackets. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_EXPR_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_EXPR_H
 

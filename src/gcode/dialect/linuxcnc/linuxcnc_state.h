@@ -1,4 +1,4 @@
-/* linuxcnc_state.h - what LinuxCNC remembers of a program beside the modes: parameters, and where control flow stands. */
+/* linuxcnc_state.h - what LinuxCNC remembers of a program beside the modes: parameters and open control flow. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_STATE_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_LINUXCNC_STATE_H
 

@@ -6,7 +6,7 @@
 #include "gcode/dialect/linuxcnc/linuxcnc_expr.h"
 #include "gcode/text/number.h"
 
-/* In an order in which no keyword hides another. */
+/* A keyword comes after every other one that starts with it, as else after elseif. */
 static const struct {
 	const char *name;
 	enum o_kind kind;

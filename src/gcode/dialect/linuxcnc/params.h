@@ -44,7 +44,7 @@ struct params {
 	size_t pending_count, pending_capacity;
 	double returned;	/* #<_value> */
 	bool value_returned;
-	bool value_unclear;	/* LinuxCNC computed it while it learnt a sub */
+	bool value_unclear;	/* LinuxCNC computed it while it skipped a sub */
 };
 
 void params_release(struct params *params);

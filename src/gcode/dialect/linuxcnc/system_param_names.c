@@ -173,6 +173,7 @@ static bool position_value(struct interp *interp, const struct known_name *known
 
 bool system_param_names_read(struct interp *interp, const char *name, int column, double *value)
 {
+	const struct params *params = &linuxcnc_of(interp)->params;
 	const struct state *state = &interp->state;
 	const struct known_name *known = find_name(name);
 
@@ -206,16 +207,16 @@ bool system_param_names_read(struct interp *interp, const char *name, int column
 		*value = (double)interp->at.line;
 		return true;
 	case NAME_CALL_LEVEL:
-		*value = linuxcnc_of(interp)->params.level;
+		*value = params->level;
 		return true;
 	case NAME_VALUE:
 	case NAME_VALUE_RETURNED:
-		if (linuxcnc_of(interp)->params.value_unclear)
+		if (params->value_unclear)
 			return fault(&interp->at, column,
 				     "#<%s> right after a sub whose endsub has a value: LinuxCNC computes that value "
 				     "here, without a call",
 				     name);
-		*value = known->what == NAME_VALUE ? linuxcnc_of(interp)->params.returned : linuxcnc_of(interp)->params.value_returned;
+		*value = known->what == NAME_VALUE ? params->returned : params->value_returned;
 		return true;
 	default:
 		*value = mode_value(interp, known->what);

@@ -1,4 +1,4 @@
-/* system_param_names.h - LinuxCNC's named parameters that the interpreter fills in, "_x": positions, modes, the tool. */
+/* system_param_names.h - LinuxCNC's named parameters that the interpreter fills in, such as #<_x>. */
 #ifndef FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAM_NAMES_H
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_SYSTEM_PARAM_NAMES_H
 

@@ -132,7 +132,7 @@ bool system_params_number(struct interp *interp, int number, int column, double 
 	return true;
 }
 
-/* LinuxCNC takes a new value of these over at some later time, or never: nothing is guessed. */
+/* LinuxCNC heeds a new value of these at some later time, or never: the program is refused. */
 static bool check_work(struct interp *interp, int number, int column)
 {
 	int system = (number - WORK) / WORK_STEP, slot = (number - WORK) % WORK_STEP;
