@@ -204,7 +204,7 @@ START_TEST(rapids_under_tcp_go_as_the_axes_like)
 
 		move.tcp = true;
 		start(&line, &machine);
-		line.flatness = 0.5;
+		line.converter.flatness = 0.5;
 		guide(&line, 100);
 		go(&line, move);
 		ck_assert_int_eq(line.steps[0].span.path->kind, PATH_TCP);

@@ -1,19 +1,21 @@
-/* Whole programs through interpreter and drive, against hand computation. */
+/* test_motion.c - whole programs through interpreter and canon_to_spans, against hand computation. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "machine/chain.h"
+#include "motion/motion.h"
 #include "motion_record.h"
 
 static bool run(struct record *record, const struct machine *machine, const struct setup *setup, const char *program,
 		struct motion_summary *summary)
 {
+	struct motion_options options = {.flatness = 0.001};
 	FILE *in = fmemopen((void *)(uintptr_t)program, strlen(program), "r");
 	bool ok;
 
 	ck_assert_ptr_nonnull(in);
 	listen(record);
-	ok = motion_run(machine, setup, &record->options, in, "part.nc", &record->sink, &record->messages.diag,
+	ok = motion_run(machine, setup, &options, in, "part.nc", &record->sink, &record->messages.diag,
 			summary);
 	fclose(in);
 	return ok;
