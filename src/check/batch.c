@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "geom/tolerance.h"
 #include "scene/pairs.h"
 
 void batch_release(struct batch *batch)

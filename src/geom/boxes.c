@@ -60,7 +60,7 @@ struct box box_whole(const struct bvh *bvh)
 	struct box box = {0};
 
 	for (int k = 0; k < 3; k++)
-		box.half[k] = (float)(half[k] * (1 + 0x1p-20)) + 0x1p-126f;
+		box.half[k] = (float)(half[k] * (1 + FLOAT_MARGIN)) + 0x1p-126f;
 	return box;
 }
 

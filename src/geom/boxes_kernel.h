@@ -7,6 +7,7 @@
 #include "geom/boxes.h"
 #include "geom/simd_kernels.h"
 #include "geom/lanes.h"
+#include "geom/tolerance.h"
 
 _Static_assert((int)BVH_WIDTH == (int)LANES, "a lane a child");
 
@@ -115,7 +116,7 @@ LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, con
 /* A lower bound on the distance: the root is rounded down, what may be off is taken away. */
 LANES_FUNCTION lanes distance_of(lanes square, float stray)
 {
-	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - 0x1p-20f)), lanes_all(stray));
+	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - FLOAT_MARGIN)), lanes_all(stray));
 }
 
 LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,

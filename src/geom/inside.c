@@ -5,15 +5,7 @@
 
 #include "base/mem.h"
 #include "base/units.h"
-
-/*
- * A triple product d.(a x b) of vectors in double is off by less than 12 roundings of 2^-53 of |d||a||b|, the
- * differences from the point included; 2^-48 leaves a factor of two.
- */
-#define TRIPLE_ROUNDING 0x1p-48
-
-/* The boxes are rounded outward already: this covers the ray's own rounding, relative to the lengths that occur. */
-#define SLAB_ROUNDING 0x1p-40
+#include "geom/tolerance.h"
 
 /* Half of the signed solid angle of a triangle whose corners are given as seen from the point. */
 static double half_solid_angle(const mesh_triangle *triangle, vec3 point)

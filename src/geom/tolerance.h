@@ -2,6 +2,8 @@
 #ifndef FIVECHECK_GEOM_TOLERANCE_H
 #define FIVECHECK_GEOM_TOLERANCE_H
 
+#include <float.h>
+
 /*
  * Box tests run in float. A box's centre and half size pass through a rotation
  * (each entry off by 2^-24), three products and four sums, a difference and a
@@ -48,6 +50,73 @@
 
 /* Sine of the angle between directions below which they count as parallel: rounding leaves some 1e-16 of it. */
 #define PARALLEL_SINE 1e-12
+
+/*
+ * A number that is rounded to float, or is a product or a root of such, is off by a few times 2^-24 of itself: bounds in
+ * float are enlarged (or, below, reduced) by this share.
+ */
+#define FLOAT_MARGIN 0x1p-20f
+
+/*
+ * A triple product d.(a x b) of vectors in double is off by less than 12 roundings of 2^-53 of |d||a||b|, the
+ * differences from the point included; 2^-48 leaves a factor of two.
+ */
+#define TRIPLE_ROUNDING 0x1p-48
+
+/* Boxes that a ray meets are rounded outward already: this covers the ray's own rounding, as a share of the lengths. */
+#define SLAB_ROUNDING 0x1p-40
+
+/* mm^2: edges whose square is below this are points: the reciprocals of such squares would overflow in products. */
+#define POINT_LENGTH2 1e-140
+
+/* A cross product this small against its factors is mostly the rounding of the edges that went into it. */
+#define CROSS_VANISHING (16 * DBL_EPSILON)
+
+/* A face this low against its longest edge is no face, to within rounding: its edges stand for it. */
+#define FACE_FLAT (4 * DBL_EPSILON)
+
+/*
+ * A position of an axis is the result of some dozen rotations and sums, each good to a few units in the last place of
+ * the largest number in it. The tests compare with long double; the largest ratio found is a hundredth under TCP and a
+ * twelfth on arcs.
+ */
+#define POSITION_ROUNDING (16 * DBL_EPSILON)
+
+/* Bounds on derivatives are themselves computed: some hundred roundings, as a factor of the bound. */
+#define BOUND_SLACK (1 + 1e-13)
+
+/* |det| of three unit directions of axes below this: they lie in a plane for all that a machine can tell. */
+#define LEAST_DETERMINANT 1e-6
+
+/*
+ * mm, radians: where an axis is sent this near to where it stands, it stays. The difference is what remains of offsets
+ * that were added and taken away again: a few units in the last place of a thousand.
+ */
+#define OFFSET_DUST 1e-10
+
+/* mm, radians: positions that differ by less are one: what the interpreter's sums of offsets can be off by. */
+#define SAME_POINT 1e-9
+
+/* Degrees: the same for positions of rotary axes, and for a way that is as good as half a turn. */
+#define SAME_DEGREES 1e-9
+
+/* mm: coordinates that differ by less are the same for all that a program, with its few decimals, can mean. */
+#define SAME_COORDINATE 1e-6
+
+/* Unit vectors are good to this where they were computed, and so are their projections. */
+#define DIRECTION_TOLERANCE 1e-9
+
+/* The same for directions from machine files and programs, with their few decimals: one so nearly reached is reached. */
+#define DIRECTION_REACHED 1e-6
+
+/* Radians: ways, and angles from zero, that differ by less are equally good: no control chooses by less. */
+#define TIE_TOLERANCE 1e-6
+
+/*
+ * mm and radians: proofs of "out of reach" go this far past the limits, so that the rounding of positions and small path
+ * tolerances stay inside them.
+ */
+#define REACH_MARGIN 1e-3
 
 /* mm: a coordinate in a mesh beyond this is no machine; its float granularity is 64 mm. */
 #define COORDINATE_MAX 1e9

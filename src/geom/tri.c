@@ -1,13 +1,6 @@
 #include "geom/tri.h"
 
-/* Squared lengths below this belong to points: their reciprocals would overflow in products. */
-#define POINT_LENGTH2 1e-140
-
-/* A cross product this small against its factors is mostly the rounding of the edges that went into it. */
-#define VANISHING (16 * DBL_EPSILON)
-
-/* A face this low against its longest edge is no face, to within rounding: its edges stand for it. */
-#define FLAT (4 * DBL_EPSILON)
+#include "geom/tolerance.h"
 
 /* A triangle relative to the pair's origin; edge i runs from corner i to corner i + 1. */
 struct side {
@@ -124,7 +117,7 @@ static bool face_init(struct face *face, const struct side *t)
 	face->foot += again;
 	face->rise = vec3_mad(face->rise, -again, face->base);
 	height2 = vec3_norm2(face->rise);
-	if (height2 <= FLAT * FLAT * t->length2[i] || height2 <= POINT_LENGTH2)
+	if (height2 <= FACE_FLAT * FACE_FLAT * t->length2[i] || height2 <= POINT_LENGTH2)
 		return false;
 	face->rise_inverse = 1 / height2;
 	return true;
@@ -245,7 +238,7 @@ static void axis_add(vec3 *axes, int *count, vec3 e, vec3 f)
 {
 	vec3 n = vec3_cross(e, f);
 
-	if (vec3_norm2(n) > VANISHING * VANISHING * vec3_norm2(e) * vec3_norm2(f))
+	if (vec3_norm2(n) > CROSS_VANISHING * CROSS_VANISHING * vec3_norm2(e) * vec3_norm2(f))
 		axes[(*count)++] = n;
 }
 

@@ -5,18 +5,13 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "geom/tolerance.h"
 #include "motion/blend.h"
 #include "motion/dogleg.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
 #include "motion/table_point.h"
 #include "motion/timing.h"
-
-/*
- * Where an axis is sent this near to where it stands (mm, radians), it stays:
- * the difference is what offsets added and taken away again leave of a number.
- */
-#define DUST 1e-10
 
 /* mm, radians: no machine goes there, and the rounding of what lies beyond would show. */
 #define FARTHEST 1e7
@@ -83,7 +78,7 @@ static bool is_bearable(const struct canon_to_spans *converter, const struct can
 static void clean(axis_values *end, const axis_values *start, int first)
 {
 	for (int slot = first; slot < SLOT_COUNT; slot++)
-		if (fabs(end->v[slot] - start->v[slot]) <= DUST)
+		if (fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST)
 			end->v[slot] = start->v[slot];
 }
 

@@ -4,9 +4,7 @@
 
 #include "base/minmax.h"
 #include "base/units.h"
-
-/* mm or degrees: what the machine file's format counts as inside. */
-#define TOLERANCE 1e-6
+#include "geom/tolerance.h"
 
 /* The chord's deviation at which it is believed, as a part of the tolerance. */
 #define BELIEVED 0.01
@@ -67,7 +65,7 @@ static bool first_past(const struct side *side, const struct span *whole, double
 
 static bool axis_crosses(const struct axis *axis, const struct span *whole, struct limit_crossing *crossing)
 {
-	double tolerance = axis->rotary ? radians(TOLERANCE) : TOLERANCE;
+	double tolerance = axis->rotary ? radians(LIMIT_TOLERANCE) : LIMIT_TOLERANCE;
 	/* Bound in sight of rounding: what no halving improves must be believed. */
 	double rounding = path_deviation(whole->path, 0, 0).v[axis->slot];
 	double believed = larger(BELIEVED * tolerance, 2 * rounding), u;

@@ -4,17 +4,9 @@
 
 #include "base/strbuf.h"
 #include "base/units.h"
+#include "geom/tolerance.h"
 #include "machine/chain.h"
 #include "motion/tcp.h"
-
-/* Directions that are unit vectors but for rounding are good to this, and so are their projections. */
-#define DIRECTION_TOLERANCE 1e-9
-/* The same for what machine files and programs write with a few decimals: a plane so nearly reached is reached. */
-#define REACH_TOLERANCE 1e-6
-/* Radians: ways, and angles from zero, that differ by less are equal. */
-#define TIE_TOLERANCE 1e-6
-/* A position this near to a limit, in radians, is inside: as for moves. */
-#define LIMIT_TOLERANCE (1e-6 * PI / 180)
 
 struct problem {
 	const struct machine *machine;
@@ -43,7 +35,7 @@ static double angle_about(vec3 axis, vec3 from, vec3 to)
 
 static bool is_along(vec3 axis, vec3 direction)
 {
-	return vec3_norm(vec3_cross(axis, direction)) < REACH_TOLERANCE;
+	return vec3_norm(vec3_cross(axis, direction)) < DIRECTION_REACHED;
 }
 
 /*
@@ -52,8 +44,8 @@ static bool is_along(vec3 axis, vec3 direction)
  */
 static bool nearest_turn(const struct axis *axis, double angle, double here, double *nearest, bool *tie)
 {
-	double low = ceil((axis->limit_min - LIMIT_TOLERANCE - angle) / (2 * PI));
-	double high = floor((axis->limit_max + LIMIT_TOLERANCE - angle) / (2 * PI));
+	double low = ceil((axis->limit_min - radians(LIMIT_TOLERANCE) - angle) / (2 * PI));
+	double high = floor((axis->limit_max + radians(LIMIT_TOLERANCE) - angle) / (2 * PI));
 	double turns = (here - angle) / (2 * PI), best = round(turns), k, other;
 	bool equal;
 
@@ -131,7 +123,7 @@ static size_t solve_one(const struct problem *problem, struct solution solutions
 {
 	vec3 axis = problem->chain.joints[0].direction;
 
-	if (fabs(vec3_dot(axis, problem->tool) - vec3_dot(axis, problem->wanted)) > REACH_TOLERANCE)
+	if (fabs(vec3_dot(axis, problem->tool) - vec3_dot(axis, problem->wanted)) > DIRECTION_REACHED)
 		return 0;
 	solutions[0].free[0] = is_along(axis, problem->tool);
 	solutions[0].angle[0] = angle_about(axis, problem->tool, problem->wanted);
@@ -158,10 +150,10 @@ static size_t solve_two(const struct problem *problem, struct solution solutions
 	x = (along_a - k * along_b) / s;
 	y = (along_b - k * along_a) / s;
 	zz = (1 - x * x - y * y - 2 * k * x * y) / s;
-	if (zz < -REACH_TOLERANCE)
+	if (zz < -DIRECTION_REACHED)
 		return 0;
 	z = sqrt(fmax(zz, 0));
-	count = z * sqrt(s) < REACH_TOLERANCE ? 1 : 2;
+	count = z * sqrt(s) < DIRECTION_REACHED ? 1 : 2;
 	for (size_t i = 0; i < count; i++) {
 		vec3 half = vec3_add(vec3_scale(x, a), vec3_scale(y, b));
 
@@ -258,8 +250,8 @@ static void drop_linear(struct chain *chain)
 
 static bool is_orthonormal(const mat3 *m)
 {
-	return fabs(vec3_dot(m->x, m->y)) < REACH_TOLERANCE && fabs(vec3_dot(m->y, m->z)) < REACH_TOLERANCE &&
-	       fabs(vec3_dot(m->z, m->x)) < REACH_TOLERANCE && vec3_dot(vec3_cross(m->x, m->y), m->z) > 0;
+	return fabs(vec3_dot(m->x, m->y)) < DIRECTION_REACHED && fabs(vec3_dot(m->y, m->z)) < DIRECTION_REACHED &&
+	       fabs(vec3_dot(m->z, m->x)) < DIRECTION_REACHED && vec3_dot(vec3_cross(m->x, m->y), m->z) > 0;
 }
 
 static bool set_problem(struct problem *problem, const struct machine *machine,

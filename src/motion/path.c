@@ -1,13 +1,9 @@
 #include "motion/path.h"
 
+#include "geom/tolerance.h"
+
 #include <float.h>
 #include <math.h>
-
-/* A few operations, each good to a unit in the last place of its largest number. */
-#define ROUNDING (16 * DBL_EPSILON)
-
-/* Bounds are themselves computed: some hundred roundings, relative to the bound. */
-#define BOUND_SLACK (1 + 1e-13)
 
 /* An arc in its plane: foot + rise u normal + (r0 + growth u) (cos(sweep u) e1 + sin(sweep u) e2). */
 struct turn {
@@ -180,7 +176,7 @@ static axis_values reach_of(const struct path *path, double *arc_rounding)
 		      vec3_norm(vec3_sub(linear_part(&path->end), path->arc.centre)));
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		reach.v[slot] += 2 * radius;
-	*arc_rounding = ROUNDING * (vec3_norm(path->arc.centre) + radius * (2 + fabs(path->arc.sweep)));
+	*arc_rounding = POSITION_ROUNDING * (vec3_norm(path->arc.centre) + radius * (2 + fabs(path->arc.sweep)));
 	return reach;
 }
 

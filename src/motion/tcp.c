@@ -1,17 +1,9 @@
 #include "motion/tcp.h"
 
+#include "geom/tolerance.h"
+
 #include <float.h>
 #include <math.h>
-
-/*
- * Rounding: a position is a chain of some dozen rotations and sums, each good
- * to a few units in the last place of the largest number in it. The tests
- * compare with long double; the largest ratio found is a hundredth.
- */
-#define ROUNDING (16 * DBL_EPSILON)
-
-/* |det M| of unit directions below this: X Y Z lie in a plane for all that a machine can tell. */
-#define LEAST_DETERMINANT 1e-6
 
 /* The deepest link that carries both; a link's number is higher than its carrier's. */
 static int common_link(const struct machine *machine, int a, int b)
@@ -211,7 +203,7 @@ static void add_chain_bend(const struct tcp *tcp, const struct chain *chain, str
 		vec3 d = joint->direction, r = vec3_sub(carried.point, joint->location);
 		double omega = rate->v[joint->slot], turn = fabs(omega);
 		double across = vec3_norm(vec3_cross(d, carried.velocity)) + half * carried.acceleration;
-		double cancelled = ROUNDING * (vec3_norm(carried.point) + vec3_norm(joint->location));
+		double cancelled = POSITION_ROUNDING * (vec3_norm(carried.point) + vec3_norm(joint->location));
 		double rho = vec3_norm(vec3_cross(d, r)) + half * across + cancelled;
 		double own = turn * (turn * rho + 2 * across);
 
@@ -267,6 +259,6 @@ axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach)
 	for (int slot = SLOT_U; slot < SLOT_COUNT; slot++)
 		scale += 2 * vec3_norm(tcp->others[slot]) * reach->v[slot];
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		rounding.v[slot] = ROUNDING * vec3_norm(tcp->rows[slot]) * scale * (angles + condition);
+		rounding.v[slot] = POSITION_ROUNDING * vec3_norm(tcp->rows[slot]) * scale * (angles + condition);
 	return rounding;
 }

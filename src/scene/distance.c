@@ -1,3 +1,4 @@
+#include "geom/tolerance.h"
 #include "scene/sweep.h"
 
 #include <limits.h>
@@ -53,7 +54,7 @@ static void push_children(struct search *search, const struct bvh_pair *entry)
 	int order[BVH_WIDTH];
 
 	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box,
-		    (float)(search->share * search->found) * (1 + 0x1p-20f), apart, loose);
+		    (float)(search->share * search->found) * (1 + FLOAT_MARGIN), apart, loose);
 	search->sweep->visits += node->used;
 	for (int i = 0; i < node->used; i++) {
 		int at = i;

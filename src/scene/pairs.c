@@ -5,6 +5,7 @@
 #include "base/mem.h"
 #include "base/strbuf.h"
 #include "base/units.h"
+#include "geom/tolerance.h"
 #include "scene/pair_rules.h"
 #include "scene/static_query.h"
 

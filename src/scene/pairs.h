@@ -4,13 +4,8 @@
 
 #include <stdbool.h>
 
+#include "geom/tolerance.h"
 #include "scene/scene.h"
-
-/*
- * mm and radians: proofs of "out of reach" go this far past the limits, so that
- * the rounding of positions and small path tolerances stay inside them.
- */
-#define REACH_MARGIN 1e-3
 
 /* Fills scene->pairs (fivecheck(7), "Pairs"). False: a mesh was faulty, reported. */
 bool pairs_derive(struct scene *scene, double clearance, struct diag *diag);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "geom/tolerance.h"
 #include "scene/bvh_pair.h"
 #include "scene/coherence.h"
 
@@ -142,7 +143,7 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 	double required = required_in(walk, interval);
 	float apart[BVH_WIDTH], loose[BVH_WIDTH];
 
-	boxes_apart(&interval->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + 0x1p-20f), apart, loose);
+	boxes_apart(&interval->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + FLOAT_MARGIN), apart, loose);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;

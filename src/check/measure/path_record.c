@@ -1,10 +1,9 @@
 #include "check/measure/path_record.h"
 
+#include "geom/tolerance.h"
+
 #include <math.h>
 #include <string.h>
-
-/* radians: rounding of what does not depend on work offsets, but may be computed along with what does. */
-#define SAME_ANGLE 1e-9
 
 struct record {
 	long line;
@@ -73,7 +72,7 @@ static void compare(struct path_record *path, const struct record *now)
 
 		if (!slot_is_rotary(slot))
 			way += off * off;
-		else if (off > SAME_ANGLE)
+		else if (off > SAME_POINT)
 			path->same = false;
 	}
 	path->way = fmax(path->way, sqrt(way));

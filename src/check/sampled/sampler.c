@@ -4,6 +4,7 @@
 
 #include "check/sampled/axis_cache.h"
 #include "geom/moved_tri.h"
+#include "geom/tolerance.h"
 #include "scene/bvh_pair.h"
 
 /* One motion, and the pose of the sample at s. */
@@ -124,7 +125,7 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 		open_a = bvh_pair_opens_a(&at.a, &at.b);
 		node = &(open_a ? bodies->a : bodies->b)->nodes[open_a ? at.a.leaf.first : at.b.leaf.first];
 		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box,
-			    (float)sample->sampler->clearance * (1 + 0x1p-20f), apart, loose);
+			    (float)sample->sampler->clearance * (1 + FLOAT_MARGIN), apart, loose);
 		for (int l = 0; l < node->used; l++) {
 			struct subtree child = subtree_child(node, l);
 

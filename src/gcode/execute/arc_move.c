@@ -8,9 +8,8 @@
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
+#include "geom/tolerance.h"
 
-/* mm, radians: ends of an arc that are closer than this are the same point, and the arc is a full circle. */
-#define SAME_POINT 1e-9
 /* LinuxCNC's min_arc_angle (emccanon.cc). */
 #define SAME_ANGLE 1e-12
 

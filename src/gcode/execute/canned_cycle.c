@@ -9,15 +9,13 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
 
 /*
  * mm: LinuxCNC 2.9 stops its rapid this far above the last depth. On other controls a parameter says how far; the rapid
  * stays within the way that the cycle makes in any case.
  */
 #define PECK_CLEARANCE 0.254
-
-/* mm: heights that differ by less are the same. */
-#define SAME_COORDINATE 1e-6
 
 /* More pecks or holes in one block are a typing mistake, and carrying them out would seem to hang. */
 #define COUNT_MAX 1000000

@@ -7,9 +7,7 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
-
-/* mm: coordinates that differ by less are the same. */
-#define SAME_COORDINATE 1e-6
+#include "geom/tolerance.h"
 
 static double word_or(const struct interp *interp, char letter, double otherwise)
 {

@@ -4,9 +4,7 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/work_offset_use.h"
-
-/* mm: coordinates that differ by less are the same. */
-#define SAME_COORDINATE 1e-6
+#include "geom/tolerance.h"
 
 static bool is_zero(double value)
 {

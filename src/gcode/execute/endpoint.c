@@ -7,9 +7,7 @@
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
-
-/* Degrees: positions that are closer are the same; a way that is closer to half a turn may go either way round. */
-#define WRAP_TOLERANCE 1e-9
+#include "geom/tolerance.h"
 
 /*
  * The shortest way to a position modulo a turn (Fanuc 16i/18i-MB operator's manual,
@@ -21,7 +19,7 @@ static bool shortest(struct interp *interp, int slot, double aim, int column, do
 	double way = remainder(aim - here, 360);
 	int half_turn = interp->config->half_turn[slot];
 
-	if (fabs(way) >= 180 - WRAP_TOLERANCE) {
+	if (fabs(way) >= 180 - SAME_DEGREES) {
 		if (!half_turn)
 			return fault(&interp->at, column,
 				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
@@ -39,8 +37,8 @@ static double directed(const struct interp *interp, int slot, double aim, bool n
 	double turns = (interp->state.position.v[slot] - aim) / 360;
 
 	if (negative)
-		return aim + 360 * floor(turns + WRAP_TOLERANCE / 360);
-	return aim + 360 * ceil(turns - WRAP_TOLERANCE / 360);
+		return aim + 360 * floor(turns + SAME_DEGREES / 360);
+	return aim + 360 * ceil(turns - SAME_DEGREES / 360);
 }
 
 bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target)

@@ -4,9 +4,7 @@
 #include <math.h>
 
 #include "gcode/execute/work_offset_use.h"
-
-/* mm or degrees: a smaller result of L10 or L11 is rounding, and no offset. */
-#define NO_OFFSET 1e-9
+#include "geom/tolerance.h"
 
 /* G59.3, the fixture of L11. */
 #define FIXTURE_SYSTEM (SYSTEM_COUNT - 1)
@@ -84,7 +82,7 @@ static bool check_offsets(struct interp *interp, int mode, int number)
 		if (!block_has(block, letter))
 			continue;
 		offset = offset_of(interp, mode, slot, block_value(block, letter));
-		if (slot != SLOT_Z && fabs(offset) > NO_OFFSET)
+		if (slot != SLOT_Z && fabs(offset) > SAME_POINT)
 			return fault(&interp->at, block_column(block, letter),
 				     "G10 L%d gives T%d an offset of %.9g %s in %c, which G43 would apply to that axis"
 				     "; offsets of tools in other axes than Z are not supported yet",

@@ -4,9 +4,7 @@
 
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
-
-/* mm: a coordinate that changes by less is the same. */
-#define SAME_COORDINATE 1e-6
+#include "geom/tolerance.h"
 
 slot_values length_change_place(const struct interp *interp)
 {

@@ -4,15 +4,13 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "geom/tolerance.h"
 
 /* The most blocks between two moves in the plane. LinuxCNC has no limit, but no program needs so many. */
 #define QUEUE_MAX 10000
 
 /* mm: a compensated arc whose radii differ by more is wrong (LinuxCNC, interp_queue.cc). */
 #define RADIUS_TOLERANCE 0.01
-
-/* mm: ends of an arc that are closer are one point, and the arc is a full turn. */
-#define SAME_POINT 1e-9
 
 void comp_queue_release(struct comp_queue *queue)
 {

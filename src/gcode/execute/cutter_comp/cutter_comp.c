@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_corner.h"
 #include "gcode/execute/motion_commands.h"
+#include "geom/tolerance.h"
 
 /* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; a path that turns less goes straight on. */
 #define STRAIGHT_ON 0.05
@@ -369,7 +370,7 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 		break;
 	}
 	item.end = end;
-	item.programmed_sweep = fabs(arc_sweep(from, to, centre, clockwise, turns, 1e-9 / radius));
+	item.programmed_sweep = fabs(arc_sweep(from, to, centre, clockwise, turns, SAME_POINT / radius));
 	if (!good || !add_arc(interp, target, move, &item))
 		return false;
 	arrive(interp, target, end);
