@@ -56,6 +56,8 @@ BODIES = [vise, blade]
 
 def spiral(program):
     program.comment('OPERATION 1: AIRFOIL, SPIRAL, 5 AXES')
+    # At home a tool would be put into the blade.
+    program.add('G53 X-400.')
     program.tool(1, 'ball 12', 12000)
     turns, last = 8, 0.0
     sin, cos = math.sin(math.radians(TILT)), math.cos(math.radians(TILT))
@@ -82,7 +84,10 @@ def spiral(program):
 
 
 def holes(program, safe):
-    """Two holes in either flank of the root, the tool horizontal."""
+    """Two holes in either flank of the root, the tool horizontal.
+
+    The part is drawn without them: the drill leaves at feed.
+    """
     program.comment('OPERATION 2: ROOT HOLES, B90')
     program.tool(2, 'drill 8', 3400)
     for side in (1, -1):
@@ -95,7 +100,7 @@ def holes(program, safe):
             program.rapid(Y=side * 27)
             for depth in (6, 12):
                 program.feed(200, Y=side * (25 - depth))
-                program.rapid(Y=side * 27)
+                program.feed(3000, Y=side * 27)
             program.rapid(Y=side * 35)
         if side < 0 or safe:
             program.rapid(Y=side * 110)

@@ -83,10 +83,10 @@ def walls(program):
     program.tcp(1)
     program.add('M8')
     c = 0.0
-    for k, z in enumerate((78, 52, 26)):
+    for k, z in enumerate((78, 52, 27)):
         c = wall_pass(program, 1, 8, z, 1 if k % 2 == 0 else -1, c)
     program.comment('OPERATION 2: WALL INSIDE, FLANK, 5 AXES')
-    for k, z in enumerate((80, 57, 34)):
+    for k, z in enumerate((80, 57, 35)):
         c = wall_pass(program, -1, 8, z, -1 if k % 2 == 0 else 1, c)
     program.add('M9')
     program.add('G49')
@@ -100,11 +100,12 @@ def inclined_hole(program, side, back):
     for distance in (back, 3):
         p = add(foot, distance, axis)
         program.rapid(X=p[0], Y=p[1], Z=p[2], B=DRAIN * side, C=0)
+    # The part is drawn without these holes: out of them at feed, with the spindle on.
     for depth in (6, 12, 18):
         p = add(foot, -depth, axis)
         program.feed(180, X=p[0], Y=p[1], Z=p[2])
         p = add(foot, 3, axis)
-        program.rapid(X=p[0], Y=p[1], Z=p[2])
+        program.feed(3000, X=p[0], Y=p[1], Z=p[2])
     p = add(foot, back, axis)
     program.rapid(X=p[0], Y=p[1], Z=p[2])
 

@@ -73,5 +73,6 @@ void batch_close(struct batch *batch)
 		widen(chunk, &step->motion);
 		step->beyond = is_beyond_travel(&step->motion);
 		chunk->beyond |= step->beyond;
+		chunk->classes |= step->motion.step_class;
 	}
 }

@@ -24,6 +24,7 @@ struct batch_chunk {
 	axis_values low, high;
 	struct position_errors errors;	/* its chord errors are 0 */
 	bool beyond;	/* one of its steps is */
+	unsigned classes;	/* bits of enum step_class: of its steps */
 };
 
 struct batch {

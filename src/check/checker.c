@@ -59,15 +59,33 @@ static struct contact measured(struct checker *c, const struct scene_pair *pair,
 	return contact;
 }
 
-/* The pair meets here, in a move of this number. `tolerance` as in measured(). */
+/* What it is called that the pair meets, when `kind` is the name for what must always stay apart. */
+static enum finding_kind kind_of(const struct scene_pair *pair, enum finding_kind kind)
+{
+	switch (pair->fault) {
+	case PAIR_RAPID_CONTACT:
+		return FINDING_RAPID_CONTACT;
+	case PAIR_GOUGE:
+		return FINDING_GOUGE;
+	case PAIR_COLLISION:
+		break;
+	}
+	return kind;
+}
+
+/*
+ * The pair meets here, in a move of this number, in a step of this class (0: the axes stand). `tolerance` as
+ * in measured().
+ */
 static void add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
-			const struct contact *found, const axis_values *tolerance)
+			int step_class, const struct contact *found, const axis_values *tolerance)
 {
 	const struct scene_pair *pair = &c->scene->pairs[at->rank];
 	const struct contact contact = measured(c, pair, found, tolerance);
 	struct block_finding finding = *at;
 
-	finding.finding = finding_of_pair(c->scene, pair, kind, &contact, c->tool);
+	finding.finding = finding_of_pair(c->scene, pair, kind_of(pair, kind), &contact, c->tool);
+	finding.finding.step_class = step_class;
 	finding.finding.move = move;
 	finding.finding.time = at->finding.time;
 	block_log_add_finding(&c->log, &finding);
@@ -83,7 +101,8 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	const struct block_finding at = {.finding.time = motion->time + since, .block = step->block,
 					 .block_time = motion->block_time + since, .rank = (int)result->pair};
 
-	add_finding(c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move, &result->contact,
+	add_finding(c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move,
+		    (int)motion->step_class, &result->contact,
 		    step_may_stray(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
 }
 
@@ -270,7 +289,7 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 		pair_check_stand(check, &c->sweep, &c->position);
 	if (state != POSE_NEAR && state != POSE_OVERLAP)
 		return;
-	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, &contact, NULL);
+	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, 0, &contact, NULL);
 	if (c->options->block_clearances && state == POSE_OVERLAP)
 		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = check->pair});
 	pair_check_found(check, c->block);
@@ -285,7 +304,7 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 		struct pair_check *check = &c->scheduler.checks[i];
 
 		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&
-		    (!tool_only || check->tool))
+		    pair_check_watches(check, STEP_RAPID) && (!tool_only || check->tool))
 			check_pair_at_rest(c, check, move);
 	}
 	c->stats->seconds_check += checker_clock() - start;

@@ -2,7 +2,8 @@
 
 const char *const finding_kind_names[FINDING_KINDS + 1] = {
 	[FINDING_COLLISION] = "collision", [FINDING_CLEARANCE] = "clearance", [FINDING_LIMIT] = "limit",
-	[FINDING_START_OVERLAP] = "start-overlap",
+	[FINDING_START_OVERLAP] = "start-overlap", [FINDING_RAPID_CONTACT] = "rapid-contact",
+	[FINDING_GOUGE] = "gouge",
 };
 
 static const char *link_of(const struct scene *scene, int body)
@@ -28,6 +29,9 @@ struct finding finding_of_pair(const struct scene *scene, const struct scene_pai
 		.clearance = contact->distance,
 		.path_tolerance = contact->path_displacement,
 		.required = pair->clearance,
+		.b_is_cutter = b->role == ROLE_CUTTER,
+		/* One of the two is a core, the other none. */
+		.depth = scene->bodies[pair->a].depth + scene->bodies[pair->b].depth,
 	};
 }
 

@@ -9,10 +9,17 @@
 #include "scene/scene.h"
 #include "scene/tri_pair.h"
 
-enum finding_kind { FINDING_COLLISION, FINDING_CLEARANCE, FINDING_LIMIT, FINDING_START_OVERLAP };
-enum { FINDING_KINDS = FINDING_START_OVERLAP + 1 };
+enum finding_kind {
+	FINDING_COLLISION,
+	FINDING_CLEARANCE,
+	FINDING_LIMIT,
+	FINDING_START_OVERLAP,
+	FINDING_RAPID_CONTACT,	/* a cutter that does not cut enters the part */
+	FINDING_GOUGE	/* a cutter that cuts enters the part too deep */
+};
+enum { FINDING_KINDS = FINDING_GOUGE + 1 };
 
-/* "collision", "clearance", "limit", "start-overlap"; ends in NULL. */
+/* "collision", "clearance", "limit", "start-overlap", "rapid-contact", "gouge"; ends in NULL. */
 extern const char *const finding_kind_names[FINDING_KINDS + 1];
 
 /* Lives during the call that hands it over. */
@@ -34,6 +41,10 @@ struct finding {
 	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
 	double path_tolerance;	/* mm: the control's path tolerance can take so much of that; 0: none, or not known (PATH_BOX) */
 	double required;	/* c */
+	/* RAPID_CONTACT, GOUGE: */
+	bool b_is_cutter;	/* else a is */
+	double depth;	/* mm: how deep the cutter may enter the part */
+	int step_class;	/* enum step_class; 0: the axes stand */
 	/* LIMIT: */
 	int slot;
 	double bound;	/* mm or radians */

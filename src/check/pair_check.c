@@ -27,10 +27,13 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 		.scene = scene,
 		.pair = pair,
 		.tool = tool_of(scene, p),
+		.steps = p->steps,
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
 		.found_block = -1,
 		.unknown_block = -1,
 	};
+	/* A core has no clearance that anyone would want to know. */
+	measure = measure && p->status != PAIR_CUTTING;
 	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, measure);
 	if (measure && options->measure_cap > 0)
 		strategy_cap(&check->strategy, p->clearance + options->measure_cap);
@@ -51,6 +54,11 @@ void pair_check_release(struct pair_check *check)
 bool pair_check_is_active(const struct pair_check *check, int tool)
 {
 	return !check->tool || check->tool == tool;
+}
+
+bool pair_check_watches(const struct pair_check *check, enum step_class class)
+{
+	return (check->steps & (unsigned)class) != 0;
 }
 
 void pair_check_found(struct pair_check *check, long block)
@@ -105,6 +113,18 @@ static enum query_answer pass_entangled(struct pair_check *check, struct sweep *
 	return QUERY_CONTACT;
 }
 
+/* Steps are left out in which the bodies may meet. */
+static void leave_out(struct pair_check *check)
+{
+	check->maybe_inside |= check->steps != STEP_ANY;
+	strategy_forget_position(&check->strategy);
+}
+
+static bool applies(const struct pair_check *check, const struct batch_step *step)
+{
+	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
+}
+
 /* Steps from i on that the pair passes as one chunk; 0: it must take them one by one. */
 static size_t skip_chunk(struct pair_check *check, const struct batch *batch, size_t i, size_t to,
 			 const struct check_options *options)
@@ -114,8 +134,8 @@ static size_t skip_chunk(struct pair_check *check, const struct batch *batch, si
 
 	if (i % CHUNK_STEPS)
 		return 0;
-	if (check->past_limits_only && !chunk->beyond) {
-		strategy_forget_position(&check->strategy);
+	if (!(check->steps & chunk->classes) || (check->past_limits_only && !chunk->beyond)) {
+		leave_out(check);
 		return count;
 	}
 	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || check->maybe_inside ||
@@ -123,6 +143,18 @@ static size_t skip_chunk(struct pair_check *check, const struct batch *batch, si
 			   &batch->steps[i + count - 1].motion.span.q1, count))
 		return 0;
 	return count;
+}
+
+/* Steps from i on, one after the other, that apply. */
+static size_t count_alike(const struct pair_check *check, const struct batch *batch, size_t i, size_t to)
+{
+	size_t end = i;
+
+	if (check->steps == STEP_ANY)
+		return to - i;
+	while (end < to && applies(check, &batch->steps[end]))
+		end++;
+	return end - i;
 }
 
 /* Steps from i on that nothing has to be asked of one by one. */
@@ -134,7 +166,7 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
 	    batch->steps[i].block == check->found_block)
 		return skipped;
-	return strategy_advance_chord(&check->strategy, sweep, &batch->steps[i], to - i);
+	return strategy_advance_chord(&check->strategy, sweep, &batch->steps[i], count_alike(check, batch, i, to));
 }
 
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
@@ -152,9 +184,8 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		if (skipped)
 			continue;
 
-		if (step->block == check->found_block ||
-		    (check->past_limits_only && !step->beyond)) {
-			strategy_forget_position(&check->strategy);
+		if (step->block == check->found_block || !applies(check, step)) {
+			leave_out(check);
 			continue;
 		}
 		sweep->exhausted = false;
@@ -216,7 +247,7 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 	bool clears = false;
 
 	check->room_count = 0;
-	for (size_t i = 0; i < batch->step_count; i++) {
+	for (size_t i = 0; i < batch->step_count && check->steps == STEP_ANY; i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 

@@ -31,6 +31,7 @@ struct pair_check {
 	struct scene *scene;	/* borrowed */
 	size_t pair;	/* of the scene */
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
+	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
@@ -54,6 +55,9 @@ void pair_check_release(struct pair_check *check);
 
 /* Is the check's pair there while this tool is in the spindle? */
 bool pair_check_is_active(const struct pair_check *check, int tool);
+
+/* Has the pair to stay apart in steps of this class? */
+bool pair_check_watches(const struct pair_check *check, enum step_class class);
 
 /* The pair has a finding in this block already. */
 void pair_check_found(struct pair_check *check, long block);

@@ -30,9 +30,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 		scheduler->sweeps[i].effort = options->effort ? options->effort : CHECK_EFFORT;
 	}
 	for (size_t i = 0; i < scene->pair_count; i++) {
-		enum pair_status status = scene->pairs[i].status;
-
-		if (status != PAIR_CHECKED && status != PAIR_OUT_OF_REACH)
+		if (!scene_pair_needs_check(&scene->pairs[i]))
 			continue;
 		if (!pair_check_init(&scheduler->checks[scheduler->count], scene, i, options, measure, diag))
 			return false;

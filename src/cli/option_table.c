@@ -89,7 +89,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "accept the findings that FILE.xml lists, each with a\nreason and a last day"},
 	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
 	 .choices = finding_kind_names,
-	 .help = "findings of these kinds fail the run, others are only\nwarnings: %s"},
+	 .help = "findings of these kinds fail the run, others only\nwarn: %s"},
 	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
 	 .help = "exit with status 0 even if something was found"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),

@@ -22,7 +22,7 @@ enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
 enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 
 /* What the machine's maker has an M-code do. */
-enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE };
+enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE, MCODE_SPINDLE_ON, MCODE_SPINDLE_OFF };
 
 struct mcode {
 	int number;

@@ -172,6 +172,31 @@ static bool caution_waived(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* A cutter without a core may be at rapid in the part unseen. */
+static bool caution_mesh_cutter(struct strbuf *out, const struct verdict *v)
+{
+	const struct scene_pair *first = NULL;
+	size_t count = 0;
+
+	for (size_t i = 0; i < v->scene->pair_count; i++) {
+		const struct scene_pair *pair = &v->scene->pairs[i];
+
+		if (pair->status != PAIR_CUTTING || pair->steps)
+			continue;
+		first = first ? first : pair;
+		count++;
+	}
+	if (!count)
+		return false;
+	format_units_add_count(out, count, "pair");
+	strbuf_addf(out, " of cutter and part not checked at rapid, the first ");
+	format_units_add_plain(out, v->scene->bodies[first->a].body->name);
+	strbuf_addf(out, " and ");
+	format_units_add_plain(out, v->scene->bodies[first->b].body->name);
+	strbuf_addf(out, ": the cutter is a mesh; describe it by sections");
+	return true;
+}
+
 static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 {
 	const struct scene_pair *pair;
@@ -231,8 +256,7 @@ bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_unknown,
-		caution_blend,
-		caution_accepted, caution_shard, caution_warnings,
+		caution_mesh_cutter, caution_blend, caution_accepted, caution_shard, caution_warnings,
 	};
 
 	/* --parse-only checks no bodies, so that cautions about bodies do not apply. */

@@ -41,7 +41,7 @@ bool verdict_is_accepted(const struct verdict *verdict);
 /* Was only a part of the program's blocks checked? */
 bool verdict_is_shard(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 10 };
+enum { VERDICT_CAUTIONS = 11 };
 
 /* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);

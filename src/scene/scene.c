@@ -175,6 +175,12 @@ bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struc
 	return true;
 }
 
+bool scene_pair_needs_check(const struct scene_pair *pair)
+{
+	return pair->status == PAIR_CHECKED || pair->status == PAIR_OUT_OF_REACH ||
+	       (pair->status == PAIR_CUTTING && pair->steps);
+}
+
 bool scene_build(struct scene *scene, struct diag *diag)
 {
 	bool good = true;
@@ -182,7 +188,7 @@ bool scene_build(struct scene *scene, struct diag *diag)
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		const struct scene_pair *pair = &scene->pairs[i];
 
-		if (pair->status == PAIR_CHECKED || pair->status == PAIR_OUT_OF_REACH)
+		if (scene_pair_needs_check(pair))
 			good = scene_body_bvh(scene, pair->a, diag) && scene_body_bvh(scene, pair->b, diag) && good;
 	}
 	return good;

@@ -73,6 +73,9 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 			struct diag *diag);
 void scene_free(struct scene *scene);
 
+/* Does a check follow the pair, in some steps at least? */
+bool scene_pair_needs_check(const struct scene_pair *pair);
+
 /*
  * Reads and builds what the pairs that may have to be checked need; several threads may
  * check programs on the scene afterwards. False: a mesh is faulty, reported.

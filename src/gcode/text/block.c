@@ -90,6 +90,25 @@ static bool set_m(struct block *block, const struct line_place *at, const struct
 	return true;
 }
 
+/* An M-code that the machine file gives a meaning. */
+static bool set_machine_m(struct block *block, const struct line_place *at, const struct word *word,
+			  enum mcode_action action)
+{
+	switch (action) {
+	case MCODE_TCP_ON:
+	case MCODE_TCP_OFF:
+		return set_m(block, at, word, M_TCP, (int)action);
+	case MCODE_SPINDLE_ON:
+		return set_m(block, at, word, M_SPINDLE, 3);
+	case MCODE_SPINDLE_OFF:
+		return set_m(block, at, word, M_SPINDLE, 5);
+	case MCODE_IGNORE:
+		break;
+	}
+	block->m_ignored = true;
+	return true;
+}
+
 static bool add_m(struct block *block, const struct line_place *at, const struct word *word,
 		  const struct gcode_config *config)
 {
@@ -103,14 +122,9 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 	if (++block->m_count > M_COUNT_MAX)
 		return fault(at, word->column, "a block can have at most %d M-codes", M_COUNT_MAX);
 	number = (int)word->value;
-	for (size_t i = 0; i < config->controller.mcode_count; i++) {
-		if (config->controller.mcodes[i].number != number)
-			continue;
-		if (config->controller.mcodes[i].action != MCODE_IGNORE)
-			return set_m(block, at, word, M_TCP, (int)config->controller.mcodes[i].action);
-		block->m_ignored = true;
-		return true;
-	}
+	for (size_t i = 0; i < config->controller.mcode_count; i++)
+		if (config->controller.mcodes[i].number == number)
+			return set_machine_m(block, at, word, config->controller.mcodes[i].action);
 	code = code_find(config->dialect->m_codes, number);
 	if (!code)
 		return fault(at, word->column,

@@ -19,7 +19,8 @@ static const char *const elements[] = {
 static void read_mcode(struct xml_reader *xml, const xmlNode *node, void *context)
 {
 	static const char *const actions[] = {
-		[MCODE_TCP_ON] = "tcp-on", [MCODE_TCP_OFF] = "tcp-off", [MCODE_IGNORE] = "ignore", NULL,
+		[MCODE_TCP_ON] = "tcp-on", [MCODE_TCP_OFF] = "tcp-off", [MCODE_IGNORE] = "ignore",
+		[MCODE_SPINDLE_ON] = "spindle-on", [MCODE_SPINDLE_OFF] = "spindle-off", NULL,
 	};
 	struct machine_description *described = context;
 	struct mcode_description *mcode = &described->controller.mcodes[described->controller.mcode_count++];

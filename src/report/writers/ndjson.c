@@ -101,6 +101,8 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 	json_put(object, "time", json_real(f->time));
 	json_put(object, "point", bodies ? json_point(f->point) : json_null());
 	json_put(object, "clearance", bodies ? json_real(f->clearance) : json_null());
+	if (f->kind == FINDING_RAPID_CONTACT || f->kind == FINDING_GOUGE)
+		json_put(object, "allowed_depth", json_real(f->depth));
 	if (bodies && f->path_tolerance > 0)
 		json_put(object, "path_tolerance", json_real(f->path_tolerance));
 	if (!bodies) {

@@ -25,6 +25,13 @@ static const struct rule {
 	{"start-overlap", "StartOverlap", "Two bodies overlap before the block moves.",
 	 "Bodies overlap where the program starts, or where a tool change puts a new body. If the models are merely "
 	 "drawn through each other there, <pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
+	{"rapid-contact", "RapidContact", "A cutter that does not cut enters the part.",
+	 "At rapid, or while its spindle stands, a cutter enters the finished part deeper than <part rapid_allowance> "
+	 "allows (0.1 mm where nothing is said). Feed into the part with M3 or M4 in force, retract before the rapid, "
+	 "and look for a missing G43. A probe or a nozzle says so by <tool kind>."},
+	{"gouge", "Gouge", "A cutter cuts into the finished part.",
+	 "At feed a cutter enters the finished part deeper than <part gouge> allows. Compare the program with the model "
+	 "of the part: stock to leave, tool, length and radius compensation, work offset."},
 	{"incomplete", "Incomplete", "Not everything could be checked.",
 	 "Something could not be read, interpreted, or decided, so that nothing is proved from there on. The message "
 	 "says what it is and what to write instead."},

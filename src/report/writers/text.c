@@ -7,12 +7,40 @@
 #include "report/sensitivity_report.h"
 #include "report/writers/writers.h"
 
+static void add_body(struct strbuf *out, const char *body, const char *link)
+{
+	format_units_add_plain(out, body);
+	strbuf_addf(out, " (%s)", link);
+}
+
 static void add_bodies(struct strbuf *out, const struct finding *f, const char *verb)
 {
-	format_units_add_plain(out, f->a);
-	strbuf_addf(out, " (%s) %s ", f->link_a, verb);
-	format_units_add_plain(out, f->b);
-	strbuf_addf(out, " (%s)", f->link_b);
+	add_body(out, f->a, f->link_a);
+	strbuf_addf(out, " %s ", verb);
+	add_body(out, f->b, f->link_b);
+}
+
+/* What the cutter does while it is too deep in the part. */
+static const char *how_it_moves(const struct finding *f)
+{
+	switch (f->step_class) {
+	case STEP_RAPID:
+		return "at rapid";
+	case STEP_FEED_TURNING:
+		return "while it cuts";
+	case STEP_FEED_STANDING:
+		return f->kind == FINDING_GOUGE ? "while it works" : "while its spindle stands";
+	default:
+		return "before the block moves";
+	}
+}
+
+static void add_entry(struct strbuf *out, const struct finding *f)
+{
+	add_body(out, f->b_is_cutter ? f->b : f->a, f->b_is_cutter ? f->link_b : f->link_a);
+	strbuf_addf(out, " enters ");
+	add_body(out, f->b_is_cutter ? f->a : f->b, f->b_is_cutter ? f->link_a : f->link_b);
+	strbuf_addf(out, " more than %.10g mm deep %s", f->depth, how_it_moves(f));
 }
 
 void text_message(struct strbuf *out, const struct finding *f)
@@ -27,6 +55,10 @@ void text_message(struct strbuf *out, const struct finding *f)
 	case FINDING_START_OVERLAP:
 		add_bodies(out, f, "overlaps");
 		strbuf_addf(out, " before the block moves");
+		break;
+	case FINDING_RAPID_CONTACT:
+	case FINDING_GOUGE:
+		add_entry(out, f);
 		break;
 	case FINDING_LIMIT:
 		strbuf_addf(out, "axis %c leaves its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
