@@ -9,7 +9,7 @@
 
 static const char *const elements[] = {"waivers", "waiver", NULL};
 
-static const char *const kinds[] = {"collision", "clearance", "limit", "start-overlap", NULL};
+static const char *const kinds[] = {"collision", "clearance", "limit", "start-overlap", "rapid-contact", "gouge", NULL};
 
 static const char *read_text(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena)
 {
