@@ -290,7 +290,7 @@ START_TEST(machine_axes_under_switched_kinematics)
 		ck_assert(!case_run(&c, program.text));
 		ck_assert_ptr_nonnull(
 		    strstr(strbuf_text(&c.messages),
-			   "p.nc:2:1: error: while an M-code has switched TCP on, LinuxCNC takes machine "
+			   "p.nc:2:1: error: while an M-code has switched TCP on, this control takes machine "
 			   "coordinates for those of the tool point; switch TCP off first\n"));
 		strbuf_release(&program);
 		case_release(&c);

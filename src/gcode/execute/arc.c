@@ -11,7 +11,7 @@
 const struct arc_tolerance arc_tolerance_mm = {0.00005 * MM_PER_INCH, 0.028284271247461903};
 const struct arc_tolerance arc_tolerance_inch = {0.00005 * MM_PER_INCH, 0.0028284271247461903 * MM_PER_INCH};
 
-/* The same source: radii that differ by more than that are accepted if they differ by less than this part of them ... */
+/* The same source: radii that differ by more than that are accepted if they differ by less than this part ... */
 #define SPIRAL_RELATIVE_TOLERANCE 0.001
 /* ... and by less than this many tolerances. */
 #define SPIRAL_GREATEST 100

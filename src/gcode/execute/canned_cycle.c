@@ -385,7 +385,11 @@ static bool make_hole(struct canned_cycle *cycle)
 	}
 }
 
-/* Moves over the hole and down to R. Where cycles rise first, never below R. */
+/*
+ * Moves over the next hole and down to R. Where cycles rise first, the first
+ * hole is reached at the present height if that is above R, and any other at
+ * the retract height.
+ */
 static bool go_over(struct canned_cycle *cycle, bool first, double height)
 {
 	bool rises = cycle->traits->rises_first == ANSWER_YES;

@@ -54,8 +54,8 @@ bool tool_length_suspend(struct interp *interp, int column, struct suspended *su
 		return false;
 	if (state->tcp == TCP_BY_MCODE && traits_of(interp)->g53_under_tcp == G53_UNDER_TCP_TOOL_POINT)
 		return fault(&interp->at, column,
-			     "while an M-code has switched TCP on, LinuxCNC takes machine coordinates for those of the "
-			     "tool point; switch TCP off first");
+			     "while an M-code has switched TCP on, this control takes machine coordinates for those of "
+			     "the tool point; switch TCP off first");
 	state->frame.on = false;
 	return state->tcp == TCP_OFF || switch_tcp(interp, column, TCP_OFF, state->length);
 }

@@ -46,11 +46,6 @@ static struct plane_point beside(struct plane_point from, double distance, doubl
 	return (struct plane_point){from.a + distance * cos(angle), from.b + distance * sin(angle)};
 }
 
-bool cutter_comp_is_on(const struct interp *interp)
-{
-	return interp->comp.side != 0 && interp->comp.radius > 0;
-}
-
 /* ------------------------------------------------------------------ queue */
 
 /* An item that waited. */

@@ -25,7 +25,10 @@ bool cutter_comp_select(struct interp *interp);
 bool cutter_comp_switch_on(struct interp *interp);
 
 /* Is it on? Then cutter_comp_line and cutter_comp_arc make the moves. */
-bool cutter_comp_is_on(const struct interp *interp);
+static inline bool cutter_comp_is_on(const struct interp *interp)
+{
+	return interp->comp.side != 0 && interp->comp.radius > 0;
+}
 
 /* Move to the programmed position; an arc has its programmed centre and its full turns, from 1. */
 bool cutter_comp_line(struct interp *interp, const slot_values *target, struct canon_move *move);
