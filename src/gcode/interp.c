@@ -8,6 +8,7 @@
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
 #include "gcode/state.h"
+#include "gcode/text/rest_of_file.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
 			  const struct canon_sink *sink, struct diag *diag)
@@ -186,6 +187,25 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 			     "complete, write it again; if it is, end it with M2 or M30, or the line with a line feed");
 }
 
+/* What stands behind the end is not carried out, but whoever sees it in the file may believe that it was checked. */
+static void warn_of_rest(struct interp *interp, struct line_reader *reader)
+{
+	const long end = reader->line, lines = reader->furthest;
+	const struct rest_of_file rest = rest_of_file_find(reader, interp->config->read.cancel);
+	struct srcloc loc = {interp->program.sources.items[0]->name, rest.program ? rest.program : rest.motion, 0};
+
+	/* The lines of the program are those that it consists of. */
+	reader->furthest = lines;
+	if (rest.program)
+		diag_warning(interp->diag, loc,
+			     "another program begins here, after the end in line %ld: it was not checked; give it a file "
+			     "of its own", end);
+	else if (rest.motion)
+		diag_warning(interp->diag, loc,
+			     "this moves axes, but stands after the end of the program in line %ld: from here on nothing "
+			     "was checked", end);
+}
+
 bool interp_run(struct interp *interp, FILE *in, const char *name)
 {
 	struct reader *reader;
@@ -208,6 +228,8 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	}
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);
+	else if (good)
+		warn_of_rest(interp, reader);
 	sources_close(&interp->program.sources);
 	return good;
 }

@@ -25,9 +25,9 @@ START_TEST(words_are_free_in_form)
 {
 	expect_moves("n10 g0x1 0 .5 y - 2\n/g 0 1 z+3.f100 (comment) ; more G0 X99\nM2\n",
 		     "rapid 10.5 -2 0 0 0\nfeed 10.5 -2 3 0 0\n");
-	expect_moves("%\nG00(X5)X1\n%\nG0 X2\n", "rapid 1 0 0 0 0\n");
+	expect_moves("%\nG00(X5)X1\n%\nthis is not read\n", "rapid 1 0 0 0 0\n");
 	expect_moves("\n \t\n%\t\nG0 X1\n%", "rapid 1 0 0 0 0\n");
-	expect_moves("G0.0 X1\nM30\nG0 X2\n%%%\n", "rapid 1 0 0 0 0\n");
+	expect_moves("G0.0 X1\nM30\nM99999\n%%%\n", "rapid 1 0 0 0 0\n");
 }
 END_TEST
 

@@ -1,0 +1,28 @@
+# What moves axes behind the end of a program is never carried out: the verdict says so, with the line, in every format.
+small_machine
+sed -i 's|<base>|<controller dialect="fanuc"/><base>|' m.xml
+machine_of() { sed "s|dialect=\"fanuc\"|dialect=\"$1\"|" m.xml >"$1.xml"; }
+machine_of linuxcnc
+# A block behind M30, and a second program with an O-number.
+printf '%%\nO1\nG21 G90\nG0 X10.\nM30\n(X1) M5\n\nG0 Z-149.\n%%\n' >behind.nc
+printf '%%\nO1\nG21 G90\nG0 X10.\nM30\nO2\nG0 Z-149.\nM30\n%%\n' >second.nc
+for program in behind second; do
+	status fivecheck -q --parse-only m.xml $program.nc
+done
+# Subprograms stand behind the end; so do local ones, between an N-number and M99, and comments.
+printf '%%\nO1\nG21 G90\nM98 P2\nM30\nO2\nG0 X10.\nM99\nN100 G0 X5.\nG0 X7. M99\n(G0 X9.)\nN5 M5\n%%\n' >subs.nc
+status fivecheck -q --parse-only m.xml subs.nc
+printf 'G21 G90\nG0 X10\nM2\no<late> sub\nG0 X20\no<late> endsub\n' >late.nc
+status fivecheck -q --parse-only linuxcnc.xml late.nc
+printf 'G21 G90\nG0 X10\nM2\n; X1\nthis is text about X and Y\nG1 Y5 X 20\n' >text.nc
+status fivecheck -q --parse-only linuxcnc.xml text.nc
+# A second '%' ends a program, too.
+printf '%%\nG21 G90\nG0 X10\n%%\nG0 X20\n' >percent.nc
+for format in text ndjson junit; do
+	fivecheck -q --parse-only -f $format linuxcnc.xml percent.nc | grep -o 'percent.nc:5: this moves axes' | head -n 1
+done
+for format in github sarif; do
+	fivecheck --parse-only -f $format linuxcnc.xml percent.nc 2>&1 >/dev/null | grep -o 'percent.nc:5: .*this moves axes' | head -n 1
+done
+# A pipe is not read any further: its writer may be waiting.
+cat behind.nc | fivecheck -q --parse-only m.xml -
