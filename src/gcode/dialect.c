@@ -7,3 +7,37 @@ bool dialect_answers(const struct dialect *dialect, const struct line_place *at,
 		return true;
 	return fault(at, column, "%s is not known of the %s dialect", question, dialect->name);
 }
+
+bool dialect_answers_cycles(const struct dialect *dialect, const struct line_place *at, int column)
+{
+	const struct cycle_traits *traits = dialect->traits.cycles;
+
+	if (!dialect_answers(dialect, at, column, traits != NULL, "how canned cycles drill"))
+		return false;
+	const struct {
+		int answer;
+		const char *question;
+	} questions[] = {
+		{traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
+		{traits->without_axes, "what a canned cycle without axis words does"},
+		{traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
+		{traits->never_below_r, "whether canned cycles with G98 retract below R"},
+		{traits->level_is_coordinate, "whether the level of G98 is a coordinate"},
+		{traits->p_is_needed, "which canned cycles dwell for P"},
+		{traits->q_has_sign, "whether Q of a canned cycle has a sign"},
+		{traits->zero_repeats_refused, "what a canned cycle does that is repeated 0 times"},
+		{traits->only_xyz, "whether canned cycles move rotary axes"},
+		{traits->spindle_must_turn, "whether canned cycles start the spindle"},
+		{traits->taps_confuse_planes, "where G74 and G84 go in other planes than that of G17"},
+		{traits->feeds_to_clear, "how far taps and G89 retract at the feed"},
+		{traits->rises_first, "at which height canned cycles go to their first hole"},
+		{traits->exact_path, "whether canned cycles drill in exact path mode"},
+		{traits->repeat_letter, "which word repeats a canned cycle"},
+	};
+
+	for (size_t i = 0; i < sizeof(questions) / sizeof(questions[0]); i++) {
+		if (!dialect_answers(dialect, at, column, questions[i].answer, questions[i].question))
+			return false;
+	}
+	return true;
+}

@@ -173,4 +173,7 @@ struct dialect {
 bool dialect_answers(const struct dialect *dialect, const struct line_place *at, int column, int answer,
 		     const char *question);
 
+/* Are all of its cycle_traits known? What a cycle does depends on several at once. False: reported at the column. */
+bool dialect_answers_cycles(const struct dialect *dialect, const struct line_place *at, int column);
+
 #endif

@@ -456,38 +456,6 @@ static bool is_to_drill(struct canned_cycle *cycle, bool *good)
 	return cycle->repeats > 0 && axes;
 }
 
-/* All answers must be known: what a cycle does depends on several at once. */
-static bool are_traits_known(const struct interp *interp, const struct cycle_traits *traits)
-{
-	int column = block_motion_column(&interp->block);
-	const struct {
-		int answer;
-		const char *question;
-	} questions[] = {
-	    {traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
-	    {traits->without_axes, "what a canned cycle without axis words does"},
-	    {traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
-	    {traits->never_below_r, "whether canned cycles with G98 retract below R"},
-	    {traits->level_is_coordinate, "whether the level of G98 is a coordinate"},
-	    {traits->p_is_needed, "which canned cycles dwell for P"},
-	    {traits->q_has_sign, "whether Q of a canned cycle has a sign"},
-	    {traits->zero_repeats_refused, "what a canned cycle does that is repeated 0 times"},
-	    {traits->only_xyz, "whether canned cycles move rotary axes"},
-	    {traits->spindle_must_turn, "whether canned cycles start the spindle"},
-	    {traits->taps_confuse_planes, "where G74 and G84 go in other planes than that of G17"},
-	    {traits->feeds_to_clear, "where taps and G89 retract at the feed to"},
-	    {traits->rises_first, "at which height canned cycles go to their first hole"},
-	    {traits->exact_path, "whether canned cycles drill in exact path mode"},
-	    {traits->repeat_letter, "which word repeats a canned cycle"},
-	};
-
-	for (size_t i = 0; i < sizeof(questions) / sizeof(questions[0]); i++) {
-		if (!is_answered(interp, column, questions[i].answer, questions[i].question))
-			return false;
-	}
-	return true;
-}
-
 bool canned_cycle_run(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -498,8 +466,7 @@ bool canned_cycle_run(struct interp *interp)
 	int column = block_motion_column(&interp->block);
 	bool kept, good;
 
-	if (!is_answered(interp, column, cycle.traits != NULL, "how canned cycles drill") ||
-	    !are_traits_known(interp, cycle.traits))
+	if (!dialect_answers_cycles(interp->config->dialect, &interp->at, column))
 		return false;
 	if (state->feed_mode == FEED_INVERSE_TIME)
 		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
