@@ -96,7 +96,7 @@ static int moving_axes(const struct path *path)
 	int count = 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		if (fabs(path->end.v[slot] - path->start.v[slot]) > 0)
+		if (!same_double(path->start.v[slot], path->end.v[slot]))
 			count++;
 	return count;
 }
