@@ -9,6 +9,7 @@
 #include "check/check.h"
 #include "check/model.h"
 #include "control/dialects.h"
+#include "scene/model_check.h"
 
 /* The face shows its own names of these; they are the same numbers. */
 _Static_assert((int)FIVECHECK_NOTE == DIAG_NOTE && (int)FIVECHECK_ERROR == DIAG_ERROR, "severities");
@@ -98,7 +99,7 @@ bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag 
 		diag_error(diag, nowhere, "the clearance must be 0 mm or more");
 		return false;
 	}
-	return model_add_scene(model, clearance, diag) && scene_build(model->scene, diag);
+	return model_add_scene(model, clearance, diag) && scene_build(model->scene, diag) && model_check(model->scene, diag);
 }
 
 fivecheck_options *fivecheck_options_new(void)

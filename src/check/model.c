@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "machine/kinematics_check.h"
 
 static const struct srcloc nowhere;
 
@@ -27,6 +28,7 @@ struct model *model_load(const char *machine, const char *setup, struct diag *di
 	    machine_check_rules(model->machine, model->setup, diag)) {
 		model->bodiless.machine = model->machine;
 		model->bodiless.setup = model->setup;
+		kinematics_check(model->machine, &model->bodiless.doubts);
 		return model;
 	}
 	model_free(model);
@@ -38,6 +40,7 @@ void model_free(struct model *model)
 	if (!model)
 		return;
 	scene_free(model->scene);
+	doubts_release(&model->bodiless.doubts);
 	setup_free(model->loaded);
 	machine_free(model->machine);
 	free(model);

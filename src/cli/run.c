@@ -17,6 +17,7 @@
 #include "report/mesh_lint.h"
 #include "report/tables/dump.h"
 #include "report/tables/pairs.h"
+#include "scene/model_check.h"
 
 static const struct srcloc nowhere;
 
@@ -207,7 +208,8 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 static enum run_status run_machine(const struct job *job, struct diag *diag, struct output *out)
 {
 	struct strbuf text = {0};
-	bool good = machine_report_add(&text, job->model->scene, diag) && mesh_lint_add(&text, job->model->scene, diag);
+	bool good = machine_report_add(&text, job->model->scene, diag) && model_check(job->model->scene, diag) &&
+		    mesh_lint_add(&text, job->model->scene, diag);
 
 	output_text(out, &text);
 	strbuf_release(&text);

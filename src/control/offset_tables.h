@@ -9,6 +9,7 @@
 struct work_offset {
 	const char *name;	/* "G54" ... "G59.3", "G54.1 P7", "G154 P7" */
 	axis_values value;
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	long line;	/* in the setup file */
 };
 
@@ -21,6 +22,7 @@ enum tool_kind {
 struct tool {
 	int number;	/* > 0 */
 	const char *name;	/* or "" */
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double length;	/* from the gauge point to the tip */
 	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
 	double length_offset;	/* H of the same number, unless the setup's <offset> says otherwise */

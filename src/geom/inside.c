@@ -135,17 +135,12 @@ bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 
 	return good;
 }
 
-int mesh_winding_around(const struct mesh *mesh, const struct topology *topology, uint32_t shell)
+int shell_winding_number(const struct mesh *mesh, const struct topology *topology, uint32_t shell, vec3 point)
 {
-	vec3 point = topology->witness[shell / 2];
 	double half_sum = 0;
 
-	for (size_t t = 0; t < mesh->count; t++) {
-		uint32_t other = topology->shell_of[t];
-
-		if (other != NO_SHELL && other != shell && topology->shells[other].kind == SHELL_ORIENTED)
-			half_sum += half_solid_angle(&mesh->triangles[t], point);
-	}
+	for (size_t t = 0; t < mesh->count; t++)
+		half_sum += topology->shell_of[t] == shell ? half_solid_angle(&mesh->triangles[t], point) : 0;
 	return (int)lround(half_sum / (2 * PI));
 }
 

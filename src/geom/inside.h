@@ -34,7 +34,7 @@ enum inside mesh_inside(const struct bvh *bvh, const struct topology *topology, 
  */
 bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 point, int *windings);
 
-/* The winding number of all other oriented shells about a shell's first corner; for a shell that meets none of them. */
-int mesh_winding_around(const struct mesh *mesh, const struct topology *topology, uint32_t shell);
+/* The winding number about the point of one oriented shell of a mesh that has shells. */
+int shell_winding_number(const struct mesh *mesh, const struct topology *topology, uint32_t shell, vec3 point);
 
 #endif

@@ -1,12 +1,19 @@
 #include "geom/nesting.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/mem.h"
 #include "geom/inside.h"
 
-/* Solid angles that are computed within a second. */
-static const double AFFORDABLE = 3e7;
+/*
+ * A shell in another one is told where its volume is more than this part of the other's: drawings are full of
+ * bolts and bosses inside what they are fixed to, but a cavity is larger.
+ */
+static const double VOLUME_SHARE = 0.4;
+
+/* Pairs of shells that are compared: a few milliseconds. */
+enum { SHELLS_MOST = 2000 };
 
 /* Six times the volume under the triangle, as seen from `from`. */
 static double volume_below(const mesh_triangle *t, vec3 from)
@@ -15,31 +22,48 @@ static double volume_below(const mesh_triangle *t, vec3 from)
 			vec3_cross(vec3_sub(mesh_corner(t, 1), from), vec3_sub(mesh_corner(t, 2), from)));
 }
 
-static void judge(struct nesting *nesting, double volume, int winding)
+static bool is_within(const struct shell *inner, const struct shell *outer)
 {
-	if (winding == 0)
-		nesting->inverted += volume < 0;
-	else
-		nesting->nested += volume > 0 ? winding > 0 : winding < 0;
+	return inner->least.x > outer->least.x && inner->least.y > outer->least.y && inner->least.z > outer->least.z &&
+	       inner->greatest.x < outer->greatest.x && inner->greatest.y < outer->greatest.y &&
+	       inner->greatest.z < outer->greatest.z;
+}
+
+/* The winding number of large shells around component c. */
+static int winding_around(const struct mesh *mesh, const struct topology *topology, const double *volume, size_t c)
+{
+	int winding = 0;
+
+	for (size_t o = 0; o < topology->component_count; o++) {
+		const struct shell *outer = &topology->shells[2 * o];
+
+		if (o != c && outer->kind == SHELL_ORIENTED && fabs(volume[c]) > VOLUME_SHARE * fabs(volume[o]) &&
+		    is_within(&topology->shells[2 * c], outer))
+			winding += shell_winding_number(mesh, topology, (uint32_t)(2 * o), topology->witness[c]);
+	}
+	return winding;
 }
 
 void nesting_find(struct nesting *nesting, const struct mesh *mesh, const struct topology *topology)
 {
 	double *volume = mem_zalloc(topology->component_count, sizeof(*volume));
-	bool affordable = (double)mesh->count * (double)topology->component_count < AFFORDABLE;
+	bool compare = topology->shells && topology->component_count <= SHELLS_MOST;
 
 	*nesting = (struct nesting){0};
 	for (size_t t = 0; t < mesh->count; t++) {
 		uint32_t shell = topology->shell_of ? topology->shell_of[t] : 0;
 
-		if (shell != NO_SHELL)
+		if (shell != NO_SHELL && shell % 2 == 0)
 			volume[shell / 2] += volume_below(&mesh->triangles[t], topology->witness[shell / 2]);
 	}
-	for (uint32_t c = 0; c < topology->component_count; c++) {
-		if (topology->shells && topology->shells[2 * c].kind != SHELL_ORIENTED)
-			continue;
-		judge(nesting, volume[c],
-		      topology->shells && affordable ? mesh_winding_around(mesh, topology, 2 * c) : 0);
+	for (size_t c = 0; c < topology->component_count; c++) {
+		bool oriented = topology->shells ? topology->shells[2 * c].kind == SHELL_ORIENTED : topology->closed;
+		int winding = oriented && compare ? winding_around(mesh, topology, volume, c) : 0;
+
+		if (oriented && winding == 0)
+			nesting->inverted += volume[c] < 0;
+		else if (oriented)
+			nesting->nested += (volume[c] > 0) == (winding > 0);
 	}
 	free(volume);
 }

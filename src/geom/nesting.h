@@ -10,13 +10,10 @@
 /* A shell whose triangles face the other way than those of the shell around it is a cavity, and counts nowhere here. */
 struct nesting {
 	size_t inverted;	/* oriented shells in no other one whose triangles face inward */
-	size_t nested;	/* oriented shells in another one that faces the same way: solid throughout, or a faulty cavity */
+	size_t nested;	/* oriented shells in a not much larger one that faces the same way: solid, or a faulty cavity */
 };
 
-/*
- * Takes time in proportion to triangles times components: of a mesh where that is more than a second or so,
- * only the shells that face inward are counted, cavities among them.
- */
+/* Of a mesh with thousands of shells only those that face inward are counted, cavities among them. */
 void nesting_find(struct nesting *nesting, const struct mesh *mesh, const struct topology *topology);
 
 #endif

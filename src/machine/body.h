@@ -23,6 +23,7 @@ struct body {
 	const struct tool_solid *profile;	/* what a cutter's solid was made from; NULL: it is no cutter, or a mesh */
 	double rapid_allowance;	/* mm, of a part: how deep a cutter that does not cut may enter it */
 	double gouge;	/* mm, of a part: how deep a cutter that cuts may enter it; negative: as deep as it wants */
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
 	struct srcloc loc;	/* of the element that names it */

@@ -12,6 +12,7 @@ bool body_build(struct description_file *file, const struct body_description *de
 		return false;
 	}
 	body->name = described->name;
+	body->checked = described->checked;
 	body->role = described->role;
 	body->mesh_path = described->mesh_path;
 	body->scale = described->scale;

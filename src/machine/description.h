@@ -90,6 +90,7 @@ struct body_description {
 	xform frame;	/* where its link, or the workholding, has the mesh's origin */
 	enum body_role role;
 	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it */
+	const char *checked;	/* or NULL */
 	int link;	/* of a machine's own body: 0 the base, else 1 + the number of its axis in the description */
 };
 
@@ -97,6 +98,7 @@ struct axis_description {
 	const void *at;
 	int slot;
 	const char *title;	/* or NULL */
+	const char *checked;	/* or NULL */
 	bool rotary;	/* as the file says; the letter may contradict */
 	int parent;	/* the link that carries it */
 	vec3 direction;	/* of any length */
@@ -113,12 +115,14 @@ struct spindle_description {
 	const void *at;
 	int link;
 	vec3 location, direction;
+	const char *checked;	/* or NULL */
 };
 
 struct workholding_description {
 	const void *at;
 	int link;
 	xform frame;
+	const char *checked;	/* or NULL */
 };
 
 struct pair_description {
@@ -176,6 +180,7 @@ struct tool_description {
 	const void *at;
 	long number;
 	const char *name;	/* or NULL */
+	const char *checked;	/* or NULL */
 	double length;
 	struct optional_number length_offset, diameter;
 	enum tool_kind kind;
@@ -185,6 +190,7 @@ struct tool_description {
 struct work_offset_description {
 	const void *at;
 	const char *name;
+	const char *checked;	/* or NULL */
 	struct optional_number value[SLOT_COUNT];
 };
 

@@ -29,6 +29,7 @@ struct axis {
 	double limit_min, limit_max;	/* mm or radians; -INFINITY, INFINITY: unlimited */
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	enum wrap wrap;
 	int half_turn;	/* 1 or -1: the way of half a turn, where either way is as near; 0: not known */
 	long line;	/* in the XML file */
@@ -57,12 +58,14 @@ struct spindle {
 	int link;
 	vec3 location;	/* the gauge point */
 	vec3 direction;	/* unit, from the gauge point to the tool tip */
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 };
 
 struct workholding {
 	bool present;
 	int link;
 	xform frame;
+	const char *checked;	/* why it is right though it looks wrong; or NULL */
 };
 
 struct setup;

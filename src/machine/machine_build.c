@@ -90,6 +90,7 @@ static void build_axis(struct description_file *file, const struct axis_descript
 	axis->rotary = slot_is_rotary(axis->slot);
 	axis->parent = described->parent;
 	axis->line = description_place(file, described->at).line;
+	axis->checked = described->checked;
 	axis->wrap = described->wrap;
 	axis->half_turn = described->half_turn;
 	axis->direction = build_direction(file, described->at, "axis", described->direction);
@@ -145,6 +146,7 @@ static void build_mounts(struct machine_description *described, struct machine *
 			.link = from->link,
 			.location = from->location,
 			.direction = build_direction(file, from->at, "spindle", from->direction),
+			.checked = from->checked,
 		};
 	}
 	for (size_t i = 0; i < described->workholding_count; i++) {
@@ -152,7 +154,10 @@ static void build_mounts(struct machine_description *described, struct machine *
 
 		if (i > 0)
 			description_fault(file, from->at, NULL, "the machine has a second <workholding>");
-		machine->workholding = (struct workholding){.present = true, .link = from->link, .frame = from->frame};
+		machine->workholding = (struct workholding){.present = true,
+							    .link = from->link,
+							    .frame = from->frame,
+							    .checked = from->checked};
 	}
 }
 

@@ -33,7 +33,8 @@ static bool is_work_offset_name(const char *name)
 static void build_work_offset(struct description_file *file, const struct work_offset_description *described,
 			      const struct machine *machine, struct setup *setup)
 {
-	struct work_offset offset = {.name = described->name, .line = description_place(file, described->at).line};
+	struct work_offset offset = {.name = described->name, .checked = described->checked,
+				     .line = description_place(file, described->at).line};
 
 	if (!is_work_offset_name(offset.name)) {
 		description_fault(file, described->at, "name",

@@ -367,6 +367,7 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 	tool = (struct tool){
 		.number = (int)described->number,
 		.name = described->name ? described->name : "",
+		.checked = described->checked,
 		.length = described->length,
 		.length_offset = described->length_offset.given ? described->length_offset.value : described->length,
 		.kind = described->kind,

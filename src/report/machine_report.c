@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "control/dialects.h"
+#include "report/axis_words.h"
 #include "report/format/format_units.h"
 
 struct machine_report {
@@ -199,5 +200,6 @@ bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *di
 	if (!add_link(&tree, 0, 1))
 		return false;
 	add_table(out, machine);
+	axis_words_add(out, machine);
 	return true;
 }

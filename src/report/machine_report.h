@@ -9,8 +9,8 @@
 #include "scene/scene.h"
 
 /*
- * Appends the tree of axes with their bodies (triangles, bounds in machine coordinates at the zero pose) and the table
- * of which axis carries which (Table I of Chen, Lin and Chang). False, reported: a mesh is faulty.
+ * Appends the tree of axes with their bodies (triangles, bounds in machine coordinates at the zero pose), the table of
+ * which axis carries which (Table I of Chen, Lin and Chang), and what a positive value of each axis does. False, reported: a mesh is faulty.
  */
 bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 

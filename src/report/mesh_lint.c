@@ -2,6 +2,7 @@
 
 #include "geom/nesting.h"
 #include "geom/topology.h"
+#include "report/doubt_text.h"
 #include "report/format/format_units.h"
 
 /* Bodies this near at home touch: the default tolerance of a check, mm. */
@@ -106,6 +107,15 @@ static void add_overlaps(struct strbuf *out, struct scene *scene, struct diag *d
 	}
 }
 
+static void add_doubts(struct strbuf *out, const struct scene *scene)
+{
+	for (size_t i = 0; i < scene->doubts.count; i++) {
+		strbuf_addf(out, "  ");
+		doubt_text_add(out, scene, &scene->doubts.items[i]);
+		strbuf_addf(out, "\n");
+	}
+}
+
 bool mesh_lint_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 {
 	size_t before, errors = diag->errors;
@@ -115,6 +125,7 @@ bool mesh_lint_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 	if (!add_meshes(out, scene, diag))
 		return false;
 	add_overlaps(out, scene, diag);
+	add_doubts(out, scene);
 	if (out->length == before)
 		strbuf_addf(out, "  none\n");
 	return diag->errors == errors;

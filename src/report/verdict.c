@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "report/doubt_text.h"
 #include "report/format/format_units.h"
 
 size_t verdict_pairs(const struct scene *scene, enum pair_status status)
@@ -252,13 +253,32 @@ static bool caution_warnings(struct strbuf *out, const struct verdict *v)
 	return true;
 }
 
+/* What can be doubted from the files alone; --check-machine says it all. */
+static bool caution_doubt(struct strbuf *out, const struct verdict *v, size_t i)
+{
+	const struct doubts *doubts = &v->scene->doubts;
+
+	if (i >= doubts->count)
+		return false;
+	if (i < VERDICT_DOUBTS) {
+		doubt_text_add(out, v->scene, &doubts->items[i]);
+	} else {
+		format_units_add_count(out, doubts->count - i, "more doubt");
+		strbuf_addf(out, " about machine and setup (--check-machine names them)");
+	}
+	return true;
+}
+
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
-	static bool (*const cautions[VERDICT_CAUTIONS])(struct strbuf *, const struct verdict *) = {
+	static bool (*const cautions[])(struct strbuf *, const struct verdict *) = {
 		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_unknown,
 		caution_mesh_cutter, caution_blend, caution_accepted, caution_shard, caution_warnings,
 	};
+	const int before = (int)(sizeof(cautions) / sizeof(cautions[0]));
 
+	if (i >= before)
+		return caution_doubt(out, v, (size_t)(i - before));
 	/* --parse-only checks no bodies, so that cautions about bodies do not apply. */
 	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
 	    cautions[i] != caution_shard && cautions[i] != caution_warnings)

@@ -41,7 +41,8 @@ bool verdict_is_accepted(const struct verdict *verdict);
 /* Was only a part of the program's blocks checked? */
 bool verdict_is_shard(const struct verdict *verdict);
 
-enum { VERDICT_CAUTIONS = 11 };
+/* Of the doubts about the model so many are cautions of their own; one more counts the rest. */
+enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = 11 + VERDICT_DOUBTS + 1 };
 
 /* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);

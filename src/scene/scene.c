@@ -86,6 +86,7 @@ void scene_free(struct scene *scene)
 	}
 	for (size_t i = 0; i < scene->pair_count; i++)
 		free(scene->pairs[i].reason);
+	doubts_release(&scene->doubts);
 	sweep_release(&scene->sweep);
 	pthread_mutex_destroy(&scene->building);
 	arena_release(&scene->cores);

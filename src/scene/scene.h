@@ -11,6 +11,7 @@
 #include "control/step_class.h"
 #include "geom/bvh.h"
 #include "machine/chain.h"
+#include "machine/doubt.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "scene/sweep.h"
@@ -60,6 +61,7 @@ struct scene {
 	struct scene_pair *pairs;	/* every pair of bodies: (0,1) (0,2) ...; of cutter and part, one a fault */
 	size_t pair_count;
 	size_t meshes_read;
+	struct doubts doubts;	/* filled by model_check */
 	struct sweep sweep;	/* working storage for the derivation */
 	pthread_mutex_t building;	/* topologies are built when they are asked for, by any thread */
 };

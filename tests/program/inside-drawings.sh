@@ -12,7 +12,7 @@ join_up() {
 cp block.stl once.stl
 inside_out block.stl >inverted.stl
 join_up once.stl inverted.stl >twice.stl
-box hollow -20 -20 -20 20 20 20
+box hollow -40 -40 -40 40 40 40
 join_up once.stl hollow.stl >nested.stl
 inside_out hollow.stl >hole.stl
 join_up once.stl hole.stl >cavity.stl

@@ -101,7 +101,7 @@ small_machine() {
       <spindle location="0 0 100" direction="0 0 -1"/>
     </axis>
   </axis>
-  <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" rate_max="3600">
+  <axis name="C" type="rotary" direction="0 0 -1" location="0 0 0" rate_max="3600">
     <body name="table" mesh="table.stl"/>
     <workholding location="0 0 0"/>
   </axis>

@@ -8,10 +8,10 @@ machine m.xml <<'XML'
     <axis name="Z" type="linear" direction="0 0 1" limit_min="-250" limit_max="50" rate_max="6000">
       <body name="head" mesh="head.stl"/>
       <body name="probe" mesh="probe.stl"/>
-      <spindle location="60 0 150" direction="0 0 -1"/>
+      <spindle location="60 0 150" checked="the tool stands beside the head" direction="0 0 -1"/>
     </axis>
   </axis>
-  <axis name="C" type="rotary" direction="0 0 1" location="0 0 0" rate_max="3600">
+  <axis name="C" type="rotary" direction="0 0 -1" location="0 0 0" rate_max="3600">
     <body name="table" mesh="table.stl"/>
     <workholding location="0 0 0"/>
   </axis>

@@ -68,7 +68,7 @@ static void model_release(struct model *model)
 	bvh_free(model->bvh);
 }
 
-static const struct block outer = {{-10, -8, -6}, {10, 8, 6}}, inner = {{-5, -4, -3}, {5, 4, 3}};
+static const struct block outer = {{-10, -8, -6}, {10, 8, 6}}, inner = {{-6, -7, -5.5}, {6, 7, 5.5}};
 static const struct block aside = {{20, -8, -6}, {30, 8, 6}};
 
 static void expect(struct mesh *mesh, enum inside in_inner, enum inside in_outer, enum inside in_aside, enum inside out)

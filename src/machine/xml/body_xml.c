@@ -24,6 +24,7 @@ void body_xml_read(struct xml_reader *xml, const xmlNode *node, struct arena *ar
 	xml_require(xml, node, "name", "mesh", NULL);
 	body->at = node;
 	body->name = xml_name(xml, node, "name", arena);
+	body->checked = xml_name(xml, node, "checked", arena);
 	body->frame = xml_frame(xml, node);
 	body->mesh_path = body_xml_mesh(xml, node, arena);
 	body->scale = xml_mesh_units(xml, node, xml->unit);

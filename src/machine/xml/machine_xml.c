@@ -116,6 +116,7 @@ static void read_spindle(struct xml_reader *xml, const xmlNode *node, void *cont
 		.link = on->link,
 		.location = xml_point(xml, node, "location"),
 		.direction = xml_vector(xml, node, "direction"),
+		.checked = xml_name(xml, node, "checked", &on->described->arena),
 	};
 	xml_read_nothing(xml, node);
 }
@@ -125,7 +126,8 @@ static void read_workholding(struct xml_reader *xml, const xmlNode *node, void *
 	const struct link_context *on = context;
 
 	on->described->workholdings[on->described->workholding_count++] =
-		(struct workholding_description){.at = node, .link = on->link, .frame = xml_frame(xml, node)};
+		(struct workholding_description){.at = node, .link = on->link, .frame = xml_frame(xml, node),
+						 .checked = xml_name(xml, node, "checked", &on->described->arena)};
 	xml_read_nothing(xml, node);
 }
 
@@ -163,6 +165,7 @@ static void read_axis(struct xml_reader *xml, const xmlNode *node, void *context
 	axis->slot = xml_choice(xml, node, "name", letters, SLOT_X);
 	rotary = slot_is_rotary(axis->slot);
 	axis->parent = on->link;
+	axis->checked = xml_name(xml, node, "checked", &described->arena);
 	axis->title = xml_label(xml, node, "title", &described->arena);
 	axis->rotary = xml_choice(xml, node, "type", types, 0) == 1;
 	axis->wrap = (enum wrap)xml_choice(xml, node, "wrap", wraps, WRAP_NONE);

@@ -16,6 +16,7 @@ static void read_work_offset(struct xml_reader *xml, const xmlNode *node, void *
 	xml_require(xml, node, "name", NULL);
 	offset->at = node;
 	offset->name = arena_strdup(&described->arena, name ? name : "");
+	offset->checked = xml_name(xml, node, "checked", &described->arena);
 	xml_axis_values(xml, node, offset->value);
 	xml_read_nothing(xml, node);
 }
@@ -130,6 +131,7 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	tool.tool->at = node;
 	tool.tool->number = xml_positive(xml, node, "number", 1);
 	tool.tool->name = xml_label(xml, node, "name", tool.arena);
+	tool.tool->checked = xml_name(xml, node, "checked", tool.arena);
 	tool.tool->length = xml_length(xml, node, "length", 0);
 	tool.tool->length_offset = xml_optional_length(xml, node, "length_offset");
 	tool.tool->kind = xml_choice(xml, node, "kind", kinds, 0) ? TOOL_STANDS : TOOL_TURNS;

@@ -1,0 +1,14 @@
+/* axis_words.h - in words, what a positive value of an axis does (--check-machine). */
+#ifndef FIVECHECK_REPORT_AXIS_WORDS_H
+#define FIVECHECK_REPORT_AXIS_WORDS_H
+
+#include "base/strbuf.h"
+#include "machine/machine.h"
+
+/*
+ * Appends a line for each axis, all axes at 0: how what it carries moves in the drawing, and how the tool moves
+ * against the work by it.
+ */
+void axis_words_add(struct strbuf *out, const struct machine *machine);
+
+#endif

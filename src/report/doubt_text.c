@@ -1,0 +1,216 @@
+#include "report/doubt_text.h"
+
+#include <math.h>
+
+#include "machine/kinematics_check.h"
+#include "report/format/format_units.h"
+
+static const char letters[] = "XYZ";
+
+static const char *moved_by(const struct machine *machine, const struct axis *axis)
+{
+	return kinematics_side(machine, axis) > 0 ? "the tool" : "the work";
+}
+
+static void add_name(struct strbuf *out, const struct scene *scene, int body)
+{
+	format_units_add_plain(out, scene->bodies[body].body->name);
+}
+
+/* Where the drawn direction is, and how to silence the doubt about an axis. */
+static void add_way_out(struct strbuf *out, const struct axis *axis)
+{
+	strbuf_addf(out, "; turn its direction round, or say why it is right: <axis name=\"%s\" checked=\"reason\">",
+		    axis->name);
+}
+
+static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	const struct axis *axis = &scene->machine->axes[doubt->axis];
+	const struct axis *other = &scene->machine->axes[doubt->other];
+
+	switch (doubt->kind) {
+	case DOUBT_PARALLEL:
+		strbuf_addf(out, "axes %s and %s both move the tool along one line against the work; only X and U, Y and V, "
+				 "Z and W may do that: check their directions, or give one of them checked=\"reason\"",
+			    axis->name, other->name);
+		break;
+	case DOUBT_LETTER:
+		strbuf_addf(out, "axis %s %s %c, not %c: check its name and its direction, or say why it is right: "
+				 "<axis name=\"%s\" checked=\"reason\">",
+			    axis->name, axis->rotary ? "turns about" : "moves along", letters[doubt->other],
+			    letters[axis->slot % 3], axis->name);
+		break;
+	case DOUBT_SIGN:
+		strbuf_addf(out, "axis %s: a positive value moves %s so that the tool goes toward -%c against the work", axis->name,
+			    moved_by(scene->machine, axis), letters[axis->slot % 3]);
+		add_way_out(out, axis);
+		break;
+	case DOUBT_ROTARY_SIGN:
+		strbuf_addf(out, "axis %s: a positive value turns %s so that the tool turns left-handed about %c against the work "
+				 "(ISO 841: right-handed; an axis that turns the work has the opposite direction)",
+			    axis->name, moved_by(scene->machine, axis), letters[axis->slot % 3]);
+		add_way_out(out, axis);
+		break;
+	case DOUBT_ROTARY_MISSES:
+		strbuf_addf(out, "axis %s turns about a line that misses all that it carries by %.4g mm: check its location and "
+				 "its direction, or give the axis checked=\"reason\"", axis->name, doubt->value);
+		break;
+	case DOUBT_SPINDLE_ACROSS:
+		strbuf_addf(out, "axis %s does not move the tool along the spindle (all axes at 0): check the direction of both, or "
+				 "give <spindle checked=\"reason\">", axis->name);
+		break;
+	default:
+		strbuf_addf(out, "axis %s: a positive value moves the tool where its tip points, into the work: check the "
+				 "direction of the axis and of the spindle, or give <spindle checked=\"reason\">", axis->name);
+		break;
+	}
+}
+
+static void add_place_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	switch (doubt->kind) {
+	case DOUBT_SPINDLE_IN_HEAD:
+		strbuf_addf(out, "the spindle points into its own head: ");
+		add_name(out, scene, doubt->body);
+		strbuf_addf(out, " reaches %.4g mm ahead of the gauge point: turn the direction of <spindle> round (from the gauge "
+				 "point to the tip), or give it checked=\"reason\"", doubt->value);
+		break;
+	case DOUBT_SPINDLE_AWAY:
+		strbuf_addf(out, "the spindle points away from the work: the workholding is at least %.4g mm behind the gauge point, "
+				 "wherever the axes stand: check direction and location of <spindle> and <workholding>, or give "
+				 "one of them checked=\"reason\"", doubt->value);
+		break;
+	case DOUBT_SPINDLE_FAR:
+		strbuf_addf(out, "the spindle's gauge point is %.4g mm away from the nearest body that moves with it (", doubt->value);
+		add_name(out, scene, doubt->body);
+		strbuf_addf(out, "): check its location and the units of the mesh, or give <spindle checked=\"reason\">");
+		break;
+	case DOUBT_WORKHOLDING_FAR:
+		strbuf_addf(out, "the workholding is %.4g mm away from the nearest body that moves with it (", doubt->value);
+		add_name(out, scene, doubt->body);
+		strbuf_addf(out, "): check its location and the units of the mesh, or give <workholding checked=\"reason\">");
+		break;
+	case DOUBT_WORKHOLDING_BESIDE:
+		strbuf_addf(out, "the tool comes no nearer than %.4g mm to the workholding sideways: check the location of "
+				 "<workholding>, of <spindle> and the limits, or give one of them checked=\"reason\"",
+			    doubt->value);
+		break;
+	case DOUBT_BODIES_SMALL:
+	case DOUBT_BODIES_LARGE:
+		strbuf_addf(out, "all bodies of the machine together are %.4g mm large, but its longest travel is %.4g mm: "
+				 "the meshes may have other units than the file (<body units=\"inch\">, \"cm\" or \"m\")",
+			    doubt->value, doubt->limit);
+		break;
+	default:
+		break;
+	}
+}
+
+static void add_checked_body(struct strbuf *out)
+{
+	strbuf_addf(out, ", or give it checked=\"reason\"");
+}
+
+static void add_part_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	add_name(out, scene, doubt->body);
+	switch (doubt->kind) {
+	case DOUBT_FLOATS:
+		strbuf_addf(out, " touches nothing that could hold it: %.4g mm to ", doubt->value);
+		add_name(out, scene, doubt->against);
+		strbuf_addf(out, "; check its location and units");
+		break;
+	case DOUBT_SINKS:
+		strbuf_addf(out, " stands %.4g mm deep in ", doubt->value);
+		add_name(out, scene, doubt->against);
+		strbuf_addf(out, "; check its location, rotation and units");
+		break;
+	case DOUBT_PART_LARGE:
+		strbuf_addf(out, " is %.5g mm large, but the machine's longest travel is %.5g mm; check its units", doubt->value,
+			    doubt->limit);
+		break;
+	case DOUBT_PART_SMALL:
+		strbuf_addf(out, " is only %.4g mm large, but the machine's longest travel is %.5g mm; check its units (STL has none: "
+				 "units=\"inch\", \"cm\" or \"m\")", doubt->value, doubt->limit);
+		break;
+	case DOUBT_PART_BELOW_CUTTERS:
+		strbuf_addf(out, " is only %.4g mm large, less than the thinnest cutter (%.4g mm); check its units (STL has none: "
+				 "units=\"inch\", \"cm\" or \"m\")", doubt->value, doubt->limit);
+		break;
+	default:
+		strbuf_addf(out, " is out of reach: the tip of every tool stays %.4g mm away from it, wherever the axes stand; check "
+				 "its location and the limits", doubt->value);
+		break;
+	}
+	add_checked_body(out);
+}
+
+static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	strbuf_addf(out, "tool %d ", scene->setup->tools[doubt->item].number);
+	switch (doubt->kind) {
+	case DOUBT_TOOL_SHORT:
+		strbuf_addf(out, "cannot reach the part: its tip stays %.4g mm above it; check the tool's length and the limits",
+			    doubt->value);
+		break;
+	case DOUBT_TOOL_BELOW:
+		strbuf_addf(out, "is too long: even at its highest position its tip is %.4g mm below all that is set up; check its "
+				 "length and units", doubt->value);
+		break;
+	case DOUBT_TOOL_LONG:
+		strbuf_addf(out, "is %.5g mm long, more than the travel along the spindle (%.5g mm); check its length and units",
+			    doubt->value, doubt->limit);
+		break;
+	case DOUBT_TOOL_TINY:
+		strbuf_addf(out, "is only %.4g mm long, though the travel along the spindle is %.5g mm; check its length and units",
+			    doubt->value, doubt->limit);
+		break;
+	default:
+		strbuf_addf(out, "is %.5g mm long, but its length offset is %.5g mm: with G43 its tip is %.4g mm from where the program "
+				 "takes it to be; check length_offset", doubt->limit, doubt->value,
+			    fabs(doubt->value - doubt->limit));
+		break;
+	}
+	add_checked_body(out);
+}
+
+static void add_offset_doubt(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	const struct work_offset *offset = &scene->setup->offsets[doubt->item];
+
+	if (doubt->kind == DOUBT_OFFSET_OUTSIDE) {
+		const struct axis *axis = &scene->machine->axes[doubt->axis];
+		const char *unit = format_units_unit(axis->slot);
+
+		strbuf_addf(out, "work offset %s has %s %.6g %s, outside the axis' travel (%.6g to %.6g %s)", offset->name,
+			    axis->name, format_units_value(axis->slot, doubt->value), unit,
+			    format_units_value(axis->slot, axis->limit_min),
+			    format_units_value(axis->slot, axis->limit_max), unit);
+	} else {
+		strbuf_addf(out, "work offset %s is %.4g mm away from all that is set up (which is %.4g mm large)", offset->name,
+			    doubt->value, doubt->limit);
+	}
+	strbuf_addf(out, "; check its values, their signs and units");
+	add_checked_body(out);
+}
+
+void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
+{
+	if (doubt->kind == DOUBT_LEFT_HANDED)
+		strbuf_addf(out, "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
+				 "exchanged; check the directions, or give one of the axes checked=\"reason\"");
+	else if (doubt->kind == DOUBT_TURNED)
+		strbuf_addf(out, "X Y Z of the tool against the work are not those of the drawing: check the letters, or give one "
+				 "of the axes checked=\"reason\"");
+	else if (doubt->kind <= DOUBT_SPINDLE_TOWARD)
+		add_axis_doubt(out, scene, doubt);
+	else if (doubt->kind <= DOUBT_BODIES_LARGE)
+		add_place_doubt(out, scene, doubt);
+	else if (doubt->kind <= DOUBT_PART_BESIDE)
+		add_part_doubt(out, scene, doubt);
+	else if (doubt->kind <= DOUBT_LENGTH_OFFSET)
+		add_tool_doubt(out, scene, doubt);
+	else
+		add_offset_doubt(out, scene, doubt);
+}

@@ -1,0 +1,216 @@
+#include "scene/model_check.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "machine/kinematics_check.h"
+#include "scene/placed_box.h"
+#include "scene/setup_check.h"
+
+/* mm: a gauge point or a workholding may stand this far off the body that it belongs to (nose rings, cut-outs). */
+static const double SPINDLE_OFF = 30;
+static const double WORKHOLDING_OFF = 50;
+/* mm that a head may reach past its gauge point (a ring around the spindle's nose, a guard). */
+static const double NOSE = 40;
+/* The drawing's size over the longest travel, outside of which units are doubted; machines have 1 to 8. */
+static const double SIZE_LEAST = 0.1, SIZE_MOST = 25;
+
+/* The body of a link that is nearest to a point, by its box; -1: the link has none. */
+static int nearest_body(const struct scene *scene, int link, vec3 point, double *distance)
+{
+	int nearest = -1;
+
+	*distance = INFINITY;
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct body *body = scene->bodies[i].body;
+		double d;
+
+		if (body->link != link || body->role != ROLE_MACHINE)
+			continue;
+		d = placed_box_distance(placed_box_of(scene, (int)i), point);
+		if (d < *distance) {
+			*distance = d;
+			nearest = (int)i;
+		}
+	}
+	return nearest;
+}
+
+static void check_mount(const struct scene *scene, enum doubt_kind kind, int link, vec3 point, double most,
+			struct doubts *doubts)
+{
+	struct doubt doubt = {.kind = kind};
+
+	doubt.body = nearest_body(scene, link, point, &doubt.value);
+	if (doubt.body >= 0 && doubt.value > most)
+		doubts_add(doubts, &doubt);
+}
+
+/* The farthest crossings of a line with a body, ahead of the point and behind it. */
+static void crossings(const struct scene *scene, int body, vec3 point, vec3 along, double *ahead, double *behind)
+{
+	const struct mesh *mesh = &scene->bodies[body].bvh->mesh;
+	const xform back = xform_inverse(&scene->bodies[body].body->placement);
+	vec3 p = xform_apply(&back, point), d = mat3_apply(&back.rotation, along);
+
+	for (size_t i = 0; i < mesh->count; i++) {
+		vec3 a = vec3_sub(mesh_corner(&mesh->triangles[i], 0), p), b = vec3_sub(mesh_corner(&mesh->triangles[i], 1), p);
+		vec3 c = vec3_sub(mesh_corner(&mesh->triangles[i], 2), p);
+		double ab = vec3_dot(d, vec3_cross(a, b)), bc = vec3_dot(d, vec3_cross(b, c));
+		double ca = vec3_dot(d, vec3_cross(c, a)), at;
+
+		if (!(ab > 0 && bc > 0 && ca > 0) && !(ab < 0 && bc < 0 && ca < 0))
+			continue;
+		at = vec3_dot(a, vec3_cross(b, c)) / (ab + bc + ca);
+		*ahead = fmax(*ahead, at);
+		*behind = fmax(*behind, -at);
+	}
+}
+
+/* Lines around the spindle's axis, past bores and keys: most of them must meet more ahead than behind. */
+static void check_head(const struct scene *scene, struct doubts *doubts)
+{
+	enum { LINES = 8 };
+	const struct spindle *spindle = &scene->machine->spindle;
+	const double radius = 15;
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		struct doubt doubt = {.kind = DOUBT_SPINDLE_IN_HEAD, .body = (int)i};
+		vec3 across[2];
+		int against = 0;
+
+		if (scene->bodies[i].body->link != spindle->link || scene->bodies[i].body->role != ROLE_MACHINE)
+			continue;
+		kinematics_sideways(scene->machine, across);
+		for (int k = 0; k < LINES; k++) {
+			double angle = 2 * PI * (k + 0.31) / LINES, ahead = 0, behind = 0;
+			vec3 p = vec3_mad(spindle->location, radius * cos(angle), across[0]);
+
+			crossings(scene, (int)i, vec3_mad(p, radius * sin(angle), across[1]), spindle->direction, &ahead,
+				  &behind);
+			against += ahead > NOSE;
+			doubt.value = fmax(doubt.value, ahead);
+		}
+		if (against > LINES / 2)
+			doubts_add(doubts, &doubt);
+	}
+}
+
+static bool is_carried(const struct machine *machine, int link, int carrier)
+{
+	while (link > 0 && link != carrier)
+		link = machine->axes[link - 1].parent;
+	return link == carrier;
+}
+
+/* The distance of a line from a box: along the line it is convex, so a search by thirds finds the least. */
+static double line_to_box(vec3 point, vec3 along, struct placed_box box)
+{
+	double reach = placed_box_distance(box, point) + 2 * placed_box_size(box), low = -reach, high = reach;
+
+	for (int i = 0; i < 200; i++) {
+		double a = low + (high - low) / 3, b = high - (high - low) / 3;
+
+		if (placed_box_distance(box, vec3_mad(point, a, along)) < placed_box_distance(box, vec3_mad(point, b, along)))
+			high = b;
+		else
+			low = a;
+	}
+	return placed_box_distance(box, vec3_mad(point, low, along));
+}
+
+/* Of all bodies of the machine that move with the link; false: there are none, or one has not been read. */
+static bool carried_box(const struct scene *scene, int link, struct placed_box *box)
+{
+	*box = placed_box_empty();
+	for (size_t k = 0; k < scene->body_count; k++) {
+		const struct body *body = scene->bodies[k].body;
+
+		if (body->role != ROLE_MACHINE || !is_carried(scene->machine, body->link, link))
+			continue;
+		if (!scene->bodies[k].bvh)
+			return false;
+		*box = placed_box_union(*box, placed_box_of(scene, (int)k));
+	}
+	return !isinf(box->least.x);
+}
+
+static void check_turning(const struct scene *scene, struct doubts *doubts)
+{
+	const struct machine *machine = scene->machine;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		struct doubt doubt = {.kind = DOUBT_ROTARY_MISSES, .axis = (int)i};
+		struct placed_box box;
+
+		if (!axis->rotary || axis->checked || !carried_box(scene, (int)i + 1, &box))
+			continue;
+		doubt.value = line_to_box(axis->location, axis->direction, box);
+		if (doubt.value > 1)
+			doubts_add(doubts, &doubt);
+	}
+}
+
+/* Only where all bodies are there to be measured. */
+static void check_size(const struct scene *scene, struct doubts *doubts)
+{
+	struct placed_box box = placed_box_empty();
+	struct doubt doubt = {.limit = kinematics_longest_travel(scene->machine)};
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct scene_body *body = &scene->bodies[i];
+
+		if (body->body->role != ROLE_MACHINE)
+			continue;
+		if (!body->bvh || body->body->checked)
+			return;
+		box = placed_box_union(box, placed_box_of(scene, (int)i));
+	}
+	if (!(doubt.limit > 0) || isinf(box.least.x))
+		return;
+	doubt.value = placed_box_size(box);
+	doubt.kind = doubt.value < doubt.limit ? DOUBT_BODIES_SMALL : DOUBT_BODIES_LARGE;
+	if (doubt.value < SIZE_LEAST * doubt.limit || doubt.value > SIZE_MOST * doubt.limit)
+		doubts_add(doubts, &doubt);
+}
+
+/* What the checks below look at. */
+static bool read_meshes(struct scene *scene, struct diag *diag)
+{
+	const struct machine *machine = scene->machine;
+	bool good = true;
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		const struct body *body = scene->bodies[i].body;
+
+		if (body->role == ROLE_FIXTURE || body->role == ROLE_PART ||
+		    (body->role == ROLE_MACHINE && ((machine->spindle.present && body->link == machine->spindle.link) ||
+						    (machine->workholding.present && body->link == machine->workholding.link))))
+			good = scene_body_bvh(scene, (int)i, diag) && good;
+	}
+	return good;
+}
+
+bool model_check(struct scene *scene, struct diag *diag)
+{
+	struct doubts *doubts = &scene->doubts;
+	const struct machine *machine = scene->machine;
+	const struct spindle *spindle = &machine->spindle;
+	const struct workholding *workholding = &machine->workholding;
+
+	kinematics_check(machine, doubts);
+	if (!read_meshes(scene, diag))
+		return false;
+	check_turning(scene, doubts);
+	if (spindle->present && !spindle->checked) {
+		check_head(scene, doubts);
+		check_mount(scene, DOUBT_SPINDLE_FAR, spindle->link, spindle->location, SPINDLE_OFF, doubts);
+	}
+	if (workholding->present && !workholding->checked)
+		check_mount(scene, DOUBT_WORKHOLDING_FAR, workholding->link, workholding->frame.translation,
+			    WORKHOLDING_OFF, doubts);
+	check_size(scene, doubts);
+	setup_check(scene, doubts, diag);
+	return true;
+}

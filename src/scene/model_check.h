@@ -1,0 +1,18 @@
+/*
+ * model_check.h - what in the drawing of a machine and in a setup is likely to be a mistake: places, sizes and units
+ * that do not fit each other.
+ */
+#ifndef FIVECHECK_SCENE_MODEL_CHECK_H
+#define FIVECHECK_SCENE_MODEL_CHECK_H
+
+#include "machine/doubt.h"
+#include "scene/scene.h"
+
+/*
+ * Fills scene->doubts: the doubts about the machine's motions (kinematics_check), then those about its bodies and the setup.
+ * Reads the meshes of setup, spindle and workholding if need be; other meshes count if they have been read. False:
+ * a mesh is faulty, reported.
+ */
+bool model_check(struct scene *scene, struct diag *diag);
+
+#endif

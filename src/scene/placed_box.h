@@ -1,0 +1,26 @@
+/* placed_box.h - the bounds of bodies as they are mounted. */
+#ifndef FIVECHECK_SCENE_PLACED_BOX_H
+#define FIVECHECK_SCENE_PLACED_BOX_H
+
+#include "geom/vec3.h"
+#include "scene/scene.h"
+
+/* Bounds in machine coordinates at the zero pose. */
+struct placed_box {
+	vec3 least, greatest;
+};
+
+/* Of the box around the body's mesh, which has been read: larger than the body where that is turned. */
+struct placed_box placed_box_of(const struct scene *scene, int body);
+
+struct placed_box placed_box_union(struct placed_box a, struct placed_box b);
+struct placed_box placed_box_empty(void);
+
+/* The longest side, and the distance to a point; 0 inside. */
+double placed_box_size(struct placed_box box);
+double placed_box_distance(struct placed_box box, vec3 point);
+
+/* How far the two overlap along the axis where they overlap least; negative: the gap along the axis where it is largest. */
+double placed_box_overlap(struct placed_box a, struct placed_box b);
+
+#endif

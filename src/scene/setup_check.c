@@ -1,0 +1,393 @@
+#include "scene/setup_check.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "geom/inside.h"
+#include "geom/point_distance.h"
+#include "machine/chain.h"
+#include "machine/kinematics_check.h"
+#include "scene/placed_box.h"
+
+/* mm: what is nearer than this is held by it. */
+static const double HELD_WITHIN = 2;
+/* mm that drawn bodies may reach into each other (a clamp that presses, a rounded coordinate). */
+static const double SUNK_BY = 1;
+/* Corners of a body that are looked for inside another one. */
+enum { CORNERS_TRIED = 300 };
+/* A part is set up on a machine of about its size: its size over the longest travel. */
+static const double PART_LEAST = 0.015, PART_MOST = 1.5;
+/* A tool's length over the travel along the spindle. */
+static const double TOOL_LEAST = 0.02, TOOL_MOST = 1.5;
+/* mm by which something must be out of reach before that is said. */
+static const double OUT_OF_REACH = 10;
+/* mm: a program zero may be this far off whatever is set up. */
+static const double ZERO_OFF = 50;
+
+static bool is_set_up(const struct scene *scene, int body)
+{
+	enum body_role role = scene->bodies[body].body->role;
+
+	return role == ROLE_FIXTURE || role == ROLE_PART;
+}
+
+/* The machine's own bodies that move with the workholding. */
+static bool is_table(const struct scene *scene, int body)
+{
+	const struct body *b = scene->bodies[body].body;
+
+	return b->role == ROLE_MACHINE && b->link == scene->machine->workholding.link;
+}
+
+/* A lower bound on the distance of two bodies on one link, at least 0.9 of it. */
+static double distance_apart(struct scene *scene, int a, int b)
+{
+	const struct chain rigid = {0};
+	const axis_values home = {{0}};
+	struct body_pair bodies;
+
+	body_pair_init(&bodies, scene->bodies[a].bvh, scene->bodies[b].bvh, &scene->bodies[a].body->placement,
+		       &scene->bodies[b].body->placement, &rigid);
+	return sweep_distance(&scene->sweep, &bodies, &home, 0.9, HELD_WITHIN, 0);
+}
+
+/* ---------------------------------------------------------------- what holds what */
+
+/* Marks what a held body holds, until nothing is added. */
+static void spread_hold(struct scene *scene, bool *held)
+{
+	bool added = true;
+
+	while (added) {
+		added = false;
+		for (int i = 0; i < (int)scene->body_count; i++) {
+			for (int k = 0; k < (int)scene->body_count && is_set_up(scene, i) && !held[i]; k++) {
+				if (!held[k] || placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < -HELD_WITHIN ||
+				    distance_apart(scene, i, k) > HELD_WITHIN)
+					continue;
+				held[i] = added = true;
+			}
+		}
+	}
+}
+
+static void add_floating(struct scene *scene, int body, const bool *held, struct doubts *doubts)
+{
+	struct doubt doubt = {.kind = DOUBT_FLOATS, .body = body, .value = INFINITY};
+
+	for (int k = 0; k < (int)scene->body_count; k++) {
+		double d = held[k] ? distance_apart(scene, body, k) : INFINITY;
+
+		if (d < doubt.value) {
+			doubt.value = d;
+			doubt.against = k;
+		}
+	}
+	doubts_add(doubts, &doubt);
+}
+
+/* Where neither table nor fixture is drawn, nothing can be said. */
+static void check_held(struct scene *scene, struct doubts *doubts)
+{
+	bool *held = mem_zalloc(scene->body_count + 1, sizeof(*held)), any = false;
+
+	for (int i = 0; i < (int)scene->body_count; i++)
+		any |= held[i] = is_table(scene, i);
+	for (int i = 0; i < (int)scene->body_count && !any; i++)
+		held[i] = scene->bodies[i].body->role == ROLE_FIXTURE;
+	spread_hold(scene, held);
+	for (int i = 0; i < (int)scene->body_count; i++)
+		any |= held[i];
+	for (int i = 0; i < (int)scene->body_count && any; i++) {
+		if (is_set_up(scene, i) && !held[i] && !scene->bodies[i].body->checked)
+			add_floating(scene, i, held, doubts);
+	}
+	free(held);
+}
+
+/* How deep the corners of `inner` reach into `outer`, some of them at least; 0: not at all. */
+static double depth_of(struct scene *scene, int inner, int outer, struct diag *diag)
+{
+	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
+	const struct topology *topology = scene_body_topology(scene, outer, diag);
+	const xform back = xform_inverse(&scene->bodies[outer].body->placement);
+	const xform pose = xform_mul(&back, &scene->bodies[inner].body->placement);
+	size_t corners = 3 * other->mesh.count, step = corners / CORNERS_TRIED + 1;
+	double depth = 0;
+
+	/* A step that is no multiple of 3 takes all corners of triangles in turn. */
+	step += step % 3 == 0;
+	for (size_t i = 0; i < corners; i += step) {
+		vec3 p = xform_apply(&pose, mesh_corner(&other->mesh.triangles[i / 3], (int)(i % 3)));
+		vec3 off = vec3_sub(p, solid->origin);
+
+		if (fabs(off.x) < solid->half.x && fabs(off.y) < solid->half.y && fabs(off.z) < solid->half.z &&
+		    mesh_inside(solid, topology, p) == INSIDE_YES)
+			depth = fmax(depth, mesh_point_distance(solid, p));
+	}
+	return depth;
+}
+
+static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *diag)
+{
+	for (int i = 0; i < (int)scene->body_count; i++) {
+		struct doubt doubt = {.kind = DOUBT_SINKS, .body = i};
+
+		if (!is_set_up(scene, i) || scene->bodies[i].body->checked)
+			continue;
+		for (int k = 0; k < (int)scene->body_count; k++) {
+			bool earlier_fixture = scene->bodies[k].body->role == ROLE_FIXTURE &&
+					       (k < i || scene->bodies[i].body->role == ROLE_PART);
+
+			if (k == i || !(is_table(scene, k) || earlier_fixture) ||
+			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
+				continue;
+			doubt.value = fmax(depth_of(scene, i, k, diag), depth_of(scene, k, i, diag));
+			doubt.against = k;
+			if (doubt.value > SUNK_BY)
+				doubts_add(doubts, &doubt);
+		}
+	}
+}
+
+/* ---------------------------------------------------------------- sizes and reach */
+
+static double thinnest_cutter(const struct setup *setup)
+{
+	double thinnest = INFINITY;
+
+	for (size_t i = 0; i < setup->tool_count; i++) {
+		if (setup->tools[i].diameter > 0)
+			thinnest = fmin(thinnest, setup->tools[i].diameter);
+	}
+	return thinnest;
+}
+
+static void check_sizes(const struct scene *scene, struct doubts *doubts)
+{
+	double travel = kinematics_longest_travel(scene->machine), cutter = thinnest_cutter(scene->setup);
+
+	for (int i = 0; i < (int)scene->body_count; i++) {
+		struct doubt doubt = {.kind = DOUBT_PART_LARGE, .body = i, .limit = travel};
+
+		if (!is_set_up(scene, i) || scene->bodies[i].body->checked)
+			continue;
+		doubt.value = placed_box_size(placed_box_of(scene, i));
+		if (travel > 0 && doubt.value < PART_LEAST * travel) {
+			doubt.kind = DOUBT_PART_SMALL;
+		} else if (doubt.value < cutter && !isinf(cutter) && scene->bodies[i].body->role == ROLE_PART) {
+			doubt.kind = DOUBT_PART_BELOW_CUTTERS;
+			doubt.limit = cutter;
+		} else if (!(travel > 0) || doubt.value < PART_MOST * travel) {
+			continue;
+		}
+		doubts_add(doubts, &doubt);
+	}
+}
+
+/* The part's extent along a direction, as seen from the workholding's origin. */
+static void extent(const struct scene *scene, struct placed_box box, vec3 along, double *least, double *greatest)
+{
+	vec3 middle = vec3_scale(0.5, vec3_add(box.least, box.greatest)), half = vec3_sub(box.greatest, middle);
+	double at = vec3_dot(vec3_sub(middle, scene->machine->workholding.frame.translation), along);
+	double reach = fabs(along.x) * half.x + fabs(along.y) * half.y + fabs(along.z) * half.z;
+
+	*least = at - reach;
+	*greatest = at + reach;
+}
+
+/* Sideways, whatever the tool. */
+static void check_beside(const struct scene *scene, struct doubts *doubts)
+{
+	vec3 across[2];
+
+	kinematics_sideways(scene->machine, across);
+	for (int i = 0; i < (int)scene->body_count; i++) {
+		struct doubt doubt = {.kind = DOUBT_PART_BESIDE, .body = i};
+
+		if (scene->bodies[i].body->role != ROLE_PART || scene->bodies[i].body->checked)
+			continue;
+		for (int k = 0; k < 2; k++) {
+			double from, to, least, greatest;
+
+			extent(scene, placed_box_of(scene, i), across[k], &from, &to);
+			kinematics_range(scene->machine, across[k], &least, &greatest);
+			doubt.value = fmax(doubt.value, fmax(from - greatest, least - to));
+		}
+		if (doubt.value > OUT_OF_REACH)
+			doubts_add(doubts, &doubt);
+	}
+}
+
+/* The box of all parts, or of everything that is set up; false: there is nothing. */
+static bool box_of_setup(const struct scene *scene, bool parts_only, struct placed_box *box)
+{
+	*box = placed_box_empty();
+	for (int i = 0; i < (int)scene->body_count; i++) {
+		if (is_set_up(scene, i) && (!parts_only || scene->bodies[i].body->role == ROLE_PART))
+			*box = placed_box_union(*box, placed_box_of(scene, i));
+	}
+	return !isinf(box->least.x);
+}
+
+/* Heights are measured against the direction of the tool. */
+static void check_tool_reach(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	const vec3 up = vec3_scale(-1, scene->machine->spindle.direction);
+	const double length = scene->setup->tools[item].length;
+	double low, high, bottom, top;
+	struct placed_box box;
+
+	kinematics_range(scene->machine, up, &low, &high);
+	if (box_of_setup(scene, true, &box)) {
+		extent(scene, box, up, &bottom, &top);
+		if (low - length > top + OUT_OF_REACH)
+			doubts_add(doubts, &(struct doubt){.kind = DOUBT_TOOL_SHORT, .item = item, .value = low - length - top});
+	}
+	if (box_of_setup(scene, false, &box)) {
+		extent(scene, box, up, &bottom, &top);
+		if (high - length < bottom)
+			doubts_add(doubts,
+				   &(struct doubt){.kind = DOUBT_TOOL_BELOW, .item = item, .value = bottom - (high - length)});
+	}
+}
+
+static double travel_along_spindle(const struct machine *machine)
+{
+	double least, greatest;
+
+	kinematics_range(machine, machine->spindle.direction, &least, &greatest);
+	return greatest - least;
+}
+
+static void check_tool_length(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	const struct tool *tool = &scene->setup->tools[item];
+	struct doubt doubt = {.item = item, .value = tool->length, .limit = travel_along_spindle(scene->machine)};
+
+	if (!(doubt.limit > 0) || isinf(doubt.limit))
+		return;
+	if (tool->length > TOOL_MOST * doubt.limit)
+		doubt.kind = DOUBT_TOOL_LONG;
+	else if (tool->length < TOOL_LEAST * doubt.limit && tool->length < tool->diameter)
+		doubt.kind = DOUBT_TOOL_TINY;
+	else
+		return;
+	doubts_add(doubts, &doubt);
+}
+
+/* ---------------------------------------------------------------- lengths and offsets */
+
+/* What the tool's H adds to its length: the same for all tools where lengths are measured from elsewhere. */
+static double length_error(const struct setup *setup, size_t item)
+{
+	for (size_t i = 0; i < setup->length_count; i++) {
+		if (setup->lengths[i].number == setup->tools[item].number)
+			return setup->lengths[i].length - setup->tools[item].length;
+	}
+	return 0;
+}
+
+/* An H of 0 is a tool that is used without compensation. */
+static void check_length_offsets(const struct scene *scene, struct doubts *doubts)
+{
+	const struct setup *setup = scene->setup;
+
+	for (size_t i = 0; i < setup->tool_count; i++) {
+		double error = length_error(setup, i), value = setup->tools[i].length + error;
+		size_t alike = 0;
+
+		for (size_t k = 0; k < setup->tool_count; k++)
+			alike += fabs(length_error(setup, k) - error) < 0.5;
+		if (fabs(error) < 0.5 || fabs(value) < 1e-9 || (alike > 1 && 2 * alike > setup->tool_count) ||
+		    setup->tools[i].checked)
+			continue;
+		doubts_add(doubts, &(struct doubt){.kind = DOUBT_LENGTH_OFFSET, .item = i, .value = value,
+						   .limit = setup->tools[i].length});
+	}
+}
+
+/*
+ * Along the spindle a program zero may be lower than the gauge point comes, as the tool's length is added and the
+ * zero itself need not be reached.
+ */
+static void check_offset_travel(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	const struct machine *machine = scene->machine;
+	double longest = 0;
+
+	for (size_t i = 0; i < scene->setup->tool_count; i++)
+		longest = fmax(longest, scene->setup->tools[i].length);
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+		double value = scene->setup->offsets[item].value.v[axis->slot], room = axis->rotary ? 0.02 : 1, below = room;
+		bool along = !axis->rotary && machine->spindle.present && kinematics_side(machine, axis) &&
+			     fabs(vec3_dot(axis->direction, machine->spindle.direction)) > 0.5;
+
+		if (along)
+			below += longest + 0.5 * (axis->limit_max - axis->limit_min);
+		if (value >= axis->limit_min - below && value <= axis->limit_max + room)
+			continue;
+		doubts_add(doubts, &(struct doubt){.kind = DOUBT_OFFSET_OUTSIDE, .item = item, .axis = (int)i, .value = value});
+	}
+}
+
+/* Where the tip is at program zero, with the tool's own length or what its H makes of it. */
+static double zero_distance(const struct scene *scene, size_t item, double lift, struct placed_box box)
+{
+	const struct machine *machine = scene->machine;
+	const axis_values *q = &scene->setup->offsets[item].value;
+	xform tool = machine_pose(machine, machine->spindle.link, q);
+	xform work = machine_pose(machine, machine->workholding.link, q);
+	xform back = xform_inverse(&work);
+	vec3 gauge = vec3_mad(machine->spindle.location, lift, machine->spindle.direction);
+
+	return placed_box_distance(box, xform_apply(&back, xform_apply(&tool, gauge)));
+}
+
+static void check_zero(const struct scene *scene, size_t item, struct doubts *doubts)
+{
+	struct doubt doubt = {.kind = DOUBT_OFFSET_FAR, .item = item};
+	struct placed_box box;
+
+	if (!box_of_setup(scene, false, &box))
+		return;
+	doubt.limit = placed_box_size(box);
+	doubt.value = zero_distance(scene, item, 0, box);
+	for (size_t i = 0; i < scene->setup->tool_count; i++)
+		doubt.value = fmin(doubt.value, zero_distance(scene, item, -length_error(scene->setup, i), box));
+	if (doubt.value > fmax(ZERO_OFF, doubt.limit))
+		doubts_add(doubts, &doubt);
+}
+
+void setup_check(struct scene *scene, struct doubts *doubts, struct diag *diag)
+{
+	const struct machine *machine = scene->machine;
+	const struct setup *setup = scene->setup;
+	bool both = machine->spindle.present && machine->workholding.present;
+
+	if (!setup)
+		return;
+	if (machine->workholding.present) {
+		check_held(scene, doubts);
+		check_sunk(scene, doubts, diag);
+		check_sizes(scene, doubts);
+	}
+	if (both && !machine->workholding.checked && !machine->spindle.checked)
+		check_beside(scene, doubts);
+	for (size_t i = 0; i < setup->tool_count && both; i++) {
+		if (setup->tools[i].checked)
+			continue;
+		check_tool_reach(scene, i, doubts);
+		check_tool_length(scene, i, doubts);
+	}
+	check_length_offsets(scene, doubts);
+	for (size_t i = 0; i < setup->offset_count; i++) {
+		if (setup->offsets[i].checked)
+			continue;
+		check_offset_travel(scene, i, doubts);
+		if (both)
+			check_zero(scene, i, doubts);
+	}
+}
