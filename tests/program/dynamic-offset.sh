@@ -7,8 +7,8 @@ table='
       <axis name="Z" type="linear" direction="0 0 1" rate_max="6000">
         <spindle location="0 0 300" direction="0 0 -1"/>
       </axis></axis></axis>
-  <axis name="B" type="rotary" checked="as above" direction="0 1 0" location="5 0 80" rate_max="3600">
-    <axis name="C" type="rotary" checked="as above" direction="0 0 1" location="30 40 0" rate_max="3600">
+  <axis name="B" type="rotary" checked="the sums above count this way" direction="0 1 0" location="5 0 80" rate_max="3600">
+    <axis name="C" type="rotary" checked="the sums above count this way" direction="0 0 1" location="30 40 0" rate_max="3600">
       <workholding location="30 40 80"/>
     </axis></axis>'
 echo "$table" | machine base.xml
@@ -64,7 +64,7 @@ sed '/name="B"/,$d' m.xml >head.xml
 head='<axis name="B" type="rotary" direction="0 1 0" location="0 0 500" rate_max="3600">'
 sed -i "s|<spindle .*|$head&</axis>|" head.xml
 cat >>head.xml <<'XML'
-<axis name="C" type="rotary" checked="as above" direction="0 0 1" location="30 40 0" rate_max="3600">
+<axis name="C" type="rotary" checked="the sums above count this way" direction="0 0 1" location="30 40 0" rate_max="3600">
   <workholding location="30 40 80"/></axis>
 </base></machine>
 XML
