@@ -1,9 +1,9 @@
 /*
  * fivecheck.h - fivecheck as a library: load a machine and a setup, check NC programs, receive what is found.
  *
- * The command line itself loads and checks through this header. Link with `pkg-config --cflags --libs fivecheck`
- * (add --static): the library is a static archive whose only global symbols are those declared here. They are what
- * stays stable from one version to the next; the headers below src/ are not installed and may change.
+ * The command line itself loads and checks through this header. Compile and link with
+ * `pkg-config --cflags --libs fivecheck`: the library is a static archive whose only global symbols are those declared
+ * here. They stay as they are from one version to the next; nothing else of the library does.
  *
  * Units: lengths in mm, angles in radians, times in seconds. Places are in machine coordinates. Strings are UTF-8 or
  * whatever bytes the file has, and end in 0.
@@ -163,7 +163,7 @@ enum fivecheck_result fivecheck_check_file(fivecheck_model *model, const fiveche
 
 /* All pairs of bodies of a prepared model; 0 before. */
 size_t fivecheck_pair_count(const fivecheck_model *model);
-/* Names of the bodies of a pair below the count. True: it is checked; false: it is excused, with a reason. */
+/* Names of the bodies of a pair below the count. True: it is checked; false: it need not be, for this reason. */
 bool fivecheck_pair(const fivecheck_model *model, size_t pair, const char **a, const char **b, const char **reason);
 
 fivecheck_statistics *fivecheck_statistics_new(void);
