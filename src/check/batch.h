@@ -1,12 +1,12 @@
-/* batch.h - some thousand steps of a program with all that is needed to check them later, pair by pair. */
+/* batch.h - copies of some thousand steps of a program, which are then checked pair by pair. */
 #ifndef FIVECHECK_CHECK_BATCH_H
 #define FIVECHECK_CHECK_BATCH_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "check/step.h"
 #include "check/path_copies.h"
+#include "check/step.h"
 #include "motion/events.h"
 
 /* Where a step stands: `block` numbers the program's blocks from 0. */
@@ -19,7 +19,7 @@ struct batch_step {
 /* Steps to a chunk. */
 enum { CHUNK_STEPS = 64 };
 
-/* All positions that the axes are told to take in a chunk, chord errors included; the most path tolerance besides. */
+/* All programmed positions of the axes in a chunk, chord errors included, and its largest path tolerance. */
 struct batch_chunk {
 	axis_values low, high;
 	struct position_errors errors;	/* its chord errors are 0 */

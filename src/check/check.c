@@ -109,8 +109,8 @@ static void on_block(struct checker *c, const struct motion_block *block)
 	c->stats->blocks_checked += ours;
 	c->skipped |= !ours;
 	/* Blocks without steps gather too. The steps of a batch follow on each other. */
-	if (c->batch.step_count >= BATCH_STEPS || c->log.block_count >= BATCH_STEPS || checker_has_enough(c) || c->limit_found ||
-	    c->options->times || (ours && !checker_owns(c, c->block + 1)))
+	if (c->batch.step_count >= BATCH_STEPS || c->log.block_count >= BATCH_STEPS || checker_has_enough(c) ||
+	    c->limit_found || c->options->times || (ours && !checker_owns(c, c->block + 1)))
 		checker_process(c, c->options->times ? record : NULL);
 	c->block++;
 	start_block(c);
@@ -215,7 +215,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.tool = scene->setup ? scene->setup->initial_tool : 0;
 	c.last_block = LONG_MAX;
 	start_block(&c);
-	if (options->method == CHECK_NOTHING || scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag)) {
+	if (options->method == CHECK_NOTHING ||
+	    scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag)) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
 		scheduler_collect(&c.scheduler, c.last_block, stats, proven);

@@ -300,7 +300,9 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 	bool past_a_limit = is_past_a_limit(c);
 	double start = checker_clock();
 
-	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off && checker_owns(c, c->block); i++) {
+	if (!checker_owns(c, c->block))
+		return;
+	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off; i++) {
 		struct pair_check *check = &c->scheduler.checks[i];
 
 		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&

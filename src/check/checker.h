@@ -43,7 +43,7 @@ struct checker {
 	bool failed;	/* something could not be decided: reported */
 	bool found;	/* two bodies; without `all`, nothing later needs to be looked at */
 	bool limit_found;
-	bool exhausted;	/* a step would take more than options->effort: reported, and the check ends with its batch */
+	bool exhausted;	/* a step would take more than options->effort: reported; the check ends with its batch */
 	bool stopped;	/* by us or by the sink */
 	bool broken_off;	/* since the last batch that was checked whole */
 	bool skipped;	/* blocks of other shards since the last step of ours */
@@ -53,7 +53,8 @@ struct checker {
 	struct motion_summary summary;	/* of what was read so far */
 	long last_block;	/* the check ends with it */
 	long steps;	/* of the block that is being read */
-	double read_from, read_check, gauging;	/* where reading it began; seconds_check then; s spent on gauges since */
+	/* With options->times: when reading that block began, seconds_check then, and s spent on clearances since. */
+	double read_from, read_check, gauging;
 };
 
 /* s of a clock that only runs forward */

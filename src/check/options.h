@@ -27,20 +27,20 @@ struct check_options {
 	double step;	/* s between samples of the two sampled methods */
 	double tolerance;	/* mm: e of the verdict contract */
 	bool all;	/* go on after the first finding: the first per block and pair */
-	/* Its cancel is asked in the middle of a batch, too; of a batch that is broken off nothing is told. */
+	/* read.cancel is asked in the middle of a batch, too; no finding of a batch that was broken off is told. */
 	struct read_options read;
-	long effort;	/* node pairs to look at for one step of one pair before the check gives up; 0: CHECK_EFFORT */
+	long effort;	/* node pairs to look at for a step of a pair before the check gives up; 0: CHECK_EFFORT */
 	int threads;	/* >= 1 */
-	bool block_clearances;	/* measures what clearance remains in each block, which takes more time */
-	double block_clearance_cap;	/* mm: and no more than this of it */
-	bool times;	/* checks each block by itself and takes its time, which takes more of it */
-	double measure_cap;	/* mm: more than this, above its clearance, is not looked for in a pair; 0: no cap */
-	const struct setup_change *change;	/* the setup is checked as if it were changed so; or NULL */
-	struct path_record *record;	/* records the path of the program, or compares the path with a record; or NULL */
+	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
+	double block_clearance_cap;	/* mm: larger clearances are told as this one */
+	bool times;	/* check each block by itself and measure its time; the check takes longer */
+	double measure_cap;	/* mm: a pair's smallest clearance is measured up to the required one plus this; 0: no cap */
+	const struct setup_change *change;	/* check the setup as if it were changed so; or NULL */
+	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
 	/*
-	 * Checks the shard-th, from 1, of so many parts of the blocks; shards 0: all blocks. Each shard interprets the
-	 * whole program. Each block, with its limits and what stands in it, is checked by exactly one shard;
-	 * together the shards find what one run with `all` finds.
+	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.
+	 * Each shard interprets the whole program, and each block is checked by exactly one shard. Together the shards
+	 * find what one run with `all` finds.
 	 */
 	int shard, shards;
 };

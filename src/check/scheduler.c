@@ -68,20 +68,23 @@ void scheduler_jump(struct scheduler *scheduler)
 
 /* ------------------------------------------------------------------ jobs */
 
-static void add_job(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from, size_t to)
+static void add_job(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from,
+		    size_t to)
 {
-	scheduler->jobs = mem_grow(scheduler->jobs, &scheduler->job_capacity, scheduler->job_count + 1, sizeof(*scheduler->jobs));
+	scheduler->jobs = mem_grow(scheduler->jobs, &scheduler->job_capacity, scheduler->job_count + 1,
+				   sizeof(*scheduler->jobs));
 	scheduler->jobs[scheduler->job_count++] = (struct job){check, copy, from, to, 0};
 }
 
 /*
- * Parts of a batch know nothing of each other. That a pair has met matters to
- * what follows, so a check that goes on behind a finding is not divided.
+ * The parts of a divided batch are checked independently. A check that goes on after a finding cannot be divided, as
+ * later steps depend on whether the pair has met before.
  */
-static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check, const struct check_options *options)
+static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check,
+			 const struct check_options *options)
 {
-	return scheduler->visits[check - scheduler->checks] > HEAVY && options->method == CHECK_CERTIFIED && !options->all &&
-	       !check->maybe_inside && !check->past_limits_only;
+	return scheduler->visits[check - scheduler->checks] > HEAVY && options->method == CHECK_CERTIFIED &&
+	       !options->all && !check->maybe_inside && !check->past_limits_only;
 }
 
 static size_t part_of(size_t left)
@@ -153,8 +156,8 @@ static void do_job(void *context, int worker, size_t i)
 
 static void add_results(struct scheduler *scheduler, const struct pair_check *check)
 {
-	scheduler->results = mem_grow(scheduler->results, &scheduler->result_capacity, scheduler->result_count + check->result_count,
-				 sizeof(*scheduler->results));
+	scheduler->results = mem_grow(scheduler->results, &scheduler->result_capacity,
+				      scheduler->result_count + check->result_count, sizeof(*scheduler->results));
 	for (size_t i = 0; i < check->result_count; i++)
 		scheduler->results[scheduler->result_count++] = check->results[i];
 }

@@ -188,7 +188,7 @@ static void warn_of_missing_end(struct interp *interp, const struct reader *read
 }
 
 /* What stands behind the end is not carried out, but whoever sees it in the file may believe that it was checked. */
-static void warn_of_rest(struct interp *interp, struct line_reader *reader)
+static void warn_of_rest(struct interp *interp, struct reader *reader)
 {
 	const long end = reader->line, lines = reader->furthest;
 	const struct rest_of_file rest = rest_of_file_find(reader, interp->config->read.cancel);

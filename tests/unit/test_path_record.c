@@ -23,8 +23,8 @@ static bool is_same(struct path_record *path, double x, double turn, int tool, l
 	path_record_compare(path);
 	travel(path, x, turn, tool, blocks);
 	path_record_end(path);
-	ck_assert(!path->lost);
-	ck_assert_double_eq_tol(path->way, way, 1e-12);
+	ck_assert(!path->failed);
+	ck_assert_double_eq_tol(path->farthest, way, 1e-12);
 	return path->same;
 }
 
@@ -36,13 +36,13 @@ START_TEST(runs_are_compared)
 	ck_assert(path_record_init(&path));
 	path_record_start(&path);
 	travel(&path, 5, 1, 2, 3);
-	x = path.ways[SLOT_X];
-	y = path.ways[SLOT_Y];
+	x = path.digests[SLOT_X];
+	y = path.digests[SLOT_Y];
 	ck_assert(is_same(&path, 5, 1, 2, 3, 0));
-	ck_assert(path.ways[SLOT_X] == x && path.ways[SLOT_Y] == y);
+	ck_assert(path.digests[SLOT_X] == x && path.digests[SLOT_Y] == y);
 	/* Farther along X: still the same path. */
 	ck_assert(is_same(&path, 5.25, 1, 2, 3, 0.25));
-	ck_assert(path.ways[SLOT_X] != x && path.ways[SLOT_Y] == y);
+	ck_assert(path.digests[SLOT_X] != x && path.digests[SLOT_Y] == y);
 	/* Another turn, another tool, less, more. */
 	ck_assert(!is_same(&path, 5, 1 + 1e-6, 2, 3, 0));
 	ck_assert(!is_same(&path, 5, 1, 3, 3, 0));

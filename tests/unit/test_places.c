@@ -11,7 +11,7 @@
 #include "machine/machine.h"
 #include "scene/scene.h"
 
-/* A ball in a bowl, 1 mm apart in every position of three rotary axes, which is hard to see for all positions at once. */
+/* A ball in a bowl: they stay apart however the three rotary axes stand, but that is hard to prove. */
 static const char machine_format[] =
 	"<machine version=\"1\" name=\"m\" units=\"mm\"><controller rapid=\"%s\"/><base>"
 	"<axis name=\"A\" type=\"rotary\" direction=\"1 0 0\" location=\"0 0 0\" rate_max=\"3600\">"
@@ -56,7 +56,8 @@ static void write_sphere(const char *name, double radius, int rings)
 	fprintf(out, "solid s\n");
 	for (int i = 0; i < rings; i++) {
 		for (int k = 0; k < 2 * rings; k++) {
-			const int low[3][2] = {{i, k}, {i + 1, k}, {i + 1, k + 1}}, high[3][2] = {{i, k}, {i + 1, k + 1}, {i, k + 1}};
+			const int low[3][2] = {{i, k}, {i + 1, k}, {i + 1, k + 1}};
+			const int high[3][2] = {{i, k}, {i + 1, k + 1}, {i, k + 1}};
 
 			if (i < rings - 1)
 				write_facet(out, radius, rings, low);

@@ -28,10 +28,10 @@ static void restart(struct path_record *path, bool compares)
 {
 	path->compares = compares;
 	path->same = true;
-	path->way = 0;
-	memset(path->ways, 0, sizeof(path->ways));
+	path->farthest = 0;
+	memset(path->digests, 0, sizeof(path->digests));
 	if (fseek(path->file, 0, SEEK_SET))
-		path->lost = true;
+		path->failed = true;
 }
 
 void path_record_start(struct path_record *path)
@@ -51,18 +51,18 @@ void path_record_step(struct path_record *path, const struct motion_step *step)
 
 		/* Fowler, Noll and Vo's hash (FNV-1a), a number at a time. */
 		memcpy(&bits, &step->span.q1.v[slot], sizeof(bits));
-		path->ways[slot] = (path->ways[slot] ^ bits) * UINT64_C(0x100000001b3) + 1;
+		path->digests[slot] = (path->digests[slot] ^ bits) * UINT64_C(0x100000001b3) + 1;
 	}
 }
 
 static void compare(struct path_record *path, const struct record *now)
 {
 	struct record then;
-	double way = 0;
+	double sum = 0;
 
 	if (fread(&then, sizeof(then), 1, path->file) != 1) {
 		path->same = false;
-		path->lost |= ferror(path->file) != 0;
+		path->failed |= ferror(path->file) != 0;
 		return;
 	}
 	if (now->line != then.line || now->tool != then.tool)
@@ -71,11 +71,11 @@ static void compare(struct path_record *path, const struct record *now)
 		double off = fabs(now->end.v[slot] - then.end.v[slot]);
 
 		if (!slot_is_rotary(slot))
-			way += off * off;
+			sum += off * off;
 		else if (off > SAME_POINT)
 			path->same = false;
 	}
-	path->way = fmax(path->way, sqrt(way));
+	path->farthest = fmax(path->farthest, sqrt(sum));
 }
 
 void path_record_block(struct path_record *path, long line, int tool, const axis_values *end)
@@ -89,7 +89,7 @@ void path_record_block(struct path_record *path, long line, int tool, const axis
 	if (path->compares)
 		compare(path, &record);
 	else if (fwrite(&record, sizeof(record), 1, path->file) != 1)
-		path->lost = true;
+		path->failed = true;
 }
 
 void path_record_end(struct path_record *path)

@@ -29,7 +29,7 @@ struct search {
 	off_t start;
 	const char *name;
 	struct path_record path;
-	uint64_t ways[SLOT_COUNT];	/* of the recorded run */
+	uint64_t digests[SLOT_COUNT];	/* of the recorded run */
 	bool affects[SLOT_COUNT];	/* axes that go elsewhere with the quantity changed */
 	double spread;	/* how many times a change may show in the distance of two bodies; INFINITY: it cannot be told */
 	double *proven;	/* of the run without a change, or the last that was measured */
@@ -121,8 +121,8 @@ static struct probe run(struct search *search, double amount, double measures)
 		probe.result = CHECK_INCOMPLETE;
 	if (answer && probe.result == CHECK_CLEAR)
 		path_record_end(&search->path);
-	probe.orderly = search->path.same && !search->path.lost &&
-			search->path.way <= amount * search->spread * (1 + 1e-9) + 1e-9;
+	probe.orderly = search->path.same && !search->path.failed &&
+			search->path.farthest <= amount * search->spread * (1 + 1e-9) + 1e-9;
 	return probe;
 }
 
@@ -259,7 +259,7 @@ static void search_clear(struct search *search)
 		return;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		search->affects[slot] = search->path.ways[slot] != search->ways[slot];
+		search->affects[slot] = search->path.digests[slot] != search->digests[slot];
 		any |= search->affects[slot];
 	}
 	if (!any && probe.orderly) {
@@ -368,7 +368,7 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 	free(probe.why);
 	if (probe.result == result) {
 		memcpy(proven, search.proven, scene->pair_count * sizeof(*proven));
-		memcpy(search.ways, search.path.ways, sizeof(search.ways));
+		memcpy(search.digests, search.path.digests, sizeof(search.digests));
 		count = list_answers(range, answers);
 		for (size_t i = 0; i < count; i++)
 			answer_one(&search, result, &answers[i], proven);

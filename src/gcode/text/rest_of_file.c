@@ -89,7 +89,7 @@ static struct rest_of_file found(const struct section *section)
 	return section->number ? (struct rest_of_file){0, section->number} : (struct rest_of_file){section->motion, 0};
 }
 
-struct rest_of_file rest_of_file_find(struct line_reader *reader, const struct cancel *cancel)
+struct rest_of_file rest_of_file_find(struct reader *reader, const struct cancel *cancel)
 {
 	struct section section = {0};
 	const char *text;

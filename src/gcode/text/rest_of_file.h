@@ -18,6 +18,6 @@ struct rest_of_file {
  * control: a subprogram is what stands between "o... sub" and "endsub", or before M99. A pipe is not read: whoever
  * writes into it may be waiting for something else. cancel may be NULL.
  */
-struct rest_of_file rest_of_file_find(struct line_reader *reader, const struct cancel *cancel);
+struct rest_of_file rest_of_file_find(struct reader *reader, const struct cancel *cancel);
 
 #endif
