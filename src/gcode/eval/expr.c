@@ -1,7 +1,6 @@
 #include "gcode/eval/expr.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "gcode/text/number.h"
 
@@ -18,7 +17,11 @@ static bool is_sign(char byte)
 /* Does this byte start a variable? */
 static bool starts_variable(const struct expr_rules *rules, char byte)
 {
-	return byte != '\0' && strchr(rules->variable_starts, byte);
+	for (const char *start = rules->variable_starts; *start; start++) {
+		if (*start == byte)
+			return true;
+	}
+	return false;
 }
 
 int expr_column(struct lexer *lexer)
@@ -73,22 +76,23 @@ bool expr_bracket(struct expr *expr, const char *what, struct expr_operand *valu
 
 /* -------------------------------------------------------------- operators */
 
-/* Takes the operator that comes next if its rank is high enough; NULL: nothing was taken. */
-static const struct expr_operator *take_operator(struct expr *expr, int rank)
+/* An operator that has been taken and whose right operand has not; NULL: none comes next. */
+struct next_operator {
+	const struct expr_operator *operator;
+	int column;
+};
+
+static void take_operator(struct expr *expr, struct next_operator *next)
 {
-	size_t position = expr->lexer->position;
+	const struct expr_rules *rules = expr->rules;
+	char byte = lexer_peek(expr->lexer);
 
-	for (size_t i = 0; i < expr->rules->operator_count; i++) {
-		const struct expr_operator *operator = &expr->rules->operators[i];
-
-		if (!lexer_keyword(expr->lexer, operator->name))
-			continue;
-		if (operator->rank >= rank)
-			return operator;
-		break;
+	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
+	*next = (struct next_operator){NULL, lexer_column(expr->lexer)};
+	for (size_t i = 0; i < rules->operator_count && !next->operator; i++) {
+		if (rules->operators[i].name[0] == byte && lexer_keyword(expr->lexer, rules->operators[i].name))
+			next->operator = &rules->operators[i];
 	}
-	expr->lexer->position = position;
-	return NULL;
 }
 
 static bool check_order(struct expr *expr, const struct expr_operator *first, const struct expr_operator *next,
@@ -99,31 +103,36 @@ static bool check_order(struct expr *expr, const struct expr_operator *first, co
 	return fault(expr->lexer->at, column, "%s", expr->rules->unordered);
 }
 
-/* Operators of at least this rank, from left to right; *first is the first one of this pair of brackets. */
-static bool climb(struct expr *expr, int rank, const struct expr_operator **first, struct expr_operand *value)
+/*
+ * Operators of at least this rank, from left to right. *first is the first one of this pair of brackets, *next the one
+ * behind the value, whose rank is lower.
+ */
+static bool climb(struct expr *expr, int rank, const struct expr_operator **first, struct next_operator *next,
+		  struct expr_operand *value)
 {
 	if (!expr_value(expr, value))
 		return false;
-	for (;;) {
-		int column = expr_column(expr->lexer);
-		const struct expr_operator *operator = take_operator(expr, rank);
+	take_operator(expr, next);
+	while (next->operator && next->operator->rank >= rank) {
+		struct next_operator this = *next;
 		struct expr_operand right;
 
-		if (!operator)
-			return true;
 		if (!*first)
-			*first = operator;
-		if (!check_order(expr, *first, operator, column) || !climb(expr, operator->rank + 1, first, &right) ||
-		    !expr->rules->apply(expr, column, operator, value, &right))
+			*first = this.operator;
+		if (!check_order(expr, *first, this.operator, this.column) ||
+		    !climb(expr, this.operator->rank + 1, first, next, &right) ||
+		    !expr->rules->apply(expr, this.column, this.operator, value, &right))
 			return false;
 	}
+	return true;
 }
 
 bool expr_sum(struct expr *expr, struct expr_operand *value)
 {
 	const struct expr_operator *first = NULL;
+	struct next_operator next;
 
-	return climb(expr, 1, &first, value);
+	return climb(expr, 1, &first, &next, value);
 }
 
 /* ----------------------------------------------------------------- values */

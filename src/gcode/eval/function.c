@@ -7,8 +7,11 @@
 
 const struct function_name *function_read(struct lexer *lexer, const struct function_name *names, size_t count)
 {
+	char byte = lexer_peek(lexer);
+
+	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
 	for (size_t i = 0; i < count; i++) {
-		if (lexer_keyword(lexer, names[i].lower))
+		if (names[i].lower[0] == byte && lexer_keyword(lexer, names[i].lower))
 			return &names[i];
 	}
 	return NULL;

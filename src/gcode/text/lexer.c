@@ -9,25 +9,6 @@ void lexer_init(struct lexer *lexer, const struct line_place *at, const struct l
 	*lexer = (struct lexer){.at = at, .rules = rules, .context = context};
 }
 
-int lexer_column(const struct lexer *lexer)
-{
-	return (int)lexer->position + 1;
-}
-
-char lexer_peek(struct lexer *lexer)
-{
-	const char *text = lexer->at->text;
-
-	while (text[lexer->position] == ' ' || text[lexer->position] == '\t')
-		lexer->position++;
-	return text[lexer->position];
-}
-
-void lexer_take(struct lexer *lexer)
-{
-	lexer->position++;
-}
-
 bool lexer_keyword(struct lexer *lexer, const char *keyword)
 {
 	size_t position = lexer->position;

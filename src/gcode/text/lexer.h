@@ -61,10 +61,20 @@ struct lexer {
 void lexer_init(struct lexer *lexer, const struct line_place *at, const struct lexer_rules *rules, void *context);
 
 /* The next byte that is no blank, without taking it; '\0' at the end of the line. */
-char lexer_peek(struct lexer *lexer);
+static inline char lexer_peek(struct lexer *lexer)
+{
+	const char *text = lexer->at->text;
+
+	while (text[lexer->position] == ' ' || text[lexer->position] == '\t')
+		lexer->position++;
+	return text[lexer->position];
+}
 
 /* Takes the byte that lexer_peek showed. */
-void lexer_take(struct lexer *lexer);
+static inline void lexer_take(struct lexer *lexer)
+{
+	lexer->position++;
+}
 
 /* Takes this keyword, which is given in lower case, if it comes next; there may be blanks between its letters. */
 bool lexer_keyword(struct lexer *lexer, const char *keyword);
@@ -73,7 +83,10 @@ bool lexer_keyword(struct lexer *lexer, const char *keyword);
 bool lexer_skip_comments(struct lexer *lexer);
 
 /* Column of the next byte. */
-int lexer_column(const struct lexer *lexer);
+static inline int lexer_column(const struct lexer *lexer)
+{
+	return (int)lexer->position + 1;
+}
 
 /*
  * The next word. Faults are reported: an unclosed or nested comment, a letter

@@ -104,7 +104,7 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 	}
 	if (reader->style == LINE_END_UNKNOWN)
 		reader->style = style;
-	/* LinuxCNC takes a lone CR for a blank, other controls end the block there: the program would mean two things. */
+	/* LinuxCNC takes a lone CR for a blank, other controls end the block there: two different programs. */
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
 }
 

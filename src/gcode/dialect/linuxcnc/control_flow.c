@@ -106,7 +106,8 @@ bool control_flow_end_of_file(struct interp *interp)
 			   "the subprogram %s is neither in %s nor in a file %s.ngc beside the program or in an "
 			   "--include folder",
 			   oword_title(call->name, title), end.file, call->name);
-		params_leave(&linuxcnc_of(interp)->params);	/* the message is about the call itself: the call is no caller of it */
+		/* The message is about the call, which is therefore not named as a caller below it. */
+		params_leave(&linuxcnc_of(interp)->params);
 	} else if (flow->skip == SKIP_DEFINITION)
 		diag_error(interp->diag, flow->skip_from, "this sub is not closed: its endsub is missing");
 	else if (flow->skip != SKIP_NOTHING)

@@ -76,7 +76,7 @@ static bool do_if(struct interp *interp, struct lexer *lexer, const struct oword
 	return true;
 }
 
-/* elseif, else or endif ends the lines that were carried out. LinuxCNC computes the condition of elseif all the same. */
+/* elseif, else or endif ends the lines that were carried out. LinuxCNC computes the condition of elseif here, too. */
 static bool leave_if(struct interp *interp, struct lexer *lexer, const struct oword *oword, const char *key)
 {
 	double test;
