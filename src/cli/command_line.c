@@ -156,9 +156,9 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--sensitivity is about a proof, but the sampled methods prove nothing";
 	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
 		fault = "--sensitivity needs --format=text or --format=ndjson";
-	else if (options_want_sensitivity(o) && (o->baseline || o->waivers || o->fail_on))
-		fault = "--sensitivity cannot be used together with --baseline, --waivers or --fail-on: it is about "
-			"the verdict without them";
+	else if (options_want_sensitivity(o) && (o->waivers || o->fail_on))
+		fault = "--sensitivity cannot be used together with --waivers or --fail-on: it is about the verdict "
+			"without them";
 	else if ((o->clearance_report && !strcmp(o->clearance_report, "-")) || (o->timing && !strcmp(o->timing, "-")))
 		fault = "--clearance-report and --timing need the name of a file: standard output gets the report";
 	if (fault)
@@ -222,11 +222,10 @@ static bool apply_shard(const struct parser *parser)
 	}
 	o->check.shard = o->shard;
 	o->check.shards = o->shards;
-	if (o->shards > 1 && (o->baseline || o->waivers)) {
+	if (o->shards > 1 && o->waivers) {
 		diag_error(parser->diag, nowhere,
-			   "--%s cannot be used with --shard of one program: every shard would accept a finding that "
-			   "may be accepted once",
-			   o->baseline ? "baseline" : "waivers");
+			   "--waivers cannot be used with --shard of one program: every shard would accept a finding that "
+			   "may be accepted once");
 		return false;
 	}
 	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {

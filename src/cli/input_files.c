@@ -59,8 +59,6 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 	add(inputs, "machine", options->machine);
 	if (options->setup)
 		add(inputs, "setup", options->setup);
-	if (options->baseline)
-		add(inputs, "baseline", options->baseline);
 	if (options->waivers)
 		add(inputs, "waivers", options->waivers);
 	if (meshes)

@@ -25,7 +25,7 @@ struct input_files {
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
 
-/* Adds machine, setup, baseline, waivers, programs other than standard input, and with `meshes` the meshes. */
+/* Adds machine, setup, waivers, programs other than standard input, and with `meshes` the meshes. */
 void input_files_add_files(struct input_files *inputs, const struct options *options, const struct machine *machine,
 		      const struct setup *setup, bool meshes);
 

@@ -20,7 +20,7 @@ enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
-	KEY_SHARD, KEY_PROGRESS, KEY_BASELINE, KEY_FAIL_ON, KEY_EXIT_ZERO,
+	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_EXIT_ZERO,
 	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
 };
 
@@ -83,10 +83,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "auto: one line, renewed on a terminal (the default);\nplain: a line every ten seconds; none"},
 	{'j', "jobs", "N", ANYWHERE, .kind = VALUE_COUNT, FIELD(check.threads), .least = 1, .greatest = 1024,
 	 .help = "use N threads (1)"},
-	{KEY_BASELINE, "baseline", "FILE", IN_CHECK | IN_PARSE, TEXT(baseline),
-	 .help = "accept the findings of an earlier run, written with\n--all --format=ndjson=FILE"},
 	{KEY_WAIVERS, "waivers", "FILE.xml", IN_CHECK | IN_PARSE, TEXT(waivers),
-	 .help = "accept the findings that FILE.xml lists, each with a\nreason and a last day"},
+	 .help = "accept the findings that FILE.xml lists, each with a\nreason and a last day; fivecheck waive writes it"},
 	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
 	 .choices = finding_kind_names,
 	 .help = "findings of these kinds fail the run, others only\nwarn: %s"},

@@ -51,7 +51,6 @@ struct options {
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
 	const char *record;	/* or NULL; also the path of formats[FORMAT_RECORD] */
-	const char *baseline;	/* or NULL */
 	const char *clearance_report, *timing;	/* or NULL */
 	double sensitivity[CHANGES];	/* mm: the ranges of --sensitivity; all 0: not given */
 	const char *waivers;	/* or NULL */

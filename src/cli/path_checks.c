@@ -100,7 +100,7 @@ bool path_checks_outputs(const struct options *options, struct diag *diag)
 
 	for (size_t i = 0; i < count; i++) {
 		if (!is_free(&list[i], options->machine, diag) || !is_free(&list[i], options->setup, diag) ||
-		    !is_free(&list[i], options->baseline, diag) || !is_free(&list[i], options->waivers, diag) ||
+		    !is_free(&list[i], options->waivers, diag) ||
 		    !is_free(&list[i], options->files_from, diag) || !spares_results(options, &list[i], diag))
 			return false;
 		for (size_t k = 0; k < options->program_count; k++) {

@@ -57,10 +57,9 @@ struct program {
 	FILE *stream;
 	off_t size;	/* of the file; 0: not known */
 	struct strbuf text[FORMAT_COUNT];	/* what each sink will be given next */
-	bool *used;	/* see baseline_knows */
 	int *matched;	/* see waiver_match_find */
 	struct strbuf waived_text;	/* waived findings and the reasons, one per line */
-	long known, waived, left_out;	/* findings that do not fail the run */
+	long waived, left_out;	/* findings that do not fail the run */
 	/* The first finding that fails the run. */
 	int first_kind;	/* enum finding_kind; -1: none yet */
 	long first_line;
@@ -101,9 +100,6 @@ static enum finding_status status_of_finding(struct program *program, const stru
 			     "this waiver expired on %s: the finding in line %ld of %s fails the run",
 			     (*waiver)->expires, finding->line, finding->file);
 	*waiver = NULL;
-	if (context->baseline && baseline_knows(context->baseline, program->used, context->scene->machine,
-						program->name, finding, context->options->check.tolerance + 1e-6))
-		return FINDING_KNOWN;
 	return fail_on && !(fail_on & 1U << finding->kind) ? FINDING_LEFT_OUT : FINDING_FAILS;
 }
 
@@ -137,7 +133,6 @@ static bool on_finding(void *context, const struct finding *finding)
 	enum finding_status status = status_of_finding(program, finding, &waiver);
 	bool fails = status == FINDING_FAILS;
 
-	program->known += status == FINDING_KNOWN;
 	program->waived += status == FINDING_WAIVED;
 	program->left_out += status == FINDING_LEFT_OUT;
 	if (waiver)
@@ -319,7 +314,6 @@ static void run(struct program *program, struct program_file *file, const char *
 		.options = &context->options->check,
 		.stats = &outcome->stats,
 		.scene = context->scene,
-		.known = program->known,
 		.waived = program->waived,
 		.left_out = program->left_out,
 		.first_line = program->first_line,
@@ -352,8 +346,6 @@ void program_check(const struct program_context *context, const char *path, stru
 	struct stat status;
 
 	*outcome = (struct program_outcome){.status = RUN_INCOMPLETE, .result = CHECK_INCOMPLETE};
-	if (context->baseline)
-		program.used = mem_zalloc(baseline_count(context->baseline) + 1, sizeof(*program.used));
 	program.name = path;
 	if (context->run.waiving->file)
 		program.matched = mem_zalloc(context->run.waiving->file->count + 1, sizeof(*program.matched));
@@ -370,7 +362,6 @@ void program_check(const struct program_context *context, const char *path, stru
 			program_close(&file, &output->diag);
 	}
 	sensitivity_release(program.sensitivity, program.sensitivity_count);
-	free(program.used);
 	free(program.matched);
 	strbuf_release(&program.waived_text);
 	free(program.first_file);

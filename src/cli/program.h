@@ -10,7 +10,6 @@
 #include "cli/options.h"
 #include "cli/ordered_output.h"
 #include "cli/run_status.h"
-#include "report/baseline.h"
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
 
@@ -32,7 +31,6 @@ struct program_context {
 	struct model *model;
 	struct scene *scene;	/* the model's */
 	struct report_run run;
-	const struct baseline *baseline;	/* or NULL */
 	const struct sinks *sinks;
 	struct block_tables *tables;	/* or NULL; with tables, only one program may be checked at a time */
 };

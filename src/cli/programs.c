@@ -112,7 +112,7 @@ static bool is_pressed(void *context)
 }
 
 enum run_status programs_check(const struct options *options, struct model *model, double seconds, struct stderr_ui *ui,
-			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,
+			       struct sinks *sinks, struct input_files *inputs,
 			       const struct waiver_match *waiving, struct block_tables *tables)
 {
 	struct scene *scene = model_scene(model);
@@ -120,7 +120,7 @@ enum run_status programs_check(const struct options *options, struct model *mode
 		.options = options,
 		.context = {
 			.options = options, .check = options->check, .model = model, .scene = scene, .sinks = sinks,
-			.baseline = baseline, .tables = tables,
+			.tables = tables,
 			.run = {
 				.scene = scene,
 				.options = &options->check,
@@ -150,7 +150,7 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	session.context.check.read.opened = &inputs->opened;
 	session.context.check.read.cancel = &cancel;
 	/* The check must go on after an accepted finding. */
-	session.context.check.all = options->check.all || options->baseline || options->waivers || options->fail_on;
+	session.context.check.all = options->check.all || options->waivers || options->fail_on;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
 	ordered_output_init(&session.order, options->program_count, ui, sinks);

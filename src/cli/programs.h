@@ -6,18 +6,17 @@
 #include "cli/input_files.h"
 #include "cli/options.h"
 #include "cli/ordered_output.h"
-#include "report/baseline.h"
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
 
 /*
  * Checks the programs that the options name, with as many threads as the options allow, and reports them in the order
  * of the command line. `seconds` is the time that loading took. Adds the files of subprograms to the inputs and sorts
- * them. The baseline and the tables may be NULL; with tables, programs are checked one after the other. If an output
+ * them. The tables may be NULL; with tables, programs are checked one after the other. If an output
  * turns out to be an input, reports that and discards the sinks.
  */
 enum run_status programs_check(const struct options *options, struct model *model, double seconds, struct stderr_ui *ui,
-			       struct sinks *sinks, struct input_files *inputs, const struct baseline *baseline,
+			       struct sinks *sinks, struct input_files *inputs,
 			       const struct waiver_match *waiving, struct block_tables *tables);
 
 #endif

@@ -13,6 +13,7 @@
 #include "cli/programs.h"
 #include "cli/report_date.h"
 #include "fivecheck.h"
+#include "report/format/digest.h"
 #include "report/machine_report.h"
 #include "report/mesh_lint.h"
 #include "report/tables/dump.h"
@@ -28,7 +29,6 @@ static enum run_status worst(enum run_status a, enum run_status b)
 
 /* What a run has loaded; all zero is nothing. */
 struct job {
-	struct baseline *baseline;	/* or NULL */
 	struct waivers *waivers;	/* or NULL */
 	struct waiver_match waiving;
 	struct model *model;
@@ -37,9 +37,38 @@ struct job {
 
 static void job_release(struct job *job)
 {
-	baseline_free(job->baseline);
 	waivers_free(job->waivers);
 	fivecheck_free(job->model);
+}
+
+/* Is the file the one with this digest ("none": no file)? A digest that is NULL fits every file. */
+static bool has_digest(const char *path, const char *digest)
+{
+	char found[DIGEST_SIZE] = "none";
+
+	if (!digest || (path && !digest_file(found, path)))
+		return !digest;
+	return !strcmp(found, digest);
+}
+
+/* Waivers of another machine or setup would accept findings that nobody has looked at. */
+static bool check_waivers(const struct waivers *waivers, const struct options *options, struct diag *diag)
+{
+	const struct srcloc at = {waivers->path, waivers->line, 0};
+
+	if (!has_digest(options->machine, waivers->machine_sha256)) {
+		diag_error(diag, at, "these waivers were written for another machine file than %s: look at the findings "
+				     "again, or remove machine_sha256=\"\" to use the waivers all the same",
+			   options->machine);
+		return false;
+	}
+	if (!has_digest(options->setup, waivers->setup_sha256)) {
+		diag_error(diag, at, "these waivers were written for another setup than %s: look at the findings again, or "
+				     "remove setup_sha256=\"\" to use the waivers all the same",
+			   options->setup ? options->setup : "none");
+		return false;
+	}
+	return true;
 }
 
 static bool load_waivers(struct job *job, const struct options *options, struct diag *diag)
@@ -48,7 +77,7 @@ static bool load_waivers(struct job *job, const struct options *options, struct 
 		return true;
 	job->waivers = waivers_load(options->waivers, job->model->machine, diag);
 	job->waiving.file = job->waivers;
-	return job->waivers && report_date_get(job->waiving.today, diag);
+	return job->waivers && check_waivers(job->waivers, options, diag) && report_date_get(job->waiving.today, diag);
 }
 
 static bool needs_pairs(enum run_mode mode)
@@ -130,11 +159,6 @@ static bool check_kinds(const struct options *options, const struct scene *scene
 /* Reads everything but the programs. False: reported. */
 static bool load_all(struct job *job, const struct options *options, struct diag *diag)
 {
-	if (options->baseline) {
-		job->baseline = baseline_load(options->baseline, diag);
-		if (!job->baseline)
-			return false;
-	}
 	return job_load(job, options, diag) && check_kinds(options, job->model->scene, diag);
 }
 
@@ -150,7 +174,7 @@ static enum run_status check_programs(struct job *job, const struct options *opt
 	if (options_want_digests(options))
 		input_files_digest(inputs);
 	status = programs_check(options, job->model, job->seconds, ui, sinks, inputs,
-				job->baseline, &job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
+				&job->waiving, block_tables_are_wanted(tables) ? tables : NULL);
 	/* Without a sink nothing may be written: programs_check has discarded them. */
 	if (sinks->count && !input_files_write_depfile(inputs, options, diag))
 		status = worst(status, RUN_INCOMPLETE);

@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_MACHINE_WAIVERS_H
 #define FIVECHECK_MACHINE_WAIVERS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
@@ -33,9 +34,15 @@ struct waiver {
 struct waivers {
 	struct arena arena;
 	const char *path;
+	/* What the machine and the setup file must be: SHA-256 in hexadecimal digits, "none" for no setup; NULL: anything. */
+	const char *machine_sha256, *setup_sha256;
+	long line;	/* where that is said */
 	struct waiver *items;
 	size_t count;
 };
+
+/* Is it a day like "2026-12-31" that exists? */
+bool waivers_is_date(const char *text);
 
 /* Reads a file for this machine. NULL: faults were reported. */
 struct waivers *waivers_load(const char *path, const struct machine *machine, struct diag *diag);

@@ -18,7 +18,6 @@
 /* What a finding means for the exit status. */
 enum finding_status {
 	FINDING_FAILS,	/* the run fails */
-	FINDING_KNOWN,	/* in the baseline */
 	FINDING_WAIVED,	/* accepted by a waiver */
 	FINDING_LEFT_OUT	/* its kind is not in --fail-on */
 };

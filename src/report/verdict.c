@@ -16,17 +16,17 @@ size_t verdict_pairs(const struct scene *scene, enum pair_status status)
 
 static long accepted(const struct verdict *v)
 {
-	return v->known + v->waived + v->left_out;
+	return v->waived + v->left_out;
 }
 
-/* "2 findings known from the baseline, 1 finding waived, 1 finding of kinds that --fail-on leaves out" */
+/* "1 finding waived, 2 findings of kinds that --fail-on leaves out" */
 static void add_accepted(struct strbuf *out, const struct verdict *v)
 {
-	const long counts[] = {v->known, v->waived, v->left_out};
-	static const char *const words[] = {"known from the baseline", "waived", "of kinds that --fail-on leaves out"};
+	const long counts[] = {v->waived, v->left_out};
+	static const char *const words[] = {"waived", "of kinds that --fail-on leaves out"};
 	const char *comma = "";
 
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 2; i++) {
 		if (!counts[i])
 			continue;
 		strbuf_addf(out, "%s", comma);

@@ -15,8 +15,8 @@ struct verdict {
 	const struct check_options *options;
 	const struct check_stats *stats;
 	const struct scene *scene;
-	/* Numbers of findings that do not fail the run: in the baseline, waived, of a kind that is not in --fail-on. */
-	long known, waived, left_out;
+	/* Numbers of findings that do not fail the run: waived, of a kind that is not in --fail-on. */
+	long waived, left_out;
 	long first_line;	/* of the first finding that fails the run */
 	const char *first_file;	/* of that finding; NULL: `file` */
 	long warnings;	/* number of warnings during the check */

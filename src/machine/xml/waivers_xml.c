@@ -1,7 +1,5 @@
 #include "machine/waivers.h"
 
-#include <stdlib.h>
-#include <string.h>
 
 #include "machine/waivers_build.h"
 #include "machine/xml/xml_attribute.h"
@@ -18,31 +16,11 @@ static const char *read_text(struct xml_reader *xml, const xmlNode *node, const 
 	return text ? arena_strdup(arena, text) : NULL;
 }
 
-/* "2026-12-31", and the month has that day: less than XML Schema's dates, which may have a zone and odd years. */
-static bool is_date(const char *text)
-{
-	static const int lengths[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-	static const char form[] = "dddd-dd-dd";
-	long year, month, day;
-
-	if (strlen(text) != DATE_SIZE - 1)
-		return false;
-	for (int i = 0; form[i]; i++)
-		if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i])
-			return false;
-	year = strtol(text, NULL, 10);
-	month = strtol(text + 5, NULL, 10);
-	day = strtol(text + 8, NULL, 10);
-	if (month < 1 || month > 12 || day < 1 || year < 1)
-		return false;
-	return day <= lengths[month - 1] + (month == 2 && (year % 400 == 0 || (year % 4 == 0 && year % 100 != 0)));
-}
-
 static const char *read_date(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena)
 {
 	const char *text = xml_attribute(xml, node, name);
 
-	if (!text || is_date(text))
+	if (!text || waivers_is_date(text))
 		return text ? arena_strdup(arena, text) : NULL;
 	xml_error(xml, node, name, "%s=\"%s\" of <waiver> is no date like 2026-12-31", name, xml_quote(text).text);
 	return NULL;
@@ -74,6 +52,7 @@ struct waivers *waivers_load(const char *path, const struct machine *machine, st
 {
 	static const struct xml_child children[] = {{"waiver", read_waiver, false, false}, {.name = NULL}};
 	struct waivers_description described = {.count = 0};
+	const char *machine_digest, *setup_digest;
 	struct waivers *waivers = NULL;
 	struct xml_reader xml;
 
@@ -83,9 +62,16 @@ struct waivers *waivers_load(const char *path, const struct machine *machine, st
 	described.items =
 	    arena_alloc(&described.arena, xml_count(xml_root(&xml), "waiver") * sizeof(*described.items));
 	xml_require(&xml, xml_root(&xml), "version", NULL);
+	machine_digest = xml_attribute(&xml, xml_root(&xml), "machine_sha256");
+	setup_digest = xml_attribute(&xml, xml_root(&xml), "setup_sha256");
 	xml_read_children(&xml, xml_root(&xml), children, &described);
 	if (!xml.errors)
 		waivers = waivers_build(&described, machine);
+	if (waivers) {
+		waivers->machine_sha256 = machine_digest ? arena_strdup(&waivers->arena, machine_digest) : NULL;
+		waivers->setup_sha256 = setup_digest ? arena_strdup(&waivers->arena, setup_digest) : NULL;
+		waivers->line = xmlGetLineNo(xml_root(&xml));
+	}
 	arena_release(&described.arena);
 	xml_close(&xml);
 	return waivers;

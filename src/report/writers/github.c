@@ -49,7 +49,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 {
 	struct strbuf text = {0};
 
-	if (style.status == FINDING_KNOWN || style.status == FINDING_WAIVED)
+	if (style.status == FINDING_WAIVED)
 		return;
 	text_message(&text, f);
 	strbuf_addf(&text, ", at ");

@@ -78,7 +78,6 @@ static void add_header(struct strbuf *out, const struct report_run *run)
 
 static const char *const accepted[] = {
 		[FINDING_FAILS] = NULL,
-		[FINDING_KNOWN] = "baseline",
 		[FINDING_WAIVED] = "waiver",
 		[FINDING_LEFT_OUT] = "fail-on",
 };

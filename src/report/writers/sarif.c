@@ -123,10 +123,7 @@ static void add_suppression(json_t *result, struct finding_style style)
 {
 	struct strbuf reason = {0};
 
-	if (style.waiver)
-		waiver_match_add_reason(&reason, style.waiver);
-	else
-		strbuf_addf(&reason, "known from the baseline");
+	waiver_match_add_reason(&reason, style.waiver);
 	json_put(result, "suppressions", suppressions_of(strbuf_text(&reason)));
 	strbuf_release(&reason);
 }
@@ -144,7 +141,7 @@ static void add_result(struct strbuf *out, int rule, struct finding_style style,
 	json_put(result, "locations", locations);
 	if (properties)
 		json_put(result, "properties", properties);
-	if (style.status == FINDING_KNOWN || style.status == FINDING_WAIVED)
+	if (style.status == FINDING_WAIVED)
 		add_suppression(result, style);
 	json_add_line(out, result);
 }

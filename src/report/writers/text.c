@@ -119,7 +119,6 @@ void text_headline(struct strbuf *out, const struct finding *f, struct finding_s
 {
 	static const char *const marks[] = {
 		[FINDING_FAILS] = "",
-		[FINDING_KNOWN] = ", known",
 		[FINDING_WAIVED] = ", waived",
 		[FINDING_LEFT_OUT] = "",
 	};
