@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "geom/simd_kernels.h"
 #include "geom/tolerance.h"
 
 static void map_init(struct box_map *map, const xform *pose, vec3 from_origin, vec3 to_origin)

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "geom/bvh.h"
+#include "geom/simd_kernels.h"
 #include "geom/xform.h"
 
 /* A rotation matrix with its absolute values, and a translation. Rows first: r[i] gives coordinate i. */
@@ -29,12 +30,6 @@ struct box_view {
 	float play[3];	/* mm along each axis of the frame, beyond the hull */
 	float stray;	/* mm in any direction, beyond that; rounding is in it */
 };
-
-struct box_motion;
-
-typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
-			    const struct box *other, float enough, float apart[BVH_WIDTH],
-			    float loose[BVH_WIDTH]);
 
 struct box_motion {
 	struct box_view views[2];

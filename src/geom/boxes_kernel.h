@@ -5,7 +5,6 @@
  * AT_LEVEL(name), the name at that level of the one function that comes out.
  */
 #include "geom/boxes.h"
-#include "geom/simd_kernels.h"
 #include "geom/lanes.h"
 #include "geom/tolerance.h"
 

@@ -2,9 +2,22 @@
 #ifndef FIVECHECK_GEOM_SIMD_KERNELS_H
 #define FIVECHECK_GEOM_SIMD_KERNELS_H
 
-#include "geom/boxes.h"
+#include <stddef.h>
+
+#include "geom/bvh.h"
+#include "geom/mesh.h"
 #include "geom/simd_level.h"
-#include "geom/support.h"
+
+struct box;
+struct box_motion;
+
+/* boxes_apart of boxes.h. */
+typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
+			    const struct box *other, float enough, float apart[BVH_WIDTH],
+			    float loose[BVH_WIDTH]);
+
+/* support of support.h, for a direction in floats. */
+typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
 boxes_apart_fn boxes_apart_scalar;
 support_fn support_scalar;

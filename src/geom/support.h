@@ -7,8 +7,6 @@
 #include "geom/mesh.h"
 #include "geom/vec3.h"
 
-typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
-
 /*
  * The greatest n.p (mm) over the corners p of `count` triangles, at least one; n is a unit vector.
  * Off by no more than SUPPORT_ROUNDING times the largest |p|.
