@@ -63,8 +63,8 @@ $(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
 	$(Q)$(BUILD)/fivecheck completion $* > $@.new && mv $@.new $@
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
-TEST_TARGETS := accept bench bench-quick build-units campaign check check-asan check-calls check-deb check-faults check-install check-layers \
-	check-long check-machines check-man check-program check-quick check-reproducible check-rs274 check-short check-tsan \
+TEST_TARGETS := accept bench bench-quick build-units campaign campaign-verdict check check-asan check-calls check-deb check-faults \
+	check-install check-layers check-long check-machines check-man check-program check-quick check-reproducible check-rs274 check-short check-tsan \
 	check-unit check-valgrind coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@

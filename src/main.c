@@ -1,12 +1,14 @@
 /* main.c - prepares the process, runs the command line, and returns the exit status. */
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "cli/command_line.h"
 #include "cli/command_table.h"
 #include "cli/stderr_ui.h"
 #include "cli/run.h"
+#include "geom/simd_level.h"
 #include "report/format/json.h"
 #include "report/output.h"
 
@@ -34,6 +36,19 @@ static enum run_status print(struct strbuf *text, struct diag *diag)
 	return output_print(text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
+/* Is the SIMD level that the environment asks for there? */
+static bool has_simd_level(struct diag *diag)
+{
+	const char *wanted = getenv(SIMD_LEVEL_VARIABLE);
+	int level;
+
+	if (!wanted || !*wanted || simd_level_of(wanted, &level))
+		return true;
+	diag_error(diag, (struct srcloc){0}, SIMD_LEVEL_VARIABLE ": this processor has no '%s'; scalar, sse2 and avx2 are "
+		   "known, and without the variable the best of them is used", wanted);
+	return false;
+}
+
 /* Runs a command line without a subcommand. */
 static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 {
@@ -49,7 +64,7 @@ static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 	} else if (options.mode == RUN_VERSION) {
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
 		status = print(&text, &ui->diag);
-	} else {
+	} else if (has_simd_level(&ui->diag)) {
 		status = run_options(&options, ui);
 	}
 	options_release(&options);

@@ -32,7 +32,7 @@ void box_motion_init(struct box_motion *motion, const struct bvh *a, const struc
 {
 	const struct bvh *own[2] = {a, b}, *other[2] = {b, a};
 
-	motion->apart = boxes_at_level(simd_level());
+	motion->apart = boxes_at_level(a->simd_level);
 	/* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): -0 and 0 may count as a motion. */
 	motion->still = !memcmp(&poses[0], &poses[1], sizeof(poses[0]));
 	for (int v = 0; v < 2; v++) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "geom/simd_level.h"
 
 /* A run of triangles and the bounds of it. */
 struct run {
@@ -198,6 +199,7 @@ struct bvh *bvh_new(struct mesh *mesh)
 	bvh->origin = vec3_scale(0.5, vec3_add(least, greatest));
 	bvh->half = vec3_scale(0.5, vec3_sub(greatest, least));
 	bvh->radius = farthest_corner(&bvh->mesh, bvh->origin);
+	bvh->simd_level = simd_level();
 	build(&b, new_node(&b), &all);
 	bvh->nodes = mem_realloc(bvh->nodes, bvh->node_count, sizeof(*bvh->nodes));
 	return bvh;

@@ -31,6 +31,7 @@ struct bvh {
 	vec3 origin;	/* middle of the bounds, mm */
 	vec3 half;	/* half the size of the bounds */
 	double radius;	/* mm: no vertex is farther from the origin */
+	int simd_level;	/* that boxes and triangles are tested at (simd_level.h) */
 };
 
 /* Takes over the mesh (which is then empty); it holds at least one triangle. */

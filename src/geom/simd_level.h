@@ -1,8 +1,8 @@
-/* simd_level.h - the instruction sets that the box tests are compiled for. */
+/* simd_level.h - the instruction sets that the box tests and support functions are compiled for. */
 #ifndef FIVECHECK_GEOM_SIMD_LEVEL_H
 #define FIVECHECK_GEOM_SIMD_LEVEL_H
 
-#include "base/ablation.h"
+#include <stdbool.h>
 
 /* Numbers of the levels, for the preprocessor too. */
 #define LANES_SCALAR 0
@@ -15,16 +15,13 @@
 #define LANES_BEST LANES_SCALAR
 #endif
 
-/* The highest level that this processor has; all lower ones work too. */
-static inline int simd_level(void)
-{
-#if LANES_BEST == LANES_AVX2
-	if (!WITH_SIMD)
-		return LANES_SCALAR;
-	return __builtin_cpu_supports("avx2") ? LANES_AVX2 : LANES_SSE2;
-#else
-	return LANES_SCALAR;
-#endif
-}
+/* The environment variable that names a level to be used instead of the highest: scalar, sse2, avx2. */
+#define SIMD_LEVEL_VARIABLE "FIVECHECK_SIMD"
+
+/* The level of that name; false: there is none, or this processor does not have it. */
+bool simd_level_of(const char *name, int *level);
+
+/* The level that SIMD_LEVEL_VARIABLE names, else the highest that this processor has; all lower ones work too. */
+int simd_level(void);
 
 #endif

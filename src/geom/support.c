@@ -14,9 +14,9 @@ support_fn *support_at_level(int level)
 	return support_scalar;
 }
 
-double support(const mesh_triangle *triangles, size_t count, vec3 n)
+double support(const mesh_triangle *triangles, size_t count, vec3 n, int level)
 {
 	const float direction[3] = {(float)n.x, (float)n.y, (float)n.z};
 
-	return support_at_level(simd_level())(triangles, count, direction);
+	return support_at_level(level)(triangles, count, direction);
 }

@@ -9,8 +9,8 @@
 
 /*
  * The greatest n.p (mm) over the corners p of `count` triangles, at least one; n is a unit vector.
- * Off by no more than SUPPORT_ROUNDING times the largest |p|.
+ * Every level of SIMD (simd_level.h) gives the same bits. Off by no more than SUPPORT_ROUNDING times the largest |p|.
  */
-double support(const mesh_triangle *triangles, size_t count, vec3 n);
+double support(const mesh_triangle *triangles, size_t count, vec3 n, int level);
 
 #endif

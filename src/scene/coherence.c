@@ -102,6 +102,7 @@ bool coherence_separates_triangles(struct coherence *coherence, const struct mot
 struct cluster {
 	const mesh_triangle *triangles;
 	size_t count;
+	int level;	/* of SIMD */
 };
 
 static struct cluster cluster_of(const struct bvh *bvh, const struct subtree *subtree)
@@ -109,9 +110,9 @@ static struct cluster cluster_of(const struct bvh *bvh, const struct subtree *su
 	const struct bvh_node *node;
 
 	if (subtree->leaf.count)
-		return (struct cluster){&bvh->mesh.triangles[subtree->leaf.first], subtree->leaf.count};
+		return (struct cluster){&bvh->mesh.triangles[subtree->leaf.first], subtree->leaf.count, bvh->simd_level};
 	node = &bvh->nodes[subtree->leaf.first];
-	return (struct cluster){&bvh->mesh.triangles[node->begin], node->total};
+	return (struct cluster){&bvh->mesh.triangles[node->begin], node->total, bvh->simd_level};
 }
 
 /* Is the gap along an axis more than `apart` at both ends? One of the clusters stands still in the axis's frame. */
@@ -126,9 +127,10 @@ static bool clusters_apart(const struct coherence_axis *axis, const xform poses[
 		vec3 in_b = vec3_scale(-1, axis->frame ? axis->n : back);
 
 		if (!e)
-			own = support(still->triangles, still->count, axis->frame ? in_b : in_a);
+			own = support(still->triangles, still->count, axis->frame ? in_b : in_a,
+				      still->level);
 		if (!(vec3_dot(in_a, poses[e].translation) - own -
-			      support(moving->triangles, moving->count, axis->frame ? in_a : in_b) >
+			      support(moving->triangles, moving->count, axis->frame ? in_a : in_b, moving->level) >
 		      apart))
 			return false;
 	}

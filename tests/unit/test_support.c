@@ -48,7 +48,7 @@ START_TEST(it_is_within_its_rounding)
 		struct random random = random_case(1, n);
 		struct mesh mesh = random_triangles(&random);
 		vec3 direction = random_unit(&random);
-		double farthest, got = support(mesh.triangles, mesh.count, direction);
+		double farthest, got = support(mesh.triangles, mesh.count, direction, simd_level());
 		double off = fabs((double)(true_support(&mesh, direction, &farthest) - got));
 
 		require(off <= SUPPORT_ROUNDING * farthest, "case %ld: off by %g of %g", n, off, farthest);

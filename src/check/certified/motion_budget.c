@@ -103,6 +103,21 @@ static void add_errors(const struct motion_budget *budget, const struct position
 		used[v] += chord[v] + path[v] + turns * (used[v] + chord[v]);
 }
 
+double motion_budget_least(const struct chain *chain, const struct chain_state *state,
+			   const struct position_errors *errors)
+{
+	struct motion_budget budget = {.chain = chain};
+	double used[VIEWS] = {0, 0};
+
+	if (!errors->any)
+		return 0;
+	for (int v = 0; v < VIEWS; v++)
+		for (size_t i = 0; i < chain->count; i++)
+			budget.rho[v][i] = state->rho[v][i];
+	add_errors(&budget, errors, used);
+	return smaller(used[0], used[1]);
+}
+
 bool motion_budget_covers(struct motion_budget *budget, const axis_values *q1, const struct position_errors *errors)
 {
 	double used[VIEWS], most[VIEWS];

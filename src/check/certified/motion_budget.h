@@ -32,6 +32,10 @@ struct motion_budget {
 
 void motion_budget_init(struct motion_budget *budget, const struct chain *chain);
 
+/* mm: with less room than that a budget that begins at the state covers nothing, not even the state itself. */
+double motion_budget_least(const struct chain *chain, const struct chain_state *state,
+			   const struct position_errors *errors);
+
 /* Starts anew at q with the state of the chain there; room may be 0 or less: then it covers nothing. */
 void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state, double room);
 

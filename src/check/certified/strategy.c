@@ -118,12 +118,13 @@ static double way_of(const struct chain *chain, const struct chain_state *state,
 
 /*
  * mm, a lower bound on the distance at q: coarsely first, and once more sharply where there is enough
- * of it but too little was proved.
+ * of it but too little was proved. Up to `needed` mm it is of no use.
  */
-static double ask_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double way)
+static double ask_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double needed,
+			   double way)
 {
 	const struct pair_proof *proof = &strategy->proof;
-	double needed = pair_proof_needed(proof), enough = needed + way;
+	double enough = needed + way;
 	double distance = sweep_distance(sweep, &proof->bodies, q, BUDGET_SHARE, enough, 0);
 
 	strategy->queries++;
@@ -138,12 +139,12 @@ static double ask_distance(struct strategy *strategy, struct sweep *sweep, const
 }
 
 /* As sharply as the smallest clearance is measured. */
-static double measure_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double way)
+static double measure_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double enough)
 {
 	struct pair_proof *proof = &strategy->proof;
 	bool first = is_measuring_first(strategy);
 	double distance = sweep_distance(sweep, &proof->bodies, q, MEASURE_SHARE,
-					 first ? proof->clearance : pair_proof_needed(proof) + way, 0);
+					 first ? proof->clearance : enough, 0);
 
 	strategy->queries++;
 	if (first)
@@ -152,21 +153,25 @@ static double measure_distance(struct strategy *strategy, struct sweep *sweep, c
 }
 
 /* Asks for the distance where the step ends and starts a new budget with it. */
-static void renew(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step)
+static void renew(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
+		  const struct position_errors *errors)
 {
 	struct pair_proof *proof = &strategy->proof;
 	const struct body_pair *bodies = &proof->bodies;
 	const struct span *span = &step->span;
 	struct chain_state state;
-	double way, distance;
+	double way, lost, distance;
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(bodies->chain, &state, span);
-	distance = strategy->measures ? measure_distance(strategy, sweep, &span->q1, way)
-				      : ask_distance(strategy, sweep, &span->q1, way);
+	/* Coarse queries are cheap, even where the path tolerance leaves nothing of what they prove; sharp ones are not. */
+	lost = strategy->measures ? motion_budget_least(bodies->chain, &state, errors) : 0;
+	distance = strategy->measures
+			   ? measure_distance(strategy, sweep, &span->q1, pair_proof_needed(proof) + lost + way)
+			   : ask_distance(strategy, sweep, &span->q1, pair_proof_needed(proof), way);
 	pair_proof_add_distance(proof, &span->q1, &state, distance);
 	pair_proof_resume(proof, &span->q0);
-	if (distance - pair_proof_needed(proof) > PAYING_ROOM * way) {
+	if (distance - pair_proof_needed(proof) - lost > PAYING_ROOM * way) {
 		strategy->backoff = 1;
 	} else {
 		strategy->steps_to_next_query = strategy->backoff;
@@ -192,7 +197,7 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 	} else if (strategy->steps_to_next_query > 0 && !is_measuring_first(strategy)) {
 		strategy->steps_to_next_query--;
 	} else {
-		renew(strategy, sweep, step);
+		renew(strategy, sweep, step, &errors);
 		if (covered(strategy, step, &errors))
 			return QUERY_CLEAR;
 	}
