@@ -102,6 +102,25 @@ static void check_places(const struct controller *controller)
 	ck_assert(third->order_count == 2 && third->order[0] == SLOT_Y && third->order[1] == SLOT_X);
 }
 
+/* The schema has a list of its own of the dialects' names. */
+START_TEST(reads_every_dialect)
+{
+	for (int row = 0; dialect_names[row]; row++) {
+		struct machine *m;
+		char text[512];
+
+		snprintf(text, sizeof(text),
+			 MACHINE("<controller dialect='%s' rapid='linear'/><base><axis name='X' type='linear' "
+				 "direction='1 0 0' rate_max='6000'/></base>"),
+			 dialect_names[row]);
+		write_text("m.xml", text);
+		m = load_good("m.xml");
+		ck_assert_int_eq(m->controller.dialect, row);
+		machine_free(m);
+	}
+}
+END_TEST
+
 START_TEST(reads_controller_and_pairs)
 {
 	struct machine *m;
@@ -267,6 +286,7 @@ int main(void)
 
 	tcase_add_test(tcase, reads_axes);
 	tcase_add_test(tcase, reads_bodies_and_mounts);
+	tcase_add_test(tcase, reads_every_dialect);
 	tcase_add_test(tcase, reads_controller_and_pairs);
 	tcase_add_test(tcase, defaults);
 	tcase_add_test(tcase, inches);
