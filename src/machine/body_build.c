@@ -7,7 +7,7 @@ bool body_build(struct description_file *file, const struct body_description *de
 {
 	if (body_name_is_reserved(described->name)) {
 		description_fault(file, described->at, "name",
-				  "a body cannot be named '%s': in a <pair> that word means something else",
+				  "a body cannot be named '%s': in a <pair> that word names an axis, the base or a role",
 				  described->name);
 		return false;
 	}

@@ -46,7 +46,7 @@ static void check_dialect(struct description_file *file, const struct controller
 				  "least_input of <controller>: %s has no least input increment", row->title);
 	if (described->length_moves != ANSWER_UNKNOWN)
 		description_fault(file, described->at, "length_offset_moves",
-				  "length_offset_moves of <controller>: %s moves no axis then", row->title);
+				  "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
 }
 
 void controller_build(struct machine_description *described, struct machine *machine)
@@ -97,8 +97,9 @@ static void build_order(struct description_file *file, const struct place_descri
 			continue;
 		if (slot < 0 || !place->has[slot]) {
 			description_fault(file, described->at, "order",
-					  "order of <%s>: it gives no position for '%c'", element_of(described),
-					  *at > ' ' && *at < 127 ? *at : '?');
+					  "order of <%s> names '%c', but <%s> gives no position for it",
+					  element_of(described), *at > ' ' && *at < 127 ? *at : '?',
+					  element_of(described));
 			return;
 		}
 		if (seen[slot]) {

@@ -26,7 +26,7 @@ static vec3 build_direction(struct description_file *file, const void *at, const
 	if (norm >= DIRECTION_MIN && norm <= DIRECTION_MAX)
 		return vec3_scale(1 / norm, v);
 	description_fault(file, at, "direction",
-			  "direction=\"%s\" of <%s> is no direction: its length must be between 1e-6 and 1e6",
+			  "direction=\"%s\" of <%s> is not a direction: its length must be between 1e-6 and 1e6",
 			  description_quote(file, at, "direction").text, element);
 	return (vec3){0, 0, 1};
 }
@@ -201,7 +201,7 @@ static void build_pair(struct description_file *file, const struct pair_descript
 		description_fault(file, at, "clearance", "clearance=\"%s\" of <pair> is negative",
 				  description_quote(file, at, "clearance").text);
 	if (rule->check == PAIR_NEVER && clearance)
-		description_fault(file, at, "clearance", "<pair>: what is never checked has no clearance");
+		description_fault(file, at, "clearance", "<pair> with check=\"never\" cannot have a clearance");
 	if (rule->check == PAIR_NEVER && (!reason || !*reason))
 		description_fault(file, at, NULL, "<pair> with check=\"never\" needs a reason=\"...\"");
 	if (rule->check == PAIR_DERIVED && !clearance)

@@ -173,14 +173,14 @@ static void build_piece(struct tool_builder *builder, struct piece *piece)
 		if (described->has_tip || described->angle.given || described->corner.given ||
 		    described->flute_length.given)
 			description_fault(file, described->at, NULL,
-					  "<cutter> with a mesh has its tip there: remove tip, angle, corner and "
+					  "<cutter> takes its tip from its mesh: remove tip, angle, corner and "
 					  "flute_length");
 	} else if (described->section_count == 0) {
 		description_fault(file, described->at, NULL, "<%s> needs sections, or a mesh", piece->name);
 	} else {
 		if (described->has_units)
 			description_fault(file, described->at, "units",
-					  "<%s>: units are those of a mesh, and it has none", piece->name);
+					  "<%s> has units, but no mesh that they are for", piece->name);
 		build_sections(builder, piece);
 		if (piece->cutter && piece->solid.count) {
 			build_tip(file, described, &piece->solid);

@@ -51,8 +51,8 @@ static void build_axes(struct description_file *file, const struct waiver_descri
 		at = read_position(at, &slot, &value);
 		if (!at || seen[slot] || !machine_axis(machine, slot)) {
 			description_fault(file, described->at, "axes",
-					  "axes=\"%s\" of <waiver> are no positions of this machine's axes such as "
-					  "the reports have, \"X 10.0000 mm, C 90.0000 deg\"",
+					  "axes=\"%s\" of <waiver> must be positions of this machine's axes as reports "
+					  "print them, \"X 10.0000 mm, C 90.0000 deg\"",
 					  description_quote(file, described->at, "axes").text);
 			return;
 		}

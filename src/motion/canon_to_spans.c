@@ -68,7 +68,7 @@ static bool is_bearable(const struct canon_to_spans *converter, const struct can
 {
 	if (seconds <= LONGEST)
 		return true;
-	diag_error(converter->diag, place(converter, move), "this takes %g s: the feed or the dwell cannot be meant", seconds);
+	diag_error(converter->diag, place(converter, move), "this takes %g s: check the feed or the dwell", seconds);
 	return false;
 }
 

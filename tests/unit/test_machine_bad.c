@@ -75,8 +75,8 @@ static const struct xml_case bad[] = {
     {BASE("<body name='b' mesh='b.stl'/>\n<body name='b' mesh='c.stl'/>"),
      "m.xml:3: error: the name 'b' is taken: another body has it (m.xml:2)\n"},
     {BASE("<body name='holder' mesh='b.stl'/>\n<body name='Z' mesh='c.stl'/>"),
-     "m.xml:2: error: a body cannot be named 'holder': in a <pair> that word means something else\n"
-     "m.xml:3: error: a body cannot be named 'Z': in a <pair> that word means something else\n"},
+     "m.xml:2: error: a body cannot be named 'holder': in a <pair> that word names an axis, the base or a role\n"
+     "m.xml:3: error: a body cannot be named 'Z': in a <pair> that word names an axis, the base or a role\n"},
     {BASE("<body name='b' mesh='b.stl' location='0 2e7 0'/>"),
      "m.xml:2: error: location=\"0 2e7 0\" of <body> is beyond 10 km: check the units\n"},
     {BASE("<body name='b' mesh='b.stl' rotation='0 0 1e300'/>"),
@@ -94,7 +94,7 @@ static const struct xml_case bad[] = {
     {BASE(AXIS_X " half_turn='positive'/>"),
      "m.xml:2: error: axis X is linear: only a rotary axis can have half_turn\n"},
     {BASE("<axis name='X' type='linear' direction='0 0 0' rate_max='1'/>"),
-     "m.xml:2: error: direction=\"0 0 0\" of <axis> is no direction: its length must be between 1e-6 and 1e6\n"},
+     "m.xml:2: error: direction=\"0 0 0\" of <axis> is not a direction: its length must be between 1e-6 and 1e6\n"},
     {BASE("<axis name='X' type='linear' direction='1 0 0' rate_max='0'/>"),
      "m.xml:2: error: rate_max=\"0\" of axis X is not between 1e-6 and 1e9 mm a minute\n"},
     {BASE("<axis name='C' type='rotary' direction='1 0 0' location='0 0 0' rate_max='-3'/>"),
@@ -122,12 +122,12 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
      "m.xml:3: error: <tool_change> is given twice\n"},
     {MACHINE("<controller length_offset_moves='no'/><base/>"),
-     "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis then\n"},
+     "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis when the length offset changes\n"},
     {MACHINE("<controller><reference number='5'/></controller><base/>"),
      "m.xml:2: error: number=\"5\" of <reference> is not between 1 and 4\n"
      "m.xml:2: error: <reference> gives no position\n"},
     {MACHINE("<controller><tool_change X='1' order='Z'/></controller><base>" AXIS_X "/></base>"),
-     "m.xml:2: error: order of <tool_change>: it gives no position for 'Z'\n"},
+     "m.xml:2: error: order of <tool_change> names 'Z', but <tool_change> gives no position for it\n"},
     {MACHINE("<controller><tool_change X='1' order='XX'/></controller><base>" AXIS_X "/></base>"),
      "m.xml:2: error: order of <tool_change> names X twice\n"},
     {MACHINE("<controller><tool_change X='1' order=''/></controller><base>" AXIS_X "/></base>"),
@@ -148,7 +148,7 @@ static const struct xml_case bad[] = {
     {MACHINE("<base/><pairs><pair a='b' b='c' check='never' reason=''/></pairs>"),
      "m.xml:2: error: <pair> with check=\"never\" needs a reason=\"...\"\n"},
     {MACHINE("<base/><pairs><pair a='b' b='c' check='never' reason='r' clearance='1'/></pairs>"),
-     "m.xml:2: error: <pair>: what is never checked has no clearance\n"},
+     "m.xml:2: error: <pair> with check=\"never\" cannot have a clearance\n"},
     {MACHINE("<base/><pairs><pair a='b' b='c' clearance='-1'/></pairs>"),
      "m.xml:2: error: clearance=\"-1\" of <pair> is negative\n"},
     {MACHINE("<base/><pairs><pair a='b' b='c'/></pairs>"),
@@ -195,9 +195,9 @@ START_TEST(unknown_names_in_pairs)
 	ck_assert(machine_check_rules(machine, NULL, &messages.diag));
 	ck_assert_str_eq(
 	    strbuf_text(&messages.text),
-	    "m.xml:3: warning: <pair>: the machine has no body 'sadle', and there is no setup that could\n"
-	    "m.xml:4: warning: <pair>: the machine has no body 'vise', and there is no setup that could\n"
-	    "m.xml:5: warning: <pair>: the machine has no body 'qqqqqq', and there is no setup that could\n");
+	    "m.xml:3: warning: <pair>: the machine has no body 'sadle', and no setup was given that could have one\n"
+	    "m.xml:4: warning: <pair>: the machine has no body 'vise', and no setup was given that could have one\n"
+	    "m.xml:5: warning: <pair>: the machine has no body 'qqqqqq', and no setup was given that could have one\n");
 	strbuf_clear(&messages.text);
 	write_text("s.xml", "<setup version='1'><fixture name='vise' mesh='v.stl'/></setup>");
 	setup = setup_load("s.xml", machine, &messages.diag);

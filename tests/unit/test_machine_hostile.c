@@ -116,7 +116,7 @@ START_TEST(stops_telling_after_twenty)
 		lines += *at == '\n';
 	ck_assert_uint_eq(lines, 21);
 	ck_assert_ptr_nonnull(
-	    strstr(strbuf_text(&messages.text), "m.xml: note: there are more faults than these 20\n"));
+	    strstr(strbuf_text(&messages.text), "m.xml: note: there are more errors than these 20\n"));
 	strbuf_release(&messages.text);
 	strbuf_release(&text);
 }

@@ -22,7 +22,7 @@ static const char *read_date(struct xml_reader *xml, const xmlNode *node, const 
 
 	if (!text || waivers_is_date(text))
 		return text ? arena_strdup(arena, text) : NULL;
-	xml_error(xml, node, name, "%s=\"%s\" of <waiver> is no date like 2026-12-31", name, xml_quote(text).text);
+	xml_error(xml, node, name, "%s=\"%s\" of <waiver> is not a date like 2026-12-31", name, xml_quote(text).text);
 	return NULL;
 }
 
