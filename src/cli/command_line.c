@@ -125,6 +125,19 @@ static bool names_file(const struct options *o)
 	return named;
 }
 
+/* "none" stands alone; "warning" alone stands for all findings and warnings. */
+static bool check_fail_on(const struct parser *parser)
+{
+	struct options *o = parser->options;
+
+	o->fail_on_warnings = o->fail_on & 1U << FAIL_ON_WARNING;
+	o->fail_on &= ~(1U << FAIL_ON_WARNING);
+	if (!(o->fail_on & 1U << FAIL_ON_NONE) || (o->fail_on == 1U << FAIL_ON_NONE && !o->fail_on_warnings))
+		return true;
+	diag_error(parser->diag, nowhere, "--fail-on: none cannot be used together with other kinds");
+	return false;
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -253,7 +266,7 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_formats(&parser) || !check_combinations(&parser) ||
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_fail_on(&parser) || !check_combinations(&parser) ||
 	    !check_operands(&parser))
 		return false;
 	if (options->files_from && (!program_list_read(options, diag) || !check_listed(&parser)))

@@ -20,7 +20,7 @@ enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
-	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_EXIT_ZERO,
+	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_STATS, KEY_COLOR,
 	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
 };
 
@@ -28,8 +28,17 @@ static const char *const methods[] = {
 	[CHECK_CERTIFIED] = "certified", [CHECK_INTERPOLATED] = "interpolated",
 	[CHECK_CONVENTIONAL] = "conventional", NULL,
 };
+static const char *const colors[] = {
+	[COLOR_AUTO] = "auto", [COLOR_ALWAYS] = "always", [COLOR_NEVER] = "never", NULL,
+};
 static const char *const progress[] = {
 	[PROGRESS_AUTO] = "auto", [PROGRESS_PLAIN] = "plain", [PROGRESS_NONE] = "none", NULL,
+};
+/* In the order of enum finding_kind, then FAIL_ON_WARNING and FAIL_ON_NONE. */
+static const char *const fail_on_names[] = {
+	[FINDING_COLLISION] = "collision", [FINDING_CLEARANCE] = "clearance", [FINDING_LIMIT] = "limit",
+	[FINDING_START_OVERLAP] = "start-overlap", [FINDING_RAPID_CONTACT] = "rapid-contact",
+	[FINDING_GOUGE] = "gouge", [FAIL_ON_WARNING] = "warning", [FAIL_ON_NONE] = "none", NULL,
 };
 static const char *const duplicates[] = {"error", "last", NULL};
 
@@ -86,10 +95,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_WAIVERS, "waivers", "FILE.xml", IN_CHECK | IN_PARSE, TEXT(waivers),
 	 .help = "accept the findings that FILE.xml lists, each with a\nreason and a last day; fivecheck waive writes it"},
 	{KEY_FAIL_ON, "fail-on", "KIND,...", IN_CHECK | IN_PARSE, .kind = VALUE_KINDS, FIELD(fail_on),
-	 .choices = finding_kind_names,
-	 .help = "findings of these kinds fail the run, others only\nwarn: %s"},
-	{KEY_EXIT_ZERO, "exit-zero", NULL, IN_CHECK | IN_PARSE, FLAG(exit_zero),
-	 .help = "exit with status 0 even if something was found"},
+	 .choices = fail_on_names,
+	 .help = "findings of these kinds fail the run, others only\nwarn: %s;\nwarning: warnings fail, too; none: nothing fails"},
 	{'f', "format", "FORMAT[=FILE]", IN_CHECK | IN_PARSE, .kind = VALUE_FORMAT, FIELD(formats),
 	 .choices = writer_names,
 	 .help = "%s,\nwritten to FILE; may be given several times (text)"},
@@ -109,6 +116,9 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .greatest = 1e4, .unit = "mm",
 	 .help = "how far, up to these values, work offsets and tool\nlengths may be off before the verdict changes"},
 	{'q', "quiet", NULL, ANYWHERE, FLAG(quiet), .help = "print no warnings, notes and statistics"},
+	{KEY_STATS, "stats", NULL, IN_CHECK | IN_PARSE, FLAG(stats), .help = "print all statistics, not one line of them"},
+	{KEY_COLOR, "color", "WHEN", ANYWHERE, CHOICE(color, colors),
+	 .help = "%s; auto (the default): on a terminal,\nunless NO_COLOR is set"},
 	{'v', "verbose", NULL, IN_CHECK, FLAG(verbose),
 	 .help = "also print the smallest proven clearance of each pair"},
 	{'V', "version", NULL, MODE(RUN_VERSION), .help = "print the version"},

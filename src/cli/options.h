@@ -10,6 +10,9 @@
 #include "machine/machine.h"
 #include "report/writers/writers.h"
 
+/* What --fail-on accepts besides the kinds of findings: indices of its choices, bits of `fail_on`. */
+enum { FAIL_ON_WARNING = FINDING_KINDS, FAIL_ON_NONE };
+
 enum run_mode {
 	RUN_CHECK,
 	RUN_PARSE_ONLY,
@@ -54,8 +57,10 @@ struct options {
 	const char *clearance_report, *timing;	/* or NULL */
 	double sensitivity[CHANGES];	/* mm: the ranges of --sensitivity; all 0: not given */
 	const char *waivers;	/* or NULL */
-	unsigned fail_on;	/* a bit for each enum finding_kind; 0: all kinds fail */
-	bool exit_zero;
+	unsigned fail_on;	/* as in struct report_run; FAIL_ON_NONE alone: no kind fails */
+	bool fail_on_warnings;	/* warnings fail the run, too */
+	bool stats;	/* print all statistics */
+	int color;	/* enum color_choice */
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
 	int dialect;	/* row of control/dialects.h; -1: the machine's */

@@ -60,6 +60,7 @@ struct program {
 	int *matched;	/* see waiver_match_find */
 	struct strbuf waived_text;	/* waived findings and the reasons, one per line */
 	long waived, left_out;	/* findings that do not fail the run */
+	const char *failing_warning;	/* see struct report_program */
 	/* The first finding that fails the run. */
 	int first_kind;	/* enum finding_kind; -1: none yet */
 	long first_line;
@@ -222,7 +223,7 @@ static void report(struct program *program, const struct verdict *verdict, const
 		.proven = proven,
 		.sensitivity = program->sensitivity, .sensitivity_count = program->sensitivity_count,
 		.errors = errors->items, .error_count = errors->count, .waived = strbuf_text(&program->waived_text),
-		.first_kind = program->first_kind, .first_text = program->first_text.text,
+		.failing_warning = program->failing_warning, .first_kind = program->first_kind, .first_text = program->first_text.text,
 	};
 
 	if (verdict && !has_text(context->sinks))
@@ -328,6 +329,11 @@ static void run(struct program *program, struct program_file *file, const char *
 		tell_unused(program);
 	if (outcome->accepted)
 		outcome->status = RUN_CLEAR;
+	if (context->options->fail_on_warnings && verdict.warnings && outcome->status == RUN_CLEAR) {
+		outcome->status = RUN_FOUND;
+		program->failing_warning = verdict.first_warning;
+		diag_note(diag, nowhere, "%s fails the run because of its warnings (--fail-on=warning)", program->name);
+	}
 	report(program, &verdict, proven);
 	free(proven);
 	if (outcome->result == CHECK_INCOMPLETE && !diag->errors && !ordered_output_is_lost(program->output->order)) {

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "base/mem.h"
 #include "base/parallel_for.h"
@@ -35,13 +36,18 @@ static void tell_end(const struct session *session, double seconds, const struct
 		     enum run_status status)
 {
 	struct run_stats sums = {.seconds_load = seconds};
+	struct timespec processor;
 	struct report_end end = {.sums = &sums, .status = (int)status,
 				 .files = inputs->items, .file_count = inputs->count};
 
+	if (!clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &processor))
+		sums.seconds_processor = (double)processor.tv_sec + 1e-9 * (double)processor.tv_nsec;
+	sums.seconds_wall = seconds + stderr_ui_seconds() - session->order.ui->started;
 	for (size_t i = 0; i < session->options->program_count; i++) {
 		const struct program_outcome *outcome = &session->outcomes[i];
 
-		stats_sum(&sums, &outcome->stats, outcome->result, outcome->accepted);
+		stats_sum(&sums, &outcome->stats, outcome->status == RUN_FOUND ? CHECK_FOUND : outcome->result,
+			  outcome->accepted && outcome->status == RUN_CLEAR);
 		sums.waived += outcome->waived;
 	}
 	sinks_end(session->order.sinks, &session->context.run, &end);
@@ -96,8 +102,6 @@ static enum run_status status_of(const struct session *session)
 		if (session->outcomes[i].status > status)
 			status = session->outcomes[i].status;
 	}
-	if (session->options->exit_zero && status == RUN_FOUND)
-		status = RUN_CLEAR;
 	if (session->options->pose && session->order.sinks->count && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->order.ui->diag.errors && status < RUN_INCOMPLETE)
@@ -127,8 +131,9 @@ enum run_status programs_check(const struct options *options, struct model *mode
 				.clearance = options->clearance,
 				.programs = options->program_count,
 				.fail_on = options->fail_on,
-				.exit_zero = options->exit_zero,
+				.fail_on_warnings = options->fail_on_warnings,
 				.quiet = options->quiet,
+				.stats = options->stats,
 				.waiving = waiving,
 				.shard = options->shard,
 				.shards = options->shards,

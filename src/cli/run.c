@@ -124,7 +124,7 @@ static bool open_channels(struct sinks *sinks, const struct options *options, st
 	for (int i = 0; i < FORMAT_COUNT; i++) {
 		const struct format_choice *choice = &options->formats[i];
 		const char *path = choice->path ? choice->path : options->output;
-		bool colour = !path && stderr_ui_wants_colour(STDOUT_FILENO);
+		bool colour = !path && stderr_ui_wants_colour(STDOUT_FILENO, (enum color_choice)options->color);
 
 		if (choice->wanted && !sinks_open(sinks, (enum report_format)i, path, colour, diag))
 			return false;
@@ -293,6 +293,7 @@ enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 	struct job job = {0};
 
 	ui->quiet = options->quiet;
+	ui->colour = stderr_ui_wants_colour(STDERR_FILENO, (enum color_choice)options->color);
 	ui->kind = (enum progress_kind)options->progress;
 	if (path_checks_outputs(options, diag)) {
 		bool checks = options->mode == RUN_CHECK || options->mode == RUN_PARSE_ONLY;

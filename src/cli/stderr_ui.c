@@ -44,10 +44,12 @@ static void print_entry(void *context, const struct diag_entry *entry)
 	strbuf_release(&line);
 }
 
-bool stderr_ui_wants_colour(int fd)
+bool stderr_ui_wants_colour(int fd, enum color_choice choice)
 {
 	const char *never = getenv("NO_COLOR"), *term = getenv("TERM");
 
+	if (choice != COLOR_AUTO)
+		return choice == COLOR_ALWAYS;
 	return isatty(fd) && !(never && *never) && term && strcmp(term, "dumb") != 0;
 }
 
@@ -55,7 +57,7 @@ void stderr_ui_init(struct stderr_ui *ui)
 {
 	*ui = (struct stderr_ui){
 		.diag = {.handle = print_entry, .context = ui},
-		.colour = stderr_ui_wants_colour(STDERR_FILENO),
+		.colour = stderr_ui_wants_colour(STDERR_FILENO, COLOR_AUTO),
 		.terminal = isatty(STDERR_FILENO),
 	};
 }

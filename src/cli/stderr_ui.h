@@ -6,6 +6,7 @@
 
 #include "base/diag.h"
 
+enum color_choice { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
 
 struct stderr_ui {
@@ -23,8 +24,8 @@ struct stderr_ui {
 /* The structure must not be moved afterwards: its diag points back at it. */
 void stderr_ui_init(struct stderr_ui *ui);
 
-/* Is the file a terminal with colours, and NO_COLOR unset or empty (no-color.org)? */
-bool stderr_ui_wants_colour(int fd);
+/* COLOR_AUTO: is the file a terminal with colours, and NO_COLOR unset or empty (no-color.org)? */
+bool stderr_ui_wants_colour(int fd, enum color_choice choice);
 
 /* The run begins, with this many programs; one of them is finished; all are finished. */
 void stderr_ui_expect(struct stderr_ui *ui, size_t programs);

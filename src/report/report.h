@@ -42,8 +42,9 @@ struct report_run {
 	double clearance;	/* mm: for pairs to which the machine file gives none */
 	size_t programs;
 	unsigned fail_on;	/* a bit for each kind of finding that fails the run; 0: all do */
-	bool exit_zero;
+	bool fail_on_warnings;	/* warnings fail the run, too */
 	bool quiet;	/* print no statistics */
+	bool stats;	/* print all statistics */
 	const struct waiver_match *waiving;
 	int shard, shards;	/* K and N of --shard; 0: not given */
 	const char *program_list;	/* SHA-256 of the names of all programs before --shard took some; "": no such shard */
@@ -70,6 +71,7 @@ struct report_program {
 	const struct sensitivity *sensitivity;	/* results of --sensitivity */
 	size_t sensitivity_count;	/* 0: not asked for, or unknown */
 	const char *waived;	/* waived findings and the reasons, one per line */
+	const char *failing_warning;	/* a warning that fails the run (--fail-on=warning); NULL: there is none */
 	int first_kind;	/* enum finding_kind of the first finding that fails the run; -1: there is none */
 	const char *first_text;	/* its message with its place, in the GNU form; NULL: there is none */
 };

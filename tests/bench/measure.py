@@ -17,7 +17,7 @@ class Spent:
     def phases(self):
         """Seconds of load, interpret, check, and the number of blocks, from a text report."""
         found = re.search(r'time +([\d.]+) s load, ([\d.]+) s interpret, ([\d.]+) s check', self.out)
-        blocks = re.search(r'blocks +(\d+) in', self.out)
+        blocks = re.search(r'^(\d+) blocks?[,;]', self.out, re.MULTILINE)
         if not found or not blocks:
             raise SystemExit('bench: no statistics in: %s%s' % (self.out, self.err))
         return [float(x) for x in found.groups()] + [int(blocks.group(1))]

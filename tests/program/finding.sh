@@ -6,3 +6,4 @@ G0 X10
 NC
 status fivecheck -q m.xml a.nc
 status fivecheck m.xml a.nc
+status fivecheck --stats m.xml a.nc

@@ -89,7 +89,7 @@ bad m.xml a.nc --fail-on collision --fail-on limit
 bad m.xml a.nc -s vise.xml --setup=tools.xml
 bad m.xml --files-from twice --files-from zero
 bad m.xml a.nc --shard 1/2 --shard 2/2
-bad m.xml --list-pairs --exit-zero
+bad m.xml --list-pairs --stats
 bad m.xml a.nc --record -
 bad m.xml - --record r.json
 bad m.xml a.nc --record a.nc

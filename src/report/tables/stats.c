@@ -9,6 +9,7 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 	struct check_stats *to = &sums->check;
 
 	sums->programs++;
+	sums->pairs_required = stats->pairs_required > sums->pairs_required ? stats->pairs_required : sums->pairs_required;
 	sums->clear += result == CHECK_CLEAR;
 	sums->accepted += accepted;
 	sums->incomplete += result == CHECK_INCOMPLETE;
@@ -71,10 +72,38 @@ static void add_work(struct strbuf *out, const struct check_stats *stats, enum c
 		strbuf_addf(out, "  samples       %ld\n", stats->samples);
 }
 
-void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method)
+/* Shares of the wall time and s: below these, waiting for files and the scheduler is normal. */
+#define PROCESSOR_SHARE 0.75
+#define WALL_LEAST 0.1
+
+static void add_time(struct strbuf *out, const struct run_stats *sums)
 {
 	const struct check_stats *stats = &sums->check;
 	double busy = stats->seconds_interpret + stats->seconds_check;
+
+	strbuf_addf(out, "%.3f s load, %.3f s interpret, %.3f s check", sums->seconds_load, stats->seconds_interpret,
+		    stats->seconds_check);
+	if (busy > 0)
+		strbuf_addf(out, "; %.0f blocks/s", (double)stats->motion.blocks / busy);
+	if (sums->seconds_wall > WALL_LEAST && sums->seconds_processor < PROCESSOR_SHARE * sums->seconds_wall)
+		strbuf_addf(out, "; %.3f s of processor time in %.3f s", sums->seconds_processor, sums->seconds_wall);
+	strbuf_addf(out, "\n");
+}
+
+void stats_add_line(struct strbuf *out, const struct run_stats *sums, enum check_method method)
+{
+	format_units_add_count(out, (size_t)sums->check.motion.blocks, "block");
+	if (method != CHECK_NOTHING) {
+		strbuf_addf(out, ", ");
+		format_units_add_count(out, sums->pairs_required, "pair");
+	}
+	strbuf_addf(out, "; time ");
+	add_time(out, sums);
+}
+
+void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method)
+{
+	const struct check_stats *stats = &sums->check;
 
 	strbuf_addf(out, "statistics\n");
 	add_program(out, sums);
@@ -82,9 +111,6 @@ void stats_add(struct strbuf *out, const struct run_stats *sums, const struct sc
 		add_pairs(out, scene);
 		add_work(out, stats, method);
 	}
-	strbuf_addf(out, "  time          %.3f s load, %.3f s interpret, %.3f s check", sums->seconds_load,
-		    stats->seconds_interpret, stats->seconds_check);
-	if (busy > 0)
-		strbuf_addf(out, "; %.0f blocks/s", (double)stats->motion.blocks / busy);
-	strbuf_addf(out, "\n");
+	strbuf_addf(out, "  time          ");
+	add_time(out, sums);
 }

@@ -115,6 +115,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	else if (program->first_kind >= 0)
 		add_outcome(testcase, "failure", finding_kind_name((enum finding_kind)program->first_kind),
 			    program->first_text, strbuf_text(out));
+	else if (program->failing_warning)
+		add_outcome(testcase, "failure", "warning", program->failing_warning, program->failing_warning);
 	if (program->verdict) {
 		text_verdict(&verdict, program->verdict);
 		strbuf_addf(&verdict, "%s", program->waived);

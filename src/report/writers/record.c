@@ -16,7 +16,7 @@ static json_t *options_of(const struct report_run *run)
 	json_t *object = json_object();
 
 	ndjson_put_options(object, run);
-	json_put(object, "exit_zero", json_boolean(run->exit_zero));
+	json_put(object, "fail_on_warnings", json_boolean(run->fail_on_warnings));
 	json_put(object, "shard", json_shard(run->shard, run->shards, run->options->shards > 0));
 	/* On another day other waivers have expired. */
 	json_put(object, "waivers_on", run->waiving->file ? json_string(run->waiving->today) : json_null());

@@ -217,8 +217,13 @@ static void add_end(struct strbuf *out, const struct report_run *run, const stru
 		    const struct strbuf *items)
 {
 	(void)items;
-	if (!run->quiet)
+	/* Statistics of an incomplete check would say nothing. */
+	if (run->quiet || end->status > 1)
+		return;
+	if (run->stats)
 		stats_add(out, end->sums, run->scene, run->options->method);
+	else
+		stats_add_line(out, end->sums, run->options->method);
 }
 
 /* Findings as they are found, a verdict after each program's, statistics at the end. */
