@@ -4,6 +4,7 @@
 #include "geom/topology.h"
 #include "report/doubt_text.h"
 #include "report/format/format_units.h"
+#include "scene/static_query.h"
 
 /* Bodies this near at home touch: the default tolerance of a check, mm. */
 static const double TOUCH = 0.001;

@@ -1,12 +1,19 @@
-/* bvh_pair.h - one box of a tree as a walk over two trees meets it: an inner node, or a leaf. */
+/* bvh_pair.h - what a walk over two trees of boxes looks at: a subtree of each, with its box. */
 #ifndef FIVECHECK_SCENE_BVH_PAIR_H
 #define FIVECHECK_SCENE_BVH_PAIR_H
 
 #include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
 
 #include "geom/boxes.h"
 #include "geom/bvh.h"
-#include "scene/tri_pair.h"
+
+/* A run of triangles of one body. */
+struct leaf {
+	uint32_t first;
+	uint8_t count;
+};
 
 struct subtree {
 	struct box box;

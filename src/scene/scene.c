@@ -11,25 +11,6 @@
 #include "geom/topology.h"
 #include "machine/tool_core.h"
 #include "machine/tool_solid.h"
-#include "scene/pairs.h"
-
-static void add_bodies(struct scene *scene, const struct body *bodies, size_t count)
-{
-	for (size_t i = 0; i < count; i++)
-		scene->bodies[scene->body_count++] = (struct scene_body){.body = &bodies[i]};
-}
-
-/* Each cutter may have two cores for each part. */
-static size_t most_cores(const struct scene *scene)
-{
-	size_t cutters = 0, parts = 0;
-
-	for (size_t i = 0; i < scene->body_count; i++) {
-		cutters += scene->bodies[i].body->role == ROLE_CUTTER;
-		parts += scene->bodies[i].body->role == ROLE_PART;
-	}
-	return 2 * cutters * parts;
-}
 
 int scene_core(struct scene *scene, int body, double depth)
 {
@@ -52,26 +33,6 @@ int scene_core(struct scene *scene, int body, double depth)
 	core->solid = mesh;
 	scene->bodies[scene->body_count + scene->core_count] = (struct scene_body){.body = core, .depth = depth};
 	return (int)(scene->body_count + scene->core_count++);
-}
-
-struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
-			struct diag *diag)
-{
-	struct scene *scene = mem_zalloc(1, sizeof(*scene));
-
-	pthread_mutex_init(&scene->building, NULL);
-	scene->machine = machine;
-	scene->setup = setup;
-	scene->bodies = mem_zalloc(machine->body_count + (setup ? setup->body_count : 0), sizeof(*scene->bodies));
-	add_bodies(scene, machine->bodies, machine->body_count);
-	if (setup)
-		add_bodies(scene, setup->bodies, setup->body_count);
-	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
-	if (!pairs_derive(scene, clearance, diag)) {
-		scene_free(scene);
-		return NULL;
-	}
-	return scene;
 }
 
 void scene_free(struct scene *scene)

@@ -99,20 +99,9 @@ const struct topology *scene_body_topology(struct scene *scene, int body, struct
 /* The pair as a sweep takes it; false: a mesh is faulty, reported. Valid as long as the scene. */
 bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
 
-/* Reports that rounding alone exceeds the tolerance for this pair. */
-void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag);
-
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status);
 
 /* "checked", "rigid", "adjacent", "out of reach", "waived" */
 const char *pair_status_name(enum pair_status status);
-
-/*
- * Do two bodies overlap when the axes stand at q: do their surfaces meet, or
- * is one inside the other? Touching within `tolerance` mm counts. *point is in
- * a's mesh coordinates.
- */
-bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
-		   vec3 *point, struct diag *diag);
 
 #endif

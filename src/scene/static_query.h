@@ -30,4 +30,16 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
 			    struct diag *diag);
 
+/* Reports that rounding alone exceeds the tolerance for this pair. */
+void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,
+				   struct diag *diag);
+
+/*
+ * Do two bodies overlap when the axes stand at q: do their surfaces meet, or
+ * is one inside the other? Touching within `tolerance` mm counts. *point is in
+ * a's mesh coordinates.
+ */
+bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
+		   vec3 *point, struct diag *diag);
+
 #endif

@@ -4,13 +4,8 @@
 
 #include <stdbool.h>
 
+#include "scene/bvh_pair.h"
 #include "scene/motion_interval.h"
-
-/* A run of triangles of one body. */
-struct leaf {
-	uint32_t first;
-	uint8_t count;
-};
 
 /* Two triangles within the clearance of each other at one instant. */
 struct contact {

@@ -1,0 +1,42 @@
+/* scene_new.c - a scene with its pairs. It stands apart from scene.c because the pairs are derived with a scene's bodies. */
+#include "base/mem.h"
+#include "scene/pairs.h"
+#include "scene/scene.h"
+
+static void add_bodies(struct scene *scene, const struct body *bodies, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		scene->bodies[scene->body_count++] = (struct scene_body){.body = &bodies[i]};
+}
+
+/* Each cutter may have two cores for each part. */
+static size_t most_cores(const struct scene *scene)
+{
+	size_t cutters = 0, parts = 0;
+
+	for (size_t i = 0; i < scene->body_count; i++) {
+		cutters += scene->bodies[i].body->role == ROLE_CUTTER;
+		parts += scene->bodies[i].body->role == ROLE_PART;
+	}
+	return 2 * cutters * parts;
+}
+
+struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
+			struct diag *diag)
+{
+	struct scene *scene = mem_zalloc(1, sizeof(*scene));
+
+	pthread_mutex_init(&scene->building, NULL);
+	scene->machine = machine;
+	scene->setup = setup;
+	scene->bodies = mem_zalloc(machine->body_count + (setup ? setup->body_count : 0), sizeof(*scene->bodies));
+	add_bodies(scene, machine->bodies, machine->body_count);
+	if (setup)
+		add_bodies(scene, setup->bodies, setup->body_count);
+	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
+	if (!pairs_derive(scene, clearance, diag)) {
+		scene_free(scene);
+		return NULL;
+	}
+	return scene;
+}
