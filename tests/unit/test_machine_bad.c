@@ -58,7 +58,7 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: dialect=\"heidenhain\" of <controller> must be linuxcnc, fanuc or haas\n"},
     {MACHINE("<controller><mcode number='-5' action='on'/></controller><base/>"),
      "m.xml:2: error: number=\"-5\" of <mcode> must be a whole number, 0 or more\n"
-     "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off or ignore\n"},
+     "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off, ignore, spindle-on or spindle-off\n"},
     {BASE("<body name='b' mesh='b.stl' units='feet'/>"),
      "m.xml:2: error: units=\"feet\" of <body> must be mm, inch, cm or m\n"},
     {BASE("steel"), "m.xml:2: error: <base> holds text; only elements belong there\n"},
