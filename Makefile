@@ -41,7 +41,7 @@ $(BUILD)/objects: FORCE
 	@mkdir -p $(@D)
 	@echo '$(OBJECTS)' | cmp -s - $@ || echo '$(OBJECTS)' > $@
 
-$(BUILD)/%.o: %.c
+$(BUILD)/%.o: %.c $(FLAGS)
 	@mkdir -p $(@D)
 	@echo '  CC $@'
 	$(Q)$(CC) $(PP_FLAGS) $(C_FLAGS) -MMD -MP -c -o $@ $<
