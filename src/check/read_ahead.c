@@ -43,6 +43,7 @@ bool read_ahead_run(const struct machine *machine, const struct setup *setup, co
 	const struct file_opened opened_to_queue = {queue, on_opened};
 	struct diag diag_to_queue = {.handle = on_diag, .context = queue};
 	struct motion_options own = *options;
+	struct motion_summary read;	/* *summary may be in use by the receiving thread */
 	pthread_t receiver;
 	bool ok;
 
@@ -51,9 +52,11 @@ bool read_ahead_run(const struct machine *machine, const struct setup *setup, co
 		return motion_run(machine, setup, options, in, name, sink, diag, summary);
 	}
 	own.read.opened = options->read.opened ? &opened_to_queue : NULL;
-	ok = motion_run(machine, setup, &own, in, name, &to_queue, &diag_to_queue, summary);
+	ok = motion_run(machine, setup, &own, in, name, &to_queue, &diag_to_queue, &read);
 	event_queue_end(queue);
 	pthread_join(receiver, NULL);
 	event_queue_free(queue);
+	if (ahead.heard)
+		*summary = read;
 	return ok && ahead.heard;
 }
