@@ -7,11 +7,6 @@
 
 static const char letters[] = "XYZ";
 
-static const char *moved_by(const struct machine *machine, const struct axis *axis)
-{
-	return kinematics_side(machine, axis) > 0 ? "the tool" : "the work";
-}
-
 static void add_name(struct strbuf *out, const struct scene *scene, int body)
 {
 	format_units_add_plain(out, scene->bodies[body].body->name);
@@ -28,6 +23,7 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 {
 	const struct axis *axis = &scene->machine->axes[doubt->axis];
 	const struct axis *other = &scene->machine->axes[doubt->other];
+	int side = kinematics_side(scene->machine, axis);
 
 	switch (doubt->kind) {
 	case DOUBT_PARALLEL:
@@ -42,14 +38,14 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 			    letters[axis->slot % 3], axis->name);
 		break;
 	case DOUBT_SIGN:
-		strbuf_addf(out, "axis %s: a positive value moves %s so that the tool goes toward -%c against the work", axis->name,
-			    moved_by(scene->machine, axis), letters[axis->slot % 3]);
+		strbuf_addf(out, "axis %s: a positive value moves the %s toward -%c against the work", axis->name,
+			    side > 0 ? "tool" : "work so that the tool goes", letters[axis->slot % 3]);
 		add_way_out(out, axis);
 		break;
 	case DOUBT_ROTARY_SIGN:
-		strbuf_addf(out, "axis %s: a positive value turns %s so that the tool turns left-handed about %c against the work "
-				 "(ISO 841: right-handed; an axis that turns the work has the opposite direction)",
-			    axis->name, moved_by(scene->machine, axis), letters[axis->slot % 3]);
+		strbuf_addf(out, "axis %s: a positive value turns the %s left-handed about %c against the work (ISO 841: "
+				 "right-handed; an axis that turns the work has the opposite direction)",
+			    axis->name, side > 0 ? "tool" : "work so that the tool turns", letters[axis->slot % 3]);
 		add_way_out(out, axis);
 		break;
 	case DOUBT_ROTARY_MISSES:
