@@ -33,6 +33,7 @@ void error_list_add(struct error_list *errors, const struct diag_entry *entry)
 		.line = entry->loc.line,
 		.column = entry->loc.column,
 		.text = mem_strndup(entry->text, strlen(entry->text)),
+		.excerpt = entry->excerpt ? mem_strndup(entry->excerpt, strlen(entry->excerpt)) : NULL,
 	};
 }
 
@@ -41,6 +42,7 @@ void error_list_release(struct error_list *errors)
 	for (size_t i = 0; i < errors->count; i++) {
 		free(errors->items[i].file);
 		free(errors->items[i].text);
+		free(errors->items[i].excerpt);
 	}
 	free(errors->items);
 	free(errors->first_warning);

@@ -58,6 +58,7 @@ struct report_error {
 	long line;	/* 0: unknown, likewise the column */
 	int column;
 	char *text;
+	char *excerpt;	/* the line that the error is about; NULL: unknown */
 };
 
 /* A program that was checked. Borrows everything. */
@@ -95,6 +96,7 @@ struct report_writer {
 	bool collects;	/* end() receives all items and writes them */
 	const char *separator;	/* between items, each of which is a line; NULL: none */
 	size_t limit;	/* number of items that are written; 0: no limit */
+	const char *free;	/* items that begin so have a limit of their own, of the same size; NULL: there are none */
 	void (*begin)(struct strbuf *out, const struct report_run *run);
 	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
 			struct finding_style style);

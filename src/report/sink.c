@@ -30,10 +30,14 @@ static void write_item(struct sink *sink, const char *item, size_t length)
 {
 	const struct report_writer *writer = sink->writer;
 
-	if (writer->limit && sink->count == writer->limit) {
-		sink->left_out++;
+	bool exempt = writer->free && !strncmp(item, writer->free, strlen(writer->free));
+	size_t written = exempt ? sink->free_count : sink->count - sink->free_count;
+
+	if (writer->limit && written == writer->limit) {
+		sink->left_out += !exempt;
 		return;
 	}
+	sink->free_count += exempt;
 	if (sink->count++ && writer->separator)
 		output_write(&sink->out, writer->separator, strlen(writer->separator));
 	output_write(&sink->out, item, length);

@@ -16,7 +16,8 @@ struct sink {
 	bool colour;
 	struct output out;
 	struct strbuf items;	/* if the writer collects them */
-	size_t count, left_out;	/* items written; items dropped because of the writer's limit */
+	size_t count, free_count;	/* items written; of them those with a limit of their own */
+	size_t left_out;	/* items dropped because of the writer's limit */
 };
 
 /* All zero is empty. */

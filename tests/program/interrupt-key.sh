@@ -1,4 +1,4 @@
-# SIGINT: what was found so far, the statistics, how far it came; never status 0. A reader that waits is woken, too.
+# SIGINT: what was found so far, how far it came; never status 0. A reader that waits is woken, too.
 need python3
 small_machine
 mkfifo endless consumed silent

@@ -17,7 +17,7 @@ awk 'BEGIN {
 		printf "G1 X%.3f Z%.4f C%d F60000\n", 20 + i % 7, i < 4321 ? -99.995 : -100.01, i * 3
 }' >b.nc
 for j in 1 2 5; do
-	fivecheck -j $j m.xml b.nc | sed '/^  time/d' >b.$j
+	fivecheck --stats -j $j m.xml b.nc | sed '/^  time/d' >b.$j
 done
 cmp b.1 b.2 && cmp b.1 b.5
 head -1 b.1 | cut -d: -f1-4

@@ -70,6 +70,13 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 		add_command(out, "error", error->file ? error->file : program->name, error->line, error->column,
 			    "incomplete", error->text);
 	}
+	for (int i = 0; program->verdict && i < VERDICT_CAUTIONS; i++) {
+		struct strbuf text = {0};
+
+		if (verdict_add_caution(&text, program->verdict, i))
+			add_command(out, "notice", program->name, 0, 0, "caution", strbuf_text(&text));
+		strbuf_release(&text);
+	}
 }
 
 static void add_end(struct strbuf *out, const struct report_run *run, const struct report_end *end,
@@ -93,9 +100,9 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 
 /*
  * A line "::error file=...,line=...,col=...,title=...::text" for each finding and each error, at most ten, since GitHub
- * shows no more of one step; then their remaining number. Source: GitHub, "Workflow commands for GitHub Actions".
+ * shows no more of one step; then their remaining number. A "::notice" for each caution, at most ten as well. Source: GitHub, "Workflow commands for GitHub Actions".
  */
 const struct report_writer github_writer = {
-	.name = "github", .limit = 10, .begin = add_nothing, .finding = add_finding, .program = add_program,
+	.name = "github", .mark = "::", .limit = 10, .free = "::notice ", .begin = add_nothing, .finding = add_finding, .program = add_program,
 	.end = add_end,
 };

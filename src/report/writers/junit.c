@@ -100,6 +100,16 @@ static void add_node(struct strbuf *out, xmlDoc *doc, xmlNode *node)
 	xmlBufferFree(buffer);
 }
 
+/* The seconds that the check took; they differ from run to run. */
+static void set_time(xmlNode *testcase, const struct report_program *program)
+{
+	const struct check_stats *stats = program->verdict ? program->verdict->stats : NULL;
+	char text[32];
+
+	snprintf(text, sizeof(text), "%.3f", stats ? stats->seconds_interpret + stats->seconds_check : 0.0);
+	set(testcase, "time", text);
+}
+
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	xmlDoc *doc = xmlNewDoc(BAD_CAST "1.0");
@@ -110,6 +120,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	set(testcase, "classname", run->scene->machine->path);
 	set(testcase, "name", program->name);
 	set(testcase, "file", program->name);
+	set_time(testcase, program);
 	if (!program->verdict || program->verdict->result == CHECK_INCOMPLETE)
 		add_errors(testcase, program, strbuf_text(out));
 	else if (program->first_kind >= 0)
@@ -144,7 +155,8 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 	snprintf(counts, sizeof(counts), "tests=\"%zu\" failures=\"%zu\" errors=\"%zu\"", sums->programs,
 		 sums->programs - sums->clear - sums->accepted - sums->incomplete, sums->incomplete);
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
-	strbuf_addf(out, "  <testsuite name=\"fivecheck\" %s skipped=\"0\">\n%s  </testsuite>\n</testsuites>\n", counts,
+	strbuf_addf(out, "  <testsuite name=\"fivecheck\" %s skipped=\"0\" time=\"%.3f\">\n%s  </testsuite>\n"
+			 "</testsuites>\n", counts, sums->check.seconds_interpret + sums->check.seconds_check,
 		    strbuf_text(items));
 }
 

@@ -35,9 +35,11 @@ static const struct rule {
 	{"incomplete", "Incomplete", "Not everything could be checked.",
 	 "Something could not be read, interpreted, or decided, so that nothing is proved from there on. The message "
 	 "says what it is and what to write instead."},
+	{"caution", "Caution", "The verdict holds under a condition.",
+	 "What must be known beside the verdict: what was not checked, was taken for granted, or is doubtful."},
 };
 
-enum { RULE_INCOMPLETE = FINDING_KINDS, RULE_COUNT };
+enum { RULE_INCOMPLETE = FINDING_KINDS, RULE_CAUTION, RULE_COUNT };
 
 static json_t *message_of(const char *text)
 {
@@ -54,7 +56,7 @@ static json_t *rules_of(void)
 	for (int i = 0; i < RULE_COUNT; i++) {
 		json_t *rule = json_object(), *level = json_object();
 
-		json_put(level, "level", json_string("error"));
+		json_put(level, "level", json_string(i == RULE_CAUTION ? "note" : "error"));
 		json_put(rule, "id", json_string(rules[i].id));
 		json_put(rule, "name", json_string(rules[i].name));
 		json_put(rule, "shortDescription", message_of(rules[i].brief));
@@ -128,6 +130,13 @@ static void add_suppression(json_t *result, struct finding_style style)
 	strbuf_release(&reason);
 }
 
+static const char *level_of(int rule, struct finding_style style)
+{
+	if (rule == RULE_CAUTION)
+		return "note";
+	return style.status == FINDING_LEFT_OUT ? "warning" : "error";
+}
+
 static void add_result(struct strbuf *out, int rule, struct finding_style style, const char *text, json_t *location,
 		       json_t *properties)
 {
@@ -135,7 +144,7 @@ static void add_result(struct strbuf *out, int rule, struct finding_style style,
 
 	json_put(result, "ruleId", json_string(rules[rule].id));
 	json_put(result, "ruleIndex", json_integer(rule));
-	json_put(result, "level", json_string(style.status == FINDING_LEFT_OUT ? "warning" : "error"));
+	json_put(result, "level", json_string(level_of(rule, style)));
 	json_put(result, "message", message_of(text));
 	json_push(locations, location);
 	json_put(result, "locations", locations);
@@ -183,15 +192,35 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	strbuf_release(&block);
 }
 
+/* A column counts bytes; SARIF wants UTF-16 units, which the line itself tells. Without the line: no column. */
+static json_t *location_of_error(const struct report_program *program, const struct report_error *error)
+{
+	const char *file = error->file ? error->file : program->name;
+	struct strbuf before = {0};
+	json_t *location;
+
+	if (!error->excerpt || !error->column || strlen(error->excerpt) < (size_t)error->column - 1)
+		return location_of(file, error->line, 0, 0, NULL);
+	strbuf_add(&before, error->excerpt, (size_t)error->column - 1);
+	location = location_of(file, error->line, utf8_units(strbuf_text(&before)) + 1,
+			       utf8_units(error->excerpt) + 1, error->excerpt);
+	strbuf_release(&before);
+	return location;
+}
+
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	(void)run;
-	for (size_t i = 0; i < program->error_count; i++) {
-		const struct report_error *error = &program->errors[i];
+	for (size_t i = 0; i < program->error_count; i++)
+		add_result(out, RULE_INCOMPLETE, (struct finding_style){0}, program->errors[i].text,
+			   location_of_error(program, &program->errors[i]), NULL);
+	for (int i = 0; program->verdict && i < VERDICT_CAUTIONS; i++) {
+		struct strbuf text = {0};
 
-		/* A error's column counts bytes; without the line's text it cannot be told in other units. */
-		add_result(out, RULE_INCOMPLETE, (struct finding_style){0}, error->text,
-			   location_of(error->file ? error->file : program->name, error->line, 0, 0, NULL), NULL);
+		if (verdict_add_caution(&text, program->verdict, i))
+			add_result(out, RULE_CAUTION, (struct finding_style){0}, strbuf_text(&text),
+				   location_of(program->name, 0, 0, 0, NULL), NULL);
+		strbuf_release(&text);
 	}
 }
 
