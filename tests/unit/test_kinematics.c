@@ -1,0 +1,191 @@
+/* Doubts about a machine's motions, against the tip and the work moved by forward kinematics. */
+#include "machine/kinematics_check.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "machine/chain.h"
+#include "random.h"
+
+/* X Y Z A C, each on a link of its own: those of `tool` carry the spindle one after the other, the rest the work. */
+static struct machine five_axes(unsigned tool)
+{
+	static const char *const names[] = {"X", "Y", "Z", "A", "C"};
+	static const int slots[] = {SLOT_X, SLOT_Y, SLOT_Z, SLOT_A, SLOT_C};
+	static const vec3 along[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 1}};
+	struct machine machine = {.axis_count = 5};
+	int ends[2] = {0, 0};
+
+	for (int i = 0; i < 5; i++) {
+		bool on_tool = tool >> i & 1;
+
+		machine.axes[i] = (struct axis){
+			.name = names[i], .slot = slots[i], .rotary = i > 2, .parent = ends[on_tool],
+			.direction = vec3_scale(on_tool ? 1 : -1, along[i]), .limit_min = i > 2 ? -INFINITY : -500,
+			.limit_max = i > 2 ? INFINITY : 500, .rate_max = 1,
+		};
+		ends[on_tool] = i + 1;
+	}
+	machine.spindle = (struct spindle){
+		.present = true, .link = ends[1], .location = {0, 0, 300}, .direction = {0, 0, -1},
+	};
+	machine.workholding = (struct workholding){.present = true, .link = ends[0], .frame = xform_identity()};
+	return machine;
+}
+
+static size_t count(const struct machine *machine, enum doubt_kind kind)
+{
+	struct doubts doubts = {0};
+	size_t found = 0;
+
+	kinematics_check(machine, &doubts);
+	for (size_t i = 0; i < doubts.count; i++)
+		found += doubts.items[i].kind == kind;
+	doubts_release(&doubts);
+	return found;
+}
+
+static size_t count_all(const struct machine *machine)
+{
+	struct doubts doubts = {0};
+	size_t found;
+
+	kinematics_check(machine, &doubts);
+	found = doubts.count;
+	doubts_release(&doubts);
+	return found;
+}
+
+/* How the work sees the tool's link. */
+static xform relative(const struct machine *machine, const axis_values *q)
+{
+	xform tool = machine_pose(machine, machine->spindle.link, q);
+	xform work = machine_pose(machine, machine->workholding.link, q);
+	xform back = xform_inverse(&work);
+
+	return xform_mul(&back, &tool);
+}
+
+/* Whatever moves tool or work: nothing is doubted, and each direction is the one that forward kinematics show. */
+START_TEST(all_arrangements)
+{
+	for (unsigned tool = 0; tool < 32; tool++) {
+		struct machine machine = five_axes(tool);
+
+		ck_assert_uint_eq(count_all(&machine), 0);
+		for (size_t i = 0; i < machine.axis_count; i++) {
+			const struct axis *axis = &machine.axes[i];
+			vec3 said = kinematics_direction(&machine, axis), moved;
+			axis_values q = {{0}};
+			xform pose;
+
+			q.v[axis->slot] = 1e-3;
+			pose = relative(&machine, &q);
+			if (axis->rotary) {
+				/* A right-handed turn by 1e-3 about `said` moves a point r across it by said x r. */
+				vec3 r = {0.3, 0.5, 0.7}, turned = mat3_apply(&pose.rotation, r);
+
+				moved = vec3_scale(1e3, vec3_sub(turned, r));
+				ck_assert_double_le(vec3_norm(vec3_sub(moved, vec3_cross(said, r))), 2e-3);
+			} else {
+				moved = vec3_scale(1e3, pose.translation);
+				ck_assert_double_le(vec3_norm(vec3_sub(moved, said)), 1e-9);
+			}
+		}
+	}
+}
+END_TEST
+
+START_TEST(every_sign)
+{
+	for (unsigned tool = 0; tool < 32; tool++) {
+		for (int i = 0; i < 5; i++) {
+			struct machine machine = five_axes(tool);
+
+			machine.axes[i].direction = vec3_scale(-1, machine.axes[i].direction);
+			ck_assert_uint_eq(count(&machine, i > 2 ? DOUBT_ROTARY_SIGN : DOUBT_SIGN), 1);
+			ck_assert_uint_eq(count(&machine, DOUBT_LEFT_HANDED), i < 3);
+			ck_assert_uint_eq(count(&machine, DOUBT_SPINDLE_TOWARD), i == 2);
+			machine.axes[i].checked = "the maker says so";
+			ck_assert_uint_eq(count_all(&machine), 0);
+		}
+	}
+}
+END_TEST
+
+START_TEST(letters_and_lines)
+{
+	struct machine machine = five_axes(7);
+	const vec3 keep = machine.axes[0].direction;
+
+	machine.axes[0].direction = machine.axes[1].direction;
+	ck_assert_uint_eq(count(&machine, DOUBT_PARALLEL), 1);
+	ck_assert_uint_eq(count(&machine, DOUBT_LETTER), 1);
+	machine.axes[1].direction = keep;
+	ck_assert_uint_eq(count(&machine, DOUBT_PARALLEL), 0);
+	ck_assert_uint_eq(count(&machine, DOUBT_LETTER), 2);
+	ck_assert_uint_eq(count(&machine, DOUBT_LEFT_HANDED), 1);
+
+	/* U along X is usual. */
+	machine = five_axes(7);
+	machine.axes[1].name = "U";
+	machine.axes[1].slot = SLOT_U;
+	machine.axes[1].direction = keep;
+	ck_assert_uint_eq(count_all(&machine), 0);
+
+	/* A whole frame of its own: Z horizontal along Y of the drawing, the rotary axes with it. */
+	machine = five_axes(7);
+	machine.axes[1].direction = (vec3){0, 0, 1};
+	machine.axes[2].direction = (vec3){0, -1, 0};
+	machine.axes[4].direction = (vec3){0, 1, 0};
+	machine.spindle.direction = (vec3){0, 1, 0};
+	machine.spindle.location = (vec3){0, -300, 0};
+	ck_assert_uint_eq(count(&machine, DOUBT_TURNED), 1);
+	ck_assert_uint_eq(count_all(&machine), 1);
+	machine.axes[4].direction = (vec3){0, -1, 0};
+	ck_assert_uint_eq(count(&machine, DOUBT_ROTARY_SIGN), 1);
+}
+END_TEST
+
+START_TEST(spindles)
+{
+	struct machine machine = five_axes(7);
+
+	machine.spindle.direction = (vec3){1, 0, 0};
+	ck_assert_uint_eq(count(&machine, DOUBT_SPINDLE_ACROSS), 1);
+	machine.spindle.direction = (vec3){0, 0, 1};
+	ck_assert_uint_eq(count(&machine, DOUBT_SPINDLE_TOWARD), 1);
+	ck_assert_uint_eq(count(&machine, DOUBT_SPINDLE_AWAY), 0);
+	machine.axes[2].limit_min = -200;
+	ck_assert_uint_eq(count(&machine, DOUBT_SPINDLE_AWAY), 1);
+	machine.spindle.checked = "it is";
+	ck_assert_uint_eq(count_all(&machine), 0);
+	machine = five_axes(7);
+	machine.workholding.frame.translation = (vec3){1100, 0, 0};
+	ck_assert_uint_eq(count(&machine, DOUBT_WORKHOLDING_BESIDE), 1);
+	machine.workholding.present = false;
+	machine.spindle.present = false;
+	ck_assert_uint_eq(count_all(&machine), 0);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("kinematics");
+	TCase *tcase = tcase_create("core");
+	SRunner *runner;
+	int failed;
+
+	tcase_set_timeout(tcase, 60);
+	tcase_add_test(tcase, all_arrangements);
+	tcase_add_test(tcase, every_sign);
+	tcase_add_test(tcase, letters_and_lines);
+	tcase_add_test(tcase, spindles);
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
