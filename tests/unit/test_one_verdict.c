@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "check/step.h"
 #include "first_contact.h"
+#include "geom/moved_tri.h"
 #include "step_program.h"
 
 /*
@@ -58,6 +59,72 @@ static double closed_form(const struct duo *duo, const axis_values *q, const axi
 	return fmin(most[0], most[1]);
 }
 
+/* The shortest way (a's mesh coordinates) from a to b at q. */
+static vec3 way_between(const struct duo *duo, const axis_values *q)
+{
+	xform pose = body_pair_pose(&duo->pair, q);
+	double least = INFINITY;
+	vec3 way = {0, 0, 0};
+
+	for (size_t i = 0; i < duo->a->mesh.count; i++) {
+		tri a = tri_of(&duo->a->mesh, i);
+
+		for (size_t j = 0; j < duo->b->mesh.count; j++) {
+			tri b = tri_of(&duo->b->mesh, j);
+			vec3 on_a, on_b;
+			double distance;
+
+			b = tri_transform(&b, &pose);
+			distance = tri_distance(&a, &b, &on_a, &on_b);
+			if (distance < least) {
+				least = distance;
+				way = vec3_sub(on_b, on_a);
+			}
+		}
+	}
+	return way;
+}
+
+/* Moves b nearer to a, until they are `wanted` mm apart at q. False: they meet. */
+static bool bring_near(struct duo *duo, const axis_values *q, double wanted)
+{
+	for (int round = 0; round < 50; round++) {
+		xform pose = body_pair_pose(&duo->pair, q), chain = chain_pose(&duo->chain, q), back = xform_inverse(&chain);
+		vec3 way = way_between(duo, q);
+		double distance = vec3_norm(way);
+		xform place;
+
+		if (!(distance > 0))
+			return false;
+		if (fabs(distance - wanted) < 1e-9)
+			break;
+		pose.translation = vec3_mad(pose.translation, (wanted - distance) / distance, way);
+		place = xform_mul(&duo->pair.place_a, &pose);
+		place = xform_mul(&back, &place);
+		body_pair_init(&duo->pair, duo->a, duo->b, &duo->pair.place_a, &place, &duo->chain);
+	}
+	return true;
+}
+
+/*
+ * Every other program slides within a few tolerances of contact, without a clearance: there even a coarse distance is
+ * a budget for some of its steps.
+ */
+static bool slide_at_contact(struct program *p, const axis_values *allowed)
+{
+	double wanted = closed_form(&p->duo, &p->corners[0], allowed) + p->tolerance * random_in(&p->random, 0.05, 2);
+	double most = 0;
+
+	for (int k = 0; k < SLOT_COUNT; k++)
+		most = fmax(most, fabs(p->corners[1].v[k] - p->corners[0].v[k]) * (slot_is_rotary(k) ? 100 : 1));
+	for (int i = 1; i <= STEPS; i++)
+		for (int k = 0; k < SLOT_COUNT; k++)
+			p->corners[i].v[k] = p->corners[0].v[k] + (p->corners[i].v[k] - p->corners[0].v[k]) *
+									   0.05 * p->tolerance / fmax(most, 1e-9);
+	p->clearance = 0;
+	return bring_near(&p->duo, &p->corners[0], wanted);
+}
+
 /* False: the bodies meet where the program begins. */
 static bool near_program_init(struct near_program *n, uint64_t test, long number)
 {
@@ -72,12 +139,16 @@ static bool near_program_init(struct near_program *n, uint64_t test, long number
 	size = random_below(random, 5) ? random_size(random, 1e-3, 1) : 0;
 	for (size_t k = 0; k < p->duo.chain.count; k++)
 		allowed.v[p->duo.chain.joints[k].slot] = size * (p->duo.chain.joints[k].rotary ? 0.017 : 1);
+	if (number % 2 && !slide_at_contact(p, &allowed))
+		return false;
 	for (int i = 0; i < STEPS; i++) {
 		n->paths[i] = path_between(&p->corners[i], &p->corners[i + 1], PATH_STRAIGHT);
 		n->steps[i] = (struct batch_step){.motion = step_on(&n->paths[i])};
 		if (!i || random_below(random, 8))
 			n->steps[i].motion.tolerance = allowed;
 	}
+	if (number % 2)
+		return true;
 	pose = duo_pose(&p->duo, &p->corners[0], &p->corners[0], 0, NULL);
 	distance = brute_distance(p->duo.a, p->duo.b, &pose, INFINITY);
 	p->clearance = distance - closed_form(&p->duo, &p->corners[0], &allowed) -
@@ -156,14 +227,14 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 {
 	struct sweep sweep = {0}, alone = {0};
 	struct counts counts = {0};
-	long cases = random_cases(400);
+	long cases = random_cases(150);
 
 	for (long number = 0; number < cases; number++) {
 		struct near_program n;
 		struct strategy strategy;
 		bool usable = near_program_init(&n, 1, number);
 
-		strategy_init(&strategy, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 4 == 0);
+		strategy_init(&strategy, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 5 == 0);
 		for (int i = 0; usable && i < STEPS;) {
 			int passed = random_below(&n.p.random, 2) ? 0 : offer_chunk(&n, &strategy, i);
 
@@ -195,7 +266,7 @@ END_TEST
 START_TEST(findings_are_within_the_closed_form)
 {
 	struct sweep sweep = {0};
-	long contacts = 0, pieces_found = 0, cases = random_cases(400);
+	long contacts = 0, pieces_found = 0, cases = random_cases(150);
 
 	for (long number = 0; number < cases; number++) {
 		struct near_program n;
@@ -240,7 +311,7 @@ END_TEST
 /* What is reported beside a finding is the closed form, too. */
 START_TEST(path_displacement_of_a_pair)
 {
-	for (long number = 0; number < random_cases(300); number++) {
+	for (long number = 0; number < random_cases(100); number++) {
 		struct near_program n;
 
 		near_program_init(&n, 3, number);
