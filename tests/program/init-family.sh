@@ -21,7 +21,7 @@ for family in table-table head-head head-table; do
 			fi
 			make_meshes m.xml
 			"$FIVECHECK" --check-machine m.xml >tree 2>errors || cat errors
-			grep -c 'body ' tree
+			grep -c '^ *body ' tree
 		done
 	done
 done | sort | uniq -c
