@@ -12,4 +12,4 @@ machine m.xml <<'XML'
   <pairs><pair a="low" b="high" check="always"/></pairs>
 XML
 awk 'BEGIN { for (i = 0; i < 20000; i++) print "G1 X" (i % 2 ? 0 : 50) " F1000" }' >shuttle.nc
-fivecheck m.xml shuttle.nc | grep -E 'clear|queries|bisections' | sed 's/  *$//'
+fivecheck --stats m.xml shuttle.nc | grep -E 'clear|queries|bisections' | sed 's/  *$//'
