@@ -109,7 +109,9 @@ struct dialect_traits {
 	enum answer arcs_have_turns;	/* in P */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */
+	enum answer cycles_apart;	/* cycles and G80 are a group beside G0 to G3: G80 brings back which of them was there */
 	/* Moves to places of the machine. */
+	enum answer motion_beside_words;	/* G0 to G3 beside G10, G28, G30, G52, G92 hold from the next block on; no: an error */
 	enum g53_rate g53_rate;
 	enum g53_under_tcp g53_under_tcp;
 	enum answer g53_alone;	/* G53 without motion and axis words does nothing; no: it is an error */

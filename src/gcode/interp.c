@@ -64,7 +64,11 @@ static bool run_block(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
 	struct block *block = &interp->block;
-	struct block_modes modes = {interp->state.motion, interp->state.incremental};
+	struct block_modes modes = {
+	    .motion = interp->state.motion,
+	    .after_g80 = state_motion_after_g80(&interp->state, traits_of(interp)),
+	    .incremental = interp->state.incremental,
+	};
 
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
 	    !dialect->read_block(interp))

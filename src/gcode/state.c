@@ -97,6 +97,11 @@ double state_unit(int code)
 	return code == G20 ? MM_PER_INCH : 1;
 }
 
+int state_motion_after_g80(const struct state *state, const struct dialect_traits *traits)
+{
+	return traits->cycles_apart == ANSWER_YES ? state->path_motion : CODE_NONE;
+}
+
 static void init_modes(struct state *state, const struct dialect_traits *traits)
 {
 	const struct power_on *on = &traits->power_on;
@@ -113,7 +118,7 @@ static void init_modes(struct state *state, const struct dialect_traits *traits)
 
 void state_init(struct state *state, const struct gcode_config *config)
 {
-	*state = (struct state){.motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
+	*state = (struct state){.motion = CODE_NONE, .path_motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
 				.length_number = -1, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
 	init_modes(state, &config->dialect->traits);

@@ -64,7 +64,8 @@ struct state {
 	slot_values position;	/* of the controller's axes, as canon.h has it */
 	axis_values canonical;	/* the same in mm and radians */
 	slot_values offset;	/* program coordinates + offset = position; derived */
-	int motion;	/* G0 to G3, or CODE_NONE */
+	int motion;	/* of the motion in force, or CODE_NONE */
+	int path_motion;	/* G0 to G3, whichever was commanded last, or CODE_NONE */
 	/* Bits 1 << enum g_group: neither the program nor its dialect has said what is in force. */
 	unsigned unknown_modes;
 	int plane;	/* G17, G18, G19 */
@@ -154,6 +155,9 @@ void state_init(struct state *state, const struct gcode_config *config);
 /* What G93 to G95 switch to, and mm per unit of length of G20 and G21. */
 enum feed_mode state_feed_mode(int code);
 double state_unit(int code);
+
+/* The motion that G80 leaves in force, or CODE_NONE. */
+int state_motion_after_g80(const struct state *state, const struct dialect_traits *traits);
 
 /* Recomputes state->offset after a change of anything that it is made of. */
 void state_update_offset(struct state *state);

@@ -223,7 +223,9 @@ static bool execute_nonmodal(struct interp *interp)
 
 static bool cancel_motion(struct interp *interp)
 {
-	interp->state.motion = CODE_NONE;
+	struct state *state = &interp->state;
+
+	state->motion = state_motion_after_g80(state, traits_of(interp));
 	return true;
 }
 
@@ -239,15 +241,21 @@ static bool execute_motion(struct interp *interp)
 	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
 	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
 	};
-	int code = interp->block.motion;
+	struct state *state = &interp->state;
+	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
 	if (!dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
 		return false;
+	if (given >= G0 && given <= G3)
+		state->motion = state->path_motion = given;
+	if (code == CODE_NONE && given == CODE_NONE)
+		return true;
+	if (code != CODE_NONE && code_is_cycle(code))
+		return canned_cycle_run(interp);
+	state->cycle.has_level = false;
+	/* Another code has taken the words. */
 	if (code == CODE_NONE)
 		return true;
-	if (code_is_cycle(code))
-		return canned_cycle_run(interp);
-	interp->state.cycle.has_level = false;
 	for (size_t i = 0; i < sizeof(motions) / sizeof(motions[0]); i++) {
 		if (motions[i].code == code)
 			return motions[i].run(interp);

@@ -78,6 +78,7 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 /* The modes in force that the checks need. */
 struct block_modes {
 	int motion;	/* CODE_NONE: cancelled */
+	int after_g80;	/* the motion that G80 brings back, or CODE_NONE */
 	bool incremental;
 };
 

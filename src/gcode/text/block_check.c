@@ -41,7 +41,8 @@ int block_motion_column(const struct block *block)
 }
 
 /* NIST RS274/NGC, 3.8; LinuxCNC's manual, "Modal Groups": which motion the block's words belong to. */
-static bool find_motion(struct block *block, const struct line_place *at, const struct block_modes *modes)
+static bool find_motion(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
+			const struct block_modes *modes)
 {
 	bool axes = block->letters & AXIS_BITS;
 	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
@@ -56,7 +57,11 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		return true;
 	}
 	if (takes_axis_words(other)) {
-		if (given != CODE_NONE && given != G80)
+		bool beside = given >= G0 && given <= G3 && traits->motion_beside_words == ANSWER_YES;
+
+		if (beside)
+			block->motion = CODE_NONE;
+		else if (given != CODE_NONE && given != G80)
 			return fault(at, block->g_column[G_MOTION],
 				     "G%d and G%d both need the axis words of the block; write two blocks", given / 10,
 				     other / 10);
@@ -64,7 +69,9 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 			return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
 		return true;
 	}
-	if (given == G80 && axes)
+	if (given == G80 && axes && modes->after_g80 != CODE_NONE)
+		block->motion = modes->after_g80;
+	else if (given == G80 && axes)
 		return fault(at, first_column(block, AXIS_BITS),
 			     "axis words with G80, which cancels motion; give them a motion code instead");
 	if (given != CODE_NONE)
@@ -330,7 +337,7 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	if (!check_idle(block, at))
 		return false;
 	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) &&
-	    !find_motion(block, at, modes))
+	    !find_motion(block, at, &dialect->traits, modes))
 		return false;
 	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && !(block->letters & AXIS_BITS) &&
 	    !(dialect->traits.cycles && dialect->traits.cycles->without_axes == ANSWER_YES))

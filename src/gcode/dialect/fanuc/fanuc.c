@@ -104,6 +104,9 @@ const struct dialect dialect_fanuc = {
 		.arcs_have_turns = ANSWER_NO,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
+		/* G code list: cycles are group 09, G0 to G3 group 01, G28 and its like group 00. */
+		.cycles_apart = ANSWER_YES,
+		.motion_beside_words = ANSWER_YES,
 		/* Machine coordinate system (G53). */
 		.g53_rate = G53_RATE_RAPID,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,

@@ -146,6 +146,9 @@ const struct dialect dialect_haas = {
 		.arcs_have_turns = ANSWER_NO,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
+		/* G-codes: cycles are group 09, G00 to G03 group 01, G28 and its like group 00. */
+		.cycles_apart = ANSWER_YES,
+		.motion_beside_words = ANSWER_YES,
 		.g53_rate = G53_RATE_PROGRAMMED,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
 		.g53_alone = ANSWER_YES,

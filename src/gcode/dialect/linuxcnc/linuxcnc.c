@@ -137,6 +137,9 @@ const struct dialect dialect_linuxcnc = {
 		.arcs_have_turns = ANSWER_YES,
 		.wrap_below_turn = ANSWER_YES,
 		.cycles = &cycles,
+		/* "Modal Groups": cycles and G80 are of one group with G0 to G3. */
+		.cycles_apart = ANSWER_NO,
+		.motion_beside_words = ANSWER_NO,
 		.g53_rate = G53_RATE_PROGRAMMED,
 		/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
 		.g53_under_tcp = G53_UNDER_TCP_TOOL_POINT,
