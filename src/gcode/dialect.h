@@ -100,7 +100,7 @@ struct dialect_traits {
 	const char *dwell_letters;
 	enum dwell_p dwell_p;
 	enum answer dwell_alone;
-	enum answer text_before_percent;	/* lines that are no blocks may precede the first '%'; no: blank ones */
+	enum answer text_before_percent;	/* text that is no block may precede the first '%'; no: blank lines */
 	/* Motion and feed. */
 	enum feed_forgotten feed_forgotten;
 	enum empty_feed_move empty_feed_move;

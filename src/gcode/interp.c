@@ -8,6 +8,7 @@
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
 #include "gcode/state.h"
+#include "gcode/text/leader.h"
 #include "gcode/text/rest_of_file.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
@@ -220,6 +221,8 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	interp->program.source = interp->program.sources.items[0];
 	reader = &interp->program.source->reader;
 	interp->at = (struct line_place){.diag = interp->diag, .file = interp->program.source->name};
+	if (traits_of(interp)->text_before_percent == ANSWER_YES)
+		leader_skip(reader);
 	while (good && !interp->ended && next_line(interp, &good)) {
 		if (!interp->program.start.source)
 			interp->program.start = source_here(interp->program.source);

@@ -225,31 +225,41 @@ static bool read_label(struct block *block, struct lexer *lexer, const char *wha
 	return true;
 }
 
+/*
+ * '/', or where the control has several switches "/2" and more of them; here one option stands for all. False: none.
+ */
+static bool read_slashes(struct lexer *lexer, const struct block_rules *rules)
+{
+	bool any = false;
+
+	while (lexer_peek(lexer) == '/' && (!any || rules->numbered_switches)) {
+		any = true;
+		lexer_take(lexer);
+		if (rules->numbered_switches && lexer_peek(lexer) >= '0' && lexer_peek(lexer) <= '9')
+			lexer_take(lexer);
+	}
+	return any;
+}
+
 /* '/', program number and line number, in this order. */
 static bool read_start(struct block *block, struct lexer *lexer, const struct gcode_config *config,
 		       const struct block_rules *rules, bool *skipped)
 {
-	char next = lexer_peek(lexer);
+	char next;
 
-	if (next == '/') {
-		*skipped = config->read.block_delete;
-		lexer_take(lexer);
-		next = lexer_peek(lexer);
-		/* "/2" is one of several switches of the control; here one option stands for all. */
-		if (rules->numbered_switches && next >= '0' && next <= '9') {
-			lexer_take(lexer);
-			next = lexer_peek(lexer);
-		}
-	}
+	*skipped = read_slashes(lexer, rules) && config->read.block_delete;
 	if (*skipped)
 		return true;
+	next = lexer_peek(lexer);
 	if (rules->program_numbers && (next == 'O' || next == 'o' || next == ':')) {
 		if (!read_label(block, lexer, "a program number"))
 			return false;
 		next = lexer_peek(lexer);
 	}
-	if (next == 'N' || next == 'n')
-		return read_label(block, lexer, "a line number");
+	if ((next == 'N' || next == 'n') && !read_label(block, lexer, "a line number"))
+		return false;
+	/* 30i-B operator's manual, optional block skip: a '/' behind N skips the rest of the block. */
+	*skipped = rules->numbered_switches && read_slashes(lexer, rules) && config->read.block_delete;
 	return true;
 }
 

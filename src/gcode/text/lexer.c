@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "gcode/text/line_shape.h"
 #include "gcode/text/number.h"
 
 void lexer_init(struct lexer *lexer, const struct line_place *at, const struct lexer_rules *rules, void *context)
@@ -47,6 +48,25 @@ static bool skip_comment(struct lexer *lexer)
 	return true;
 }
 
+/*
+ * What stands behind a ';' that ends a block: has it any word or statement? Text without one is a remark, which the
+ * control refuses or passes over, but which moves no axis.
+ */
+static bool may_be_blocks(const char *text)
+{
+	char squeezed[LINE_SHAPE_MAX];
+
+	if (strlen(text) >= LINE_SHAPE_MAX || strpbrk(text, "#[%"))
+		return true;
+	for (; *text; text += *text == ';') {
+		line_shape_squeeze(text, squeezed);
+		if (line_shape_has_word(squeezed))
+			return true;
+		text += strcspn(text, ";");
+	}
+	return false;
+}
+
 static bool skip_rest(struct lexer *lexer)
 {
 	const char *rest = lexer->at->text + lexer->position + 1;
@@ -54,7 +74,7 @@ static bool skip_rest(struct lexer *lexer)
 	if (!lexer->rules->semicolon)
 		return fault(lexer->at, lexer_column(lexer),
 			     "whether ';' starts a comment or ends the block is not known of this control");
-	if (lexer->rules->semicolon == SEMICOLON_ENDS_BLOCK && rest[strspn(rest, " \t;")] != '\0')
+	if (lexer->rules->semicolon == SEMICOLON_ENDS_BLOCK && may_be_blocks(rest))
 		return fault(lexer->at, lexer_column(lexer),
 			     "';' ends a block on this control; write what follows on a line of its own, "
 			     "or in parentheses if it is a comment");

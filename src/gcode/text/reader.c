@@ -11,6 +11,8 @@
 /* Bytes behind the line in hand that stay in the buffer: shorter loops need not read the file again. */
 #define FILE_KEEP (CHUNK / 2)
 
+#define END_OF_TEXT 0x1A
+
 void reader_init(struct reader *reader, FILE *in)
 {
 	off_t base = ftello(in);
@@ -48,6 +50,9 @@ static bool refill(struct reader *reader)
 			return false;
 		reader->at_end = got < want;
 	}
+	/* CP/M ended text with it, and controls still send it behind the last block. */
+	while (reader->at_end && reader->end > reader->begin && reader->buffer[reader->end - 1] == END_OF_TEXT)
+		reader->end--;
 	return true;
 }
 
@@ -75,10 +80,19 @@ static size_t find_break(const struct reader *reader, size_t from)
 	return (size_t)(p - reader->buffer);
 }
 
-static enum reader_status check_byte_order_mark(struct reader *reader)
+/* Steps over what may precede the first byte of the text: a byte order mark, or the blank feed of a tape, which is NULs. */
+static enum reader_status check_start(struct reader *reader)
 {
-	const char *start = reader->buffer + reader->begin;
-	size_t length = reader->end - reader->begin;
+	const char *start;
+	size_t length, text = reader->begin;
+
+	while (text < reader->end && reader->buffer[text] == '\0')
+		text++;
+	/* NULs alone are no program. */
+	if (text < reader->end)
+		reader->begin = text;
+	start = reader->buffer + reader->begin;
+	length = reader->end - reader->begin;
 
 	if (length >= 3 && !memcmp(start, "\xef\xbb\xbf", 3))
 		reader->begin += 3;
@@ -122,7 +136,7 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 		if (!refill(reader))
 			return READER_FAILED;
 		if (reader->line == 0)
-			status = check_byte_order_mark(reader);
+			status = check_start(reader);
 		at = find_break(reader, reader->begin);
 		reader->cut = reader->end;
 	}

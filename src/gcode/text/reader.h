@@ -47,7 +47,8 @@ void reader_release(struct reader *reader);
 
 /*
  * The next line, without its end (LF, CR LF or CR) and ended by a NUL; it
- * lives until the next call. A UTF-8 byte order mark is skipped. With a fault
+ * lives until the next call. Skipped are a UTF-8 byte order mark and NULs at the
+ * start of the input, and bytes 0x1A at its end. With a fault
  * of one line, reader->line is that line, and for READER_NUL_BYTE and
  * READER_MIXED_ENDS *text is what precedes the faulty byte.
  */

@@ -8,6 +8,7 @@
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_seek.h"
 #include "gcode/dialect/fanuc/macro_b_vars.h"
+#include "gcode/text/line_shape.h"
 #include "gcode/text/number.h"
 
 /* On some controls the first two letters will do (B-63944EN, abbreviation). */
@@ -212,6 +213,37 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 		     macro_b_call_title(call, title));
 }
 
+/*
+ * The head of a program that has a name in place of its number, "<PART-1>" (30i-B operator's manual B-64484EN, program
+ * name), or an O with text that a post processor left to be filled in. Neither says anything of a motion.
+ */
+static bool take_name(struct interp *interp, bool *done)
+{
+	struct macro_b *macro = macro_b_of(interp);
+	const char *text = line_start(&interp->at);
+	size_t length = strcspn(text, ">");
+	char squeezed[LINE_SHAPE_MAX];
+	struct lexer lexer;
+
+	if (macro->started || macro->level > 0)
+		return true;
+	line_shape_squeeze(text, squeezed);
+	if (*text == '<' && text[length] == '>') {
+		lexer_init(&lexer, &interp->at, &macro_b_word_rules, interp);
+		lexer.position = (size_t)(text - interp->at.text) + length + 1;
+		if (!end_statement(&lexer))
+			return false;
+	} else if ((*text == 'O' || *text == 'o') && (text[1] == ' ' || text[1] == '\t') && !line_shape_moves_axes(text) &&
+		   isalpha((unsigned char)squeezed[1])) {
+		caution(&interp->at, 1, "the program has no number behind its O; this line is passed over");
+	} else {
+		return true;
+	}
+	macro->calls[0].program = source_here(interp->program.source);
+	macro->started = *done = true;
+	return true;
+}
+
 /* The whole number behind a letter; nothing is taken if there is none. */
 static bool take_number(struct lexer *lexer, double *value)
 {
@@ -224,18 +256,24 @@ static bool take_number(struct lexer *lexer, double *value)
 	return true;
 }
 
+/* '/', '/2', or several of them. */
+static void skip_slash(struct lexer *lexer)
+{
+	while (lexer_peek(lexer) == '/') {
+		lexer_take(lexer);
+		if (isdigit((unsigned char)lexer_peek(lexer)))
+			lexer_take(lexer);
+	}
+}
+
 /* Skips '/', O and N as block_read reads them, which reports what is wrong with them. */
-static bool skip_start(struct interp *interp, struct lexer *lexer)
+static bool skip_start(struct interp *interp, struct lexer *lexer, bool *skipped)
 {
 	double value;
 	char byte;
 
-	if (lexer_peek(lexer) == '/') {
-		lexer_take(lexer);
-		byte = lexer_peek(lexer);
-		if (byte >= '0' && byte <= '9')
-			lexer_take(lexer);
-	}
+	if (lexer_peek(lexer) == '/')
+		skip_slash(lexer);
 	if (!lexer_skip_comments(lexer))
 		return false;
 	byte = lexer_peek(lexer);
@@ -247,6 +285,10 @@ static bool skip_start(struct interp *interp, struct lexer *lexer)
 	byte = lexer_peek(lexer);
 	if (byte == 'N' || byte == 'n')
 		take_number(lexer, &value);
+	if (lexer_peek(lexer) == '/') {
+		skip_slash(lexer);
+		*skipped = interp->config->read.block_delete;
+	}
 	return lexer_skip_comments(lexer);
 }
 
@@ -338,6 +380,7 @@ bool macro_b_line(struct interp *interp, bool *done)
 {
 	struct macro_b *macro = macro_b_of(interp);
 	const char *text = line_start(&interp->at);
+	bool skipped = false;
 	struct lexer lexer;
 
 	*done = false;
@@ -349,9 +392,13 @@ bool macro_b_line(struct interp *interp, bool *done)
 		return true;
 	if (*text == '%')
 		return do_percent(interp, done);
+	if (!take_name(interp, done) || *done)
+		return *done;
 	lexer_init(&lexer, &interp->at, &macro_b_word_rules, interp);
-	if (!skip_start(interp, &lexer))
+	if (!skip_start(interp, &lexer, &skipped))
 		return false;
+	if (skipped)
+		return true;
 	macro->started = macro->started || lexer_peek(&lexer) != '\0';
 	return do_statement(interp, &lexer, done);
 }

@@ -1,0 +1,28 @@
+#include "gcode/text/leader.h"
+
+#include "gcode/text/line_shape.h"
+
+/* A header of more lines is none. */
+#define LEADER_LINES_MAX 1000
+
+void leader_skip(struct reader *reader)
+{
+	char block[LINE_SHAPE_MAX];
+	long long start = 0;
+	const char *text;
+
+	while (reader->line < LEADER_LINES_MAX && reader_next(reader, &text) == READER_LINE) {
+		if (reader->line == 1)
+			start = reader->start;
+		line_shape_squeeze(text, block);
+		if (*block == '%') {
+			reader_seek(reader, reader->start, reader->line);
+			return;
+		}
+		if (line_shape_is_program_number(block) || line_shape_is_block(block) || line_shape_moves_axes(block))
+			break;
+	}
+	if (reader->line > 0)
+		reader_seek(reader, start, 1);
+	reader->furthest = 0;
+}

@@ -1,0 +1,39 @@
+# What stands around the blocks of a posted program: names, text before the first '%', ends of tapes and files.
+small_machine
+sed -i 's|<base>|<controller dialect="fanuc" least_input="0.001"/><base>|' m.xml
+
+# read TEXT - one line: what comes of a program of this text, for both controls
+read_as() {
+	printf '%b' "$1" >p.nc
+	for dialect in fanuc haas; do
+		printf '%s: ' "$dialect"
+		fivecheck --dialect="$dialect" --parse-only $2 m.xml p.nc 2>&1 | grep -E '(error|warning|limits|finding):|within' |
+			head -n "${3:-1}"
+	done
+}
+
+body='G21 G90 G17\nG0 X1.\n'
+read_as "%\n<PART-1>(TITLE)\n${body}M30\n%\n"
+read_as "%\n<PART-1> X2.\n${body}M30\n%\n"
+read_as "%\nO1\n<PART-2>\n${body}M30\n%\n"
+read_as "%\nO ENTER OP AND LAST 3 DIGITS\n${body}M30\n%\n"
+read_as "%\nO X500.\n${body}M30\n%\n"
+read_as "=====\nListing by: lili (draft\nDate: 10/25/2006 5:12:18 PM D:\\\\part.prt\n%\nO1\n${body}M30\n%\nend of listing\n"
+# The only '%' may end a program that none starts: nothing is skipped.
+read_as "${body}M30\n%\n"
+read_as "(header)\n${body}%\n${body}M30\n"
+# Bytes of tapes and of CP/M.
+read_as "\0\0\0\0%\nO1\n${body}M30\n%\n"
+read_as "%\nO1\n${body}\0X5.\nM30\n%\n"
+read_as "O1\n${body}\032"
+read_as "O1\n${body}X2.\032X3.\n"
+read_as "%\rO1\r\rG21 G90\rG0 X1.\rM30\r%\r"
+read_as "%\r\n\r\no1\r\ng21 g90\r\n\tg0 x 1 . 5\r\nn123456789012345678 m30\r\n%\r\n"
+# X500 is beyond the limit: skipped blocks do not count.
+slashes="O1\n${body}/X500.\n/2 X500.\n/1/3 X500.\nN10 /X500.\nM30\n"
+read_as "$slashes" --block-delete
+read_as "$slashes" -a 9
+# Text behind ';' may stay if it has no word.
+read_as "O1\n${body}G0 X2.; to the left, then back\nM30;\n"
+read_as "O1\n${body}G0 X2.; then X500.\nM30;\n"
+read_as "O1\n${body}G0 X2.; then; #1=5\nM30;\n"
