@@ -348,7 +348,7 @@ static const struct {
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block needs M99 P\n    [1 EQ 1] G0 X1.\n            "
 	 " ^\n"},
-	{BOTH, "O ENTER OP\n", "p.nc:1:1: error: O without a number\n    O ENTER OP\n    ^\n"},
+	{BOTH, "O X5\n", "p.nc:1:1: error: O without a number\n    O ENTER OP\n    ^\n"},
 	{F, "N#1 G0\n",
 	 "p.nc:1:1: error: a line number must be a whole number that is not negative\n    N#1 G0\n    ^\n"},
 	{F, "M98 P1 G10 L2\n",
