@@ -26,12 +26,22 @@ static void add_coloured(struct strbuf *out, const char *text, enum diag_severit
 	strbuf_addf(out, "%s%.*s\033[0m%s", colours[severity], (int)length, at, at + length);
 }
 
+/* With --quiet: is it an error, or a note that follows an error directly and is not about a file as a whole? */
+static bool is_kept(struct stderr_ui *ui, const struct diag_entry *entry)
+{
+	bool of_file = entry->loc.file && !entry->loc.line;
+
+	ui->after_error = entry->severity == DIAG_ERROR ||
+			  (ui->after_error && entry->severity == DIAG_NOTE && !of_file);
+	return ui->after_error;
+}
+
 static void print_entry(void *context, const struct diag_entry *entry)
 {
 	struct stderr_ui *ui = context;
 	struct strbuf text = {0}, line = {0};
 
-	if (ui->quiet && entry->severity != DIAG_ERROR)
+	if (ui->quiet && !is_kept(ui, entry))
 		return;
 	stderr_ui_clear(ui);
 	diag_format(&text, entry);

@@ -11,7 +11,8 @@ enum progress_kind { PROGRESS_AUTO, PROGRESS_PLAIN, PROGRESS_NONE };
 
 struct stderr_ui {
 	struct diag diag;	/* prints every entry that is reported to it */
-	bool quiet;	/* errors only, no progress */
+	bool quiet;	/* prints errors and the notes that belong to them, no progress */
+	bool after_error;	/* the last entry was an error, or a note that belongs to it */
 	bool colour;
 	bool terminal;
 	enum progress_kind kind;

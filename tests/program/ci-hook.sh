@@ -26,4 +26,8 @@ status git commit -q -m folder
 git rm -q --cached 'side one/c.nc'
 git rm -q --cached a.nc
 status git commit -q -m 'no programs'
+# Every suffix that it is told.
+printf 'G1 Z-120 F6000\n' >d.tap
+git add d.tap
+status env PROGRAMS='*.nc *.tap' git commit -q -m suffix
 git log --format=%s
