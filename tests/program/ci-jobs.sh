@@ -9,6 +9,7 @@ for job in github-workflow gitlab-ci; do
 	file="$(dirname "$LIB")/../../examples/ci/$job.yml"
 	command=$(sed -n 's/^[ -]*\(fivecheck -.*\)/\1/p' "$file")
 	echo "$job:"
+	ls ./*.nc | sed 's,^./,,' >programs
 	status eval "$command"
 done
 test -s fivecheck.sarif && test -s fivecheck.xml
@@ -20,7 +21,7 @@ gitlab = yaml.safe_load(open(sys.argv[1] + '/gitlab-ci.yml'))
 assert any('fivecheck -j' in step.get('run', '') for step in github['jobs']['check']['steps'])
 assert gitlab['fivecheck']['artifacts']['reports']['junit'] == 'fivecheck.xml'
 # A subprogram or a mesh that changes is a reason to check, too.
-assert {'*.nc', '*.ngc', '*.xml', '**/*.stl'} <= set(gitlab['fivecheck']['rules'][0]['changes'])
+assert {'**/*.nc', '**/*.ngc', '**/*.xml', '**/*.stl'} <= set(gitlab['fivecheck']['rules'][0]['changes'])
 PY
 else
 	leave_out "there is no python3-yaml: the syntax is not looked at"
