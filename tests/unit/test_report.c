@@ -135,7 +135,7 @@ START_TEST(test_finding)
 	ndjson_finding(&out, &machine, &finding, (struct finding_style){0});
 	object = json_loads(out.text, JSON_REJECT_DUPLICATES, NULL);
 	ck_assert_ptr_nonnull(object);
-	ck_assert_uint_eq(json_object_size(object), 12);
+	ck_assert_uint_eq(json_object_size(object), 13);
 	ck_assert_str_eq(json_string_value(json_object_get(object, "kind")), "clearance");
 	ck_assert_double_eq_tol(number(object, "line"), 118, 1e-12);
 	ck_assert_double_eq_tol(number(object, "fraction"), 1.0 / 3, 1e-11);
