@@ -21,6 +21,9 @@ enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
 /* The answer to a question that only the maker of the machine or a parameter of the control can answer. */
 enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 
+/* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
+enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
+
 /* What the machine's maker has an M-code do. */
 enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE, MCODE_SPINDLE_ON, MCODE_SPINDLE_OFF };
 
@@ -50,6 +53,7 @@ struct controller {
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
+	enum length_after_reference length_after_reference;
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	struct control_place references[REFERENCES_MAX];

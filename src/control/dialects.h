@@ -23,7 +23,8 @@ struct dialect_row {
 	bool straight_rapids;
 	/*
 	 * Parameters of the control say what a number without a decimal point means, and whether axes move where the
-	 * length compensation changes. Otherwise the machine file must not tell it: least_input, length_offset_moves.
+	 * length compensation changes. Otherwise the machine file must not tell it: least_input,
+	 * length_offset_moves, length_after_reference.
 	 */
 	bool has_parameters;
 };

@@ -65,6 +65,9 @@ enum h_missing { H_MISSING_UNKNOWN, H_MISSING_SPINDLE, H_MISSING_LAST, H_MISSING
 /* H0: the length of the tool in the spindle, or none. */
 enum h_zero { H_ZERO_UNKNOWN, H_ZERO_SPINDLE, H_ZERO_NONE };
 
+/* H without G43: where G43 is in force it changes the length; or only H0 does that, and any other is refused. */
+enum h_alone { H_ALONE_UNKNOWN, H_ALONE_CHANGES, H_ALONE_CANCELS };
+
 /* How canned cycles drill: each answer is needed by each of them. */
 struct cycle_traits {
 	enum answer words_outlive_cycle;	/* words hold for the next cycle of another code, too */
@@ -133,6 +136,8 @@ struct dialect_traits {
 	/* Tool lengths. */
 	enum h_missing h_missing;
 	enum h_zero h_zero;
+	enum h_alone h_alone;	/* not known: H needs G43 in its block */
+	enum answer d_alone;	/* D may stand in any block: it moves nothing */
 	enum answer length_never_moves;	/* its change moves no axis; no: the machine file says it */
 	enum answer g49_finds_length_gone;	/* after G28, G30, G53 that may have taken it back */
 	const char *call_letters;	/* of M97 to M99; NULL: none */

@@ -119,7 +119,7 @@ static void init_modes(struct state *state, const struct dialect_traits *traits)
 void state_init(struct state *state, const struct gcode_config *config)
 {
 	*state = (struct state){.motion = CODE_NONE, .path_motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
-				.length_number = -1, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
+				.length_number = -1, .length_code = G49, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
 	init_modes(state, &config->dialect->traits);
 	state->tool = config->initial_tool;

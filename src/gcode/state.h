@@ -92,6 +92,7 @@ struct state {
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
 	int shift_code;	/* G52 or G92, whichever made the shift */
 	double length;	/* mm: length compensation in force */
+	int length_code;	/* G43, G43.4 or G234 in force, or G49 */
 	int length_doubt;	/* G28, G30, G53 or DOUBT_M6: what may have taken the length back, or CODE_NONE */
 	bool length_moves;	/* in this block the change of length moves axes by length_shift */
 	slot_values length_shift;	/* of X, Y and Z, in program coordinates */

@@ -47,6 +47,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->length_moves != ANSWER_UNKNOWN)
 		description_fault(file, described->at, "length_offset_moves",
 				  "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
+	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
+		description_fault(file, described->at, "length_after_reference",
+				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
 }
 
 void controller_build(struct machine_description *described, struct machine *machine)
@@ -65,6 +68,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->path_tolerance = from->path_tolerance.value;
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;
+	to->length_after_reference = from->length_after_reference;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance", "path_tolerance of <controller> must be more than 0");
 	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))

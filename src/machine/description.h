@@ -76,6 +76,7 @@ struct controller_description {
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
 	enum answer length_moves;
+	enum length_after_reference length_after_reference;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct place_description *places;

@@ -186,7 +186,8 @@ static const struct refusal usual_refusals[] = {
      "absolute coordinate, or say length_offset_moves=\"yes\" or \"no\" in the <controller> of the machine file"},
     {"G43 H1 G0 Z9\nG28 X1\nG0 Z5\n", 4,
      "G28 may have taken the tool's length compensation back: it depends on the control where Z leads now; command "
-     "G43, G43.4 or G49 again first"},
+     "G43, G43.4 or G49 again first, or say length_after_reference=\"keeps\" or \"cancels\" in the <controller> of "
+     "the machine file"},
     {"M98 P1\n", 5, "no code in the block uses the word P"},
     {"M99\n", 1, UNKNOWN("what the calls of subprograms (M97 to M99) do")},
     {"G65 P1\n", 1, "G65 stands before every other word of its block but N"},

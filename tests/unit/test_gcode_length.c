@@ -145,7 +145,9 @@ START_TEST(tool_change_leaves_doubt)
 		ck_assert(!case_run(&c, "G0 G43 H1 Z5.\nT2 M6\nZ5.\nM30\n"));
 		ck_assert_str_eq(strbuf_text(&c.messages),
 				 "p.nc:3:1: error: M6 may have taken the tool's length compensation back: it depends "
-				 "on the control where Z leads now; command G43, G43.4 or G49 again first\n"
+				 "on the control where Z leads now; command G43, G43.4 or G49 again first, or say "
+				 "length_after_reference=\"keeps\" or \"cancels\" in the <controller> of the machine "
+				 "file\n"
 				 "    Z5.\n    ^\n");
 		case_release(&c);
 		length_case(&c, dialects[i], ANSWER_NO);

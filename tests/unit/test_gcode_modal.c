@@ -99,9 +99,87 @@ START_TEST(cycles_apart)
 }
 END_TEST
 
+/* B-64484EN, "Tool Length Offset": where G43 is in force, the length changes with H, H0 is none, and H is modal. */
+START_TEST(modal_h)
+{
+	run(&dialect_fanuc, "G0 Z9.\nG43 H1\nZ5.\nZ6. H2\nH01 Z7.\nZ1. H00\nG49\nH2 X1.\nG43 Z3.\nG49 H1\nG43 Z4.\nM30\n",
+	    "rapid 0 0 9 0 0\nrapid 0 0 105 0 0\nrapid 0 0 46 0 0\nrapid 0 0 107 0 0\nrapid 0 0 1 0 0\n"
+	    "rapid 1 0 1 0 0\nrapid 1 0 43 0 0\nrapid 1 0 104 0 0\n");
+	/* Alone, and where G28 has taken the length back: the machine file has axes stand when it changes. */
+	run(&dialect_fanuc, "G0 G43 H1 Z5.\nH2\nZ6.\nG91 G28 Z0. H0\nG90 Z7.\nZ8. H1\nM30\n",
+	    "rapid 0 0 105 0 0\nrapid 0 0 46 0 0\nrapid 0 0 46 0 0\nrapid 0 0 0 0 0\nrapid 0 0 7 0 0\n"
+	    "rapid 0 0 108 0 0\n");
+	/* Under G43.4 it is the length of that. */
+	run(&dialect_fanuc, "G0 G43.4 H1 X0. Y0. Z5.\nZ6. H2\nM30\n",
+	    "tcp on length 0 zero A0 C0\ntcp on length 100 zero A0 C0\nrapid 0 0 5 0 0 tcp\n"
+	    "tcp on length 40 zero A0 C0\nrapid 0 0 6 0 0 tcp\n");
+	refuse(&dialect_fanuc, "G0 G43 H1 Z5.\nZ6. H3\n", 5, "H3: no setup was given that defines length offsets");
+	/* Haas mill operator's manual, "G49": H0 cancels the length, too. */
+	run(&dialect_haas, "G0 G43 H1 Z5.\nZ6. H00\nG43 H2 Z5.\nG91 G28 Z0. H0\nG90 Z7.\nM30\n",
+	    "rapid 0 0 105 0 0\nrapid 0 0 6 0 0\nrapid 0 0 45 0 0\nrapid 0 0 45 0 0\nrapid 0 0 0 0 0\n"
+	    "rapid 0 0 7 0 0\n");
+	refuse(&dialect_haas, "G0 G43 H1 Z5.\nZ6. H2\n", 5,
+	       "H2 without G43: whether it changes the length depends on the control; write G43 H2");
+}
+END_TEST
+
+/* B-64484EN, tool length offset and cutter compensation: D is modal, and G43 does not use it. */
+START_TEST(modal_d)
+{
+	for (int i = 0; i < 2; i++)
+		run(dialects[i], "G0 G43 H1 D31 Z5.\nD2\nX1. D3\nM30\n", "rapid 0 0 105 0 0\nrapid 1 0 105 0 0\n");
+	refuse(&dialect_linuxcnc, "D2\n", 1, "no code in the block uses the word D");
+}
+END_TEST
+
+static void run_after(const struct dialect *dialect, enum length_after_reference answer, const char *program,
+		      const char *moves)
+{
+	struct gcode_case c;
+
+	modal_case(&c, dialect);
+	c.config.controller.length_after_reference = answer;
+	c.config.controller.references[1].given = true;
+	case_expect(&c, program, moves);
+}
+
+/*
+ * Fanuc 0i-MB operator's manual (B-63844EN), "G53, G28, and G30 commands in tool length offset mode", parameter 5001#6
+ * (EVO). The machine's home is at 0.
+ */
+START_TEST(length_after_reference)
+{
+	static const char *const goes[] = {"G91 G28 Z0.\n", "G53 Z0.\n", "G91 G30 Z0.\n", "G91 G28 X0. Z0.\n"};
+	static const char *const ways[] = {"rapid 0 0 105 0 0\n", "", "rapid 0 0 105 0 0\n", "rapid 0 0 105 0 0\n"};
+
+	for (size_t i = 0; i < sizeof(goes) / sizeof(goes[0]); i++) {
+		struct strbuf program = {0}, kept = {0}, gone = {0};
+
+		strbuf_addf(&program, "G0 G43 H1 Z5.\n%sG90 Z7.\nH2 Z8.\nM30\n", goes[i]);
+		strbuf_addf(&kept, "rapid 0 0 105 0 0\n%srapid 0 0 0 0 0\nrapid 0 0 107 0 0\nrapid 0 0 48 0 0\n", ways[i]);
+		strbuf_addf(&gone, "rapid 0 0 105 0 0\n%srapid 0 0 0 0 0\nrapid 0 0 7 0 0\nrapid 0 0 48 0 0\n", ways[i]);
+		run_after(&dialect_fanuc, LENGTH_AFTER_REFERENCE_KEPT, program.text, kept.text);
+		run_after(&dialect_fanuc, LENGTH_AFTER_REFERENCE_GONE, program.text, gone.text);
+		strbuf_release(&program);
+		strbuf_release(&kept);
+		strbuf_release(&gone);
+	}
+	/* Haas mill operator's manual, "G28": Z loses its length there, whatever is said of other codes. */
+	run_after(&dialect_haas, LENGTH_AFTER_REFERENCE_KEPT, "G0 G43 H1 Z5.\nG91 G28 Z0.\nG90 Z7.\nM30\n",
+		  "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 7 0 0\n");
+	run_after(&dialect_haas, LENGTH_AFTER_REFERENCE_KEPT, "G0 G43 H1 Z5.\nG91 G30 Z0.\nG90 Z7.\nM30\n",
+		  "rapid 0 0 105 0 0\nrapid 0 0 105 0 0\nrapid 0 0 0 0 0\nrapid 0 0 107 0 0\n");
+	refuse(&dialect_fanuc, "G0 G43 H1 Z5.\nG91 G28 Z0.\nG90 Z7.\n", 5,
+	       "G28 may have taken the tool's length compensation back: it depends on the control where Z leads now; "
+	       "command G43, G43.4 or G49 again first, or say length_after_reference=\"keeps\" or \"cancels\" in the "
+	       "<controller> of the machine file");
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {motion_beside_reference, cycles_apart};
+	const TTest *const tests[] = {motion_beside_reference, cycles_apart, modal_h, modal_d,
+				      length_after_reference};
 
 	return RUN_TESTS("gcode_modal", tests);
 }

@@ -121,6 +121,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: <tool_change> gives no position\n"},
     {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
      "m.xml:3: error: <tool_change> is given twice\n"},
+    {MACHINE("<controller length_after_reference='keeps'/><base/>"),
+     "m.xml:2: error: length_after_reference of <controller>: LinuxCNC keeps the length offset\n"},
     {MACHINE("<controller length_offset_moves='no'/><base/>"),
      "m.xml:2: error: length_offset_moves of <controller>: LinuxCNC moves no axis when the length offset changes\n"},
     {MACHINE("<controller><reference number='5'/></controller><base/>"),

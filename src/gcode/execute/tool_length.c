@@ -66,6 +66,21 @@ bool tool_length_resume(struct interp *interp, int column, const struct suspende
 	return suspended->tcp == TCP_OFF || switch_tcp(interp, column, suspended->tcp, interp->state.length);
 }
 
+/* What the machine file says of a length that may be gone. TCP has more than a length to keep or to lose. */
+static void answer_doubt(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	enum length_after_reference answer = interp->config->controller.length_after_reference;
+
+	if (answer == LENGTH_AFTER_REFERENCE_UNKNOWN || (answer == LENGTH_AFTER_REFERENCE_GONE && state->tcp != TCP_OFF))
+		return;
+	state->length_doubt = CODE_NONE;
+	if (answer == LENGTH_AFTER_REFERENCE_GONE) {
+		state->length = 0;
+		state_update_offset(state);
+	}
+}
+
 void tool_length_after_machine(struct interp *interp, int code, const bool moved[SLOT_COUNT])
 {
 	struct state *state = &interp->state;
@@ -80,6 +95,8 @@ void tool_length_after_machine(struct interp *interp, int code, const bool moved
 		dialect->after_machine_move(interp, code, moved);
 	else
 		state->length_doubt = code;
+	if (state->length_doubt != CODE_NONE)
+		answer_doubt(interp);
 }
 
 bool tool_length_is_in_doubt(struct interp *interp, int slot, int column)
@@ -90,9 +107,12 @@ bool tool_length_is_in_doubt(struct interp *interp, int slot, int column)
 		return false;
 	return !fault(&interp->at, column,
 		      "%c%d may have taken the tool's length compensation back: it depends on the control where %c "
-		      "leads now; command G43, G43.4 or G49 again first",
+		      "leads now; command G43, G43.4 or G49 again first%s",
 		      state->length_doubt == DOUBT_M6 ? 'M' : 'G',
-		      state->length_doubt == DOUBT_M6 ? 6 : state->length_doubt / 10, AXIS_LETTERS[slot]);
+		      state->length_doubt == DOUBT_M6 ? 6 : state->length_doubt / 10, AXIS_LETTERS[slot],
+		      state->tcp != TCP_OFF ? ""
+					    : ", or say length_after_reference=\"keeps\" or \"cancels\" in the "
+					      "<controller> of the machine file");
 }
 
 bool tool_length_offsets_changed(struct interp *interp, int column)
@@ -211,18 +231,51 @@ static bool is_taken_back(const struct interp *interp, int code, int doubt)
 	       traits_of(interp)->g49_finds_length_gone == ANSWER_YES;
 }
 
+/* H without a G-code of its group: it stands for the code in force, or is kept for the next one. */
+static bool take_h_alone(struct interp *interp)
+{
+	struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	enum h_alone h_alone = traits_of(interp)->h_alone;
+	int column, number;
+
+	bool cancelled = block->g[G_LENGTH] == G49;
+
+	if (!block_has(block, 'H') || (block->g[G_LENGTH] != CODE_NONE && !cancelled) || h_alone == H_ALONE_UNKNOWN)
+		return true;
+	column = block_column(block, 'H');
+	if (!block_integer(block, &interp->at, 'H', 0, INT_MAX, &number))
+		return false;
+	if (h_alone == H_ALONE_CANCELS && number != 0)
+		return fault(&interp->at, column,
+			     "H%d without G43: whether it changes the length depends on the control; write G43 H%d", number,
+			     number);
+	if (cancelled || state->length_code == G49) {
+		state->length_number = number;
+		return true;
+	}
+	block->g[G_LENGTH] = h_alone == H_ALONE_CANCELS ? G49 : state->length_code;
+	block->g_column[G_LENGTH] = column;
+	return true;
+}
+
 bool tool_length_select(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	int code = block->g[G_LENGTH], column = block->g_column[G_LENGTH], doubt = state->length_doubt;
+	int code, column, doubt = state->length_doubt;
 	enum tcp_source source = state->tcp;
 	double length = 0;
 
 	state->length_moves = false;
+	if (!take_h_alone(interp))
+		return false;
+	code = block->g[G_LENGTH];
+	column = block->g_column[G_LENGTH];
 	if (code == CODE_NONE)
 		return true;
 	state->length_doubt = CODE_NONE;
+	state->length_code = code;
 	/* Haas mill operator's manual, "G234 Tool Center Point Control". */
 	if (code == G234)
 		code = G43_4;

@@ -280,6 +280,8 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('P');
 	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
+	used |= traits->h_alone ? letter_bit('H') : 0;
+	used |= traits->d_alone == ANSWER_YES ? letter_bit('D') : 0;
 	if (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO)
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_CONTOUR] != CODE_NONE)
@@ -317,7 +319,8 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 {
 	int code = block->g[G_NONMODAL];
 	bool moves = (code != G4 && (block->letters & AXIS_BITS)) || code == G28 || code == G30 || code == G53_1 ||
-		     (block->g[G_LENGTH] != CODE_NONE && config->controller.length_moves == ANSWER_YES);
+		     ((block->g[G_LENGTH] != CODE_NONE || block_has(block, 'H')) &&
+		      config->controller.length_moves == ANSWER_YES);
 	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;
 
 	if (config->dialect->traits.known_order == ANSWER_YES || block->m[group] == CODE_NONE || !moves)

@@ -67,6 +67,9 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const zeros[] = {"machine", "offset", NULL};
 	static const char *const answers[] = {"yes", "no", NULL};
 	static const enum answer meanings[] = {ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO};
+	static const char *const lengths[] = {
+		[LENGTH_AFTER_REFERENCE_KEPT - 1] = "keeps", [LENGTH_AFTER_REFERENCE_GONE - 1] = "cancels", NULL,
+	};
 	static const struct xml_child children[] = {{"mcode", read_mcode, false, false},
 						    {"reference", read_reference, false, false},
 						    {"tool_change", read_tool_change, false, false},
@@ -82,6 +85,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->path_tolerance = xml_optional_length(xml, node, "path_tolerance");
 	controller->least_input = xml_optional_number(xml, node, "least_input");
 	controller->length_moves = meanings[xml_choice(xml, node, "length_offset_moves", answers, -1) + 1];
+	controller->length_after_reference =
+	    (enum length_after_reference)(xml_choice(xml, node, "length_after_reference", lengths, -1) + 1);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));
 	xml_read_children(xml, node, children, described);

@@ -133,6 +133,9 @@ const struct dialect dialect_fanuc = {
 		/* H is modal data (C Executer manual B-62443EN-3, reading modal data). */
 		.h_missing = H_MISSING_LAST,
 		.h_zero = H_ZERO_NONE,
+		/* B-64484EN, "Tool Length Offset": the length changes with H; cutter compensation: D is modal. */
+		.h_alone = H_ALONE_CHANGES,
+		.d_alone = ANSWER_YES,
 		.length_never_moves = ANSWER_NO,
 		/* B-63844EN, see after_machine_move. */
 		.g49_finds_length_gone = ANSWER_YES,

@@ -115,6 +115,7 @@ static void after_machine_move(struct interp *interp, int code, const bool moved
 		return;
 	if (code == G28 && moved[SLOT_Z] && state->tcp == TCP_OFF) {
 		state->length = 0;
+		state->length_code = G49;
 		state_update_offset(state);
 	} else if (code != DOUBT_M6 || moved[SLOT_Z] || state->tcp != TCP_OFF) {
 		state->length_doubt = code;
@@ -172,6 +173,9 @@ const struct dialect dialect_haas = {
 		.shifts_ignore_g91 = ANSWER_NO,
 		.h_missing = H_MISSING_REFUSED,
 		.h_zero = H_ZERO_NONE,
+		/* "G49 Cancel G43/G44/G143": H0 does the same. That any other H changes the length is not said. */
+		.h_alone = H_ALONE_CANCELS,
+		.d_alone = ANSWER_YES,
 		.length_never_moves = ANSWER_NO,
 		.g49_finds_length_gone = ANSWER_NO,
 		.call_letters = "LP",
