@@ -5,36 +5,15 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "gcode/execute/cycle_hole.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
-/*
- * mm: LinuxCNC 2.9 stops its rapid this far above the last depth. On other controls a parameter says how far; the rapid
- * stays within the way that the cycle makes in any case.
- */
-#define PECK_CLEARANCE 0.254
-
 /* More pecks or holes in one block are a typing mistake, and carrying them out would seem to hang. */
 #define COUNT_MAX 1000000
-
-struct canned_cycle {
-	struct interp *interp;
-	int code;
-	const struct cycle_traits *traits;
-	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
-	struct canon_feed feed;
-	slot_values at;	/* straight position of the tool */
-	slot_values step;	/* from hole to hole */
-	int repeats;
-	double r, bottom, clear;	/* straight positions on the drilling axis */
-	double dwell;	/* seconds */
-	bool dwells;
-	double peck;	/* mm */
-	double shift_a, shift_b, top;	/* G87: aside, and the straight position of the counterbore's top */
-};
 
 /* ------------------------------------------------------------------ words */
 
@@ -302,88 +281,7 @@ static bool check_spindle(struct canned_cycle *cycle)
 	return true;
 }
 
-/* ------------------------------------------------------------------ moves */
-
-static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
-{
-	/* Tapping without M3: the cycle starts the spindle itself. */
-	bool taps = cycle->code == G74 || cycle->code == G84;
-	struct canon_move move = {
-	    .kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
-
-	cycle->at.v[cycle->depth] = height;
-	return motion_commands_go(cycle->interp, &cycle->at, &move);
-}
-
-static bool rapid(struct canned_cycle *cycle, double height)
-{
-	return go(cycle, CANON_RAPID, height);
-}
-
-static bool feed(struct canned_cycle *cycle, double height)
-{
-	return go(cycle, CANON_FEED, height);
-}
-
-static bool rest(struct canned_cycle *cycle)
-{
-	return !cycle->dwells ||
-	       motion_commands_emit(cycle->interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = cycle->dwell});
-}
-
-static bool make_pecks(struct canned_cycle *cycle)
-{
-	double depth = cycle->r - cycle->peck;
-
-	while (depth > cycle->bottom) {
-		if (!feed(cycle, depth) || (cycle->code == G83 && !rapid(cycle, cycle->r)) ||
-		    !rapid(cycle, depth + PECK_CLEARANCE))
-			return false;
-		depth -= cycle->peck;
-	}
-	return feed(cycle, cycle->bottom) && rapid(cycle, cycle->clear);
-}
-
-static bool step_aside(struct canned_cycle *cycle, double sign, double height)
-{
-	cycle->at.v[cycle->a] += sign * cycle->shift_a;
-	cycle->at.v[cycle->b] += sign * cycle->shift_b;
-	return rapid(cycle, height);
-}
-
-/* G87: goes down beside the axis of the hole, bores upwards on the axis, and leaves the same way. */
-static bool bore_back(struct canned_cycle *cycle)
-{
-	return step_aside(cycle, 1, cycle->r) && rapid(cycle, cycle->bottom) && step_aside(cycle, -1, cycle->bottom) &&
-	       feed(cycle, cycle->top) && feed(cycle, cycle->bottom) && step_aside(cycle, 1, cycle->bottom) &&
-	       rapid(cycle, cycle->clear) && step_aside(cycle, -1, cycle->clear);
-}
-
-/* Leaves the hole at the feed as far as R, and on some controls taps and G89 further to the retract height. */
-static bool feed_out(struct canned_cycle *cycle)
-{
-	if (cycle->traits->feeds_to_clear == ANSWER_YES && cycle->code != G85)
-		return feed(cycle, cycle->clear);
-	return feed(cycle, cycle->r) && rapid(cycle, cycle->clear);
-}
-
-static bool make_hole(struct canned_cycle *cycle)
-{
-	switch (cycle->code) {
-	case G73:
-	case G83:
-		return make_pecks(cycle);
-	case G87:
-		return bore_back(cycle);
-	case G74:
-	case G84:
-	case G85:
-	case G89:
-		return feed(cycle, cycle->bottom) && rest(cycle) && feed_out(cycle);
-	default:
-		return feed(cycle, cycle->bottom) && rest(cycle) && rapid(cycle, cycle->clear);
-	}
-}
+/* ------------------------------------------------------------------ holes */
 
 /*
  * Moves over the next hole and down to R. Where cycles rise first, the first
@@ -395,11 +293,11 @@ static bool go_over(struct canned_cycle *cycle, bool first, double height)
 	bool rises = cycle->traits->rises_first == ANSWER_YES;
 	double over = !rises || (first && height > cycle->r) ? height : cycle->clear;
 
-	if (!rapid(cycle, over))
+	if (!cycle_hole_rapid(cycle, over))
 		return false;
 	if (rises && !(over > cycle->r))
 		return true;
-	return rapid(cycle, cycle->r);
+	return cycle_hole_rapid(cycle, cycle->r);
 }
 
 static bool make_holes(struct canned_cycle *cycle)
@@ -409,7 +307,7 @@ static bool make_holes(struct canned_cycle *cycle)
 	for (int i = 0; i < cycle->repeats; i++) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
 			cycle->at.v[slot] += cycle->step.v[slot];
-		if (!go_over(cycle, i == 0, height) || !make_hole(cycle))
+		if (!go_over(cycle, i == 0, height) || !cycle_hole_make(cycle))
 			return false;
 		height = cycle->at.v[cycle->depth];
 	}
@@ -422,7 +320,7 @@ static bool rise(struct canned_cycle *cycle)
 	const struct state *state = &cycle->interp->state;
 	double level = state->cycle.level * state->scale + state->offset.v[cycle->depth];
 
-	return cycle->traits->rises_first == ANSWER_NO || !(level < cycle->r) || rapid(cycle, cycle->r);
+	return cycle->traits->rises_first == ANSWER_NO || !(level < cycle->r) || cycle_hole_rapid(cycle, cycle->r);
 }
 
 static bool make_cycle(struct canned_cycle *cycle)
