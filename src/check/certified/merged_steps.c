@@ -3,11 +3,12 @@
 #include <assert.h>
 #include <math.h>
 
+#include "check/step.h"
 #include "motion/span.h"
 
 /*
- * mm: what a radian counts for when the speeds along a stretch are chosen; any value
- * is right, a good one keeps deviations small.
+ * mm: a radian counts as much as this many mm when the speeds along merged steps are chosen. The proof holds for any
+ * value; a good one keeps the deviations small.
  */
 #define RADIAN 100.0
 
@@ -38,8 +39,8 @@ static void hold_corner(struct chord *chord, const axis_values *q, double s)
 static void halve(const struct chord *whole, struct chord *first, struct chord *second);
 
 /*
- * Over the steps u0 to u1 - 1. Between two corners both the chord and the step are linear, so that
- * they are farthest apart at a corner; to that comes by how much a step leaves its own line.
+ * The chord of the steps u0 to u1 - 1. Between two corners both the chord and the step are linear, so they are farthest
+ * apart at a corner. The deviation is that distance plus the largest deviation of a step from its own line.
  */
 static struct chord over_steps(const struct batch_step *steps, double u0, double u1)
 {
@@ -99,4 +100,19 @@ struct chord merged_steps_chord(const struct batch_step *steps, size_t count)
 {
 	assert(count > 0 && count <= MERGED_STEPS_MAX && !(count & (count - 1)));
 	return over_steps(steps, 0, (double)count);
+}
+
+const axis_values *merged_steps_tolerance(const struct chain *chain, const struct chord *merged, axis_values *most)
+{
+	const struct batch_step *steps = merged->curve;
+	size_t count = (size_t)merged->u1;
+	bool any = false;
+
+	*most = steps[0].motion.tolerance;
+	for (size_t i = 0; i < count; i++) {
+		for (int k = 0; k < SLOT_COUNT; k++)
+			most->v[k] = fmax(most->v[k], steps[i].motion.tolerance.v[k]);
+		any |= step_may_stray(chain, &steps[i].motion);
+	}
+	return any ? most : NULL;
 }

@@ -8,18 +8,21 @@
 #include "check/batch.h"
 #include "scene/motion_interval.h"
 
-/* The most steps to a stretch; a power of two, so that halving ends at single steps. */
+/* The most steps that are merged; a power of two, so that halving ends at single steps. */
 enum { MERGED_STEPS_MAX = 32 };
 
-/* Can the step be part of a stretch? Not if its way is not known (PATH_BOX). */
+/* Can the step be merged with others? A step whose way is not known (PATH_BOX) cannot. */
 bool merged_steps_takes(const struct batch_step *step);
 
 /*
  * The chord from where the first of `count` steps begins to where the last ends;
  * count is a power of two up to MERGED_STEPS_MAX, each step begins where the one before it ends, and
- * the steps outlive the chord. Its deviation holds for the way through all of them, run
- * through at whatever speeds suit the chord: it tells apart from contact, but not when.
+ * the steps outlive the chord. Its deviation holds for the way through all steps at speeds that suit the chord, not at
+ * the programmed ones. So a sweep of the chord tells whether the bodies meet, but not when. It has no path tolerance yet.
  */
 struct chord merged_steps_chord(const struct batch_step *steps, size_t count);
+
+/* The largest path tolerance of the chord's steps, kept in *most; NULL: the control may leave none of them. */
+const axis_values *merged_steps_tolerance(const struct chain *chain, const struct chord *merged, axis_values *most);
 
 #endif

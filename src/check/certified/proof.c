@@ -1,7 +1,9 @@
 #include "check/certified/proof.h"
 
+#include <assert.h>
 #include <math.h>
 
+#include "check/certified/merged_steps.h"
 #include "check/step.h"
 
 /* Above the clearance it does not matter where exactly the target is missed: this share of what is beyond the clearance. */
@@ -29,20 +31,32 @@ double pair_proof_needed(const struct pair_proof *proof)
 	return proof->target + proof->tolerance;
 }
 
-void pair_proof_forget_position(struct pair_proof *proof)
+void pair_proof_aim(struct pair_proof *proof, double wanted)
 {
-	proof->clear_at_end = false;
+	double target = wanted > proof->clearance + proof->tolerance ? wanted : proof->clearance;
+
+	assert(target <= proof->target);
+	proof->target = target;
 }
 
-void pair_proof_resume(struct pair_proof *proof, const axis_values *q)
+void pair_proof_forget_position(struct pair_proof *proof)
+{
+	proof->clear_at_end = proof->position_known = false;
+}
+
+/* A piece of motion ended at q. */
+static void follow(struct pair_proof *proof, const axis_values *q, bool clear)
 {
 	kept_budgets_resume(&proof->budgets, q);
+	proof->position_known = clear;
+	proof->clear_at_end = clear;
 }
 
 void pair_proof_add_distance(struct pair_proof *proof, const axis_values *q, const struct chain_state *state,
 			     double distance)
 {
 	kept_budgets_set(&proof->budgets, q, state, distance - pair_proof_needed(proof));
+	proof->position_known = false;
 }
 
 bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *step)
@@ -57,7 +71,7 @@ bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis
 {
 	if (!kept_budgets_cover_box(&proof->budgets, low, high, end, errors))
 		return false;
-	proof->clear_at_end = true;
+	proof->clear_at_end = proof->position_known = true;
 	return true;
 }
 
@@ -71,10 +85,11 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 		step_box(step, &low, &high);
 		return pair_proof_box(proof, &low, &high, errors, &span->q1);
 	}
-	if (!kept_budgets_cover(&proof->budgets, &span->q0, &span->q1, errors))
-		return false;
-	proof->clear_at_end = true;
-	return true;
+	if (!proof->position_known)
+		kept_budgets_resume(&proof->budgets, &span->q0);
+	proof->position_known = kept_budgets_cover(&proof->budgets, &span->q0, &span->q1, errors);
+	proof->clear_at_end |= proof->position_known;
+	return proof->position_known;
 }
 
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)
@@ -84,7 +99,7 @@ bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)
 	return kept_budgets_recall(&proof->budgets, &step->span.q0, &step->span.q1, &errors);
 }
 
-bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *chord)
+bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *merged)
 {
 	const struct clearance_query query = {
 		.sweep = sweep,
@@ -93,12 +108,14 @@ bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struc
 		.tolerance = proof->tolerance,
 		.any = true,
 	};
+	struct chord chord = *merged;
 	struct contact contact;
+	axis_values tolerance;
 
-	if (clearance_query_chord(&query, chord, &contact) != QUERY_CLEAR)
+	chord.tolerance = merged_steps_tolerance(proof->bodies.chain, merged, &tolerance);
+	if (clearance_query_chord(&query, &chord, &contact) != QUERY_CLEAR)
 		return false;
-	kept_budgets_resume(&proof->budgets, &chord->q1);
-	proof->clear_at_end = true;
+	follow(proof, &chord.q1, true);
 	return true;
 }
 
@@ -116,7 +133,6 @@ enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep,
 	};
 	enum query_answer answer = clearance_query_step(&query, step, contact);
 
-	kept_budgets_resume(&proof->budgets, &step->span.q1);
-	proof->clear_at_end = answer == QUERY_CLEAR;
+	follow(proof, &step->span.q1, answer == QUERY_CLEAR);
 	return answer;
 }

@@ -17,16 +17,19 @@
  * that it passes. So it passes nothing that the sweep would report, and no verdict depends on which way was tried
  * (test_one_verdict).
  *
- * The proof counts nothing and chooses nothing: strategy.h asks, and decides what to ask next.
+ * The proof counts nothing and chooses nothing: strategy.h asks, and decides what to ask next. The proof must be told
+ * two things truly: that motion was left out (pair_proof_forget_position), and no distance that was not proved
+ * (pair_proof_add_distance).
  */
 struct pair_proof {
 	struct body_pair bodies;
 	double clearance;	/* mm: c */
-	double target;	/* mm: t; INFINITY: not chosen yet, nothing can be proved */
+	double target;	/* mm: t, which pair_proof_aim chooses; INFINITY: not chosen yet, nothing can be proved */
 	double tolerance;	/* mm: e */
 	struct coherence coherence;
 	struct kept_budgets budgets;	/* regions of joint space, in each of which D > t + e at its chosen target */
 	bool clear_at_end;	/* proved where the last piece of motion ended: the pair is apart there */
+	bool position_known;	/* the budget in use has counted all motion up to where the next piece begins */
 };
 
 /* The proof must stay where it is from here on; pair_proof_copy copies one. */
@@ -36,23 +39,26 @@ void pair_proof_copy(struct pair_proof *to, const struct pair_proof *from);
 /* mm: t + e. */
 double pair_proof_needed(const struct pair_proof *proof);
 
-/* Motion was left out: of what the axes do next only the budgets know. */
+/*
+ * Chooses t: `wanted` mm, or c if `wanted` is at most c + e, for a target is c, or above c + e. A target may only become
+ * smaller: then the budgets that were made for a larger one still hold.
+ */
+void pair_proof_aim(struct pair_proof *proof, double wanted);
+
+/* Motion was left out: the next piece does not begin where the last one ended. Only the budgets still hold. */
 void pair_proof_forget_position(struct pair_proof *proof);
 
-/* The axes stand at q, without having been followed there. */
-void pair_proof_resume(struct pair_proof *proof, const axis_values *q);
-
-/* A distance of more than `distance` mm was proved at q, where the chain's state is `state`: it makes a new budget. */
+/* sweep_distance proved more than `distance` mm at q, where the chain's state is `state`: it makes a new budget. */
 void pair_proof_add_distance(struct pair_proof *proof, const axis_values *q, const struct chain_state *state,
 			     double distance);
 
 /*
- * A step that moves no joint between the bodies, and that the control may not leave, begins where the last piece ended: what was
- * proved there holds throughout. A sweep of the step could report only what that of the piece had reported at its end.
+ * Still: the step moves no joint between the bodies, the control may not leave it, and the pair was proved apart where the
+ * step begins. That holds for the whole step: a sweep of it could only report what the last piece's sweep reports at its end.
  */
 bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *step);
 
-/* Box: by a budget, D > t + W + e wherever the axes stand between low and high, give or take `errors`. They end at `end`. */
+/* Box: by a budget, D > t + W + e at all positions between low and high, give or take `errors`. The motion ends at `end`. */
 bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,
 		    const struct position_errors *errors, const axis_values *end);
 
@@ -60,11 +66,11 @@ bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis
 bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_step *step,
 			       const struct position_errors *errors);
 
-/* Is the first of several steps within an earlier budget? That one is in use then. Proves nothing by itself. */
+/* Is the step within an earlier budget? Then that budget is used from here on. Proves nothing by itself. */
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step);
 
-/* Chord of several steps (merged_steps.h): by a sweep, D > t + W + e on all of them. */
-bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *chord);
+/* Chord of several steps, made by merged_steps_chord: by a sweep, D > t + W + e on all of them. */
+bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *merged);
 
 /*
  * Step, by the sweep that has the last word. At t = c: CLEAR: D > c + W at every instant of it. CONTACT: *contact is the first

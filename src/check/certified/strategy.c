@@ -7,30 +7,31 @@
 #include "check/step.h"
 
 /*
- * The share of a distance that a budget is content with. Measured: 0.1 to 0.25
- * are about equally good, 0.7 takes twice as long in all for a fifth fewer queries.
+ * The first distance query for a budget asks for this share of the true distance. Measured: 0.1 to 0.25 perform alike;
+ * 0.7 takes twice as long in all, for a fifth fewer queries.
  */
 #define BUDGET_SHARE 0.15
 
 /*
- * And of one that is to last longer, asked for where the first is of no use but the distance is there.
- * It may cost as much as the sweeps since the last such query. Measured: 0.35 to 0.5 are about equally good.
+ * A second, sharper distance query asks for this share of the true distance. It is used when the first query proved too
+ * little although two triangles are known that are more than SHARP_NEED times the way of the step beyond what is needed. It may
+ * look at as many node pairs as the sweeps did since the last such query. Measured: 0.35 to 0.5 perform alike.
  */
 #define SHARP_SHARE 0.5
-#define SHARP_NEED 2	/* ways of the step that must be there */
+#define SHARP_NEED 2
 
-/* Ways of the step that a query must prove to have been worth its time. */
+/* A query was worth its time if the room that it proves is more than this many times the way of the step. */
 #define PAYING_ROOM 4
 
-/* How much of a distance beyond the clearance that turned out too small is tried next when the smallest is measured. */
+/* When the smallest clearance is measured and a target does not hold, this share of its part beyond the clearance is next. */
 #define MEASURE_SHARE 0.8
 
-/* Steps that are at most swept before the distance is asked for again. Measured: 64 cost a tenth more nearby. */
+/* After queries that did not pay, at most so many steps are swept until the next one. Measured: 64 cost a tenth more nearby. */
 #define BACKOFF_MAX 256
 
 /*
- * What share of the distance the second-order term and the chord errors of merged steps may take. Measured:
- * 0.05 to 0.1 are about equally good; 1 costs four times as much where bodies turn fast close to each other.
+ * Steps are merged if the second-order term and the chord errors take at most this share of the distance. Measured: 0.05
+ * to 0.1 perform alike; 1 costs four times as much where bodies turn fast close to each other.
  */
 #define CHORD_ERROR_SHARE 0.1
 
@@ -43,15 +44,9 @@ void strategy_init(struct strategy *strategy, const struct body_pair *bodies, do
 		strategy->proof.target = INFINITY;
 }
 
-/* What is measured next: `wanted` mm, or the clearance itself where that is hardly less. A target is c, or above c + e (proof.h). */
-static double target_of(const struct pair_proof *proof, double wanted)
-{
-	return wanted > proof->clearance + proof->tolerance ? wanted : proof->clearance;
-}
-
 void strategy_cap(struct strategy *strategy, double most)
 {
-	strategy->proof.target = target_of(&strategy->proof, most);
+	pair_proof_aim(&strategy->proof, most);
 }
 
 static void copy_state(struct strategy *to, const struct strategy *from)
@@ -75,7 +70,7 @@ void strategy_join(struct strategy *whole, const struct strategy *part)
 	copy_state(whole, part);
 	whole->covered_steps = covered_steps;
 	whole->queries = queries;
-	whole->proof.target = target;
+	pair_proof_aim(&whole->proof, target);
 }
 
 double strategy_proven(const struct strategy *strategy)
@@ -85,7 +80,6 @@ double strategy_proven(const struct strategy *strategy)
 
 void strategy_forget_position(struct strategy *strategy)
 {
-	strategy->position_unknown = true;
 	pair_proof_forget_position(&strategy->proof);
 }
 
@@ -103,7 +97,7 @@ static bool covered(struct strategy *strategy, const struct motion_step *step, c
 	return true;
 }
 
-/* mm that the step moves the pair, roughly: below that a distance does not help. */
+/* mm: roughly how far the step moves the bodies against each other. A smaller distance does not help. */
 static double way_of(const struct chain *chain, const struct chain_state *state, const struct span *span)
 {
 	double way = 0;
@@ -117,8 +111,8 @@ static double way_of(const struct chain *chain, const struct chain_state *state,
 }
 
 /*
- * mm, a lower bound on the distance at q: coarsely first, and once more sharply where there is enough
- * of it but too little was proved. Up to `needed` mm it is of no use.
+ * mm: a lower bound on the distance at q. A coarse query comes first, then a sharp one if it may pay (SHARP_SHARE). A
+ * distance of up to `needed` mm is of no use.
  */
 static double ask_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double needed,
 			   double way)
@@ -138,7 +132,7 @@ static double ask_distance(struct strategy *strategy, struct sweep *sweep, const
 	return distance;
 }
 
-/* As sharply as the smallest clearance is measured. */
+/* The same with a query as sharp as the smallest clearance is measured; the first such distance sets the target. */
 static double measure_distance(struct strategy *strategy, struct sweep *sweep, const axis_values *q, double enough)
 {
 	struct pair_proof *proof = &strategy->proof;
@@ -148,11 +142,11 @@ static double measure_distance(struct strategy *strategy, struct sweep *sweep, c
 
 	strategy->queries++;
 	if (first)
-		proof->target = target_of(proof, MEASURE_SHARE * distance);
+		pair_proof_aim(proof, MEASURE_SHARE * distance);
 	return distance;
 }
 
-/* Asks for the distance where the step ends and starts a new budget with it. */
+/* Asks for the distance at the end of the step and starts a new budget with it. */
 static void renew(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 		  const struct position_errors *errors)
 {
@@ -164,13 +158,12 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(bodies->chain, &state, span);
-	/* Coarse queries are cheap, even where the path tolerance leaves nothing of what they prove; sharp ones are not. */
+	/* What the path tolerance takes off counts for sharp queries only: coarse ones are cheap even if nothing is left. */
 	lost = strategy->measures ? motion_budget_least(bodies->chain, &state, errors) : 0;
 	distance = strategy->measures
 			   ? measure_distance(strategy, sweep, &span->q1, pair_proof_needed(proof) + lost + way)
 			   : ask_distance(strategy, sweep, &span->q1, pair_proof_needed(proof), way);
 	pair_proof_add_distance(proof, &span->q1, &state, distance);
-	pair_proof_resume(proof, &span->q0);
 	if (distance - pair_proof_needed(proof) - lost > PAYING_ROOM * way) {
 		strategy->backoff = 1;
 	} else {
@@ -179,7 +172,7 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
-/* The step with the target as it stands. */
+/* Tries to prove the step for the present target. */
 static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 				 struct contact *contact)
 {
@@ -193,7 +186,7 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 	if (covered(strategy, step, &errors))
 		return QUERY_CLEAR;
 	if (!WITH_BUDGET && !is_measuring_first(strategy)) {
-		/* No distance is of use. */
+		/* This build has no budgets, so a distance is of no use. */
 	} else if (strategy->steps_to_next_query > 0 && !is_measuring_first(strategy)) {
 		strategy->steps_to_next_query--;
 	} else {
@@ -214,35 +207,16 @@ enum query_answer strategy_advance_step(struct strategy *strategy, struct sweep 
 	struct pair_proof *proof = &strategy->proof;
 	enum query_answer answer;
 
-	if (strategy->position_unknown)
-		pair_proof_resume(proof, &step->span.q0);
-	strategy->position_unknown = false;
 	while ((answer = attempt(strategy, sweep, step, contact)) != QUERY_CLEAR && proof->target > proof->clearance) {
-		/* Neither a finding nor undecided yet: less than was hoped for may remain. */
-		double nearest = answer == QUERY_CONTACT ? fmin(contact->distance, proof->target) : proof->clearance;
+		/* This answer is about the target, not about the clearance: try a smaller target. */
+		double closest = answer == QUERY_CONTACT ? fmin(contact->distance, proof->target) : proof->clearance;
 
-		proof->target = target_of(proof, proof->clearance + MEASURE_SHARE * (nearest - proof->clearance));
-		pair_proof_resume(proof, &step->span.q0);
+		pair_proof_aim(proof, proof->clearance + MEASURE_SHARE * (closest - proof->clearance));
 	}
 	return answer;
 }
 
-/* The most that the control may leave any of the steps by; NULL: it may not. */
-static const axis_values *tolerance_of_steps(const struct chain *chain, const struct batch_step *steps, size_t count,
-					     axis_values *most)
-{
-	bool any = false;
-
-	*most = steps[0].motion.tolerance;
-	for (size_t i = 0; i < count; i++) {
-		for (int k = 0; k < SLOT_COUNT; k++)
-			most->v[k] = fmax(most->v[k], steps[i].motion.tolerance.v[k]);
-		any |= step_may_stray(chain, &steps[i].motion);
-	}
-	return any ? most : NULL;
-}
-
-/* Is the chord so nearly straight for every point that it need not be halved for that? */
+/* Does every point move so nearly straight along the chord that the chord need not be halved for that? */
 static bool is_nearly_straight(const struct strategy *strategy, const struct chord *chord)
 {
 	const struct body_pair *bodies = &strategy->proof.bodies;
@@ -256,7 +230,7 @@ static bool is_nearly_straight(const struct strategy *strategy, const struct cho
 	       CHORD_ERROR_SHARE * strategy->proof.coherence.near;
 }
 
-/* As many steps as are worth it, not many more than the last time; less than two: none. */
+/* How many steps to merge: at most twice as many as last time. *chord is the chord of them. Less than two: merge none. */
 static size_t choose_merge(const struct strategy *strategy, const struct batch_step *steps, size_t count,
 			   struct chord *chord)
 {
@@ -280,7 +254,6 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 			      size_t count)
 {
 	struct pair_proof *proof = &strategy->proof;
-	axis_values tolerance;
 	struct chord chord;
 	size_t merge_count;
 	bool proved;
@@ -294,7 +267,6 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 	strategy->merge_count = merge_count;
 	if (merge_count < 2)
 		return 0;
-	chord.tolerance = tolerance_of_steps(proof->bodies.chain, steps, merge_count, &tolerance);
 	strategy->sweep_visits -= sweep->visits;
 	proved = pair_proof_chord(proof, sweep, &chord);
 	strategy->sweep_visits += sweep->visits;
@@ -303,7 +275,6 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 		return 0;
 	}
 	strategy->steps_to_next_query -= (int)merge_count;
-	strategy->position_unknown = false;
 	return merge_count;
 }
 
@@ -313,7 +284,6 @@ bool strategy_advance_box(struct strategy *strategy, const axis_values *low, con
 	if (!pair_proof_box(&strategy->proof, low, high, errors, end))
 		return false;
 	strategy->covered_steps += (long)steps;
-	strategy->position_unknown = false;
 	strategy->distance_pays = true;
 	return true;
 }

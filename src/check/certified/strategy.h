@@ -12,7 +12,6 @@
 struct strategy {
 	struct pair_proof proof;
 	bool measures;	/* the smallest clearance */
-	bool position_unknown;	/* steps were left out since the last one */
 	int steps_to_next_query;	/* steps before the next distance query is worth its time */
 	int backoff;	/* how many steps to wait after the next query that does not pay */
 	bool distance_pays;	/* false: the last step had to be swept */
