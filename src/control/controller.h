@@ -24,6 +24,11 @@ enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 /* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
 enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
 
+/* Modes that the control has when it is switched on, if a parameter of the control decides. */
+enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
+enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
+enum power_on_plane { POWER_ON_PLANE_UNKNOWN, POWER_ON_XY, POWER_ON_ZX, POWER_ON_YZ };
+
 /* What the machine's maker has an M-code do. */
 enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE, MCODE_SPINDLE_ON, MCODE_SPINDLE_OFF };
 
@@ -51,7 +56,10 @@ struct controller {
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
-	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 0: whole units */
+	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 1: whole units; 0: not known */
+	enum power_on_units power_on_units;
+	enum power_on_distance power_on_distance;
+	enum power_on_plane power_on_plane;
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	const struct mcode *mcodes;

@@ -87,7 +87,10 @@ struct cycle_traits {
 	char repeat_letter;
 };
 
-/* Modes at power-on: G-codes in tenths. 0: not known; the program must choose before the first word that needs it. */
+/*
+ * Modes at power-on: G-codes in tenths. 0: a parameter of the control decides. Then the machine file says it, or the
+ * program must choose before the first word that needs it.
+ */
 struct power_on {
 	int units;	/* G20, G21 */
 	int distance;	/* G90, G91 */
@@ -179,6 +182,12 @@ struct dialect {
  */
 bool dialect_answers(const struct dialect *dialect, const struct line_place *at, int column, int answer,
 		     const char *question);
+
+/*
+ * Reports a number without a decimal point where neither the control nor least_input of the machine file says what it
+ * counts: the answers are a thousand times apart. False.
+ */
+bool dialect_refuse_whole_number(const struct line_place *at, int column, char letter, double value);
 
 /* Are all of its cycle_traits known? What a cycle does depends on several at once. False: reported at the column. */
 bool dialect_answers_cycles(const struct dialect *dialect, const struct line_place *at, int column);

@@ -102,9 +102,22 @@ int state_motion_after_g80(const struct state *state, const struct dialect_trait
 	return traits->cycles_apart == ANSWER_YES ? state->path_motion : CODE_NONE;
 }
 
-static void init_modes(struct state *state, const struct dialect_traits *traits)
+/* What the control has at power-on: by its dialect, or else by the machine file. */
+static struct power_on power_on_of(const struct gcode_config *config)
 {
-	const struct power_on *on = &traits->power_on;
+	static const int units[] = {0, G21, G20}, distances[] = {0, G90, G91}, planes[] = {0, G17, G18, G19};
+	struct power_on on = config->dialect->traits.power_on;
+
+	on.units = on.units ? on.units : units[config->controller.power_on_units];
+	on.distance = on.distance ? on.distance : distances[config->controller.power_on_distance];
+	on.plane = on.plane ? on.plane : planes[config->controller.power_on_plane];
+	return on;
+}
+
+static void init_modes(struct state *state, const struct gcode_config *config)
+{
+	const struct dialect_traits *traits = &config->dialect->traits;
+	const struct power_on own = power_on_of(config), *on = &own;
 
 	state->plane = on->plane ? on->plane : G17;
 	state->incremental = on->distance == G91;
@@ -121,7 +134,7 @@ void state_init(struct state *state, const struct gcode_config *config)
 	*state = (struct state){.motion = CODE_NONE, .path_motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
 				.length_number = -1, .length_code = G49, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
-	init_modes(state, &config->dialect->traits);
+	init_modes(state, config);
 	state->tool = config->initial_tool;
 	for (size_t i = 0; i < config->work_offset_count; i++) {
 		int system = system_of_name(config->work_offsets[i].name);

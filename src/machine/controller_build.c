@@ -50,6 +50,21 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
 		description_fault(file, described->at, "length_after_reference",
 				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
+	const struct {
+		int given;
+		const char *name;
+	} modes[] = {
+		{described->power_on_units, "power_on_units"},
+		{described->power_on_distance, "power_on_distance"},
+		{described->power_on_plane, "power_on_plane"},
+	};
+
+	for (size_t i = 0; i < sizeof(modes) / sizeof(modes[0]); i++) {
+		if (modes[i].given)
+			description_fault(file, described->at, modes[i].name,
+					  "%s of <controller>: %s always starts with G21, G90 and G17", modes[i].name,
+					  row->title);
+	}
 }
 
 void controller_build(struct machine_description *described, struct machine *machine)
@@ -69,6 +84,9 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;
 	to->length_after_reference = from->length_after_reference;
+	to->power_on_units = from->power_on_units;
+	to->power_on_distance = from->power_on_distance;
+	to->power_on_plane = from->power_on_plane;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance", "path_tolerance of <controller> must be more than 0");
 	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))

@@ -75,6 +75,9 @@ struct controller_description {
 	bool tcp_zero_offset;
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
+	enum power_on_units power_on_units;
+	enum power_on_distance power_on_distance;
+	enum power_on_plane power_on_plane;
 	enum answer length_moves;
 	enum length_after_reference length_after_reference;
 	struct mcode_description *mcodes;

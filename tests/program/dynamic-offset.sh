@@ -12,7 +12,7 @@ table='
       <workholding location="30 40 80"/>
     </axis></axis>'
 echo "$table" | machine base.xml
-sed 's|<base>|<controller dialect="haas"><tool_change/></controller><base>|' base.xml >m.xml
+sed 's|<base>|<controller dialect="haas" power_on_units="mm" power_on_distance="absolute" power_on_plane="xy" least_input="1"><tool_change/></controller><base>|' base.xml >m.xml
 setup s.xml <<'XML'
 <work_offset name="G54" X="41" Y="38" Z="-180"/>
 <tool number="1" length="80"><cutter tip="flat"><section length="80" diameter="6"/></cutter></tool>

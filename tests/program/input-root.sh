@@ -43,7 +43,7 @@ ln -sf ../lib/sub.ngc in/sub.ngc
 status fivecheck -q --input-root in in/m.xml in/p.nc
 status fivecheck -q in/m.xml in/p.nc
 printf '%%\nO1\nM98 P7\nM30\n%%\n' >in/f.nc
-printf '%%\nO7\nG0 X1.\nM99\n%%\n' >lib/O7.nc
+printf '%%\nO7\nG21 G90 G0 X1.\nM99\n%%\n' >lib/O7.nc
 status fivecheck -q --dialect fanuc --input-root in --include lib in/m.xml in/f.nc
 status fivecheck -q --dialect fanuc --include lib in/m.xml in/f.nc
 status fivecheck -q --input-root nowhere in/m.xml a.nc

@@ -1,7 +1,7 @@
 # Programs of G65 and M98 are found in the program's own file, in files beside it, in --include folders, nowhere else.
 small_machine
 mkdir lib
-printf '%%\nO1 (MAIN)\nG65 P2 A1.\nM98 P3\nM98 P4\nG65 P5\nM30\nO2\nG0 X#1\nM99\n%%\n' >a.nc
+printf '%%\nO1 (MAIN)\nG65 P2 A1.\nM98 P3\nM98 P4\nG65 P5\nM30\nO2\nG21 G90 G0 X#1\nM99\n%%\n' >a.nc
 printf '%%\nO0003\nG0 X3.\nM98 P6\nM99\nO6 (IN THE SAME FILE)\nX6.\nM99\n%%\n' >O0003.nc
 printf 'G0 X4.\nM99\n' >4
 printf 'O5\nG0 Q5.\nM99\n' >lib/O5.NC
@@ -16,9 +16,9 @@ printf 'M98 P7\nM30\n' >b.nc
 printf 'O8\nM99\n' >O7.nc
 fivecheck --dialect=fanuc --parse-only m.xml b.nc >/dev/null
 echo "exit $?"
-printf 'O1\n#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG0 X[#1*10.]\nEND1\nM30\n' |
+printf 'O1 G21 G90\n#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG0 X[#1*10.]\nEND1\nM30\n' |
 	fivecheck --dialect=haas --dump-path m.xml -
 echo "exit $?"
-printf 'N1 G0 X1.\nGOTO 1\n' >c.nc
+printf 'N1 G21 G90 G0 X1.\nGOTO 1\n' >c.nc
 fivecheck --dialect=fanuc --parse-only --max-blocks=500 m.xml c.nc >/dev/null
 echo "exit $?"

@@ -13,7 +13,7 @@ machine base.xml <<'XML'
     </axis></axis>
 XML
 for dialect in fanuc haas; do
-	sed "s|<base>|<controller dialect=\"$dialect\"/><base>|" base.xml >$dialect.xml
+	sed "s|<base>|<controller dialect=\"$dialect\" power_on_units=\"mm\" power_on_distance=\"absolute\" power_on_plane=\"xy\" least_input=\"1\"/><base>|" base.xml >$dialect.xml
 done
 setup s.xml <<'XML'
 <work_offset name="G54" X="10" Y="-5" Z="-250"/>

@@ -39,6 +39,11 @@ static inline void case_init(struct gcode_case *c)
 	*c = (struct gcode_case){.config.dialect = &dialect_linuxcnc, .diag = {.handle = case_note}};
 	for (int slot = SLOT_X; slot <= SLOT_C; slot++)
 		c->config.has_axis[slot] = slot != SLOT_B;
+	/* The parameters of a control that has them, so that short programs can be read. */
+	c->config.controller.least_input = 1;
+	c->config.controller.power_on_units = POWER_ON_MM;
+	c->config.controller.power_on_distance = POWER_ON_ABSOLUTE;
+	c->config.controller.power_on_plane = POWER_ON_XY;
 }
 
 static inline void case_release(struct gcode_case *c)

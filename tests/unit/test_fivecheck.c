@@ -269,7 +269,7 @@ START_TEST(reads_other_dialects_and_folders)
 	ck_assert(fivecheck_set_dialect(model, "fanuc", diag));
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);
 	ck_assert_int_eq(mkdir("lib", 0777), 0);
-	write_text("lib/O0002", "%\nO2\nG1 Z-5. F100.\nM99\n%\n");
+	write_text("lib/O0002", "%\nO2\nG21 G90 G1 Z-5. F100.\nM99\n%\n");
 	fivecheck_options_set_includes(options, folders, 1);
 	strbuf_clear(&messages);
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_CLEAR);

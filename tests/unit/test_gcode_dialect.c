@@ -66,6 +66,7 @@ static void expect_refusal(const struct refusal *refusal, const struct dialect *
 
 	case_init(&c);
 	c.config.dialect = dialect;
+	c.config.controller = (struct controller){0};
 	c.config.has_setup = true;
 	c.config.tools = &tool;
 	c.config.lengths = &length;
@@ -86,11 +87,14 @@ static void expect_refusal(const struct refusal *refusal, const struct dialect *
 }
 
 #define UNKNOWN(question) question " is not known of the bare dialect"
+#define PARAMETER(question, answer) \
+	"a parameter of the control decides " question ": " answer " of the machine's <controller> says it"
+#define UNITS "power_on_units=\"mm\" or \"inch\""
 
 static const struct refusal bare_refusals[] = {
-    {"G0 X1.\n", 1, UNKNOWN("whether lengths are mm or inches before any G20 or G21")},
-    {"G1 F9.\n", 4, UNKNOWN("whether F counts mm or inches before any G20 or G21")},
-    {"G0\nC90.\n", 1, UNKNOWN("whether lengths are mm or inches before any G20 or G21")},
+    {"G0 X1.\n", 1, PARAMETER("whether lengths are mm or inches before any G20 or G21", UNITS)},
+    {"G1 F9.\n", 4, PARAMETER("whether F counts mm or inches before any G20 or G21", UNITS)},
+    {"G0\nC90.\n", 1, PARAMETER("whether lengths are mm or inches before any G20 or G21", UNITS)},
     {"G21\n", 1, "G21 is no G-code that is known in the bare dialect"},
     {"G2 X1. I1.\n", 1, "G2 is no G-code that is known in the bare dialect"},
     {"G4 P1.\n", 1, "G4 is no G-code that is known in the bare dialect"},
@@ -135,9 +139,11 @@ END_TEST
 #define UNKNOWN(question) question " is not known of the silent dialect"
 
 static const struct refusal silent_refusals[] = {
-    {"G21\nG0 X1.\n", 1, UNKNOWN("whether coordinates are absolute before any G90 or G91")},
+    {"G21\nG0 X1.\n", 1,
+     PARAMETER("whether coordinates are absolute before any G90 or G91", "power_on_distance=\"absolute\" or \"incremental\"")},
     {"G21 G90\nG1 X1. F9.\n", 8, UNKNOWN("what F means before any G93, G94 or G95")},
-    {"G21 G90 G94\nG2 X1. I1. F9.\n", 1, UNKNOWN("which plane is in force before any G17, G18 or G19")},
+    {"G21 G90 G94\nG2 X1. I1. F9.\n", 1, 
+     PARAMETER("which plane is in force before any G17, G18 or G19", "power_on_plane=\"xy\", \"zx\" or \"yz\"")},
     {"G21 G90 G94 G17\nG2 X1. I1. F9.\n", 1, UNKNOWN("whether I, J and K count from the start of an arc")},
     {"G21 G90\nG0 X5\n", 4, UNKNOWN("what a number without a decimal point means")},
     {"G21 G94\nF9.\nG95\n", 1, UNKNOWN("whether the feed rate outlives G93, G94 and G95")},

@@ -208,9 +208,7 @@ static const struct {
 	 "p.nc:1:5: error: a macro statement stands in a block of its own\n    #1=1e5\n        ^\n"},
 	{BOTH, "#1=--1\n", "p.nc:1:5: error: two signs\n    #1=--1\n        ^\n"},
 	{F, "G65 P7 A1 X7 F2\n",
-	 "p.nc:1:8: warning: A1 has no decimal point and is read as whole units, as all such words; a control "
-	 "set to least input increments reads it a thousand times smaller, or more\n    G65 P7 A1 X7 F2\n     "
-	 "      ^\np.nc:1:1: error: the program O7 is neither in p.nc nor in a file of its own beside it or "
+	 "p.nc:1:1: error: the program O7 is neither in p.nc nor in a file of its own beside it or "
 	 "in an --include folder\n    G65 P7 A1 X7 F2\n    ^\n"},
 	{BOTH, "IF [1 EQ 1\n",
 	 "p.nc:1:11: error: this expression is not closed: ']' is missing\n    IF [1 EQ 1\n              ^\n"},
@@ -348,7 +346,7 @@ static const struct {
 	{H, "[1 EQ 1] G0 X1.\n",
 	 "p.nc:1:10: error: a condition at the start of a block needs M99 P\n    [1 EQ 1] G0 X1.\n            "
 	 " ^\n"},
-	{BOTH, "O X5\n", "p.nc:1:1: error: O without a number\n    O ENTER OP\n    ^\n"},
+	{BOTH, "O X5\n", "p.nc:1:1: error: O without a number\n    O X5\n    ^\n"},
 	{F, "N#1 G0\n",
 	 "p.nc:1:1: error: a line number must be a whole number that is not negative\n    N#1 G0\n    ^\n"},
 	{F, "M98 P1 G10 L2\n",

@@ -90,6 +90,9 @@ static void check_places(const struct controller *controller)
 	ck_assert_double_eq(controller->least_input, 0.001);
 	ck_assert_int_eq(controller->length_moves, ANSWER_YES);
 	ck_assert_int_eq(controller->length_after_reference, LENGTH_AFTER_REFERENCE_GONE);
+	ck_assert_int_eq(controller->power_on_units, POWER_ON_INCH);
+	ck_assert_int_eq(controller->power_on_distance, POWER_ON_INCREMENTAL);
+	ck_assert_int_eq(controller->power_on_plane, POWER_ON_YZ);
 	ck_assert(change->given && change->has[SLOT_X] && change->has[SLOT_Y] && change->has[SLOT_C]);
 	ck_assert(!change->has[SLOT_Z] && !change->has[SLOT_A]);
 	ck_assert_double_eq(change->value.v[SLOT_Y], -10);

@@ -113,6 +113,12 @@ static const struct xml_case bad[] = {
      "m.xml:3: error: the machine has a second <workholding>\n"},
     {MACHINE("<controller least_input='0.001'/><base/>"),
      "m.xml:2: error: least_input of <controller>: LinuxCNC has no least input increment\n"},
+    {MACHINE("<controller power_on_units='inch' power_on_distance='incremental' power_on_plane='zx'/><base/>"),
+     "m.xml:2: error: power_on_units of <controller>: LinuxCNC always starts with G21, G90 and G17\n"
+     "m.xml:2: error: power_on_distance of <controller>: LinuxCNC always starts with G21, G90 and G17\n"
+     "m.xml:2: error: power_on_plane of <controller>: LinuxCNC always starts with G21, G90 and G17\n"},
+    {MACHINE("<controller dialect='fanuc' power_on_units='inches'/><base/>"),
+     "m.xml:2: error: power_on_units=\"inches\" of <controller> must be mm or inch\n"},
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
      "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
     {MACHINE("<controller><tool_change X='1'/></controller><base/>"),

@@ -127,6 +127,10 @@ static struct machine machine_of(enum kind kind)
 
 	machine.controller.dialect = dialect_row_find("fanuc");
 	machine.controller.length_moves = ANSWER_NO;
+	machine.controller.power_on_units = POWER_ON_MM;
+	machine.controller.power_on_distance = POWER_ON_ABSOLUTE;
+	machine.controller.power_on_plane = POWER_ON_XY;
+	machine.controller.least_input = 1;
 	if (table) {
 		vec3 direction = kind == AC_TABLE ? rig_minus_x : (vec3){0, -1, 0};
 

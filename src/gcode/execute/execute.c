@@ -1,5 +1,6 @@
 #include "gcode/execute/execute.h"
 
+#include "base/same_double.h"
 #include "gcode/execute/arc_move.h"
 #include "gcode/execute/canned_cycle.h"
 #include "gcode/execute/coordinate_rotation.h"
@@ -16,6 +17,26 @@
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
+/* A mode that words of a block need. */
+struct mode_question {
+	int group;
+	bool needed;
+	int column;
+	const char *question;
+	const char *answer;	/* what the machine file may say of it; NULL: nothing */
+};
+
+#define UNITS_ANSWER "power_on_units=\"mm\" or \"inch\""
+
+static bool refuse_mode(const struct interp *interp, const struct mode_question *mode)
+{
+	if (!mode->answer)
+		return is_answered(interp, mode->column, false, mode->question);
+	return fault(&interp->at, mode->column,
+		     "a parameter of the control decides %s: %s of the machine's <controller> says it", mode->question,
+		     mode->answer);
+}
+
 /* Words whose meaning depends on a mode need the mode: from the program, or as it is at power-on. */
 static bool check_modes(struct interp *interp)
 {
@@ -27,28 +48,23 @@ static bool check_modes(struct interp *interp)
 			block->g[G_ROTATION] != CODE_NONE || block->g[G_CUTTER] != CODE_NONE;
 	bool axes = !dwells && (block->letters & AXIS_BITS), feed = block_has(block, 'F');
 	int column = block_motion_column(block), feed_column = feed ? block_column(block, 'F') : 0;
-	const struct {
-		int group;
-		bool needed;
-		int column;
-		const char *question;
-	} modes[] = {
-	    {G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21"},
-	    {G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21"},
-	    {G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91"},
-	    {G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19"},
+	const struct mode_question modes[] = {
+	    {G_UNITS, axes || arc, column, "whether lengths are mm or inches before any G20 or G21", UNITS_ANSWER},
+	    {G_UNITS, feed, feed_column, "whether F counts mm or inches before any G20 or G21", UNITS_ANSWER},
+	    {G_DISTANCE, axes, column, "whether coordinates are absolute before any G90 or G91",
+	     "power_on_distance=\"absolute\" or \"incremental\""},
+	    {G_PLANE, in_plane, column, "which plane is in force before any G17, G18 or G19",
+	     "power_on_plane=\"xy\", \"zx\" or \"yz\""},
 	    {G_ARC_DISTANCE, arc && (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))), column,
-	     "whether I, J and K count from the start of an arc"},
-	    {G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95"},
+	     "whether I, J and K count from the start of an arc", NULL},
+	    {G_FEED_MODE, feed, feed_column, "what F means before any G93, G94 or G95", NULL},
 	};
 
 	for (int group = 0; group < G_GROUPS; group++)
 		*unknown &= ~(block->g[group] == CODE_NONE ? 0U : 1U << group);
 	for (size_t i = 0; i < sizeof(modes) / sizeof(modes[0]); i++) {
-		bool is_known = !modes[i].needed || !(*unknown & 1U << modes[i].group);
-
-		if (!is_answered(interp, modes[i].column, is_known, modes[i].question))
-			return false;
+		if (modes[i].needed && (*unknown & 1U << modes[i].group))
+			return refuse_mode(interp, &modes[i]);
 	}
 	return true;
 }
@@ -159,20 +175,23 @@ static bool execute_increments(struct interp *interp)
 	struct block *block = &interp->block;
 	enum whole_numbers whole = traits_of(interp)->whole_numbers;
 	double increment = interp->config->controller.least_input;
-	double linear = interp->state.scale > 1 ? increment / 10 : increment;
+	/* With 1, parameter 3401#0 (DPI) or setting 162 has whole numbers count whole units, of either kind. */
+	double linear = interp->state.scale > 1 && increment < 1 ? increment / 10 : increment;
 
-	if (whole == WHOLE_NUMBERS_UNITS || (whole && !(increment > 0)) || block->g[G_NONMODAL] == G4)
+	if (whole == WHOLE_NUMBERS_UNITS || block->g[G_NONMODAL] == G4)
 		return true;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
 		int slot = slot_of_letter(*letter);
 
-		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
-			continue;
-		if (is_count(block, *letter))
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) || is_count(block, *letter) ||
+		    same_double(block_value(block, *letter), 0))
 			continue;
 		if (!is_answered(interp, block_column(block, *letter), whole,
 				 "what a number without a decimal point means"))
 			return false;
+		if (!(increment > 0))
+			return dialect_refuse_whole_number(&interp->at, block_column(block, *letter), *letter,
+							   block_value(block, *letter));
 		block->value[*letter - 'A'] *=
 		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ? increment : linear;
 	}

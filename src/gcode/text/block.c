@@ -263,34 +263,6 @@ static bool read_start(struct block *block, struct lexer *lexer, const struct gc
 	return true;
 }
 
-/* A control with least input increments reads whole numbers as multiples of its increment. */
-static void caution_points(const struct block *block, const struct line_place *at, const struct gcode_config *config,
-			   struct block_cautions *cautions)
-{
-	if (config->dialect->traits.whole_numbers != WHOLE_NUMBERS_INCREMENTS ||
-	    config->controller.least_input > 0 || cautions->point || block->g[G_NONMODAL] == G4)
-		return;
-	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter && !cautions->point; letter++) {
-		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)))
-			continue;
-		if (fpclassify(block_value(block, *letter)) == FP_ZERO)
-			continue;
-		/* K of Fanuc's cycles is a number of holes, Q the depth of a peck. */
-		if (*letter == 'K' && block->g[G_MOTION] != G2 && block->g[G_MOTION] != G3)
-			continue;
-		if (*letter == 'Q' && block->g[G_MOTION] != G73 && block->g[G_MOTION] != G83)
-			continue;
-		/* R of G5.1 is a level. */
-		if (*letter == 'R' && block->g[G_CONTOUR] != CODE_NONE)
-			continue;
-		caution(at, block_column(block, *letter),
-			"%c%.15g has no decimal point and is read as whole units, as all such words; a control set to "
-			"least input increments reads it a thousand times smaller, or more",
-			*letter, block_value(block, *letter));
-		cautions->point = true;
-	}
-}
-
 bool block_read(struct block *block, const struct line_place *at, const struct gcode_config *config,
 		const struct block_rules *rules, void *context, struct block_cautions *cautions)
 {
@@ -314,6 +286,5 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	block->words += lexer.assignments;
 	if (!check_axis_words(block, at, config))
 		return false;
-	caution_points(block, at, config, cautions);
 	return true;
 }

@@ -32,7 +32,6 @@ struct block {
 /* Warnings that a program gets only once. */
 struct block_cautions {
 	bool duplicate;
-	bool point;
 };
 
 static inline uint32_t letter_bit(char letter)

@@ -70,6 +70,9 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const lengths[] = {
 		[LENGTH_AFTER_REFERENCE_KEPT - 1] = "keeps", [LENGTH_AFTER_REFERENCE_GONE - 1] = "cancels", NULL,
 	};
+	static const char *const units[] = {"mm", "inch", NULL};
+	static const char *const distances[] = {"absolute", "incremental", NULL};
+	static const char *const planes[] = {"xy", "zx", "yz", NULL};
 	static const struct xml_child children[] = {{"mcode", read_mcode, false, false},
 						    {"reference", read_reference, false, false},
 						    {"tool_change", read_tool_change, false, false},
@@ -87,6 +90,10 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->length_moves = meanings[xml_choice(xml, node, "length_offset_moves", answers, -1) + 1];
 	controller->length_after_reference =
 	    (enum length_after_reference)(xml_choice(xml, node, "length_after_reference", lengths, -1) + 1);
+	controller->power_on_units = (enum power_on_units)(xml_choice(xml, node, "power_on_units", units, -1) + 1);
+	controller->power_on_distance =
+	    (enum power_on_distance)(xml_choice(xml, node, "power_on_distance", distances, -1) + 1);
+	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));
 	xml_read_children(xml, node, children, described);

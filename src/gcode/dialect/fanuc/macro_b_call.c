@@ -102,15 +102,10 @@ static bool scale_argument(struct interp *interp, const struct word *word, doubl
 
 	if (word->point || fpclassify(*value) == FP_ZERO || strchr("DHMST", word->letter))
 		return true;
-	if (!(increment > 0)) {
-		if (!interp->cautions.point)
-			caution(&interp->at, word->column,
-				"%c%.15g has no decimal point and is read as whole units, as all such words; a control "
-				"set to least input increments reads it a thousand times smaller, or more",
-				word->letter, *value);
-		interp->cautions.point = true;
+	if (!(increment > 0))
+		return dialect_refuse_whole_number(&interp->at, word->column, word->letter, *value);
+	if (!(increment < 1))
 		return true;
-	}
 	if (strchr(interp->state.scale > 1 ? "ABCEF" : "EF", word->letter))
 		return fault(&interp->at, word->column,
 			     "%c%.15g: what an argument without a decimal point is differs here; write the point",

@@ -222,7 +222,8 @@ bool macro_b_expr_function(struct expr *expr, int column, const struct function_
  */
 static double steps_of(const struct interp *interp, char letter)
 {
-	double increment = interp->config->controller.least_input, steps = increment > 0 ? round(1 / increment) : 1000;
+	double increment = interp->config->controller.least_input;
+	double steps = increment > 0 && increment < 1 ? round(1 / increment) : 1000;
 
 	if (letter >= 'A' && letter <= 'C')
 		return steps;

@@ -132,7 +132,8 @@ const struct dialect dialect_haas = {
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {
-		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
+		/* Parameters decide on units, distance and plane: the machine file has them. */
+		.power_on = {.feed_mode = G94},
 		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
 		.known_order = ANSWER_NO,
 		/* G04: milliseconds without a decimal point. */
