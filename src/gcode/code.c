@@ -26,5 +26,5 @@ const struct code *code_find(const struct code_set *const sets[CODE_SETS_MAX], i
 
 bool code_is_cycle(int number)
 {
-	return number == G73 || number == G74 || (number >= G81 && number <= G89);
+	return number == G73 || number == G74 || number == G76 || number == G77 || (number >= G81 && number <= G89);
 }

@@ -68,6 +68,12 @@ enum h_zero { H_ZERO_UNKNOWN, H_ZERO_SPINDLE, H_ZERO_NONE };
 /* H without G43: where G43 is in force it changes the length; or only H0 does that, and any other is refused. */
 enum h_alone { H_ALONE_UNKNOWN, H_ALONE_CHANGES, H_ALONE_CANCELS };
 
+/*
+ * G87: back boring beside the axis by I and J, up to K; the same by Q, up to Z; or a bore that the operator leaves by
+ * hand.
+ */
+enum g87 { G87_UNKNOWN, G87_BACK_BY_IJK, G87_BACK_BY_Q, G87_BY_HAND };
+
 /* How canned cycles drill: each answer is needed by each of them. */
 struct cycle_traits {
 	enum answer words_outlive_cycle;	/* words hold for the next cycle of another code, too */
@@ -84,6 +90,8 @@ struct cycle_traits {
 	enum answer feeds_to_clear;	/* taps and G89 leave the hole at the feed; no: they do up to R */
 	enum answer rises_first;	/* to R, before it goes over the first hole */
 	enum answer exact_path;	/* whatever path mode is in force */
+	enum g87 g87;
+	enum answer shift_by_ij;	/* I and J may stand for the Q of bores, and then say in which direction */
 	char repeat_letter;
 };
 

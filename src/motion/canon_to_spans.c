@@ -347,6 +347,12 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	if (run.legs[0].path.kind == PATH_BOX && move->tcp)
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
 			run.tolerance.v[slot] += run.swing.v[slot];
+	for (size_t i = 0; i < converter->machine->axis_count; i++) {
+		int slot = converter->machine->axes[i].slot;
+
+		if (slot <= SLOT_Z)
+			run.tolerance.v[slot] += move->spread[slot];
+	}
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;

@@ -18,7 +18,7 @@ struct motion_step {
 	double time;	/* s since the start of the program, dwells included, where the span starts */
 	double block_time;	/* s of motion in this block before the span, dwells excluded */
 	double seconds;	/* the span's own duration */
-	axis_values tolerance;	/* mm, radians: how far the control may leave the path (G64); not in the deviation */
+	axis_values tolerance;	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the deviation */
 	bool outside;	/* some part of the move is past an axis limit */
 	enum step_class step_class;
 };

@@ -25,6 +25,53 @@ START_TEST(drilling)
 }
 END_TEST
 
+/* Haas mill operator's manual, "G76 Fine Boring Canned Cycle": I and J say which way and how far the tool steps aside. */
+START_TEST(fine_boring)
+{
+	run(&dialect_haas, "F9. G0 Z5.\nG98 G76 X10. Y0. Z-8. R2. I0.5 J-0.25 P1.\nX20.\nG80\nM30\n",
+	    "rapid 0 0 5 0 0\n"
+	    "rapid 10 0 5 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\ndwell 1\n"
+	    "rapid 10.5 -0.25 -8 0 0\nrapid 10.5 -0.25 5 0 0\nrapid 10 0 5 0 0\n"
+	    "rapid 20 0 5 0 0\nrapid 20 0 2 0 0\nfeed 20 0 -8 0 0\ndwell 1\n"
+	    "rapid 20.5 -0.25 -8 0 0\nrapid 20.5 -0.25 5 0 0\nrapid 20 0 5 0 0\n");
+}
+END_TEST
+
+/* Fanuc B-64484EN, "Boring Cycle (G88)"; Haas, "G87 Bore In and Manual Retract", "G88 Bore In, Dwell, Manual Retract". */
+START_TEST(boring_by_hand)
+{
+	static const struct {
+		const struct dialect *dialect;
+		const char *code, *dwell;
+	} bores[] = {{&dialect_fanuc, "G88", "dwell 2\n"}, {&dialect_haas, "G88", "dwell 2\n"}, {&dialect_haas, "G87", ""}};
+
+	for (size_t i = 0; i < sizeof(bores) / sizeof(bores[0]); i++) {
+		struct strbuf program = {0}, moves = {0}, messages = {0};
+		struct gcode_case c;
+
+		case_init(&c);
+		c.config.dialect = bores[i].dialect;
+		strbuf_addf(&program, "F9. G0 Z5.\nG99 %s X1. Z-8. R2. P2.\nX2.\nG80\nM30\n", bores[i].code);
+		strbuf_addf(&moves,
+			    "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -8 0 0\n%srapid 1 0 2 0 0\n"
+			    "rapid 2 0 2 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -8 0 0\n%srapid 2 0 2 0 0\n",
+			    bores[i].dwell, bores[i].dwell);
+		/* Once a program. */
+		strbuf_addf(&messages,
+			    "p.nc:2:5: warning: %s: the operator takes the tool out by hand; it is followed straight up and "
+			    "no other way, here and further on\n    G99 %s X1. Z-8. R2. P2.\n        ^\n",
+			    bores[i].code, bores[i].code);
+		ck_assert(case_run(&c, program.text));
+		ck_assert_str_eq(strbuf_text(&c.moves), moves.text);
+		ck_assert_str_eq(strbuf_text(&c.messages), messages.text);
+		case_release(&c);
+		strbuf_release(&program);
+		strbuf_release(&moves);
+		strbuf_release(&messages);
+	}
+}
+END_TEST
+
 /*
  * G99 stays at R; the level of G98 is that before the first of the cycles; words
  * are kept (LinuxCNC's manual, "Canned Cycles"; Fanuc B-64484EN, canned cycle for
@@ -304,8 +351,14 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
-    {&dialect_fanuc, "G76 X1. Z-1. R1. Q.1", 1, "G76: fine boring cycle with a shift in the hole is not supported yet"},
-    {&dialect_haas, "G87 X1. Z-1. R1.", 1, "G87: back boring cycle is not supported yet"},
+    {&dialect_fanuc, "G76 X1. Z-1. R1.", 1, "G76 needs Q"},
+    {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
+    {&dialect_fanuc, "G87 X1. Z-1. R-2.", 1, "G87 needs Q"},
+    {&dialect_fanuc, "G87 X1. Z-1. R1. Q1.", 1,
+     "R of G87, 1 mm, lies above Z, -1 mm: a back boring cycle goes down to R and bores upwards to Z"},
+    {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "G76 whose retract does not rise from the bottom"},
+    {&dialect_haas, "G77 X1. Z-1. R-2.", 1, "G77 needs Q"},
+    {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J in another plane than that of G17; give Q"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
     {&dialect_fanuc, "G30 P3 X0.", 5,
      "the machine file has no reference position 3; <reference number=\"3\" X=\"\" .../> in its <controller> gives it"},
@@ -342,7 +395,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {drilling,		 retract,	  pecking,	  dwell_and_feed_out,
+	const TTest *const tests[] = {drilling, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
 					     planes,		 back_boring,	  repeats,	  threads_and_probes,
 					     default_retract,	 tool_change_moves, reference_positions,
 					     level_is_kept,	 drills_where_an_axis_is_named};

@@ -255,7 +255,7 @@ static const struct {
 	{F, "G254 H1\n",
 	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect\n    G254 H1\n    ^\n"},
 	{H, "G254 H1\n",
-	 "p.nc:1:6: error: no code in the block uses the word H\n    G254 H1\n         ^\n"},
+	 "p.nc:1:6: error: H1 without G43: whether it changes the length depends on the control; write G43 H1\n    G254 H1\n         ^\n"},
 	{F, "#1=#5004\n",
 	 "p.nc:1:4: error: #5004: which axis is the control's number 4 is the machine builder's choice and "
 	 "not known here\n    #1=#5004\n       ^\n"},

@@ -176,10 +176,48 @@ START_TEST(length_after_reference)
 }
 END_TEST
 
+static bool note_turning(void *context, const struct canon_event *event)
+{
+	struct strbuf *turns = context;
+
+	if (event->kind == CANON_MOVE)
+		strbuf_addf(turns, "%d", event->of.move.spindle_turns);
+	return true;
+}
+
+/* Haas mill operator's manual, "M19 Orient Spindle": the spindle stands in its orientation; P and R are its angle. */
+START_TEST(oriented_stop)
+{
+	static const char program[] = "G0 X1. M3\nX2.\nM19\nX3.\nM4\nX4.\nM19 R90\nX5.\nM3\nX6.\nM19 P45.\nX7.\nM30\n";
+
+	for (int i = 0; i < 2; i++) {
+		struct strbuf turns = {0};
+		struct gcode_case c;
+		struct canon_sink sink = {&turns, note_turning};
+		struct kinematics kinematics = case_kinematics(&c);
+		struct interp *interp;
+		FILE *in = fmemopen((char *)program, strlen(program), "r");
+
+		modal_case(&c, dialects[i]);
+		c.diag.context = &c;
+		ck_assert_ptr_nonnull(in);
+		interp = interp_new(&c.config, &kinematics, &sink, &c.diag);
+		ck_assert(interp_run(interp, in, "p.nc"));
+		ck_assert_str_eq(strbuf_text(&c.messages), "");
+		ck_assert_str_eq(strbuf_text(&turns), "1101010");
+		interp_free(interp);
+		fclose(in);
+		strbuf_release(&turns);
+		case_release(&c);
+	}
+	refuse(&dialect_linuxcnc, "M19 R90\n", 1, "M19: spindle orientation is not supported yet");
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {motion_beside_reference, cycles_apart, modal_h, modal_d,
-				      length_after_reference};
+				      length_after_reference, oriented_stop};
 
 	return RUN_TESTS("gcode_modal", tests);
 }

@@ -114,6 +114,7 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 	struct interp *interp = cycle->interp;
 	struct state *state = &interp->state;
 	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
+	bool back = cycle_hole_bores_back(cycle);
 
 	if (!cycle_word(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
 		return false;
@@ -129,11 +130,16 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 		return false;
 	cycle->r = r * scale + (state->incremental ? level : offset);
 	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
-	if (cycle->r < cycle->bottom)
+	if (back && cycle->r > cycle->bottom)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "R of G%d, %.6g mm, lies above Z, %.6g mm: a back boring cycle goes down to R and bores "
+			     "upwards to Z",
+			     cycle->code / 10, cycle->r - offset, cycle->bottom - offset);
+	if (!back && cycle->r < cycle->bottom)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10, cycle->r - offset,
 			     cycle->bottom - offset);
-	cycle->clear = find_clear(cycle, level);
+	cycle->clear = back ? level : find_clear(cycle, level);
 	return true;
 }
 
@@ -190,7 +196,7 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	const struct state *state = &cycle->interp->state;
 	double a = 0, b = 0, top = 0;
 
-	if (cycle->code != G87)
+	if (cycle->code != G87 || cycle->traits->g87 != G87_BACK_BY_IJK)
 		return true;
 	/* I, J and K belong to X, Y and Z. */
 	if (!cycle_word(cycle, "IJK"[cycle->a], kept, &a) || !cycle_word(cycle, "IJK"[cycle->b], kept, &b) ||
@@ -199,6 +205,66 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	cycle->shift_a = a * state->scale;
 	cycle->shift_b = b * state->scale;
 	cycle->top = top * state->scale + (state->incremental ? cycle->bottom : state->offset.v[cycle->depth]);
+	return true;
+}
+
+/* The word of the block, or else of an earlier block of the cycle, or else 0. */
+static double shift_word(struct canned_cycle *cycle, char letter, bool kept)
+{
+	double value = 0;
+
+	if (block_has(&cycle->interp->block, letter) || (kept && (cycle->interp->state.cycle.known & letter_bit(letter))))
+		cycle_word(cycle, letter, kept, &value);
+	return value;
+}
+
+/* I and J say how far aside and where to; the block's Q, or else the one of an earlier block, comes before them. */
+static bool is_shift_by_ij(const struct canned_cycle *cycle, bool kept)
+{
+	const struct block *block = &cycle->interp->block;
+	uint32_t ij = letter_bit('I') | letter_bit('J'), known = kept ? cycle->interp->state.cycle.known : 0;
+
+	if (cycle->traits->shift_by_ij != ANSWER_YES || block_has(block, 'Q'))
+		return false;
+	return (block->letters & ij) || (!(known & letter_bit('Q')) && (known & ij));
+}
+
+/*
+ * How far a bore shifts the tool out of the cut. A parameter of the control says in which direction Q goes (Fanuc
+ * B-64484EN, "Fine Boring Cycle (G76)", parameter 5148; Haas, setting 27): all of the disc around the axis is proved.
+ */
+static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	const struct state *state = &interp->state;
+	bool back = cycle_hole_bores_back(cycle);
+	int column = block_motion_column(&interp->block), code = cycle->code / 10;
+	double q = 0;
+
+	if (cycle->code != G76 && !back)
+		return true;
+	if (is_shift_by_ij(cycle, kept)) {
+		if (state->plane != G17)
+			return fault(&interp->at, column, "G%d with I and J in another plane than that of G17; give Q",
+				     code);
+		cycle->shift_a = shift_word(cycle, 'I', kept) * state->scale;
+		cycle->shift_b = shift_word(cycle, 'J', kept) * state->scale;
+		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
+		cycle->spread = back ? hypot(cycle->shift_a, cycle->shift_b) : 0;
+	} else if (!cycle_word(cycle, 'Q', kept, &q)) {
+		return false;
+	} else {
+		cycle->spread = fabs(q) * state->scale;
+	}
+	if (!(cycle->spread > 0))
+		return true;
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column,
+			     "G%d while the tool centre point is controlled: where its shift goes is not followed yet",
+			     code);
+	/* The disc is proved along the way up; no way, no proof. */
+	if (!(cycle->clear > (back ? cycle->r : cycle->bottom)))
+		return fault(&interp->at, column, "G%d whose retract does not rise from the bottom", code);
 	return true;
 }
 
@@ -295,6 +361,8 @@ static bool go_over(struct canned_cycle *cycle, bool first, double height)
 
 	if (!cycle_hole_rapid(cycle, over))
 		return false;
+	if (cycle_hole_bores_back(cycle))
+		return true;
 	if (rises && !(over > cycle->r))
 		return true;
 	return cycle_hole_rapid(cycle, cycle->r);
@@ -376,6 +444,7 @@ bool canned_cycle_run(struct interp *interp)
 	kept = keeps_words(&cycle);
 	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
 	    !find_dwell(&cycle, kept) || !find_peck(&cycle, kept) || !find_back_bore(&cycle, kept) ||
+	    !find_bore_shift(&cycle, kept) ||
 	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
 		return false;
 	state->motion = cycle.code;

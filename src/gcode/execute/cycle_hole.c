@@ -15,6 +15,9 @@ static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
 	struct canon_move move = {
 	    .kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
 
+	/* In turned coordinates the plane may lie anywhere. */
+	for (int slot = SLOT_X; slot <= SLOT_Z && cycle->aside; slot++)
+		move.spread[slot] = slot == (int)cycle->depth && !cycle->interp->state.frame.on ? 0 : cycle->spread;
 	cycle->at.v[cycle->depth] = height;
 	return motion_commands_go(cycle->interp, &cycle->at, &move);
 }
@@ -55,6 +58,53 @@ static bool step_aside(struct canned_cycle *cycle, double sign, double height)
 	return cycle_hole_rapid(cycle, height);
 }
 
+/* A rapid of which it is only known that the tool is no farther beside the axis of the hole than the spread. */
+static bool rapid_aside(struct canned_cycle *cycle, double height)
+{
+	bool good;
+
+	cycle->aside = true;
+	good = cycle_hole_rapid(cycle, height);
+	cycle->aside = false;
+	return good;
+}
+
+/* G76: stops the spindle in its orientation, steps aside at the bottom and back where it has left the hole. */
+static bool bore_finely(struct canned_cycle *cycle)
+{
+	bool known = !(cycle->spread > 0);
+
+	if (!feed(cycle, cycle->bottom) || !rest(cycle))
+		return false;
+	if (!known)
+		return rapid_aside(cycle, cycle->clear);
+	return step_aside(cycle, 1, cycle->bottom) && cycle_hole_rapid(cycle, cycle->clear) &&
+	       step_aside(cycle, -1, cycle->clear);
+}
+
+/*
+ * Down to R beside the axis, up to Z on it, and out beside it again. Whether the tool goes out from Z or by way of R:
+ * the way down has covered what lies below Z.
+ */
+static bool bore_upwards(struct canned_cycle *cycle)
+{
+	return rapid_aside(cycle, cycle->r) && feed(cycle, cycle->bottom) && rapid_aside(cycle, cycle->clear);
+}
+
+/* The spindle stops, and the operator takes the tool out: straight up, which is all that can be followed. */
+static bool bore_by_hand(struct canned_cycle *cycle)
+{
+	struct interp *interp = cycle->interp;
+
+	if (!interp->cautioned_by_hand)
+		caution(&interp->at, block_motion_column(&interp->block),
+			"G%d: the operator takes the tool out by hand; it is followed straight up and no other way, here "
+			"and further on",
+			cycle->code / 10);
+	interp->cautioned_by_hand = true;
+	return feed(cycle, cycle->bottom) && rest(cycle) && cycle_hole_rapid(cycle, cycle->clear);
+}
+
 /* G87: goes down beside the axis of the hole, bores upwards on the axis, and leaves the same way. */
 static bool bore_back(struct canned_cycle *cycle)
 {
@@ -71,14 +121,27 @@ static bool feed_out(struct canned_cycle *cycle)
 	return feed(cycle, cycle->r) && cycle_hole_rapid(cycle, cycle->clear);
 }
 
+bool cycle_hole_bores_back(const struct canned_cycle *cycle)
+{
+	return cycle->code == G77 || (cycle->code == G87 && cycle->traits->g87 == G87_BACK_BY_Q);
+}
+
 bool cycle_hole_make(struct canned_cycle *cycle)
 {
 	switch (cycle->code) {
 	case G73:
 	case G83:
 		return make_pecks(cycle);
+	case G76:
+		return bore_finely(cycle);
+	case G77:
+		return bore_upwards(cycle);
 	case G87:
-		return bore_back(cycle);
+		return cycle->traits->g87 == G87_BACK_BY_IJK ? bore_back(cycle)
+		       : cycle->traits->g87 == G87_BACK_BY_Q ? bore_upwards(cycle)
+							     : bore_by_hand(cycle);
+	case G88:
+		return bore_by_hand(cycle);
 	case G74:
 	case G84:
 	case G85:

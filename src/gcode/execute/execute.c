@@ -157,10 +157,12 @@ static bool is_angle(const struct block *block, char letter)
 	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
 }
 
-/* K of a canned cycle may be a number of holes, and Q and R of G5.1 are no lengths. */
+/* K of a canned cycle may be a number of holes, and Q and R of G5.1 and R of M19 are no lengths. */
 static bool is_count(const struct block *block, char letter)
 {
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
+		return true;
+	if (block->m[M_SPINDLE] == 19 && letter == 'R')
 		return true;
 	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
 }

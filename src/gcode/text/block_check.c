@@ -189,8 +189,10 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 ||
 	    traits->p_is_needed != ANSWER_YES)
 		used |= letter_bit('P');
-	if (code == G87)
+	if (code == G87 && traits->g87 == G87_BACK_BY_IJK)
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
+	if (code == G76 || code == G77 || (code == G87 && traits->g87 == G87_BACK_BY_Q))
+		used |= letter_bit('Q') | (traits->shift_by_ij == ANSWER_YES ? letter_bit('I') | letter_bit('J') : 0);
 	return used;
 }
 
@@ -288,6 +290,8 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= contour_letters(block->g[G_CONTOUR]);
 	if (block->g[G_SPINDLE] == G96)
 		used |= letter_bit('D');
+	if (block->m[M_SPINDLE] == 19)
+		used |= letter_bit('P') | letter_bit('R');
 	if (block->m_ignored)
 		used |= letter_bit('P') | letter_bit('Q');
 	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);

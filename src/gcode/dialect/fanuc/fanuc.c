@@ -65,6 +65,8 @@ static const struct cycle_traits cycles = {
 	.taps_confuse_planes = ANSWER_NO,
 	.feeds_to_clear = ANSWER_NO,
 	.rises_first = ANSWER_NO,
+	.g87 = G87_BACK_BY_Q,
+	.shift_by_ij = ANSWER_NO,
 	.exact_path = ANSWER_NO,
 	.repeat_letter = 'K',
 };

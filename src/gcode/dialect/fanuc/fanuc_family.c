@@ -17,11 +17,14 @@ static const struct code g_codes[] = {
 	{650, GROUP_STATEMENT, NULL},
 	{G68, G_ROTATION, NULL},
 	{G69, G_ROTATION, NULL},
-	{760, GROUP_UNSUPPORTED, "fine boring cycle with a shift in the hole"},
-	{G87, GROUP_UNSUPPORTED, "back boring cycle"},
+	{G76, G_MOTION, NULL},
+	{G87, G_MOTION, NULL},
+	{G88, G_MOTION, NULL},
 };
 
 static const struct code m_codes[] = {
+	/* Fanuc B-64483EN, spindle orientation; Haas, "M19 Orient Spindle": the spindle stops, at the angle of P or R. */
+	{19, M_SPINDLE, NULL},
 	{98, M_STOP, NULL},
 };
 

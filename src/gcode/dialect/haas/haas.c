@@ -19,7 +19,7 @@ static const struct code g_codes[] = {
 	{700, GROUP_UNSUPPORTED, "bolt circle cycle"},
 	{710, GROUP_UNSUPPORTED, "bolt arc cycle"},
 	{720, GROUP_UNSUPPORTED, "bolt line cycle"},
-	{770, GROUP_UNSUPPORTED, "back boring cycle"},
+	{G77, G_MOTION, NULL},
 	/* G100 takes back what is an error where it is switched on. */
 	{1000, GROUP_HARMLESS, NULL},
 	{1010, GROUP_UNSUPPORTED, "mirror image"},
@@ -99,6 +99,8 @@ static const struct cycle_traits cycles = {
 	.taps_confuse_planes = ANSWER_NO,
 	.feeds_to_clear = ANSWER_NO,
 	.rises_first = ANSWER_NO,
+	.g87 = G87_BY_HAND,
+	.shift_by_ij = ANSWER_YES,
 	.exact_path = ANSWER_NO,
 	.repeat_letter = 'L',
 };

@@ -48,6 +48,7 @@ static const struct code g_codes[] = {
 	{722, GROUP_UNSUPPORTED, "lathe facing cycle"},
 	{760, GROUP_UNSUPPORTED, "multi-pass threading cycle"},
 	{G87, G_MOTION, NULL},
+	{G88, GROUP_UNSUPPORTED, "boring cycle in which the operator retracts the tool by hand"},
 	{G90_1, G_ARC_DISTANCE, NULL},
 	{911, G_ARC_DISTANCE, NULL},
 	{G92_1, G_NONMODAL, NULL},
@@ -58,6 +59,7 @@ static const struct code g_codes[] = {
 };
 
 static const struct code m_codes[] = {
+	{19, GROUP_UNSUPPORTED, "spindle orientation"},
 	/* LinuxCNC's manual, "M-Codes": overrides and outputs touch speeds and wires, no axis. */
 	{48, M_OVERRIDE, NULL},
 	{49, M_OVERRIDE, NULL},
@@ -97,6 +99,8 @@ static const struct cycle_traits cycles = {
 	.taps_confuse_planes = ANSWER_YES,
 	.feeds_to_clear = ANSWER_YES,
 	.rises_first = ANSWER_YES,
+	.g87 = G87_BACK_BY_IJK,
+	.shift_by_ij = ANSWER_NO,
 	.exact_path = ANSWER_YES,
 	.repeat_letter = 'L',
 };
