@@ -144,7 +144,7 @@ run 'at rapid' <<'NC'
 G0 Z10
 X60
 NC
-fivecheck --stats -s s.xml m.xml p.nc | grep mesh
+fivecheck -s s.xml m.xml p.nc | grep mesh
 
 echo '== the user has the last word'
 job '' "$flat"
