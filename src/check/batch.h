@@ -9,29 +9,31 @@
 #include "check/step.h"
 #include "motion/events.h"
 
-/* Where a step stands: `block` numbers the program's blocks from 0. */
+/* A step and its place in the program. */
 struct batch_step {
 	struct motion_step motion;	/* its path is the batch's copy */
 	long block;
-	bool beyond;	/* past a limit, or near enough for the path tolerance: nothing is out of reach */
+	bool beyond;	/* an axis is past a limit, or so near that the path tolerance may take it there */
 };
 
 /* Steps to a chunk. */
 enum { CHUNK_STEPS = 64 };
 
-/* All programmed positions of the axes in a chunk, chord errors included, and its largest path tolerance. */
+/*
+ * The box of all programmed positions in a chunk, chord errors included, and the largest path tolerance of its steps.
+ */
 struct batch_chunk {
 	axis_values low, high;
 	struct position_errors errors;	/* its chord errors are 0 */
-	bool beyond;	/* one of its steps is */
-	unsigned classes;	/* bits of enum step_class: of its steps */
+	bool beyond;	/* one of its steps is beyond */
+	unsigned classes;	/* the classes of its steps, as bits of enum step_class */
 };
 
 struct batch {
 	struct batch_step *steps;
 	size_t step_count, step_capacity;
 	struct path_copies paths;
-	struct batch_chunk *chunks;	/* chunk i: the CHUNK_STEPS steps, or what is left, from i * CHUNK_STEPS on */
+	struct batch_chunk *chunks;	/* chunk i begins with step i * CHUNK_STEPS; the last one may be shorter */
 	size_t chunk_capacity;
 };
 
@@ -41,7 +43,7 @@ void batch_clear(struct batch *batch);
 /* Copies a step and its path. */
 void batch_add(struct batch *batch, const struct motion_step *step, long block);
 
-/* Sums up the chunks; call it before using them. */
+/* Fills in the chunks. Call it after the last batch_add, before the chunks are used. */
 void batch_close(struct batch *batch);
 
 #endif

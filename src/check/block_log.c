@@ -127,7 +127,7 @@ static int by_block(const void *a, const void *b)
 	return (x->room.pair > y->room.pair) - (x->room.pair < y->room.pair);
 }
 
-/* Gathers the rooms of one block in log->out, each pair once, from those at *next on. */
+/* Collects the rooms of one block in log->out, beginning at *next. Each pair gets one: its smallest. */
 static size_t gather(struct block_log *log, long block, size_t *next)
 {
 	size_t count = 0;

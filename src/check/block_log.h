@@ -9,15 +9,15 @@
 #include "base/diag_queue.h"
 #include "check/sink.h"
 
-/* A finding of which the block is known by its number only: place, text, moves and fraction follow from the block. */
+/* A finding whose block may still be incomplete. Place, text, moves and fraction are filled in from the block later. */
 struct block_finding {
 	struct finding finding;
 	long block;	/* from 0 */
-	double block_time;	/* s of motion in the block before it */
-	int rank;	/* orders findings of one instant: -1 a limit, else the number of the pair */
+	double block_time;	/* s of motion in the block before the finding */
+	int rank;	/* orders findings of one instant: -1 for a limit, else the number of the pair */
 };
 
-/* What a pair was measured to keep in a part of a block. */
+/* The clearance that a pair keeps in a part of a block. */
 struct block_room {
 	long block;
 	struct check_room room;
@@ -31,22 +31,22 @@ struct block_record {
 	const char *text;
 	double seconds;	/* of motion */
 	int moves;
-	bool measured;	/* is handed over to check_sink.block, with: */
+	bool measured;	/* it is handed to check_sink.block, with steps, interpret and check */
 	long steps;
 	double interpret, check;	/* s */
 };
 
 /* Not to be moved after block_log_init. */
 struct block_log {
-	struct diag_queue diags;	/* its diag is for whoever reports */
+	struct diag_queue diags;	/* what is reported to its diag waits for its block */
 	struct block_finding *findings;
 	size_t finding_count, finding_capacity;
-	struct block_record *blocks;	/* complete, in order, without a gap */
+	struct block_record *blocks;	/* complete blocks, in order, without a gap */
 	size_t block_count, block_capacity;
 	struct arena texts;	/* the blocks' */
 	struct block_room *rooms;	/* in any order; a pair may have several in one block: the least counts */
 	size_t room_count, room_capacity;
-	struct check_room *out;	/* of one block, while it is handed over */
+	struct check_room *out;	/* the rooms of one block while it is handed over */
 	size_t out_capacity;
 };
 
@@ -65,7 +65,7 @@ struct block_record *block_log_complete(struct block_log *log, const struct bloc
 /* Orders the findings by block, time, then rank. */
 void block_log_sort(struct block_log *log);
 
-/* The i-th finding with everything filled in; valid until the log changes. False: its block is not complete. */
+/* Fills in the i-th finding. *out is valid until the log changes. False: its block is not complete. */
 bool block_log_finding(const struct block_log *log, size_t i, struct finding *out);
 
 /* The first `count` findings have been dealt with. */
@@ -74,7 +74,7 @@ void block_log_drop_findings(struct block_log *log, size_t count);
 /* Hands the measured blocks up to the number `last` to sink->block. */
 void block_log_measured(struct block_log *log, long last, const struct check_sink *sink);
 
-/* Forgets all complete blocks and their measurements: findings that are left belong to the block that is not. */
+/* Forgets all complete blocks and their measurements. Findings that remain belong to the incomplete block. */
 void block_log_forget(struct block_log *log);
 
 #endif

@@ -7,13 +7,13 @@
 #include "check/measure/path_record.h"
 #include "check/read_ahead.h"
 
-/* Steps that are checked at a time, at the end of a block; a block of more than MID_BLOCK is checked in parts. */
+/* Steps to a batch. It is checked at the end of a block; a block of more than MID_BLOCK steps is checked in parts. */
 #define BATCH_STEPS 1024
 #define MID_BLOCK (8 * BATCH_STEPS)
 
 /*
- * How much coarser than the tolerance the chords of curved moves may be to
- * begin with: near contact they are refined, elsewhere fewer of them cost less.
+ * Chords of curved moves begin this many times coarser than the tolerance. Near contact they are refined; elsewhere
+ * fewer chords cost less.
  */
 #define FLATNESS 16
 
@@ -71,7 +71,10 @@ static void on_step(struct checker *c, const struct motion_step *step)
 static void on_tool(struct checker *c, const struct motion_tool *change)
 {
 	checker_process(c, NULL);
-	/* Before anything moves, a new tool waits for the check of the start pose; the old one is gone by then. */
+	/*
+	 * Before the first motion the new tool is checked later, with the start pose. The old tool is gone by then, so
+	 * it is checked now.
+	 */
 	if (!c->moved && c->tool != change->tool)
 		checker_at_rest(c, true, 0);
 	c->tool = change->tool;
@@ -83,13 +86,13 @@ static void on_tool(struct checker *c, const struct motion_tool *change)
 		checker_process(c, NULL);
 }
 
-/* Reading the next block begins. */
+/* The reading of the next block begins. */
 static void start_block(struct checker *c)
 {
 	block_log_begin(&c->log, c->block);
 	c->steps = 0;
 	c->block_time = 0;
-	c->gauging = 0;
+	c->measuring = 0;
 	if (c->options->times) {
 		c->read_check = c->stats->seconds_check;
 		c->read_from = checker_clock();
@@ -108,7 +111,7 @@ static void on_block(struct checker *c, const struct motion_block *block)
 		path_record_block(c->options->record, block->line, c->tool, &c->position);
 	c->stats->blocks_checked += ours;
 	c->skipped |= !ours;
-	/* Blocks without steps gather too. The steps of a batch follow on each other. */
+	/* Blocks without steps are collected too. Each step of a batch begins where the one before it ends. */
 	if (c->batch.step_count >= BATCH_STEPS || c->log.block_count >= BATCH_STEPS || checker_has_enough(c) ||
 	    c->limit_found || c->options->times || (ours && !checker_owns(c, c->block + 1)))
 		checker_process(c, c->options->times ? record : NULL);
@@ -140,10 +143,10 @@ static bool on_event(void *context, const struct motion_event *event)
 
 /* -------------------------------------------------------------------- run */
 
-/* What is left when the program has ended, or stopped at a fault in the middle of a block. */
+/* Checks the remaining steps when the program has ended, or has stopped at a fault within a block. */
 static void finish(struct checker *c, bool complete)
 {
-	/* A block that stopped at a fault is checked as far as it goes, and measured if it moves something. */
+	/* A block with a fault is checked up to the fault, and measured if it moves anything. */
 	const struct block_record rest = {.block = c->block, .file = c->last.file ? c->last.file : c->file,
 					  .line = c->last.line ? c->last.line : 1, .text = "", .moves = 1,
 					  .seconds = c->block_time, .measured = c->steps > 0, .steps = c->steps};
@@ -172,7 +175,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.change = c->options->change,
 	};
 	const struct motion_sink sink = {c, on_event};
-	/* What reading a block takes is not to be had while it is read ahead. */
+	/* The time to read a block cannot be measured while another thread reads ahead. */
 	bool ahead = c->options->threads > 1 && !c->options->times;
 	bool complete = (ahead ? read_ahead_run : motion_run)(c->scene->machine, c->scene->setup, &options, in, c->file,
 							      &sink, &c->log.diags.diag, &c->summary);

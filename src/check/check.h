@@ -1,4 +1,4 @@
-/* check.h - runs a program on a scene and finds what comes too close, first in time. */
+/* check.h - checks a program on a scene and reports what comes too close, in the order of time. */
 #ifndef FIVECHECK_CHECK_CHECK_H
 #define FIVECHECK_CHECK_CHECK_H
 
@@ -17,9 +17,9 @@ enum check_result {
 };
 
 /*
- * Checks one program. Without options->all it stops at the first finding. Statistics are filled in whatever the
- * result. proven[i], if proven is not NULL (it takes more time), receives for each of the scene's pairs the smallest
- * clearance in mm that was proven over the program (INFINITY: never looked at).
+ * Checks one program. Without options->all it stops at the first finding. Statistics are always filled in. If proven is
+ * not NULL, proven[i] receives the smallest clearance in mm that was proved for pair i of the scene over the whole
+ * program (INFINITY: the pair was never checked); this takes more time.
  */
 enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
 			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,

@@ -18,7 +18,7 @@ bool checker_asks(void *context)
 	struct checker *c = context;
 	const struct check_sink *sink = c->sink;
 
-	/* Whether to break off at once is for the caller's own callback to say. */
+	/* The result of sink->progress is ignored here: only the caller's cancel function can stop a batch. */
 	if (sink->progress && !atomic_flag_test_and_set(&c->telling)) {
 		sink->progress(sink->context, c->checked.line);
 		atomic_flag_clear(&c->telling);
@@ -41,8 +41,8 @@ bool checker_owns(const struct checker *c, long block)
 /* --------------------------------------------------------------- findings */
 
 /*
- * What is reported beside a required clearance is the distance itself, and so it is
- * where the control may leave the path by `tolerance` (NULL: it may not).
+ * The contact with its distance measured, if a clearance is required or if the control may leave the path by
+ * `tolerance` (NULL: it may not).
  */
 static struct contact measured(struct checker *c, const struct scene_pair *pair, const struct contact *found,
 			       const axis_values *tolerance)
@@ -59,7 +59,7 @@ static struct contact measured(struct checker *c, const struct scene_pair *pair,
 	return contact;
 }
 
-/* What it is called that the pair meets, when `kind` is the name for what must always stay apart. */
+/* The kind of a finding of this pair; `kind` is that of an ordinary pair, which must always stay apart. */
 static enum finding_kind kind_of(const struct scene_pair *pair, enum finding_kind kind)
 {
 	switch (pair->fault) {
@@ -74,8 +74,8 @@ static enum finding_kind kind_of(const struct scene_pair *pair, enum finding_kin
 }
 
 /*
- * The pair meets here, in a move of this number, in a step of this class (0: the axes stand). `tolerance` as
- * in measured().
+ * Adds a finding in the move with this number, in a step of this class (0: the axes stand). `tolerance` as in
+ * measured().
  */
 static void add_finding(struct checker *c, const struct block_finding *at, enum finding_kind kind, int move,
 			int step_class, const struct contact *found, const axis_values *tolerance)
@@ -103,7 +103,7 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 
 	add_finding(c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move,
 		    (int)motion->step_class, &result->contact,
-		    step_may_stray(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
+		    step_may_leave_path(&pair->chain, motion) && !step_is_box(motion) ? &motion->tolerance : NULL);
 }
 
 static void report_undecided(struct checker *c, const struct pair_check_result *result)
@@ -130,7 +130,7 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 }
 
-/* Contacts go to the log; what is undecided behind the first of them does not matter without `all`. */
+/* Logs contacts, and reports undecided steps. Without `all`, undecided steps after the first contact do not matter. */
 static void take_results(struct checker *c)
 {
 	size_t first_contact = c->batch.step_count;
@@ -153,7 +153,7 @@ static void take_results(struct checker *c)
 	}
 }
 
-/* Hands on the findings whose blocks are complete, and the diagnostics that came before them. */
+/* Reports the findings whose blocks are complete, and the diagnostics that came before them. */
 static void hand_on_findings(struct checker *c)
 {
 	struct block_log *log = &c->log;
@@ -180,10 +180,10 @@ static void hand_on_findings(struct checker *c)
 /* ---------------------------------------------------------------- batches */
 
 /* False: broken off. */
-static bool gauge(struct checker *c)
+static bool measure_blocks(struct checker *c)
 {
 	double start = checker_clock();
-	bool complete = scheduler_gauge(&c->scheduler, &c->batch, c->tool, c->options);
+	bool complete = scheduler_measure(&c->scheduler, &c->batch, c->tool, c->options);
 
 	for (size_t i = 0; i < c->scheduler.count && complete; i++) {
 		const struct pair_check *check = &c->scheduler.checks[i];
@@ -195,7 +195,7 @@ static bool gauge(struct checker *c)
 			block_log_add_room(&c->log, check->rooms[k].block, &room);
 		}
 	}
-	c->gauging += checker_clock() - start;
+	c->measuring += checker_clock() - start;
 	return complete;
 }
 
@@ -205,13 +205,13 @@ static void check_batch(struct checker *c)
 	c->broken_off = !scheduler_run(&c->scheduler, &c->batch, c->tool, c->options);
 	if (!c->broken_off) {
 		take_results(c);
-		c->broken_off = c->options->block_clearances && !gauge(c);
+		c->broken_off = c->options->block_clearances && !measure_blocks(c);
 	}
 	if (c->broken_off)
 		c->last_block = c->batch.steps[0].block - 1;
 }
 
-/* Says how far the check is, or why it ends here. */
+/* Reports progress, or why the check ends here. */
 static void tell_progress(struct checker *c)
 {
 	const struct check_sink *sink = c->sink;
@@ -232,7 +232,7 @@ void checker_process(struct checker *c, struct block_record *timed)
 	if (!checker_has_enough(c) && !c->broken_off && c->batch.step_count)
 		check_batch(c);
 	batch_clear(&c->batch);
-	/* Of a batch that is not checked whole nobody knows what comes first. */
+	/* In a batch that was interrupted, it is unknown which finding comes first. */
 	if (!c->broken_off) {
 		hand_on_findings(c);
 		c->checked = c->last;
@@ -242,7 +242,7 @@ void checker_process(struct checker *c, struct block_record *timed)
 		const double check = c->stats->seconds_check - c->read_check;
 
 		timed->interpret = checker_clock() - c->read_from - check;
-		timed->check = check - c->gauging;
+		timed->check = check - c->measuring;
 	}
 	if (c->sink->block)
 		block_log_measured(&c->log, c->last_block, c->sink);
@@ -254,7 +254,7 @@ void checker_process(struct checker *c, struct block_record *timed)
 
 /* ------------------------------------------------------------------ poses */
 
-/* Do the axes stand where nothing is out of reach? */
+/* Is an axis past a limit, where pairs that are out of reach may meet? */
 static bool is_past_a_limit(const struct checker *c)
 {
 	const struct machine *machine = c->scene->machine;
@@ -269,7 +269,7 @@ static bool is_past_a_limit(const struct checker *c)
 	return false;
 }
 
-/* Looks at a pair as it stands at the current position. */
+/* Checks a pair at the current position. */
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];

@@ -1,4 +1,4 @@
-/* checker.h - the check of one program under way: steps gather, are checked in batches, and findings come out. */
+/* checker.h - the state of a check: steps are collected into batches, batches are checked, findings are reported. */
 #ifndef FIVECHECK_CHECK_CHECKER_H
 #define FIVECHECK_CHECK_CHECKER_H
 
@@ -16,7 +16,7 @@
 #include "motion/events.h"
 #include "scene/scene.h"
 
-/* A place in the program; file NULL: nowhere yet. */
+/* A place in the program. File NULL: no place yet. */
 struct place {
 	const char *file;
 	long line;
@@ -32,50 +32,52 @@ struct checker {
 	struct block_log log;
 	struct scheduler scheduler;
 	struct batch batch;
-	struct sweep sweep;	/* for poses that stand still */
-	struct cancel asked;	/* by all sweeps, now and then */
-	atomic_flag telling;	/* a thread is telling progress */
-	bool measures;	/* the smallest clearance of each pair */
+	struct sweep sweep;	/* for poses at which the axes stand still */
+	struct cancel asked;	/* sweeps ask it again and again whether to stop */
+	atomic_flag telling;	/* a thread is reporting progress */
+	bool measures;	/* measure the smallest clearance of each pair */
 	const char *file;	/* the program */
 	long block;	/* number of the block that is being read */
 	int tool;
 	bool moved;
-	bool failed;	/* something could not be decided: reported */
-	bool found;	/* two bodies; without `all`, nothing later needs to be looked at */
+	bool failed;	/* something could not be decided, and that was reported */
+	bool found;	/* two bodies came too close; without `all` nothing later needs to be checked */
 	bool limit_found;
-	bool exhausted;	/* a step would take more than options->effort: reported; the check ends with its batch */
+	bool exhausted;	/* one step needs more than options->effort: reported; the check ends with its batch */
 	bool stopped;	/* by us or by the sink */
-	bool broken_off;	/* since the last batch that was checked whole */
-	bool skipped;	/* blocks of other shards since the last step of ours */
+	bool broken_off;	/* the batch was not checked to its end */
+	bool skipped;	/* blocks of other shards were left out since the last step of this shard */
 	axis_values position;
 	double time, block_time;	/* where the last step ended */
-	struct place last, checked;	/* the last step's block, and the last that was checked */
+	struct place last, checked;	/* the last step's block; the last block that was checked */
 	struct motion_summary summary;	/* of what was read so far */
 	long last_block;	/* the check ends with it */
 	long steps;	/* of the block that is being read */
-	/* With options->times: when reading that block began, seconds_check then, and s spent on clearances since. */
-	double read_from, read_check, gauging;
+	/*
+	 * With options->times: when reading of that block began; seconds_check then; s spent since on block clearances.
+	 */
+	double read_from, read_check, measuring;
 };
 
-/* s of a clock that only runs forward */
+/* Seconds of a clock that never runs backwards. */
 double checker_clock(void);
 
-/* A cancel_fn whose context is a checker: shows progress in the middle of long work, and asks whether to go on. */
+/* A cancel_fn whose context is a checker. Reports progress during long work, and asks the caller whether to stop. */
 bool checker_asks(void *context);
 
-/* Without options->all: is the first finding there? Then nothing later needs to be looked at. */
+/* Is the first finding known, so that nothing later needs to be checked? Never with options->all. */
 bool checker_has_enough(const struct checker *c);
 
-/* Is this block one that this shard checks? */
+/* Does this shard check the block? */
 bool checker_owns(const struct checker *c, long block);
 
 /*
- * Checks the steps that have gathered, and tells what is known of all complete blocks. `timed`: the record of the block
- * that was just completed, if its times are to be taken; else NULL.
+ * Checks the collected steps, and reports what is known of all complete blocks. `timed` is the record of the block that
+ * was just completed if its times are wanted; else NULL.
  */
 void checker_process(struct checker *c, struct block_record *timed);
 
-/* Looks at the pairs, those of the tool only if `tool_only`, as they stand at the current position. */
+/* Checks the pairs at the current position, where the axes stand still. tool_only: only the pairs of the tool. */
 void checker_at_rest(struct checker *c, bool tool_only, int move);
 
 #endif

@@ -9,7 +9,7 @@
 #include "base/mem.h"
 #include "check/path_copies.h"
 
-/* Parts of the queue: one is written while the other is read. Measured: more bring nothing. */
+/* Parts of the queue: one is written while another is read. Measured: more gain nothing. */
 enum { PARTS = 2 };
 
 /* A part is handed over once it holds so many entries or bytes of text: smaller parts cost more locking. */
@@ -36,7 +36,7 @@ struct part {
 };
 
 struct event_queue {
-	struct part parts[PARTS];	/* those from `taken` to `given` are the receiver's, the others the reader's */
+	struct part parts[PARTS];	/* `taken` to `given` are the receiver's, the others the reader's */
 	atomic_bool stopped;	/* by the receiver */
 	pthread_mutex_t lock;	/* for what follows */
 	pthread_cond_t changed;
@@ -145,7 +145,7 @@ void event_queue_end(struct event_queue *queue)
 
 /* --------------------------------------------------------------- receiver */
 
-/* The next part to read; NULL: there are no more. */
+/* Waits for the next part; NULL: there are no more. */
 static struct part *wait_for_part(struct event_queue *queue)
 {
 	struct part *part;

@@ -1,4 +1,4 @@
-/* finding.h - one violation, as it will be reported. */
+/* finding.h - one violation, with everything that is reported about it. */
 #ifndef FIVECHECK_CHECK_FINDING_H
 #define FIVECHECK_CHECK_FINDING_H
 
@@ -14,15 +14,15 @@ enum finding_kind {
 	FINDING_CLEARANCE,
 	FINDING_LIMIT,
 	FINDING_START_OVERLAP,
-	FINDING_RAPID_CONTACT,	/* a cutter that does not cut enters the part */
-	FINDING_GOUGE	/* a cutter that cuts enters the part too deep */
+	FINDING_RAPID_CONTACT,	/* a cutter enters the part while it does not cut */
+	FINDING_GOUGE	/* a cutter enters the part too deep while it cuts */
 };
 enum { FINDING_KINDS = FINDING_GOUGE + 1 };
 
 /* "collision", "clearance", "limit", "start-overlap", "rapid-contact", "gouge"; ends in NULL. */
 extern const char *const finding_kind_names[FINDING_KINDS + 1];
 
-/* Lives during the call that hands it over. */
+/* Valid only during the call that hands it over. */
 struct finding {
 	enum finding_kind kind;
 	const char *file;
@@ -34,12 +34,12 @@ struct finding {
 	double time;	/* s since the start of the program */
 	axis_values axes;	/* machine axis positions, mm and radians */
 	int tool;	/* in the spindle; 0: none */
-	/* All but LIMIT: */
+	/* Of all kinds but LIMIT: */
 	const char *a, *b;	/* names of the bodies */
 	const char *link_a, *link_b;	/* and of their links */
 	vec3 point;	/* machine coordinates, mm */
 	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
-	double path_tolerance;	/* mm: the control's path tolerance can take so much of that; 0: none, or not known (PATH_BOX) */
+	double path_tolerance;	/* mm: the path tolerance can take so much of it; 0: nothing, or not known */
 	double required;	/* c */
 	/* RAPID_CONTACT, GOUGE: */
 	bool b_is_cutter;	/* else a is */
@@ -50,7 +50,7 @@ struct finding {
 	double bound;	/* mm or radians */
 };
 
-/* Between the bodies of a pair; the contact's point is in a's mesh. Block, move and time are the caller's. */
+/* Makes a finding of a contact, whose point is in a's mesh coordinates. The caller fills in block, move and time. */
 struct finding finding_of_pair(const struct scene *scene, const struct scene_pair *pair, enum finding_kind kind,
 			       const struct contact *contact, int tool);
 

@@ -1,4 +1,4 @@
-/* model.h - what programs are checked on: a machine, the setup on it, and the scene that their bodies make. */
+/* model.h - everything that programs are checked against: a machine, a setup, and the scene of their bodies. */
 #ifndef FIVECHECK_CHECK_MODEL_H
 #define FIVECHECK_CHECK_MODEL_H
 
@@ -9,7 +9,7 @@
 #include "machine/setup.h"
 #include "scene/scene.h"
 
-/* All of it is read only once it is loaded; several threads may check programs on it. */
+/* Nothing changes after loading, so several threads may check programs on one model. */
 struct model {
 	struct machine *machine;
 	const struct setup *setup;	/* the loaded one, or the machine's own; NULL: none */
@@ -24,7 +24,10 @@ struct model *model_load(const char *machine, const char *setup, struct diag *di
 /* NULL is fine. */
 void model_free(struct model *model);
 
-/* Derives the pairs that must be kept apart, by `clearance` mm where no rule gives another. False: reported. */
+/*
+ * Reads the bodies and derives the pairs that must be kept apart, by `clearance` mm if no rule says otherwise. False:
+ * reported.
+ */
 bool model_add_scene(struct model *model, double clearance, struct diag *diag);
 
 /* The scene; without one, machine and setup alone. */

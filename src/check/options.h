@@ -13,29 +13,29 @@ enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
 	CHECK_INTERPOLATED,	/* the paper's: axes interpolated between a motion's ends; unsafe between samples */
 	CHECK_CONVENTIONAL,	/* samples, axes computed anew at each; unsafe between samples */
-	CHECK_NOTHING	/* interpret and watch the limits only (--parse-only) */
+	CHECK_NOTHING	/* interpret the program and check axis limits only (--parse-only) */
 };
 
-/* About four minutes on a processor of 2020: steps of real programs take a thousandth of it. */
+/* About four minutes on a processor of 2020. Steps of real programs take a thousandth of that. */
 #define CHECK_EFFORT 1000000000L
 
-/* Of a program that is shared out, shards take turns in runs of so many blocks. */
+/* If shards share one program, they take turns: each checks this many blocks, then the next shard does. */
 enum { SHARE_BLOCKS = 1024 };
 
 struct check_options {
 	enum check_method method;
 	double step;	/* s between samples of the two sampled methods */
 	double tolerance;	/* mm: e of the verdict contract */
-	bool all;	/* go on after the first finding: the first per block and pair */
-	/* read.cancel is asked in the middle of a batch, too; no finding of a batch that was broken off is told. */
+	bool all;	/* report the first finding of each pair in each block; false: stop at the first */
+	/* read.cancel is asked during a batch, too. If a batch is interrupted, none of its findings is reported. */
 	struct read_options read;
-	long effort;	/* node pairs to look at for a step of a pair before the check gives up; 0: CHECK_EFFORT */
+	long effort;	/* node pairs to look at for one pair in one step before giving up; 0: CHECK_EFFORT */
 	int threads;	/* >= 1 */
 	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
-	double block_clearance_cap;	/* mm: larger clearances are told as this one */
+	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
-	double measure_cap;	/* mm: a pair's smallest clearance is measured up to the required one plus this; 0: no cap */
-	const struct setup_change *change;	/* check the setup as if it were changed so; or NULL */
+	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */
+	const struct setup_change *change;	/* check with the setup changed like this; or NULL */
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.

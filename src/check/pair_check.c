@@ -32,7 +32,7 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 		.found_block = -1,
 		.unknown_block = -1,
 	};
-	/* A core has no clearance that anyone would want to know. */
+	/* The clearance of a cutter's core is of no interest. */
 	measure = measure && p->status != PAIR_CUTTING;
 	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, measure);
 	if (measure && options->measure_cap > 0)
@@ -71,7 +71,7 @@ void pair_check_found(struct pair_check *check, long block)
 void pair_check_jump(struct pair_check *check)
 {
 	check->maybe_inside = true;
-	/* The samples of a program are the same whoever takes them: only its start has one of its own. */
+	/* Only the first step of a program samples its start, so that the samples do not depend on shards. */
 	check->sampler.started = true;
 	strategy_forget_position(&check->strategy);
 }
@@ -92,9 +92,13 @@ static enum query_answer pass(struct pair_check *check, struct sweep *sweep, con
 	return sampler_step(&check->sampler, sweep, step, contact) ? QUERY_CONTACT : QUERY_CLEAR;
 }
 
-/* A step after a contact, which may start with one body wholly inside the other: the sweep sees surfaces only. */
-static enum query_answer pass_entangled(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
-				   long block, const struct check_options *options, struct contact *contact)
+/*
+ * Checks a step after a contact. It may start with one body wholly inside the other, which the sweep cannot see, as it
+ * sees only surfaces.
+ */
+static enum query_answer check_maybe_inside(struct pair_check *check, struct sweep *sweep,
+					    const struct motion_step *step, long block,
+					    const struct check_options *options, struct contact *contact)
 {
 	enum query_answer answer = pass(check, sweep, step, options, contact);
 	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
@@ -113,7 +117,7 @@ static enum query_answer pass_entangled(struct pair_check *check, struct sweep *
 	return QUERY_CONTACT;
 }
 
-/* Steps are left out in which the bodies may meet. */
+/* Leaves out steps in which the bodies may meet. */
 static void leave_out(struct pair_check *check)
 {
 	check->maybe_inside |= check->steps != STEP_ANY;
@@ -125,7 +129,7 @@ static bool applies(const struct pair_check *check, const struct batch_step *ste
 	return pair_check_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond);
 }
 
-/* Steps from i on that the pair passes as one chunk; 0: it must take them one by one. */
+/* How many steps from i on are checked as one chunk; 0: check them one by one. */
 static size_t skip_chunk(struct pair_check *check, const struct batch *batch, size_t i, size_t to,
 			 const struct check_options *options)
 {
@@ -145,7 +149,7 @@ static size_t skip_chunk(struct pair_check *check, const struct batch *batch, si
 	return count;
 }
 
-/* Steps from i on, one after the other, that apply. */
+/* How many successive steps from i on apply to the pair. */
 static size_t count_alike(const struct pair_check *check, const struct batch *batch, size_t i, size_t to)
 {
 	size_t end = i;
@@ -157,7 +161,7 @@ static size_t count_alike(const struct pair_check *check, const struct batch *ba
 	return end - i;
 }
 
-/* Steps from i on that nothing has to be asked of one by one. */
+/* How many steps from i on need no check one by one. */
 static size_t skip(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t i, size_t to,
 		   const struct check_options *options)
 {
@@ -190,7 +194,7 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		}
 		sweep->exhausted = false;
 		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
-				  ? pass_entangled(check, sweep, &step->motion, step->block, options, &contact)
+				  ? check_maybe_inside(check, sweep, &step->motion, step->block, options, &contact)
 				  : pass(check, sweep, &step->motion, options, &contact);
 		if (answer == QUERY_CLEAR)
 			continue;
@@ -210,12 +214,12 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 	struct contact contact;
 
 	span_init(&still.span, &path);
-	/* Clear or not: it was looked at before, more exactly. */
+	/* The answer does not matter: the pose was checked before, more exactly. */
 	strategy_advance_step(&check->strategy, sweep, &still, &contact);
 	strategy_forget_position(&check->strategy);
 }
 
-/* The block's room for the step's block. */
+/* Begins the room of the step's block, if it is a new block. */
 static void start_room(struct pair_check *check, long block)
 {
 	if (check->room_count && check->rooms[check->room_count - 1].block == block)
@@ -225,7 +229,7 @@ static void start_room(struct pair_check *check, long block)
 	block_clearance_start(&check->block);
 }
 
-/* The block sees surfaces only: as long as one body may be wholly inside the other, it has to be looked at. */
+/* block_clearance sees only surfaces: as long as one body may be inside the other, check whether it is. */
 static void measure_inside(struct pair_check *check, const struct motion_step *step)
 {
 	struct block_clearance *block = &check->block;

@@ -1,4 +1,4 @@
-/* pair_check.h - one pair that must be checked, on its way through the batches. */
+/* pair_check.h - the check of one pair: takes it through the steps of each batch. */
 #ifndef FIVECHECK_CHECK_PAIR_CHECK_H
 #define FIVECHECK_CHECK_PAIR_CHECK_H
 
@@ -12,16 +12,16 @@
 #include "check/sampled/sampler.h"
 #include "scene/scene.h"
 
-/* What a pair met with. */
+/* A contact or an undecided step of a pair. */
 struct pair_check_result {
 	size_t pair;	/* of the scene */
 	size_t step;	/* of the batch */
 	enum query_answer answer;	/* CONTACT or UNDECIDED */
-	bool exhausted;	/* UNDECIDED, as it would take more than check_options.effort */
+	bool exhausted;	/* undecided because check_options.effort was used up */
 	struct contact contact;
 };
 
-/* What clearance the pair keeps in those steps of a block that the batch holds. */
+/* The clearance that the pair keeps in those steps of a block that are in the batch. */
 struct pair_check_room {
 	long block;
 	double clearance;	/* mm: proven, up to the cap */
@@ -35,7 +35,7 @@ struct pair_check {
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
-	bool maybe_inside;	/* it has met or may have, and its surfaces may have parted with one body inside the other */
+	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
 	struct strategy strategy;	/* CERTIFIED */
 	struct sampler sampler;	/* the sampled methods */
 	struct pair_check_result *results;	/* of this batch */
@@ -46,38 +46,38 @@ struct pair_check {
 };
 
 /*
- * measure: find the smallest clearance (strategy_init). False: a mesh is faulty,
- * reported. Not to be moved afterwards.
+ * measure: find the smallest clearance (strategy_init). Must not be moved afterwards. False: a mesh is faulty,
+ * reported.
  */
 bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, const struct check_options *options,
 		 bool measure, struct diag *diag);
 void pair_check_release(struct pair_check *check);
 
-/* Is the check's pair there while this tool is in the spindle? */
+/* Is the pair present while this tool is in the spindle? */
 bool pair_check_is_active(const struct pair_check *check, int tool);
 
-/* Has the pair to stay apart in steps of this class? */
+/* Must the pair stay apart in steps of this class? */
 bool pair_check_watches(const struct pair_check *check, enum step_class class);
 
 /* The pair has a finding in this block already. */
 void pair_check_found(struct pair_check *check, long block);
 
-/* Steps were left out of which nothing is known: the bodies may even be one inside the other by now. */
+/* Steps were left out, and nothing is known about them: one body may even be inside the other by now. */
 void pair_check_jump(struct pair_check *check);
 
 /*
- * Goes through the batch's steps from `from`, which starts a chunk, to before
- * `to` and leaves its results: with options->all the first of each block, else the first.
+ * Checks the batch's steps from `from`, which begins a chunk, to before `to`. Stores the results: with options->all the
+ * first of each block, else the first.
  */
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options);
 
-/* Measures the clearance where the axes stand, as pair_check_run does where they move. The pair is apart there. */
+/* Measures the clearance at a position where the axes stand, where the pair is known to be apart. */
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at);
 
 /*
- * Measures what clearance the pair keeps in the batch's blocks, one room for each in which it is checked. To
- * be called after pair_check_run, whose findings it does not depend on.
+ * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Call it after
+ * pair_check_run; its findings are not needed.
  */
 void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
 		  const struct check_options *options);

@@ -1,4 +1,4 @@
-/* path_copies.h - copies of the paths that steps lie on, for who keeps steps longer than their event lasts. */
+/* path_copies.h - copies of paths, for steps that are kept longer than their event lasts. */
 #ifndef FIVECHECK_CHECK_PATH_COPIES_H
 #define FIVECHECK_CHECK_PATH_COPIES_H
 
@@ -8,8 +8,8 @@
 /* All zero is empty. */
 struct path_copies {
 	struct arena arena;
-	struct path *path;	/* the last one copied; NULL: none since the last clear */
-	struct tcp *tcp;	/* the same */
+	struct path *path;	/* the last copy; NULL: none since the last clear */
+	struct tcp *tcp;	/* its TCP; NULL as for path */
 };
 
 void path_copies_release(struct path_copies *copies);
@@ -18,8 +18,8 @@ void path_copies_release(struct path_copies *copies);
 void path_copies_clear(struct path_copies *copies);
 
 /*
- * A copy of the span's path, which stays where it is until the next clear. To be called for the steps of a program in
- * their order: pieces of one move share a copy.
+ * A copy of the span's path; it stays in place until the next clear. Call it for the steps in the order of the program:
+ * pieces of one move share a copy.
  */
 const struct path *path_copies_add(struct path_copies *copies, const struct span *span);
 

@@ -7,7 +7,7 @@
 struct read_ahead {
 	struct event_queue *queue;
 	struct event_receiver receiver;
-	bool heard;	/* the receiver was told everything */
+	bool heard;	/* the receiver got everything */
 };
 
 static void *receive(void *context)

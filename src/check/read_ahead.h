@@ -1,4 +1,4 @@
-/* read_ahead.h - motion_run with the program read by one thread while another thread works on what was read. */
+/* read_ahead.h - motion_run in two threads: one reads the program while the other works on what was read. */
 #ifndef FIVECHECK_CHECK_READ_AHEAD_H
 #define FIVECHECK_CHECK_READ_AHEAD_H
 
@@ -8,9 +8,9 @@
 #include "motion/motion.h"
 
 /*
- * As motion_run, event for event, but the sink, diag and options->read.opened are called from another thread, until
- * read_ahead_run returns; the calling thread reads, a few thousand events ahead. *summary is filled in unless the sink
- * stops. While the calling thread waits for input, it notices only with the next input that the sink has stopped.
+ * The same as motion_run, event for event. But until read_ahead_run returns another thread calls the sink, diag and
+ * options->read.opened, while the calling thread reads a few thousand events ahead. *summary is filled in unless the
+ * sink stops. If the calling thread waits for input, it notices only with the next input that the sink has stopped.
  * options->names is required. If no thread can be started, this is motion_run.
  */
 bool read_ahead_run(const struct machine *machine, const struct setup *setup, const struct motion_options *options,

@@ -7,14 +7,15 @@
 #include "base/parallel_for.h"
 
 /*
- * A check that looked at more node pairs than this in a batch is worth
- * several threads in the next one; and starting threads is worth it at all.
+ * A check with more node pairs than this in the last batch is divided among several threads. In a batch with fewer in
+ * all, starting threads does not pay.
  */
 #define HEAVY 20000
 
 /*
- * A heavy check's batch is dealt out in parts of whole chunks, large ones first: each is this share of what is
- * left, so that all threads come to the end at about the same time and yet few parts begin without a past.
+ * A heavy check's batch is divided into parts of whole chunks. Each part is 1/PART_SHARE of what is left, so large
+ * parts come first, all threads finish at about the same time, and there are few parts, each of which begins without
+ * knowing the steps before.
  */
 #define PART_SHARE 4
 
@@ -77,8 +78,8 @@ static void add_job(struct scheduler *scheduler, struct pair_check *check, struc
 }
 
 /*
- * The parts of a divided batch are checked independently. A check that goes on after a finding cannot be divided, as
- * later steps depend on whether the pair has met before.
+ * The parts of a divided batch are checked independently. With options->all a check cannot be divided, because later
+ * steps depend on whether the pair has met before.
  */
 static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check,
 			 const struct check_options *options)
@@ -128,19 +129,22 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 
 /* ---------------------------------------------------------------- threads */
 
-/* What the threads of one batch share. */
+/* Shared by the threads of one batch. */
 struct work {
 	struct scheduler *scheduler;
 	const struct batch *batch;
 	const struct check_options *options;
-	bool block_clearances;	/* the jobs' checks measure, and find nothing */
+	bool block_clearances;	/* measure block clearances instead of looking for contacts */
 };
 
 static void do_job(void *context, int worker, size_t i)
 {
 	const struct work *work = context;
 	struct job *job = &work->scheduler->jobs[i];
-	/* On the thread's own stack: counters of two threads in one cache line would cost half of what a thread gains. */
+	/*
+	 * The sweep is on the thread's own stack: if counters of two threads shared a cache line, half of the gain
+	 * would be lost.
+	 */
 	struct sweep sweep = work->scheduler->sweeps[worker];
 	long before = sweep.visits;
 
@@ -163,8 +167,8 @@ static void add_results(struct scheduler *scheduler, const struct pair_check *ch
 }
 
 /*
- * Results and visits of all jobs. Of a divided check the first part that met with something counts, and the state
- * after the last part goes on.
+ * Collects the results and visits of all jobs. For a divided check, the results of the first part that has any count,
+ * and the state after the last part is kept.
  */
 static void gather(struct scheduler *scheduler)
 {
@@ -210,7 +214,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 	return is_complete(scheduler);
 }
 
-bool scheduler_gauge(struct scheduler *scheduler, const struct batch *batch, int tool,
+bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
 		     const struct check_options *options)
 {
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .block_clearances = true};

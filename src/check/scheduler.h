@@ -1,4 +1,4 @@
-/* scheduler.h - the checks of all pairs, and the threads that take them through a batch. */
+/* scheduler.h - the checks of all pairs, and how threads share them. What is shared how changes no result. */
 #ifndef FIVECHECK_CHECK_SCHEDULER_H
 #define FIVECHECK_CHECK_SCHEDULER_H
 
@@ -8,10 +8,10 @@
 #include "check/pair_check.h"
 #include "check/stats.h"
 
-/* What one thread does at a time: it takes a check over the whole batch, or a copy of it over a part of the batch. */
+/* One piece of work for a thread: a check over the whole batch, or a copy of the check over a part of the batch. */
 struct job {
 	struct pair_check *check;
-	struct pair_check *copy;	/* owned; NULL: the check itself goes over the whole batch */
+	struct pair_check *copy;	/* owned; NULL: the check itself runs, over the whole batch */
 	size_t from, to;	/* steps */
 	long visits;	/* node pairs that were looked at */
 };
@@ -29,33 +29,37 @@ struct scheduler {
 	size_t result_count, result_capacity;
 };
 
-/* cancel: asked in the middle of a batch, from any thread. measure: as in pair_check_init. False: a mesh is faulty, reported. */
+/* cancel is asked during a batch, from any thread. measure as in pair_check_init. False: a mesh is faulty, reported. */
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
 		    const struct cancel *cancel, bool measure, struct diag *diag);
 void scheduler_release(struct scheduler *scheduler);
 
 /*
- * Sends every active check through the batch and gathers the results. They do
- * not depend on the number of threads: what is split among them is decided by
- * counts of work alone. False: broken off, the results are worth nothing.
+ * Runs every active check over the batch and collects the results. They do not depend on the number of threads, because
+ * counts of work alone decide what is divided. False: interrupted; then the results are invalid.
  */
 bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int tool,
 		   const struct check_options *options);
 
 /*
- * Measures with every active check what clearance remains in the batch's blocks (pair_check_measure); after
- * scheduler_run. False: broken off.
+ * Measures the clearances in the batch's blocks with every active check (pair_check_measure). Call it after
+ * scheduler_run. False: interrupted.
  */
-bool scheduler_gauge(struct scheduler *scheduler, const struct batch *batch, int tool,
+bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
 		     const struct check_options *options);
 
-/* Another tool is in the spindle: what its pairs knew of their position holds no longer. */
+/* Another tool is in the spindle: its pairs forget what was proved at the last position. */
 void scheduler_change_tool(struct scheduler *scheduler);
 
-/* The next steps do not begin where the last ones ended, and nothing is known of what was between. */
+/*
+ * Steps were left out: the next step does not begin where the last one ended, and nothing is known of the motion
+ * between.
+ */
 void scheduler_jump(struct scheduler *scheduler);
 
-/* Adds up the counters, and what is unknown up to the block that ended the check; proven may be NULL. */
+/*
+ * Adds up the counters, and the pairs that became unknown up to last_block, which ended the check. proven may be NULL.
+ */
 void scheduler_collect(const struct scheduler *scheduler, long last_block, struct check_stats *stats, double *proven);
 
 #endif

@@ -1,4 +1,4 @@
-/* sink.h - what a check tells while it runs. */
+/* sink.h - the callbacks that receive the results of a check while it runs. */
 #ifndef FIVECHECK_CHECK_SINK_H
 #define FIVECHECK_CHECK_SINK_H
 
@@ -7,18 +7,18 @@
 
 #include "check/finding.h"
 
-/* What clearance a pair keeps in a block. */
+/* The clearance that a pair keeps in a block. */
 struct check_room {
 	size_t pair;	/* of the scene */
-	double clearance;	/* mm: proven; the cap is the most that is told */
+	double clearance;	/* mm: proven; at most the cap (check_options.block_clearance_cap) */
 	bool capped;
 };
 
-/* A block that was checked. Lives during the call that hands it over. */
+/* A block that was checked. Valid only during the call that hands it over. */
 struct check_block {
 	const char *file;
 	long line;
-	long number;	/* of the blocks carried out, from 1 */
+	long number;	/* number among the blocks that were carried out, from 1 */
 	double seconds;	/* of motion, dwells excluded */
 	long steps;	/* straight pieces of it that were checked */
 	double interpret, check;	/* s of wall time; with check_options.times */
@@ -31,11 +31,15 @@ struct check_sink {
 	/* False: stop. Findings come in the order of time. */
 	bool (*finding)(void *context, const struct finding *finding);
 	/*
-	 * Now and then: how far the program is. False: break off after the batch under way, which is a fault of its
-	 * own. During a long batch it is called again with the same line, from any thread, one at a time. May be NULL.
+	 * Called now and then with the number of lines that were read. False: stop after the present batch; the check
+	 * is then incomplete, and that is reported. During a long batch it is called again with the same line, from any
+	 * thread, but never by two threads at a time. May be NULL.
 	 */
 	bool (*progress)(void *context, long lines);
-	/* Each block up to the one that ended the check, in order. NULL without `gauges` and `times`. */
+	/*
+	 * Receives each block up to the one that ended the check, in order. NULL without `block_clearances` and
+	 * `times`.
+	 */
 	void (*block)(void *context, const struct check_block *block);
 };
 

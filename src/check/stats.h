@@ -1,4 +1,4 @@
-/* stats.h - what a check counted. */
+/* stats.h - the counters of a check. */
 #ifndef FIVECHECK_CHECK_STATS_H
 #define FIVECHECK_CHECK_STATS_H
 
@@ -8,14 +8,14 @@
 
 struct check_stats {
 	struct motion_summary motion;
-	long blocks_checked;	/* of the shard; else all */
+	long blocks_checked;	/* of this shard; all blocks if there is no shard */
 	long findings;
 	size_t pairs_required, pairs_excused, pairs_skipped;	/* checked; adjacent; rigid, out of reach, waived */
-	size_t pairs_unknown;	/* apart as surfaces, but one body may have been inside the other */
-	size_t first_unknown;	/* the first of those pairs of the scene */
-	long budgets;	/* steps of pairs passed on a proven distance alone */
+	size_t pairs_unknown;	/* their surfaces are apart, but one body may have been inside the other */
+	size_t first_unknown;	/* the first of those pairs, as an index of scene->pairs */
+	long budgets;	/* steps of pairs proved by a motion budget alone */
 	long queries;	/* distance queries */
-	long certificates;	/* node and triangle pairs certified over an interval */
+	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */
 	long samples;	/* poses evaluated by the sampled methods */
 	double seconds_interpret, seconds_check;	/* wall time */

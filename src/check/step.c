@@ -18,7 +18,7 @@ bool step_moves(const struct chain *chain, const struct motion_step *step)
 	return false;
 }
 
-bool step_may_stray(const struct chain *chain, const struct motion_step *step)
+bool step_may_leave_path(const struct chain *chain, const struct motion_step *step)
 {
 	for (size_t i = 0; i < chain->count; i++)
 		if (step->tolerance.v[chain->joints[i].slot] > 0)

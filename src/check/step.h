@@ -1,4 +1,4 @@
-/* step.h - one step of a program as a pair of bodies sees it: what it moves, and how far it may be off its line. */
+/* step.h - one step of a program as it moves one pair of bodies, and how far the axes may be off its straight line. */
 #ifndef FIVECHECK_CHECK_STEP_H
 #define FIVECHECK_CHECK_STEP_H
 
@@ -7,26 +7,26 @@
 #include "machine/chain.h"
 #include "motion/motion.h"
 
-/* By how much each axis may be away from where it is said to be: mm, radians. */
+/* How far each axis may be from its nominal position: mm, radians. */
 struct position_errors {
-	axis_values chord;	/* chord error: the programmed path is so far from the straight line */
-	axis_values path;	/* path tolerance: the control may be so far from the programmed path */
+	axis_values chord;	/* chord error: how far the programmed path may be from the straight line */
+	axis_values path;	/* path tolerance: how far the control may leave the programmed path */
 	bool any;	/* false: all of them are 0 */
 };
 
-/* Does any joint of the chain move, the path's own chord error included? */
+/* Does any joint of the chain move? A chord error above 0 counts as motion. */
 bool step_moves(const struct chain *chain, const struct motion_step *step);
 
 /* May the control leave the path of any joint of the chain (G64)? */
-bool step_may_stray(const struct chain *chain, const struct motion_step *step);
+bool step_may_leave_path(const struct chain *chain, const struct motion_step *step);
 
-/* What the joints of the chain may be off the straight line between the step's ends. */
+/* The errors of the chain's joints in the step. */
 struct position_errors step_errors(const struct chain *chain, const struct motion_step *step);
 
-/* Is the way between the ends not known (PATH_BOX)? */
+/* Is the way between the step's ends unknown (PATH_BOX)? */
 bool step_is_box(const struct motion_step *step);
 
-/* All positions between the step's ends, axis by axis, without errors. */
+/* The box of all positions between the step's ends, without errors. */
 void step_box(const struct motion_step *step, axis_values *low, axis_values *high);
 
 #endif

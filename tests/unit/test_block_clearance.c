@@ -16,7 +16,8 @@ static bool comes_within(const struct program *p, int first, int last, double di
 }
 
 /* Gauges a block of a few steps and compares it with the truth; true if its bound is neither 0 nor the cap. */
-static bool gauge_block(const struct program *p, struct block_clearance *block, struct sweep *sweep, int first, int last, long number)
+static bool measure_block(const struct program *p, struct block_clearance *block, struct sweep *sweep, int first,
+			  int last, long number)
 {
 	double bound;
 
@@ -50,7 +51,7 @@ START_TEST(between_the_truth_and_a_share_of_it)
 		for (int first = 0, last; first < STEPS; first = last) {
 			last = first + 1 + random_below(&p.random, 6);
 			last = last < STEPS ? last : STEPS;
-			told += gauge_block(&p, &block, &sweep, first, last, n);
+			told += measure_block(&p, &block, &sweep, first, last, n);
 			capped += !(block.bound < block.cap);
 		}
 		duo_release(&p.duo);
@@ -74,7 +75,7 @@ START_TEST(clear_without_a_look)
 
 		program_init(&p, 2, n);
 		block_clearance_init(&block, &p.duo.pair, random_size(&p.random, 0.01, 5));
-		gauge_block(&p, &block, &sweep, 0, 1, n);
+		measure_block(&p, &block, &sweep, 0, 1, n);
 		last = 2 + random_below(&p.random, 5);
 		low = high = p.corners[1];
 		for (int i = 1; i <= last; i++) {

@@ -46,8 +46,8 @@ enum query_answer clearance_query_step(const struct clearance_query *query, cons
 				       struct contact *contact)
 {
 	const struct span *span = &step->span;
-	bool strays = step_may_stray(query->bodies->chain, step);
-	const struct chord chord = {span->q0, span->q1, span->deviation, strays ? &step->tolerance : NULL,
+	bool may_leave = step_may_leave_path(query->bodies->chain, step);
+	const struct chord chord = {span->q0, span->q1, span->deviation, may_leave ? &step->tolerance : NULL,
 				    span->path, span->u0, span->u1, halve};
 
 	if (step_is_box(step))

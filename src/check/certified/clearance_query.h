@@ -1,4 +1,6 @@
-/* clearance_query.h - does a pair keep its distance along a step? The sweep that all other proofs stand for. */
+/*
+ * clearance_query.h - the exact query: does a pair keep its distance along a step? All quick proofs replace this one.
+ */
 #ifndef FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
 #define FIVECHECK_CHECK_CERTIFIED_CLEARANCE_QUERY_H
 
@@ -12,12 +14,12 @@ struct clearance_query {
 	struct sweep *sweep;
 	const struct body_pair *bodies;
 	double clearance, tolerance;	/* mm, as in sweep_chord */
-	bool any;	/* any contact will do, not just the first */
-	long box_visits;	/* node pairs to look at for a step whose way is not known; 0: no limit */
+	bool any;	/* any contact is an answer; else it must be the first */
+	long box_visits;	/* node pairs to look at if the way is not known (PATH_BOX); 0: no limit */
 };
 
 enum query_answer {
-	QUERY_CLEAR,	/* proved: farther apart than clearance and path displacement all the way */
+	QUERY_CLEAR,	/* proved: at every instant farther apart than clearance plus path displacement */
 	QUERY_CONTACT,	/* *contact is the first instant, its s is the step's; at most clearance + path displacement + tolerance apart */
 	QUERY_UNDECIDED
 };

@@ -31,7 +31,7 @@ void kept_budgets_resume(struct kept_budgets *budgets, const axis_values *q)
 	motion_budget_resume(&budgets->now, q);
 }
 
-/* The i-th kept one goes into use, and what was in use into its place. */
+/* Swaps the i-th kept budget with the one in use. */
 static void take(struct kept_budgets *budgets, int i)
 {
 	struct motion_budget was = budgets->now;
@@ -45,7 +45,7 @@ bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, co
 	for (int i = 0; i < budgets->count; i++) {
 		struct motion_budget *budget = &budgets->kept[i];
 
-		/* Where the axes go first: mostly that settles it. */
+		/* The end of the motion decides most cases, so it comes first. */
 		if (!motion_budget_holds(budget, q1))
 			continue;
 		motion_budget_resume(budget, q0);

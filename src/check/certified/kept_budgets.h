@@ -1,4 +1,6 @@
-/* kept_budgets.h - the budget in use, and earlier ones for when the axes come back to where they were. */
+/*
+ * kept_budgets.h - the motion budget in use, and earlier ones, which help when the axes come back to the same places.
+ */
 #ifndef FIVECHECK_CHECK_CERTIFIED_KEPT_BUDGETS_H
 #define FIVECHECK_CHECK_CERTIFIED_KEPT_BUDGETS_H
 
@@ -15,23 +17,26 @@ struct kept_budgets {
 	struct motion_budget now;
 	struct motion_budget kept[BUDGETS_KEPT];
 	int count;
-	int oldest;	/* of those kept, once there is no more room */
+	int oldest;	/* the kept budget to replace next, once BUDGETS_KEPT are kept */
 };
 
 void kept_budgets_init(struct kept_budgets *budgets, const struct chain *chain);
 
-/* As in budget.h; the budget used until now is kept. */
+/* As in motion_budget.h. kept_budgets_set also keeps the budget that was in use. */
 void kept_budgets_set(struct kept_budgets *budgets, const axis_values *q, const struct chain_state *state, double room);
 void kept_budgets_resume(struct kept_budgets *budgets, const axis_values *q);
 
 /*
- * Puts one of those kept into use that covers the straight motion from q0, where the axes
- * stand, to q1. Of it nothing is used up yet.
+ * If a kept budget covers the straight motion from q0, where the axes stand, to q1, it becomes the one in use. None of
+ * it is used up yet.
  */
 bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
 		   const struct position_errors *errors);
 
-/* As in budget.h, with the one in use or else one of those kept, which is in use then. The axes come from q0. */
+/*
+ * As in motion_budget.h, with the budget in use; if that does not cover the motion, with a kept one, which is in use
+ * from then on. The axes come from q0.
+ */
 bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
 		   const struct position_errors *errors);
 bool kept_budgets_cover_box(struct kept_budgets *budgets, const axis_values *low, const axis_values *high,

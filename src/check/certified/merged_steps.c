@@ -112,7 +112,7 @@ const axis_values *merged_steps_tolerance(const struct chain *chain, const struc
 	for (size_t i = 0; i < count; i++) {
 		for (int k = 0; k < SLOT_COUNT; k++)
 			most->v[k] = fmax(most->v[k], steps[i].motion.tolerance.v[k]);
-		any |= step_may_stray(chain, &steps[i].motion);
+		any |= step_may_leave_path(chain, &steps[i].motion);
 	}
 	return any ? most : NULL;
 }

@@ -1,4 +1,4 @@
-/* merged_steps.h - several steps of a batch as one chord, which halves into them. */
+/* merged_steps.h - several steps of a batch as one chord, which can be halved into the steps again. */
 #ifndef FIVECHECK_CHECK_CERTIFIED_MERGED_STEPS_H
 #define FIVECHECK_CHECK_CERTIFIED_MERGED_STEPS_H
 

@@ -27,34 +27,37 @@ struct motion_budget {
 	axis_values at;
 	double room;	/* mm */
 	double rho[VIEWS][SLOT_COUNT];	/* mm, by joint, at `at` */
-	double used[VIEWS];	/* mm, at the end of the last motion that was covered or at `at` */
+	double used[VIEWS];	/* mm, at the current position (the last covered end, or `at`) */
 };
 
 void motion_budget_init(struct motion_budget *budget, const struct chain *chain);
 
-/* mm: with less room than that a budget that begins at the state covers nothing, not even the state itself. */
+/* mm: a budget that begins at the state needs more room than this to cover anything, even the state itself. */
 double motion_budget_least(const struct chain *chain, const struct chain_state *state,
 			   const struct position_errors *errors);
 
-/* Starts anew at q with the state of the chain there; room may be 0 or less: then it covers nothing. */
+/*
+ * Starts a new budget at q, its current position, where the chain's state is `state`. If room is 0 or less it covers
+ * nothing.
+ */
 void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state, double room);
 
-/* The axes stand at q again without having been followed from `at`. */
+/* Makes q the current position, whatever the motion to q was. */
 void motion_budget_resume(struct motion_budget *budget, const axis_values *q);
 
-/* Is q covered? */
+/* Is the position q covered? */
 bool motion_budget_holds(const struct motion_budget *budget, const axis_values *q);
 
-/* Is the motion from where the budget was last used to q1 covered? If so it is used. */
+/* Is the straight motion from the budget's current position to q1 covered? If so q1 is its current position. */
 bool motion_budget_covers(struct motion_budget *budget, const axis_values *q1, const struct position_errors *errors);
 
-/* The same for every position between low and high, after which the axes stand at q1. */
+/* The same for every position between low and high. If all are covered, q1 is the current position. */
 bool motion_budget_covers_box(struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		       const axis_values *q1, const struct position_errors *errors);
 
 /*
- * mm of the room that are left wherever between low and high the axes stand; below 0, or
- * -INFINITY when nothing is known: nothing is proven there. Uses nothing up.
+ * mm: the room that is left at every position between low and high. Below 0, or -INFINITY if there is no budget:
+ * nothing is proved there. The current position stays.
  */
 double motion_budget_rest(const struct motion_budget *budget, const axis_values *low, const axis_values *high,
 		   const struct position_errors *errors);

@@ -6,10 +6,10 @@
 #include "check/certified/merged_steps.h"
 #include "check/step.h"
 
-/* Above the clearance it does not matter where exactly the target is missed: this share of what is beyond the clearance. */
+/* A target beyond the clearance need not be decided exactly: an error of this share of the part beyond is fine. */
 #define MEASURE_GRAIN 0.1
 
-/* Node pairs looked at for one rapid whose way is not known, before the check gives up with an error. */
+/* The most node pairs to look at for one rapid whose way is not known. Then the check reports an error. */
 #define BOX_VISITS 50000000L
 
 void pair_proof_init(struct pair_proof *proof, const struct body_pair *bodies, double clearance, double tolerance)
@@ -63,7 +63,7 @@ bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *
 {
 	const struct chain *chain = proof->bodies.chain;
 
-	return proof->clear_at_end && !step_moves(chain, step) && !step_may_stray(chain, step);
+	return proof->clear_at_end && !step_moves(chain, step) && !step_may_leave_path(chain, step);
 }
 
 bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,

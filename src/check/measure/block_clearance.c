@@ -5,17 +5,20 @@
 #include "check/certified/clearance_query.h"
 #include "check/step.h"
 
-/* What share of a distance a look is content with: more costs far more than asking whether a distance holds. */
-#define LOOK_SHARE 0.2
+/* A distance query asks for this share of the distance. More costs far more than asking whether a distance holds. */
+#define DISTANCE_SHARE 0.2
 
-/* What share of the smallest distance that was seen is enough; how sharply it is asked for, as a share of that. */
+/*
+ * The search is done once this share of the smallest distance that was seen is proved. GRAIN: how exactly each query
+ * decides, as a share of the distance.
+ */
 #define ENOUGH 0.9
 #define GRAIN 0.03
 
-/* Questions to a step before each is for half as much: by then the search has long come to an end. */
-#define PATIENCE 60
+/* After so many queries in one step each further query halves the distance. The search normally ends long before. */
+#define QUERIES_MAX 60
 
-/* Node pairs looked at for one rapid whose way is not known, before less is asked for. */
+/* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
 void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies, double cap)
@@ -36,19 +39,19 @@ bool block_clearance_clears(const struct block_clearance *block, const axis_valu
 	return !block->maybe_inside && motion_budget_rest(&block->budget, low, high, errors) > block->cap;
 }
 
-/* The distance where the step ends is where the next step can begin with. */
+/* Makes a budget at the end of the step, where the next step can use it. */
 static void renew(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
 {
 	const struct body_pair *bodies = &block->bodies;
 	struct chain_state state;
-	double proven = sweep_distance(sweep, bodies, q, LOOK_SHARE, 0, 0);
+	double proven = sweep_distance(sweep, bodies, q, DISTANCE_SHARE, 0, 0);
 
 	block->found = block->coherence.near;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
 	motion_budget_set(&block->budget, q, &state, proven);
 }
 
-/* Is what is left of a proven distance enough, or nearly all that there can be? Then it is the bound. */
+/* Does the budget prove enough for the step, or nearly all that there can be? Then it gives the bound. */
 static bool spend(struct block_clearance *block, const axis_values *low, const axis_values *high,
 		  const struct position_errors *errors, double *rest)
 {
@@ -62,7 +65,7 @@ static bool spend(struct block_clearance *block, const axis_values *low, const a
 	return true;
 }
 
-/* What to ask for next between what holds (0: nothing yet) and what was seen not to. */
+/* The distance to try next, between one that holds (0: none yet) and one that does not. */
 static double next_target(double low, double high, int failures)
 {
 	if (failures < 2)
@@ -71,8 +74,8 @@ static double next_target(double low, double high, int failures)
 }
 
 /*
- * Asks what distance holds throughout the step. Each answer that one does not
- * shows a smaller one; the search ends when what holds is nearly that.
+ * Finds a distance that holds throughout the step. Each failed query shows a smaller distance; the search ends when a
+ * proved distance is nearly as large as that.
  */
 static void prove(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step, double rest,
 		  double tolerance)
@@ -88,7 +91,7 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 
 		if (answer == QUERY_CLEAR) {
 			low = target;
-		} else if (answer == QUERY_UNDECIDED || round >= PATIENCE) {
+		} else if (answer == QUERY_UNDECIDED || round >= QUERIES_MAX) {
 			high = target;
 			failures = 2;
 		} else {

@@ -1,4 +1,4 @@
-/* block_clearance.h - how near a pair of bodies comes in each block: a proven bound on its distance, up to a cap. */
+/* block_clearance.h - a proven lower bound of a pair's distance in each block, up to a cap. */
 #ifndef FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 #define FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 
@@ -10,8 +10,8 @@
 #include "scene/sweep.h"
 
 /*
- * What is proven is at least this share of the smallest distance in the block, or of the cap, less the
- * tolerance; where the way of a rapid is not known (PATH_BOX) it may be any lower bound.
+ * The bound is at least this share of the smallest distance in the block, or of the cap, less the tolerance. Where the
+ * way of a rapid is not known (PATH_BOX) it may be any lower bound.
  */
 #define BLOCK_CLEARANCE_SHARE 0.85
 
@@ -20,10 +20,10 @@ struct block_clearance {
 	struct body_pair bodies;
 	struct coherence coherence;
 	struct motion_budget budget;
-	double found;	/* mm: two triangles were this close where the budget begins */
+	double found;	/* mm: where the budget begins, two triangles were this close */
 	double cap;	/* mm */
-	double bound;	/* mm: more than this, or the whole cap, is proven for the block so far; 0: nothing */
-	bool maybe_inside;	/* surfaces have met, and may have parted with one body inside the other */
+	double bound;	/* mm: proven for the block so far: more than this, or at least the cap; 0: nothing */
+	bool maybe_inside;	/* the surfaces have met; since then one body may be inside the other */
 };
 
 /* The block must stay where it is from here on. */
@@ -32,7 +32,7 @@ void block_clearance_init(struct block_clearance *block, const struct body_pair 
 /* A new block begins. */
 void block_clearance_start(struct block_clearance *block);
 
-/* Is the pair, wherever between low and high the axes stand, farther apart than the cap? */
+/* Is the pair farther apart than the cap at all positions between low and high? */
 bool block_clearance_clears(const struct block_clearance *block, const axis_values *low, const axis_values *high,
 		  const struct position_errors *errors);
 

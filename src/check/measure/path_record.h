@@ -1,4 +1,4 @@
-/* path_record.h - the path of a program, kept on disk, so that a run with another setup can be compared with it. */
+/* path_record.h - the path of a program, kept on disk and compared with the path of a run with another setup. */
 #ifndef FIVECHECK_CHECK_MEASURE_PATH_RECORD_H
 #define FIVECHECK_CHECK_MEASURE_PATH_RECORD_H
 
@@ -11,25 +11,27 @@
 struct path_record {
 	FILE *file;	/* one entry a block, of the run that was recorded */
 	bool compares;	/* this run is compared with the record; else it is recorded */
-	/* Every block so far was the recorded one, with the same tool, and left the rotary axes at the recorded angles. */
+	/*
+	 * So far every block is the recorded one, has the same tool, and leaves the rotary axes at the recorded angles.
+	 */
 	bool same;
 	double farthest;	/* mm: the largest distance of the linear axes from the recorded end of a block */
 	uint64_t digests[SLOT_COUNT];	/* of all positions of each axis */
-	bool failed;	/* the disk is full, or the like: nothing can be said */
+	bool failed;	/* the file could not be written or read: nothing is known */
 };
 
 /* False: no temporary file can be made; errno says why. */
 bool path_record_init(struct path_record *path);
 void path_record_release(struct path_record *path);
 
-/* A run begins, which is recorded or compared with the record. */
+/* Begins a run: path_record_start records it, path_record_compare compares it with the record. */
 void path_record_start(struct path_record *path);
 void path_record_compare(struct path_record *path);
 
 void path_record_step(struct path_record *path, const struct motion_step *step);
 void path_record_block(struct path_record *path, long line, int tool, const axis_values *end);
 
-/* The run that is compared is complete: sets `same` to false if the record goes on. */
+/* The compared run is complete. Sets `same` to false if the record has more blocks. */
 void path_record_end(struct path_record *path);
 
 #endif

@@ -9,15 +9,18 @@
 #include "check/measure/path_record.h"
 #include "motion/motion.h"
 
-/* What remains of a clearance may be measured as so much less: then a change cannot be proved any farther... */
+/* A clearance may be measured this much too small: with less left, no larger change can be proved... */
 #define STALL 2
-/* ...and one that is larger by this must find what is in the way, if it is. Both in tolerances. */
+/* ...and a change that is larger by this must find the body that is in the way, if there is one. Both in tolerances. */
 #define PROBE 6
 
-/* Runs for one quantity in one direction, before the rest is given up. */
+/* The most runs for one quantity in one direction. */
 #define RUNS_MAX 60
 
-/* Where something is found without a change: parts of the range that are tried, halvings of the one that turns. */
+/*
+ * If something is found without a change: the parts of the range to try, and the halvings of the part in which the
+ * verdict changes.
+ */
 #define PARTS 20
 #define HALVINGS 6
 
@@ -30,18 +33,18 @@ struct search {
 	const char *name;
 	struct path_record path;
 	uint64_t digests[SLOT_COUNT];	/* of the recorded run */
-	bool affects[SLOT_COUNT];	/* axes that go elsewhere with the quantity changed */
-	double spread;	/* how many times a change may show in the distance of two bodies; INFINITY: it cannot be told */
-	double *proven;	/* of the run without a change, or the last that was measured */
+	bool affects[SLOT_COUNT];	/* axes that the change moves */
+	double spread;	/* distances change by at most this many times the change; INFINITY: not known */
+	double *proven;	/* mm: clearance, of the run without a change or of the last measured run */
 	struct sensitivity *answer;
 	int runs;
 };
 
-/* One run. */
+/* The result of one run. */
 struct probe {
 	struct search *search;
 	enum check_result result;
-	bool orderly;	/* the path was the recorded one, as far as it went */
+	bool orderly;	/* the path is the recorded one, as far as the run went */
 	char *why;	/* the first error; owned */
 };
 
@@ -57,7 +60,7 @@ static bool on_finding(void *context, const struct finding *finding)
 	answer->line = finding->line;
 	answer->slot = finding->slot;
 	answer->a = answer->b = NULL;
-	/* The finding does not last, but the scene's names do. */
+	/* The finding is valid during this call only; names owned by the scene last. */
 	for (size_t i = 0; i < scene->body_count && finding->kind != FINDING_LIMIT; i++) {
 		const char *body = scene->bodies[i].body->name;
 
@@ -88,8 +91,8 @@ static void on_fault(void *context, const struct diag_entry *entry)
 }
 
 /*
- * Checks with the answer's quantity changed by `amount` in its direction; measures what clearance there is (0:
- * nothing) as far as it is of use to a further change by `measures` mm. Release the probe's `why`.
+ * Checks the program with the answer's quantity changed by `amount` in its direction. Measures clearances (measures 0:
+ * none) as far as they matter for a further change by `measures` mm. Release the probe's `why`.
  */
 static struct probe run(struct search *search, double amount, double measures)
 {
@@ -127,9 +130,9 @@ static struct probe run(struct search *search, double amount, double measures)
 }
 
 /*
- * A change moves the spindle, as the other end of all linear axes sees it, by its own amount. What single axes have
- * in that is no more where their directions are orthogonal, else bounded by the least singular value of
- * the directions, whose square is at least 1 less the cosines between them (Gershgorin).
+ * A change moves the spindle by its own amount, as seen from the other end of all linear axes. The share of a single
+ * axis is no larger if the axes' directions are orthogonal. Else it is bounded by the least singular value of the
+ * directions, whose square is at least 1 less the cosines between them (Gershgorin).
  */
 static double spread_of(const struct machine *machine)
 {
@@ -151,7 +154,7 @@ static double spread_of(const struct machine *machine)
 	return most < 1 ? sqrt(3 / (1 - most)) : INFINITY;
 }
 
-/* mm: any change that is smaller does no harm to the pairs, by what was measured last. */
+/* mm: by the last measurement, every smaller change keeps the pairs apart. */
 static double room(const struct search *search)
 {
 	double least = INFINITY;
@@ -183,7 +186,10 @@ static void turn(struct search *search, double at)
 	search->answer->turn = at;
 }
 
-/* Something is found at `high`, nothing at `low`, and between them no bodies meet: a limit, which has one side. */
+/*
+ * Something is found at `high` and nothing at `low`: finds by halving where the verdict changes. proved: no bodies can
+ * meet between the two, so the finding is a limit, and no change up to the last `low` reaches it.
+ */
 static void close_in(struct search *search, double low, double high, bool proved)
 {
 	double grain = PROBE * search->options.tolerance;
@@ -203,7 +209,7 @@ static void close_in(struct search *search, double low, double high, bool proved
 		proved = proved && probe.orderly;
 		free(probe.why);
 	}
-	/* The last run that found something is the one to tell of. */
+	/* Repeats the last run that found something: its finding is the one to report. */
 	free(run(search, high, 0).why);
 	search->answer->tried = low;
 	if (proved)
@@ -211,7 +217,7 @@ static void close_in(struct search *search, double low, double high, bool proved
 	turn(search, high);
 }
 
-/* From a change of `low`, which was measured, to the next. True: the answer is found. */
+/* Goes on from a change of `low`, which was measured, to a larger one. True: the answer is found. */
 static bool advance(struct search *search, double *low, double *stride, bool *proved)
 {
 	struct sensitivity *answer = search->answer;
@@ -233,7 +239,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 		turn(search, next);
 	if (probe.result == CHECK_FOUND)
 		return true;
-	/* Where nothing more can be proved larger and larger strides are tried. */
+	/* If nothing more can be proved, tries larger and larger steps. */
 	*stride = stalls ? 2 * *stride : PROBE * e;
 	*low = answer->tried = next;
 	if (*proved)
@@ -241,7 +247,7 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	return !(next < answer->range);
 }
 
-/* How far a clear verdict holds. Before each run, search->proven is what was measured without a change. */
+/* Finds how far a clear verdict holds. Before each run, search->proven is what was measured without a change. */
 static void search_clear(struct search *search)
 {
 	struct sensitivity *answer = search->answer;
@@ -275,7 +281,7 @@ static void search_clear(struct search *search)
 	}
 }
 
-/* Where something is found: the first of the tried changes at which nothing is. */
+/* Something is found without a change: looks for the first of the tried changes at which nothing is found. */
 static void search_found(struct search *search)
 {
 	struct sensitivity *answer = search->answer, found;

@@ -1,4 +1,4 @@
-/* sensitivity.h - by how much a work offset or the tool length may be off before a program's verdict turns. */
+/* sensitivity.h - by how much a work offset or the tool length may be wrong before the verdict of a program changes. */
 #ifndef FIVECHECK_CHECK_MEASURE_SENSITIVITY_H
 #define FIVECHECK_CHECK_MEASURE_SENSITIVITY_H
 
@@ -11,38 +11,37 @@
 enum { CHANGE_X, CHANGE_Y, CHANGE_Z, CHANGE_LENGTH, CHANGES };
 
 enum sensitivity_state {
-	SENSITIVITY_NO_EFFECT,	/* no axis goes elsewhere */
+	SENSITIVITY_NO_EFFECT,	/* the change moves no axis */
 	SENSITIVITY_HOLDS,	/* the verdict is the same up to `range` */
-	SENSITIVITY_TURNS,	/* at `turn` it is another one */
-	SENSITIVITY_UNKNOWN	/* the program could not be checked with a change of `turn`: `why`; or it took too many runs */
+	SENSITIVITY_TURNS,	/* at `turn` the verdict is another one */
+	SENSITIVITY_UNKNOWN	/* a change of `turn` could not be checked (`why`), or too many runs were needed */
 };
 
-/* One quantity, one direction. Lengths in mm, all of them amounts of change, 0 or more. */
+/* The answer for one quantity in one direction. Lengths in mm; amounts of change are 0 or more. */
 struct sensitivity {
 	int quantity;	/* CHANGE_... */
 	int sign;	/* 1, -1 */
-	double range;	/* what was asked for */
+	double range;	/* the largest change that was asked for */
 	enum sensitivity_state state;
 	double proved;	/* the verdict is proved to be clear for every change up to this; 0 if it is not clear to begin with */
-	double tried;	/* it was the same at all changes that were tried up to this */
+	double tried;	/* the verdict is the same at all changes that were tried up to this */
 	double turn;
-	long line;	/* of the block that decides: the finding's */
+	long line;	/* of the block with the finding that decides */
 	int kind;	/* enum finding_kind; -1: at `turn` nothing is found */
-	const char *a, *b;	/* its bodies, the scene's; NULL: a limit, then: */
+	const char *a, *b;	/* names of its bodies, owned by the scene; NULL: a limit, then: */
 	int slot;
-	char *why;	/* UNKNOWN: the error, or NULL; owned */
+	char *why;	/* of UNKNOWN: the error, or NULL; owned */
 };
 
 /*
- * Checks the program again and again, from where `in` stands, which must be a file that can be
- * read again, with one quantity changed at a time, by up to range[CHANGE_...] either way. Fills answers[0..],
- * at most 2 * CHANGES, and returns how many; 0: reported. `result` is the verdict without a change, not INCOMPLETE. The
- * sink's progress is called; its finding is not. `all` and what is measured in the options do not matter.
- *
- * What is proved rests on this: a change by d moves no point farther than d, seen from any other
- * body, so that d less than the clearance that is proved without it does no harm. That holds
- * if the axes' positions are affine in d, which at the values tried is compared, block by block. A limit of
- * travel needs no more than that: between two values that keep it, every value does.
+ * Checks the program again and again, each time with one quantity changed by up to range[CHANGE_...] in one direction.
+ * `in` must be a file that can be read again, and each run begins where it stands now. Fills answers[0..], at most 2 *
+ * CHANGES, and returns how many; 0: a fault was reported. `result` is the verdict without a change, and not INCOMPLETE.
+ * The sink's progress is called; its finding is not. `all` and the measurements in the options are ignored.
+ * Why a change is proved harmless: a change by d moves no point farther than d, as any other body sees it. So a change
+ * smaller than the clearance proved without it does no harm. That holds if the axes' positions are affine in d, which
+ * is compared block by block for the values that are tried. For a limit of travel this alone is enough: if two values
+ * keep the limit, all values between them keep it.
  */
 size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
 		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,

@@ -1,4 +1,4 @@
-/* axis_cache.h - the paper's separating axes of triangle pairs at both ends of one motion, kept while it lasts. */
+/* axis_cache.h - the separating axes of the paper's method: those of triangle pairs at both ends of one motion. */
 #ifndef FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
 #define FIVECHECK_CHECK_SAMPLED_AXIS_CACHE_H
 
@@ -19,10 +19,10 @@ struct axis_cache;
 struct axis_cache *axis_cache_new(void);
 void axis_cache_free(struct axis_cache *cache);
 
-/* A new motion begins: nothing is known. */
+/* Empties the cache: a new motion begins. */
 void axis_cache_clear(struct axis_cache *cache);
 
-/* The axes of triangles i and j; NULL: not there yet, then axis_cache_add makes room that the caller fills. */
+/* The axes of triangles i and j; NULL: not in the cache. Then axis_cache_add makes room, which the caller fills. */
 const struct axis_pair *axis_cache_find(const struct axis_cache *cache, uint32_t i, uint32_t j);
 struct axis_pair *axis_cache_add(struct axis_cache *cache, uint32_t i, uint32_t j);
 

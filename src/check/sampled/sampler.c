@@ -7,7 +7,7 @@
 #include "geom/tolerance.h"
 #include "scene/bvh_pair.h"
 
-/* One motion, and the pose of the sample at s. */
+/* One motion and the pose of one of its samples. */
 struct sample {
 	struct sampler *sampler;
 	const xform *ends;	/* b in a at the ends of the motion */
@@ -99,7 +99,7 @@ static bool leaves_meet(const struct sample *sample, struct leaf of_a, struct le
 	return false;
 }
 
-/* Do the bodies meet at the sample's pose? Whatever the boxes do not rule out is put to the triangles. */
+/* Do the bodies meet at the sample's pose? Triangles are tested wherever the boxes overlap. */
 static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct contact *contact)
 {
 	const struct body_pair *bodies = &sample->sampler->bodies;

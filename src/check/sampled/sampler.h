@@ -1,4 +1,4 @@
-/* sampler.h - the paper's two methods: looking at poses every so often, and not at what happens in between. */
+/* sampler.h - the paper's two methods: they look at poses at intervals of time, and not at the motion between them. */
 #ifndef FIVECHECK_CHECK_SAMPLED_SAMPLER_H
 #define FIVECHECK_CHECK_SAMPLED_SAMPLER_H
 
@@ -12,12 +12,10 @@
 struct axis_cache;
 
 /*
- * Chen, Lin and Chang, "Efficient Web-Learning Collision Detection Tool on
- * Five-Axis Machine": at every sampling step the triangles are tested by the
- * separating axes of their pose (conventional), or by the axes of a motion's two
- * ends, interpolated linearly (interpolated). The trees' boxes spare the
- * triangle tests of what is plainly apart, and with them some of the false alarms
- * that interpolated axes raise.
+ * Chen, Lin and Chang, "Efficient Web-Learning Collision Detection Tool on Five-Axis Machine". At every sample the
+ * triangles are tested by separating axes: those of the sample's pose (conventional), or those at the two ends of a
+ * motion, interpolated linearly (interpolated). Here the boxes of the trees dismiss distant triangles first. That also
+ * avoids some of the false alarms that interpolated axes raise.
  */
 struct sampler {
 	struct body_pair bodies;
@@ -33,7 +31,10 @@ void sampler_init(struct sampler *sampler, const struct body_pair *bodies, doubl
 		  double step);
 void sampler_release(struct sampler *sampler);
 
-/* Looks at the samples in the step (its start only if it is the first); true: *contact is the first that meets. */
+/*
+ * Tests the samples in the step; the step's start is a sample only in the first step. True: *contact is the first
+ * sample that meets.
+ */
 bool sampler_step(struct sampler *sampler, struct sweep *sweep, const struct motion_step *step,
 		  struct contact *contact);
 
