@@ -1,4 +1,4 @@
-/* bvh_pair.h - what a walk over two trees of boxes looks at: a subtree of each, with its box. */
+/* bvh_pair.h - a pair of subtrees, one from each body's tree: the unit of work of every walk over two trees. */
 #ifndef FIVECHECK_SCENE_BVH_PAIR_H
 #define FIVECHECK_SCENE_BVH_PAIR_H
 
@@ -9,7 +9,7 @@
 #include "geom/boxes.h"
 #include "geom/bvh.h"
 
-/* A run of triangles of one body. */
+/* Successive triangles of one body. */
 struct leaf {
 	uint32_t first;
 	uint8_t count;
@@ -18,7 +18,7 @@ struct leaf {
 struct subtree {
 	struct box box;
 	float size;	/* mm: the box's diagonal */
-	struct leaf leaf;	/* count 0: the inner node nodes[leaf.first] */
+	struct leaf leaf;	/* count 0: an inner node, nodes[leaf.first] */
 };
 
 static inline struct subtree subtree_of(struct box box, struct leaf leaf)
@@ -44,7 +44,7 @@ struct bvh_pair {
 	float least;
 };
 
-/* Of two subtrees, not both leaves, is a the one to open? The larger that can be. */
+/* Should a be opened, and not b? The larger of the two is opened, unless it is a leaf. At most one is a leaf. */
 static inline bool bvh_pair_opens_a(const struct subtree *a, const struct subtree *b)
 {
 	return b->leaf.count || (!a->leaf.count && a->size >= b->size);

@@ -14,9 +14,9 @@ struct search {
 	const struct body_pair *pair;
 	xform pose;
 	struct box_motion boxes;
-	double share;	/* of the distance that must be proven */
-	double found;	/* two triangles are this close */
-	double proven;	/* and everything dismissed so far is farther than this */
+	double share;	/* share of the distance that must be proven */
+	double found;	/* mm: two triangles are this close */
+	double proven;	/* mm: everything dismissed so far is farther than this */
 	size_t depth;
 };
 
@@ -26,7 +26,7 @@ static void push(struct search *search, const struct subtree *a, const struct su
 	search->depth++;
 }
 
-/* Is what is at least this far away of no more interest? Then it counts as proven to be there. */
+/* Can everything that is at least this far away be dismissed? Then this distance counts as proven for it. */
 static bool dismiss(struct search *search, double least)
 {
 	if (least < search->share * search->found)
@@ -35,7 +35,7 @@ static bool dismiss(struct search *search, double least)
 	return true;
 }
 
-/* What an axis that helped before says of two subtrees: mm. */
+/* mm: the gap between two subtrees along an axis that helped before. */
 static double gap_of(const struct search *search, const struct subtree *a, const struct subtree *b)
 {
 	if (!search->pair->coherence)
@@ -43,7 +43,7 @@ static double gap_of(const struct search *search, const struct subtree *a, const
 	return coherence_gap(search->pair->coherence, &search->pose, search->pair, &a->box, &b->box);
 }
 
-/* Opens the larger subtree; of its children the nearest comes onto the stack last and is looked at first. */
+/* Opens the larger subtree. The nearest of its children is pushed last, so it is looked at first. */
 static void push_children(struct search *search, const struct bvh_pair *entry)
 {
 	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
@@ -87,7 +87,7 @@ static void remember(const struct search *search, size_t i, size_t j, vec3 direc
 	coherence_learn(coherence, direction, &search->pose);
 }
 
-/* The triangles that were near last time bound the distance from above before the search begins. */
+/* The triangles that were close last time give an upper bound of the distance before the search begins. */
 static void recall(struct search *search)
 {
 	const struct coherence *coherence = search->pair->coherence;
@@ -112,7 +112,7 @@ static void measure_triangles(struct search *search, size_t i, size_t j, const t
 		search->found = distance;
 		remember(search, i, j, direction);
 	}
-	/* What is proven is the gap along an axis, not the distance that some algorithm found. */
+	/* The proof is the gap along an axis, not the distance that the triangle test computes. */
 	gap = tri_gap(a, b, direction);
 	if (!(gap >= search->proven))
 		search->proven = gap > 0 ? gap : 0;

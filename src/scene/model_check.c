@@ -7,15 +7,18 @@
 #include "scene/placed_box.h"
 #include "scene/setup_check.h"
 
-/* mm: a gauge point or a workholding may stand this far off the body that it belongs to (nose rings, cut-outs). */
+/* mm: a gauge point or a workholding may be this far from the body that it belongs to (nose rings, cut-outs). */
 static const double SPINDLE_OFF = 30;
 static const double WORKHOLDING_OFF = 50;
-/* mm that a head may reach past its gauge point (a ring around the spindle's nose, a guard). */
+/* mm: a head may reach this far past its gauge point (a ring around the spindle's nose, a guard). */
 static const double NOSE = 40;
-/* The drawing's size over the longest travel, outside of which units are doubted; machines have 1 to 8. */
+/*
+ * The size of the drawing divided by the longest travel. Outside of this range the units are doubted; real machines
+ * have 1 to 8.
+ */
 static const double SIZE_LEAST = 0.1, SIZE_MOST = 25;
 
-/* The body of a link that is nearest to a point, by its box; -1: the link has none. */
+/* The body of a link whose box is nearest to a point; -1: the link has no body. */
 static int nearest_body(const struct scene *scene, int link, vec3 point, double *distance)
 {
 	int nearest = -1;
@@ -67,7 +70,10 @@ static void crossings(const struct scene *scene, int body, vec3 point, vec3 alon
 	}
 }
 
-/* Lines around the spindle's axis, past bores and keys: most of them must meet more ahead than behind. */
+/*
+ * Casts lines around the spindle's axis, so that they miss bores and keys. Most of them must cross more of the body
+ * ahead than behind.
+ */
 static void check_head(const struct scene *scene, struct doubts *doubts)
 {
 	enum { LINES = 8 };
@@ -103,7 +109,7 @@ static bool is_carried(const struct machine *machine, int link, int carrier)
 	return link == carrier;
 }
 
-/* The distance of a line from a box: along the line it is convex, so a search by thirds finds the least. */
+/* The distance of a line from a box. Along the line the distance is convex, so a ternary search finds the least. */
 static double line_to_box(vec3 point, vec3 along, struct placed_box box)
 {
 	double reach = placed_box_distance(box, point) + 2 * placed_box_size(box), low = -reach, high = reach;
@@ -119,7 +125,7 @@ static double line_to_box(vec3 point, vec3 along, struct placed_box box)
 	return placed_box_distance(box, vec3_mad(point, low, along));
 }
 
-/* Of all bodies of the machine that move with the link; false: there are none, or one has not been read. */
+/* The box of all bodies of the machine that move with the link; false: there are none, or one has not been read. */
 static bool carried_box(const struct scene *scene, int link, struct placed_box *box)
 {
 	*box = placed_box_empty();
@@ -152,7 +158,7 @@ static void check_turning(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* Only where all bodies are there to be measured. */
+/* Only if all bodies were read can their size be measured. */
 static void check_size(const struct scene *scene, struct doubts *doubts)
 {
 	struct placed_box box = placed_box_empty();
@@ -175,7 +181,7 @@ static void check_size(const struct scene *scene, struct doubts *doubts)
 		doubts_add(doubts, &doubt);
 }
 
-/* What the checks below look at. */
+/* Reads what the checks below look at. */
 static bool read_meshes(struct scene *scene, struct diag *diag)
 {
 	const struct machine *machine = scene->machine;

@@ -51,7 +51,9 @@ double body_pair_rounding(const struct body_pair *pair, const axis_values *q, ve
 		size += vec3_norm(joint->location) + (joint->rotary ? 0 : fabs(q->v[joint->slot]));
 		turned += joint->rotary ? fabs(q->v[joint->slot]) : 0;
 	}
-	/* The 256 units of POSE_ROUNDING are for a few turns; an angle of many is itself off by some of its own. */
+	/*
+	 * The 256 units of POSE_ROUNDING cover a few turns. An angle of many turns has a larger rounding error itself.
+	 */
 	return POSE_ROUNDING * size * (1 + turned / 64) + pair->slop;
 }
 
@@ -83,7 +85,7 @@ static void state_at(struct chain_state *state, xform *pose, const struct body_p
 	*pose = mesh_pose(pair, &state->pose);
 }
 
-/* What follows from states and chord. */
+/* Fills in everything that follows from the states and the chord. */
 static void finish_chord(struct motion_interval *interval, const struct body_pair *pair)
 {
 	double rounding = fmax(body_pair_rounding(pair, &interval->chord.q0, interval->poses[0].translation),
@@ -121,14 +123,14 @@ static axis_values middle_of(const struct chord *box)
 }
 
 /*
- * How far a joint moves points along each axis of a frame in which its direction
- * is d, mm: a linear one by `half` along d, a rotary one by `turn` across it.
+ * mm: how far a joint moves points along each axis of a frame in which its direction is d. A linear joint moves them by
+ * `half` along d, a rotary one by `turn` across d.
  */
 static vec3 play_of(double half, double turn, bool rotary, vec3 d)
 {
 	if (!rotary)
 		return (vec3){half * fabs(d.x), half * fabs(d.y), half * fabs(d.z)};
-	/* Sines as lengths: from the cosines they would lose half of their digits. */
+	/* The sines are lengths of vectors; computed from the cosines they would lose half of their digits. */
 	return (vec3){turn * sqrt(d.y * d.y + d.z * d.z), turn * sqrt(d.z * d.z + d.x * d.x),
 		      turn * sqrt(d.x * d.x + d.y * d.y)};
 }
@@ -186,7 +188,7 @@ static void halve_straight(const struct chord *whole, struct chord *first, struc
 	first->u1 = second->u0 = 0.5 * (whole->u0 + whole->u1);
 }
 
-/* Across the joint that moves the bodies most. */
+/* Halves the box across the joint that moves the bodies most. */
 static void halve_box(const struct motion_interval *interval, const struct body_pair *pair, struct chord *first,
 		      struct chord *second)
 {

@@ -1,4 +1,7 @@
-/* motion_interval.h - a stretch of relative motion of two bodies, with all that a proof over it needs; it can be halved. */
+/*
+ * motion_interval.h - a part of the relative motion of two bodies, with everything that a proof over it needs. It can
+ * be halved.
+ */
 #ifndef FIVECHECK_SCENE_MOTION_INTERVAL_H
 #define FIVECHECK_SCENE_MOTION_INTERVAL_H
 
@@ -21,8 +24,8 @@ struct body_pair {
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double slop;	/* mm: both meshes' together */
-	double reach;	/* mm: of both meshes' farthest corners from the origins of their coordinates, together, or more */
-	struct coherence *coherence;	/* what helped last time; NULL: none is kept */
+	double reach;	/* mm: the distances of both meshes' farthest corners from their origins, added up, or more */
+	struct coherence *coherence;	/* axes and triangles that helped last time; NULL: none are kept */
 };
 
 void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bvh *b, const xform *place_a,
@@ -31,20 +34,19 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 /* b's mesh coordinates in a's when the axes stand at q. */
 xform body_pair_pose(const struct body_pair *pair, const axis_values *q);
 
-/* mm: what rounding can hide at q, where the pose's translation is t. */
+/* mm: a bound on the rounding error of a distance at q, where the pose's translation is t. */
 double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t);
 
 /*
- * mm: how far the path tolerance can move one body as the other sees it when the axes should be at q: the sum over the
- * joints of tolerance times lever, of the corner where it is largest, in the better of both views.
+ * mm: how far the path tolerance can move one body, as the other sees it, at the instant when the axes should be at q:
+ * the sum over the joints of tolerance times lever, at the corner with the largest sum, in the better of both views.
  */
 double body_pair_path_displacement(const struct body_pair *pair, const axis_values *q, const axis_values *tolerance);
 
 /*
- * Axis positions over a piece of a move: within `deviation` of the straight
- * line from q0 to q1. The two halves of a curve deviate less than the whole:
- * `halve` knows the curve; NULL: the piece is straight and deviation stays.
- * The control may leave the move by `tolerance`, which does not shrink (borrowed; NULL: it may not).
+ * Axis positions over a piece of a move: within `deviation` of the straight line from q0 to q1. The halves of a curve
+ * deviate less than the whole, and `halve` computes them; NULL: the piece is straight, and both halves have its
+ * deviation. The control may leave the move by `tolerance`, which halving does not change (borrowed; NULL: it may not).
  */
 struct chord {
 	axis_values q0, q1;
@@ -56,9 +58,8 @@ struct chord {
 };
 
 /*
- * CHORD: one motion, with a time s from 0 to 1 over the whole sweep.
- * BOX: every position between the chord's q0 (least) and q1 (greatest), axis by
- * axis; it has no time.
+ * CHORD: one motion; its time s goes from 0 to 1 over the whole sweep.
+ * BOX: every position between the chord's q0 (least) and q1 (greatest), axis by axis, without a time.
  */
 enum interval_kind { INTERVAL_CHORD, INTERVAL_BOX };
 
@@ -67,14 +68,14 @@ struct motion_interval {
 	struct chord chord;
 	double s0, s1;
 	int depth;	/* how often it was halved */
-	struct chain_state states[2];	/* CHORD: at its ends; BOX: [0] in its middle */
-	xform poses[2];	/* of meshes, at the states; BOX: both the same */
-	double stray[VIEWS];	/* mm: CHORD: what a point may be off its chord; BOX: rounding, which is in both */
-	double path;	/* mm: CHORD: no path displacement is larger, in the better view (motion_bound.h) */
-	double path_growth[VIEWS];	/* mm: and none exceeds the larger one at the ends by more */
-	vec3 play[VIEWS];	/* mm: BOX: what a point may be off its place, along the axes of the fixed mesh */
+	struct chain_state states[2];	/* CHORD: at both ends; BOX: [0] in the middle */
+	xform poses[2];	/* of the meshes at the states; BOX: both are the same */
+	double stray[VIEWS];	/* mm: CHORD: a point's distance from its chord, rounding included; BOX: rounding */
+	double path;	/* mm: CHORD: the largest path displacement, in the better view (motion_bound.h) */
+	double path_growth[VIEWS];	/* mm: how much it can exceed the larger one at the ends */
+	vec3 play[VIEWS];	/* mm: BOX: how far a point may be off its place, along the axes of the fixed mesh */
 	struct box_bound bound;	/* BOX */
-	double reach;	/* mm: CHORD: L/2 + d + rounding; BOX: from the middle to any place; rounding is in both */
+	double reach;	/* mm, rounding included: CHORD: L/2 + d; BOX: from the middle to any place */
 	struct box_motion boxes;
 	bool halved;
 	struct motion_interval *halves[2];	/* the earlier first; valid once halved */
@@ -84,10 +85,10 @@ struct motion_interval {
 void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
 		 const struct chord *chord);
 
-/* Fills the halves, which the caller provides. */
+/* Fills in the two halves, whose storage the caller provides. */
 void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair, struct motion_interval *first, struct motion_interval *second);
 
-/* BOX: how far b's points may be off their places along the unit vector n of a's mesh coordinates, mm. */
+/* BOX: how far b's points may be off their places along n, a unit vector in a's mesh coordinates, mm. */
 double motion_interval_play_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n);
 
 #endif

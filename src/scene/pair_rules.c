@@ -21,7 +21,7 @@ static bool speaks_of(const struct pair_rule *rule, const struct body *a, const 
 	return (names(&rule->a, a) && names(&rule->b, b)) || (names(&rule->a, b) && names(&rule->b, a));
 }
 
-/* Higher is more particular. */
+/* The larger number is more specific. */
 static int rank(const struct pair_rule *rule)
 {
 	int a = (int)rule->a.kind, b = (int)rule->b.kind;

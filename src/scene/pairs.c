@@ -9,13 +9,16 @@
 #include "scene/pair_rules.h"
 #include "scene/static_query.h"
 
-/* Node pairs that a proof of "out of reach" may look at, some milliseconds in all: not proved means checked. */
+/*
+ * The most node pairs that a proof of "out of reach" may look at, which takes some milliseconds. If nothing is proved
+ * the pair is checked.
+ */
 #define REACH_VISITS 30000
 
-/* Positions looked at before such a proof is tried: it is vain where the bodies meet at one of them. */
+/* Positions to look at before such a proof is tried. If the bodies meet at one of them no proof is possible. */
 #define REACH_SAMPLES 32
 
-/* mm: intervals of travel smaller than this are not halved further by such a proof. */
+/* mm: such a proof does not halve intervals of travel that are smaller than this. */
 #define REACH_GRAIN 1.0
 
 static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
@@ -33,7 +36,7 @@ static void decide(struct scene_pair *pair, enum pair_status status, const char 
 	pair->reason = text.text;
 }
 
-/* The whole travel of the pair's joints; false: a linear one has no end. */
+/* The whole travel of the pair's joints; false: a linear joint has no limits. */
 static bool travel_of(const struct scene *scene, const struct chain *chain, axis_values *low, axis_values *high)
 {
 	*low = *high = (axis_values){{0}};
@@ -49,7 +52,10 @@ static bool travel_of(const struct scene *scene, const struct chain *chain, axis
 	return true;
 }
 
-/* The i-th number of van der Corput's sequence in that base, 0 to 1: evenly spread however many are taken. */
+/*
+ * The i-th number of van der Corput's sequence to this base, between 0 and 1. The first n numbers are evenly spread for
+ * every n.
+ */
 static double spread(int i, int base)
 {
 	double share = 1, sum = 0;
@@ -61,7 +67,7 @@ static double spread(int i, int base)
 	return sum;
 }
 
-/* Do the surfaces meet at one of a few positions spread over the travel? Then no proof need be tried. */
+/* Do the surfaces meet at one of a few positions spread over the travel? Then no proof is possible. */
 static bool meets_somewhere(struct scene *scene, const struct body_pair *bodies, double clearance,
 			    const axis_values *low, const axis_values *high)
 {
@@ -80,7 +86,7 @@ static bool meets_somewhere(struct scene *scene, const struct body_pair *bodies,
 	return false;
 }
 
-/* Proves, or does not prove, that the pair stays apart over the whole travel. */
+/* Is it proved that the pair stays apart over the whole travel? */
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 			 struct diag *diag)
 {
@@ -102,7 +108,7 @@ static bool is_cutting(const struct body *a, const struct body *b)
 	return (a->role == ROLE_CUTTER && b->role == ROLE_PART) || (a->role == ROLE_PART && b->role == ROLE_CUTTER);
 }
 
-/* What the joints and the meshes say; reads the meshes. */
+/* Derives the pair's status from the joints and the meshes, which it reads. */
 static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -118,7 +124,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 		struct contact contact;
 		vec3 point;
 
-		/* The lower bound may be lax: ask for the distance itself. */
+		/* The lower bound may be too small here, so ask for the distance itself. */
 		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_GRAIN * 1e-3, &contact) != SWEEP_APART ||
 		    static_query_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
 			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
@@ -133,7 +139,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 	return true;
 }
 
-/* The pair is of the cutter's core from now on. */
+/* Replaces the cutter of the pair by its core. */
 static void set_core(struct scene *scene, struct scene_pair *pair, double depth)
 {
 	int *cutter = scene->bodies[pair->a].body->role == ROLE_CUTTER ? &pair->a : &pair->b;
@@ -160,7 +166,7 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 	       turns ? "at rapid or standing" : "at rapid", part->rapid_allowance);
 }
 
-/* Beside the pair of a cutter and a part: while it cuts, it may not enter deeper than the part says. */
+/* Adds a second pair of a cutter and a part: while the cutter cuts it may not enter deeper than the part's gouge. */
 static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 {
 	const struct body *a = scene->bodies[cutting->a].body, *b = scene->bodies[cutting->b].body;
@@ -186,7 +192,7 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	chain_init(&pair->chain, scene->machine, a->link, b->link);
 	pair->clearance = ruling.clearance >= 0 ? ruling.clearance : clearance;
 	pair->steps = STEP_ANY;
-	/* check="always" counts for what is rigid and for what cuts, too. */
+	/* check="always" applies to rigid pairs and to cutting pairs, too. */
 	if (ruling.check == PAIR_ALWAYS)
 		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
 	else if (chain_is_rigid(&pair->chain))
@@ -205,7 +211,7 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 	size_t n = scene->body_count;
 	bool good = true;
 
-	/* Of a cutter and a part there may be two. */
+	/* A cutter and a part may have two pairs. */
 	scene->pairs = mem_zalloc(n * n, sizeof(*scene->pairs));
 	for (size_t a = 0; a < n; a++) {
 		for (size_t b = a + 1; b < n; b++) {

@@ -1,4 +1,4 @@
-/* placed_box.h - the bounds of bodies as they are mounted. */
+/* placed_box.h - the bounds of bodies where they are mounted, in machine coordinates. */
 #ifndef FIVECHECK_SCENE_PLACED_BOX_H
 #define FIVECHECK_SCENE_PLACED_BOX_H
 
@@ -10,17 +10,23 @@ struct placed_box {
 	vec3 least, greatest;
 };
 
-/* Of the box around the body's mesh, which has been read: larger than the body where that is turned. */
+/*
+ * The bounds of the box around the body's mesh, which must have been read. If the body is turned they are larger than
+ * the body.
+ */
 struct placed_box placed_box_of(const struct scene *scene, int body);
 
 struct placed_box placed_box_union(struct placed_box a, struct placed_box b);
 struct placed_box placed_box_empty(void);
 
-/* The longest side, and the distance to a point; 0 inside. */
+/* placed_box_size: the longest side. placed_box_distance: the distance to a point; 0 inside. */
 double placed_box_size(struct placed_box box);
 double placed_box_distance(struct placed_box box, vec3 point);
 
-/* How far the two overlap along the axis where they overlap least; negative: the gap along the axis where it is largest. */
+/*
+ * How far two boxes overlap along the axis where they overlap least. Negative: the gap along the axis where the gap is
+ * largest.
+ */
 double placed_box_overlap(struct placed_box a, struct placed_box b);
 
 #endif

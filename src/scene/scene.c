@@ -65,7 +65,7 @@ static bool within_bounds(const struct mesh *mesh)
 	       fmax(greatest.x, fmax(greatest.y, greatest.z)) <= COORDINATE_MAX;
 }
 
-/* The body's triangles in mm, in a mesh that the caller owns. */
+/* The body's triangles in mm, in a mesh that the caller releases. */
 static bool read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
 {
 	struct mesh mesh = {0};

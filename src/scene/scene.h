@@ -26,7 +26,7 @@ enum pair_status {
 	PAIR_CUTTING	/* a cutter and the part: the cutter is meant to cut it, but not at rapid, nor too deep */
 };
 
-/* What it is called when the bodies of a pair meet. */
+/* The kind of finding when the bodies of a pair meet. */
 enum pair_fault { PAIR_COLLISION, PAIR_RAPID_CONTACT, PAIR_GOUGE };
 
 struct scene_body {
@@ -53,12 +53,12 @@ struct scene {
 	struct scene_body *bodies;	/* machine's, fixtures and parts, tools'; in the order of the XML */
 	size_t body_count;
 	/*
-	 * Behind the bodies: what lies deep inside of a cutter (machine/tool_core.h). A pair of a cutter and a part
-	 * names the cutter's core, whose struct body is the cutter's but for its solid.
+	 * After the bodies come cores: the inner part of a cutter (machine/tool_core.h). A pair of a cutter and a part
+	 * refers to the cutter's core. The core's struct body is the cutter's, except for its solid.
 	 */
 	size_t core_count;
 	struct arena cores;
-	struct scene_pair *pairs;	/* every pair of bodies: (0,1) (0,2) ...; of cutter and part, one a fault */
+	struct scene_pair *pairs;	/* every pair: (0,1) (0,2) ...; a cutter and a part have one for each fault */
 	size_t pair_count;
 	size_t meshes_read;
 	struct doubts doubts;	/* filled by model_check */
@@ -75,28 +75,28 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 			struct diag *diag);
 void scene_free(struct scene *scene);
 
-/* Does a check follow the pair, in some steps at least? */
+/* Must a check look at the pair, in some steps at least? */
 bool scene_pair_needs_check(const struct scene_pair *pair);
 
 /*
- * Reads and builds what the pairs that may have to be checked need; several threads may
- * check programs on the scene afterwards. False: a mesh is faulty, reported.
+ * Reads and builds everything that is needed for the pairs to check. Afterwards several threads may check programs on
+ * the scene. False: a mesh is faulty, reported.
  */
 bool scene_build(struct scene *scene, struct diag *diag);
 
-/* The body's tree, read and built at the first call; NULL if its mesh is faulty (reported once). */
+/* The body's tree, built at the first call; NULL: its mesh is faulty (reported once). */
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);
 
 /*
- * The core of a body that is a cutter made of sections, `depth` mm below its surface: a
- * body of the scene, made at the first call.
+ * The core of a cutter that is made of sections, `depth` mm below its surface. It is a body of the scene, made at the
+ * first call.
  */
 int scene_core(struct scene *scene, int body, double depth);
 
-/* What the body's mesh encloses; NULL as above. */
+/* The topology of the body's mesh, built at the first call; NULL: its mesh is faulty (reported once). */
 const struct topology *scene_body_topology(struct scene *scene, int body, struct diag *diag);
 
-/* The pair as a sweep takes it; false: a mesh is faulty, reported. Valid as long as the scene. */
+/* Fills in the pair for a sweep; valid as long as the scene. False: a mesh is faulty, reported. */
 bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
 
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status);

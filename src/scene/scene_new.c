@@ -1,4 +1,4 @@
-/* scene_new.c - a scene with its pairs. It stands apart from scene.c because the pairs are derived with a scene's bodies. */
+/* scene_new.c - makes a scene with its pairs. It is a file of its own because pairs.c needs scene.c. */
 #include "base/mem.h"
 #include "scene/pairs.h"
 #include "scene/scene.h"

@@ -10,19 +10,19 @@
 #include "machine/kinematics_check.h"
 #include "scene/placed_box.h"
 
-/* mm: what is nearer than this is held by it. */
+/* mm: a body that is nearer than this to another one is held by it. */
 static const double HELD_WITHIN = 2;
-/* mm that drawn bodies may reach into each other (a clamp that presses, a rounded coordinate). */
+/* mm: drawn bodies may overlap by this much (a clamp that presses, a rounded coordinate). */
 static const double SUNK_BY = 1;
-/* Corners of a body that are looked for inside another one. */
+/* Corners of a body that are tested for being inside another one. */
 enum { CORNERS_TRIED = 300 };
-/* A part is set up on a machine of about its size: its size over the longest travel. */
+/* The size of a part divided by the longest travel of the machine. */
 static const double PART_LEAST = 0.015, PART_MOST = 1.5;
-/* A tool's length over the travel along the spindle. */
+/* The length of a tool divided by the travel along the spindle. */
 static const double TOOL_LEAST = 0.02, TOOL_MOST = 1.5;
-/* mm by which something must be out of reach before that is said. */
+/* mm: something is reported only if it is out of reach by more than this. */
 static const double OUT_OF_REACH = 10;
-/* mm: a program zero may be this far off whatever is set up. */
+/* mm: a program zero may be this far from everything that is set up. */
 static const double ZERO_OFF = 50;
 
 static bool is_set_up(const struct scene *scene, int body)
@@ -54,7 +54,7 @@ static double distance_apart(struct scene *scene, int a, int b)
 
 /* ---------------------------------------------------------------- what holds what */
 
-/* Marks what a held body holds, until nothing is added. */
+/* Marks bodies that a held body holds, until nothing is added. */
 static void spread_hold(struct scene *scene, bool *held)
 {
 	bool added = true;
@@ -87,7 +87,7 @@ static void add_floating(struct scene *scene, int body, const bool *held, struct
 	doubts_add(doubts, &doubt);
 }
 
-/* Where neither table nor fixture is drawn, nothing can be said. */
+/* If neither a table nor a fixture is drawn nothing can be said. */
 static void check_held(struct scene *scene, struct doubts *doubts)
 {
 	bool *held = mem_zalloc(scene->body_count + 1, sizeof(*held)), any = false;
@@ -106,7 +106,7 @@ static void check_held(struct scene *scene, struct doubts *doubts)
 	free(held);
 }
 
-/* How deep the corners of `inner` reach into `outer`, some of them at least; 0: not at all. */
+/* The depth of the deepest tested corner of `inner` inside `outer`; 0: no tested corner is inside. */
 static double depth_of(struct scene *scene, int inner, int outer, struct diag *diag)
 {
 	const struct bvh *solid = scene->bodies[outer].bvh, *other = scene->bodies[inner].bvh;
@@ -116,7 +116,7 @@ static double depth_of(struct scene *scene, int inner, int outer, struct diag *d
 	size_t corners = 3 * other->mesh.count, step = corners / CORNERS_TRIED + 1;
 	double depth = 0;
 
-	/* A step that is no multiple of 3 takes all corners of triangles in turn. */
+	/* With a step that is no multiple of 3 all corners of triangles have their turn. */
 	step += step % 3 == 0;
 	for (size_t i = 0; i < corners; i += step) {
 		vec3 p = xform_apply(&pose, mesh_corner(&other->mesh.triangles[i / 3], (int)(i % 3)));
@@ -197,7 +197,7 @@ static void extent(const struct scene *scene, struct placed_box box, vec3 along,
 	*greatest = at + reach;
 }
 
-/* Sideways, whatever the tool. */
+/* Checks sideways positions, which do not depend on the tool. */
 static void check_beside(const struct scene *scene, struct doubts *doubts)
 {
 	vec3 across[2];
@@ -220,7 +220,7 @@ static void check_beside(const struct scene *scene, struct doubts *doubts)
 	}
 }
 
-/* The box of all parts, or of everything that is set up; false: there is nothing. */
+/* The box of all parts; without parts the box of everything that is set up; false: there is nothing. */
 static bool box_of_setup(const struct scene *scene, bool parts_only, struct placed_box *box)
 {
 	*box = placed_box_empty();
@@ -231,7 +231,7 @@ static bool box_of_setup(const struct scene *scene, bool parts_only, struct plac
 	return !isinf(box->least.x);
 }
 
-/* Heights are measured against the direction of the tool. */
+/* Heights are measured in the direction from the tool's tip to the spindle. */
 static void check_tool_reach(const struct scene *scene, size_t item, struct doubts *doubts)
 {
 	const vec3 up = vec3_scale(-1, scene->machine->spindle.direction);
@@ -279,7 +279,10 @@ static void check_tool_length(const struct scene *scene, size_t item, struct dou
 
 /* ---------------------------------------------------------------- lengths and offsets */
 
-/* What the tool's H adds to its length: the same for all tools where lengths are measured from elsewhere. */
+/*
+ * The difference between the tool's H and its length. It is the same for all tools if lengths are measured from another
+ * point.
+ */
 static double length_error(const struct setup *setup, size_t item)
 {
 	for (size_t i = 0; i < setup->length_count; i++) {
@@ -289,7 +292,7 @@ static double length_error(const struct setup *setup, size_t item)
 	return 0;
 }
 
-/* An H of 0 is a tool that is used without compensation. */
+/* A tool with an H of 0 is used without compensation. */
 static void check_length_offsets(const struct scene *scene, struct doubts *doubts)
 {
 	const struct setup *setup = scene->setup;
@@ -309,8 +312,8 @@ static void check_length_offsets(const struct scene *scene, struct doubts *doubt
 }
 
 /*
- * Along the spindle a program zero may be lower than the gauge point comes, as the tool's length is added and the
- * zero itself need not be reached.
+ * Along the spindle, a program zero may be lower than the lowest gauge point, because the tool's length is added and
+ * because the tool need not reach the zero itself.
  */
 static void check_offset_travel(const struct scene *scene, size_t item, struct doubts *doubts)
 {
@@ -333,7 +336,7 @@ static void check_offset_travel(const struct scene *scene, size_t item, struct d
 	}
 }
 
-/* Where the tip is at program zero, with the tool's own length or what its H makes of it. */
+/* The place of the tip at program zero, with the tool's own length or with its H. */
 static double zero_distance(const struct scene *scene, size_t item, double lift, struct placed_box box)
 {
 	const struct machine *machine = scene->machine;

@@ -1,4 +1,7 @@
-/* setup_check.h - does what is set up fit the machine: places, sizes, reach, tools, work offsets. */
+/*
+ * setup_check.h - finds likely mistakes in a setup: places, sizes, reach, tools and work offsets that do not fit the
+ * machine.
+ */
 #ifndef FIVECHECK_SCENE_SETUP_CHECK_H
 #define FIVECHECK_SCENE_SETUP_CHECK_H
 
@@ -8,8 +11,8 @@
 #include "scene/scene.h"
 
 /*
- * Appends the doubts about the scene's setup, if it has one. The meshes of fixtures, parts and of the workholding's
- * link have been read. Elements that are marked checked="" are left out.
+ * Appends the doubts about the scene's setup, if there is one. The meshes of fixtures, parts and of the workholding's
+ * link must have been read. Elements marked checked="" are left out.
  */
 void setup_check(struct scene *scene, struct doubts *doubts, struct diag *diag);
 

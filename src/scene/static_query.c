@@ -12,7 +12,7 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 	return fabs(off.x) <= bvh->half.x && fabs(off.y) <= bvh->half.y && fabs(off.z) <= bvh->half.z;
 }
 
-/* Is a component of `inner` inside `outer`? pose takes inner's coordinates to outer's. */
+/* Is a component of `inner` inside `outer`? `pose` takes inner's coordinates to outer's. */
 static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
 {
 	const struct bvh *solid = scene_body_bvh(scene, outer, diag);
@@ -35,7 +35,7 @@ static enum inside holds(struct scene *scene, int outer, int inner, const xform 
 	return result;
 }
 
-/* Do the boxes around the whole bodies overlap, so that one may hold the other? */
+/* Do the boxes around the bodies overlap, so that one body may contain the other? */
 static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
 {
 	xform a_in_b = xform_inverse(b_in_a);

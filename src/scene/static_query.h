@@ -1,4 +1,4 @@
-/* static_query.h - two bodies that stand still: apart, too close, or one in the other. */
+/* static_query.h - checks two bodies that stand still: apart, too close, or one inside the other. */
 #ifndef FIVECHECK_SCENE_STATIC_QUERY_H
 #define FIVECHECK_SCENE_STATIC_QUERY_H
 
@@ -10,34 +10,32 @@
 enum pose_state {
 	POSE_CLEAR,	/* farther apart than the clearance */
 	POSE_NEAR,	/* apart, but within the clearance */
-	POSE_UNKNOWN,	/* as CLEAR, but one body may be inside the other: a mesh is open, or has no known outside */
+	POSE_UNKNOWN,	/* as CLEAR, but one body may be inside the other: a mesh is open, or has no outside */
 	POSE_OVERLAP,	/* the surfaces meet, or one solid is inside the other */
 	POSE_FAILED	/* a mesh could not be read, or rounding exceeds the tolerance: reported */
 };
 
 /*
- * How the pair stands when the axes are at q; tolerance (mm) as in sweep_chord.
- * contact is filled for NEAR and OVERLAP; its distance is 0 for OVERLAP, its
- * point is in a's mesh coordinates.
+ * The state of the pair at the axis positions q; tolerance (mm) as in sweep_chord. For NEAR and OVERLAP *contact is
+ * filled in, with the point in a's mesh coordinates and, for OVERLAP, distance 0.
  */
 enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, const struct scene_pair *pair,
 			 const axis_values *q, double tolerance, struct contact *contact, struct diag *diag);
 
 /*
- * Is a component of one body inside the other, surfaces apart? *point is filled for INSIDE_YES. Faulty meshes
- * are reported and count as INSIDE_NO.
+ * Is a component of one body inside the other, with the surfaces apart? For INSIDE_YES *point is filled in. Faulty
+ * meshes are reported, and the answer is INSIDE_NO.
  */
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
 			    struct diag *diag);
 
-/* Reports that rounding alone exceeds the tolerance for this pair. */
+/* Reports that the pair cannot be decided, because rounding alone exceeds the tolerance. */
 void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,
 				   struct diag *diag);
 
 /*
- * Do two bodies overlap when the axes stand at q: do their surfaces meet, or
- * is one inside the other? Touching within `tolerance` mm counts. *point is in
- * a's mesh coordinates.
+ * Do two bodies overlap at the axis positions q: do their surfaces meet, or is one inside the other? Touching within
+ * `tolerance` mm counts. *point is in a's mesh coordinates.
  */
 bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, const axis_values *q, double tolerance,
 		   vec3 *point, struct diag *diag);

@@ -9,30 +9,29 @@
 #include "scene/bvh_pair.h"
 #include "scene/coherence.h"
 
-/* Halving more often than a double has bits brings nothing new. */
+/* More halvings than a double has bits change nothing. */
 #define DEPTH_MAX 60
 
 /*
- * What share of the larger subtree's size the boxes may lose by moving before
- * the motion is halved. Measured: 0.06 to 0.15 are about equally good, 0.4 costs
- * four times as much where bodies nearly touch while they turn.
+ * The motion is halved if, because the boxes move, their test loses more than this share of the larger subtree's size.
+ * Measured: 0.06 to 0.15 perform alike; 0.4 costs four times as much where bodies nearly touch while they turn.
  */
 #define LOOSE 0.1f
 
-/* Intervals kept at a time; a sweep that needs more is done part by part. */
+/* The most intervals to keep; a sweep that needs more is done in parts. */
 #define INTERVALS_MAX 4096
 
-/* Node pairs that could be looked at in the time that halving an interval takes. */
+/* Halving an interval takes as long as looking at this many node pairs. */
 #define HALVING_VISITS 20
 
-/* Node pairs looked at, some 100 us, between two questions whether to go on. */
+/* Node pairs to look at before the caller is asked again whether to stop: about 100 us. */
 #define ASK_VISITS 10000
 
 struct sweep_entry {
 	struct motion_interval *interval;
 	struct subtree a, b;
-	bool tested;	/* the boxes were not found apart over this interval, and `loose` is known */
-	float loose;	/* mm: about what the boxes' test loses because they move */
+	bool tested;	/* the boxes were not proved apart over this interval, and `loose` is known */
+	float loose;	/* mm: roughly how much the boxes' test loses because the boxes move */
 };
 
 /* One walk. */
@@ -42,10 +41,10 @@ struct walk {
 	double clearance, tolerance;
 	double coherence_margin;	/* mm: what the remembered axes must prove beyond the clearance */
 	struct contact *contact;
-	size_t depth;	/* of the stack */
-	bool any;	/* one contact is enough, early or late */
-	long visits_end;	/* stop when the sweep has made so many visits */
-	double from, to;	/* of a chord, only intervals that have an instant between these are looked at */
+	size_t depth;	/* the stack's entries in use */
+	bool any;	/* any contact will do, early or late */
+	long visits_end;	/* stop at this many visits of the sweep */
+	double from, to;	/* of a chord: look only at intervals that have an instant between these */
 };
 
 void sweep_release(struct sweep *sweep)
@@ -83,7 +82,7 @@ static struct motion_interval *new_interval(struct sweep *sweep)
 	return sweep->intervals[sweep->interval_count++];
 }
 
-/* A new entry on top of the stack, for the caller to fill; entries may move. */
+/* Adds an entry to the stack, which the caller fills in; other entries may move. */
 static struct sweep_entry *push(struct walk *walk)
 {
 	struct sweep *sweep = walk->sweep;
@@ -101,7 +100,7 @@ static bool is_final(const struct walk *walk, const struct motion_interval *inte
 /* How a step of a walk ends. */
 enum progress { GOES_ON, FINISHED, TOO_DEEP, TOO_MANY_INTERVALS };
 
-/* Later half first onto the stack, so that the earlier is looked at first. */
+/* Pushes the later half first, so that the earlier one is looked at first. */
 static enum progress push_halves(struct walk *walk, const struct sweep_entry *entry)
 {
 	struct motion_interval *interval = entry->interval;
@@ -126,13 +125,13 @@ static enum progress push_halves(struct walk *walk, const struct sweep_entry *en
 	return GOES_ON;
 }
 
-/* mm: farther apart than this, no two points of the bodies need a closer look in the interval. */
+/* mm: points that are farther apart than this need no closer look in the interval. */
 static double required_in(const struct walk *walk, const struct motion_interval *interval)
 {
 	return walk->clearance + interval->path;
 }
 
-/* Opens the larger of two subtrees and keeps the children that are not proved apart. */
+/* Opens the larger of two subtrees, and pushes the children that are not proved apart. */
 static void push_children(struct walk *walk, const struct sweep_entry *entry)
 {
 	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
@@ -181,8 +180,8 @@ static bool apart_by_coherence(const struct walk *walk, const struct sweep_entry
 }
 
 /*
- * Where boxes are loose because they move, not because they are large, halving the
- * motion gains more than opening them.
+ * If the boxes' test loses much because the boxes move, not because they are large, halving the motion gains more than
+ * opening the boxes.
  */
 static bool is_loose(const struct sweep_entry *entry)
 {
@@ -220,7 +219,7 @@ static enum progress step(struct walk *walk, struct sweep_entry *entry)
 	return GOES_ON;
 }
 
-/* Is the entry's interval of no interest: behind the first contact, or outside of the part that is looked at? */
+/* Can the entry's interval be skipped: is it after the first contact, or outside of the part to look at? */
 static bool is_left_out(const struct walk *walk, const struct motion_interval *interval)
 {
 	return interval->s0 >= walk->contact->s || interval->s1 < walk->from || interval->s0 > walk->to;
@@ -261,10 +260,10 @@ static enum sweep_answer answer_of(const struct walk *walk, enum progress progre
 }
 
 /*
- * From `from` to `to` of the chord, in parts where the intervals are too many. Every part begins at the
- * whole chord and halves it alike, so that the parts together look at the same nodes and
- * triangles over the same intervals as one walk would: how many intervals are kept changes no result. Recursion ends: a part of
- * 2^-50 of the chord has a few hundred intervals around it and a thousand in it.
+ * Sweeps the chord from `from` to `to`, in parts if there are too many intervals. Every part begins at the whole chord
+ * and halves it in the same way, so the parts together look at the same nodes and triangles over the same intervals as
+ * one walk: the limit of intervals changes no result. The recursion ends, because a part of 2^-50 of the chord has a
+ * few hundred intervals around it and a thousand in it.
  */
 static enum progress run_part(struct walk *walk, const struct motion_interval *whole, double from, double to)
 {
@@ -300,13 +299,16 @@ static enum sweep_answer sweep_over(struct walk *walk, const struct chord *chord
 		progress = run_part(walk, &whole, 0.5, 1);
 	if (progress != GOES_ON || walk->any || !(walk->contact->s < INFINITY))
 		return answer_of(walk, progress);
-	/* Of several pairs of triangles that touch at the first instant, the one that one walk would have met first. */
+	/*
+	 * If several pairs of triangles touch at the first instant, returns the one that a single walk would meet
+	 * first.
+	 */
 	first = walk->contact->s;
 	walk->contact->s = INFINITY;
 	return answer_of(walk, run_part(walk, &whole, first, first));
 }
 
-/* Recursion ends: each half has one more of at most DEPTH_MAX halvings behind it. */
+/* The recursion ends: each half has been halved once more, at most DEPTH_MAX times. */
 static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_interval *part)
 {
 	enum progress progress;
@@ -323,7 +325,7 @@ static enum sweep_answer sweep_positions(struct walk *walk, const struct motion_
 	return answer == SWEEP_APART ? sweep_positions(walk, &second) : answer;
 }
 
-/* Where the work for a question ends that may take `most` visits (0: as many as the sweep's effort allows). */
+/* The number of visits at which a query that may take `most` visits stops (0: the sweep's effort is the limit). */
 static long visits_end(const struct sweep *sweep, long most)
 {
 	if (sweep->effort && (!most || sweep->effort < most))

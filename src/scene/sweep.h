@@ -1,4 +1,7 @@
-/* sweep.h - walks two bodies' trees and a stretch of motion together: they stay apart, or here they do not. */
+/*
+ * sweep.h - walks over two bodies' trees and an interval of motion: proves the bodies apart, or finds the first
+ * contact.
+ */
 #ifndef FIVECHECK_SCENE_SWEEP_H
 #define FIVECHECK_SCENE_SWEEP_H
 
@@ -12,7 +15,7 @@
 
 struct sweep_entry;
 
-/* Working storage and counters, reused from sweep to sweep; one a thread. All zero is ready. */
+/* Working storage and counters, used by one sweep after another; each thread has its own. All zero is ready. */
 struct sweep {
 	struct sweep_entry *stack;
 	size_t stack_capacity;
@@ -25,56 +28,56 @@ struct sweep {
 	long bisections;	/* intervals halved */
 	long visits;	/* node pairs looked at */
 	const struct cancel *cancel;	/* borrowed; or NULL */
-	long ask_at;	/* visits when it is asked next */
-	bool broken_off;	/* it said yes: since then nothing is proved, nor found */
-	long effort;	/* node pairs to look at for one chord or box before it stays undecided; 0: no limit */
-	bool exhausted;	/* that limit was reached; whoever asks why resets it before */
+	long ask_at;	/* number of visits at which `cancel` is asked next */
+	bool broken_off;	/* `cancel` said stop: since then nothing is proved or found */
+	long effort;	/* node pairs to look at for one chord or box before it is undecided; 0: no limit */
+	bool exhausted;	/* `effort` was reached; whoever wants to know resets this before */
 };
 
-/* Must the walk break off? To be called again and again on the way. */
+/* Must the walk stop? To be called again and again during a walk. */
 bool sweep_breaks_off(struct sweep *sweep);
 
-/* Room for `count` entries of the queue, which is for the walks that look at one pose. */
+/* Room for `count` entries of the queue, which is used by walks at a single pose. */
 struct bvh_pair *sweep_queue_reserve(struct sweep *sweep, size_t count);
 
 void sweep_release(struct sweep *sweep);
 
 enum sweep_answer {
-	SWEEP_APART,	/* proved: farther apart than the clearance all the way */
+	SWEEP_APART,	/* proved: farther apart than the clearance at every instant */
 	SWEEP_CONTACT,	/* *contact is the first instant, to within the tolerance */
-	SWEEP_UNDECIDED	/* the limit of work is reached, the sweep was broken off, or rounding alone exceeds the tolerance */
+	SWEEP_UNDECIDED	/* the effort is used up, `cancel` said stop, or rounding alone exceeds the tolerance */
 };
 
 /*
- * An interval whose motion is at most tolerance (mm) is one instant: what is not
- * proved apart by then touches, and is at most clearance + tolerance apart.
- *
- * The motion along a chord:
+ * Sweeps the motion along a chord. An interval in which no point moves more than `tolerance` (mm) counts as one
+ * instant: triangles that are not proved apart by then touch, and are at most clearance + tolerance apart.
  */
 enum sweep_answer sweep_chord(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 			      double clearance, double tolerance, struct contact *contact);
 
-/* The same, but any contact will do, not just the first: for asking whether a clearance holds. */
+/* The same, but any contact will do: use it to ask whether a clearance holds. */
 enum sweep_answer sweep_chord_any(struct sweep *sweep, const struct body_pair *pair, const struct chord *chord,
 				  double clearance, double tolerance, struct contact *contact);
 
-/* Every position in the box between low and high; looks at no more than max_visits node pairs (0: no limit). */
+/*
+ * The same for every position in the box between low and high. Looks at no more than max_visits node pairs (0: no
+ * limit).
+ */
 enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, const axis_values *low,
 			    const axis_values *high, double clearance, double tolerance, long max_visits,
 			    struct contact *contact);
 
 /*
- * A lower bound on the distance (mm) when the axes stand at q: at least `share`
- * (0 to 1) of it, less rounding; a large share costs more. As soon as the distance turns out
- * to be below `enough`, after max_visits node pairs (0: no limit), or when the sweep is broken off, the search ends
- * and the result is just some lower bound.
+ * A lower bound on the distance (mm) at the axis positions q: at least `share` (0 to 1) of it, less rounding. A large
+ * share costs more. The search ends early with just some lower bound if the distance turns out to be below `enough`,
+ * after max_visits node pairs (0: no limit), or if `cancel` says stop.
  */
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough, long max_visits);
 
 /*
- * Makes the contact's distance and point those of the nearest triangles at its
- * q: a sweep is content with the first that it finds within the clearance.
+ * Sets the contact's distance and point to those of the nearest triangles at its q. A sweep stops at the first
+ * triangles within the clearance, which need not be the nearest.
  */
 void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact);
 

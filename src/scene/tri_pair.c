@@ -33,7 +33,7 @@ static void record(struct contact *contact, double s, const axis_values *q, cons
 	*contact = (struct contact){s, *q, n->distance, n->middle, 0};
 }
 
-/* The axis helped: it is worth trying first on the neighbours, and on the next move. */
+/* The axis helped, so it is tried first for the neighbours and in the next step. */
 static enum tri_pair_answer apart_along(const struct body_pair *pair, vec3 n, const xform *pose)
 {
 	if (pair->coherence)
@@ -42,21 +42,22 @@ static enum tri_pair_answer apart_along(const struct body_pair *pair, vec3 n, co
 }
 
 /*
- * What a distance proves at least. A gap along its direction proves less where the triangles are close and long: the
- * direction is known only to the share that rounding has in the distance, and a far corner takes that times its reach.
+ * The distance that is proved at least. A gap along the direction of a distance proves less if the triangles are close
+ * and long: rounding leaves an error in the direction, and at a far corner the error is that times the corner's
+ * distance.
  */
 static double proven(const struct closest *n, const tri *a, const tri *b)
 {
 	return n->distance - TRI_DISTANCE_ERROR * tri_pair_size(a, b);
 }
 
-/* What the distance of two triangles must exceed, mm: the clearance and what the control's path tolerance may take. */
+/* The distance in mm that two triangles must exceed: the clearance plus what the path tolerance may take from it. */
 struct required {
-	double at[2];	/* at the ends of the interval: these depend on the axes' positions alone */
-	double throughout;	/* at every instant of it */
+	double at[2];	/* at the ends of the interval; these depend on the positions of the axes alone */
+	double throughout;	/* at every instant of the interval */
 };
 
-/* Of a triangle's corners in a's mesh coordinates, the most. No point of the triangle has more. */
+/* The largest value at the triangle's corners, in a's mesh coordinates. No point of the triangle has a larger one. */
 static double most_displaced(const struct body_pair *pair, const struct chain_state *state, const tri *t,
 			     const axis_values *tolerance)
 {
@@ -86,8 +87,8 @@ static struct required required_of(const struct motion_interval *interval, const
 }
 
 /*
- * The axes in the coherence depend on what was proved before. With the tolerance as the margin they answer only for triangles
- * that no final interval would report: then what is remembered changes no result.
+ * The remembered axes depend on what was proved before. Because they must prove the tolerance in addition, they answer
+ * only for triangles that no final interval would report. So remembering changes no result.
  */
 static bool apart_by_coherence(const struct motion_interval *interval, const struct body_pair *pair, const tri *a, const tri *b0,
 			    const tri *b1, const struct required *required, double margin)

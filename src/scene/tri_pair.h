@@ -1,4 +1,4 @@
-/* tri_pair.h - triangle against triangle over an interval: a proof that they stay apart, or where they do not. */
+/* tri_pair.h - triangles of two leaves over an interval: proves them apart, or finds where they are not. */
 #ifndef FIVECHECK_SCENE_TRI_PAIR_H
 #define FIVECHECK_SCENE_TRI_PAIR_H
 
@@ -9,30 +9,30 @@
 
 /* Two triangles within the clearance of each other at one instant. */
 struct contact {
-	double s;	/* of the sweep; meaningless for a box */
+	double s;	/* time in the sweep, 0 to 1; meaningless for a box */
 	axis_values q;
 	double distance;	/* mm, on the programmed path */
-	vec3 point;	/* the middle between the closest points, in a's mesh coordinates */
-	double path_displacement;	/* mm: how far the path tolerance can move one body as the other sees it; 0: not asked */
+	vec3 point;	/* half-way between the closest points, in a's mesh coordinates */
+	double path_displacement;	/* mm: the pair's path displacement at q; 0: not computed */
 };
 
 enum tri_pair_answer {
-	TRI_PAIR_APART,	/* proved: farther than the clearance, throughout the interval */
-	TRI_PAIR_TOUCHES,	/* at the interval's start (BOX: its middle) they are not: *contact is filled */
-	TRI_PAIR_OPEN	/* neither; *contact is filled if they touch at the end of a chord */
+	TRI_PAIR_APART,	/* proved: farther apart than the clearance throughout the interval */
+	TRI_PAIR_TOUCHES,	/* not apart at the interval's start (BOX: its middle): *contact is filled in */
+	TRI_PAIR_OPEN	/* neither; *contact is filled in if they touch at the end of a chord */
 };
 
-/* Do two leaves stay farther apart than the clearance, and than what the path tolerance may take from it? */
+/* The question: do two leaves stay farther apart than the clearance plus what the path tolerance may take? */
 struct tri_pair_query {
 	double clearance;	/* mm */
 	double coherence_margin;	/* mm: what the remembered axes must prove beyond that */
-	bool final;	/* the interval is short enough to be called one instant */
+	bool final;	/* the interval is so short that it counts as one instant */
 };
 
 /*
- * Answers for all pairs of two leaves' triangles at once. In an interval that is
- * `final` what is not apart touches; it is within clearance + path displacement + tolerance.
- * contact->s is only ever lowered. counts one certificate a pair proved.
+ * Answers for all triangles of two leaves at once. In a `final` interval triangles that are not proved apart touch:
+ * they are within clearance + path displacement + tolerance. contact->s is only ever made smaller. *certificates is
+ * increased by one for each pair that is proved apart.
  */
 enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a, struct leaf b,
 			    const struct tri_pair_query *question, struct contact *contact, long *certificates);
