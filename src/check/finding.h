@@ -48,6 +48,12 @@ struct finding {
 	/* LIMIT: */
 	int slot;
 	double bound;	/* mm or radians */
+	double target;	/* where the block leads the axis */
+	double excess;	/* how far past the limit, at the farthest */
+	const char *work_offset;	/* in force: "G54"; NULL: machine coordinates were commanded */
+	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
+	bool length_acts;	/* the tool's length moves this axis */
+	double length;	/* mm: of the tool, in force */
 };
 
 /* Makes a finding of a contact, whose point is in a's mesh coordinates. The caller fills in block, move and time. */

@@ -44,6 +44,14 @@ struct canon_arc {
 	double sweep;	/* radians about the normal, right-handed; |sweep| may exceed 2 pi */
 };
 
+/* What stood between the programmed coordinates and the axes when the move was commanded: for reports. */
+struct canon_origin {
+	const char *work_offset;	/* in force: "G54"; a constant */
+	axis_values work;	/* its values, mm and radians */
+	axis_values shift;	/* of G52 and G92 */
+	double length;	/* mm: of the tool, in force */
+};
+
 struct canon_move {
 	enum canon_kind kind;
 	const char *file;	/* of the block: the program's or a subprogram's; kept in gcode_config.names */
@@ -60,6 +68,8 @@ struct canon_move {
 	struct canon_feed feed;	/* FEED, ARC */
 	double seconds;	/* DWELL */
 	int tool;	/* TOOL_CHANGE */
+	bool machine_coordinates;	/* G53, G28 and the like: no offset led to its end */
+	struct canon_origin origin;
 };
 
 /* A block has been carried out. */

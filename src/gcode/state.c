@@ -57,14 +57,34 @@ static int system_of_name(const char *name)
 	return -1;
 }
 
+static double to_canonical(int slot, double value)
+{
+	return slot_is_rotary(slot) ? radians(value) : value;
+}
+
 void state_set_position(struct state *state, int slot, double value)
 {
 	state->position.v[slot] = value;
-	state->canonical.v[slot] = slot_is_rotary(slot) ? radians(value) : value;
+	state->canonical.v[slot] = to_canonical(slot, value);
+}
+
+static void update_origin(struct state *state)
+{
+	struct canon_origin *origin = &state->origin;
+
+	origin->work_offset = state_system_name(state->system);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool carried = state->dynamic.on && slot <= SLOT_Z;
+		double work = carried ? state->dynamic.zero.v[slot] : state->work[state->system].v[slot];
+
+		origin->work.v[slot] = to_canonical(slot, work);
+		origin->shift.v[slot] = carried ? 0 : to_canonical(slot, state->shift.v[slot]);
+	}
 }
 
 void state_update_offset(struct state *state)
 {
+	update_origin(state);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		state->offset.v[slot] = state->work[state->system].v[slot] + state->shift.v[slot];
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->dynamic.on; slot++)

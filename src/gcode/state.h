@@ -64,6 +64,7 @@ struct state {
 	slot_values position;	/* of the controller's axes, as canon.h has it */
 	axis_values canonical;	/* the same in mm and radians */
 	slot_values offset;	/* program coordinates + offset = position; derived */
+	struct canon_origin origin;	/* what the offset is made of; derived, but for its length */
 	int motion;	/* of the motion in force, or CODE_NONE */
 	int path_motion;	/* G0 to G3, whichever was commanded last, or CODE_NONE */
 	/* Bits 1 << enum g_group: neither the program nor its dialect has said what is in force. */

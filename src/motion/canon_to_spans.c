@@ -258,15 +258,33 @@ static bool set_legs(struct run *run)
 	return is_bearable(converter, move, leg->path.seconds);
 }
 
+/* How far the whole move takes the axis past the limit. */
+static double farthest_past(const struct run *run, const struct limit_crossing *crossing)
+{
+	double most = 0;
+
+	for (size_t i = 0; i < run->count; i++)
+		most = fmax(most, limits_excess(crossing, &run->legs[i].span));
+	return most;
+}
+
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
 	struct canon_to_spans *converter = run->converter;
 	double since = before + crossing->u * path->seconds;
-	const struct motion_limit limit = {.slot = crossing->slot, .bound = crossing->bound,
+	const struct canon_move *move = run->move;
+	const int slot = crossing->slot;
+	const struct motion_limit limit = {.slot = slot, .bound = crossing->bound,
+				     .target = run->legs[run->count - 1].span.q1.v[slot],
+				     .excess = farthest_past(run, crossing),
+				     .work_offset = move->machine_coordinates ? NULL : move->origin.work_offset,
+				     .work = move->origin.work.v[slot], .shift = move->origin.shift.v[slot],
+				     .length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
+				     .length = move->origin.length,
 				     .position = path_position(path, crossing->u), .time = converter->time + since,
-				     .block_time = converter->block_time + since, .file = run->move->file,
-				     .line = run->move->line, .move = run->move->number,
+				     .block_time = converter->block_time + since, .file = move->file,
+				     .line = move->line, .move = move->number,
 				     .tool = converter->tool};
 
 	run->outside = true;

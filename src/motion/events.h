@@ -27,6 +27,12 @@ struct motion_step {
 struct motion_limit {
 	int slot;
 	double bound;	/* the limit, mm or radians */
+	double target;	/* where the move leads the axis */
+	double excess;	/* how far past the limit the move takes the axis, at the farthest */
+	const char *work_offset;	/* in force, a constant: "G54"; NULL: the block commands machine coordinates */
+	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
+	bool length_acts;	/* the tool's length moves this axis: Z, and all linear ones under TCP */
+	double length;	/* mm: of the tool, in force */
 	axis_values position;	/* where the axes are at that instant */
 	double time;
 	double block_time;

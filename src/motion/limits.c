@@ -9,6 +9,9 @@
 /* The chord's deviation at which it is believed, as a part of the tolerance. */
 #define BELIEVED 0.01
 
+/* mm or degrees: how exactly a report says how far an axis goes past its limit. */
+#define EXCESS_EXACT 1e-4
+
 /* One limit of one axis, seen so that `outside` is upwards. */
 struct side {
 	int slot;
@@ -77,7 +80,7 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, stru
 
 		if (!first_past(&side, whole, &u) || (found && crossing->u <= u))
 			continue;
-		*crossing = (struct limit_crossing){axis->slot, limit, u};
+		*crossing = (struct limit_crossing){axis->slot, limit, !i, u};
 		found = true;
 	}
 	return found;
@@ -86,6 +89,32 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, stru
 static bool comes_before(const struct limit_crossing *a, const struct limit_crossing *b)
 {
 	return a->u < b->u || (a->u <= b->u && a->slot < b->slot);
+}
+
+double limits_excess(const struct limit_crossing *crossing, const struct span *whole)
+{
+	const double sign = crossing->below ? -1 : 1;
+	const struct side side = {.slot = crossing->slot, .sign = sign, .bound = sign * crossing->bound};
+	const double rounding = path_deviation(whole->path, 0, 0).v[side.slot];
+	const double exact = larger(slot_is_rotary(side.slot) ? radians(EXCESS_EXACT) : EXCESS_EXACT, 2 * rounding);
+	double most = larger(height(&side, &whole->q0), height(&side, &whole->q1));
+	struct span ahead[SPAN_DEPTH + 1];
+	size_t count = 1;
+
+	ahead[0] = *whole;
+	while (count) {
+		struct span span = ahead[--count];
+		double higher = larger(height(&side, &span.q0), height(&side, &span.q1));
+
+		most = larger(most, higher);
+		/* The box of a rapid stays between its ends. */
+		if (whole->path->kind == PATH_BOX || higher + span.deviation.v[side.slot] <= most + exact ||
+		    span_is_shortest(&span))
+			continue;
+		span_halve(&span, &ahead[count + 1], &ahead[count]);
+		count += 2;
+	}
+	return most;
 }
 
 /* Nearly every move is inside as a whole; no side needs to be looked at then. */

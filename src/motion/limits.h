@@ -2,6 +2,7 @@
 #ifndef FIVECHECK_MOTION_LIMITS_H
 #define FIVECHECK_MOTION_LIMITS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "machine/machine.h"
@@ -14,11 +15,18 @@
 struct limit_crossing {
 	int slot;
 	double bound;	/* the limit, mm or radians */
+	bool below;	/* it is the lower one */
 	double u;	/* the first instant in the path; 0 where it starts outside */
 };
 
 /* At most one crossing an axis, in the order of time, then of slots; returns how many. */
 size_t limits_crossed(const struct machine *machine, const struct span *whole,
 		      struct limit_crossing crossings[SLOT_COUNT]);
+
+/*
+ * How far past the crossing's limit the path takes its axis at the farthest, mm or radians, to 1e-4 mm or degrees.
+ * Negative: it stays so far inside.
+ */
+double limits_excess(const struct limit_crossing *crossing, const struct span *whole);
 
 #endif

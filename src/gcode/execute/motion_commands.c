@@ -19,6 +19,8 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED;
+	move->origin = state->origin;
+	move->origin.length = state->length;
 }
 
 bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item)

@@ -12,6 +12,12 @@ static bool go_rapid(struct interp *interp, const slot_values *target)
 	return motion_commands_go(interp, target, &(struct canon_move){.kind = CANON_RAPID});
 }
 
+static bool go_in_machine(struct interp *interp, const slot_values *target)
+{
+	return motion_commands_go(interp, target,
+				  &(struct canon_move){.kind = CANON_RAPID, .machine_coordinates = true});
+}
+
 static bool is_named(const struct interp *interp, int slot)
 {
 	bool all = !(interp->block.letters & AXIS_BITS);
@@ -36,7 +42,7 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 			continue;
 		done[slot] = true;
 		if (!endpoint_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]) ||
-		    !go_rapid(interp, &target))
+		    !go_in_machine(interp, &target))
 			return false;
 	}
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -46,7 +52,7 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 		if (!endpoint_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
 			return false;
 	}
-	return !left || go_rapid(interp, &target);
+	return !left || go_in_machine(interp, &target);
 }
 
 /* Which of the four reference positions: G28 is the first, G30 the second, or the one that its P names. */

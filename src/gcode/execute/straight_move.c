@@ -24,6 +24,7 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 	bool named[SLOT_COUNT];
 	slot_values target;
 
+	move->machine_coordinates = true;
 	if (!tool_length_suspend(interp, column, &suspended) || !endpoint_find(interp, true, &target) ||
 	    !motion_commands_go(interp, &target, move) || !tool_length_resume(interp, column, &suspended))
 		return false;

@@ -51,7 +51,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 
 	if (style.status == FINDING_WAIVED)
 		return;
-	text_message(&text, f);
+	text_sentence(&text, f);
 	strbuf_addf(&text, ", at ");
 	format_units_add(&text, 100 * f->fraction);
 	strbuf_addf(&text, " %% of the block: ");

@@ -82,6 +82,20 @@ static const char *const accepted[] = {
 		[FINDING_LEFT_OUT] = "fail-on",
 };
 
+void ndjson_put_limit(json_t *object, const struct finding *f)
+{
+	const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
+
+	json_put(object, "axis", json_string(axis));
+	json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
+	json_put(object, "target", json_real(format_units_value(f->slot, f->target)));
+	json_put(object, "excess", json_real(format_units_value(f->slot, f->excess)));
+	json_put(object, "work_offset", json_text(f->work_offset));
+	json_put(object, "work", f->work_offset ? json_real(format_units_value(f->slot, f->work)) : json_null());
+	json_put(object, "shift", f->work_offset ? json_real(format_units_value(f->slot, f->shift)) : json_null());
+	json_put(object, "tool_length", f->work_offset && f->length_acts ? json_real(f->length) : json_null());
+}
+
 void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
 		    struct finding_style style)
 {
@@ -104,12 +118,8 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "allowed_depth", json_real(f->depth));
 	if (bodies && f->path_tolerance > 0)
 		json_put(object, "path_tolerance", json_real(f->path_tolerance));
-	if (!bodies) {
-		const char axis[2] = {AXIS_LETTERS[f->slot], '\0'};
-
-		json_put(object, "axis", json_string(axis));
-		json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
-	}
+	if (!bodies)
+		ndjson_put_limit(object, f);
 	json_put(object, "block", json_text(f->text));
 	if (accepted[style.status])
 		json_put(object, "accepted", json_string(accepted[style.status]));

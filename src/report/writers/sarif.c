@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "report/format/json.h"
+#include "report/writers/ndjson.h"
 #include "report/writers/text.h"
 #include "report/format/uri.h"
 #include "report/format/utf8.h"
@@ -170,6 +171,8 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 		json_put(object, "clearance", json_real(f->clearance));
 		if (f->path_tolerance > 0)
 			json_put(object, "path_tolerance", json_real(f->path_tolerance));
+	} else {
+		ndjson_put_limit(object, f);
 	}
 	return object;
 }
@@ -182,7 +185,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	const char *line = f->text ? f->text : "";
 
 	strbuf_add(&block, line, strcspn(line, "\r\n"));
-	text_message(&text, f);
+	text_sentence(&text, f);
 	/* The region is the block, from its column to the end of its line. */
 	add_result(out, (int)f->kind, style, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,

@@ -67,6 +67,60 @@ void text_message(struct strbuf *out, const struct finding *f)
 	}
 }
 
+static void add_value(struct strbuf *out, int slot, double value)
+{
+	strbuf_addf(out, "%.6g %s", format_units_value(slot, value), format_units_unit(slot));
+}
+
+/* "X 200 mm; the axis goes up to 150 mm past the limit" */
+static void add_target(struct strbuf *out, const struct finding *f)
+{
+	strbuf_addf(out, "%c ", AXIS_LETTERS[f->slot]);
+	add_value(out, f->slot, f->target);
+	strbuf_addf(out, "; the axis goes up to ");
+	add_value(out, f->slot, f->excess);
+	strbuf_addf(out, " past the limit");
+}
+
+/* "G54 X 50 mm, G52 or G92 adds 10 mm, tool length 60 mm" */
+static void add_origin(struct strbuf *out, const struct finding *f)
+{
+	if (!f->work_offset) {
+		strbuf_addf(out, "none: machine coordinates");
+		return;
+	}
+	strbuf_addf(out, "%s %c ", f->work_offset, AXIS_LETTERS[f->slot]);
+	add_value(out, f->slot, f->work);
+	if (fabs(f->shift) > 0) {
+		strbuf_addf(out, ", G52 or G92 adds ");
+		add_value(out, f->slot, f->shift);
+	}
+	if (f->length_acts && fabs(f->length) > 0)
+		strbuf_addf(out, ", tool length %.6g mm", f->length);
+	else if (f->length_acts)
+		strbuf_addf(out, ", no tool length");
+}
+
+void text_sentence(struct strbuf *out, const struct finding *f)
+{
+	text_message(out, f);
+	if (f->kind != FINDING_LIMIT)
+		return;
+	strbuf_addf(out, "; commanded: ");
+	add_target(out, f);
+	strbuf_addf(out, "; offset in force: ");
+	add_origin(out, f);
+}
+
+static void add_limit(struct strbuf *out, const struct finding *f)
+{
+	strbuf_addf(out, "    target   ");
+	add_target(out, f);
+	strbuf_addf(out, "\n    offset   ");
+	add_origin(out, f);
+	strbuf_addf(out, "\n");
+}
+
 static void add_place(struct strbuf *out, const struct finding *f)
 {
 	strbuf_addf(out, "    at       ");
@@ -139,7 +193,9 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 	strbuf_addf(out, "    axes     ");
 	format_units_add_axes(out, machine, &f->axes);
 	strbuf_addf(out, "\n");
-	if (f->kind != FINDING_LIMIT)
+	if (f->kind == FINDING_LIMIT)
+		add_limit(out, f);
+	else
 		add_contact(out, f);
 	if (style.waiver) {
 		strbuf_addf(out, "    waived   ");

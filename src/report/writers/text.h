@@ -13,12 +13,18 @@
 /* Appends the message alone: "head (Z) meets table (C)". */
 void text_message(struct strbuf *out, const struct finding *finding);
 
+/*
+ * Appends the message and, of a limit, what was commanded and with which offsets: for reports that have no lines below
+ * the message.
+ */
+void text_sentence(struct strbuf *out, const struct finding *finding);
+
 /* Appends the message with its place: "part.nc:118:1: error: collision: head (Z) meets table (C) [collision]". */
 void text_headline(struct strbuf *out, const struct finding *finding, struct finding_style style);
 
 /*
  * Appends a finding: the headline, then indented lines with the block, the place in it, the time and the axes; for
- * bodies also the point and the distance; for a start-overlap the <pair> line that would waive it.
+ * bodies also the point and the distance; for a limit what was commanded; for a start-overlap the <pair> line that would waive it.
  */
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
 		  struct finding_style style);
