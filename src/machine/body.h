@@ -17,25 +17,25 @@ struct body {
 	enum body_role role;
 	int link;
 	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
-	const char *mesh_path;	/* as it can be opened; NULL: the body brings its solid */
-	const char *mesh_root;	/* the folder that the mesh must be in, whoever set it outlives the body; or NULL */
+	const char *mesh_path;	/* a path that can be opened; NULL: the body has a `solid` */
+	const char *mesh_root;	/* the folder that must contain the mesh, or NULL; must outlive the body */
 	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
-	const struct tool_solid *profile;	/* what a cutter's solid was made from; NULL: it is no cutter, or a mesh */
-	double rapid_allowance;	/* mm, of a part: how deep a cutter that does not cut may enter it */
-	double gouge;	/* mm, of a part: how deep a cutter that cuts may enter it; negative: as deep as it wants */
+	const struct tool_solid *profile;	/* the sections of a cutter's solid; NULL: a mesh, or no cutter */
+	double rapid_allowance;	/* mm, of a part: how deep a cutter may enter it while it does not cut */
+	double gouge;	/* mm, of a part: how deep a cutter may enter it while it cuts; negative: any depth */
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */
 	struct srcloc loc;	/* of the element that names it */
 };
 
-/* What a rule of <pairs> says of two bodies, roles or links. */
+/* What a rule of <pairs> says about two bodies, roles or links. */
 enum rule_check { PAIR_DERIVED, PAIR_ALWAYS, PAIR_NEVER };
 
-/* What stands for an axis or a role in a <pair>, and so names no body. */
+/* Does the name stand for an axis or a role in a <pair>? Then no body can have it. */
 bool body_name_is_reserved(const char *name);
 
-/* The roles by the words that rules use; "" for the machine's own bodies. In the order of enum body_role. */
+/* The names of the roles in rules, in the order of enum body_role; "" for the machine's own bodies. */
 extern const char *const body_roles[];
 
 #endif

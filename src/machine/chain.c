@@ -30,7 +30,7 @@ void chain_init(struct chain *chain, const struct machine *machine, int fixed, i
 	size_t ndown = ancestors(machine, fixed, down);
 	size_t nup = ancestors(machine, moved, up);
 
-	/* What carries both moves neither against the other. */
+	/* A link that carries both moves neither against the other. */
 	while (ndown && nup && down[ndown - 1] == up[nup - 1]) {
 		ndown--;
 		nup--;

@@ -9,10 +9,10 @@
 #include "geom/xform.h"
 #include "machine/machine.h"
 
-/* Where a link's zero-pose geometry stands when the axes are at q (mm, radians). */
+/* The pose of a link's zero-pose geometry when the axes are at q (mm, radians). */
 xform machine_pose(const struct machine *machine, int link, const axis_values *q);
 
-/* One joint as it moves what lies beyond it; the sense is folded into the direction. */
+/* One joint of a chain; the direction is that of the motion, so the sense of the axis is included. */
 struct joint {
 	int slot;
 	bool rotary;

@@ -19,7 +19,7 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 				  description_quote(file, described->at, "number").text, MCODE_MAX);
 		return;
 	}
-	/* Stops, ends, spindle, coolant, tool change and calls: every control agrees on these. */
+	/* M-codes for stops, program ends, spindle, coolant, tool change and calls. Every control agrees on these. */
 	if (described->number <= 9 || described->number == 30 || described->number == 98 || described->number == 99) {
 		description_fault(file, described->at, "number", "M%ld has a fixed meaning that cannot be changed",
 				  described->number);
@@ -34,7 +34,7 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 	mcodes[(*count)++] = (struct mcode){(int)described->number, described->action};
 }
 
-/* What the dialect's row says that the control has no parameter for. */
+/* Refuses settings for which, by the dialect's row, the control has no parameter. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->dialect];
@@ -138,7 +138,7 @@ static void build_order(struct description_file *file, const struct place_descri
 					  element_of(described), AXIS_LETTERS[slot]);
 }
 
-/* Z first, so that the tool leaves the work, and then one axis after another. */
+/* The default order: Z first, so that the tool leaves the work, then one axis after another. */
 static void set_default_order(struct control_place *place)
 {
 	if (place->has[SLOT_Z])
@@ -185,7 +185,7 @@ static void build_place(struct description_file *file, const struct place_descri
 		build_value(file, described, machine, slot, place);
 		any = any || place->has[slot];
 	}
-	/* A tool may be changed where the spindle stands: that is a <tool_change> that gives nothing. */
+	/* A <tool_change> without positions means: the tool is changed where the spindle is. */
 	if (!any && (!described->tool_change || described->order))
 		description_fault(file, described->at, NULL, "<%s> gives no position", element_of(described));
 	else if (described->order)

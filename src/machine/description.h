@@ -1,6 +1,6 @@
 /*
- * description.h - what a machine, setup or waivers file says, as plain data: readers of file formats fill it in,
- * machine_build, setup_build and waivers_build judge its meaning.
+ * description.h - the contents of a machine, setup or waivers file as plain data. Readers of file formats fill it in;
+ * machine_build, setup_build and waivers_build judge what it means.
  */
 #ifndef FIVECHECK_MACHINE_DESCRIPTION_H
 #define FIVECHECK_MACHINE_DESCRIPTION_H
@@ -19,12 +19,12 @@
 #include "machine/tool_solid.h"
 
 /*
- * Lengths are in mm, angles in radians, whatever the file's units are. Strings and arrays live as long as the
- * machine or setup that is built of them: a reader allocates them in its arena. Every struct has an `at`, by which its
- * reader knows the place in the file again; it is valid until the reader closes the file.
+ * Lengths are in mm and angles in radians, whatever the file's units are. Strings and arrays must live as long as the
+ * machine or setup that is built from them, so a reader allocates them in the arena. Every struct has an `at`, by which
+ * the reader finds its place in the file; it is valid until the reader closes the file.
  */
 
-/* Text of a file for a message: shortened, control characters replaced. */
+/* A text from a file for a message: shortened, with control characters replaced. */
 struct quotation {
 	char text[84];
 };
@@ -34,10 +34,13 @@ struct description_file {
 	const char *path;
 	size_t faults;	/* reported by description_fault */
 	void *reader;	/* first argument of the functions */
-	/* Reports an error at a thing, or at one of its attributes (NULL: at all of it). Attributes have XML's names. */
+	/*
+	 * Reports an error at `at`, or at one of its attributes (NULL: at the whole element). Attributes have their XML
+	 * names.
+	 */
 	void (*report)(void *reader, const void *at, const char *attribute, const char *format, va_list args)
 		__attribute__((format(printf, 4, 0)));
-	/* An attribute as it is written; empty if it is not. */
+	/* The text of an attribute as written in the file; empty if it is absent. */
 	struct quotation (*quote)(void *reader, const void *at, const char *attribute);
 	long (*line)(void *reader, const void *at);
 };
@@ -47,7 +50,7 @@ void description_fault(struct description_file *file, const void *at, const char
 struct quotation description_quote(const struct description_file *file, const void *at, const char *attribute);
 struct srcloc description_place(const struct description_file *file, const void *at);
 
-/* A number that need not be given. */
+/* A number that the file may leave out. */
 struct optional_number {
 	bool given;
 	double value;	/* 0 if not given */
@@ -65,7 +68,7 @@ struct place_description {
 	bool tool_change;	/* else a reference position */
 	long number;	/* of a reference position */
 	struct optional_number value[SLOT_COUNT];
-	const char *order;	/* axis letters, apart by blanks or nothing; or NULL */
+	const char *order;	/* axis letters, with or without blanks between them; or NULL */
 };
 
 struct controller_description {
@@ -91,7 +94,7 @@ struct body_description {
 	const char *name;
 	const char *mesh_path;	/* as it can be opened */
 	double scale;	/* mm per unit of the mesh */
-	xform frame;	/* where its link, or the workholding, has the mesh's origin */
+	xform frame;	/* the mesh's origin on its link or on the workholding */
 	enum body_role role;
 	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it */
 	const char *checked;	/* or NULL */
@@ -103,7 +106,7 @@ struct axis_description {
 	int slot;
 	const char *title;	/* or NULL */
 	const char *checked;	/* or NULL */
-	bool rotary;	/* as the file says; the letter may contradict */
+	bool rotary;	/* from the file; it may contradict the letter */
 	int parent;	/* the link that carries it */
 	vec3 direction;	/* of any length */
 	bool has_location;
@@ -144,7 +147,7 @@ struct machine_description {
 	double unit;	/* mm per unit of length of the control */
 	struct controller_description controller;
 	const void *base;
-	struct axis_description *axes;	/* a carrying axis before what it carries */
+	struct axis_description *axes;	/* an axis comes before the axes that it carries */
 	size_t axis_count;
 	struct body_description *bodies;
 	size_t body_count;
@@ -156,7 +159,7 @@ struct machine_description {
 	struct optional_number adjacent_within;
 	struct pair_description *pairs;
 	size_t pair_count;
-	struct setup_description *setup;	/* inside of the machine's file, or NULL */
+	struct setup_description *setup;	/* from inside the machine's file, or NULL */
 };
 
 /* The pieces of a tool, from the gauge line down. */

@@ -1,4 +1,4 @@
-/* doubt.h - what in a machine or a setup is likely to be a mistake, as plain data. */
+/* doubt.h - likely mistakes in a machine or a setup, as plain data. */
 #ifndef FIVECHECK_MACHINE_DOUBT_H
 #define FIVECHECK_MACHINE_DOUBT_H
 
@@ -6,16 +6,16 @@
 
 #include "geom/vec3.h"
 
-/* Lengths in mm, angles in radians. "Against the work": as the tool moves in the frame of the workholding. */
+/* Lengths in mm, angles in radians. "Against the work" means: the tool's motion as seen from the workholding. */
 enum doubt_kind {
-	/* Of the machine's motions; `axis` and `other` are places in machine->axes. */
+	/* About the machine's motions; `axis` and `other` are indices of machine->axes. */
 	DOUBT_LEFT_HANDED,	/* X Y Z of the tool against the work */
 	DOUBT_TURNED,	/* X Y Z of the tool against the work are right-handed, but not those of the drawing */
 	DOUBT_PARALLEL,	/* axis and other move the tool along one line */
 	DOUBT_LETTER,	/* axis moves the tool along, or turns it about, the direction of another letter: `other` is 0 X, 1 Y, 2 Z */
 	DOUBT_SIGN,	/* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
 	DOUBT_ROTARY_SIGN,	/* a positive value turns the tool about -X, -Y, -Z */
-	DOUBT_ROTARY_MISSES,	/* the axis' line passes by all that it carries, by `value` */
+	DOUBT_ROTARY_MISSES,	/* the axis' line misses all bodies that it carries, by `value` */
 	DOUBT_SPINDLE_ACROSS,	/* Z does not move the tool along the spindle */
 	DOUBT_SPINDLE_TOWARD,	/* Z+ moves the tool where its tip points */
 	DOUBT_SPINDLE_IN_HEAD,	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
@@ -25,7 +25,9 @@ enum doubt_kind {
 	DOUBT_WORKHOLDING_FAR,	/* it is `value` from the nearest body of its link */
 	DOUBT_BODIES_SMALL,	/* all bodies of the machine together are `value` large, the longest travel is `limit` */
 	DOUBT_BODIES_LARGE,
-	/* Of the setup; `body` and `against` are places in scene->bodies, `item` in setup->tools or setup->offsets. */
+	/*
+	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.
+	 */
 	DOUBT_FLOATS,	/* the body is `value` away from all that could hold it; `against` is the nearest of it */
 	DOUBT_SINKS,	/* the body is `value` deep inside `against` */
 	DOUBT_PART_LARGE,	/* the body is `value` large, the longest travel is `limit` */

@@ -5,13 +5,13 @@
 #include "geom/xform.h"
 #include "machine/chain.h"
 
-/* Cosines: directions nearer than 10 degrees are one line; farther than 60 degrees are not that direction. */
+/* Cosines. Directions within 10 degrees count as one line; directions more than 60 degrees apart count as different. */
 static const double ONE_LINE = 0.985;
 static const double RATHER_ALONG = 0.5;
-/* Slanted beds and nutating axes lie between two letters: only a clear case is doubted. */
+/* Slanted beds and nutating axes lie between two letters, so only a clear case is doubted. */
 static const double CLEARLY_ALONG = 0.9;
 
-/* The letters of the slots X Y Z A B C U V W as directions of the drawing. */
+/* The directions in the drawing that the letters X Y Z A B C U V W name. */
 static const vec3 drawing[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static int letter_of(const struct axis *axis)
@@ -41,7 +41,7 @@ vec3 kinematics_direction(const struct machine *machine, const struct axis *axis
 	return vec3_scale(kinematics_side(machine, axis), axis->direction);
 }
 
-/* The letter whose direction is nearest, either way. */
+/* The letter whose direction is nearest to `v`, in either sense. */
 static int nearest_letter(vec3 v)
 {
 	int nearest = 0;
@@ -58,9 +58,9 @@ static int place_of(const struct machine *machine, const struct axis *axis)
 	return (int)(axis - machine->axes);
 }
 
-/* The machine's X Y Z, in which its rotary axes are named. */
+/* The machine's X Y Z, by which its rotary axes are named. */
 struct frame {
-	bool whole;	/* all three move tool or work; else the vectors are the drawing's */
+	bool whole;	/* all three axes move the tool or the work; else the vectors are the drawing's */
 	bool checked;	/* one of them is */
 	vec3 v[3];
 };
@@ -85,7 +85,7 @@ static double hand(const struct frame *frame)
 	return vec3_dot(frame->v[0], vec3_cross(frame->v[1], frame->v[2]));
 }
 
-/* Right-handed and at right angles, but with the letters along other lines than the drawing's? */
+/* Are the axes right-handed and at right angles, but along other lines than the drawing's letters? */
 static bool is_turned(const struct frame *frame)
 {
 	bool other = false;
@@ -121,7 +121,7 @@ static void check_parallel(const struct machine *machine, struct doubts *doubts)
 	}
 }
 
-/* In a turned frame the letters are the frame's, else the drawing's. */
+/* If the machine's frame is turned, its letters count; else the drawing's. */
 static void check_axis(const struct machine *machine, const struct axis *axis, const struct frame *frame,
 		       struct doubts *doubts)
 {
@@ -195,7 +195,7 @@ double kinematics_longest_travel(const struct machine *machine)
 	return longest;
 }
 
-/* The rotary axes stand at 0: that the work could be turned before the tool is no reason to draw it behind. */
+/* The rotary axes are at 0. The work must be drawn in front of the tool there, even if turning could bring it there. */
 static void check_places(const struct machine *machine, struct doubts *doubts)
 {
 	const vec3 tip = machine->spindle.direction;
@@ -213,7 +213,7 @@ static void check_places(const struct machine *machine, struct doubts *doubts)
 		double room;
 
 		kinematics_range(machine, sideways[k], &least, &greatest);
-		/* The origin of the workholding may lie at the edge of a table: that much is no mistake. */
+		/* The origin of the workholding may lie at the edge of a table; such a distance is no mistake. */
 		room = fmax(100, 0.5 * (greatest - least));
 		worst = fmax(worst, fmax(least, -greatest) > room ? fmax(least, -greatest) : 0);
 	}

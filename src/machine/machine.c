@@ -46,7 +46,7 @@ axis_values machine_home(const struct machine *machine)
 	return home;
 }
 
-/* More unknown names than these are not listed. */
+/* At most so many unknown names are listed. */
 #define UNKNOWN_MAX 20
 
 struct body_list {
@@ -62,7 +62,7 @@ static bool knows_body(const struct body_list *list, const char *name)
 	return false;
 }
 
-/* The lists of the machine, of its own setup and of another one; the last two may be empty. */
+/* The bodies of the machine, of its own setup and of another setup; the last two may be empty. */
 static bool check_name(const struct body_list lists[3], const struct pair_name *name, bool any_setup,
 		       struct srcloc loc, struct diag *diag)
 {

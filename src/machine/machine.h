@@ -1,4 +1,4 @@
-/* machine.h - a machine tool as its XML file describes it: axes, links, bodies, and who need not be checked. */
+/* machine.h - a machine tool: axes, links, bodies, and the rules about pairs. */
 #ifndef FIVECHECK_MACHINE_MACHINE_H
 #define FIVECHECK_MACHINE_MACHINE_H
 
@@ -13,29 +13,28 @@
 #include "machine/body.h"
 
 /*
- * Everything is in machine coordinates at the zero pose (every axis at 0), in
- * mm, radians and seconds. A link is what one axis carries: link 0 is the
- * base, link i + 1 hangs on axes[i].
+ * Everything is in machine coordinates at the zero pose (every axis at 0), in mm, radians and seconds. Link 0 is the
+ * base; link i + 1 is what axes[i] carries.
  */
 
 struct axis {
 	const char *name;	/* one of AXIS_LETTERS */
 	const char *title;	/* or NULL */
-	int slot;	/* where its value stands in an axis_values */
+	int slot;	/* index of its value in an axis_values */
 	bool rotary;
 	int parent;	/* the link that carries it */
-	vec3 direction;	/* unit: how the carried link moves for a positive programmed value; rotary: right-handed */
+	vec3 direction;	/* unit vector: how the carried link moves for a positive value; rotary: right-handed */
 	vec3 location;	/* a point on a rotary axis */
 	double limit_min, limit_max;	/* mm or radians; -INFINITY, INFINITY: unlimited */
 	double rate_max;	/* mm/s or radians/s; > 0 */
 	double home;
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	enum wrap wrap;
-	int half_turn;	/* 1 or -1: the way of half a turn, where either way is as near; 0: not known */
+	int half_turn;	/* 1 or -1: the direction of half a turn, where both ways are equally long; 0: not known */
 	long line;	/* in the XML file */
 };
 
-/* <pair>: what the user says of two bodies, roles or links. */
+/* <pair>: what the user says about two bodies, roles or links. */
 enum pair_name_kind { NAME_LINK, NAME_ROLE, NAME_BODY };	/* from general to particular */
 
 struct pair_name {
@@ -79,7 +78,7 @@ struct machine {
 	size_t axis_count;
 	struct body *bodies;	/* in file order */
 	size_t body_count;
-	struct pair_rule *rules;	/* in file order, bodies resolved against machine and setup by scene */
+	struct pair_rule *rules;	/* in file order; scene finds the bodies in machine and setup */
 	size_t rule_count;
 	double adjacent_within;	/* mm */
 	struct spindle spindle;
@@ -87,14 +86,13 @@ struct machine {
 	struct setup *setup;	/* the <setup> inside <machine>, or NULL; owned */
 };
 
-/* Reads a machine file of any format and builds it. Every fault is reported with its place; NULL if there was one. */
+/* Reads a machine file and builds the machine. Every fault is reported with its place; NULL if there was one. */
 struct machine *machine_load(const char *path, struct diag *diag);
 void machine_free(struct machine *machine);
 
 /*
- * Names in <pair> that are no body of the machine, of its own setup or of
- * `setup` (may be NULL) are errors; warnings while there is no setup at all,
- * since they may be a setup's.
+ * Reports names in <pair> that are no body of the machine, of its own setup or of `setup` (which may be NULL). These
+ * are errors; without any setup they are warnings, because a setup may have the body.
  */
 bool machine_check_rules(const struct machine *machine, const struct setup *setup, struct diag *diag);
 

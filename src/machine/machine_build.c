@@ -9,16 +9,19 @@
 #include "machine/controller_build.h"
 #include "machine/setup_build.h"
 
-/* Rates in mm or degrees a minute that are believed. */
+/* The range of plausible rates, in mm or degrees a minute. */
 #define RATE_MIN 1e-6
 #define RATE_MAX 1e9
-/* mm: how near at home the bodies of two neighbouring links may be to be taken for a guideway (fivecheck-machine(5)). */
+/*
+ * mm: bodies of two neighbouring links that are nearer than this at home are taken for a guideway
+ * (fivecheck-machine(5)).
+ */
 #define ADJACENT_WITHIN 5.0
-/* The length of a vector that is believed to be a direction. */
+/* The range of lengths of a vector that can be a direction. */
 #define DIRECTION_MIN 1e-6
 #define DIRECTION_MAX 1e6
 
-/* A unit vector; Z after a fault. `element` is the one that has the attribute. */
+/* The direction as a unit vector; Z after a fault. `element` is the name of the element with the attribute. */
 static vec3 build_direction(struct description_file *file, const void *at, const char *element, vec3 v)
 {
 	double norm = vec3_norm(v);
@@ -228,7 +231,7 @@ static void build_pairs(struct machine_description *described, struct machine *m
 		build_pair(file, &described->pairs[i], machine, &machine->rules[machine->rule_count++]);
 }
 
-/* Pairs and places name axes, and setups stand on the spindle and the workholding: so in this order. */
+/* The order matters: pairs and places name axes, and setups are mounted on the spindle and the workholding. */
 struct machine *machine_build(struct machine_description *described, struct diag *diag)
 {
 	struct machine *machine = mem_zalloc(1, sizeof(*machine));

@@ -1,4 +1,4 @@
-/* machine_build.h - judges a description of a machine and makes the machine of it. */
+/* machine_build.h - checks the description of a machine and builds the machine. */
 #ifndef FIVECHECK_MACHINE_MACHINE_BUILD_H
 #define FIVECHECK_MACHINE_MACHINE_BUILD_H
 
@@ -6,8 +6,8 @@
 #include "machine/machine.h"
 
 /*
- * Takes over the description's arena, and that of its setup. NULL: the description contradicts itself or says what no
- * machine can be; everything of that kind was reported.
+ * Takes over the description's arena, and that of its setup. NULL: the description contradicts itself or describes no
+ * possible machine; every fault was reported.
  */
 struct machine *machine_build(struct machine_description *described, struct diag *diag);
 

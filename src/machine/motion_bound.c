@@ -6,7 +6,7 @@
 #include "base/ablation.h"
 #include "base/units.h"
 
-/* A joint's value with its sine and cosine taken once for all uses. */
+/* A joint's value with its sine and cosine, computed once. */
 static xform joint_motion(const struct joint *joint, double value)
 {
 	if (joint->rotary)
@@ -85,8 +85,8 @@ double linear_way(const struct chain *chain, size_t first, size_t last, const ax
 }
 
 /*
- * The chain as a view walks it, the view's fixed body first: each rotary joint
- * and each run of linear joints is one stage.
+ * The chain in the order of a view, beginning at the view's fixed body. Each rotary joint and each run of linear joints
+ * is one stage.
  */
 struct stage {
 	size_t first, last;	/* joints of the chain */
@@ -113,7 +113,7 @@ static size_t stages_of(const struct chain *chain, int view, struct stage out[SL
 	return count;
 }
 
-/* What one stage does to the points that it moves. */
+/* How one stage moves the points that it carries. */
 struct share {
 	double angle;	/* |dq| of a rotary joint, radians */
 	double way;	/* u, mm */
@@ -123,9 +123,8 @@ struct share {
 };
 
 /*
- * Fills the shares from the moving body inwards: a point's distance to an axis
- * changes by what the later stages do to it. Every instant is within half of
- * the motion of one of the two ends, at which rho is known.
+ * Fills in the shares, beginning at the moving body: the later stages change a point's distance to an axis. Every
+ * instant is within half of the motion of one of the two ends, where rho is known.
  */
 static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
 			 const struct chain *chain, const struct chain_state *start, const struct chain_state *end,
@@ -182,8 +181,7 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 			bound->path_growth[view] += share->path_growth;
 		}
 		/*
-		 * By the length alone:
-		 * |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
+		 * By the length alone: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
 		 */
 		bound->bend[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
@@ -209,7 +207,7 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 	return sum;
 }
 
-/* Turning by at most `angle` moves a point at distance rho by at most a chord of the circle. */
+/* A turn by at most `angle` moves a point at distance rho by at most the chord of that circular arc. */
 static double turn_of(double angle, double rho)
 {
 	return angle >= PI ? 2 * rho : 2 * sin(angle / 2) * rho;

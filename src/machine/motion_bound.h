@@ -1,4 +1,4 @@
-/* motion_bound.h - how far the joints between two links can move one body as the other sees it. */
+/* motion_bound.h - bounds on how far the joints between two links can move one body, as the other sees it. */
 #ifndef FIVECHECK_MACHINE_MOTION_BOUND_H
 #define FIVECHECK_MACHINE_MOTION_BOUND_H
 
@@ -6,9 +6,8 @@
 #include "machine/chain.h"
 
 /*
- * Two views of one relative motion: in view 0 the chain's fixed link stands
- * still and the moved link's body moves, in view 1 the other way round. Each
- * gives bounds of its own; a distance between the bodies obeys both.
+ * Two views of one relative motion. In view 0 the chain's fixed link stands still and the moved link's body moves; in
+ * view 1 it is the other way round. Each view gives its own bounds, and both hold for the distance between the bodies.
  */
 enum { VIEWS = 2 };
 
@@ -21,7 +20,7 @@ struct ball {
 /* The chain at one position of the axes. */
 struct chain_state {
 	xform pose;	/* the moved link's zero-pose geometry in the fixed link's */
-	double rho[VIEWS][SLOT_COUNT];	/* mm: how far the moving body reaches from the joint's axis; 0: linear */
+	double rho[VIEWS][SLOT_COUNT];	/* mm: farthest point of the moving body from the joint's axis; 0: linear */
 	vec3 direction[SLOT_COUNT];	/* of each joint in the fixed link's zero-pose coordinates */
 	vec3 location[SLOT_COUNT];	/* of each rotary joint's axis, likewise */
 };
@@ -30,15 +29,14 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		      const struct ball *fixed, const struct ball *moved);
 
 /*
- * Over a motion along which every joint goes linearly from q0 to q1, with a
- * chord error of at most `deviation` (fivecheck(7), "How far a point can move").
- * The control may leave this motion by `tolerance` (NULL: not at all). At the instant when the
- * joints should be at q, that moves a point by at most its path displacement: the sum over
- * the rotary joints of the tolerance times the point's distance to the axis at q, plus the linear joints' own. This
- * depends on q alone, not on how the motion was cut into pieces.
+ * Bounds for a motion in which every joint goes linearly from q0 to q1, with a chord error of at most `deviation`
+ * (fivecheck(7), "How far a point can move"). The control may leave this motion by `tolerance` (NULL: not at all). At
+ * the instant when the joints should be at q, that moves a point by at most its path displacement: the sum over the
+ * rotary joints of the tolerance times the point's distance to the axis at q, plus the tolerances of the linear joints.
+ * This depends on q alone, and not on how the motion is cut into pieces.
  */
 struct chord_bound {
-	double length;	/* L: no point moves farther, chord errors apart (the better of both views) */
+	double length;	/* L: no point moves farther, without chord errors (the better of both views) */
 	double bend[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
 	double drift[VIEWS];	/* d: the chord errors move no point by more */
 	double path[VIEWS];	/* no point's path displacement is larger, at any instant */
@@ -49,15 +47,17 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
 		      const axis_values *deviation, const axis_values *tolerance);
 
-/* The path displacement (mm) of a point that is at `x`, in the fixed link's coordinates, as view 0 sees a moved point or view 1 a fixed one. */
+/*
+ * The path displacement (mm) of a point at `x`, in the fixed link's coordinates: a moved point in view 0, a fixed point
+ * in view 1.
+ */
 double path_displacement(const struct chain *chain, const struct chain_state *state, vec3 x,
 			 const axis_values *tolerance);
 
 /*
- * When every joint may be anywhere within `half` of the state's position (mm,
- * radians): a point is at its place at the state, plus for each linear joint at
- * most half of its direction either way, plus for each rotary one at most `turn`
- * at right angles to its axis, the directions being the state's.
+ * Bounds for joints that may be anywhere within `half` of the state's position (mm, radians). From its place at the
+ * state, each linear joint moves a point by at most `half` along its direction, either way, and each rotary joint by at
+ * most `turn` at right angles to its axis. The directions are those at the state.
  */
 struct box_bound {
 	double turn[VIEWS][SLOT_COUNT];	/* mm, by joint; 0: linear */
@@ -68,16 +68,15 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
 		    const axis_values *half);
 
 /*
- * The farthest that the linear joints first..last-1 can carry a point when
- * each moves by at most amount[slot]: with signs s, |sum s a d|^2 <= sum over
- * pairs of a_i a_j |d_i . d_j|, the vector norm where directions are orthogonal.
+ * mm: the farthest that the linear joints first..last-1 can move a point when each moves by at most amount[slot]. With
+ * signs s, |sum s a d|^2 <= sum over pairs of a_i a_j |d_i . d_j|, which is the vector norm for orthogonal directions.
  */
 double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
 
-/* How far the linear joints first..last-1 carry a point from q0 to q1: mm. */
+/* mm: how far the linear joints first..last-1 move a point from q0 to q1. */
 double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *q0, const axis_values *q1);
 
-/* The end of the run of linear joints, with no rotary one between them, that begins at `first`. */
+/* The end of the run of linear joints that begins at `first`: the next rotary joint, or the chain's end. */
 size_t linear_run_end(const struct chain *chain, size_t first);
 
 #endif

@@ -1,4 +1,4 @@
-/* setup.h - what stands on a machine for one job: work offsets, fixtures, the part, tools. */
+/* setup.h - everything that is set up on a machine for one job: work offsets, fixtures, the part, tools. */
 #ifndef FIVECHECK_MACHINE_SETUP_H
 #define FIVECHECK_MACHINE_SETUP_H
 
@@ -20,14 +20,14 @@ struct setup {
 	size_t offset_count;
 	struct tool *tools;
 	size_t tool_count;
-	struct length_offset *lengths;	/* every H that is defined, by tools or by <offset>; each number once */
+	struct length_offset *lengths;	/* every H that a tool or an <offset> defines, each once */
 	size_t length_count;
 	struct body *bodies;	/* fixtures and parts in file order, then each tool's holder, shank, cutter */
 	size_t body_count;
 	int initial_tool;	/* 0: the spindle is empty */
 };
 
-/* As machine_load; the bodies are placed on the machine's workholding and spindle. */
+/* As machine_load. The bodies are placed on the machine's workholding and spindle. */
 struct setup *setup_load(const char *path, const struct machine *machine, struct diag *diag);
 void setup_free(struct setup *setup);
 

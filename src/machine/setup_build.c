@@ -108,7 +108,7 @@ static void build_length(struct description_file *file, const struct length_offs
 		(struct length_offset){.number = (int)described->number, .length = described->length};
 }
 
-/* Every tool has the H of its number, unless an <offset> gave it. */
+/* Gives every tool the H of its number, unless an <offset> defines that H. */
 static void add_tool_lengths(struct setup *setup)
 {
 	size_t given = setup->length_count;
@@ -125,7 +125,7 @@ static void add_tool_lengths(struct setup *setup)
 	}
 }
 
-/* Room for everything; false if there is too much of it. */
+/* Allocates room for everything; false: there is too much, reported. */
 static bool make_room(struct setup_description *described, struct setup *setup)
 {
 	const size_t mounted = described->body_count, tools = described->tool_count, lengths = described->length_count;
@@ -142,7 +142,7 @@ static bool make_room(struct setup_description *described, struct setup *setup)
 	return true;
 }
 
-/* The first body and the first tool say it for all. */
+/* One message is enough: it is reported at the first body and the first tool only. */
 static void check_mounts(struct setup_description *described, const struct machine *machine)
 {
 	if (described->body_count > 0 && !machine->workholding.present)

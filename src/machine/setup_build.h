@@ -1,4 +1,4 @@
-/* setup_build.h - judges a description of a setup and makes the setup of it, on its machine. */
+/* setup_build.h - checks the description of a setup and builds the setup on its machine. */
 #ifndef FIVECHECK_MACHINE_SETUP_BUILD_H
 #define FIVECHECK_MACHINE_SETUP_BUILD_H
 
@@ -7,8 +7,8 @@
 #include "machine/setup.h"
 
 /*
- * Takes over the description's arena. NULL: the setup contradicts itself or does not fit the machine; everything of
- * that kind was reported. Warnings go to diag.
+ * Takes over the description's arena. NULL: the setup contradicts itself or does not fit the machine; every fault was
+ * reported. Warnings go to diag.
  */
 struct setup *setup_build(struct setup_description *described, const struct machine *machine, struct diag *diag);
 

@@ -23,7 +23,7 @@ struct piece {
 	const char *name;
 	struct tool_solid solid;	/* without sections: it is a mesh, or there is no such piece */
 	double length;	/* of its sections */
-	double flutes;	/* mm of a cutter, from its end, that cut; 0: all of it */
+	double flutes;	/* mm from the cutter's end: the part of it that cuts; 0: all of it */
 };
 
 /* --------------------------------------------------------------- sections */
@@ -142,7 +142,7 @@ static void build_tip(struct description_file *file, const struct piece_descript
 				  tips[solid->tip], height, last->length);
 }
 
-/* How much of a cutter cuts: what is above its flutes rubs, and is a body of its own. */
+/* Separates the flutes of a cutter from its neck: the neck rubs, and is a body of its own. */
 static void build_flutes(struct description_file *file, struct piece *piece)
 {
 	const struct piece_description *described = piece->described;
@@ -189,7 +189,7 @@ static void build_piece(struct tool_builder *builder, struct piece *piece)
 	}
 }
 
-/* Sections hang below what ends at a known height, or stand on what begins at one. */
+/* Sections are placed downwards from a known height, or upwards from one. */
 static void stack(struct tool_builder *builder, const struct tool_description *described,
 		  struct piece pieces[TOOL_PIECES])
 {
@@ -221,7 +221,10 @@ static void stack(struct tool_builder *builder, const struct tool_description *d
 
 /* ----------------------------------------------------------------- bodies */
 
-/* The pose that brings the gauge point from the origin to the spindle, and the tip from -Z into its direction. */
+/*
+ * The pose that moves the gauge point from the origin to the spindle, and turns the tip from -Z to the spindle's
+ * direction.
+ */
 static xform tool_placement(const struct spindle *spindle)
 {
 	vec3 from = {0, 0, -1}, to = spindle->direction, axis = vec3_cross(from, to);
@@ -262,7 +265,7 @@ static const char *body_name(struct arena *arena, int number, const char *what)
 	return name;
 }
 
-/* A piece of a tool that is a body: a mesh where `solid` is NULL. */
+/* Adds a piece of a tool as a body; `solid` NULL: the piece is a mesh. */
 static void add_body(struct tool_builder *builder, const struct tool *tool, const struct piece_description *described,
 		     const char *what, enum body_role role, const struct tool_solid *solid)
 {
@@ -330,7 +333,7 @@ static double build_tool_diameter(struct description_file *file, const struct to
 	return given;
 }
 
-/* False: reported, and the tool cannot stand in the table. */
+/* False: reported; the tool cannot be added to the table. */
 static bool check_tool(struct tool_builder *builder, const struct tool_description *described)
 {
 	struct description_file *file = builder->file;

@@ -1,4 +1,4 @@
-/* tool_build.h - judges a described tool and makes its row of the tool table and its bodies. */
+/* tool_build.h - checks a described tool and makes its row of the tool table and its bodies. */
 #ifndef FIVECHECK_MACHINE_TOOL_BUILD_H
 #define FIVECHECK_MACHINE_TOOL_BUILD_H
 
@@ -11,10 +11,10 @@
 /* Bodies of one tool: holder, shank, cutter, and the neck above the cutter's flutes. */
 #define TOOL_BODIES_MAX 4
 
-/* T and H words of eight digits exist. */
+/* The largest number of a tool or an H: controls have T and H words of eight digits. */
 #define TOOL_NUMBER_MAX 99999999
 
-/* Triangles of all the tools of a setup together. */
+/* The most triangles of all tools of a setup together. */
 #define TOOL_TRIANGLES_MAX ((size_t)10 * 1000 * 1000)
 
 /* The tools of one setup are built one after another. */
@@ -26,7 +26,7 @@ struct tool_builder {
 	size_t triangles;	/* so far */
 };
 
-/* Appends the tool and its holder, shank and cutter, as far as it has them; faults are counted in the file. */
+/* Appends the tool, and its holder, shank and cutter if it has them. Faults are counted in the file. */
 void tool_build(struct tool_builder *builder, const struct tool_description *described);
 
 #endif

@@ -21,7 +21,7 @@ struct frustum {
 struct eroder {
 	const struct frustum *frustums;	/* from the top down, without gaps */
 	size_t count;
-	double bottom;	/* of the solid: nothing remains closer to it than depth */
+	double bottom;	/* of the solid: everything nearer to it than depth is removed */
 	double depth;
 	double *cuts;	/* heights, falling: between two of them one line bounds the core */
 	size_t cut_count;
@@ -37,7 +37,7 @@ static double slope(const struct frustum *f)
 	return (f->r_top - f->r_bottom) / (f->top - f->bottom);
 }
 
-/* How far below its foot on a frustum's side the point lies that is `depth` from there along the normal. */
+/* How far below its foot point on a frustum's side a point lies that is `depth` away along the normal. */
 static double foot_above(const struct frustum *f, double depth)
 {
 	return -depth * slope(f) / hypot(1, slope(f));
@@ -48,7 +48,10 @@ static double radius_at(const struct frustum *f, double h)
 	return f->r_bottom + slope(f) * (h - f->bottom);
 }
 
-/* The sections as frustums; a cone becomes one of its own, and a rounded tip its cylinder. Returns their number. */
+/*
+ * The sections as frustums. A cone becomes a frustum of its own; a rounded tip counts as its cylinder. Returns their
+ * number.
+ */
 static size_t frustums_of(const struct tool_solid *solid, struct frustum *out)
 {
 	const struct tool_section *last = &solid->sections[solid->count - 1];
@@ -73,25 +76,24 @@ static size_t frustums_of(const struct tool_solid *solid, struct frustum *out)
 	return count;
 }
 
-/* The lower of two lines, as their middles stand. */
+/* The lower of two lines, compared at their middles. */
 static struct line lower_of(struct line a, struct line b)
 {
 	return a.r_top + a.r_bottom <= b.r_top + b.r_bottom ? a : b;
 }
 
-/* The bound that the edge at height `edge` with radius r sets to heights within `depth` of it: the chord of an arc. */
+/* The bound from the edge at height `edge` with radius r, for heights within `depth` of it: the chord of an arc. */
 static struct line below_edge(const struct eroder *e, double edge, double r, double top, double bottom)
 {
-	/* Depth beyond the edge and the edge itself are cuts: the middle speaks for the whole. */
+	/* The edge and the heights at `depth` from it are cuts, so one test at the middle is enough. */
 	if (fabs(0.5 * (top + bottom) - edge) > e->depth)
 		return (struct line){INFINITY, INFINITY};
 	return (struct line){r - e->depth + fabs(top - edge), r - e->depth + fabs(bottom - edge)};
 }
 
 /*
- * The bound that a frustum sets. Where the feet are on its side that is the side
- * moved inwards along its normal; wherever the heights are the frustum's own, the side
- * moved by depth along the radius, which is less sharp.
+ * The bound from a frustum. If the foot points are on its side, it is the side moved inwards along its normal. At the
+ * frustum's own heights it is the side moved by depth along the radius, which is less sharp.
  */
 static struct line below_side(const struct eroder *e, const struct frustum *f, double top, double bottom)
 {
@@ -139,7 +141,7 @@ static int descending(const void *a, const void *b)
 	return (x < y) - (x > y);
 }
 
-/* Wherever the bound that holds may change, or its radius may become 0. */
+/* The heights at which another bound may become the lowest, or at which the radius may become 0. */
 static void make_cuts(struct eroder *e)
 {
 	e->cuts = mem_zalloc(9 * e->count + 3, sizeof(*e->cuts));
@@ -162,7 +164,7 @@ static void make_cuts(struct eroder *e)
 	qsort(e->cuts, e->cut_count, sizeof(*e->cuts), descending);
 }
 
-/* The largest radius that the bounds allow between two heights that may have cuts between them. */
+/* The largest radius that the bounds allow between two heights; there may be cuts between them. */
 static double largest_bound(const struct eroder *e, double top, double bottom)
 {
 	double most = 0;
@@ -189,8 +191,8 @@ static double next_cut(const struct eroder *e, double h, double end)
 }
 
 /*
- * The sections of the core from its top to `end`, without what has no radius below the last that has
- * one. No section is too short: where cuts are close to each other, a cylinder holds several pieces.
+ * Makes the sections of the core from its top to `end`, without sections of radius 0 below the last other one. Where
+ * cuts are close together one cylinder holds several pieces, so that no section is too short.
  */
 static size_t erode(const struct eroder *e, double end, struct tool_section *sections)
 {
@@ -215,7 +217,7 @@ static size_t erode(const struct eroder *e, double end, struct tool_section *sec
 	return kept;
 }
 
-/* Does the tip keep its round form, smaller by depth? */
+/* Does the tip stay round, with a radius smaller by depth? */
 static bool keeps_round_tip(const struct tool_solid *solid, double depth)
 {
 	const struct tool_section *last = &solid->sections[solid->count - 1];
@@ -224,7 +226,7 @@ static bool keeps_round_tip(const struct tool_solid *solid, double depth)
 	       last->diameter / 2 > depth + TOOL_SECTION_MIN;
 }
 
-/* Where the eroder's depth leaves nothing, the core has no sections. */
+/* If nothing is left at this depth, the core has no sections. */
 static struct tool_solid make_core(struct eroder *eroder, const struct tool_solid *solid, struct arena *arena)
 {
 	struct tool_solid core = {.top = solid->top, .tip = TIP_FLAT};
@@ -238,7 +240,7 @@ static struct tool_solid make_core(struct eroder *eroder, const struct tool_soli
 	if (keeps_round_tip(solid, eroder->depth)) {
 		double d = solid->sections[solid->count - 1].diameter - 2 * eroder->depth;
 
-		/* The rounding begins where it did, about the same centre. */
+		/* The rounding begins at the same height and has the same centre. */
 		tip = tool_solid_tip_height(solid);
 		core.count = erode(eroder, eroder->bottom + tip, sections);
 		sections[core.count++] = (struct tool_section){tip - eroder->depth, d, d};

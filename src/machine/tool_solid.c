@@ -21,12 +21,10 @@ struct outline {
 };
 
 /*
- * How the solid is approximated. Rounding moves a stored vertex by at most
- * sqrt(3)/2 FLT_EPSILON times the greatest coordinate, which is less than
- * `margin`; so the outline is first thickened by the square of half-width
- * margin (it holds the disc, and no corner of the result is farther than 3.2
- * margins from the solid). A ring of n vertices on radius r / cos(pi/n)
- * contains the circle r, and chords that touch an arc contain it.
+ * How the solid is approximated. Rounding moves a stored vertex by at most sqrt(3)/2 FLT_EPSILON times the greatest
+ * coordinate, which is less than `margin`. So the outline is first thickened by a square of half-width margin. The
+ * square contains the disc of radius margin, and no corner of the result is farther than 3.2 margins from the solid. A
+ * ring of n vertices on radius r / cos(pi/n) contains the circle of radius r, and tangents to an arc enclose the arc.
  */
 struct plan {
 	double margin;
@@ -144,16 +142,15 @@ static void add_corner(struct outline *outline, double r, double z)
 	outline->corners[outline->count++] = (struct corner){r, z};
 }
 
-/* How the radius changes downwards: 1 grows, -1 shrinks. */
+/* The change of the radius downwards: 1 grows, -1 shrinks. */
 static int slope(double above, double below)
 {
 	return (below > above) - (below < above);
 }
 
 /*
- * Where one section ends and the next begins. Thickened by a square, a shrinking
- * outline shifts by (margin, -margin) and a growing one by (margin, margin).
- * Where both come together, the greater of the two covers the height of both.
+ * The corner where one section ends and the next begins. Thickened by a square, a shrinking outline moves by (margin,
+ * -margin) and a growing one by (margin, margin). Where they meet, the larger radius covers the heights of both.
  */
 static void add_joint(struct outline *outline, const struct tool_section *upper, const struct tool_section *lower,
 		      double z, double margin)
@@ -209,7 +206,7 @@ static void add_tip(struct outline *outline, const struct tool_solid *solid, dou
 		add_corner(outline, r + plan->margin, z - plan->margin);
 		break;
 	case TIP_CONE:
-		/* A height that written decimals made too large by a hair must not rise above its section. */
+		/* Decimal rounding can make a height too large by a tiny amount; it must not rise above its section. */
 		add_corner(outline, r + plan->margin,
 			   z + fmin(tool_solid_tip_height(solid), last->length) - plan->margin);
 		add_corner(outline, plan->margin, z - plan->margin);
@@ -247,7 +244,7 @@ struct vertex {
 	float p[3];
 };
 
-/* Leaves out what rounding has made a line: its two other edges are each other's opposite. */
+/* Leaves out triangles that rounding has made a line; their other two edges cancel each other. */
 static void add_triangle(struct mesh *mesh, struct vertex a, struct vertex b, struct vertex c)
 {
 	const struct vertex corners[3] = {a, b, c};

@@ -1,4 +1,4 @@
-/* tool_solid.h - turns a holder, shank or cutter described by sections into triangles that enclose it. */
+/* tool_solid.h - makes triangles that enclose a holder, shank or cutter, which is described by sections. */
 #ifndef FIVECHECK_MACHINE_TOOL_SOLID_H
 #define FIVECHECK_MACHINE_TOOL_SOLID_H
 
@@ -7,13 +7,12 @@
 #include "base/arena.h"
 #include "geom/mesh.h"
 
-/* How far the triangles may leave the true solid, mm. */
+/* mm: the farthest that the triangles may be from the true solid. */
 #define TOOL_SOLID_DEVIATION 0.01
 
 /*
- * What keeps the arithmetic honest, mm: a section is at least this long, which
- * is many times the float rounding of the longest tool, and no tool is longer
- * or thicker than that, or rounding would eat up the allowed deviation.
+ * mm: the least length of a section, and the greatest length and thickness of a tool. The first is many times the float
+ * rounding at the second, so that rounding cannot exceed the allowed deviation.
  */
 #define TOOL_SECTION_MIN 0.01
 #define TOOL_DIAMETER_MIN 0.001
@@ -44,7 +43,7 @@ struct tool_solid {
 void tool_solid_cut(const struct tool_solid *solid, double height, struct arena *arena, struct tool_solid *upper,
 		    struct tool_solid *lower);
 
-/* Height of what the tip takes from the last section, mm; the section must be at least that long. */
+/* mm: the height of the tip, which is cut from the last section; that section must be at least as long. */
 double tool_solid_tip_height(const struct tool_solid *solid);
 
 /* An upper bound on the triangles that tool_solid_mesh makes. */

@@ -1,4 +1,4 @@
-/* waivers.h - findings that a person accepts for a while, with the reason: the file of --waivers. */
+/* waivers.h - findings that a person accepts until a date, with a reason: the file of --waivers. */
 #ifndef FIVECHECK_MACHINE_WAIVERS_H
 #define FIVECHECK_MACHINE_WAIVERS_H
 
@@ -10,12 +10,12 @@
 #include "base/diag.h"
 #include "machine/machine.h"
 
-/* "2026-12-31" and its end; two of them compare as texts do. */
+/* The size of "2026-12-31" with its NUL. Two such texts compare like the dates. */
 enum { DATE_SIZE = 11 };
 
 /*
- * Names one finding: the same bodies with every axis where it was are the same
- * contact, and the same text of the block keeps small what comes after it in the block.
+ * Names one finding. The same bodies with every axis at the same position are the same contact. The text of the block
+ * is compared, too, so that a waiver accepts little else.
  */
 struct waiver {
 	const char *program;	/* as the command line names it */
@@ -34,14 +34,17 @@ struct waiver {
 struct waivers {
 	struct arena arena;
 	const char *path;
-	/* What the machine and the setup file must be: SHA-256 in hexadecimal digits, "none" for no setup; NULL: anything. */
+	/*
+	 * The machine and the setup file for which the waivers hold: SHA-256 in hexadecimal digits, "none" for no
+	 * setup; NULL: any file.
+	 */
 	const char *machine_sha256, *setup_sha256;
 	long line;	/* where that is said */
 	struct waiver *items;
 	size_t count;
 };
 
-/* Is it a day like "2026-12-31" that exists? */
+/* Is the text a date like "2026-12-31" that exists? */
 bool waivers_is_date(const char *text);
 
 /* Reads a file for this machine. NULL: faults were reported. */

@@ -7,12 +7,12 @@
 #include "base/mem.h"
 #include "base/units.h"
 
-/* mm and degrees: what a report's four digits can be off by, and a little more. */
+/* mm and degrees: the rounding of a report's four digits, and a little more. */
 #define WITHIN 0.01
 #define WITHIN_MAX 10.0
 #define TIMES_MAX 1000000
 
-/* One "X 10.0000 mm" at `at`; the end of it, or NULL. */
+/* Reads one "X 10.0000 mm" at `at`; returns its end, or NULL. */
 static const char *read_position(const char *at, int *slot, double *value)
 {
 	char number[32];
@@ -37,7 +37,7 @@ static const char *read_position(const char *at, int *slot, double *value)
 	return at + strspn(at, " ,");
 }
 
-/* "X 10.0000 mm, Z -100.0000 mm, C 0.0000 deg", as a report has it: every axis of the machine, once. */
+/* Reads "X 10.0000 mm, Z -100.0000 mm, C 0.0000 deg", as reports print it: every axis of the machine, once. */
 static void build_axes(struct description_file *file, const struct waiver_description *described,
 		       const struct machine *machine, axis_values *axes)
 {
@@ -104,7 +104,7 @@ static void build_waiver(struct description_file *file, const struct waiver_desc
 		.kind = described->kind,
 		.a = build_text(file, described->at, "a", described->a),
 		.b = build_text(file, described->at, "b", described->b),
-		.block = described->block,	/* empty where a program ends without moving */
+		.block = described->block,	/* empty if the program ends without a motion */
 		.within = described->within.given ? described->within.value : WITHIN,
 		.times = (int)described->times,
 		.reason = build_text(file, described->at, "reason", described->reason),

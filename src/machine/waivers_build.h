@@ -1,4 +1,4 @@
-/* waivers_build.h - judges described waivers and makes the list of them for a machine. */
+/* waivers_build.h - checks described waivers and makes the list of waivers for a machine. */
 #ifndef FIVECHECK_MACHINE_WAIVERS_BUILD_H
 #define FIVECHECK_MACHINE_WAIVERS_BUILD_H
 

@@ -1,4 +1,4 @@
-/* body_xml.h - reads what the elements that name a mesh have in common. */
+/* body_xml.h - reads the common parts of all elements that name a mesh. */
 #ifndef FIVECHECK_MACHINE_XML_BODY_XML_H
 #define FIVECHECK_MACHINE_XML_BODY_XML_H
 

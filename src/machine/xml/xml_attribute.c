@@ -13,7 +13,7 @@
 
 /* -------------------------------------------------------------- attributes */
 
-/* Remembers what was asked for, for a misspelt name. */
+/* Remembers the attributes that were asked for, to suggest one for a misspelt name. */
 static void note_question(struct xml_reader *xml, const xmlNode *node, const char *name)
 {
 	if (xml->asked_of != node) {
@@ -81,7 +81,7 @@ static void complain(struct xml_reader *xml, const xmlNode *node, const char *na
 
 static const char space[] = " \t\r\n";
 
-/* Reads exactly `count` words, apart by white space. */
+/* Reads exactly `count` words, separated by white space. */
 static bool read_words(const char *text, size_t count, double *values)
 {
 	for (size_t i = 0; i < count; i++) {
@@ -112,7 +112,7 @@ double xml_number(struct xml_reader *xml, const xmlNode *node, const char *name,
 	return fallback;
 }
 
-/* A value that the file gives in units of `unit`, within the limit. */
+/* A number in the file's units, converted; its magnitude must be within the limit. */
 static double read_scaled(struct xml_reader *xml, const xmlNode *node, const char *name, double unit, double limit,
 			  const char *beyond, double fallback)
 {

@@ -1,4 +1,7 @@
-/* xml_attribute.h - attributes with their units; what is asked for here is known, every other attribute is a fault. */
+/*
+ * xml_attribute.h - reads attributes with their units. Attributes that the reader asks for are known; all others are
+ * faults.
+ */
 #ifndef FIVECHECK_MACHINE_XML_XML_ATTRIBUTE_H
 #define FIVECHECK_MACHINE_XML_XML_ATTRIBUTE_H
 
@@ -7,19 +10,22 @@
 #include "geom/xform.h"
 #include "machine/xml/xml_reader.h"
 
-/* The largest magnitude of a length in mm and of an angle in degrees that is believed. */
+/* The largest accepted magnitude of a length in mm and of an angle in degrees. */
 #define XML_MAGNITUDE_MAX 1e7
 
-/* The value as it stands, until the file is closed, or NULL. Marks the attribute as known. */
+/* The value as written, or NULL; valid until the file is closed. Marks the attribute as known. */
 const char *xml_attribute(struct xml_reader *xml, const xmlNode *node, const char *name);
 
-/* Reports each of the named attributes that is not there; NULL ends the names. */
+/* Reports each of the named attributes that is missing; NULL ends the names. */
 void xml_require(struct xml_reader *xml, const xmlNode *node, ...) __attribute__((sentinel));
 
-/* Reports attributes that nobody asked for. Called when all attributes of the element were asked for. */
+/* Reports attributes that the reader did not ask for. Call it after all attributes of the element were asked for. */
 void xml_attributes_end(struct xml_reader *xml, const xmlNode *node);
 
-/* Typed values: decimal numbers, surrounded by nothing but white space, whatever the locale. An absent attribute yields the fallback, a faulty one too, after it was reported. */
+/*
+ * Typed values: decimal numbers, with white space around them at most, whatever the locale. An absent attribute gives
+ * the fallback; so does a faulty one, which is reported.
+ */
 double xml_number(struct xml_reader *xml, const xmlNode *node, const char *name, double fallback);
 double xml_length(struct xml_reader *xml, const xmlNode *node, const char *name, double fallback);	/* mm */
 double xml_angle(struct xml_reader *xml, const xmlNode *node, const char *name, double fallback);	/* radians */
@@ -39,10 +45,10 @@ void xml_axis_values(struct xml_reader *xml, const xmlNode *node, struct optiona
 /* `location` and `rotation` as a pose: R = Rz Ry Rx. */
 xform xml_frame(struct xml_reader *xml, const xmlNode *node);
 
-/* The place of the value in the list that NULL ends; the fallback if absent. */
+/* The index of the value in the list, which NULL ends; the fallback if the attribute is absent. */
 int xml_choice(struct xml_reader *xml, const xmlNode *node, const char *name, const char *const *words, int fallback);
 
-/* mm per unit of the attribute `units`; the fallback if there is none. xml_file_units knows mm and inch only. */
+/* mm per unit, from the attribute `units`; the fallback if it is absent. xml_file_units knows mm and inch only. */
 double xml_file_units(struct xml_reader *xml, const xmlNode *node, double fallback);
 double xml_mesh_units(struct xml_reader *xml, const xmlNode *node, double fallback);
 

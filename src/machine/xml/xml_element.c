@@ -8,9 +8,9 @@
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_file.h"
 
-/* Deeper than any chain of nine axes needs. */
+/* The deepest nesting: more than any chain of nine axes needs. */
 #define DEPTH_MAX 64
-/* Lists are searched for doubles; no list that a reader accepts is as long. */
+/* The most children of an element. Lists are searched for duplicates, so they are limited. */
 #define CHILDREN_MAX 20000
 
 static bool is_named(const xmlNode *node, const char *name)
@@ -74,7 +74,7 @@ static void report_unknown(struct xml_reader *xml, const xmlNode *node, const st
 		xml_error(xml, node, NULL, "unknown element <%s> in <%s>", xml_quote(name).text, parent);
 }
 
-/* Text between elements, or what else is neither an element nor a remark. */
+/* Is the node neither an element nor a comment, such as text between elements? */
 static bool is_stray(const xmlNode *node)
 {
 	switch (node->type) {
@@ -142,7 +142,7 @@ static size_t number_elements(xmlNode *node, size_t number)
 	return number;
 }
 
-/* False: an element is nested too deep, has too many children, or an attribute that is no plain text. */
+/* False, reported: an element is nested too deep, has too many children, or has an attribute that is not plain text. */
 static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 {
 	size_t count = 0;
@@ -175,7 +175,7 @@ static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 	return true;
 }
 
-/* A file of the other kind, or of a later version, gets one plain message. */
+/* A file of another kind or of a later version gets one plain message. */
 static bool check_root(struct xml_reader *xml, const char *root)
 {
 	const xmlNode *node = xml_root(xml);
@@ -208,7 +208,7 @@ bool xml_open(struct xml_reader *xml, const char *path, const char *const *eleme
 {
 	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .elements = elements};
 	if (xml_file_parse(xml)) {
-		/* An equal number of both, or the places are not to be relied on. */
+		/* The numbers of tags and elements must be equal; otherwise the places are not reliable. */
 		if (number_elements(xmlDocGetRootElement(xml->doc), 0) != xml->tag_count)
 			xml->tag_count = 0;
 		if (check_shape(xml, xml_root(xml), 1) && check_root(xml, elements[0]))

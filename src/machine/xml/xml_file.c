@@ -12,7 +12,7 @@
 #include "base/mem.h"
 #include "machine/xml/xml_scan.h"
 
-/* A machine takes kilobytes; what is larger is not one, and checks that look at all pairs of names stay quick. */
+/* The largest file. A machine takes kilobytes; the limit also keeps checks of all pairs of names fast. */
 #define FILE_SIZE_MAX ((size_t)4 * 1024 * 1024)
 
 #if LIBXML_VERSION >= 21200
@@ -21,13 +21,13 @@ typedef const xmlError *xml_fault;
 typedef xmlError *xml_fault;
 #endif
 
-/* While it is in force, libxml2's messages become errors of the reader and nothing reaches standard error. */
+/* While it is installed, libxml2's messages become errors of the reader, and nothing goes to standard error. */
 struct capture {
 	struct xml_reader *xml;
 	void *old_context, *old_generic_context;
 	xmlStructuredErrorFunc old_handler;
 	xmlGenericErrorFunc old_generic;
-	bool reported;	/* the first message; those that follow from it are not shown */
+	bool reported;	/* the first message; the others follow from it and are not shown */
 };
 
 static void on_fault(void *context, xml_fault fault)
@@ -172,7 +172,7 @@ bool xml_file_parse(struct xml_reader *xml)
 	xml->bytes = bytes;
 	if (!xml_scan(xml, bytes, length))
 		return false;
-	/* The library itself does not survive every allocation that fails. */
+	/* libxml2 itself does not survive every failed allocation. */
 	xmlMemSetup(free, mem_alloc, library_realloc, library_strdup);
 	capture_begin(&capture, xml);
 	parser = xmlNewParserCtxt();

@@ -1,4 +1,4 @@
-/* xml_file.h - from a path to a well-formed document, however hostile the file. */
+/* xml_file.h - reads and parses an XML file safely, even if the file is hostile. */
 #ifndef FIVECHECK_MACHINE_XML_XML_FILE_H
 #define FIVECHECK_MACHINE_XML_XML_FILE_H
 
@@ -8,7 +8,7 @@
 
 /*
  * Reads and parses xml->path: sets the reader's document, bytes and tags. No network, no entities, no document type.
- * False after a reported fault; what was set so far is released by xml_reader_release.
+ * False, reported: xml_reader_release releases what was set so far.
  */
 bool xml_file_parse(struct xml_reader *xml);
 

@@ -6,7 +6,7 @@
 #include "base/mem.h"
 
 #define ERRORS_MAX 20
-/* A longer line is no excerpt that anybody would read. */
+/* A longer line is not shown as an excerpt. */
 #define EXCERPT_MAX ((size_t)200)
 
 void xml_reader_release(struct xml_reader *xml)
@@ -69,7 +69,7 @@ long xml_line(const struct xml_reader *xml, const xmlNode *node)
 	return tag ? tag->line : xmlGetLineNo(node);
 }
 
-/* The line that holds an offset, for a caret: NULL if it is not fit to be shown. The caller frees. */
+/* The line with the given offset, to be shown with a caret; NULL: it cannot be shown. The caller frees it. */
 static char *excerpt_at(const char *bytes, size_t offset, size_t *column)
 {
 	const char *start = bytes + offset;
@@ -87,7 +87,7 @@ static char *excerpt_at(const char *bytes, size_t offset, size_t *column)
 		free(text);
 		return NULL;
 	}
-	/* Controls of one byte become blanks where the line is written. */
+	/* Control characters of one byte become blanks when the line is printed. */
 	for (size_t i = 0; i + 1 < length; i++)
 		if (text[i] == '\xc2' && xml_is_control(text + i))
 			text[i] = text[i + 1] = ' ';
@@ -173,7 +173,7 @@ struct quotation xml_quote(const char *text)
 		quote.text[length] = control ? '?' : text[length];
 	}
 	if (text[length]) {
-		/* Not within a character of UTF-8. */
+		/* Do not cut a character of UTF-8. */
 		while (length && ((unsigned char)text[length] & 0xc0) == 0x80)
 			length--;
 		memcpy(quote.text + length, "...", 4);

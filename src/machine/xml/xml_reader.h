@@ -1,4 +1,4 @@
-/* xml_reader.h - an XML file that is being read: its bytes, its document, the places of its elements, its faults. */
+/* xml_reader.h - the state of reading an XML file: its bytes, its document, the places of its elements, its faults. */
 #ifndef FIVECHECK_MACHINE_XML_XML_READER_H
 #define FIVECHECK_MACHINE_XML_XML_READER_H
 
@@ -11,7 +11,7 @@
 #include "base/diag.h"
 #include "machine/description.h"
 
-/* Where a start tag stands in the bytes. */
+/* The place of a start tag in the bytes. */
 struct xml_tag {
 	size_t offset;	/* of its '<' */
 	long line;
@@ -25,7 +25,7 @@ struct xml_reader {
 	struct diag *diag;
 	size_t errors;
 	double unit;	/* mm per unit of length of the file */
-	const char *const *elements;	/* all that such a file may hold, ended by NULL */
+	const char *const *elements;	/* all elements that such a file may have; NULL ends them */
 	xmlDoc *doc;
 	char *bytes;	/* of the file, ended by a NUL byte */
 	struct xml_tag *tags;	/* the n-th belongs to the n-th element of the document */
@@ -35,22 +35,22 @@ struct xml_reader {
 	size_t asked_count;
 };
 
-/* Releases what the reader holds; its counts stay. */
+/* Releases what the reader owns, but keeps its counts. */
 void xml_reader_release(struct xml_reader *xml);
 
 /*
- * Reports an error at the element, or at one of its attributes; attribute may be NULL. After a number of errors the
- * rest is counted, not reported.
+ * Reports an error at the element, or at one of its attributes (or NULL). After a certain number errors are only
+ * counted.
  */
 void xml_error(struct xml_reader *xml, const xmlNode *node, const char *attribute, const char *format, ...)
 	__attribute__((format(printf, 4, 5)));
 void xml_verror(struct xml_reader *xml, const xmlNode *node, const char *attribute, const char *format, va_list args)
 	__attribute__((format(printf, 4, 0)));
 
-/* At a line of the file; 0: at none. */
+/* Reports an error at a line of the file; 0: at no line. */
 void xml_error_at(struct xml_reader *xml, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* True once nothing more is reported. */
+/* Were so many errors reported that further ones are only counted? */
 bool xml_is_full(const struct xml_reader *xml);
 
 /* The line in which the element starts. */
@@ -58,10 +58,10 @@ long xml_line(const struct xml_reader *xml, const xmlNode *node);
 
 struct quotation xml_quote(const char *text);
 
-/* Control characters of XML's, C0 and C1, in UTF-8. */
+/* Is there a control character at `at`: C0, or C1 in UTF-8? */
 bool xml_is_control(const char *at);
 
-/* What judges the meaning of a file asks the reader; valid until the file is closed. */
+/* The functions by which a builder reports faults of this file; valid until the file is closed. */
 struct description_file xml_description_file(struct xml_reader *xml);
 
 #endif

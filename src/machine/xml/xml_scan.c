@@ -26,7 +26,7 @@ static void step(struct scan *scan)
 	scan->at++;
 }
 
-/* To behind the text, or to the end. */
+/* Skips to after the text, or to the end. */
 static void skip_past(struct scan *scan, const char *text)
 {
 	while (scan->at < scan->end && !looking_at(scan, text))
@@ -36,8 +36,8 @@ static void skip_past(struct scan *scan, const char *text)
 }
 
 /*
- * From a '<' to the next one: how many '='. A tag that is well-formed, or that
- * the parser goes on with, holds no '<', wherever its quotes are.
+ * The number of '=' from a '<' to the next one. A well-formed tag contains no '<', even in quotes, and the parser
+ * accepts no other.
  */
 static size_t count_equals(struct scan *scan)
 {
@@ -56,7 +56,7 @@ static void note_tag(struct xml_reader *xml, const struct scan *scan, const char
 	xml->tags[xml->tag_count++] = (struct xml_tag){.offset = (size_t)(scan->at - bytes), .line = scan->line};
 }
 
-/* Encodings in which every ASCII byte is that character. */
+/* Encodings in which every ASCII byte means that ASCII character. */
 static bool extends_ascii(const char *name)
 {
 	static const char *const starts[] = {"UTF-8", "US-ASCII", "ASCII", "ISO-8859-", "windows-125"};

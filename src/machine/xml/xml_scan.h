@@ -1,4 +1,4 @@
-/* xml_scan.h - looks through the bytes of a file before the XML parser does. */
+/* xml_scan.h - scans the bytes of a file before the XML parser reads them. */
 #ifndef FIVECHECK_MACHINE_XML_XML_SCAN_H
 #define FIVECHECK_MACHINE_XML_XML_SCAN_H
 
@@ -8,9 +8,9 @@
 #include "machine/xml/xml_reader.h"
 
 /*
- * Notes where every start tag is. Reports an encoding in which ASCII characters are other bytes (the scan must see
- * what the parser sees), and a tag with more attributes than any element can have: libxml2 compares each attribute
- * with all before it, which takes minutes for a hostile file. All other faults are left to the parser.
+ * Stores the place of every start tag. Reports an encoding in which ASCII characters are other bytes, since the scan
+ * must see what the parser sees. Reports a tag with too many attributes, since libxml2 compares each attribute with all
+ * before it, which takes minutes for a hostile file. The parser finds all other faults.
  */
 bool xml_scan(struct xml_reader *xml, const char *bytes, size_t length);
 
