@@ -13,14 +13,14 @@
 #include "motion/table_point.h"
 #include "motion/timing.h"
 
-/* mm, radians: no machine goes there, and the rounding of what lies beyond would show. */
+/* mm, radians: no machine goes there, and rounding would become visible beyond. */
 #define FARTHEST 1e7
 
-/* A move of more pieces than this would seem to hang; one that deviates by less than CURVED mm has far fewer. */
+/* The most pieces of a move; more would seem to hang. A move that deviates by less than CURVED mm has far fewer. */
 #define MOST_PIECES 1e8
 #define CURVED 1.0
 
-/* Seconds: with moves that take decades the clock would lose its decimals. */
+/* Seconds: the longest move. Moves of decades would take the decimals from the clock. */
 #define LONGEST 1e9
 
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
@@ -36,7 +36,7 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 	converter->tool = setup ? setup->initial_tool : 0;
 }
 
-/* Tells converter->event.of as an event of this kind. */
+/* Sends converter->event.of as an event of this kind. */
 static bool tell(struct canon_to_spans *converter, enum motion_event_kind kind)
 {
 	converter->event.kind = kind;
@@ -74,7 +74,7 @@ static bool is_bearable(const struct canon_to_spans *converter, const struct can
 
 /* ------------------------------------------------------------------ paths */
 
-/* Takes the dust from the slots at and after `first`. */
+/* Removes rounding dust from the slots at and after `first`. */
 static void clean(axis_values *end, const axis_values *start, int first)
 {
 	for (int slot = first; slot < SLOT_COUNT; slot++)
@@ -82,7 +82,7 @@ static void clean(axis_values *end, const axis_values *start, int first)
 			end->v[slot] = start->v[slot];
 }
 
-/* The move's end, without the dust. An arc keeps its X Y Z: they belong to its centre and sweep. */
+/* The end of the move without rounding dust. An arc keeps its X Y Z, which belong to its centre and sweep. */
 static axis_values clean_end(const struct canon_move *move, const axis_values *start)
 {
 	axis_values end = move->end;
@@ -165,7 +165,7 @@ struct leg {
 
 /* -------------------------------------------------------------- one move */
 
-/* A move under way: what is the same for all of its steps. */
+/* The values that are the same for all steps of a move. */
 struct run {
 	struct canon_to_spans *converter;
 	const struct canon_move *move;
@@ -176,7 +176,7 @@ struct run {
 	struct leg legs[SLOT_COUNT];
 };
 
-/* False: the move is so long and so curved that its pieces could not be counted out in reasonable time. */
+/* False, reported: the move is so long and so curved that it would need too many pieces. */
 static bool is_countable(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
 {
 	axis_values bend = path_bend(path, 0, 1);
@@ -247,7 +247,7 @@ static bool set_legs(struct run *run)
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, &guided, path, &run->swing))
 		return false;
 	span_init(&leg->span, &leg->path);
-	/* Under TCP the same place has been computed twice, by way of the controller's position: keep the first. */
+	/* Under TCP the same position was computed a second time from the controller's position: keep the first. */
 	leg->span.q0 = converter->position;
 	if (!span_is_flat(&leg->span, CURVED) && !is_countable(converter, move, path))
 		return false;
@@ -314,12 +314,12 @@ static bool report_limits(struct run *run)
 	return true;
 }
 
-/* Sends the leg's steps, then has the clock and the axes stand at its end. */
+/* Sends the steps of the leg, then moves the clock and the axes to its end. */
 static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct canon_to_spans *converter = run->converter;
 	double seconds = leg->path.seconds;
-	/* Filled in place: an event is large, and there are many of them. */
+	/* The event is filled in place, because it is large and there are many. */
 	struct motion_step *step = &converter->event.of.step;
 	struct span_walk walk;
 

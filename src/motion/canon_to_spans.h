@@ -1,4 +1,4 @@
-/* canon_to_spans.h - makes spans of canonical moves, watches the axis limits, keeps the clock. */
+/* canon_to_spans.h - turns canonical moves into spans, checks the axis limits, and keeps the time. */
 #ifndef FIVECHECK_MOTION_CANON_TO_SPANS_H
 #define FIVECHECK_MOTION_CANON_TO_SPANS_H
 
@@ -19,15 +19,15 @@ struct canon_to_spans {
 	struct diag *diag;
 	const char *name;	/* of the program, for messages */
 	axis_values position;	/* of the machine's axes */
-	axis_values controller;	/* the same place as the last move's end named it */
-	bool controller_guided;	/* `controller` is meant under TCP */
-	struct tcp tcp;	/* meaningful while tcp.state.on */
+	axis_values controller;	/* the same position as given by the end of the last move */
+	bool controller_guided;	/* `controller` is a position under TCP */
+	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
 	double time, block_time;
-	struct motion_event event;	/* the last one told; its summary is the run's, whose lines are not counted here */
+	struct motion_event event;	/* the last event that was sent; its summary is the run's, without the count of lines */
 };
 
-/* Stands at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
+/* Begins at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
 			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name);
 

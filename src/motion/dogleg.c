@@ -15,7 +15,7 @@ static double next_arrival(const struct machine *machine, const struct path *pat
 		double at = fabs(path->end.v[axis->slot] - path->start.v[axis->slot]) / axis->rate_max;
 
 		arrivals[axis->slot] = at;
-		/* Axes that arrive together but for rounding arrive together. */
+		/* Arrivals that differ only by rounding count as one. */
 		if (at > time * (1 + ARRIVAL_ROUNDING))
 			next = fmin(next, at);
 	}

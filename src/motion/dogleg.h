@@ -1,4 +1,4 @@
-/* dogleg.h - a rapid whose axes go each at its own rate until they are there. */
+/* dogleg.h - a rapid in which each axis moves at its own rate until it arrives. */
 #ifndef FIVECHECK_MOTION_DOGLEG_H
 #define FIVECHECK_MOTION_DOGLEG_H
 
@@ -8,8 +8,8 @@
 #include "motion/path.h"
 
 /*
- * Breaks a straight path where an axis arrives: |way| / rate, in the order of these times. The parts are straight, have
- * their seconds, and follow one another without a gap. Returns how many there are; 0: no axis moves.
+ * Divides a straight path at the times when axes arrive, |way| / rate. The parts are straight, have their seconds, and
+ * follow one another without a gap. Returns how many there are; 0: no axis moves.
  */
 size_t dogleg_split(const struct machine *machine, const struct path *path, struct path parts[SLOT_COUNT]);
 

@@ -1,4 +1,4 @@
-/* events.h - what motion_run tells of a program: one tagged event after another, in the order of time. */
+/* events.h - the events of a program, which motion_run sends one by one in the order of time. */
 #ifndef FIVECHECK_MOTION_EVENTS_H
 #define FIVECHECK_MOTION_EVENTS_H
 
@@ -15,15 +15,15 @@ struct motion_step {
 	long line;	/* of the block */
 	int move;	/* of the block, from 1 */
 	int tool;	/* in the spindle; 0: none */
-	double time;	/* s since the start of the program, dwells included, where the span starts */
+	double time;	/* s from the start of the program to the start of the span, dwells included */
 	double block_time;	/* s of motion in this block before the span, dwells excluded */
 	double seconds;	/* the span's own duration */
 	axis_values tolerance;	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the deviation */
-	bool outside;	/* some part of the move is past an axis limit */
+	bool outside;	/* a part of the move is past an axis limit */
 	enum step_class step_class;
 };
 
-/* An axis leaves its travel: the first instant of it in one move. Comes before the steps of that move. */
+/* An axis leaves its travel: the first instant of that in a move. Sent before the steps of the move. */
 struct motion_limit {
 	int slot;
 	double bound;	/* the limit, mm or radians */
@@ -57,7 +57,7 @@ struct motion_block {
 	int moves;
 };
 
-/* How far a run is, or what it was. */
+/* Totals of a run so far, or of the whole run. */
 struct motion_summary {
 	long lines;
 	long blocks;	/* blocks carried out */
@@ -70,13 +70,13 @@ struct motion_summary {
 enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_BLOCK };
 
 /*
- * Plain data that can be copied. Two pointers in it are valid during the call only, and whoever keeps the event longer
- * keeps a copy of what they point to: step.span.path with its tcp (path_copies.h does that), and block.text. File names
- * live as long as the table that they are kept in.
+ * Plain data that can be copied. Two pointers are valid during the call only: step.span.path with its tcp, and
+ * block.text. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File names live
+ * as long as the table that contains them.
  */
 struct motion_event {
 	enum motion_event_kind kind;
-	struct motion_summary summary;	/* up to here; `lines` counts to the last complete block */
+	struct motion_summary summary;	/* totals up to here; `lines` counts to the last complete block */
 	union {
 		struct motion_step step;
 		struct motion_limit limit;

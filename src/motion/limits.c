@@ -6,13 +6,13 @@
 #include "base/units.h"
 #include "geom/tolerance.h"
 
-/* The chord's deviation at which it is believed, as a part of the tolerance. */
+/* The share of the tolerance below which a chord's deviation is ignored. */
 #define BELIEVED 0.01
 
 /* mm or degrees: how exactly a report says how far an axis goes past its limit. */
 #define EXCESS_EXACT 1e-4
 
-/* One limit of one axis, seen so that `outside` is upwards. */
+/* One limit of one axis, with the sign chosen so that `outside` is upwards. */
 struct side {
 	int slot;
 	double sign;
@@ -33,7 +33,7 @@ static bool stays_inside(const struct side *side, const struct span *span)
 	return most + span->deviation.v[side->slot] <= side->tolerance;
 }
 
-/* Where the span, which was not proved inside and is short enough to believe its chord, passes the limit. */
+/* Where the span passes the limit. It was not proved inside, and is so short that its chord can be used. */
 static double passes_at(const struct side *side, const struct span *span)
 {
 	double h0 = height(side, &span->q0), h1 = height(side, &span->q1);
@@ -43,7 +43,7 @@ static double passes_at(const struct side *side, const struct span *span)
 	return span->u0 + smaller(1, -h0 / (h1 - h0)) * (span->u1 - span->u0);
 }
 
-/* The earliest instant past the limit: halves of the span are looked at only where they may cross. */
+/* The earliest instant past the limit. Halves of the span are searched only if they may cross it. */
 static bool first_past(const struct side *side, const struct span *whole, double *u)
 {
 	struct span ahead[SPAN_DEPTH + 1];
@@ -69,7 +69,7 @@ static bool first_past(const struct side *side, const struct span *whole, double
 static bool axis_crosses(const struct axis *axis, const struct span *whole, struct limit_crossing *crossing)
 {
 	double tolerance = axis->rotary ? radians(LIMIT_TOLERANCE) : LIMIT_TOLERANCE;
-	/* Bound in sight of rounding: what no halving improves must be believed. */
+	/* Near the rounding error halving no longer helps, and the chord must be used. */
 	double rounding = path_deviation(whole->path, 0, 0).v[axis->slot];
 	double believed = larger(BELIEVED * tolerance, 2 * rounding), u;
 	bool found = false;
@@ -117,7 +117,7 @@ double limits_excess(const struct limit_crossing *crossing, const struct span *w
 	return most;
 }
 
-/* Nearly every move is inside as a whole; no side needs to be looked at then. */
+/* Nearly every move is inside the limits as a whole; then no side needs a search. */
 static bool is_inside(const struct axis *axis, const struct span *whole)
 {
 	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->deviation.v[axis->slot];

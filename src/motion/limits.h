@@ -1,4 +1,4 @@
-/* limits.h - where a path leaves the travel of the machine's axes. */
+/* limits.h - finds where a path leaves the travel of the machine's axes. */
 #ifndef FIVECHECK_MOTION_LIMITS_H
 #define FIVECHECK_MOTION_LIMITS_H
 
@@ -9,17 +9,17 @@
 #include "motion/span.h"
 
 /*
- * A position within 1e-6 mm or degrees of a limit is inside; one past
- * 1.01e-6, on the true motion, is found; between the two either may be said.
+ * A position within 1e-6 mm or degrees of a limit counts as inside. A true position that is more than 1.01e-6 past it
+ * is found. Between the two either answer is possible.
  */
 struct limit_crossing {
 	int slot;
 	double bound;	/* the limit, mm or radians */
 	bool below;	/* it is the lower one */
-	double u;	/* the first instant in the path; 0 where it starts outside */
+	double u;	/* the first instant in the path; 0: the path starts outside */
 };
 
-/* At most one crossing an axis, in the order of time, then of slots; returns how many. */
+/* Finds at most one crossing for each axis, in the order of time, then of slots; returns how many. */
 size_t limits_crossed(const struct machine *machine, const struct span *whole,
 		      struct limit_crossing crossings[SLOT_COUNT]);
 

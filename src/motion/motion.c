@@ -4,7 +4,7 @@
 #include "gcode/interp.h"
 #include "motion/canon_to_spans.h"
 
-/* What the interpreter has to know of machine, setup and options. Everything is borrowed from these. */
+/* What the interpreter must know about machine, setup and options. Everything is borrowed. */
 static struct gcode_config config_of(const struct machine *machine, const struct setup *setup,
 				     const struct motion_options *options)
 {
@@ -44,7 +44,7 @@ struct run {
 	struct interp *interp;
 };
 
-/* A block's end is the moment at which lines are counted. */
+/* Lines are counted at the end of a block. */
 static bool on_event(void *context, const struct canon_event *event)
 {
 	struct run *run = context;

@@ -1,4 +1,4 @@
-/* motion.h - runs a program: turns the interpreter's moves into spans, watches the axis limits, keeps the clock. */
+/* motion.h - runs a program: turns the interpreter's moves into spans, checks the axis limits, and keeps the time. */
 #ifndef FIVECHECK_MOTION_MOTION_H
 #define FIVECHECK_MOTION_MOTION_H
 
@@ -12,16 +12,16 @@
 #include "machine/setup.h"
 #include "motion/events.h"
 
-/* By how much the setup is taken to differ from what was given: mm, added to the control's values. */
+/* An assumed error of the setup: mm, added to the control's values. */
 struct setup_change {
 	vec3 work;	/* every work offset, X Y Z */
-	double length;	/* every tool's length offset; the tool's body stays */
+	double length;	/* of every tool's length offset; the tool's body stays */
 };
 
 struct motion_options {
 	double flatness;	/* mm: no axis of a step's chord deviates by more */
 	struct read_options read;
-	struct file_names *names;	/* keeps the file names of the events; NULL: they live as long as the run */
+	struct file_names *names;	/* holds the file names of the events; NULL: the names live as long as the run */
 	const struct setup_change *change;	/* or NULL */
 };
 

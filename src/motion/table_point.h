@@ -1,4 +1,4 @@
-/* table_point.h - where turning the table takes a point of the workpiece (G254). */
+/* table_point.h - computes where turning the table moves a point of the workpiece (G254). */
 #ifndef FIVECHECK_MOTION_TABLE_POINT_H
 #define FIVECHECK_MOTION_TABLE_POINT_H
 
@@ -9,8 +9,8 @@
 #include "machine/machine.h"
 
 /*
- * kinematics.table_point for this machine. False, *place untouched, with an error at loc: a rotary axis turns the
- * spindle, or the machine's chain does not allow TCP (tcp_init).
+ * Implements kinematics.table_point for this machine. False, with an error at loc and *place untouched: a rotary axis
+ * turns the spindle, or the machine's chain does not allow TCP (tcp_init).
  */
 bool table_point_find(const struct machine *machine, struct srcloc loc, struct diag *diag, axis_values *place);
 
