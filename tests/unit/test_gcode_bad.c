@@ -169,9 +169,12 @@ static const struct bad motions[] = {
 };
 
 static const struct bad with_setup[] = {
-    {"T3 M6\n", 1, 1, "the setup defines no tool T3"},
-    {"T3\nM6\n", 2, 1, "the setup defines no tool T3"},
-    {"G43 H7\n", 1, 5, "the setup defines no length offset H7"},
+    {"T3 M6\n", 1, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
+    {"G55\n", 1, 1, "the setup defines no work offset G55: add <work_offset name=\"G55\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
+    {"G10 L2 P2 X5\nG55\nG59.3\n", 3, 1,
+     "the setup defines no work offset G59.3: add <work_offset name=\"G59.3\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
+    {"T3\nM6\n", 2, 1, "the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
+    {"G43 H7\n", 1, 5, "the setup defines no length offset H7: add <offset number=\"7\" length=\"\"/> with its value, or a <tool> of this number"},
 };
 
 static const struct bad fanuc[] = {

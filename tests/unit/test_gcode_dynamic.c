@@ -190,9 +190,8 @@ START_TEST(machine_and_setup)
 	dynamic_case(&c);
 	c.config.has_setup = true;
 	c.config.work_offset_count = 0;
-	ck_assert(case_run(&c, "G254\nM30\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages),
-				     "p.nc:1:1: warning: the setup defines no work offset G54; it is taken as 0\n"));
+	ck_assert(!case_run(&c, "G254\nM30\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:1:1: error: the setup defines no work offset G54: add "));
 	case_release(&c);
 }
 END_TEST

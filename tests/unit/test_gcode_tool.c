@@ -90,9 +90,8 @@ START_TEST(fixture_not_in_the_setup)
 	struct gcode_case c;
 
 	tool_case(&c);
-	ck_assert(case_run(&c, "G10 L11 P1 Z-3\nG43 H1 G0 Z1\nM2\n"));
-	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 4 0 0\n");
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "no work offset G59.3; it is taken as 0"));
+	ck_assert(!case_run(&c, "G10 L11 P1 Z-3\nG43 H1 G0 Z1\nM2\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "error: the setup defines no work offset G59.3: add "));
 	case_release(&c);
 }
 END_TEST
@@ -104,8 +103,8 @@ END_TEST
 static const struct {
 	const char *program, *message;
 } bad[] = {
-    {"G10 L1 P3 Z1\n", "1:8: error: the setup defines no tool T3"},
-    {"G10 L1 P7 Z1\n", "1:8: error: the setup defines no tool T7"},
+    {"G10 L1 P3 Z1\n", "1:8: error: the setup defines no tool T3: add <tool number=\"3\" length=\"\"/> with what it is made of"},
+    {"G10 L1 P7 Z1\n", "1:8: error: the setup defines no tool T7: add <tool number=\"7\" length=\"\"/> with what it is made of"},
     {"G10 L1 P1\n", "1:1: error: G10 L1 changes nothing; give the tool's Z offset, or its radius in R"},
     {"G10 L1 P1 Z1 J3\n",
      "1:14: error: J: the angles and the orientation of lathe tools are not supported yet"},

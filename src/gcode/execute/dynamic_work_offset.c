@@ -103,9 +103,8 @@ static bool switch_on(struct interp *interp, int column)
 		return fault(&interp->at, column, "G254 under tool centre point control; cancel that first");
 	if (state->frame.on)
 		return fault(&interp->at, column, "G254 while G68 is in force; G69 first");
-	if (!check_offset(interp, column))
+	if (!check_offset(interp, column) || !work_offset_use_require(interp, state->system, column))
 		return false;
-	work_offset_use_note(interp, state->system, column);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!slot_is_rotary(slot))
 			zero.v[slot] = state->work[state->system].v[slot];

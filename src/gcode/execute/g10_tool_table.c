@@ -34,7 +34,8 @@ static bool find_tool(struct interp *interp, int *number)
 		return true;
 	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "P%d: no setup was given that defines tools", *number);
-	return fault(&interp->at, column, "the setup defines no tool T%d", *number);
+	return fault(&interp->at, column, "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of", *number,
+		     *number);
 }
 
 static bool check_words(struct interp *interp, int mode)
@@ -101,8 +102,9 @@ bool g10_tool_table_write(struct interp *interp, int mode)
 		return false;
 	if (mode != 1 && (block->letters & AXIS_BITS) && !check_position(interp, mode))
 		return false;
-	if (mode == 11 && (block->letters & AXIS_BITS))
-		work_offset_use_note(interp, FIXTURE_SYSTEM, block_column(block, 'L'));
+	if (mode == 11 && (block->letters & AXIS_BITS) &&
+	    !work_offset_use_require(interp, FIXTURE_SYSTEM, block_column(block, 'L')))
+		return false;
 	if (!check_offsets(interp, mode, number))
 		return false;
 	if (block_has(block, 'Z'))

@@ -7,6 +7,7 @@
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/g10_tool_table.h"
 #include "gcode/execute/tool_length.h"
+#include "gcode/execute/work_offset_use.h"
 
 /* The block's word for a slot in mm or degrees. */
 static bool slot_word(const struct interp *interp, int slot, double *value)
@@ -59,12 +60,9 @@ bool offsets_select(struct interp *interp)
 		return true;
 	if (!find_system(interp, code, &system) || !dynamic_work_offset_check_system(interp, system))
 		return false;
+	if (!work_offset_use_require(interp, system, column))
+		return false;
 	state->system = system;
-	if (interp->config->has_setup && !state->work_known[state->system]) {
-		caution(&interp->at, column, "the setup defines no work offset %s; it is taken as 0",
-			state_system_name(state->system));
-		state->work_known[state->system] = true;
-	}
 	return tool_length_offsets_changed(interp, column);
 }
 

@@ -187,7 +187,8 @@ static bool find_length(struct interp *interp, double *length)
 	}
 	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
-	return fault(&interp->at, column, "the setup defines no length offset H%d", number);
+	return fault(&interp->at, column, "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, or a <tool> of "
+		     "this number", number, number);
 }
 
 /* Sets TCP and the length, and does nothing if they are so already. */

@@ -8,6 +8,17 @@ void work_offset_use_note(struct interp *interp, int system, int column)
 	interp->state.work_known[system] = true;
 }
 
+bool work_offset_use_require(struct interp *interp, int system, int column)
+{
+	const char *name = state_system_name(system);
+
+	if (!interp->config->has_setup || interp->state.work_known[system])
+		return true;
+	return fault(&interp->at, column,
+		     "the setup defines no work offset %s: add <work_offset name=\"%s\" X=\"\" Y=\"\" Z=\"\"/> with its values",
+		     name, name);
+}
+
 bool work_offset_use_fault(const struct interp *interp, int column)
 {
 	const char *name = state_system_name(interp->state.system);

@@ -6,7 +6,13 @@
 
 #include "gcode/state.h"
 
-/* Warns once about a work offset that the setup does not define. */
+/*
+ * Is the work offset known: from the setup, or because the program wrote it? Without any setup it need not be. False:
+ * reported, with what to add to the setup.
+ */
+bool work_offset_use_require(struct interp *interp, int system, int column);
+
+/* Where the program reads a coordinate of it: warns once about a work offset that the setup does not define. */
 void work_offset_use_note(struct interp *interp, int system, int column);
 
 /*

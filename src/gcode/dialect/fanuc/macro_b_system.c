@@ -191,7 +191,8 @@ bool macro_b_system_read(struct interp *interp, int number, int column, double *
 		return false;
 	if (system < 0)
 		return fault_unknown(interp, number, column);
-	work_offset_use_note(interp, system, column);
+	if (!work_offset_use_require(interp, system, column))
+		return false;
 	*value = interp->state.work[system].v[slot] / unit_of(&interp->state, slot);
 	return true;
 }
