@@ -175,7 +175,7 @@ static void finish(struct checker *c, bool complete)
 /* False: a fault was reported. */
 static bool run_program(struct checker *c, FILE *in)
 {
-	const struct motion_options options = {
+	struct motion_options options = {
 		.flatness = FLATNESS * c->options->tolerance,
 		.read = c->options->read,
 		.names = &c->names,
@@ -183,8 +183,10 @@ static bool run_program(struct checker *c, FILE *in)
 	};
 	const struct motion_sink sink = {c, on_event};
 	/* The time to read a block cannot be measured while another thread reads ahead. */
-	bool ahead = c->options->threads > 1 && !c->options->times;
-	bool complete = (ahead ? read_ahead_run : motion_run)(c->scene->machine, c->scene->setup, &options, in, c->file,
+	bool ahead = c->options->threads > 1 && !c->options->times, complete;
+
+	options.read.all_faults = c->options->method == CHECK_NOTHING && c->options->all;
+	complete = (ahead ? read_ahead_run : motion_run)(c->scene->machine, c->scene->setup, &options, in, c->file,
 							      &sink, &c->log.diags.diag, &c->summary);
 
 	if (!c->stopped)

@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "gcode/dialect/family.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
+#include "gcode/fault_list.h"
 #include "gcode/state.h"
 #include "gcode/text/leader.h"
 #include "gcode/text/rest_of_file.h"
@@ -61,6 +63,28 @@ static bool take_percent(struct interp *interp, const char *text)
 	return true;
 }
 
+static bool hear_nothing(void *context, const struct canon_event *event)
+{
+	(void)context;
+	(void)event;
+	return true;
+}
+
+/*
+ * After a fault, the next word or block is where the program can be understood again. Where the axes are is not known
+ * from there on, so that nobody hears of moves any more. False: no fault was reported since.
+ */
+static bool read_on(struct interp *interp, size_t errors_before)
+{
+	static const struct canon_sink deaf = {NULL, hear_nothing};
+
+	if (!interp->config->read.all_faults || interp->diag->errors == errors_before)
+		return false;
+	interp->faulty = true;
+	interp->sink = &deaf;
+	return true;
+}
+
 static bool run_block(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
@@ -70,16 +94,22 @@ static bool run_block(struct interp *interp)
 	    .after_g80 = state_motion_after_g80(&interp->state, traits_of(interp)),
 	    .incremental = interp->state.incremental,
 	};
+	const size_t errors = interp->diag->errors;
+	struct line_place checked = interp->at;
+	struct diag unheard = {0};
 
 	if (!is_answered(interp, 1, dialect->read_block != NULL, "how a block is written") ||
 	    !dialect->read_block(interp))
 		return false;
+	/* A word less: what the rest lacks for it is no fault of its own. */
+	if (read_on(interp, errors))
+		checked.diag = &unheard;
 	interp->begun = interp->begun || block->words > 0 ||
 			(traits_of(interp)->text_before_percent != ANSWER_YES && *line_start(&interp->at) != '\0');
 	if (block->words == 0)
 		return true;
 	interp->moves = 0;
-	if (!block_check(block, &interp->at, interp->config, &modes))
+	if (!block_check(block, &checked, interp->config, &modes))
 		return false;
 	if (dialect->before_block && !dialect->before_block(interp))
 		return false;
@@ -211,7 +241,43 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 			     "was checked", end);
 }
 
-bool interp_run(struct interp *interp, FILE *in, const char *name)
+/* A program for another control must not be misread: what is certain is an error. A pipe is not read ahead. */
+static bool check_family(struct interp *interp, struct reader *reader)
+{
+	const char *dialect = interp->config->dialect->name;
+	struct family_sign found;
+	struct srcloc loc = {interp->at.file, 0, 0};
+
+	if (reader->base < 0)
+		return true;
+	found = family_find(reader, dialect);
+	loc.line = found.line;
+	if (found.certain)
+		diag_error(interp->diag, loc,
+			   "this looks like %s (%s), but it is to be read in the %s dialect; --dialect or the machine's "
+			   "<controller> names another one", found.title, found.sign, dialect);
+	else if (found.line)
+		diag_warning(interp->diag, loc, "this looks like %s (%s), but it is read in the %s dialect", found.title,
+			     found.sign, dialect);
+	return !found.certain;
+}
+
+static bool run_lines(struct interp *interp)
+{
+	bool good = true;
+
+	while (good && !interp->ended && next_line(interp, &good)) {
+		const size_t errors = interp->diag->errors;
+
+		if (!interp->program.start.source)
+			interp->program.start = source_here(interp->program.source);
+		good = run_line_called(interp);
+		good = read_on(interp, errors) || good;
+	}
+	return good;
+}
+
+static bool run_program(struct interp *interp, FILE *in, const char *name)
 {
 	struct reader *reader;
 	bool good = true;
@@ -221,13 +287,10 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	interp->program.source = interp->program.sources.items[0];
 	reader = &interp->program.source->reader;
 	interp->at = (struct line_place){.diag = interp->diag, .file = interp->program.source->name};
-	if (traits_of(interp)->text_before_percent == ANSWER_YES)
+	good = check_family(interp, reader);
+	if (good && traits_of(interp)->text_before_percent == ANSWER_YES)
 		leader_skip(reader);
-	while (good && !interp->ended && next_line(interp, &good)) {
-		if (!interp->program.start.source)
-			interp->program.start = source_here(interp->program.source);
-		good = run_line_called(interp);
-	}
+	good = good && run_lines(interp);
 	if (good && !interp->ended) {
 		/* The last line is no longer in the reader's buffer. */
 		interp->at.text = "";
@@ -238,5 +301,21 @@ bool interp_run(struct interp *interp, FILE *in, const char *name)
 	else if (good)
 		warn_of_rest(interp, reader);
 	sources_close(&interp->program.sources);
+	return good && !interp->faulty;
+}
+
+bool interp_run(struct interp *interp, FILE *in, const char *name)
+{
+	struct diag *diag = interp->diag;
+	struct fault_list faults;
+	bool good;
+
+	if (!interp->config->read.all_faults)
+		return run_program(interp, in, name);
+	fault_list_init(&faults, diag);
+	interp->diag = &faults.diag;
+	good = run_program(interp, in, name);
+	fault_list_finish(&faults, interp->at.file);
+	interp->diag = diag;
 	return good;
 }

@@ -187,9 +187,9 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		return true;
 	switch (word->letter) {
 	case 'G':
-		return add_g(block, at, word, config->dialect);
+		return add_g(block, at, word, config->dialect) || config->read.all_faults;
 	case 'M':
-		return add_m(block, at, word, config);
+		return add_m(block, at, word, config) || config->read.all_faults;
 	case 'N':
 		return fault(at, word->column, "N stands at the start of a block only");
 	case 'O':

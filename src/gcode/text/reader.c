@@ -135,10 +135,13 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	if (!reader->at_end && at + 1 >= reader->end) {
 		if (!refill(reader))
 			return READER_FAILED;
-		if (reader->line == 0)
-			status = check_start(reader);
 		at = find_break(reader, reader->begin);
 		reader->cut = reader->end;
+	}
+	/* Also when somebody has read ahead and gone back. */
+	if (reader->line == 0) {
+		status = check_start(reader);
+		at = find_break(reader, reader->begin);
 	}
 	if (status == READER_LINE && at == reader->end && reader->begin == reader->end)
 		return READER_END;

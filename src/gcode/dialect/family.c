@@ -1,0 +1,142 @@
+#include "gcode/dialect/family.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "gcode/text/line_shape.h"
+
+/* Lines that are looked at: heads are shorter, and a program's first path stands in them, too. */
+#define FAMILY_LINES 300
+
+enum match { MATCH_START, MATCH_ANYWHERE, MATCH_ALL, MATCH_PROGRAM_NUMBER, MATCH_STRAIGHT_LINE, MATCH_O_CALL, MATCH_G };
+
+/* Controls that read each other's programs; the dialects that read them, of which there may be none yet. */
+struct family {
+	const char *title;
+	const char *dialects[3];
+};
+
+static const struct family klartext = {"Heidenhain Klartext", {"klartext", NULL}};
+static const struct family sinumerik = {"a program for Siemens Sinumerik", {"sinumerik", NULL}};
+static const struct family linuxcnc = {"a program for LinuxCNC", {"linuxcnc", NULL}};
+static const struct family haas = {"a program for Haas", {"haas", NULL}};
+static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas", NULL}};
+
+/*
+ * Heidenhain iTNC 530 manual, Klartext programming; Siemens 840D sl programming manual, "Fundamentals", "Job planning";
+ * LinuxCNC's manual, "O Codes"; Haas mill operator's manual, G-codes.
+ */
+static const struct sign {
+	const struct family *family;
+	enum match match;
+	const char *text;	/* as a squeezed line has it, behind its number */
+	const char *shown;
+	bool certain;
+} signs[] = {
+	{&klartext, MATCH_START, "BEGINPGM", "BEGIN PGM", true},
+	{&klartext, MATCH_START, "BLKFORM", "BLK FORM", true},
+	{&klartext, MATCH_START, "TOOLCALL", "TOOL CALL", true},
+	{&klartext, MATCH_START, "CYCLDEF", "CYCL DEF", true},
+	{&klartext, MATCH_STRAIGHT_LINE, "FMAX", "L ... FMAX", true},
+	{&sinumerik, MATCH_START, "%_N_", "%_N_", true},
+	{&sinumerik, MATCH_START, ";$PATH", ";$PATH", true},
+	{&sinumerik, MATCH_ALL, "TRAORI", "TRAORI", true},
+	{&sinumerik, MATCH_ALL, "TRAFOOF", "TRAFOOF", true},
+	{&sinumerik, MATCH_START, "CYCLE8", "CYCLE8..", true},
+	{&sinumerik, MATCH_START, "MCALL", "MCALL", true},
+	{&sinumerik, MATCH_START, "DEFREAL", "DEF REAL", true},
+	{&sinumerik, MATCH_START, "DEFINT", "DEF INT", true},
+	{&sinumerik, MATCH_ANYWHERE, "SUPA", "SUPA", true},
+	{&linuxcnc, MATCH_O_CALL, "", "o<name>", false},
+	{&haas, MATCH_G, "G154", "G154", false},
+	{&haas, MATCH_G, "G187", "G187", false},
+	{&haas, MATCH_G, "G234", "G234", false},
+	{&haas, MATCH_G, "G254", "G254", false},
+	{&iso, MATCH_PROGRAM_NUMBER, "", "the program number O or :", false},
+};
+
+static bool starts_with(const char *block, const char *text)
+{
+	return !strncmp(block, text, strlen(text));
+}
+
+/* The code with no digit or point behind it. */
+static bool has_code(const char *block, const char *code)
+{
+	for (const char *at = strstr(block, code); at; at = strstr(at + 1, code)) {
+		const char next = at[strlen(code)];
+
+		if (!isdigit((unsigned char)next) && next != '.')
+			return true;
+	}
+	return false;
+}
+
+static bool is_sign(const struct sign *sign, const char *line, const char *block)
+{
+	const char *words = block + (*block == 'N');
+
+	words += strspn(words, "0123456789");
+	switch (sign->match) {
+	case MATCH_START:
+		return starts_with(words, sign->text) || starts_with(line, sign->text);
+	case MATCH_ALL:
+		return !strcmp(words, sign->text);
+	case MATCH_ANYWHERE:
+		return strstr(words, sign->text) != NULL;
+	case MATCH_STRAIGHT_LINE:
+		return words[0] == 'L' && words[1] != '\0' && strchr("XYZABC", words[1]) && strstr(words, sign->text);
+	case MATCH_O_CALL:
+		return starts_with(block, "O<") && (strstr(block, ">SUB") || strstr(block, ">CALL"));
+	case MATCH_G:
+		return has_code(words, sign->text);
+	case MATCH_PROGRAM_NUMBER:
+		return line_shape_is_program_number(block);
+	}
+	return false;
+}
+
+static bool reads(const struct family *family, const char *dialect)
+{
+	for (size_t i = 0; family->dialects[i]; i++) {
+		if (!strcmp(family->dialects[i], dialect))
+			return true;
+	}
+	return false;
+}
+
+/* Takes a line into account; true: a certain sign was found. */
+static bool look(const char *line, long number, const char *dialect, struct family_sign *found)
+{
+	char block[LINE_SHAPE_MAX];
+
+	line_shape_squeeze(line, block);
+	for (size_t i = 0; i < sizeof(signs) / sizeof(signs[0]); i++) {
+		const struct sign *sign = &signs[i];
+
+		if ((found->line && !sign->certain) || reads(sign->family, dialect) || !is_sign(sign, line, block))
+			continue;
+		*found = (struct family_sign){number, sign->shown, sign->family->title, sign->certain};
+		if (sign->certain)
+			return true;
+	}
+	return false;
+}
+
+struct family_sign family_find(struct reader *reader, const char *dialect)
+{
+	struct family_sign found = {0};
+	long long start = 0;
+	const char *text;
+	bool sure = false;
+
+	while (!sure && reader->line < FAMILY_LINES && reader_next(reader, &text) == READER_LINE) {
+		if (reader->line == 1)
+			start = reader->start;
+		sure = look(text, reader->line, dialect, &found);
+	}
+	if (reader->line > 0)
+		reader_seek(reader, start, 1);
+	reader->furthest = 0;
+	return found;
+}

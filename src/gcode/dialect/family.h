@@ -1,0 +1,23 @@
+/* family.h - does a program look as if it were written for another control than the one that is to read it? */
+#ifndef FIVECHECK_GCODE_DIALECT_FAMILY_H
+#define FIVECHECK_GCODE_DIALECT_FAMILY_H
+
+#include <stdbool.h>
+
+#include "gcode/text/reader.h"
+
+/* A sign of a family of controls. Strings are constant. */
+struct family_sign {
+	long line;	/* of the program, from 1; 0: there is no sign */
+	const char *sign;	/* as messages write it */
+	const char *title;	/* of the family */
+	bool certain;	/* no program of another family has it */
+};
+
+/*
+ * The first certain sign of another family in the first lines of a program, or else the first sign that is not
+ * certain. The reader is left where it was; it reads a file, and no line was read of it before.
+ */
+struct family_sign family_find(struct reader *reader, const char *dialect);
+
+#endif

@@ -1,0 +1,24 @@
+# A program that looks like another control's is told apart before it is misread: with certain signs it is refused.
+small_machine
+sed 's|<base>|<controller dialect="fanuc" least_input="0.001"/><base>|' m.xml >fanuc.xml
+sed 's|<base>|<controller dialect="haas" least_input="0.001"/><base>|' m.xml >haas.xml
+
+# look TEXT - what each dialect says of a program's family, and the exit status
+look() {
+	printf '%b' "$1" >p.nc
+	for machine in m fanuc haas; do
+		fivecheck -q --parse-only $machine.xml p.nc >said 2>&1
+		echo "$machine $?: $(grep -o ':.*this looks like.*' said | head -n 1)"
+	done
+}
+
+look '0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X0 Y0 Z-10\n'
+look '; head\n5 L X+10 Y-3 R0 FMAX M3\n'
+look '%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nG0 X1\n'
+look 'N10 G21 G90\nN20 TRAORI\nN30 G0 X1.\n'
+look 'G21 G90\nCYCLE832(0.01,3,1)\n'
+look '%\nO1234 (PART)\nG21 G90\nG0 X1.\nM30\n%\n'
+look 'G21 G90\nG187 P1\nG0 X1.\nM30\n'
+look 'G21 G90\no<sub> call\nM2\n'
+# None of these: words in comments, and what only resembles a sign.
+look '(BEGIN PGM, TRAORI, G187)\nG21 G90\nG0 X1.\nM30\n'
