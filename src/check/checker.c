@@ -115,8 +115,8 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 	if (motion->span.path->kind != PATH_BOX && result->exhausted) {
 		c->exhausted = true;
 		diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
-			   "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other on "
-			   "too long a way; the check stops here. Give a larger --tolerance, or divide the move",
+			   "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other for "
+			   "too long. The check stops here; give a larger --tolerance, or split the move",
 			   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 		return;
 	}
@@ -126,7 +126,8 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 	}
 	diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
 		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
-		   "whose way is not known (rapid=\"any\"); if it is, say so, or move fewer axes at once",
+		   "whose way is not known (rapid=\"any\"); give the control's rapid in the machine file, or move fewer "
+		   "axes at once",
 		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 }
 
@@ -221,7 +222,7 @@ static void tell_progress(struct checker *c)
 	if (c->stopped || (!c->broken_off && (!sink->progress || sink->progress(sink->context, c->checked.line))))
 		return;
 	diag_error(c->diag, (struct srcloc){c->checked.file ? c->checked.file : c->file, 0, 0},
-		   "interrupted after line %ld: what follows was not checked", c->checked.line);
+		   "interrupted after line %ld: the rest was not checked", c->checked.line);
 	c->stopped = c->failed = true;
 }
 

@@ -24,7 +24,7 @@ struct canon_to_spans {
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
 	double time, block_time;
-	struct motion_event event;	/* the last event that was sent; its summary is the run's, without the count of lines */
+	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */
 };
 
 /* Begins at home with the setup's first tool. All pointers are borrowed; setup may be NULL. */

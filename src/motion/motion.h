@@ -21,7 +21,7 @@ struct setup_change {
 struct motion_options {
 	double flatness;	/* mm: no axis of a step's chord deviates by more */
 	struct read_options read;
-	struct file_names *names;	/* holds the file names of the events; NULL: the names live as long as the run */
+	struct file_names *names;	/* holds the events' file names; NULL: they live as long as the run */
 	const struct setup_change *change;	/* or NULL */
 };
 

@@ -50,7 +50,7 @@ static void add_answer(struct strbuf *out, const struct sensitivity *answer, boo
 
 	strbuf_addf(out, "    %-13s  %c  ", names[answer->quantity], answer->sign > 0 ? '+' : '-');
 	if (answer->state == SENSITIVITY_NO_EFFECT) {
-		strbuf_addf(out, "no effect: no axis goes elsewhere\n");
+		strbuf_addf(out, "no effect: no axis moves differently\n");
 		return;
 	}
 	add_extent(out, answer, clear);
@@ -62,7 +62,7 @@ static void add_answer(struct strbuf *out, const struct sensitivity *answer, boo
 		strbuf_addf(out, "; at %.4f it cannot be checked: ", answer->turn);
 		format_units_add_plain(out, answer->why);
 	} else if (answer->state == SENSITIVITY_UNKNOWN) {
-		strbuf_addf(out, "; given up there: it takes too many runs");
+		strbuf_addf(out, "; stopped there after too many runs");
 	}
 	strbuf_addf(out, "\n");
 }

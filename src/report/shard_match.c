@@ -44,7 +44,7 @@ static bool match_shares(const struct ndjson_run *runs, size_t count, bool *of_b
 		good = good && share.part == (json_int_t)i + 1;
 	}
 	if (!good)
-		diag_error(diag, nowhere, "there must be each of %lld shards once, but there are these:%s",
+		diag_error(diag, nowhere, "each of %lld shards must be given once, but these were given:%s",
 			   (long long)first.parts, strbuf_text(&there));
 	strbuf_release(&there);
 	*of_blocks = first.of_blocks;

@@ -210,7 +210,7 @@ static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 	format_units_add_plain(out, v->scene->bodies[pair->a].body->name);
 	strbuf_addf(out, " and ");
 	format_units_add_plain(out, v->scene->bodies[pair->b].body->name);
-	strbuf_addf(out, ": one may stand inside the other, but its mesh is not closed, so that cannot be known; close the "
+	strbuf_addf(out, ": one may be inside the other, which cannot be known because its mesh is not closed; close the "
 			 "mesh (--check-machine names the gaps)");
 	return true;
 }
