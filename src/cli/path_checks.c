@@ -150,7 +150,7 @@ bool path_checks_inputs(const struct options *options, const struct input_files 
 	return true;
 }
 
-static bool confine(const char *root, struct body *bodies, size_t count, struct diag *diag)
+static bool check_meshes_within(const char *root, struct body *bodies, size_t count, struct diag *diag)
 {
 	bool good = true;
 
@@ -176,6 +176,6 @@ bool path_checks_root(const struct options *options, const struct machine *machi
 		diag_error(diag, (struct srcloc){0}, "--input-root: %s is not a folder", root);
 		return false;
 	}
-	return confine(root, machine->bodies, machine->body_count, diag) &&
-	       (!setup || confine(root, setup->bodies, setup->body_count, diag));
+	return check_meshes_within(root, machine->bodies, machine->body_count, diag) &&
+	       (!setup || check_meshes_within(root, setup->bodies, setup->body_count, diag));
 }
