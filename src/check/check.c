@@ -93,6 +93,19 @@ static void on_tool(struct checker *c, const struct motion_tool *change)
 		checker_process(c, NULL);
 }
 
+static void on_spindle_stop(struct checker *c, const struct motion_spindle_stop *stop)
+{
+	/* Before anything moves, the check of the start pose sees the same. */
+	if (!c->moved)
+		return;
+	checker_process(c, NULL);
+	c->position = stop->position;
+	c->time = stop->time;
+	checker_spindle_stops(c, stop->move);
+	if (c->broken_off)
+		checker_process(c, NULL);
+}
+
 /* The reading of the next block begins. */
 static void start_block(struct checker *c)
 {
@@ -140,6 +153,9 @@ static bool on_event(void *context, const struct motion_event *event)
 		break;
 	case MOTION_TOOL:
 		on_tool(c, &event->of.tool);
+		break;
+	case MOTION_SPINDLE_STOP:
+		on_spindle_stop(c, &event->of.spindle_stop);
 		break;
 	case MOTION_BLOCK:
 		on_block(c, &event->of.block);

@@ -270,8 +270,8 @@ static bool is_past_a_limit(const struct checker *c)
 	return false;
 }
 
-/* Checks a pair at the current position. */
-static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move)
+/* Checks a pair at the current position; step_class: 0, or the class that this standstill counts as. */
+static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
 	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
@@ -290,7 +290,8 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 		pair_check_stand(check, &c->sweep, &c->position);
 	if (state != POSE_NEAR && state != POSE_OVERLAP)
 		return;
-	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, 0, &contact, NULL);
+	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, step_class,
+		    &contact, NULL);
 	if (c->options->block_clearances && state == POSE_OVERLAP)
 		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = check->pair});
 	pair_check_found(check, c->block);
@@ -308,7 +309,24 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 
 		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&
 		    pair_check_watches(check, STEP_RAPID) && (!tool_only || check->tool))
-			check_pair_at_rest(c, check, move);
+			check_pair_at_rest(c, check, move, 0);
+	}
+	c->stats->seconds_check += checker_clock() - start;
+}
+
+void checker_spindle_stops(struct checker *c, int move)
+{
+	double start = checker_clock();
+
+	if (!checker_owns(c, c->block))
+		return;
+	for (size_t i = 0; i < c->scheduler.count && !checker_has_enough(c) && !c->broken_off; i++) {
+		struct pair_check *check = &c->scheduler.checks[i];
+
+		/* What has to stay apart while the spindle turns has just been looked at. */
+		if (pair_check_is_active(check, c->tool) && pair_check_watches(check, STEP_FEED_STANDING) &&
+		    !pair_check_watches(check, STEP_FEED_TURNING) && check->found_block != c->block)
+			check_pair_at_rest(c, check, move, STEP_FEED_STANDING);
 	}
 	c->stats->seconds_check += checker_clock() - start;
 }

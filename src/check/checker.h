@@ -80,4 +80,7 @@ void checker_process(struct checker *c, struct block_record *timed);
 /* Checks the pairs at the current position, where the axes stand still. tool_only: only the pairs of the tool. */
 void checker_at_rest(struct checker *c, bool tool_only, int move);
 
+/* Checks at the current position the cutters that may be in the part only while they cut. */
+void checker_spindle_stops(struct checker *c, int move);
+
 #endif

@@ -21,7 +21,8 @@ enum canon_kind {
 	CANON_FEED,	/* straight, at the programmed feed */
 	CANON_ARC,	/* circular or helical, at the programmed feed */
 	CANON_DWELL,	/* stands still for `seconds` */
-	CANON_TOOL_CHANGE	/* `tool` is in the spindle from here on; 0: empty */
+	CANON_TOOL_CHANGE,	/* `tool` is in the spindle from here on; 0: empty */
+	CANON_SPINDLE_STOP	/* the spindle has turned and stands here */
 };
 
 struct canon_feed {

@@ -403,6 +403,11 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 		converter->event.of.tool = (struct motion_tool){move->tool, converter->position};
 		ok = tell(converter, MOTION_TOOL);
 		break;
+	case CANON_SPINDLE_STOP:
+		converter->event.of.spindle_stop =
+		    (struct motion_spindle_stop){converter->position, converter->time, move->number};
+		ok = tell(converter, MOTION_SPINDLE_STOP);
+		break;
 	}
 	converter->event.summary.seconds = converter->time;
 	return ok;

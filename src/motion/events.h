@@ -48,6 +48,13 @@ struct motion_tool {
 	axis_values position;	/* where the axes are */
 };
 
+/* The spindle has turned and stops here. */
+struct motion_spindle_stop {
+	axis_values position;	/* where the axes are */
+	double time;	/* s since the start of the program */
+	int move;	/* the block's last before it; 0: none */
+};
+
 /* A block is complete. */
 struct motion_block {
 	const char *file;
@@ -67,7 +74,7 @@ struct motion_summary {
 	bool blend_unbounded;	/* G64 was in force with no tolerance from program or machine */
 };
 
-enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_BLOCK };
+enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_BLOCK };
 
 /*
  * Plain data that can be copied. Two pointers are valid during the call only: step.span.path with its tcp, and
@@ -81,6 +88,7 @@ struct motion_event {
 		struct motion_step step;
 		struct motion_limit limit;
 		struct motion_tool tool;
+		struct motion_spindle_stop spindle_stop;
 		struct motion_block block;
 	} of;
 };

@@ -69,6 +69,10 @@ static inline bool case_move(struct gcode_case *c, const struct canon_move *move
 {
 	static const char *const names[] = {"rapid", "feed", "arc", "dwell", "tool"};
 
+	/* Its tests are those of the whole program. */
+	if (move->kind == CANON_SPINDLE_STOP)
+		return true;
+
 	strbuf_addf(&c->moves, "%s", names[move->kind]);
 	if (move->kind == CANON_DWELL)
 		strbuf_addf(&c->moves, " %.9g", move->seconds);

@@ -95,6 +95,8 @@ static inline bool on_event(void *context, const struct motion_event *event)
 	case MOTION_TOOL:
 		on_tool(record, &event->of.tool);
 		break;
+	case MOTION_SPINDLE_STOP:
+		break;
 	case MOTION_BLOCK:
 		on_block(record, &event->of.block);
 		break;

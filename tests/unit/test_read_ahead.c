@@ -111,6 +111,9 @@ static bool on_event(void *context, const struct motion_event *event)
 	case MOTION_TOOL:
 		mix_tool(log, &event->of.tool);
 		break;
+	case MOTION_SPINDLE_STOP:
+		mix_tool(log, &(struct motion_tool){0, event->of.spindle_stop.position});
+		break;
 	case MOTION_BLOCK:
 		mix_block(log, &event->of.block);
 		break;

@@ -110,15 +110,28 @@ static bool execute_speed(struct interp *interp)
 	return true;
 }
 
-/* Canned cycles may depend on which way the spindle turns. */
-static void execute_spindle(struct interp *interp)
+/* Canned cycles may depend on which way the spindle turns, and a cutter in the part on whether it does. */
+static bool execute_spindle(struct interp *interp)
 {
 	int code = interp->block.m[M_SPINDLE];
 
+	if (code != CODE_NONE && code != 3 && code != 4 && !motion_commands_spindle_stops(interp))
+		return false;
 	if (code != CODE_NONE)
 		interp->state.spindle = code == 3   ? SPINDLE_CLOCKWISE
 					: code == 4 ? SPINDLE_COUNTERCLOCKWISE
 						    : SPINDLE_STOPPED;
+	return true;
+}
+
+/* M0, M1, M2, M30: the spindle stands while the operator is there. M3 holds again after M0 and M1. */
+static bool execute_stop(struct interp *interp)
+{
+	int code = interp->block.m[M_STOP];
+
+	if (code == CODE_NONE)
+		return true;
+	return cutter_comp_stop(interp) && (code >= 97 || motion_commands_spindle_stops(interp));
 }
 
 /* G61, G61.1 keep to the path; G64 may leave it, at most by P if P is given (LinuxCNC's manual, "G64"). */
@@ -301,7 +314,8 @@ bool execute_block(struct interp *interp)
 		return false;
 	if (!tool_change_select(interp) || !tool_change_run(interp) || !tool_length_mcode(interp))
 		return false;
-	execute_spindle(interp);
+	if (!execute_spindle(interp))
+		return false;
 	if (block->g[G_NONMODAL] == G4 && !motion_commands_dwell(interp))
 		return false;
 	if (block->g[G_PLANE] != CODE_NONE)
@@ -316,9 +330,7 @@ bool execute_block(struct interp *interp)
 	execute_modes(interp);
 	if (!coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
 		return false;
-	if (!execute_nonmodal(interp) || !execute_motion(interp))
-		return false;
-	if (block->m[M_STOP] != CODE_NONE && !cutter_comp_stop(interp))
+	if (!execute_nonmodal(interp) || !execute_motion(interp) || !execute_stop(interp))
 		return false;
 	if (block->m[M_STOP] >= 97 && !is_answered(interp, block->m_column[M_STOP], dialect->after_block != NULL,
 						   "what the calls of subprograms (M97 to M99) do"))

@@ -13,7 +13,9 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 
 	move->file = interp->at.file;
 	move->line = interp->at.line;
-	move->number = ++interp->moves;
+	/* A spindle that stops is no move to be counted. */
+	interp->moves += move->kind != CANON_SPINDLE_STOP;
+	move->number = interp->moves;
 	move->tcp = state->tcp != TCP_OFF;
 	move->plane = state->tcp == TCP_BY_PLANE;
 	move->blend = state->blend;
@@ -37,6 +39,12 @@ bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 	if (interp->comp.queue.count > 0)
 		return motion_commands_enqueue(interp, &item);
 	return canon_tell_move(interp->sink, &item.move);
+}
+
+bool motion_commands_spindle_stops(struct interp *interp)
+{
+	return interp->state.spindle == SPINDLE_STOPPED ||
+	       motion_commands_emit(interp, &(struct canon_move){.kind = CANON_SPINDLE_STOP});
 }
 
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move)

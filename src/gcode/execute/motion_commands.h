@@ -22,6 +22,9 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
  */
 bool motion_commands_emit(struct interp *interp, const struct canon_move *move);
 
+/* To be called where the block stops the spindle, before state.spindle says so. False: as motion_commands_emit. */
+bool motion_commands_spindle_stops(struct interp *interp);
+
 /*
  * Sets the position of the axes to a straight position (rotated_frame.h),
  * completes *move with that end and sends it. False: the sink wants no more, or

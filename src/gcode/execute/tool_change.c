@@ -28,7 +28,7 @@ bool tool_change_run(struct interp *interp)
 	if (interp->config->has_setup && state->selected != 0 && !tool_table_find(&interp->tools, state->selected))
 		return fault(&interp->at, column, "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
 			     state->selected, state->selected);
-	if (!reference_return_change_tool(interp))
+	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
 		return false;
 	state->tool = state->selected;
 	state->spindle = SPINDLE_STOPPED;
