@@ -37,3 +37,6 @@ read_as "$slashes" -a 9
 read_as "O1\n${body}G0 X2.; to the left, then back\nM30;\n"
 read_as "O1\n${body}G0 X2.; then X500.\nM30;\n"
 read_as "O1\n${body}G0 X2.; then; #1=5\nM30;\n"
+# A comment inside a comment, where no reading of it leaves a word.
+read_as "O1 (TITLE (DRAFT) )\n(#508= (MILL_.25 ))\n${body}M30\n"
+read_as "O1\n${body}G0 (TO (LEFT) X500.)\nM30\n"

@@ -253,6 +253,7 @@ static const struct {
 	 "p.nc:1:1: error: G43.5: tool centre point control with tool vectors is not supported yet\n    G43.5 "
 	 "H1\n    ^\n"},
 	{F, "G254 H1\n",
+	 "p.nc:1: warning: this looks like a program for Haas (G254), but it is read in the fanuc dialect\n"
 	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect\n    G254 H1\n    ^\n"},
 	{H, "G254 H1\n",
 	 "p.nc:1:6: error: H1 without G43: whether it changes the length depends on the control; write G43 H1\n    G254 H1\n         ^\n"},

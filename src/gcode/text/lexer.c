@@ -36,10 +36,16 @@ static bool check_comment(const struct lexer *lexer, const char *text)
 static bool skip_comment(struct lexer *lexer)
 {
 	const char *text = lexer->at->text + lexer->position + 1;
+	const char *close = strchr(text, ')');
 	size_t length = strcspn(text, "()");
 
 	if (text[length] == '\0')
 		return fault(lexer->at, lexer_column(lexer), "this comment is not closed");
+	/* Wherever it ends, nothing but parentheses remains of the block. */
+	if (text[length] == '(' && lexer->rules->comments_nest && close && close[strspn(close, ") \t")] == '\0') {
+		lexer->position += strlen(text) + 1;
+		return check_comment(lexer, text);
+	}
 	if (text[length] == '(')
 		return fault(lexer->at, lexer_column(lexer) + 1 + (int)length, "a comment inside a comment");
 	if (!check_comment(lexer, text))

@@ -35,6 +35,7 @@ enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLO
  */
 struct lexer_rules {
 	enum semicolon semicolon;
+	bool comments_nest;	/* a comment inside of one that ends the line is text; no: a fault everywhere */
 	/*
 	 * Reads the value of a word that has no plain number behind its letter;
 	 * letter and column are given. LEXER_END: no value comes next, and
