@@ -104,6 +104,7 @@ struct power_on {
 	int distance;	/* G90, G91 */
 	int plane;	/* G17, G18, G19 */
 	int feed_mode;	/* G93, G94, G95 */
+	int path;	/* G61, G64; 0: the program's path is kept until it says G64 */
 };
 
 struct dialect_traits {

@@ -219,7 +219,7 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->stats->motion.blend_unbounded)
 		return false;
-	strbuf_addf(out, "G64 (or G5, G5.1, G8, G187) without a tolerance: the control may leave the programmed path, "
+	strbuf_addf(out, "G64 (of the program or from power-on; or G5, G5.1, G8, G187) without a tolerance: the control may leave the programmed path, "
 			 "and only that path was checked; give P or <controller path_tolerance=\"\">");
 	return true;
 }

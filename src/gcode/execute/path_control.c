@@ -70,7 +70,7 @@ static bool select_accuracy(struct interp *interp)
 		return false;
 	if (block_has(block, 'E') && block_value(block, 'E') < 0)
 		return fault(&interp->at, block_column(block, 'E'), "a rounding of corners cannot be negative");
-	state->blend = block_has(block, 'P') || block_has(block, 'E');
+	state->blend = true;
 	state->blend_tolerance = block_has(block, 'E') ? block_value(block, 'E') * state->scale : 0;
 	return true;
 }

@@ -93,7 +93,8 @@ const struct dialect dialect_fanuc = {
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {
 		/* Parameters decide on units, distance and plane: the machine file has them. */
-		.power_on = {.feed_mode = G94},
+		/* Cutting mode: G64 is in force at power-on. */
+		.power_on = {.feed_mode = G94, .path = G64},
 		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
 		.known_order = ANSWER_NO,
 		.dwell_letters = "XUP",

@@ -1,0 +1,16 @@
+# Fanuc and Haas controls start in cutting mode (G64): a program that does not say G61 leaves its path by what only the
+# machine file can tell.
+small_machine
+for dialect in fanuc haas; do
+	echo "== $dialect"
+	controller="<controller dialect=\"$dialect\" power_on_units=\"mm\" power_on_distance=\"absolute\" power_on_plane=\"xy\""
+	sed "s|<base>|$controller/>&|" m.xml >bare.xml
+	sed "s|<base>|$controller path_tolerance=\"0.01\"/>&|" m.xml >told.xml
+	printf '%s\n' % O1 'G0 X10.' M30 % >blends.nc
+	printf '%s\n' % O1 'G61 G0 X10.' M30 % >exact.nc
+	for run in 'bare.xml blends.nc' 'bare.xml exact.nc' 'told.xml blends.nc'; do
+		echo "$run:"
+		# shellcheck disable=SC2086
+		fivecheck -q $run
+	done
+done
