@@ -21,6 +21,9 @@ enum wrap { WRAP_NONE, WRAP_SHORTEST, WRAP_SIGN };
 /* The answer to a question that only the maker of the machine or a parameter of the control can answer. */
 enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 
+/* G53 while G91 is in force: its words are absolute all the same, or G53 is ignored and they are increments. */
+enum g53_with_g91 { G53_WITH_G91_UNKNOWN, G53_WITH_G91_ABSOLUTE, G53_WITH_G91_INCREMENTAL };
+
 /* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
 enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
 
@@ -62,6 +65,7 @@ struct controller {
 	enum power_on_plane power_on_plane;
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
+	enum g53_with_g91 g53_with_g91;
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	struct control_place references[REFERENCES_MAX];

@@ -24,7 +24,7 @@ struct dialect_row {
 	/*
 	 * Parameters of the control say what a number without a decimal point means, and whether axes move where the
 	 * length compensation changes. Otherwise the machine file must not tell it: least_input,
-	 * length_offset_moves, length_after_reference.
+	 * length_offset_moves, length_after_reference, g53_with_g91.
 	 */
 	bool has_parameters;
 };

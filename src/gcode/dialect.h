@@ -108,6 +108,7 @@ struct power_on {
 };
 
 struct dialect_traits {
+	enum answer last_of_group;	/* of two G-codes of a group in a block the last one counts; no: an error */
 	struct power_on power_on;
 	enum whole_numbers whole_numbers;
 	enum answer known_order;	/* execute_block has the control's order; no: it is not known */
@@ -129,6 +130,7 @@ struct dialect_traits {
 	enum answer motion_beside_words;	/* G0 to G3 beside G10, G28, G30, G52, G92 hold from the next block on; no: an error */
 	enum g53_rate g53_rate;
 	enum g53_under_tcp g53_under_tcp;
+	enum answer g53_asks_g91;	/* the machine file says what G53 does in G91; no: that is an error */
 	enum answer g53_alone;	/* G53 without motion and axis words does nothing; no: it is an error */
 	enum g28_without_axes g28_without_axes;
 	enum answer references_in_parameters;	/* programs write G28's and G30's; no: the machine file has G30's */

@@ -47,6 +47,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->length_moves != ANSWER_UNKNOWN)
 		description_fault(file, described->at, "length_offset_moves",
 				  "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
+	if (described->g53_with_g91 != G53_WITH_G91_UNKNOWN)
+		description_fault(file, described->at, "g53_with_g91",
+				  "g53_with_g91 of <controller>: %s refuses G53 while G91 is in force", row->title);
 	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
 		description_fault(file, described->at, "length_after_reference",
 				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
@@ -83,6 +86,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->path_tolerance = from->path_tolerance.value;
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;
+	to->g53_with_g91 = from->g53_with_g91;
 	to->length_after_reference = from->length_after_reference;
 	to->power_on_units = from->power_on_units;
 	to->power_on_distance = from->power_on_distance;

@@ -83,6 +83,7 @@ struct controller_description {
 	enum power_on_plane power_on_plane;
 	enum answer length_moves;
 	enum length_after_reference length_after_reference;
+	enum g53_with_g91 g53_with_g91;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct place_description *places;

@@ -19,7 +19,7 @@ static const char trunnion[] =
 	"    <pair a='holder' b='fixture' clearance='1'/>\n"
 	"  </pairs>\n"
 	"  <controller dialect='haas' rapid='dogleg' tcp_zero='offset' path_tolerance='0.02' "
-	"least_input='0.001' length_offset_moves='yes' length_after_reference='cancels' power_on_units='inch' "
+	"least_input='0.001' length_offset_moves='yes' length_after_reference='cancels' g53_with_g91='incremental' power_on_units='inch' "
 	"power_on_distance='incremental' power_on_plane='yz'>\n"
 	"    <tool_change Y='-10' C='90' X='3' order='Y XC'/><reference number='1' Y='11'/>\n"
 	"    <reference number='3' X='1' Y='-2' order='YX'/>\n"

@@ -214,10 +214,52 @@ START_TEST(oriented_stop)
 }
 END_TEST
 
+static void run_g53(const struct dialect *dialect, enum g53_with_g91 answer, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	modal_case(&c, dialect);
+	c.config.controller.g53_with_g91 = answer;
+	case_expect(&c, program, moves);
+}
+
+/*
+ * B-64484EN, "Machine Coordinate System (G53)": ignored in G91; Mitsubishi M700V programming manual, "Basic Machine
+ * Coordinate System Selection; G53", (4): increments in the system that is selected.
+ */
+START_TEST(g53_in_g91)
+{
+	static const char program[] = "G10 L2 P1 X100.\nG90 G0 X5. Z9.\nG91 G53 X3. Z0.\nX1.\nM30\n";
+
+	for (int i = 0; i < 2; i++) {
+		run_g53(dialects[i], G53_WITH_G91_ABSOLUTE, program,
+			"rapid 105 0 9 0 0\nrapid 3 0 0 0 0\nrapid 4 0 0 0 0\n");
+		run_g53(dialects[i], G53_WITH_G91_INCREMENTAL, program,
+			"rapid 105 0 9 0 0\nrapid 108 0 9 0 0\nrapid 109 0 9 0 0\n");
+		refuse(dialects[i], "G91 G0 X5.\nG53 X0.\n", 1,
+		       "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
+		       "\"incremental\" in the <controller> of the machine file says what it does");
+	}
+}
+END_TEST
+
+/* B-64484EN, "Preparatory Function (G Function)": of one group in one block, the last one is valid. */
+START_TEST(last_of_group)
+{
+	run_g53(&dialect_fanuc, G53_WITH_G91_ABSOLUTE, "G0 G1 G0 Z5.\nG90 G91 G28 G53 Z1.\nG90 G17 G18 G17 X1.\nM30\n",
+		"rapid 0 0 5 0 0\nrapid 0 0 1 0 0\nrapid 1 0 1 0 0\n");
+	run(&dialect_fanuc, "G0 Z5.\nG53 G28 Z7.\nM30\n", "rapid 0 0 5 0 0\nrapid 0 0 7 0 0\nrapid 0 0 0 0 0\n");
+	refuse(&dialect_fanuc, "F9. G81 G0 Z1. R2.\n", 9,
+	       "G0 and the G-code at column 5 are of one modal group; a block can have only one of them");
+	refuse(&dialect_haas, "G28 G53 Z1.\n", 5,
+	       "G53 and the G-code at column 1 are of one modal group; a block can have only one of them");
+}
+END_TEST
+
 int main(void)
 {
 	const TTest *const tests[] = {motion_beside_reference, cycles_apart, modal_h, modal_d,
-				      length_after_reference, oriented_stop};
+				      length_after_reference, oriented_stop, g53_in_g91, last_of_group};
 
 	return RUN_TESTS("gcode_modal", tests);
 }

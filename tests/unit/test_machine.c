@@ -89,6 +89,7 @@ static void check_places(const struct controller *controller)
 
 	ck_assert_double_eq(controller->least_input, 0.001);
 	ck_assert_int_eq(controller->length_moves, ANSWER_YES);
+	ck_assert_int_eq(controller->g53_with_g91, G53_WITH_G91_INCREMENTAL);
 	ck_assert_int_eq(controller->length_after_reference, LENGTH_AFTER_REFERENCE_GONE);
 	ck_assert_int_eq(controller->power_on_units, POWER_ON_INCH);
 	ck_assert_int_eq(controller->power_on_distance, POWER_ON_INCREMENTAL);

@@ -127,6 +127,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: <tool_change> gives no position\n"},
     {MACHINE("<controller><tool_change/>\n<tool_change/></controller><base/>"),
      "m.xml:3: error: <tool_change> is given twice\n"},
+    {MACHINE("<controller g53_with_g91='absolute'/><base/>"),
+     "m.xml:2: error: g53_with_g91 of <controller>: LinuxCNC refuses G53 while G91 is in force\n"},
     {MACHINE("<controller length_after_reference='keeps'/><base/>"),
      "m.xml:2: error: length_after_reference of <controller>: LinuxCNC keeps the length offset\n"},
     {MACHINE("<controller length_offset_moves='no'/><base/>"),

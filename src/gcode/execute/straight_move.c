@@ -22,10 +22,17 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 	int column = block->g_column[G_NONMODAL];
 	struct suspended suspended;
 	bool named[SLOT_COUNT];
+	bool incremental = interp->state.incremental, found;
 	slot_values target;
 
 	move->machine_coordinates = true;
-	if (!tool_length_suspend(interp, column, &suspended) || !endpoint_find(interp, true, &target) ||
+	if (!tool_length_suspend(interp, column, &suspended))
+		return false;
+	/* Blocks of G91 in which the words are increments have lost their G53 before. */
+	interp->state.incremental = false;
+	found = endpoint_find(interp, true, &target);
+	interp->state.incremental = incremental;
+	if (!found ||
 	    !motion_commands_go(interp, &target, move) || !tool_length_resume(interp, column, &suspended))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)

@@ -32,6 +32,12 @@ static bool fault_g(const struct line_place *at, const struct word *word, int nu
 	return fault(at, word->column, "G%d%s", number / 10, text);
 }
 
+/* The groups of a control are those here, but for how closely it follows the path, and for cycles beside G0 to G3. */
+static bool gives_way(int group, int before, int number)
+{
+	return group != G_CONTOUR && (group != G_MOTION || (before <= G3 && number <= G3));
+}
+
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
 		  const struct dialect *dialect)
 {
@@ -67,6 +73,8 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
 	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
 		return true;
+	if (dialect->traits.last_of_group == ANSWER_YES && gives_way(code->group, block->g[code->group], number))
+		block->g[code->group] = CODE_NONE;
 	if (block->g[code->group] != CODE_NONE && (block->g[code->group] != G80 || number == G80)) {
 		snprintf(text, sizeof(text),
 			 " and the G-code at column %d are of one modal group; a block can have only one of them",

@@ -133,9 +133,11 @@ static bool check_dwell(struct block *block, const struct line_place *at, const 
 	return true;
 }
 
-static bool check_machine_coordinates(const struct block *block, const struct line_place *at,
-				      const struct dialect *dialect, const struct block_modes *modes)
+static bool check_machine_coordinates(struct block *block, const struct line_place *at,
+				      const struct gcode_config *config, const struct block_modes *modes)
 {
+	const struct dialect *dialect = config->dialect;
+	enum g53_with_g91 answer = config->controller.g53_with_g91;
 	bool incremental = block->g[G_DISTANCE] == CODE_NONE ? modes->incremental : block->g[G_DISTANCE] == G91;
 	bool axes = block->letters & AXIS_BITS;
 
@@ -148,14 +150,23 @@ static bool check_machine_coordinates(const struct block *block, const struct li
 	}
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
-	if (incremental)
+	if (!incremental || answer == G53_WITH_G91_ABSOLUTE)
+		return true;
+	if (answer == G53_WITH_G91_INCREMENTAL)
+		block->g[G_NONMODAL] = CODE_NONE;
+	else if (dialect->traits.g53_asks_g91 == ANSWER_YES)
+		return fault(at, block->g_column[G_NONMODAL],
+			     "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
+			     "\"incremental\" in the <controller> of the machine file says what it does");
+	else
 		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
 	return true;
 }
 
-static bool check_nonmodal(struct block *block, const struct line_place *at, const struct dialect *dialect,
+static bool check_nonmodal(struct block *block, const struct line_place *at, const struct gcode_config *config,
 			   const struct block_modes *modes)
 {
+	const struct dialect *dialect = config->dialect;
 	int code = block->g[G_NONMODAL];
 
 	if (code == G4)
@@ -163,7 +174,7 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, con
 	if (code == G53_1 && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
 		return fault(at, block->g_column[G_NONMODAL], "G53.1 needs a block without motion");
 	if (code == G53)
-		return check_machine_coordinates(block, at, dialect, modes);
+		return check_machine_coordinates(block, at, config, modes);
 	if ((code != G28 && code != G30) || (block->letters & AXIS_BITS))
 		return true;
 	if (!dialect_answers(dialect, at, block->g_column[G_NONMODAL], (int)dialect->traits.g28_without_axes,
@@ -349,7 +360,7 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && !(block->letters & AXIS_BITS) &&
 	    !(dialect->traits.cycles && dialect->traits.cycles->without_axes == ANSWER_YES))
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
-	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, dialect, modes))
+	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config, modes))
 		return false;
 	if (!check_order(block, at, config) || !check_output(block, at))
 		return false;

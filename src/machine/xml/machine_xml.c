@@ -94,6 +94,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->power_on_distance =
 	    (enum power_on_distance)(xml_choice(xml, node, "power_on_distance", distances, -1) + 1);
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
+	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));
 	xml_read_children(xml, node, children, described);

@@ -92,6 +92,8 @@ const struct dialect dialect_fanuc = {
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {
+		/* B-64484EN, "Preparatory Function": of one group in one block the last one is valid. */
+		.last_of_group = ANSWER_YES,
 		/* Parameters decide on units, distance and plane: the machine file has them. */
 		/* Cutting mode: G64 is in force at power-on. */
 		.power_on = {.feed_mode = G94, .path = G64},
@@ -114,6 +116,8 @@ const struct dialect dialect_fanuc = {
 		/* Machine coordinate system (G53). */
 		.g53_rate = G53_RATE_RAPID,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
+		/* B-64484EN, "Machine Coordinate System (G53)": in G91 it is ignored. Not every control of the name does so. */
+		.g53_asks_g91 = ANSWER_YES,
 		.g53_alone = ANSWER_YES,
 		/* An alarm. */
 		.g28_without_axes = G28_WITHOUT_AXES_REFUSED,

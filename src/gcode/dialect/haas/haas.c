@@ -134,6 +134,7 @@ const struct dialect dialect_haas = {
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {
+		.last_of_group = ANSWER_NO,
 		/* Parameters decide on units, distance and plane: the machine file has them. */
 		/* Cutting mode: G64 is in force at power-on. */
 		.power_on = {.feed_mode = G94, .path = G64},
@@ -156,6 +157,7 @@ const struct dialect dialect_haas = {
 		.motion_beside_words = ANSWER_YES,
 		.g53_rate = G53_RATE_PROGRAMMED,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
+		.g53_asks_g91 = ANSWER_YES,
 		.g53_alone = ANSWER_YES,
 		.g28_without_axes = G28_WITHOUT_AXES_ALL,
 		.references_in_parameters = ANSWER_NO,

@@ -125,6 +125,7 @@ const struct dialect dialect_linuxcnc = {
 	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {
+		.last_of_group = ANSWER_NO,
 		/* "G-code defaults". */
 		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
@@ -147,6 +148,7 @@ const struct dialect dialect_linuxcnc = {
 		.g53_rate = G53_RATE_PROGRAMMED,
 		/* Its interpreter knows no machine axes: under switched kinematics G53 is a place of the tool point. */
 		.g53_under_tcp = G53_UNDER_TCP_TOOL_POINT,
+		.g53_asks_g91 = ANSWER_NO,
 		.g53_alone = ANSWER_NO,
 		.g28_without_axes = G28_WITHOUT_AXES_ALL,
 		.references_in_parameters = ANSWER_YES,
