@@ -32,8 +32,8 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 	interp->state.incremental = false;
 	found = endpoint_find(interp, true, &target);
 	interp->state.incremental = incremental;
-	if (!found ||
-	    !motion_commands_go(interp, &target, move) || !tool_length_resume(interp, column, &suspended))
+	if (!found || !motion_commands_go(interp, &target, move) ||
+	    !tool_length_resume(interp, column, &suspended))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		named[slot] = block_has(block, AXIS_LETTERS[slot]);
