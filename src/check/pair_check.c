@@ -15,6 +15,12 @@ static int tool_of(const struct scene *scene, const struct scene_pair *pair)
 	return a ? a : b;
 }
 
+/* Where a program starts or a tool is changed only those pairs are looked at that must stay apart at rapid. */
+static bool starts_unseen(unsigned steps)
+{
+	return !(steps & STEP_RAPID);
+}
+
 bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, const struct check_options *options,
 		 bool measure, struct diag *diag)
 {
@@ -31,6 +37,7 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
 		.found_block = -1,
 		.unknown_block = -1,
+		.maybe_inside = starts_unseen(p->steps),
 	};
 	/* The clearance of a cutter's core is of no interest. */
 	measure = measure && p->status != PAIR_CUTTING;
@@ -65,6 +72,12 @@ void pair_check_found(struct pair_check *check, long block)
 {
 	check->found_block = block;
 	check->maybe_inside = check->block.maybe_inside = true;
+	strategy_forget_position(&check->strategy);
+}
+
+void pair_check_change_tool(struct pair_check *check)
+{
+	check->maybe_inside |= starts_unseen(check->steps);
 	strategy_forget_position(&check->strategy);
 }
 

@@ -62,6 +62,9 @@ bool pair_check_watches(const struct pair_check *check, enum step_class class);
 /* The pair has a finding in this block already. */
 void pair_check_found(struct pair_check *check, long block);
 
+/* The tool that one of the bodies belongs to has come into the spindle, or left it. */
+void pair_check_change_tool(struct pair_check *check);
+
 /* Steps were left out, and nothing is known about them: one body may even be inside the other by now. */
 void pair_check_jump(struct pair_check *check);
 

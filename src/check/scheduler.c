@@ -58,7 +58,7 @@ void scheduler_change_tool(struct scheduler *scheduler)
 {
 	for (size_t i = 0; i < scheduler->count; i++)
 		if (scheduler->checks[i].tool)
-			strategy_forget_position(&scheduler->checks[i].strategy);
+			pair_check_change_tool(&scheduler->checks[i]);
 }
 
 void scheduler_jump(struct scheduler *scheduler)
@@ -79,13 +79,14 @@ static void add_job(struct scheduler *scheduler, struct pair_check *check, struc
 
 /*
  * The parts of a divided batch are checked independently. With options->all a check cannot be divided, because later
- * steps depend on whether the pair has met before.
+ * steps depend on whether the pair has met before. A check that leaves steps out cannot be divided either, because a
+ * part cannot know whether one body is inside the other where it begins.
  */
 static bool is_divisible(const struct scheduler *scheduler, const struct pair_check *check,
 			 const struct check_options *options)
 {
 	return scheduler->visits[check - scheduler->checks] > HEAVY && options->method == CHECK_CERTIFIED &&
-	       !options->all && !check->maybe_inside && !check->past_limits_only;
+	       !options->all && check->steps == STEP_ANY && !check->maybe_inside && !check->past_limits_only;
 }
 
 static size_t part_of(size_t left)
