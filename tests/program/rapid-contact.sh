@@ -48,6 +48,11 @@ G0 Z10
 G1 X60 F1000
 NC
 grep 'error:' verdict
+run 'the same at feed, with the spindle on at S0' <<'NC'
+M3 S0
+G0 Z10
+G1 X60 F1000
+NC
 run 'a drill that dives at rapid: 40 of 60 mm to the top, and 0.1 to the core' <<'NC'
 G0 X0
 Z0

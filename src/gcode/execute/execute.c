@@ -107,6 +107,7 @@ static bool execute_speed(struct interp *interp)
 	if (block_value(block, 'S') < 0)
 		return fault(&interp->at, block_column(block, 'S'), "a spindle speed cannot be negative");
 	interp->state.speed = block_value(block, 'S');
+	interp->state.speed_is_zero = !(interp->state.speed > 0);
 	return true;
 }
 

@@ -20,7 +20,7 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->plane = state->tcp == TCP_BY_PLANE;
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
-	move->spindle_turns |= state->spindle != SPINDLE_STOPPED;
+	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
 	move->origin = state->origin;
 	move->origin.length = state->length;
 }
