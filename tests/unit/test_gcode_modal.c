@@ -180,7 +180,11 @@ static bool note_turning(void *context, const struct canon_event *event)
 {
 	struct strbuf *turns = context;
 
-	if (event->kind == CANON_MOVE)
+	if (event->kind != CANON_MOVE)
+		return true;
+	if (event->of.move.kind == CANON_SPINDLE_STOP)
+		strbuf_addf(turns, ".");
+	else
 		strbuf_addf(turns, "%d", event->of.move.spindle_turns);
 	return true;
 }
@@ -204,7 +208,7 @@ START_TEST(oriented_stop)
 		interp = interp_new(&c.config, &kinematics, &sink, &c.diag);
 		ck_assert(interp_run(interp, in, "p.nc"));
 		ck_assert_str_eq(strbuf_text(&c.messages), "");
-		ck_assert_str_eq(strbuf_text(&turns), "1101010");
+		ck_assert_str_eq(strbuf_text(&turns), "11.01.01.0");
 		interp_free(interp);
 		fclose(in);
 		strbuf_release(&turns);
