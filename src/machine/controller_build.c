@@ -4,7 +4,7 @@
 
 #include "control/dialects.h"
 
-#define MCODE_MAX 999
+#define MCODE_MAX 9999
 /* mm or degrees: Fanuc's increment systems are IS-A (0.01) to IS-E (0.000001). */
 #define LEAST_INPUT_MIN 1e-6
 #define LEAST_INPUT_MAX 1.0

@@ -147,9 +147,9 @@ static const struct xml_case bad[] = {
     {MACHINE("<controller path_tolerance='0'/><base/>"),
      "m.xml:2: error: path_tolerance of <controller> must be more than 0\n"},
     {MACHINE(
-	 "<controller><mcode number='6' action='ignore'/><mcode number='1000' action='ignore'/></controller><base/>"),
+	 "<controller><mcode number='6' action='ignore'/><mcode number='10000' action='ignore'/></controller><base/>"),
      "m.xml:2: error: M6 has a fixed meaning that cannot be changed\n"
-     "m.xml:2: error: number=\"1000\" of <mcode> is not between 0 and 999\n"},
+     "m.xml:2: error: number=\"10000\" of <mcode> is not between 0 and 9999\n"},
     {MACHINE(
 	 "<controller><mcode number='50' action='ignore'/>\n<mcode number='50' action='tcp-on'/></controller><base/>"),
      "m.xml:3: error: M50 is given twice\n"},
