@@ -28,31 +28,31 @@ static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas
  */
 static const struct sign {
 	const struct family *family;
-	enum match match;
 	const char *text;	/* as a squeezed line has it, behind its number */
 	const char *shown;
+	enum match match;
 	bool certain;
 } signs[] = {
-	{&klartext, MATCH_START, "BEGINPGM", "BEGIN PGM", true},
-	{&klartext, MATCH_START, "BLKFORM", "BLK FORM", true},
-	{&klartext, MATCH_START, "TOOLCALL", "TOOL CALL", true},
-	{&klartext, MATCH_START, "CYCLDEF", "CYCL DEF", true},
-	{&klartext, MATCH_STRAIGHT_LINE, "FMAX", "L ... FMAX", true},
-	{&sinumerik, MATCH_START, "%_N_", "%_N_", true},
-	{&sinumerik, MATCH_START, ";$PATH", ";$PATH", true},
-	{&sinumerik, MATCH_ALL, "TRAORI", "TRAORI", true},
-	{&sinumerik, MATCH_ALL, "TRAFOOF", "TRAFOOF", true},
-	{&sinumerik, MATCH_START, "CYCLE8", "CYCLE8..", true},
-	{&sinumerik, MATCH_START, "MCALL", "MCALL", true},
-	{&sinumerik, MATCH_START, "DEFREAL", "DEF REAL", true},
-	{&sinumerik, MATCH_START, "DEFINT", "DEF INT", true},
-	{&sinumerik, MATCH_ANYWHERE, "SUPA", "SUPA", true},
-	{&linuxcnc, MATCH_O_CALL, "", "o<name>", false},
-	{&haas, MATCH_G, "G154", "G154", false},
-	{&haas, MATCH_G, "G187", "G187", false},
-	{&haas, MATCH_G, "G234", "G234", false},
-	{&haas, MATCH_G, "G254", "G254", false},
-	{&iso, MATCH_PROGRAM_NUMBER, "", "the program number O or :", false},
+	{&klartext, "BEGINPGM", "BEGIN PGM", MATCH_START, true},
+	{&klartext, "BLKFORM", "BLK FORM", MATCH_START, true},
+	{&klartext, "TOOLCALL", "TOOL CALL", MATCH_START, true},
+	{&klartext, "CYCLDEF", "CYCL DEF", MATCH_START, true},
+	{&klartext, "FMAX", "L ... FMAX", MATCH_STRAIGHT_LINE, true},
+	{&sinumerik, "%_N_", "%_N_", MATCH_START, true},
+	{&sinumerik, ";$PATH", ";$PATH", MATCH_START, true},
+	{&sinumerik, "TRAORI", "TRAORI", MATCH_ALL, true},
+	{&sinumerik, "TRAFOOF", "TRAFOOF", MATCH_ALL, true},
+	{&sinumerik, "CYCLE8", "CYCLE8..", MATCH_START, true},
+	{&sinumerik, "MCALL", "MCALL", MATCH_START, true},
+	{&sinumerik, "DEFREAL", "DEF REAL", MATCH_START, true},
+	{&sinumerik, "DEFINT", "DEF INT", MATCH_START, true},
+	{&sinumerik, "SUPA", "SUPA", MATCH_ANYWHERE, true},
+	{&linuxcnc, "", "o<name>", MATCH_O_CALL, false},
+	{&haas, "G154", "G154", MATCH_G, false},
+	{&haas, "G187", "G187", MATCH_G, false},
+	{&haas, "G234", "G234", MATCH_G, false},
+	{&haas, "G254", "G254", MATCH_G, false},
+	{&iso, "", "the program number O or :", MATCH_PROGRAM_NUMBER, false},
 };
 
 static bool starts_with(const char *block, const char *text)

@@ -1,5 +1,6 @@
 #include "gcode/execute/motion_commands.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "base/same_double.h"
@@ -86,12 +87,13 @@ bool motion_commands_seconds(const struct interp *interp, char letter, double *s
 bool motion_commands_dwell(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	const char *letters = traits_of(interp)->dwell_letters;
-	char letter = *letters;
+	char letter = '\0';
 	double seconds = 0;
 
-	for (; *letters; letters++)
+	for (const char *letters = traits_of(interp)->dwell_letters; *letters; letters++)
 		letter = block_has(block, *letters) ? *letters : letter;
+	/* block_check has seen one of them. */
+	assert(letter >= 'A');
 	if (!motion_commands_seconds(interp, letter, &seconds))
 		return false;
 	if (seconds < 0)

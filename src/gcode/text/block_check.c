@@ -111,12 +111,12 @@ static bool fault_without_time(const struct block *block, const struct line_plac
 /* A dwell has its time in one of some letters; where it need not stand alone, other axis words are a motion's. */
 static bool check_dwell(struct block *block, const struct line_place *at, const struct dialect *dialect)
 {
-	const char *letters = dialect->traits.dwell_letters;
+	const char *letters = dialect->traits.dwell_letters ? dialect->traits.dwell_letters : "";
 	int column = block->g_column[G_NONMODAL];
 	bool alone = dialect->traits.dwell_alone == ANSWER_YES;
 	uint32_t times, given;
 
-	if (!dialect_answers(dialect, at, column, letters != NULL, "which word of G4 has its time") ||
+	if (!dialect_answers(dialect, at, column, letters[0] != '\0', "which word of G4 has its time") ||
 	    !dialect_answers(dialect, at, column, (int)dialect->traits.dwell_alone,
 			     "whether G4 can stand in a block that moves"))
 		return false;
