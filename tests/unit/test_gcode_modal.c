@@ -247,6 +247,16 @@ START_TEST(g53_in_g91)
 }
 END_TEST
 
+/* B-64484EN, "Machine Coordinate System (G53)": at the rapid rate; an arc that is in force stays so. */
+START_TEST(g53_beside_arcs)
+{
+	run(&dialect_fanuc, "F9. G2 I5.\nG53 Z1.\nI5.\nM30\n",
+	    "arc 0 0 0 0 0 centre 5 0 0 normal 0 0 1 sweep -360\nrapid 0 0 1 0 0\n"
+	    "arc 0 0 1 0 0 centre 5 0 1 normal 0 0 1 sweep -360\n");
+	refuse(&dialect_haas, "F9. G2 I5.\nG53 Z1.\n", 1, "G53 needs G0 or G1");
+}
+END_TEST
+
 /* B-64484EN, "Preparatory Function (G Function)": of one group in one block, the last one is valid. */
 START_TEST(last_of_group)
 {
@@ -263,7 +273,8 @@ END_TEST
 int main(void)
 {
 	const TTest *const tests[] = {motion_beside_reference, cycles_apart, modal_h, modal_d,
-				      length_after_reference, oriented_stop, g53_in_g91, last_of_group};
+				      length_after_reference, oriented_stop, g53_in_g91, g53_beside_arcs,
+				      last_of_group};
 
 	return RUN_TESTS("gcode_modal", tests);
 }

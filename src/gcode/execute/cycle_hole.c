@@ -108,7 +108,8 @@ static bool bore_by_hand(struct canned_cycle *cycle)
 /* G87: goes down beside the axis of the hole, bores upwards on the axis, and leaves the same way. */
 static bool bore_back(struct canned_cycle *cycle)
 {
-	return step_aside(cycle, 1, cycle->r) && cycle_hole_rapid(cycle, cycle->bottom) && step_aside(cycle, -1, cycle->bottom) &&
+	return step_aside(cycle, 1, cycle->r) && cycle_hole_rapid(cycle, cycle->bottom) &&
+	       step_aside(cycle, -1, cycle->bottom) &&
 	       feed(cycle, cycle->top) && feed(cycle, cycle->bottom) && step_aside(cycle, 1, cycle->bottom) &&
 	       cycle_hole_rapid(cycle, cycle->clear) && step_aside(cycle, -1, cycle->clear);
 }

@@ -48,7 +48,8 @@ bool straight_move_run(struct interp *interp)
 	bool machine = block->g[G_NONMODAL] == G53, feeds = block->motion != G0;
 	struct canon_move move = {.kind = CANON_RAPID};
 
-	interp->state.motion = block->motion;
+	if (!machine || block->g[G_MOTION] != CODE_NONE)
+		interp->state.motion = block->motion;
 	if (machine && feeds &&
 	    !is_answered(interp, block->g_column[G_NONMODAL], traits->g53_rate,
 			 "whether G53 with G1 moves at the feed"))

@@ -148,6 +148,9 @@ static bool check_machine_coordinates(struct block *block, const struct line_pla
 		if (dialect->traits.g53_alone == ANSWER_YES)
 			return true;
 	}
+	/* At the rapid rate whatever the motion, which stays in force. */
+	if (dialect->traits.g53_rate == G53_RATE_RAPID && block->g[G_MOTION] == CODE_NONE && is_arc(block->motion))
+		block->motion = G0;
 	if (block->motion != G0 && block->motion != G1)
 		return fault(at, block->g_column[G_NONMODAL], "G53 needs G0 or G1");
 	if (!incremental || answer == G53_WITH_G91_ABSOLUTE)
