@@ -47,6 +47,8 @@ enum {
 	G59 = 590,
 	G61 = 610,
 	G61_1 = 611,
+	G62 = 620,	/* automatic corner override */
+	G63 = 630,	/* tapping mode */
 	G64 = 640,
 	G68 = 680,
 	G68_2 = 682,

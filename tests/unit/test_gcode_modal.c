@@ -257,6 +257,18 @@ START_TEST(g53_beside_arcs)
 }
 END_TEST
 
+/* B-64484EN, cutting feed: G62 and G63 end the exact stops of G61, as G64 does. */
+START_TEST(corners)
+{
+	struct gcode_case c;
+
+	modal_case(&c, &dialect_fanuc);
+	c.show_blend = true;
+	case_expect(&c, "G61 G0 X1.\nG62 X2.\nG61 X3.\nG63 X4.\nM30\n",
+		    "rapid 1 0 0 0 0 exact\nrapid 2 0 0 0 0 blend 0\nrapid 3 0 0 0 0 exact\nrapid 4 0 0 0 0 blend 0\n");
+}
+END_TEST
+
 /* B-64484EN, "Preparatory Function (G Function)": of one group in one block, the last one is valid. */
 START_TEST(last_of_group)
 {
@@ -274,7 +286,7 @@ int main(void)
 {
 	const TTest *const tests[] = {motion_beside_reference, cycles_apart, modal_h, modal_d,
 				      length_after_reference, oriented_stop, g53_in_g91, g53_beside_arcs,
-				      last_of_group};
+				      corners, last_of_group};
 
 	return RUN_TESTS("gcode_modal", tests);
 }

@@ -140,17 +140,18 @@ static bool execute_path(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
+	bool blends = block->g[G_PATH] == G62 || block->g[G_PATH] == G63 || block->g[G_PATH] == G64;
 
 	if (block->g[G_PATH] == CODE_NONE)
 		return true;
-	if (state->contour && block->g[G_PATH] == G64) {
+	if (state->contour && blends) {
 		state->blend_before = true;
 		return true;
 	}
 	if (state->contour)
 		return fault(&interp->at, block->g_column[G_PATH],
 			     "G%d while G5.1, G8 or G5 P10000 is in force is not supported yet", block->g[G_PATH] / 10);
-	state->blend = block->g[G_PATH] == G64;
+	state->blend = blends;
 	state->blend_tolerance = 0;
 	if (!state->blend || !block_has(block, 'P') || traits_of(interp)->g64_has_tolerance == ANSWER_NO)
 		return true;

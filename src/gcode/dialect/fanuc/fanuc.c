@@ -26,8 +26,9 @@ static const struct code g_codes[] = {
 	{536, GROUP_UNSUPPORTED, "tool axis direction control that keeps the tool centre point"},
 	{542, GROUP_UNSUPPORTED, "rotary table dynamic fixture offset"},
 	{544, GROUP_UNSUPPORTED, "work setting error compensation"},
-	{620, GROUP_UNSUPPORTED, "automatic corner override"},
-	{630, GROUP_UNSUPPORTED, "tapping mode"},
+	/* Cutting feed functions: like G64 they do not stop at corners. */
+	{G62, G_PATH, NULL},
+	{G63, G_PATH, NULL},
 	{660, GROUP_STATEMENT, NULL},
 	{661, GROUP_UNSUPPORTED, "modal macro call at every block"},
 	{670, GROUP_STATEMENT, NULL},
