@@ -134,7 +134,7 @@ struct interp {
 	struct tool_table tools;
 	struct cutter_comp comp;
 	struct block_cautions cautions;
-	bool cautioned_retract, cautioned_by_hand;
+	bool cautioned_retract, cautioned_by_hand, cautioned_probe;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */
 	bool ended;

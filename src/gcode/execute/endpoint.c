@@ -72,6 +72,26 @@ bool endpoint_is_known(struct interp *interp, int slot, int column)
 		     AXIS_LETTERS[slot]);
 }
 
+/*
+ * After a probe only the axes of its way are led back along it before others move: elsewhere the path depends on
+ * where the probe has stopped, and what is followed starts at the end of the probe's way.
+ */
+static void caution_probe(struct interp *interp)
+{
+	bool unknown = false, others = false;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		unknown |= interp->state.probed[slot];
+		others |= !interp->state.probed[slot] && block_has(&interp->block, AXIS_LETTERS[slot]);
+	}
+	if (!unknown || !others || interp->cautioned_probe)
+		return;
+	interp->cautioned_probe = true;
+	caution(&interp->at, block_motion_column(&interp->block),
+		"this path depends on where the probe has stopped: it is proved from the end of the probe's way only, here "
+		"and further on; lead the probed axis back by an absolute coordinate in a block of its own first");
+}
+
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
@@ -85,6 +105,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
 	if (!coordinate_rotation_check_words(interp, machine) || !dynamic_work_offset_check_words(interp))
 		return false;
+	caution_probe(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
