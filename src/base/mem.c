@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static _Noreturn void out_of_memory(void)
+void mem_exhausted(void)
 {
 	fputs("fivecheck: out of memory\n", stderr);
 	_Exit(3);
@@ -16,7 +16,7 @@ void *mem_alloc(size_t size)
 	void *block = malloc(size ? size : 1);
 
 	if (!block)
-		out_of_memory();
+		mem_exhausted();
 	return block;
 }
 
@@ -25,17 +25,17 @@ void *mem_zalloc(size_t count, size_t size)
 	void *block = calloc(count ? count : 1, size ? size : 1);
 
 	if (!block)
-		out_of_memory();
+		mem_exhausted();
 	return block;
 }
 
 void *mem_realloc(void *block, size_t count, size_t size)
 {
 	if (size && count > SIZE_MAX / size)
-		out_of_memory();
+		mem_exhausted();
 	block = realloc(block, count && size ? count * size : 1);
 	if (!block)
-		out_of_memory();
+		mem_exhausted();
 	return block;
 }
 

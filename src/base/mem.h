@@ -14,6 +14,9 @@ void *mem_zalloc(size_t count, size_t size);
 void *mem_realloc(void *block, size_t count, size_t size);
 char *mem_strndup(const char *text, size_t length);
 
+/* Says so and leaves, for what allocates by itself and has failed. */
+_Noreturn void mem_exhausted(void);
+
 /*
  * Makes room for at least `need` elements of `size` bytes in a growing array:
  * returns the array (perhaps moved) and raises *capacity at least by half.

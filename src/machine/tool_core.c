@@ -197,12 +197,12 @@ static double next_cut(const struct eroder *e, double h, double end)
 static size_t erode(const struct eroder *e, double end, struct tool_section *sections)
 {
 	size_t count = 0, kept = 0;
-	double bottom;
+	double top = e->frustums[0].top;
 
-	for (double top = e->frustums[0].top; top > end; top = bottom) {
+	while (top > end) {
+		double bottom = next_cut(e, top, end);
 		struct line line;
 
-		bottom = next_cut(e, top, end);
 		if (top - bottom >= TOOL_SECTION_MIN) {
 			line = bound(e, top, bottom);
 		} else {
@@ -213,6 +213,7 @@ static size_t erode(const struct eroder *e, double end, struct tool_section *sec
 							  2 * fmax(line.r_bottom, TOOL_DIAMETER_MIN / 2)};
 		if (line.r_top > 0 || line.r_bottom > 0)
 			kept = count;
+		top = bottom;
 	}
 	return kept;
 }

@@ -109,7 +109,7 @@ void tool_solid_cut(const struct tool_solid *solid, double height, struct arena 
 	lower->sections = below;
 	lower->count = 0;
 	lower->top = cut;
-	for (size_t i = 0; i < solid->count; i++, z = end) {
+	for (size_t i = 0; i < solid->count; i++) {
 		const struct tool_section *s = &solid->sections[i];
 		double at = s->diameter;
 
@@ -121,6 +121,7 @@ void tool_solid_cut(const struct tool_solid *solid, double height, struct arena 
 				z - fmax(end, cut), s->diameter, end < cut ? at : s->diameter_end};
 		if (end < cut)
 			below[lower->count++] = (struct tool_section){fmin(z, cut) - end, at, s->diameter_end};
+		z = end;
 	}
 }
 

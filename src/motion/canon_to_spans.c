@@ -357,6 +357,7 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	run.converter = converter;
 	run.move = move;
 	run.outside = false;
+	run.swing = (axis_values){{0}};
 	if (!is_in_reach(converter, move) || !set_legs(&run))
 		return false;
 	if (!run.count)

@@ -201,12 +201,12 @@ json_t *shard_match_files(const struct ndjson_run *runs, size_t count, bool subp
 
 			if (!ndjson_run_text(file, "kind") || !ndjson_run_text(file, "file"))
 				continue;
-			files = mem_grow(files, &capacity, found + 1, sizeof(*files));
+			files = mem_grow(files, &capacity, found + 1, sizeof(json_t *));
 			files[found++] = file;
 		}
 	}
 	if (found)
-		qsort(files, found, sizeof(*files), compare_files);
+		qsort(files, found, sizeof(json_t *), compare_files);
 	for (size_t i = 0; i < found; i++) {
 		if (!i || compare_files(&files[i - 1], &files[i]))
 			json_push(array, json_incref(files[i]));

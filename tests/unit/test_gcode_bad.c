@@ -35,7 +35,7 @@ static const struct bad texts[] = {
     /* "G38.n Straight Probe": how far the axis goes is known to the machine alone. */
     {"G38.2 Z-9 F99\nG91 G1 Z2\n", 2, 8, PROBED},
     {"G38.2 Z-9 F99\nG92 Z0\n", 2, 5, PROBED},
-    {"G38.2 Z-9 F99\nG0 X#5420\nG0 X#5422\n", 3, 5, PROBED},
+    {"G38.2 Z-9 F99\n#1=#5420\nG0 Z#5422\n", 3, 5, PROBED},
     {"G38.2 Z-9 F99\nG0 X#<_z>\n", 2, 5, PROBED},
     {"G38.2 Z-9 F99\nG10 L20 P1 X1\nG10 L20 P1 Z3\n", 3, 12, PROBED},
     {"G0 X1 (open\n", 1, 7, "this comment is not closed"},

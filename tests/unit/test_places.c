@@ -153,7 +153,7 @@ START_TEST(what_cannot_be_decided)
 		expect(&unknown, "turn.ngc", 5, "rapid=\"any\"");
 		write_case("linear");
 		check(&straight, &options);
-		expect(&straight, "turn.ngc", 5, "the check stops here");
+		expect(&straight, "turn.ngc", 5, "The check stops here");
 	}
 }
 END_TEST

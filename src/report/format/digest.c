@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "base/mem.h"
+
 static void finish(char digest[DIGEST_SIZE], struct sha256_ctx *context)
 {
 	uint8_t bytes[SHA256_DIGEST_SIZE];
@@ -36,6 +38,8 @@ bool digest_file(char digest[DIGEST_SIZE], const char *path)
 	size_t count;
 	int error;
 
+	if (!in && errno == ENOMEM)
+		mem_exhausted();
 	if (!in)
 		return false;
 	sha256_init(&context);
