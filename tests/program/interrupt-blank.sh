@@ -6,9 +6,11 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])
 PY
 small_machine
-mkfifo endless consumed
 for line in '' '(nothing)'; do
 	for threads in 1 2; do
+		# New ones each time: what still writes into the last one would end the next program.
+		rm -f endless consumed
+		mkfifo endless consumed
 		python3 start.py "$FIVECHECK" -q -j $threads m.xml - <endless 2>err &
 		checker=$!
 		{ yes "$line" | head -n 1000000; echo >consumed; yes "$line"; } 2>/dev/null >endless &
