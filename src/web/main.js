@@ -1,0 +1,4 @@
+// @ts-check
+// main.js - shows the report that the page carries.
+
+console.log('viewer');
