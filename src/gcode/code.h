@@ -116,16 +116,24 @@ enum g_group {
 
 enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_TCP, M_GROUPS };
 
-#define GROUP_UNSUPPORTED (-1)
+/* A code that is refused, or that changes nothing which is followed here: it may stand beside any other. */
+#define GROUP_NONE (-1)
 /* A statement of its own, which is read before the block is, such as a macro call. */
 #define GROUP_STATEMENT (-2)
-/* Moves no axis and changes nothing that is followed here. */
-#define GROUP_HARMLESS (-3)
+
+/* What becomes of a code or of a word of a language: fivecheck-gcode(5) and --explain tell it. */
+enum code_state {
+	CODE_READ,	/* followed exactly */
+	CODE_IGNORED,	/* moves no axis and changes nothing that a check depends on */
+	CODE_BOUNDED,	/* its motion is known as a set only, and all of the set is proved */
+	CODE_REFUSED	/* an error at its place */
+};
 
 struct code {
 	short number;	/* tenths for G codes */
 	short group;	/* enum g_group or m_group, or one of the GROUP_... above */
-	const char *what;	/* what an unsupported code would do; else NULL */
+	enum code_state state;
+	const char *what;	/* a few words, as the manual calls it: "fine boring cycle" */
 };
 
 /* Rows sorted by number. */
@@ -135,6 +143,19 @@ struct code_set {
 };
 
 #define CODE_SET(array) {(array), sizeof(array) / sizeof((array)[0])}
+
+/* A word or a statement of a language beside its numbered codes, as programs write it: "TRAORI", "CYCL DEF 200". */
+struct code_word {
+	const char *word;
+	enum code_state state;
+	const char *what;
+};
+
+/* Rows in the order in which manuals tell of them. */
+struct word_set {
+	const struct code_word *rows;
+	size_t count;
+};
 
 /* The sets that a dialect can have of a kind. */
 #define CODE_SETS_MAX 4

@@ -159,7 +159,9 @@ struct dialect_traits {
 
 struct dialect {
 	const char *name;
+	const char *manual;	/* which of the control's manuals the rows were read in; their `what` is the topic */
 	const struct code_set *g_codes[CODE_SETS_MAX], *m_codes[CODE_SETS_MAX];	/* looked through in this order */
+	const struct word_set *words[CODE_SETS_MAX];	/* of its language; for people only: the hooks read them */
 	struct dialect_traits traits;
 	/*
 	 * Hooks; NULL: the control has no such thing. All report what is wrong

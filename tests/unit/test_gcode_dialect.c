@@ -16,8 +16,8 @@ static bool read_words(struct interp *interp)
 }
 
 static const struct code bare_codes[] = {
-    {G0, G_MOTION, NULL},
-    {G1, G_MOTION, NULL},
+    {G0, G_MOTION, CODE_READ, "a code"},
+    {G1, G_MOTION, CODE_READ, "a code"},
 };
 static const struct code_set bare_set = CODE_SET(bare_codes);
 
@@ -25,11 +25,11 @@ static const struct code_set bare_set = CODE_SET(bare_codes);
 static const struct dialect bare = {.name = "bare", .g_codes = {&bare_set}, .read_block = read_words};
 
 static const struct code more_codes[] = {
-    {G41, G_CUTTER, NULL},
-    {G53_1, G_NONMODAL, NULL},
-    {G54_1, G_SYSTEM, NULL},
-    {1234, G_NONMODAL, NULL},
-    {1235, G_MOTION, NULL},
+    {G41, G_CUTTER, CODE_READ, "a code"},
+    {G53_1, G_NONMODAL, CODE_READ, "a code"},
+    {G54_1, G_SYSTEM, CODE_READ, "a code"},
+    {1234, G_NONMODAL, CODE_READ, "a code"},
+    {1235, G_MOTION, CODE_READ, "a code"},
 };
 static const struct code_set more_set = CODE_SET(more_codes);
 
@@ -232,6 +232,7 @@ START_TEST(rows)
 		const struct code_set *const *kinds[] = {dialect->g_codes, dialect->m_codes};
 
 		ck_assert_str_eq(dialect->name, dialect_names[row]);
+		ck_assert(dialect->manual);
 		ck_assert_int_eq(dialect_row_find(dialect->name), row);
 		for (int kind = 0; kind < 2; kind++) {
 			for (int i = 0; i < CODE_SETS_MAX && kinds[kind][i]; i++) {
@@ -244,7 +245,11 @@ START_TEST(rows)
 						      code->number);
 					ck_assert_msg(code_find(kinds[kind], code->number) == code, "%s: %d twice",
 						      dialect->name, code->number);
-					ck_assert_int_eq(code->group == GROUP_UNSUPPORTED, code->what != NULL);
+					/* A refused code has no group, and one without a group is refused or ignored. */
+					ck_assert(code->what && code->what[0] != '\0');
+					ck_assert(code->state != CODE_REFUSED || code->group == GROUP_NONE);
+					ck_assert(code->group != GROUP_NONE || code->state == CODE_REFUSED ||
+						  code->state == CODE_IGNORED);
 				}
 			}
 		}

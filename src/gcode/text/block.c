@@ -61,11 +61,11 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 		return fault(at, word->column, "%g is no G-code", word->value);
 	if (code->group == GROUP_STATEMENT)
 		return fault_g(at, word, number, " stands before every other word of its block but N");
-	if (code->group == GROUP_UNSUPPORTED) {
+	if (code->state == CODE_REFUSED) {
 		snprintf(text, sizeof(text), ": %s is not supported yet", code->what);
 		return fault_g(at, word, number, text);
 	}
-	if (code->group == GROUP_HARMLESS) {
+	if (code->group == GROUP_NONE) {
 		block->idle = number;
 		block->idle_column = word->column;
 		return true;
@@ -141,9 +141,9 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 			     number, number);
 	if (code->group == GROUP_STATEMENT)
 		return fault(at, word->column, "M%d stands at the start of its block", number);
-	if (code->group == GROUP_UNSUPPORTED)
+	if (code->state == CODE_REFUSED)
 		return fault(at, word->column, "M%d: %s is not supported yet", number, code->what);
-	if (code->group == GROUP_HARMLESS)
+	if (code->group == GROUP_NONE)
 		return true;
 	return set_m(block, at, word, code->group, number);
 }

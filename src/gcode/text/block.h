@@ -21,7 +21,7 @@ struct block {
 	int column[26];
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
-	int idle, idle_column;	/* a G-code of GROUP_HARMLESS, in tenths, or CODE_NONE */
+	int idle, idle_column;	/* a G-code of GROUP_NONE, in tenths, or CODE_NONE */
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];
 	int m_count;

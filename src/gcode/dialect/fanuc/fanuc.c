@@ -9,41 +9,41 @@
 
 /* Fanuc 30i-B operator's manual (B-64484EN), preparatory function. */
 static const struct code g_codes[] = {
-	{G5, G_CONTOUR, NULL},
-	{G5_1, G_CONTOUR, NULL},
-	{62, GROUP_UNSUPPORTED, "NURBS interpolation"},
-	{71, GROUP_UNSUPPORTED, "cylindrical interpolation"},
-	{G8, G_CONTOUR, NULL},
+	{G5, G_CONTOUR, CODE_READ, "high-speed machining (P10000) and smoothing"},
+	{G5_1, G_CONTOUR, CODE_READ, "AI contour control"},
+	{62, GROUP_NONE, CODE_REFUSED, "NURBS interpolation"},
+	{71, GROUP_NONE, CODE_REFUSED, "cylindrical interpolation"},
+	{G8, G_CONTOUR, CODE_READ, "AI advanced preview control"},
 	/* G15 and G50.1 take back what is an error where it is switched on. */
-	{150, GROUP_HARMLESS, NULL},
-	{160, GROUP_UNSUPPORTED, "polar coordinate command"},
-	{270, GROUP_UNSUPPORTED, "reference position check"},
-	{G33, GROUP_UNSUPPORTED, "thread cutting"},
-	{431, GROUP_UNSUPPORTED, "tool length compensation in the tool axis direction"},
-	{501, GROUP_HARMLESS, NULL},
-	{511, GROUP_UNSUPPORTED, "mirror image"},
-	{G53_1, G_NONMODAL, NULL},
-	{536, GROUP_UNSUPPORTED, "tool axis direction control that keeps the tool centre point"},
-	{542, GROUP_UNSUPPORTED, "rotary table dynamic fixture offset"},
-	{544, GROUP_UNSUPPORTED, "work setting error compensation"},
+	{150, GROUP_NONE, CODE_IGNORED, "end of polar coordinates"},
+	{160, GROUP_NONE, CODE_REFUSED, "polar coordinate command"},
+	{270, GROUP_NONE, CODE_REFUSED, "reference position check"},
+	{G33, GROUP_NONE, CODE_REFUSED, "thread cutting"},
+	{431, GROUP_NONE, CODE_REFUSED, "tool length compensation in the tool axis direction"},
+	{501, GROUP_NONE, CODE_IGNORED, "end of mirror image"},
+	{511, GROUP_NONE, CODE_REFUSED, "mirror image"},
+	{G53_1, G_NONMODAL, CODE_READ, "tool axis direction control"},
+	{536, GROUP_NONE, CODE_REFUSED, "tool axis direction control that keeps the tool centre point"},
+	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset"},
+	{544, GROUP_NONE, CODE_REFUSED, "work setting error compensation"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
-	{G62, G_PATH, NULL},
-	{G63, G_PATH, NULL},
-	{660, GROUP_STATEMENT, NULL},
-	{661, GROUP_UNSUPPORTED, "modal macro call at every block"},
-	{670, GROUP_STATEMENT, NULL},
-	{G68_2, G_ROTATION, NULL},
-	{683, GROUP_UNSUPPORTED, "tilted working plane by the direction of the tool"},
-	{684, GROUP_UNSUPPORTED, "tilted working plane on a tilted plane"},
-	{G92_1, GROUP_UNSUPPORTED, "workpiece coordinate system preset"},
-	{G96, GROUP_UNSUPPORTED, "constant surface speed"},
-	{970, G_SPINDLE, NULL},	/* the mode that is always in force here */
+	{G62, G_PATH, CODE_READ, "automatic corner override"},
+	{G63, G_PATH, CODE_READ, "tapping mode"},
+	{660, GROUP_STATEMENT, CODE_READ, "modal macro call"},
+	{661, GROUP_NONE, CODE_REFUSED, "modal macro call at every block"},
+	{670, GROUP_STATEMENT, CODE_READ, "end of modal macro calls"},
+	{G68_2, G_ROTATION, CODE_READ, "tilted working plane"},
+	{683, GROUP_NONE, CODE_REFUSED, "tilted working plane by the direction of the tool"},
+	{684, GROUP_NONE, CODE_REFUSED, "tilted working plane on a tilted plane"},
+	{G92_1, GROUP_NONE, CODE_REFUSED, "workpiece coordinate system preset"},
+	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
+	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},	/* the mode that is always in force here */
 };
 
 static const struct code m_codes[] = {
 	/* B-63944EN, rigid tapping: M29, unless parameter 5210 gives it another number. */
-	{29, GROUP_HARMLESS, NULL},
-	{198, GROUP_UNSUPPORTED, "subprogram call from another memory"},
+	{29, GROUP_NONE, CODE_IGNORED, "rigid tapping mode"},
+	{198, GROUP_NONE, CODE_REFUSED, "subprogram call from another memory"},
 };
 
 /*
@@ -90,6 +90,7 @@ static void *new_state(void)
 
 const struct dialect dialect_fanuc = {
 	.name = "fanuc",
+	.manual = "Fanuc 30i-B operator's manual (B-64484EN)",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
 	.traits = {

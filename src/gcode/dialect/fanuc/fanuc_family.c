@@ -2,30 +2,30 @@
 
 /* Fanuc 30i-B operator's manual (B-64484EN), preparatory function; Haas mill operator's manual, G-codes, M-codes. */
 static const struct code g_codes[] = {
-	{90, GROUP_UNSUPPORTED, "exact stop in one block"},
-	{290, GROUP_UNSUPPORTED, "return from the reference position"},
-	{310, GROUP_UNSUPPORTED, "skip function"},
-	{370, GROUP_UNSUPPORTED, "tool offset measurement"},
-	{G41, GROUP_UNSUPPORTED, "cutter compensation"},
-	{G42, GROUP_UNSUPPORTED, "cutter compensation"},
-	{440, GROUP_UNSUPPORTED, "negative tool length compensation"},
+	{90, GROUP_NONE, CODE_REFUSED, "exact stop in one block"},
+	{290, GROUP_NONE, CODE_REFUSED, "return from the reference position"},
+	{310, GROUP_NONE, CODE_REFUSED, "skip function"},
+	{370, GROUP_NONE, CODE_REFUSED, "tool offset measurement"},
+	{G41, GROUP_NONE, CODE_REFUSED, "cutter compensation"},
+	{G42, GROUP_NONE, CODE_REFUSED, "cutter compensation"},
+	{440, GROUP_NONE, CODE_REFUSED, "negative tool length compensation"},
 	/* G50 takes back what is an error where it is switched on. */
-	{500, GROUP_HARMLESS, NULL},
-	{510, GROUP_UNSUPPORTED, "scaling"},
-	{G54_1, G_SYSTEM, NULL},
-	{600, GROUP_UNSUPPORTED, "unidirectional positioning"},
-	{650, GROUP_STATEMENT, NULL},
-	{G68, G_ROTATION, NULL},
-	{G69, G_ROTATION, NULL},
-	{G76, G_MOTION, NULL},
-	{G87, G_MOTION, NULL},
-	{G88, G_MOTION, NULL},
+	{500, GROUP_NONE, CODE_IGNORED, "end of scaling"},
+	{510, GROUP_NONE, CODE_REFUSED, "scaling"},
+	{G54_1, G_SYSTEM, CODE_READ, "additional work offset"},
+	{600, GROUP_NONE, CODE_REFUSED, "unidirectional positioning"},
+	{650, GROUP_STATEMENT, CODE_READ, "macro call"},
+	{G68, G_ROTATION, CODE_READ, "coordinate rotation"},
+	{G69, G_ROTATION, CODE_READ, "end of coordinate rotation"},
+	{G76, G_MOTION, CODE_BOUNDED, "fine boring cycle"},
+	{G87, G_MOTION, CODE_BOUNDED, "back boring cycle, or boring cycle with a retract by hand"},
+	{G88, G_MOTION, CODE_READ, "boring cycle with a retract by hand"},
 };
 
 static const struct code m_codes[] = {
 	/* Fanuc B-64483EN, spindle orientation; Haas, "M19 Orient Spindle": the spindle stops, at the angle of P or R. */
-	{19, M_SPINDLE, NULL},
-	{98, M_STOP, NULL},
+	{19, M_SPINDLE, CODE_READ, "spindle orientation"},
+	{98, M_STOP, CODE_READ, "subprogram call"},
 };
 
 const struct code_set fanuc_family_g_codes = CODE_SET(g_codes);
