@@ -1,0 +1,122 @@
+/*
+ * report_data.h - the data inside a report (--report), version 1: what the C side writes and the viewer in src/web reads.
+ *
+ * THE PAGE. One HTML file. Its parts, by their id:
+ *   plain      a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it (attribute `hidden`) when it
+ *              has started, and leaves it alone when it cannot start. The print view may use it.
+ *   app        an empty <div> after it, in which the viewer builds what it shows.
+ *   data       <script type="application/json">: the JSON object below. Every < in it is written as \u003c.
+ *   blob-N     <script type="application/octet-stream">: base64 (RFC 4648, with padding; no line breaks) of a zlib stream
+ *              (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
+ * The content security policy is `default-src 'none'` with the SHA-256 of the one <style> and the one <script
+ * type="module"> (and style-src for nothing else): no style attributes in HTML text, no eval, no workers, no requests.
+ * Styles that scripts set through element.style are allowed.
+ *
+ * THE VIEWER'S SOURCES. scripts/bundle-web makes one script of src/web/report.js and the modules that it imports, and
+ * embeds that script and src/web/report.css in the program. So that this stays simple, a module keeps to these rules: an import is
+ * a line of its own at the start of the line, `import { a, b } from "./other.js";`, without renaming; exports are `export function`,
+ * `export class`, `export const`, `export async function` at the start of a line; a name at the top of a module is used in one module
+ * only; a line that begins with // and lines from one that begins with a slash and a star to one that ends with a star and a slash are
+ * comments and are left out, as are spaces at the beginning of a line (so no template literal spans lines).
+ * Neither file contains "</script" or "</style" or "<!--".
+ *
+ * UNITS. mm, degrees, seconds, machine coordinates. Positions in the JSON are numbers with up to 12 digits. Text is valid UTF-8 and
+ * may hold anything that a stranger can write: put it in by textContent.
+ *
+ * THE JSON OBJECT (keys that do not apply are null or absent where that is said)
+ *   report        1, this version. A viewer refuses what it does not know.
+ *   fivecheck     version of the program, "0.1.0"
+ *   program       name of the NC program as it was given
+ *   verdict       {word, sentence, cautions: [text], failing: bool, waived, left_out}
+ *                 word: "clear" "passed" "found" "accepted" "incomplete" (report/verdict.h); failing: does it fail the run;
+ *                 waived, left_out: numbers of findings that a waiver, or --fail-on, excuses
+ *   errors        [{file, line, column, text}]: why the check is incomplete
+ *   files         [{kind, file, sha256}]: what was read; sha256 null: unknown
+ *   options       {method, step, tolerance, clearance, all, dialect, ...} as in the header of --format=ndjson
+ *   shard         null, or {part, parts, of}: only a part was checked
+ *   machine       {name, file, axes: [axis], links: [name]}
+ *     axis        {name, title|null, type: "linear"|"rotary", parent, direction: [3], location: [3], limit_min|null, limit_max|null,
+ *                 rate_max (per minute), home}. Axes are in the order of the machine file: a carrying axis before the carried one.
+ *     links       link 0 is "base"; link i + 1 is what axes[i] carries; `parent` is a link.
+ *                 pose(0) = identity; pose(i + 1) = pose(parent) * motion(axes[i], value), where the motion is a translation by
+ *                 value * direction, or a right-handed rotation by value about `direction` through `location`.
+ *                 A vertex v of a body on link k is at pose(k) * v: meshes are in machine coordinates with all axes at 0.
+ *   read_out      names of the axes in the order in which a control shows them (X Y Z A B C U V W)
+ *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then tools
+ *     role        "machine" "fixture" "part" "holder" "shank" "cutter"
+ *     tool        number of the tool that the body belongs to: it is shown only while that tool is in the spindle; 0: always shown
+ *     mesh        {blob, vertices, triangles, origin: [3], step: [3], index_bytes}; null: the body has no triangles here
+ *   accuracy      mm: no drawn vertex is farther than this from the one in the STL file. Say "drawn to 0.02 mm; proved on the STL's
+ *                 numbers".
+ *   tools         [{number, name|null, length}]: of the setup
+ *   offsets       [{name, axes: {X: ...}}]: the setup's work offsets
+ *   pairs         [{a, b, status, clearance, reason}]: a, b: indices of bodies; status: "checked" "rigid" "adjacent" "out of reach"
+ *                 "waived" "cutting"
+ *   findings      [finding]: as in --format=ndjson (kind file line column move fraction a b axes time point clearance block, and
+ *                 accepted, reason, expires, axis, bound, target, excess ... where they apply) and besides:
+ *     bodies      [a, b]: indices of bodies; null for a limit
+ *     tool        number of the tool in the spindle
+ *     triangles   [[9 numbers of a triangle of a], [of b]], machine coordinates at the finding's pose; null for a limit. They touch, or
+ *                 are the nearest.
+ *     block_number  number of the block among those that were carried out, from 1, as in the path
+ *                 At a finding's time the axes are exactly those of the finding, not those that the path gives.
+ *   findings_left_out  how many more there are (the first FINDINGS_MAX are here)
+ *   statistics    [[name, text]]: for people
+ *   path          see PATH; null: the program moves nothing, or nothing was recorded
+ *   clearance     see CLEARANCE; null: not measured
+ *   planes        see PLANES; null: none
+ *   code          see CODE
+ *
+ * TABLES. A table blob, inflated, is columns of whole numbers. First a head of 9 bytes for each column: u8 planes p, f64 first (little
+ * endian). Then, column by column, p planes of rows - 1 bytes. For row r from 1 on, z = sum over k < p of plane[k][r - 1] * 256^k is a
+ * zigzag code: d2 = z / 2 if z is even, else -(z + 1) / 2. d2 is a second difference: with delta[0] = 0,
+ * delta[r] = delta[r - 1] + d2[r], value[r] = value[r - 1] + delta[r], value[0] = first. Numbers stay below 2^53; z may exceed 2^32, so
+ * add planes as floating numbers, not with <<. The number that a column means is value * scale (its table's `scale`).
+ *
+ * A TABLE of a whole program comes at two levels:
+ *   {columns: [name], scale: [number], rows, coarse: {blob, rows}, chunks: [{blob, first, rows, from, to}], complete}
+ * rows: of the whole program. coarse: the whole program in at most COARSE_ROWS rows. chunks: the finest level in order of time, where the size
+ * of the report allows it, nearest to the findings first: rows `first` to `first + rows - 1` of the program, times from..to (s). complete: the
+ * chunks hold all rows. Show the chunk where there is one, else the coarse level.
+ *
+ * PATH. A table; a row is an instant. Between two rows all axes are linear in time. The first row is where the program starts.
+ * Columns: time (scale 1e-5 s), block, line, file, tool, class, then one column for each axis in the order of machine.axes, by its name (scale 0.01 mm
+ * or 0.001 degrees). block: the number of the NC block that ends or passes here, counted from 1; blocks that move nothing have no row. line: of
+ * that block in files[file]. tool: in the spindle on the way to this row. class: of the motion that ends here: 0 rest (a dwell or a tool change),
+ * 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way between both rows is unknown (rapid="any").
+ * In the coarse level rows are left out; every row that is there is a row of the path.
+ * Besides the table's keys:
+ *   files       [name]: of the program and its subprograms
+ *   end         time of the last row
+ *   checked     time up to which the program was checked: the end of the block of the first finding, or `end`. What comes later was read but
+ *               not checked.
+ *
+ * CLEARANCE. A table; a row is a block, in the coarse level one or several. Columns: time (scale 1e-5 s: where the block ends), least
+ * (scale 0.001 mm), most, pair (index in `pairs`, -1: none was measured). Throughout the interval from the row before to this one all bodies that must be
+ * kept apart are at least `least` apart (a proven bound, rounded down; `most` is the largest of the bounds that were merged, so least = most for a
+ * single block). Values at the cap mean "the cap or more". Besides the table's keys:
+ *   cap         mm
+ *   start       s: where the first interval begins
+ *
+ * PLANES. {columns, scale, blob, rows}: a table of one level. Columns: time (1e-5 s), pair, x, y, z (0.01 mm), nx, ny, nz (1e-6),
+ * distance (0.001 mm). From this row's time to the next row's, or to a finding: of this pair two triangles are nearest at `time`;
+ * the plane through (x, y, z) with the unit normal (nx, ny, nz), which points from body a to body b, lies half-way between them. Both are given
+ * in coordinates of the link of body a at its zero pose: multiply by pose(link of a).
+ * distance: of both triangles at that time. pair -1: nothing is near (farther than the cap).
+ *
+ * CODE. {mode: "all" | "windows" | "none", files: [{name, sha256|null, lines, windows: [{first, lines, blob}]}]}. lines: of the whole file; -1: not known.
+ * A window's blob, inflated, is UTF-8 text of `lines` lines from line `first` on (from 1), separated by \n. files are in the order of path.files.
+ *
+ * MESHES. A mesh blob, inflated: the planes of the vertices, then those of the corners.
+ *   Vertices: for each of x, y, z one plane of low bytes, then one of high bytes, `vertices` bytes each (six planes: x low, x high, y low ...).
+ *   A code c of 16 bits is a zigzag difference modulo 65536 to the vertex before (to 0 for the first): d = c even ? c / 2 : -(c + 1) / 2;
+ *   q[i] = (q[i - 1] + d) & 65535. The coordinate is origin + step * q.
+ *   Corners: `index_bytes` (1 to 4) planes of 3 * triangles bytes, low bytes first. The code of a corner counts back from the vertices seen so far: with
+ *   seen = 0 at first, index = seen - code; if code is 0, index = seen, and seen grows by one. Corners are counter-clockwise from outside, three to a triangle.
+ */
+#ifndef FIVECHECK_REPORT_HTML_REPORT_DATA_H
+#define FIVECHECK_REPORT_HTML_REPORT_DATA_H
+
+enum { REPORT_DATA_VERSION = 1, COARSE_ROWS = 4096, CHUNK_ROWS = 4096, FINDINGS_MAX = 500 };
+
+#endif
