@@ -129,6 +129,13 @@ static double depth_of(struct scene *scene, int inner, int outer, struct diag *d
 	return depth;
 }
 
+/* Fixtures stand on the fixtures before them, the part on all of them. */
+static bool is_below(const struct scene *scene, int fixture, int other)
+{
+	return scene->bodies[fixture].body->role == ROLE_FIXTURE &&
+	       (scene->bodies[other].body->role == ROLE_PART || fixture < other);
+}
+
 static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *diag)
 {
 	for (int i = 0; i < (int)scene->body_count; i++) {
@@ -137,10 +144,7 @@ static void check_sunk(struct scene *scene, struct doubts *doubts, struct diag *
 		if (!is_set_up(scene, i) || scene->bodies[i].body->checked)
 			continue;
 		for (int k = 0; k < (int)scene->body_count; k++) {
-			bool earlier_fixture = scene->bodies[k].body->role == ROLE_FIXTURE &&
-					       (k < i || scene->bodies[i].body->role == ROLE_PART);
-
-			if (k == i || !(is_table(scene, k) || earlier_fixture) ||
+			if (k == i || !(is_table(scene, k) || is_below(scene, k, i)) ||
 			    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < SUNK_BY)
 				continue;
 			doubt.value = fmax(depth_of(scene, i, k, diag), depth_of(scene, k, i, diag));
