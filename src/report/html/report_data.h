@@ -1,24 +1,14 @@
 /*
  * report_data.h - the data inside a report (--report), version 1: what the C side writes and the viewer in src/web reads.
  *
- * THE PAGE. One HTML file. Its parts, by their id:
- *   plain      a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it (attribute `hidden`) when it
- *              has started, and leaves it alone when it cannot start. The print view may use it.
- *   app        an empty <div> after it, in which the viewer builds what it shows.
- *   data       <script type="application/json">: the JSON object below. Every < in it is written as \u003c.
- *   blob-N     <script type="application/octet-stream">: base64 (RFC 4648, with padding; no line breaks) of a zlib stream
- *              (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
- * The content security policy is `default-src 'none'` with the SHA-256 of the one <style> and the one <script
- * type="module"> (and style-src for nothing else): no style attributes in HTML text, no eval, no workers, no requests.
- * Styles that scripts set through element.style are allowed.
- *
- * THE VIEWER'S SOURCES. scripts/bundle-web makes one script of src/web/report.js and the modules that it imports, and
- * embeds that script and src/web/report.css in the program. So that this stays simple, a module keeps to these rules: an import is
- * a line of its own at the start of the line, `import { a, b } from "./other.js";`, without renaming; exports are `export function`,
- * `export class`, `export const`, `export async function` at the start of a line; a name at the top of a module is used in one module
- * only; a line that begins with // and lines from one that begins with a slash and a star to one that ends with a star and a slash are
- * comments and are left out, as are spaces at the beginning of a line (so no template literal spans lines).
- * Neither file contains "</script" or "</style" or "<!--".
+ * THE PAGE (src/web/README.md has its outline). Its parts, by their id:
+ *   plain            a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it once it has started.
+ *   fivecheck-head   <script type="application/json">: the JSON object below. Every < in it is written as \u003c.
+ *   blob-N           <script type="text/plain">: base64 (RFC 4648, with padding; no line breaks) of a zlib stream
+ *                    (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
+ *   fivecheck-viewer <script type="text/plain">: the viewer's one script, packed as a blob; boot.js inflates and runs it.
+ * The content security policy is `default-src 'none'` with the SHA-256 of the one <style>, of boot.js and of the viewer: no style
+ * attributes in HTML text, no eval, no workers, no requests. Styles that scripts set through element.style are allowed.
  *
  * UNITS. mm, degrees, seconds, machine coordinates. Positions in the JSON are numbers with up to 12 digits. Text is valid UTF-8 and
  * may hold anything that a stranger can write: put it in by textContent.
