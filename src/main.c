@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 #include "cli/command_table.h"
+#include "cli/explain.h"
 #include "cli/stderr_ui.h"
 #include "cli/run.h"
 #include "geom/simd_level.h"
@@ -64,6 +65,9 @@ static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 	} else if (options.mode == RUN_VERSION) {
 		strbuf_addf(&text, "fivecheck %s\n", FIVECHECK_VERSION);
 		status = print(&text, &ui->diag);
+	} else if (options.mode == RUN_EXPLAIN) {
+		if (explain_add(&text, &options, &ui->diag))
+			status = print(&text, &ui->diag);
 	} else if (has_simd_level(&ui->diag)) {
 		status = run_options(&options, ui);
 	}

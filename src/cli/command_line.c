@@ -52,7 +52,8 @@ static bool is_final(enum run_mode mode)
 static bool refuse_second(const struct parser *parser, const struct option_row *row)
 {
 	if (!parser->seen[row - option_table] ||
-	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD))
+	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD && row->kind != VALUE_MODE) ||
+	    !row->argument)
 		return false;
 	diag_error(parser->diag, nowhere, "--%s was given twice, but only one of them can be used", row->name);
 	return true;
@@ -69,8 +70,9 @@ static enum argv_result add_option(void *context, const struct option_row *row, 
 		parser->options->mode = row->mode;
 		return ARGV_LAST;
 	}
-	if (row->kind == VALUE_MODE ? !set_mode(parser, row)
-				    : !option_value_set(parser->options, row, argument, parser->diag))
+	if (row->kind == VALUE_MODE && !set_mode(parser, row))
+		return ARGV_FAULT;
+	if ((row->kind != VALUE_MODE || argument) && !option_value_set(parser->options, row, argument, parser->diag))
 		return ARGV_FAULT;
 	return ARGV_NEXT;
 }
@@ -186,6 +188,11 @@ static bool check_operands(const struct parser *parser)
 	size_t inputs = 0;
 
 	assert(runs || parser->mode);
+	if (o->mode == RUN_EXPLAIN) {
+		if (o->machine)
+			diag_error(parser->diag, nowhere, "--explain takes no file, but %s was given", o->machine);
+		return !o->machine;
+	}
 	for (size_t i = 0; i < o->program_count; i++)
 		inputs += !strcmp(o->programs[i], "-");
 	if (!o->machine)

@@ -15,7 +15,7 @@ enum option_kind {
 	VALUE_SHARD,	/* two int: K and N of K/N */
 	VALUE_KINDS,	/* unsigned: a bit for each choice named */
 	VALUE_AMOUNTS,	/* four double from least to greatest, separated by commas */
-	VALUE_MODE	/* the mode of the run becomes `mode` */
+	VALUE_MODE	/* the mode of the run becomes `mode`; an argument: const char *, `choices` are only offered */
 };
 
 struct option_row {

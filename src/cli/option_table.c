@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/stderr_ui.h"
 #include "control/dialects.h"
+#include "report/topics.h"
 
 enum {
 	IN_CHECK = 1 << RUN_CHECK,
@@ -18,7 +19,7 @@ enum {
 /* Options without a letter. */
 enum {
 	KEY_METHOD = 256, KEY_STEP, KEY_TOLERANCE, KEY_CLEARANCE, KEY_POSE, KEY_PARSE_ONLY, KEY_DUMP_PATH,
-	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
+	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_EXPLAIN, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_STATS, KEY_COLOR,
 	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
@@ -72,6 +73,9 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "print every pair of bodies with its status"},
 	{KEY_CHECK_MACHINE, "check-machine", NULL, MODE(RUN_CHECK_MACHINE),
 	 .help = "print how the machine file was understood and what is\nodd about it"},
+	{KEY_EXPLAIN, "explain", "WORD", 1 << RUN_EXPLAIN, .kind = VALUE_MODE, .mode = RUN_EXPLAIN, FIELD(explain),
+	 .choices = topic_names,
+	 .help = "print what a kind of finding, a verdict or a caution\nmeans, and what to do about it"},
 	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM, CHOICE(dialect, dialect_names),
 	 .help = "%s; replaces the dialect of\nthe machine file"},
 	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),

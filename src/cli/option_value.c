@@ -207,7 +207,8 @@ bool option_value_set(struct options *options, const struct option_row *row, con
 	case VALUE_AMOUNTS:
 		return read_amounts(field, row, text, diag);
 	case VALUE_MODE:
-		break;
+		*(const char **)field = text;
+		return true;
 	}
 	return false;
 }

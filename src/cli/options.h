@@ -19,6 +19,7 @@ enum run_mode {
 	RUN_DUMP_PATH,
 	RUN_LIST_PAIRS,
 	RUN_CHECK_MACHINE,
+	RUN_EXPLAIN,
 	RUN_HELP,
 	RUN_VERSION
 };
@@ -51,6 +52,7 @@ struct options {
 	struct format_choice formats[FORMAT_COUNT];
 	struct text_list includes;	/* folders; `check` refers to them */
 	const char *output;	/* NULL: standard output */
+	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
 	const char *depfile;	/* or NULL */
 	const char *record;	/* or NULL; also the path of formats[FORMAT_RECORD] */

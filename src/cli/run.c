@@ -262,6 +262,7 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 		return run_machine(job, diag, out);
 	case RUN_CHECK:
 	case RUN_PARSE_ONLY:
+	case RUN_EXPLAIN:
 	case RUN_HELP:
 	case RUN_VERSION:
 		break;

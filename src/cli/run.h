@@ -6,7 +6,7 @@
 #include "cli/run_status.h"
 #include "cli/stderr_ui.h"
 
-/* Runs any mode but RUN_HELP and RUN_VERSION. */
+/* Runs any mode that reads a machine file: not RUN_EXPLAIN, RUN_HELP and RUN_VERSION. */
 enum run_status run_options(const struct options *options, struct stderr_ui *ui);
 
 #endif

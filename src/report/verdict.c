@@ -272,13 +272,21 @@ static bool caution_doubt(struct strbuf *out, const struct verdict *v, size_t i)
 bool verdict_add_caution(struct strbuf *out, const struct verdict *v, int i)
 {
 	static bool (*const cautions[])(struct strbuf *, const struct verdict *) = {
-		caution_sampled, caution_nothing, caution_setup, caution_excused, caution_waived, caution_unknown,
-		caution_mesh_cutter, caution_blend, caution_accepted, caution_shard, caution_warnings,
+		[CAUTION_SAMPLED] = caution_sampled,
+		[CAUTION_NO_PAIRS] = caution_nothing,
+		[CAUTION_NO_SETUP] = caution_setup,
+		[CAUTION_EXCUSED] = caution_excused,
+		[CAUTION_WAIVED] = caution_waived,
+		[CAUTION_SURFACES] = caution_unknown,
+		[CAUTION_MESH_CUTTER] = caution_mesh_cutter,
+		[CAUTION_NO_PATH_TOLERANCE] = caution_blend,
+		[CAUTION_ACCEPTED] = caution_accepted,
+		[CAUTION_SHARD] = caution_shard,
+		[CAUTION_WARNINGS] = caution_warnings,
 	};
-	const int before = (int)(sizeof(cautions) / sizeof(cautions[0]));
 
-	if (i >= before)
-		return caution_doubt(out, v, (size_t)(i - before));
+	if (i >= CAUTION_DOUBT)
+		return caution_doubt(out, v, (size_t)(i - CAUTION_DOUBT));
 	/* --parse-only checks no bodies, so that cautions about bodies do not apply. */
 	if (v->options->method == CHECK_NOTHING && cautions[i] != caution_blend && cautions[i] != caution_accepted &&
 	    cautions[i] != caution_shard && cautions[i] != caution_warnings)

@@ -41,8 +41,25 @@ bool verdict_is_accepted(const struct verdict *verdict);
 /* Was only a part of the program's blocks checked? */
 bool verdict_is_shard(const struct verdict *verdict);
 
+/* In the order in which they are said. A new one needs its row in report/topics.c. */
+enum caution {
+	CAUTION_SAMPLED,
+	CAUTION_NO_PAIRS,
+	CAUTION_NO_SETUP,
+	CAUTION_EXCUSED,
+	CAUTION_WAIVED,
+	CAUTION_SURFACES,
+	CAUTION_MESH_CUTTER,
+	CAUTION_NO_PATH_TOLERANCE,
+	CAUTION_ACCEPTED,
+	CAUTION_SHARD,
+	CAUTION_WARNINGS,
+	CAUTION_DOUBT	/* the first of several */
+};
+enum { CAUTION_COUNT = CAUTION_DOUBT + 1 };
+
 /* Of the doubts about the model so many are cautions of their own; one more counts the rest. */
-enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = 11 + VERDICT_DOUBTS + 1 };
+enum { VERDICT_DOUBTS = 8, VERDICT_CAUTIONS = CAUTION_DOUBT + VERDICT_DOUBTS + 1 };
 
 /* Appends the i-th caution, i < VERDICT_CAUTIONS, one line without its end. False: it does not apply. */
 bool verdict_add_caution(struct strbuf *out, const struct verdict *verdict, int i);

@@ -153,13 +153,13 @@ void Judge::judge_finding(const Finding &finding)
 		if (std::fabs(q[i] - finding.at[i]) > (curved ? 1.2 * terms_.tolerance : 0) + 2 * ROUNDING)
 			object("axes elsewhere", finding.text, q[i] - finding.at[i]);
 	apart = truth_.distance(*pair, q);
-	if (apart > terms_.clearance + terms_.tolerance + slack(*pair) + ROUNDING && !truth_.contained(*pair, q))
+	if (apart > (pair->core ? 0 : terms_.clearance) + terms_.tolerance + slack(*pair) + ROUNDING && !truth_.contained(*pair, q))
 		object("FALSE ALARM", finding.text, apart);
 }
 
 void Judge::look_for_contact(const Move &move, const Pair &pair)
 {
-	double s = truth_.first_violation(pair, move, terms_.clearance), motion;
+	double s = truth_.first_violation(pair, move, pair.core ? 0 : terms_.clearance), motion;
 	std::string where = "line " + std::to_string(move.line) + " at " + decimal(s, 12) + ", " +
 			    machine_.bodies[(size_t)pair.bodies.a].name + " and " +
 			    machine_.bodies[(size_t)pair.bodies.b].name;
@@ -194,7 +194,7 @@ Comparison Judge::judge()
 	for (const Move &move : program_.moves) {
 		look_for_limits(move);
 		for (const Pair &pair : machine_.pairs)
-			if (pair.required && truth_.present(pair, move.tool))
+			if (pair.required && !(pair.core && move.cuts) && truth_.present(pair, move.tool))
 				look_for_contact(move, pair);
 	}
 	return out_;

@@ -5,6 +5,10 @@
 
 #include "../bench/mesh_apart.h"
 
+/* How deep a cutter may enter the part at rapid or standing, mm; and so much more to be sure that it must be found. */
+static const double RAPID_ALLOWANCE = 0.1;
+static const double CORE_MARGIN = 0.02;
+
 /* Neighbours drawn nearer than 5 mm are excused: none are here, so that every pair counts. */
 static const double NEIGHBOURS_APART = 5.01;
 static const double OTHERS_APART = 0.05;
@@ -252,7 +256,7 @@ static void add_body(Random &random, Machine &machine, const std::string &name, 
 }
 
 /* A profile from the gauge point towards the tip, `from` mm on. */
-static void add_tool_body(Machine &machine, const Tool &tool, Role role, const std::vector<Ring> &profile)
+static Body &add_tool_body(Machine &machine, const Tool &tool, Role role, const std::vector<Ring> &profile)
 {
 	const int sides = 96;
 	Body body;
@@ -274,13 +278,26 @@ static void add_tool_body(Machine &machine, const Tool &tool, Role role, const s
 	/* 0.01 mm outside the true solid, which is itself outside this one by the height of a facet's arc. */
 	body.slack = 0.0101 + widest * (1 - std::cos(3.14159265358979323846 / 64));
 	machine.bodies.push_back(body);
+	return machine.bodies.back();
+}
+
+/* A cutter whose surface lies `depth` deeper than the tool's; the upper end stays in place. */
+static std::vector<Ring> cutter_profile(const Tool &tool, double depth)
+{
+	double r = tool.diameter / 2 - depth, foot = tool.length - depth;
+	std::vector<Ring> profile = {{r, tool.holder_length}, {r, tool.ball ? foot - r : foot}};
+
+	for (int i = 1; tool.ball && i <= 16; i++) {
+		double angle = 3.14159265358979323846 / 32 * i;
+
+		profile.push_back({i < 16 ? r * std::cos(angle) : 0, foot - r + r * std::sin(angle)});
+	}
+	return profile;
 }
 
 static void add_tool(Random &random, Machine &machine, int number)
 {
 	Tool tool;
-	double r;
-	std::vector<Ring> cutter;
 
 	tool.number = number;
 	tool.holder_length = rounded(random.in(10, 60), 2);
@@ -288,16 +305,12 @@ static void add_tool(Random &random, Machine &machine, int number)
 	tool.diameter = rounded(random.in(2, 30), 2);
 	tool.length = rounded(tool.holder_length + tool.diameter + random.in(5, 60), 2);
 	tool.ball = random.chance(0.5);
-	r = tool.diameter / 2;
 	add_tool_body(machine, tool, Role::HOLDER,
 		      {{tool.holder_diameter / 2, 0}, {tool.holder_diameter / 2, tool.holder_length}});
-	cutter = {{r, tool.holder_length}, {r, tool.ball ? tool.length - r : tool.length}};
-	for (int i = 1; tool.ball && i <= 16; i++) {
-		double angle = 3.14159265358979323846 / 32 * i;
-
-		cutter.push_back({i < 16 ? r * std::cos(angle) : 0, tool.length - r + r * std::sin(angle)});
-	}
-	add_tool_body(machine, tool, Role::CUTTER, cutter);
+	add_tool_body(machine, tool, Role::CUTTER, cutter_profile(tool, 0));
+	Body &core = add_tool_body(machine, tool, Role::CUTTER, cutter_profile(tool, RAPID_ALLOWANCE + CORE_MARGIN));
+	core.core = true;
+	core.slack += 2 * CORE_MARGIN;
 	machine.tools.push_back(tool);
 }
 
@@ -338,7 +351,9 @@ static void settle(Machine &machine)
 			const Body &x = machine.bodies[a], &y = machine.bodies[b];
 			bool rigid = !axes_between(machine.world, x.link, y.link);
 
-			machine.pairs.push_back({{(int)a, (int)b, 0, 1}, !rigid && !cutting(x, y)});
+			bool core = x.core || y.core, required = core == cutting(x, y);
+
+			machine.pairs.push_back({{(int)a, (int)b, 0, 1}, !rigid && required, core});
 		}
 	}
 }

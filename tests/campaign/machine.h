@@ -17,6 +17,7 @@ struct Body {
 	std::string name;
 	Role role = Role::MACHINE;
 	int link = 0, tool = 0;
+	bool core = false;	/* of the cutter of that name: what must stay out of the part while it does not cut */
 	vec location = {0, 0, 0}, turns = {0, 0, 0};	/* of the file's coordinates; degrees about X, then Y, then Z */
 	Surface drawn, placed;	/* as in the file (floats); at the zero pose */
 	double slack = 0;	/* mm: how far fivecheck's solid, which encloses this one, may stick out of it */
@@ -41,6 +42,7 @@ struct Offset {
 struct Pair {
 	solid_pair bodies;	/* as travel.h wants it */
 	bool required;	/* false: rigid, or cutting */
+	bool core;	/* a cutter's core and the part: required while the cutter does not cut, and has no clearance */
 };
 
 /* Not to be copied: `world` points into `bodies`. */

@@ -36,7 +36,7 @@ private:
 	Program program_;
 	Position at_;
 	int lines_ = 0, tool_ = 0, offset_ = 0;
-	bool inch_ = false, relative_ = false, tip_ = false;
+	bool inch_ = false, relative_ = false, tip_ = false, turns_ = false;
 	double length_ = 0;	/* G43 */
 };
 
@@ -130,6 +130,7 @@ void Writer::straight()
 		text += word(machine_.world.axes[i].letter, target(i) - origin, &read);
 		move.to[(size_t)i] = origin + read;
 	}
+	move.cuts = !rapid && turns_;
 	push(move);
 	line(text + (rapid ? "" : feed()));
 }
@@ -188,6 +189,7 @@ void Writer::arc()
 		straight();
 		return;
 	}
+	move.cuts = turns_;
 	push(move);
 	line(text + feed());
 }
@@ -195,9 +197,10 @@ void Writer::arc()
 /* All words, so that none of them depends on how TCP sees what was before. */
 void Writer::tip()
 {
-	std::string text = random_.chance(0.3) ? "G0" : "G1";
+	/* The way of a rapid that is not straight is not known under TCP. */
+	bool rapid = random_.chance(0.3) && machine_.rapid == "linear";
+	std::string text = rapid ? "G0" : "G1";
 	Position wanted = at_;
-	bool rapid = text == "G0";
 	double read[3];
 	vec commanded;
 	Move move;
@@ -225,6 +228,7 @@ void Writer::tip()
 	move.tip_from = tip_at(machine_, at_, length_);
 	move.tip_to = tip_for(machine_, vec_of(read[0], read[1], read[2]));
 	move.to = follow_tip(machine_, wanted, move.tip_to, length_);
+	move.cuts = !rapid && turns_;
 	push(move);
 	line(text + (rapid ? "" : feed()));
 }
@@ -242,6 +246,8 @@ void Writer::change_tool()
 	length_off();
 	tool_ = 1 + random_.below((int)machine_.tools.size());
 	line("T" + std::to_string(tool_) + " M6");
+	turns_ = random_.chance(0.5);
+	line(turns_ ? "M3 S1000" : "M5");
 	if (random_.chance(0.5) && machine_.axis('Z') >= 0) {
 		length_ = machine_.tools[(size_t)tool_ - 1].length;
 		line("G43 H" + std::to_string(tool_));

@@ -17,6 +17,7 @@ enum class Path {
 /* One line of the program makes one move. */
 struct Move {
 	int line, tool;
+	bool cuts = false;	/* at feed, the spindle turns */
 	Path path = Path::STRAIGHT;
 	Position from = {}, to = {};
 	int first = 0, second = 0;	/* ARC: the plane's axes */

@@ -46,7 +46,8 @@ double Truth::distance(const Pair &pair, const Position &q) const
 	looks_++;
 	if (!fcl::collide(models_[a].get(), at, models_[b].get(), bt, meet, met))
 		apart = fcl::distance(models_[a].get(), at, models_[b].get(), bt, ask, answer);
-	nearest_ = std::min(nearest_, apart);
+	if (!pair.core)
+		nearest_ = std::min(nearest_, apart);
 	return apart;
 }
 

@@ -68,7 +68,8 @@ static Finding finding_of(const json_t *row, const Machine &machine, const std::
 
 static bool is_finding(const std::string &kind)
 {
-	return kind == "collision" || kind == "clearance" || kind == "limit" || kind == "start-overlap";
+	return kind == "collision" || kind == "clearance" || kind == "limit" || kind == "start-overlap" ||
+	       kind == "rapid-contact";
 }
 
 static void read_rows(const std::string &path, const Machine &machine, Verdict &verdict)

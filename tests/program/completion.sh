@@ -28,6 +28,7 @@ ask --method '' | xargs
 ask --method = cert
 ask -f = s
 ask m.xml --fail-on c | xargs
+ask --explain co | xargs
 ask init --units '' | xargs
 ask init head | xargs
 ask completion '' | xargs

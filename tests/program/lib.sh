@@ -46,10 +46,12 @@ tetrahedron() {
 sphere() {
 	awk -v name="$1" -v radius="$2" -v n="$3" '
 	function corner(i, j, t, f) {
+		if (i % n == 0)
+			return sprintf("vertex 0 0 %.9g\n", i ? -radius : radius)
 		t = pi * i / n
 		f = pi * (j % (2 * n)) / n
 		return sprintf("vertex %.9g %.9g %.9g\n", radius * sin(t) * cos(f), radius * sin(t) * sin(f),
-			       i == n ? -radius : radius * cos(t))
+			       radius * cos(t))
 	}
 	function facet(a, b, c) {
 		printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c

@@ -4,43 +4,14 @@
 #include <string.h>
 
 #include "report/format/json.h"
+#include "report/topics.h"
 #include "report/writers/ndjson.h"
 #include "report/writers/text.h"
 #include "report/format/uri.h"
 #include "report/format/utf8.h"
 
-/* In the order of enum finding_kind, then "incomplete". The identifiers never change between versions. */
-static const struct rule {
-	const char *id, *name, *brief, *help;
-} rules[] = {
-	{"collision", "Collision", "Two bodies of the machine meet.",
-	 "While the block runs, two bodies touch or go into each other. Look at the positions of the axes and at the "
-	 "point of contact (--pose writes all bodies as they stand there), then change the program, the tool, or the "
-	 "setup."},
-	{"clearance", "Clearance", "Two bodies come closer than the required clearance.",
-	 "While the block runs, two bodies come closer than --clearance or the machine file's <pair clearance> "
-	 "allows. Change the program or the setup, or require less for this pair."},
-	{"limit", "AxisLimit", "An axis leaves its travel.",
-	 "The block moves an axis past limit_min or limit_max of the machine file. Move the part on the table, choose "
-	 "another solution of the rotary axes, or change the program."},
-	{"start-overlap", "StartOverlap", "Two bodies overlap before the block moves.",
-	 "Bodies overlap where the program starts, or where a tool change puts a new body. If the models are merely "
-	 "drawn through each other there, <pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
-	{"rapid-contact", "RapidContact", "A cutter that does not cut enters the part.",
-	 "At rapid, or while its spindle stands, a cutter enters the finished part deeper than <part rapid_allowance> "
-	 "allows (0.1 mm where nothing is said). Feed into the part with M3 or M4 in force, retract before the rapid, "
-	 "and look for a missing G43. A probe or a nozzle says so by <tool kind>."},
-	{"gouge", "Gouge", "A cutter cuts into the finished part.",
-	 "At feed a cutter enters the finished part deeper than <part gouge> allows. Compare the program with the model "
-	 "of the part: stock to leave, tool, length and radius compensation, work offset."},
-	{"incomplete", "Incomplete", "Not everything could be checked.",
-	 "Something could not be read, interpreted, or decided, so that nothing is proved from there on. The message "
-	 "says what it is and what to write instead."},
-	{"caution", "Caution", "The verdict holds under a condition.",
-	 "What must be known beside the verdict: what was not checked, was taken for granted, or is doubtful."},
-};
-
-enum { RULE_INCOMPLETE = FINDING_KINDS, RULE_CAUTION, RULE_COUNT };
+/* The rules are the first topics. Their identifiers never change between versions. */
+enum { RULE_INCOMPLETE = TOPIC_INCOMPLETE, RULE_CAUTION = TOPIC_CAUTION, RULE_COUNT = TOPIC_CAUTION + 1 };
 
 static json_t *message_of(const char *text)
 {
@@ -56,15 +27,18 @@ static json_t *rules_of(void)
 
 	for (int i = 0; i < RULE_COUNT; i++) {
 		json_t *rule = json_object(), *level = json_object();
+		struct strbuf help = {0};
 
+		strbuf_addf(&help, "%s %s", topics[i].meaning, topics[i].advice);
 		json_put(level, "level", json_string(i == RULE_CAUTION ? "note" : "error"));
-		json_put(rule, "id", json_string(rules[i].id));
-		json_put(rule, "name", json_string(rules[i].name));
-		json_put(rule, "shortDescription", message_of(rules[i].brief));
-		json_put(rule, "fullDescription", message_of(rules[i].help));
-		json_put(rule, "help", message_of(rules[i].help));
+		json_put(rule, "id", json_string(topic_names[i]));
+		json_put(rule, "name", json_string(topics[i].rule));
+		json_put(rule, "shortDescription", message_of(topics[i].brief));
+		json_put(rule, "fullDescription", message_of(topics[i].meaning));
+		json_put(rule, "help", message_of(strbuf_text(&help)));
 		json_put(rule, "defaultConfiguration", level);
 		json_push(array, rule);
+		strbuf_release(&help);
 	}
 	return array;
 }
@@ -143,7 +117,7 @@ static void add_result(struct strbuf *out, int rule, struct finding_style style,
 {
 	json_t *result = json_object(), *locations = json_array();
 
-	json_put(result, "ruleId", json_string(rules[rule].id));
+	json_put(result, "ruleId", json_string(topic_names[rule]));
 	json_put(result, "ruleIndex", json_integer(rule));
 	json_put(result, "level", json_string(level_of(rule, style)));
 	json_put(result, "message", message_of(text));
@@ -211,6 +185,14 @@ static json_t *location_of_error(const struct report_program *program, const str
 	return location;
 }
 
+static json_t *properties_of_caution(const char *name)
+{
+	json_t *object = json_object();
+
+	json_put(object, "caution", json_string(name));
+	return object;
+}
+
 static void add_program(struct strbuf *out, const struct report_run *run, const struct report_program *program)
 {
 	(void)run;
@@ -219,10 +201,11 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 			   location_of_error(program, &program->errors[i]), NULL);
 	for (int i = 0; program->verdict && i < VERDICT_CAUTIONS; i++) {
 		struct strbuf text = {0};
+		const int name = TOPIC_CAUTIONS + (i < CAUTION_DOUBT ? i : CAUTION_DOUBT);
 
 		if (verdict_add_caution(&text, program->verdict, i))
 			add_result(out, RULE_CAUTION, (struct finding_style){0}, strbuf_text(&text),
-				   location_of(program->name, 0, 0, 0, NULL), NULL);
+				   location_of(program->name, 0, 0, 0, NULL), properties_of_caution(topic_names[name]));
 		strbuf_release(&text);
 	}
 }

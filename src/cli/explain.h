@@ -1,0 +1,12 @@
+/* explain.h - what a word of a report means (--explain). */
+#ifndef FIVECHECK_CLI_EXPLAIN_H
+#define FIVECHECK_CLI_EXPLAIN_H
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "cli/options.h"
+
+/* Appends what options->explain means. False, reported: the word is not known. */
+bool explain_add(struct strbuf *out, const struct options *options, struct diag *diag);
+
+#endif

@@ -1,0 +1,42 @@
+/*
+ * topics.h - what the words of a report mean: kinds of findings, verdicts, cautions. One table for --explain, for SARIF's
+ * rules and, held against it by a test, for the manual page.
+ */
+#ifndef FIVECHECK_REPORT_TOPICS_H
+#define FIVECHECK_REPORT_TOPICS_H
+
+#include <stdbool.h>
+
+#include "base/strbuf.h"
+#include "check/finding.h"
+#include "report/verdict.h"
+
+/* The kinds of findings come first, in the order of enum finding_kind; the cautions in that of enum caution. */
+enum {
+	TOPIC_INCOMPLETE = FINDING_KINDS,
+	TOPIC_CAUTION,
+	TOPIC_CLEAR,
+	TOPIC_PASSED,
+	TOPIC_FOUND,
+	TOPIC_ACCEPTED,
+	TOPIC_CAUTIONS,
+	TOPIC_COUNT = TOPIC_CAUTIONS + CAUTION_COUNT
+};
+
+/* Complete sentences. The first says what it is in one line. */
+struct topic {
+	const char *rule;	/* SARIF's name of the rule; NULL: it is none */
+	const char *brief;
+	const char *meaning;	/* what it means and why it matters */
+	const char *advice;	/* what to do */
+};
+
+extern const struct topic topics[TOPIC_COUNT];
+
+/* By the same index: "collision", "incomplete", "no-setup", ... ; ends in NULL. */
+extern const char *const topic_names[TOPIC_COUNT + 1];
+
+/* Appends the topic of that name, in lines of up to 80 columns. False: there is none; `out` is as it was. */
+bool topics_explain(struct strbuf *out, const char *name);
+
+#endif
