@@ -99,7 +99,8 @@ bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag 
 		diag_error(diag, nowhere, "the clearance must be 0 mm or more");
 		return false;
 	}
-	return model_add_scene(model, clearance, diag) && scene_build(model->scene, diag) && model_check(model->scene, diag);
+	return model_add_scene(model, clearance, diag) && scene_build(model->scene, diag) &&
+	       model_check(model->scene, diag);
 }
 
 fivecheck_options *fivecheck_options_new(void)
@@ -249,8 +250,8 @@ static bool ignore_finding(void *context, const struct finding *finding)
 	return true;
 }
 
-enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_options *options, FILE *in, const char *name,
-				      const struct fivecheck_events *events, fivecheck_diag *diag,
+enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_options *options, FILE *in,
+				      const char *name, const struct fivecheck_events *events, fivecheck_diag *diag,
 				      fivecheck_statistics *statistics, double *proven)
 {
 	const struct check_sink sink = {
@@ -267,7 +268,8 @@ enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_op
 		diag_error(diag, nowhere, "the model was not prepared: its bodies are not known");
 		return FIVECHECK_INCOMPLETE;
 	}
-	result = check_run(model_scene(model), options, in, name, &sink, diag, statistics ? statistics : &unwanted, proven);
+	result =
+	    check_run(model_scene(model), options, in, name, &sink, diag, statistics ? statistics : &unwanted, proven);
 	return ferror(in) || diag->errors > before ? FIVECHECK_INCOMPLETE : (enum fivecheck_result)result;
 }
 

@@ -152,8 +152,8 @@ enum fivecheck_result {
  * proven, unless NULL, receives for each pair of the model (fivecheck_pair_count) the least distance that was proven
  * over the program, INFINITY if the pair was never looked at; this takes time.
  */
-enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_options *options, FILE *in, const char *name,
-				      const struct fivecheck_events *events, fivecheck_diag *diag,
+enum fivecheck_result fivecheck_check(fivecheck_model *model, const fivecheck_options *options, FILE *in,
+				      const char *name, const struct fivecheck_events *events, fivecheck_diag *diag,
 				      fivecheck_statistics *statistics, double *proven);
 
 /* The same for a file of this name. */

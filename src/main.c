@@ -45,8 +45,10 @@ static bool has_simd_level(struct diag *diag)
 
 	if (!wanted || !*wanted || simd_level_of(wanted, &level))
 		return true;
-	diag_error(diag, (struct srcloc){0}, SIMD_LEVEL_VARIABLE ": this processor has no '%s'; scalar, sse2 and avx2 are "
-		   "known, and without the variable the best of them is used", wanted);
+	diag_error(diag, (struct srcloc){0},
+		   SIMD_LEVEL_VARIABLE ": this processor has no '%s'; scalar, sse2 and avx2 are "
+				       "known, and without the variable the best of them is used",
+		   wanted);
 	return false;
 }
 

@@ -36,7 +36,7 @@ static void widen(struct batch_chunk *chunk, const struct motion_step *step)
 	const struct span *span = &step->span;
 
 	for (int i = 0; i < SLOT_COUNT; i++) {
-		double off = span->deviation.v[i];
+		double off = span->chord_error.v[i];
 		double least = span->q0.v[i] < span->q1.v[i] ? span->q0.v[i] : span->q1.v[i];
 		double most = span->q0.v[i] < span->q1.v[i] ? span->q1.v[i] : span->q0.v[i];
 

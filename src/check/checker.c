@@ -114,21 +114,23 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 	c->failed = true;
 	if (motion->span.path->kind != PATH_BOX && result->exhausted) {
 		c->exhausted = true;
-		diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
-			   "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other for "
-			   "too long. The check stops here; give a larger --tolerance, or split the move",
-			   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+		diag_error(
+		    c->diag, (struct srcloc){motion->file, motion->line, 1},
+		    "'%s' and '%s' cannot be decided with reasonable effort: they stay too close to each other for "
+		    "too long. The check stops here; give a larger --tolerance, or split the move",
+		    c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 		return;
 	}
 	if (motion->span.path->kind != PATH_BOX) {
 		static_query_report_undecided(c->scene, pair, c->options->tolerance, c->diag);
 		return;
 	}
-	diag_error(c->diag, (struct srcloc){motion->file, motion->line, 1},
-		   "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
-		   "whose way is not known (rapid=\"any\"); give the control's rapid in the machine file, or move fewer "
-		   "axes at once",
-		   c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
+	diag_error(
+	    c->diag, (struct srcloc){motion->file, motion->line, 1},
+	    "'%s' and '%s' cannot be decided with reasonable effort: too many axes move at once in this rapid, "
+	    "whose way is not known (rapid=\"any\"); give the control's rapid in the machine file, or move fewer "
+	    "axes at once",
+	    c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 }
 
 /* Logs contacts, and reports undecided steps. Without `all`, undecided steps after the first contact do not matter. */
@@ -191,7 +193,8 @@ static bool measure_blocks(struct checker *c)
 
 		for (size_t k = 0; k < check->room_count; k++) {
 			const double clearance = check->rooms[k].clearance;
-			const struct check_room room = {check->pair, clearance, clearance >= c->options->block_clearance_cap};
+			const struct check_room room = {check->pair, clearance,
+							clearance >= c->options->block_clearance_cap};
 
 			block_log_add_room(&c->log, check->rooms[k].block, &room);
 		}

@@ -94,7 +94,8 @@ static void add_result(struct pair_check *check, size_t step, enum query_answer 
 {
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
 				   sizeof(*check->results));
-	check->results[check->result_count++] = (struct pair_check_result){check->pair, step, answer, exhausted, *contact};
+	check->results[check->result_count++] =
+	    (struct pair_check_result){check->pair, step, answer, exhausted, *contact};
 }
 
 static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,
@@ -121,7 +122,8 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 	if (answer == QUERY_UNDECIDED || (answer == QUERY_CONTACT && !(contact->s > 0)))
 		return answer;
 	check->maybe_inside = false;
-	inside = static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point, &unheard);
+	inside =
+	    static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0, &point, &unheard);
 	if (inside == INSIDE_UNKNOWN && check->unknown_block < 0)
 		check->unknown_block = block;
 	if (inside != INSIDE_YES)
@@ -250,8 +252,8 @@ static void measure_inside(struct pair_check *check, const struct motion_step *s
 	vec3 point;
 
 	block->maybe_inside = !(block->bound > 0);
-	if (!block->maybe_inside && static_query_contained(check->scene, &check->scene->pairs[check->pair], &step->span.q0,
-						 &point, &unheard) == INSIDE_YES) {
+	if (!block->maybe_inside && static_query_contained(check->scene, &check->scene->pairs[check->pair],
+							   &step->span.q0, &point, &unheard) == INSIDE_YES) {
 		block->bound = 0;
 		block->maybe_inside = true;
 	}

@@ -152,7 +152,8 @@ static void do_job(void *context, int worker, size_t i)
 	if (work->block_clearances)
 		pair_check_measure(job->check, &sweep, work->batch, work->options);
 	else
-		pair_check_run(job->copy ? job->copy : job->check, &sweep, work->batch, job->from, job->to, work->options);
+		pair_check_run(job->copy ? job->copy : job->check, &sweep, work->batch, job->from, job->to,
+			       work->options);
 	job->visits = sweep.visits - before;
 	work->scheduler->sweeps[worker] = sweep;
 }

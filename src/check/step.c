@@ -12,7 +12,7 @@ bool step_moves(const struct chain *chain, const struct motion_step *step)
 		int slot = chain->joints[i].slot;
 
 		if (span->q1.v[slot] < span->q0.v[slot] || span->q1.v[slot] > span->q0.v[slot] ||
-		    span->deviation.v[slot] > 0)
+		    span->chord_error.v[slot] > 0)
 			return true;
 	}
 	return false;
@@ -33,7 +33,7 @@ struct position_errors step_errors(const struct chain *chain, const struct motio
 	for (size_t i = 0; i < chain->count; i++) {
 		int slot = chain->joints[i].slot;
 
-		errors.chord.v[slot] = step->span.deviation.v[slot];
+		errors.chord.v[slot] = step->span.chord_error.v[slot];
 		errors.path.v[slot] = step->tolerance.v[slot];
 		errors.any |= errors.chord.v[slot] > 0 || errors.path.v[slot] > 0;
 	}

@@ -243,9 +243,10 @@ static bool apply_shard(const struct parser *parser)
 	o->check.shard = o->shard;
 	o->check.shards = o->shards;
 	if (o->shards > 1 && o->waivers) {
-		diag_error(parser->diag, nowhere,
-			   "--waivers cannot be used with --shard of one program: every shard would accept a finding that "
-			   "may be accepted once");
+		diag_error(
+		    parser->diag, nowhere,
+		    "--waivers cannot be used with --shard of one program: every shard would accept a finding that "
+		    "may be accepted once");
 		return false;
 	}
 	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {
@@ -273,8 +274,8 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	}
 	if (!good || is_final(options->mode))
 		return good;
-	if (!check_modes(&parser) || !check_formats(&parser) || !check_fail_on(&parser) || !check_combinations(&parser) ||
-	    !check_operands(&parser))
+	if (!check_modes(&parser) || !check_formats(&parser) || !check_fail_on(&parser) ||
+	    !check_combinations(&parser) || !check_operands(&parser))
 		return false;
 	if (options->files_from && (!program_list_read(options, diag) || !check_listed(&parser)))
 		return false;

@@ -8,14 +8,14 @@
 #include "cli/waive.h"
 
 const struct command command_table[] = {
-	{"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_options, INIT_OPTION_COUNT,
-	 init_run},
-	{"merge", "FILE...", NULL, "join the NDJSON results of the shards of a run", merge_options, MERGE_OPTION_COUNT,
-	 merge_run},
-	{"waive", "FILE", NULL, "write waivers for the findings of a run", waive_options, WAIVE_OPTION_COUNT, waive_run},
-	{"completion", "SHELL", completion_shells, "write the completions of bash, zsh or fish", completion_table,
-	 COMPLETION_OPTION_COUNT, completion_run},
-	{.name = NULL},
+    {"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_options, INIT_OPTION_COUNT,
+     init_run},
+    {"merge", "FILE...", NULL, "join the NDJSON results of the shards of a run", merge_options, MERGE_OPTION_COUNT,
+     merge_run},
+    {"waive", "FILE", NULL, "write waivers for the findings of a run", waive_options, WAIVE_OPTION_COUNT, waive_run},
+    {"completion", "SHELL", completion_shells, "write the completions of bash, zsh or fish", completion_table,
+     COMPLETION_OPTION_COUNT, completion_run},
+    {.name = NULL},
 };
 
 const struct command *command_table_find(const char *name)

@@ -75,9 +75,16 @@ bool failure_report_write(const struct options *options, const struct error_list
 	const struct scene scene = {.machine = &machine, .setup = options->setup ? &setup : NULL};
 	const struct waiver_match waiving = {0};
 	const struct report_run run = {
-		.scene = &scene, .options = &options->check, .clearance = options->clearance,
-		.programs = options->program_count, .fail_on = options->fail_on, .fail_on_warnings = options->fail_on_warnings,
-		.quiet = true, .waiving = &waiving, .shard = options->shard, .shards = options->shards,
+	    .scene = &scene,
+	    .options = &options->check,
+	    .clearance = options->clearance,
+	    .programs = options->program_count,
+	    .fail_on = options->fail_on,
+	    .fail_on_warnings = options->fail_on_warnings,
+	    .quiet = true,
+	    .waiving = &waiving,
+	    .shard = options->shard,
+	    .shards = options->shards,
 	};
 	const struct run_stats sums = {.programs = options->program_count, .incomplete = options->program_count};
 	struct report_end end = {.sums = &sums, .status = 2};

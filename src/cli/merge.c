@@ -45,10 +45,11 @@ static enum run_status print_help(struct diag *diag)
 {
 	struct strbuf text = {0};
 
-	strbuf_addf(&text, "Usage: fivecheck merge [OPTIONS] FILE...\n"
-			   "Joins what all shards of a run wrote with --shard K/N --format=ndjson=FILE into the result\n"
-			   "of one run. The exit status is that of the whole run: it is 2 if a shard is missing or was\n"
-			   "cut short, or if the shards did not read the same files with the same options.\n\n");
+	strbuf_addf(&text,
+		    "Usage: fivecheck merge [OPTIONS] FILE...\n"
+		    "Joins what all shards of a run wrote with --shard K/N --format=ndjson=FILE into the result\n"
+		    "of one run. The exit status is that of the whole run: it is 2 if a shard is missing or was\n"
+		    "cut short, or if the shards did not read the same files with the same options.\n\n");
 	argv_parser_help(&text, merge_options, MERGE_OPTION_COUNT);
 	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }

@@ -219,11 +219,18 @@ static void report(struct program *program, const struct verdict *verdict, const
 	const struct program_context *context = program->context;
 	const struct error_list *errors = &program->output->errors;
 	const struct report_program about = {
-		.name = program->name, .verdict = verdict, .unread = "the program could not be opened",
-		.proven = proven,
-		.sensitivity = program->sensitivity, .sensitivity_count = program->sensitivity_count,
-		.errors = errors->items, .error_count = errors->count, .waived = strbuf_text(&program->waived_text),
-		.failing_warning = program->failing_warning, .first_kind = program->first_kind, .first_text = program->first_text.text,
+	    .name = program->name,
+	    .verdict = verdict,
+	    .unread = "the program could not be opened",
+	    .proven = proven,
+	    .sensitivity = program->sensitivity,
+	    .sensitivity_count = program->sensitivity_count,
+	    .errors = errors->items,
+	    .error_count = errors->count,
+	    .waived = strbuf_text(&program->waived_text),
+	    .failing_warning = program->failing_warning,
+	    .first_kind = program->first_kind,
+	    .first_text = program->first_text.text,
 	};
 
 	if (verdict && !has_text(context->sinks))

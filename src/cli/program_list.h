@@ -11,8 +11,8 @@
 bool program_list_read(struct options *options, struct diag *diag);
 
 /*
- * Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. Sets options->program_list from the names of
- * all.
+ * Keeps the programs of --shard K/N only: the K-th, the (K+N)-th, and so on. Sets options->program_list from the
+ * names of all.
  */
 void program_list_take_shard(struct options *options);
 

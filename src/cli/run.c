@@ -57,14 +57,16 @@ static bool check_waivers(const struct waivers *waivers, const struct options *o
 	const struct srcloc at = {waivers->path, waivers->line, 0};
 
 	if (!has_digest(options->machine, waivers->machine_sha256)) {
-		diag_error(diag, at, "these waivers were written for another machine file than %s: look at the findings "
-				     "again, or remove machine_sha256=\"\" to use the waivers all the same",
+		diag_error(diag, at,
+			   "these waivers were written for another machine file than %s: look at the findings "
+			   "again, or remove machine_sha256=\"\" to use the waivers all the same",
 			   options->machine);
 		return false;
 	}
 	if (!has_digest(options->setup, waivers->setup_sha256)) {
-		diag_error(diag, at, "these waivers were written for another setup than %s: look at the findings again, or "
-				     "remove setup_sha256=\"\" to use the waivers all the same",
+		diag_error(diag, at,
+			   "these waivers were written for another setup than %s: look at the findings again, or "
+			   "remove setup_sha256=\"\" to use the waivers all the same",
 			   options->setup ? options->setup : "none");
 		return false;
 	}
@@ -104,7 +106,8 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 		note_order(options, diag);
 		return false;
 	}
-	if (!path_checks_root(options, job->model->machine, job->model->setup, diag) || !load_waivers(job, options, diag))
+	if (!path_checks_root(options, job->model->machine, job->model->setup, diag) ||
+	    !load_waivers(job, options, diag))
 		return false;
 	if (options->dialect >= 0)
 		job->model->machine->controller.dialect = options->dialect;

@@ -59,10 +59,11 @@ static enum run_status print_help(struct diag *diag)
 {
 	struct strbuf text = {0};
 
-	strbuf_addf(&text, "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
-			   "Writes a file for --waivers that accepts every finding that failed the run whose results\n"
-			   "are FILE, made with --all --format=ndjson=FILE. The waivers hold for this machine file and\n"
-			   "this setup only.\n\n");
+	strbuf_addf(&text,
+		    "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
+		    "Writes a file for --waivers that accepts every finding that failed the run whose results\n"
+		    "are FILE, made with --all --format=ndjson=FILE. The waivers hold for this machine file and\n"
+		    "this setup only.\n\n");
 	argv_parser_help(&text, waive_options, WAIVE_OPTION_COUNT);
 	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }

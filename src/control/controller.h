@@ -59,7 +59,8 @@ struct controller {
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
-	double least_input;	/* mm or degrees of a word without a decimal point that counts 1; 1: whole units; 0: not known */
+	/* mm or degrees of a word without a decimal point that counts 1; 1: whole units; 0: not known */
+	double least_input;
 	enum power_on_units power_on_units;
 	enum power_on_distance power_on_distance;
 	enum power_on_plane power_on_plane;

@@ -28,7 +28,7 @@ static double map_reach(const struct box_map *map)
 }
 
 void box_motion_init(struct box_motion *motion, const struct bvh *a, const struct bvh *b, const xform *poses,
-		     const vec3 *play, const double *stray)
+		     const vec3 *axis_displacement, const double *displacement)
 {
 	const struct bvh *own[2] = {a, b}, *other[2] = {b, a};
 
@@ -45,11 +45,11 @@ void box_motion_init(struct box_motion *motion, const struct bvh *a, const struc
 			map_init(&view->ends[e], &pose, other[v]->origin, own[v]->origin);
 		}
 		size += fmax(map_reach(&view->ends[0]), map_reach(&view->ends[1]));
-		size += stray[v] + vec3_norm(play[v]);
-		view->play[0] = (float)play[v].x;
-		view->play[1] = (float)play[v].y;
-		view->play[2] = (float)play[v].z;
-		view->stray = (float)(stray[v] + BOX_ROUNDING * size);
+		size += displacement[v] + vec3_norm(axis_displacement[v]);
+		view->axis_displacement[0] = (float)axis_displacement[v].x;
+		view->axis_displacement[1] = (float)axis_displacement[v].y;
+		view->axis_displacement[2] = (float)axis_displacement[v].z;
+		view->displacement = (float)(displacement[v] + BOX_ROUNDING * size);
 	}
 }
 
@@ -76,15 +76,15 @@ boxes_apart_fn *boxes_at_level(int level)
 }
 
 void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,
-		 float enough, float apart[BVH_WIDTH], float loose[BVH_WIDTH])
+		 float enough, float apart[BVH_WIDTH], float lost[BVH_WIDTH])
 {
-	motion->apart(motion, side, node, other, enough, apart, loose);
+	motion->apart(motion, side, node, other, enough, apart, lost);
 }
 
-float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *loose)
+float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *lost)
 {
 	struct bvh_node node = {0};
-	float apart[BVH_WIDTH], looses[BVH_WIDTH];
+	float apart[BVH_WIDTH], lost_of_one[BVH_WIDTH];
 
 	for (int k = 0; k < 3; k++) {
 		for (int l = 0; l < BVH_WIDTH; l++) {
@@ -92,7 +92,7 @@ float box_pair_apart(const struct box_motion *motion, const struct box *a, const
 			node.half[k][l] = a->half[k];
 		}
 	}
-	boxes_apart(motion, 0, &node, b, INFINITY, apart, looses);
-	*loose = looses[0];
+	boxes_apart(motion, 0, &node, b, INFINITY, apart, lost_of_one);
+	*lost = lost_of_one[0];
 	return apart[0];
 }

@@ -27,8 +27,8 @@ struct box {
  */
 struct box_view {
 	struct box_map ends[2];
-	float play[3];	/* mm along each axis of the frame, beyond the hull */
-	float stray;	/* mm in any direction, beyond that; rounding is in it */
+	float axis_displacement[3];	/* mm along each axis of the frame, beyond the hull */
+	float displacement;	/* mm in any direction, beyond that; rounding is in it */
 };
 
 struct box_motion {
@@ -38,11 +38,11 @@ struct box_motion {
 };
 
 /*
- * poses: b's mesh coordinates in a's, at both ends. play and stray, one a view,
- * are as above but exact; a stray is raised by the rounding of the box tests.
+ * poses: b's mesh coordinates in a's, at both ends. axis_displacement and displacement, one a view,
+ * are as above but exact; a displacement is raised by the rounding of the box tests.
  */
 void box_motion_init(struct box_motion *motion, const struct bvh *a, const struct bvh *b, const xform *poses,
-		     const vec3 *play, const double *stray);
+		     const vec3 *axis_displacement, const double *displacement);
 
 static inline struct box box_of(const struct bvh_node *node, int lane)
 {
@@ -55,14 +55,14 @@ struct box box_whole(const struct bvh *bvh);
 /*
  * For each child of `node` a lower bound, in mm, of its distance to `other`
  * throughout the motion; 0 where they may touch. `side` is 0 when the node is
- * a's and the box b's, 1 the other way round. `loose` receives, for each
+ * a's and the box b's, 1 the other way round. `lost` receives, for each
  * child, about how much of the bound is lost because the boxes move (mm). Where
  * every child turns out to be farther than `enough` (mm, at least 0) the bounds are not the best there are.
  */
 void boxes_apart(const struct box_motion *motion, int side, const struct bvh_node *node, const struct box *other,
-		 float enough, float apart[BVH_WIDTH], float loose[BVH_WIDTH]);
+		 float enough, float apart[BVH_WIDTH], float lost[BVH_WIDTH]);
 
 /* The same for one box of a and one of b. */
-float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *loose);
+float box_pair_apart(const struct box_motion *motion, const struct box *a, const struct box *b, float *lost);
 
 #endif

@@ -52,7 +52,7 @@ LANES_FUNCTION lanes add_gap(lanes sum, lanes low_a, lanes high_a, lanes low_b, 
 	return lanes_add(sum, lanes_mul(gap, gap));
 }
 
-/* A hull is tight along one straight shift and loose by what goes across it: the second largest. */
+/* A hull is tight along one straight shift; what is lost goes across it: the second largest. */
 LANES_FUNCTION lanes second_largest(lanes a, lanes b, lanes c)
 {
 	return lanes_max(lanes_min(a, b), lanes_min(lanes_max(a, b), c));
@@ -60,13 +60,13 @@ LANES_FUNCTION lanes second_largest(lanes a, lanes b, lanes c)
 
 /* In the node's frame the moving box has one hull, and the children stand still. */
 LANES_FUNCTION lanes apart_in_own(const struct box_view *view, bool still, const struct bvh_node *node,
-				  const struct box *other, lanes *loose)
+				  const struct box *other, lanes *lost)
 {
 	lanes square = lanes_all(0), shift[3];
 
 	for (int i = 0; i < 3; i++) {
 		lanes centre = lanes_load(node->centre[i]), half = lanes_load(node->half[i]);
-		float play = view->play[i], moved = 2 * play, low, high, middle, size;
+		float displacement = view->axis_displacement[i], moved = 2 * displacement, low, high, middle, size;
 
 		place(&view->ends[0], i, other, &middle, &size);
 		low = middle - size;
@@ -79,25 +79,25 @@ LANES_FUNCTION lanes apart_in_own(const struct box_view *view, bool still, const
 			high = middle1 + size > high ? middle1 + size : high;
 			moved += middle1 > middle ? middle1 - middle : middle - middle1;
 		}
-		square = add_gap(square, lanes_all(low - play), lanes_all(high + play), lanes_sub(centre, half),
-				 lanes_add(centre, half));
+		square = add_gap(square, lanes_all(low - displacement), lanes_all(high + displacement),
+				 lanes_sub(centre, half), lanes_add(centre, half));
 		shift[i] = lanes_all(moved);
 	}
-	*loose = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->stray));
+	*lost = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->displacement));
 	return square;
 }
 
 /* In the box's frame every child has a hull of its own. */
 LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, const struct bvh_node *node,
-				    const struct box *other, lanes *loose)
+				    const struct box *other, lanes *lost)
 {
 	lanes square = lanes_all(0), shift[3];
 
 	for (int i = 0; i < 3; i++) {
 		struct extent e = place_children(&view->ends[0], i, node);
-		float play = view->play[i];
+		float displacement = view->axis_displacement[i];
 
-		shift[i] = lanes_all(2 * play);
+		shift[i] = lanes_all(2 * displacement);
 		if (!still) {
 			struct extent late = place_children(&view->ends[1], i, node);
 
@@ -105,35 +105,35 @@ LANES_FUNCTION lanes apart_in_other(const struct box_view *view, bool still, con
 			e.high = lanes_max(e.high, late.high);
 			shift[i] = lanes_add(shift[i], lanes_abs(lanes_sub(late.middle, e.middle)));
 		}
-		square = add_gap(square, e.low, e.high, lanes_all(other->centre[i] - other->half[i] - play),
-				 lanes_all(other->centre[i] + other->half[i] + play));
+		square = add_gap(square, e.low, e.high, lanes_all(other->centre[i] - other->half[i] - displacement),
+				 lanes_all(other->centre[i] + other->half[i] + displacement));
 	}
-	*loose = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->stray));
+	*lost = lanes_add(second_largest(shift[0], shift[1], shift[2]), lanes_all(view->displacement));
 	return square;
 }
 
 /* A lower bound on the distance: the root is rounded down, what may be off is taken away. */
-LANES_FUNCTION lanes distance_of(lanes square, float stray)
+LANES_FUNCTION lanes distance_of(lanes square, float displacement)
 {
-	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - FLOAT_MARGIN)), lanes_all(stray));
+	return lanes_sub(lanes_mul(lanes_sqrt(square), lanes_all(1 - FLOAT_MARGIN)), lanes_all(displacement));
 }
 
 LANES_TARGET void AT_LEVEL(boxes_apart)(const struct box_motion *motion, int side, const struct bvh_node *node,
 			      const struct box *other, float enough, float apart[BVH_WIDTH],
-			      float loose[BVH_WIDTH])
+			      float lost[BVH_WIDTH])
 {
 	const struct box_view *own = &motion->views[side], *others = &motion->views[1 - side];
-	lanes own_loose, others_loose;
-	lanes a = distance_of(apart_in_own(own, motion->still, node, other, &own_loose), own->stray);
+	lanes own_lost, others_lost;
+	lanes a = distance_of(apart_in_own(own, motion->still, node, other, &own_lost), own->displacement);
 	lanes b;
 
 	/* Often one view alone dismisses the whole node. */
 	if (lanes_above(a, lanes_all(enough))) {
 		lanes_store(apart, a);
-		lanes_store(loose, own_loose);
+		lanes_store(lost, own_lost);
 		return;
 	}
-	b = distance_of(apart_in_other(others, motion->still, node, other, &others_loose), others->stray);
+	b = distance_of(apart_in_other(others, motion->still, node, other, &others_lost), others->displacement);
 	lanes_store(apart, lanes_max(lanes_max(a, b), lanes_all(0)));
-	lanes_store(loose, lanes_min(others_loose, own_loose));
+	lanes_store(lost, lanes_min(others_lost, own_lost));
 }

@@ -40,7 +40,7 @@ struct ray {
 	vec3 point, direction;
 	double from_origin[3];	/* the point relative to the tree's origin */
 	double along[3];	/* the direction, no component near 0 */
-	double slack;	/* mm */
+	double rounding;	/* mm */
 	int *windings;	/* of each shell */
 };
 
@@ -85,7 +85,7 @@ static bool meets_box(const struct ray *ray, const struct bvh_node *node, int la
 
 	for (int k = 0; k < 3; k++) {
 		double to = (double)node->centre[k][lane] - ray->from_origin[k];
-		double reach = (double)node->half[k][lane] + ray->slack;
+		double reach = (double)node->half[k][lane] + ray->rounding;
 		double middle = to / ray->along[k], half = reach / fabs(ray->along[k]);
 
 		enter = fmax(enter, middle - half);
@@ -114,7 +114,10 @@ bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 
 {
 	/* Along no edge or diagonal that people draw. */
 	static const vec3 directions[] = {
-		{0.4179, 0.6133, 0.6702}, {-0.7211, 0.3571, 0.5937}, {0.5309, -0.7823, 0.3259}, {-0.3361, -0.5531, -0.7623},
+	    {0.4179, 0.6133, 0.6702},
+	    {-0.7211, 0.3571, 0.5937},
+	    {0.5309, -0.7823, 0.3259},
+	    {-0.3361, -0.5531, -0.7623},
 	};
 	size_t count = topology->shells ? topology->shell_count : 1;
 	vec3 off = vec3_sub(point, bvh->origin);
@@ -125,7 +128,7 @@ bool mesh_cast_ray(const struct bvh *bvh, const struct topology *topology, vec3 
 			.bvh = bvh, .shell_of = topology->shell_of, .point = point, .direction = directions[i],
 			.from_origin = {off.x, off.y, off.z},
 			.along = {directions[i].x, directions[i].y, directions[i].z},
-			.slack = SLAB_ROUNDING * (bvh->radius + vec3_norm(off)), .windings = windings,
+			.rounding = SLAB_ROUNDING * (bvh->radius + vec3_norm(off)), .windings = windings,
 		};
 
 		for (size_t k = 0; k < count; k++)

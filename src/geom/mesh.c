@@ -38,5 +38,5 @@ void mesh_scale(struct mesh *mesh, double factor)
 		}
 	}
 	/* Each coordinate is off by half a unit in its last place, a point by sqrt(3) of it. */
-	mesh->slop = mesh->slop * fabs(factor) + 1.8 * 0.5 * (double)FLT_EPSILON * largest;
+	mesh->rounding = mesh->rounding * fabs(factor) + 1.8 * 0.5 * (double)FLT_EPSILON * largest;
 }

@@ -15,7 +15,7 @@ typedef struct mesh_triangle {
 struct mesh {
 	mesh_triangle *triangles;
 	size_t count;
-	double slop;	/* mm: no stored coordinate is farther than this from the true one */
+	double rounding;	/* mm: no stored coordinate is farther than this from the true one */
 };
 
 void mesh_release(struct mesh *mesh);
@@ -28,7 +28,7 @@ static inline vec3 mesh_corner(const mesh_triangle *t, int corner)
 /* The least and greatest coordinates; the mesh is not empty. */
 void mesh_bounds(const struct mesh *mesh, vec3 *least, vec3 *greatest);
 
-/* Multiplies every coordinate (for files in inches or metres), and accounts for the rounding in `slop`. */
+/* Multiplies every coordinate (for files in inches or metres), and accounts for the rounding in `rounding`. */
 void mesh_scale(struct mesh *mesh, double factor);
 
 #endif

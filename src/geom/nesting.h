@@ -10,7 +10,7 @@
 /* A shell whose triangles face the other way than those of the shell around it is a cavity, and counts nowhere here. */
 struct nesting {
 	size_t inverted;	/* oriented shells in no other one whose triangles face inward */
-	size_t nested;	/* oriented shells in a not much larger one that faces the same way: solid, or a faulty cavity */
+	size_t nested; /* oriented shells in a not much larger one that faces the same way: solid, or a faulty cavity */
 };
 
 /* Of a mesh with thousands of shells only those that face inward are counted, cavities among them. */

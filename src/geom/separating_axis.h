@@ -8,7 +8,7 @@
 
 /*
  * Triangle a stands still; b's corners go from b0 to b1, each on its chord to
- * within a stray that is the caller's (he adds it to `apart`). fivecheck(7),
+ * within a displacement that is the caller's (he adds it to `apart`). fivecheck(7),
  * "Certificates".
  */
 

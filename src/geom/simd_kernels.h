@@ -14,7 +14,7 @@ struct box_motion;
 /* boxes_apart of boxes.h. */
 typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
 			    const struct box *other, float enough, float apart[BVH_WIDTH],
-			    float loose[BVH_WIDTH]);
+			    float lost[BVH_WIDTH]);
 
 /* support of support.h, for a direction in floats. */
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);

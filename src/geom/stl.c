@@ -306,7 +306,7 @@ static bool read_solids(struct reader *r, struct soup *soup)
 	if (r->failed || soup->mesh.count == 0)
 		return r->failed ? false : fail(r, "has no triangles");
 	/* Each coordinate is off by its rounding, to float and, of less weight, to double; a point by sqrt(3) of it. */
-	soup->mesh.slop = 1.8 * (soup->rounding + DBL_EPSILON * soup->largest);
+	soup->mesh.rounding = 1.8 * (soup->rounding + DBL_EPSILON * soup->largest);
 	soup->mesh.triangles = mem_realloc(soup->mesh.triangles, soup->mesh.count, sizeof(mesh_triangle));
 	return true;
 }

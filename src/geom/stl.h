@@ -15,7 +15,7 @@
  * content, not by the word "solid". What is missing, not a regular file,
  * truncated, oversized, empty of triangles, or not finite is reported with the
  * byte or line where it stands; then *out is untouched and the result false.
- * Coordinates are as in the file, the nearest floats; the slop accounts for the
+ * Coordinates are as in the file, the nearest floats; the rounding accounts for the
  * rounding of decimals (binary files: 0), in the file's unit.
  */
 bool stl_read(struct mesh *out, const char *path, struct diag *diag);

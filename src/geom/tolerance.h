@@ -39,7 +39,10 @@
  */
 #define LIMIT_TOLERANCE 1e-6
 
-/* mm: what a setup file gives twice (a tool's length and its sections) must agree to this. Files have 3 to 6 decimals. */
+/*
+ * mm: what a setup file gives twice (a tool's length and its sections) must agree to this. Files have 3 to 6
+ * decimals.
+ */
 #define TOOL_SUM_TOLERANCE 1e-6
 
 /*
@@ -52,8 +55,8 @@
 #define PARALLEL_SINE 1e-12
 
 /*
- * A number that is rounded to float, or is a product or a root of such, is off by a few times 2^-24 of itself: bounds in
- * float are enlarged (or, below, reduced) by this share.
+ * A number that is rounded to float, or is a product or a root of such, is off by a few times 2^-24 of itself: bounds
+ * in float are enlarged (or, below, reduced) by this share.
  */
 #define FLOAT_MARGIN 0x1p-20f
 
@@ -106,15 +109,17 @@
 /* Unit vectors are good to this where they were computed, and so are their projections. */
 #define DIRECTION_TOLERANCE 1e-9
 
-/* The same for directions from machine files and programs, with their few decimals: one so nearly reached is reached. */
+/*
+ * The same for directions from machine files and programs, with their few decimals: one so nearly reached is reached.
+ */
 #define DIRECTION_REACHED 1e-6
 
 /* Radians: ways, and angles from zero, that differ by less are equally good: no control chooses by less. */
 #define TIE_TOLERANCE 1e-6
 
 /*
- * mm and radians: proofs of "out of reach" go this far past the limits, so that the rounding of positions and small path
- * tolerances stay inside them.
+ * mm and radians: proofs of "out of reach" go this far past the limits, so that the rounding of positions and small
+ * path tolerances stay inside them.
  */
 #define REACH_MARGIN 1e-3
 

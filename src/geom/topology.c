@@ -75,7 +75,10 @@ static uint64_t side_key(uint32_t from, uint32_t to)
 	return from < to ? (uint64_t)from << 32 | (uint64_t)to << 1 : (uint64_t)to << 32 | (uint64_t)from << 1 | 1;
 }
 
-/* Leaves the sides of the triangles that are not degenerate in soup->keys, sorted; of the twins that are kept if `twins`. */
+/*
+ * Leaves the sides of the triangles that are not degenerate in soup->keys, sorted; of the twins that are kept if
+ * `twins`.
+ */
 static size_t list_sides(struct soup *soup, const uint8_t *twins)
 {
 	size_t count = 0;

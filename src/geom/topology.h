@@ -17,10 +17,10 @@
 
 /* How the inside of a shell can be told. */
 enum shell_kind {
-	SHELL_EMPTY,	/* it has no triangles */
-	SHELL_ORIENTED,	/* by the winding number: every edge is run through as often in one direction as in the other */
-	SHELL_UNORIENTED,	/* by the parity of a ray's crossings: an even number of triangles meets in every edge */
-	SHELL_OPEN	/* not at all: it has holes */
+	SHELL_EMPTY, /* it has no triangles */
+	SHELL_ORIENTED, /* by the winding number: every edge is run through as often in one direction as in the other */
+	SHELL_UNORIENTED, /* by the parity of a ray's crossings: an even number of triangles meets in every edge */
+	SHELL_OPEN /* not at all: it has holes */
 };
 
 struct shell {

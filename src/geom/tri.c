@@ -200,10 +200,10 @@ static bool closest_certified(const struct closest *c, double distance, const st
 			      double tolerance)
 {
 	vec3 v = vec3_sub(c->on_b, c->on_a);
-	double above = vec3_dot(v, c->on_a), below = vec3_dot(v, c->on_b), slack = tolerance * distance;
+	double above = vec3_dot(v, c->on_a), below = vec3_dot(v, c->on_b), rounding = tolerance * distance;
 
 	for (int k = 0; k < 3; k++) {
-		if (vec3_dot(v, a->p[k]) > above + slack || vec3_dot(v, b->p[k]) < below - slack)
+		if (vec3_dot(v, a->p[k]) > above + rounding || vec3_dot(v, b->p[k]) < below - rounding)
 			return false;
 	}
 	return distance > tolerance;

@@ -6,9 +6,10 @@ bool body_build(struct description_file *file, const struct body_description *de
 		struct body *body)
 {
 	if (body_name_is_reserved(described->name)) {
-		description_fault(file, described->at, "name",
-				  "a body cannot be named '%s': in a <pair> that word names an axis, the base or a role",
-				  described->name);
+		description_fault(
+		    file, described->at, "name",
+		    "a body cannot be named '%s': in a <pair> that word names an axis, the base or a role",
+		    described->name);
 		return false;
 	}
 	body->name = described->name;
@@ -26,8 +27,8 @@ void body_check_name(struct description_file *file, const void *at, const char *
 {
 	for (size_t i = 0; i < count; i++) {
 		if (strcmp(bodies[i].name, name) == 0) {
-			description_fault(file, at, "name", "the name '%s' is taken: another body has it (%s:%ld)", name,
-					  bodies[i].loc.file, bodies[i].loc.line);
+			description_fault(file, at, "name", "the name '%s' is taken: another body has it (%s:%ld)",
+					  name, bodies[i].loc.file, bodies[i].loc.line);
 			return;
 		}
 	}

@@ -45,8 +45,9 @@ static void check_dialect(struct description_file *file, const struct controller
 		description_fault(file, described->at, "least_input",
 				  "least_input of <controller>: %s has no least input increment", row->title);
 	if (described->length_moves != ANSWER_UNKNOWN)
-		description_fault(file, described->at, "length_offset_moves",
-				  "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
+		description_fault(
+		    file, described->at, "length_offset_moves",
+		    "length_offset_moves of <controller>: %s moves no axis when the length offset changes", row->title);
 	if (described->g53_with_g91 != G53_WITH_G91_UNKNOWN)
 		description_fault(file, described->at, "g53_with_g91",
 				  "g53_with_g91 of <controller>: %s refuses G53 while G91 is in force", row->title);
@@ -92,7 +93,8 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->power_on_distance = from->power_on_distance;
 	to->power_on_plane = from->power_on_plane;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
-		description_fault(file, from->at, "path_tolerance", "path_tolerance of <controller> must be more than 0");
+		description_fault(file, from->at, "path_tolerance",
+				  "path_tolerance of <controller> must be more than 0");
 	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))
 		description_fault(file, from->at, "least_input",
 				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",

@@ -12,18 +12,22 @@ enum doubt_kind {
 	DOUBT_LEFT_HANDED,	/* X Y Z of the tool against the work */
 	DOUBT_TURNED,	/* X Y Z of the tool against the work are right-handed, but not those of the drawing */
 	DOUBT_PARALLEL,	/* axis and other move the tool along one line */
-	DOUBT_LETTER,	/* axis moves the tool along, or turns it about, the direction of another letter: `other` is 0 X, 1 Y, 2 Z */
+	/* axis moves the tool along, or turns it about, the direction of another letter: `other` is 0 X, 1 Y, 2 Z */
+	DOUBT_LETTER,
 	DOUBT_SIGN,	/* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
 	DOUBT_ROTARY_SIGN,	/* a positive value turns the tool about -X, -Y, -Z */
 	DOUBT_ROTARY_MISSES,	/* the axis' line misses all bodies that it carries, by `value` */
 	DOUBT_SPINDLE_ACROSS,	/* Z does not move the tool along the spindle */
 	DOUBT_SPINDLE_TOWARD,	/* Z+ moves the tool where its tip points */
-	DOUBT_SPINDLE_IN_HEAD,	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
+	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
+	DOUBT_SPINDLE_IN_HEAD,
 	DOUBT_SPINDLE_AWAY,	/* the workholding is behind the tool at every position, by at least `value` */
 	DOUBT_SPINDLE_FAR,	/* the gauge point is `value` from the nearest body of its link */
-	DOUBT_WORKHOLDING_BESIDE,	/* no position of the linear axes brings the tool nearer than `value` to it sideways */
+	/* no position of the linear axes brings the tool nearer than `value` to it sideways */
+	DOUBT_WORKHOLDING_BESIDE,
 	DOUBT_WORKHOLDING_FAR,	/* it is `value` from the nearest body of its link */
-	DOUBT_BODIES_SMALL,	/* all bodies of the machine together are `value` large, the longest travel is `limit` */
+	/* all bodies of the machine together are `value` large, the longest travel is `limit` */
+	DOUBT_BODIES_SMALL,
 	DOUBT_BODIES_LARGE,
 	/*
 	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.

@@ -74,7 +74,8 @@ static bool check_name(const struct body_list lists[3], const struct pair_name *
 		if (knows_body(&lists[k], name->body))
 			return true;
 	if (!any_setup) {
-		diag_warning(diag, loc, "<pair>: the machine has no body '%s', and no setup was given that could have one",
+		diag_warning(diag, loc,
+			     "<pair>: the machine has no body '%s', and no setup was given that could have one",
 			     name->body);
 		return false;
 	}

@@ -53,7 +53,8 @@ static void check_limits(struct description_file *file, const struct axis_descri
 				  description_quote(file, described->at, "home").text, axis->name);
 	else
 		description_fault(file, described->at, NULL,
-				  "0, the default home, lies outside the limits of axis %s: give it a home", axis->name);
+				  "0, the default home, lies outside the limits of axis %s: give it a home",
+				  axis->name);
 }
 
 static void check_kind(struct description_file *file, const struct axis_description *described,
@@ -181,7 +182,8 @@ static struct pair_name build_pair_name(struct description_file *file, const voi
 	axis = machine_axis(machine, slot_of_letter(name[0]));
 	if (axis)
 		return (struct pair_name){.kind = NAME_LINK, .link = (int)(axis - machine->axes) + 1};
-	description_fault(file, at, attribute, "%s=\"%s\" of <pair>: the machine has no axis %s", attribute, name, name);
+	description_fault(file, at, attribute, "%s=\"%s\" of <pair>: the machine has no axis %s", attribute, name,
+			  name);
 	return (struct pair_name){.kind = NAME_LINK, .link = 0};
 }
 
@@ -215,7 +217,8 @@ static void build_pairs(struct machine_description *described, struct machine *m
 {
 	struct description_file *file = &described->file;
 
-	machine->adjacent_within = described->adjacent_within.given ? described->adjacent_within.value : ADJACENT_WITHIN;
+	machine->adjacent_within =
+	    described->adjacent_within.given ? described->adjacent_within.value : ADJACENT_WITHIN;
 	if (described->pair_count > BODIES_MAX) {
 		description_fault(file, described->pairs_at, NULL,
 				  "there are %zu pairs; more than %d are not supported", described->pair_count,

@@ -58,7 +58,7 @@ size_t linear_run_end(const struct chain *chain, size_t first)
 	return first;
 }
 
-double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount)
+double linear_displacement(const struct chain *chain, size_t first, size_t last, const axis_values *amount)
 {
 	double square = 0;
 
@@ -117,7 +117,7 @@ static size_t stages_of(const struct chain *chain, int view, struct stage out[SL
 struct share {
 	double angle;	/* |dq| of a rotary joint, radians */
 	double way;	/* u, mm */
-	double drift;	/* mm, by the chord error */
+	double displacement;	/* mm, by the chord error */
 	double path, path_growth;	/* mm, by the path tolerance */
 	double rho;
 };
@@ -128,7 +128,7 @@ struct share {
  */
 static void chord_shares(struct share *shares, const struct stage *stages, size_t count, int view,
 			 const struct chain *chain, const struct chain_state *start, const struct chain_state *end,
-			 const axis_values *q0, const axis_values *q1, const axis_values *deviation,
+			 const axis_values *q0, const axis_values *q1, const axis_values *chord_error,
 			 const axis_values *tolerance)
 {
 	double later = 0;
@@ -144,21 +144,21 @@ static void chord_shares(struct share *shares, const struct stage *stages, size_
 			share->angle = fabs(q1->v[slot] - q0->v[slot]);
 			share->rho = fmax(start->rho[view][i], end->rho[view][i]) + later;
 			share->way = share->angle * share->rho;
-			share->drift = deviation->v[slot] * share->rho;
+			share->displacement = chord_error->v[slot] * share->rho;
 			share->path = tolerance ? tolerance->v[slot] * share->rho : 0;
 			share->path_growth = tolerance ? tolerance->v[slot] * later : 0;
 		} else {
 			share->way = linear_way(chain, i, stages[n].last, q0, q1);
-			share->drift = linear_play(chain, i, stages[n].last, deviation);
-			share->path = tolerance ? linear_play(chain, i, stages[n].last, tolerance) : 0;
+			share->displacement = linear_displacement(chain, i, stages[n].last, chord_error);
+			share->path = tolerance ? linear_displacement(chain, i, stages[n].last, tolerance) : 0;
 		}
-		later += 0.5 * share->way + share->drift;
+		later += 0.5 * share->way + share->displacement;
 	}
 }
 
 void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *deviation, const axis_values *tolerance)
+		      const axis_values *chord_error, const axis_values *tolerance)
 {
 	double lengths[VIEWS];
 
@@ -168,22 +168,22 @@ void chord_bound_init(struct chord_bound *bound, const struct chain *chain, cons
 		size_t count = stages_of(chain, view, stages);
 		double turned = 0, acceleration = 0;
 
-		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, deviation, tolerance);
-		lengths[view] = bound->drift[view] = bound->path[view] = bound->path_growth[view] = 0;
+		chord_shares(shares, stages, count, view, chain, start, end, q0, q1, chord_error, tolerance);
+		lengths[view] = bound->displacement[view] = bound->path[view] = bound->path_growth[view] = 0;
 		for (size_t n = 0; n < count; n++) {
 			const struct share *share = &shares[n];
 
 			acceleration += 2 * turned * share->way + share->angle * share->way;
 			turned += share->angle;
 			lengths[view] += share->way;
-			bound->drift[view] += share->drift;
+			bound->displacement[view] += share->displacement;
 			bound->path[view] += share->path;
 			bound->path_growth[view] += share->path_growth;
 		}
 		/*
 		 * By the length alone: |x(s) - chord(s)| <= (1-s) |x(s) - x(0)| + s |x(s) - x(1)| <= 2 s (1-s) length.
 		 */
-		bound->bend[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
+		bound->chord_error[view] = WITH_SECOND_ORDER ? acceleration / 8 : 0.5 * lengths[view];
 	}
 	bound->length = fmin(lengths[0], lengths[1]);
 }
@@ -201,7 +201,7 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 			sum += tolerance->v[joint->slot] *
 			       vec3_norm(vec3_cross(state->direction[i], vec3_sub(x, state->location[i])));
 		else
-			sum += linear_play(chain, i, end, tolerance);
+			sum += linear_displacement(chain, i, end, tolerance);
 		i = end;
 	}
 	return sum;
@@ -229,7 +229,7 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
 				way = turn_of(half->v[chain->joints[i].slot], state->rho[view][i] + later);
 				bound->turn[view][i] = way;
 			} else {
-				way = linear_play(chain, i, stages[n].last, half);
+				way = linear_displacement(chain, i, stages[n].last, half);
 				for (size_t k = i; k < stages[n].last; k++)
 					bound->turn[view][k] = 0;
 			}

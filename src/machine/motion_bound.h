@@ -29,7 +29,7 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		      const struct ball *fixed, const struct ball *moved);
 
 /*
- * Bounds for a motion in which every joint goes linearly from q0 to q1, with a chord error of at most `deviation`
+ * Bounds for a motion in which every joint goes linearly from q0 to q1, with a chord error of at most `chord_error`
  * (fivecheck(7), "How far a point can move"). The control may leave this motion by `tolerance` (NULL: not at all). At
  * the instant when the joints should be at q, that moves a point by at most its path displacement: the sum over the
  * rotary joints of the tolerance times the point's distance to the axis at q, plus the tolerances of the linear joints.
@@ -37,15 +37,15 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
  */
 struct chord_bound {
 	double length;	/* L: no point moves farther, without chord errors (the better of both views) */
-	double bend[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
-	double drift[VIEWS];	/* d: the chord errors move no point by more */
+	double chord_error[VIEWS];	/* k: no point's path leaves the chord between its ends by more */
+	double displacement[VIEWS];	/* d: the chord errors move no point by more */
 	double path[VIEWS];	/* no point's path displacement is larger, at any instant */
 	double path_growth[VIEWS];	/* no point's path displacement exceeds the larger one at the ends by more */
 };
 
 void chord_bound_init(struct chord_bound *bound, const struct chain *chain, const struct chain_state *start,
 		      const struct chain_state *end, const axis_values *q0, const axis_values *q1,
-		      const axis_values *deviation, const axis_values *tolerance);
+		      const axis_values *chord_error, const axis_values *tolerance);
 
 /*
  * The path displacement (mm) of a point at `x`, in the fixed link's coordinates: a moved point in view 0, a fixed point
@@ -71,7 +71,7 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
  * mm: the farthest that the linear joints first..last-1 can move a point when each moves by at most amount[slot]. With
  * signs s, |sum s a d|^2 <= sum over pairs of a_i a_j |d_i . d_j|, which is the vector norm for orthogonal directions.
  */
-double linear_play(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
+double linear_displacement(const struct chain *chain, size_t first, size_t last, const axis_values *amount);
 
 /* mm: how far the linear joints first..last-1 move a point from q0 to q1. */
 double linear_way(const struct chain *chain, size_t first, size_t last, const axis_values *q0, const axis_values *q1);

@@ -377,7 +377,8 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 		.line = description_place(builder->file, described->at).line,
 	};
 	for (int i = 0; i < TOOL_PIECES; i++) {
-		pieces[i] = (struct piece){.described = &described->pieces[i], .name = piece_names[i], .cutter = i == PIECE_CUTTER};
+		pieces[i] = (struct piece){
+		    .described = &described->pieces[i], .name = piece_names[i], .cutter = i == PIECE_CUTTER};
 		build_piece(builder, &pieces[i]);
 		any = any || described->pieces[i].at;
 	}

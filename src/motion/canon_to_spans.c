@@ -53,8 +53,9 @@ static bool is_in_reach(struct canon_to_spans *converter, const struct canon_mov
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (fabs(move->end.v[slot]) <= FARTHEST)
 			continue;
-		diag_error(converter->diag, place(converter, move), "axis %c is sent to %g, farther than can be computed",
-			   AXIS_LETTERS[slot], slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
+		diag_error(converter->diag, place(converter, move),
+			   "axis %c is sent to %g, farther than can be computed", AXIS_LETTERS[slot],
+			   slot_is_rotary(slot) ? degrees(move->end.v[slot]) : move->end.v[slot]);
 		return false;
 	}
 	if (move->kind != CANON_ARC ||
@@ -118,7 +119,8 @@ static bool turns(const struct path *path)
 	return false;
 }
 
-static enum path_kind kind_of(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
+static enum path_kind kind_of(const struct canon_to_spans *converter, const struct canon_move *move,
+			      const struct path *path)
 {
 	if (goes_as_axes(converter, move) && turns(path))
 		return PATH_BOX;
@@ -135,7 +137,8 @@ static enum path_kind kind_of(const struct canon_to_spans *converter, const stru
  * Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. Where the axes go their
  * own ways under TCP, *guided receives start and end as the controller means them.
  */
-static void set_path(struct path *path, const struct canon_to_spans *converter, const struct canon_move *move, struct path *guided)
+static void set_path(struct path *path, const struct canon_to_spans *converter, const struct canon_move *move,
+		     struct path *guided)
 {
 	path->circular = move->kind == CANON_ARC;
 	if (!move->tcp)
@@ -179,11 +182,11 @@ struct run {
 /* False, reported: the move is so long and so curved that it would need too many pieces. */
 static bool is_countable(const struct canon_to_spans *converter, const struct canon_move *move, const struct path *path)
 {
-	axis_values bend = path_bend(path, 0, 1);
+	axis_values second_derivative = path_second_derivative(path, 0, 1);
 	double most = 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		most = fmax(most, bend.v[slot]);
+		most = fmax(most, second_derivative.v[slot]);
 	if (sqrt(most / (8 * converter->flatness)) <= MOST_PIECES)
 		return true;
 	diag_error(converter->diag, place(converter, move),
@@ -210,8 +213,8 @@ static bool swing_out(const struct run *run, struct path *guided, const struct p
 	span_walk_init(&walk, &whole, converter->flatness);
 	while (span_walk_next(&walk, &piece)) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
-			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.deviation.v[slot];
-			const double high = fmax(piece.q0.v[slot], piece.q1.v[slot]) + piece.deviation.v[slot];
+			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.chord_error.v[slot];
+			const double high = fmax(piece.q0.v[slot], piece.q1.v[slot]) + piece.chord_error.v[slot];
 			const double below = fmin(box->start.v[slot], box->end.v[slot]) - low;
 			const double above = high - fmax(box->start.v[slot], box->end.v[slot]);
 
@@ -437,7 +440,8 @@ static bool switch_tcp(void *context, const struct kinematics_tcp *state, struct
 	if (state->on && !tcp_init(&converter->tcp, converter->machine, state, loc, converter->diag))
 		return false;
 	converter->tcp.state.on = state->on;
-	converter->controller = state->on ? tcp_from_machine(&converter->tcp, &converter->position) : converter->position;
+	converter->controller =
+	    state->on ? tcp_from_machine(&converter->tcp, &converter->position) : converter->position;
 	converter->controller_guided = state->on;
 	*position = converter->controller;
 	return true;
@@ -459,5 +463,6 @@ static bool table_point(void *context, struct srcloc loc, axis_values *place)
 
 struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter)
 {
-	return (struct kinematics){.context = converter, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
+	return (struct kinematics){
+	    .context = converter, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
 }

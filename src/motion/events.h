@@ -18,7 +18,8 @@ struct motion_step {
 	double time;	/* s from the start of the program to the start of the span, dwells included */
 	double block_time;	/* s of motion in this block before the span, dwells excluded */
 	double seconds;	/* the span's own duration */
-	axis_values tolerance;	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the deviation */
+	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the chord error */
+	axis_values tolerance;
 	bool outside;	/* a part of the move is past an axis limit */
 	enum step_class step_class;
 };

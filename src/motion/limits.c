@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "geom/tolerance.h"
 
-/* The share of the tolerance below which a chord's deviation is ignored. */
+/* The share of the tolerance below which a chord error is ignored. */
 #define BELIEVED 0.01
 
 /* mm or degrees: how exactly a report says how far an axis goes past its limit. */
@@ -18,7 +18,7 @@ struct side {
 	double sign;
 	double bound;
 	double tolerance;
-	double believed;	/* deviation */
+	double believed;	/* chord error */
 };
 
 static double height(const struct side *side, const axis_values *q)
@@ -30,7 +30,7 @@ static bool stays_inside(const struct side *side, const struct span *span)
 {
 	double most = larger(height(side, &span->q0), height(side, &span->q1));
 
-	return most + span->deviation.v[side->slot] <= side->tolerance;
+	return most + span->chord_error.v[side->slot] <= side->tolerance;
 }
 
 /* Where the span passes the limit. It was not proved inside, and is so short that its chord can be used. */
@@ -55,7 +55,7 @@ static bool first_past(const struct side *side, const struct span *whole, double
 
 		if (stays_inside(side, &span))
 			continue;
-		if (height(side, &span.q0) > side->tolerance || span.deviation.v[side->slot] <= side->believed ||
+		if (height(side, &span.q0) > side->tolerance || span.chord_error.v[side->slot] <= side->believed ||
 		    span_is_shortest(&span)) {
 			*u = passes_at(side, &span);
 			return true;
@@ -70,7 +70,7 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, stru
 {
 	double tolerance = axis->rotary ? radians(LIMIT_TOLERANCE) : LIMIT_TOLERANCE;
 	/* Near the rounding error halving no longer helps, and the chord must be used. */
-	double rounding = path_deviation(whole->path, 0, 0).v[axis->slot];
+	double rounding = path_chord_error(whole->path, 0, 0).v[axis->slot];
 	double believed = larger(BELIEVED * tolerance, 2 * rounding), u;
 	bool found = false;
 
@@ -95,7 +95,7 @@ double limits_excess(const struct limit_crossing *crossing, const struct span *w
 {
 	const double sign = crossing->below ? -1 : 1;
 	const struct side side = {.slot = crossing->slot, .sign = sign, .bound = sign * crossing->bound};
-	const double rounding = path_deviation(whole->path, 0, 0).v[side.slot];
+	const double rounding = path_chord_error(whole->path, 0, 0).v[side.slot];
 	const double exact = larger(slot_is_rotary(side.slot) ? radians(EXCESS_EXACT) : EXCESS_EXACT, 2 * rounding);
 	double most = larger(height(&side, &whole->q0), height(&side, &whole->q1));
 	struct span ahead[SPAN_DEPTH + 1];
@@ -108,7 +108,7 @@ double limits_excess(const struct limit_crossing *crossing, const struct span *w
 
 		most = larger(most, higher);
 		/* The box of a rapid stays between its ends. */
-		if (whole->path->kind == PATH_BOX || higher + span.deviation.v[side.slot] <= most + exact ||
+		if (whole->path->kind == PATH_BOX || higher + span.chord_error.v[side.slot] <= most + exact ||
 		    span_is_shortest(&span))
 			continue;
 		span_halve(&span, &ahead[count + 1], &ahead[count]);
@@ -120,7 +120,7 @@ double limits_excess(const struct limit_crossing *crossing, const struct span *w
 /* Nearly every move is inside the limits as a whole; then no side needs a search. */
 static bool is_inside(const struct axis *axis, const struct span *whole)
 {
-	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->deviation.v[axis->slot];
+	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->chord_error.v[axis->slot];
 
 	return smaller(a, b) - d >= axis->limit_min && larger(a, b) + d <= axis->limit_max;
 }

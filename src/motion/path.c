@@ -73,7 +73,7 @@ static vec3 turn_velocity(const struct turn *turn, double u)
 }
 
 /* The length of the second derivative, which lies in the plane: inwards sweep^2 r, along 2 sweep growth. */
-static double turn_bend(const struct turn *turn, double u0, double u1)
+static double turn_second_derivative(const struct turn *turn, double u0, double u1)
 {
 	double radius = fmax(turn_radius(turn, u0), turn_radius(turn, u1));
 	double inwards = turn->sweep * turn->sweep * radius, along = 2 * turn->sweep * turn->growth;
@@ -116,10 +116,10 @@ static vec3 shares(vec3 unit)
 static axis_values arc_bend(const struct path *path, double u0, double u1)
 {
 	struct turn turn = turn_of(path);
-	axis_values bend = {{0}};
+	axis_values second_derivative = {{0}};
 
-	set_linear_part(&bend, vec3_scale(turn_bend(&turn, u0, u1), shares(turn.normal)));
-	return bend;
+	set_linear_part(&second_derivative, vec3_scale(turn_second_derivative(&turn, u0, u1), shares(turn.normal)));
+	return second_derivative;
 }
 
 /* The most that the matrix stretches a unit vector of the plane of e1 and e2: the larger singular value. */
@@ -131,7 +131,7 @@ static double stretch(const mat3 *matrix, vec3 e1, vec3 e2)
 	return sqrt(mean + hypot(half, vec3_dot(a, b)));
 }
 
-static axis_values guided_bend(const struct path *path, double u0, double u1)
+static axis_values guided_second_derivative(const struct path *path, double u0, double u1)
 {
 	double u = 0.5 * (u0 + u1), acceleration = 0;
 	axis_values middle = controller_position(path, u), rate;
@@ -142,18 +142,18 @@ static axis_values guided_bend(const struct path *path, double u0, double u1)
 		struct turn turn = turn_of(path);
 
 		set_linear_part(&rate, turn_velocity(&turn, u));
-		acceleration = turn_bend(&turn, u0, u1) * stretch(&path->tcp->matrix, turn.e1, turn.e2);
+		acceleration = turn_second_derivative(&turn, u0, u1) * stretch(&path->tcp->matrix, turn.e1, turn.e2);
 	}
 	return tcp_bend(path->tcp, &middle, &rate, acceleration, 0.5 * (u1 - u0));
 }
 
-axis_values path_bend(const struct path *path, double u0, double u1)
+axis_values path_second_derivative(const struct path *path, double u0, double u1)
 {
 	switch (path->kind) {
 	case PATH_ARC:
 		return arc_bend(path, u0, u1);
 	case PATH_TCP:
-		return guided_bend(path, u0, u1);
+		return guided_second_derivative(path, u0, u1);
 	case PATH_STRAIGHT:
 	case PATH_BOX:
 		break;
@@ -188,48 +188,48 @@ static double arc_miss(const struct path *path)
 	return vec3_norm(vec3_sub(turn_position(&turn, 1), linear_part(&path->end)));
 }
 
-static axis_values arc_deviation(const struct path *path, double u0, double u1)
+static axis_values arc_chord_error(const struct path *path, double u0, double u1)
 {
 	struct turn turn = turn_of(path);
-	axis_values deviation = {{0}};
+	axis_values chord_error = {{0}};
 	double h = u1 - u0, rounding, radius = fmax(turn_radius(&turn, u0), turn_radius(&turn, u1));
 	/* A long way round, arc and chord are still both within the circle. */
-	double bound = fmin(h * h / 8 * turn_bend(&turn, u0, u1), 2 * radius) * BOUND_SLACK;
+	double bound = fmin(h * h / 8 * turn_second_derivative(&turn, u0, u1), 2 * radius) * BOUND_SLACK;
 	vec3 share = shares(turn.normal);
 
 	reach_of(path, &rounding);
 	if (u1 >= 1)
 		rounding += arc_miss(path);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		deviation.v[slot] = rounding;
-	set_linear_part(&deviation, vec3_mad(linear_part(&deviation), bound, share));
-	return deviation;
+		chord_error.v[slot] = rounding;
+	set_linear_part(&chord_error, vec3_mad(linear_part(&chord_error), bound, share));
+	return chord_error;
 }
 
-static axis_values guided_deviation(const struct path *path, double u0, double u1)
+static axis_values guided_chord_error(const struct path *path, double u0, double u1)
 {
 	double h = u1 - u0, arc_rounding;
 	axis_values reach = reach_of(path, &arc_rounding);
 	axis_values rounding = tcp_rounding(path->tcp, &reach);
-	axis_values deviation = guided_bend(path, u0, u1);
+	axis_values chord_error = guided_second_derivative(path, u0, u1);
 
 	if (path->circular && u1 >= 1)
 		arc_rounding += arc_miss(path);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		/* An error of the arc goes through M (at most sqrt(3) long) and a row of its inverse. */
 		rounding.v[slot] += 2 * arc_rounding * vec3_norm(path->tcp->rows[slot]);
-		deviation.v[slot] = h * h / 8 * deviation.v[slot] * BOUND_SLACK + rounding.v[slot];
+		chord_error.v[slot] = h * h / 8 * chord_error.v[slot] * BOUND_SLACK + rounding.v[slot];
 	}
-	return deviation;
+	return chord_error;
 }
 
-axis_values path_deviation(const struct path *path, double u0, double u1)
+axis_values path_chord_error(const struct path *path, double u0, double u1)
 {
 	switch (path->kind) {
 	case PATH_ARC:
-		return arc_deviation(path, u0, u1);
+		return arc_chord_error(path, u0, u1);
 	case PATH_TCP:
-		return guided_deviation(path, u0, u1);
+		return guided_chord_error(path, u0, u1);
 	case PATH_STRAIGHT:
 	case PATH_BOX:
 		break;

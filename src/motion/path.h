@@ -34,10 +34,10 @@ axis_values path_position(const struct path *path, double u);
  * rounding of the chord's ends. Straight paths and boxes: 0. With u0 == u1,
  * what rounding alone makes of it.
  */
-axis_values path_deviation(const struct path *path, double u0, double u1);
+axis_values path_chord_error(const struct path *path, double u0, double u1);
 
 /* A bound on the second derivative of each axis by u, over [u0, u1]. */
-axis_values path_bend(const struct path *path, double u0, double u1);
+axis_values path_second_derivative(const struct path *path, double u0, double u1);
 
 /* mm that X Y Z go as the controller counts them: under TCP, the tip's way in the workpiece. */
 double path_length(const struct path *path);

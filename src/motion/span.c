@@ -9,7 +9,8 @@ static bool is_straight(const struct path *path)
 
 void span_init(struct span *whole, const struct path *path)
 {
-	*whole = (struct span){path_position(path, 0), path_position(path, 1), path_deviation(path, 0, 1), path, 0, 1};
+	*whole =
+	    (struct span){path_position(path, 0), path_position(path, 1), path_chord_error(path, 0, 1), path, 0, 1};
 }
 
 void span_halve(const struct span *span, struct span *first, struct span *second)
@@ -24,8 +25,8 @@ void span_halve(const struct span *span, struct span *first, struct span *second
 			q.v[slot] = 0.5 * (span->q0.v[slot] + span->q1.v[slot]);
 	} else {
 		q = path_position(path, middle);
-		early.deviation = path_deviation(path, span->u0, middle);
-		late.deviation = path_deviation(path, middle, span->u1);
+		early.chord_error = path_chord_error(path, span->u0, middle);
+		late.chord_error = path_chord_error(path, middle, span->u1);
 	}
 	early.u1 = late.u0 = middle;
 	early.q1 = late.q0 = q;
@@ -36,7 +37,7 @@ void span_halve(const struct span *span, struct span *first, struct span *second
 bool span_is_flat(const struct span *span, double linear)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		if (!slot_is_rotary(slot) && !(span->deviation.v[slot] <= linear))
+		if (!slot_is_rotary(slot) && !(span->chord_error.v[slot] <= linear))
 			return false;
 	return true;
 }
@@ -46,10 +47,10 @@ bool span_is_shortest(const struct span *span)
 	return span->u1 - span->u0 <= ldexp(1, -SPAN_DEPTH);
 }
 
-/* The largest deviation that no halving takes away. */
+/* The largest chord error that no halving takes away. */
 static double rounding_floor(const struct path *path)
 {
-	axis_values rounding = path_deviation(path, 0, 0);
+	axis_values rounding = path_chord_error(path, 0, 0);
 	double most = 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++)

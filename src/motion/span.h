@@ -10,11 +10,11 @@
 
 /*
  * For every s in [0,1] and every axis, the true position differs from
- * (1-s) q0 + s q1 by at most deviation (mm, radians). A span borrows its path.
+ * (1-s) q0 + s q1 by at most chord_error (mm, radians). A span borrows its path.
  */
 struct span {
 	axis_values q0, q1;
-	axis_values deviation;	/* of the chord from the true path; 0 for straight moves */
+	axis_values chord_error;	/* of the chord from the true path; 0 for straight moves */
 	const struct path *path;	/* the move that it is a piece of */
 	double u0, u1;	/* where in the path, 0 to 1 */
 };
@@ -22,13 +22,13 @@ struct span {
 /* The whole path as one span. */
 void span_init(struct span *whole, const struct path *path);
 
-/* The earlier and the later half; the deviations of a curved path shrink to about a quarter. */
+/* The earlier and the later half; the chord errors of a curved path shrink to about a quarter. */
 void span_halve(const struct span *span, struct span *first, struct span *second);
 
 /* True if no axis' chord deviates by more than `linear` mm. */
 bool span_is_flat(const struct span *span, double linear);
 
-/* Halvings of a whole path after which a span is as short as it gets, whatever its deviation. */
+/* Halvings of a whole path after which a span is as short as it gets, whatever its chord error. */
 #define SPAN_DEPTH 48
 
 bool span_is_shortest(const struct span *span);

@@ -182,8 +182,9 @@ static double share(vec3 row, vec3 axis, double lean)
  * interval times the bound on the next derivative. The first two terms are
  * across the joint's axis: a row of M^-1 along it does not see them.
  */
-static void add_chain_bend(const struct tcp *tcp, const struct chain *chain, struct carried carried,
-			   const axis_values *middle, const axis_values *rate, double half, axis_values *bend)
+static void add_chain_second_derivative(const struct tcp *tcp, const struct chain *chain, struct carried carried,
+					const axis_values *middle, const axis_values *rate, double half,
+					axis_values *second_derivative)
 {
 	mat3 turns[SLOT_COUNT], outer = mat3_identity();
 	vec3 axes[SLOT_COUNT];
@@ -208,7 +209,7 @@ static void add_chain_bend(const struct tcp *tcp, const struct chain *chain, str
 		double own = turn * (turn * rho + 2 * across);
 
 		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-			bend->v[slot] += own * share(tcp->rows[slot], axes[k], leans[k]);
+			second_derivative->v[slot] += own * share(tcp->rows[slot], axes[k], leans[k]);
 		carried.velocity = mat3_apply(&turns[k], vec3_mad(carried.velocity, omega, vec3_cross(d, r)));
 		carried.point = vec3_add(joint->location, mat3_apply(&turns[k], r));
 		carried.acceleration += own;
@@ -223,13 +224,13 @@ axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axi
 	struct carried workpiece = {xform_apply(&tcp->table_zero_inverse, at_zero),
 				    mat3_apply(&tcp->table_zero_inverse.rotation, velocity), acceleration};
 	struct carried tip = {tcp->tip, {0, 0, 0}, 0};
-	axis_values bend = {{0}};
+	axis_values second_derivative = {{0}};
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		bend.v[slot] = vec3_norm(tcp->rows[slot]) * acceleration;
-	add_chain_bend(tcp, &tcp->table, workpiece, middle, rate, half, &bend);
-	add_chain_bend(tcp, &tcp->head, tip, middle, rate, half, &bend);
-	return bend;
+		second_derivative.v[slot] = vec3_norm(tcp->rows[slot]) * acceleration;
+	add_chain_second_derivative(tcp, &tcp->table, workpiece, middle, rate, half, &second_derivative);
+	add_chain_second_derivative(tcp, &tcp->head, tip, middle, rate, half, &second_derivative);
+	return second_derivative;
 }
 
 /* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */

@@ -47,7 +47,7 @@ static double needed(const struct machine *machine, const struct span *span, con
 double timing_held(const struct machine *machine, const struct span *whole, double flatness, double seconds)
 {
 	const axis_values none = {{0}};
-	axis_values bend;
+	axis_values second_derivative;
 	struct span_walk walk;
 	struct span piece;
 
@@ -56,10 +56,10 @@ double timing_held(const struct machine *machine, const struct span *whole, doub
 	if (span_is_flat(whole, flatness))
 		return seconds;
 	/* By the mean value theorem no velocity leaves the chord's by more than half the second derivative. */
-	bend = path_bend(whole->path, 0, 1);
+	second_derivative = path_second_derivative(whole->path, 0, 1);
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		bend.v[slot] *= 0.5;
-	if (needed(machine, whole, &bend) <= seconds)
+		second_derivative.v[slot] *= 0.5;
+	if (needed(machine, whole, &second_derivative) <= seconds)
 		return seconds;
 	span_walk_init(&walk, whole, flatness);
 	while (span_walk_next(&walk, &piece))

@@ -10,7 +10,8 @@
 
 /*
  * Appends the tree of axes with their bodies (triangles, bounds in machine coordinates at the zero pose), the table of
- * which axis carries which (Table I of Chen, Lin and Chang), and what a positive value of each axis does. False, reported: a mesh is faulty.
+ * which axis carries which (Table I of Chen, Lin and Chang), and what a positive value of each axis does. False,
+ * reported: a mesh is faulty.
  */
 bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
 

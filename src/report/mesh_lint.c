@@ -31,7 +31,8 @@ static void add_nesting(struct strbuf *out, const struct body *body, const struc
 		add_name(out, body);
 		strbuf_addf(out, ": ");
 		format_units_add_count(out, nesting.nested, "shell");
-		strbuf_addf(out, " inside another one that faces the same way: taken as solid throughout, not as a cavity\n");
+		strbuf_addf(
+		    out, " inside another one that faces the same way: taken as solid throughout, not as a cavity\n");
 	}
 }
 

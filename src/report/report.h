@@ -47,7 +47,7 @@ struct report_run {
 	bool stats;	/* print all statistics */
 	const struct waiver_match *waiving;
 	int shard, shards;	/* K and N of --shard; 0: not given */
-	const char *program_list;	/* SHA-256 of the names of all programs before --shard took some; "": no such shard */
+	const char *program_list; /* SHA-256 of the names of all programs before --shard took some; "": no such shard */
 	const struct report_file *files;	/* what was read before the programs, and they; only valid in begin() */
 	size_t file_count;
 };
@@ -96,7 +96,7 @@ struct report_writer {
 	bool collects;	/* end() receives all items and writes them */
 	const char *separator;	/* between items, each of which is a line; NULL: none */
 	size_t limit;	/* number of items that are written; 0: no limit */
-	const char *free;	/* items that begin so have a limit of their own, of the same size; NULL: there are none */
+	const char *free; /* items that begin so have a limit of their own, of the same size; NULL: there are none */
 	void (*begin)(struct strbuf *out, const struct report_run *run);
 	void (*finding)(struct strbuf *out, const struct report_run *run, const struct finding *finding,
 			struct finding_style style);

@@ -210,8 +210,9 @@ static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 	format_units_add_plain(out, v->scene->bodies[pair->a].body->name);
 	strbuf_addf(out, " and ");
 	format_units_add_plain(out, v->scene->bodies[pair->b].body->name);
-	strbuf_addf(out, ": one may be inside the other, which cannot be known because its mesh is not closed; close the "
-			 "mesh (--check-machine names the gaps)");
+	strbuf_addf(out,
+		    ": one may be inside the other, which cannot be known because its mesh is not closed; close the "
+		    "mesh (--check-machine names the gaps)");
 	return true;
 }
 
@@ -219,7 +220,8 @@ static bool caution_blend(struct strbuf *out, const struct verdict *v)
 {
 	if (!v->stats->motion.blend_unbounded)
 		return false;
-	strbuf_addf(out, "G64 (of the program or from power-on; or G5, G5.1, G8, G187) without a tolerance: the control may leave the programmed path, "
+	strbuf_addf(out, "G64 (of the program or from power-on; or G5, G5.1, G8, G187) without a tolerance: the "
+			 "control may leave the programmed path, "
 			 "and only that path was checked; give P or <controller path_tolerance=\"\">");
 	return true;
 }

@@ -124,8 +124,9 @@ long waiver_writer_add(struct strbuf *out, const struct ndjson_run *run, const c
 	long findings;
 
 	if (!machine || !setup || !strcmp(machine, "none")) {
-		diag_error(diag, (struct srcloc){run->path, 1, 0},
-			   "the digest of the machine or of the setup is missing: run the check again with regular files");
+		diag_error(
+		    diag, (struct srcloc){run->path, 1, 0},
+		    "the digest of the machine or of the setup is missing: run the check again with regular files");
 		return -1;
 	}
 	findings = collect(&groups, run);

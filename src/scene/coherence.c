@@ -85,12 +85,12 @@ static double box_gap(const struct body_pair *pair, const xform *pose, vec3 n, c
 	return vec3_dot(n, to) - extent(n, a) - extent(mat3_apply_transposed(&pose->rotation, n), b);
 }
 
-bool coherence_separates_triangles(struct coherence *coherence, const struct motion_interval *interval, const tri *a, const tri *b0,
-			    const tri *b1, double clearance)
+bool coherence_separates_triangles(struct coherence *coherence, const struct motion_interval *interval, const tri *a,
+				   const tri *b0, const tri *b1, double clearance)
 {
 	for (int i = 0; i < coherence->axis_count; i++) {
 		const struct coherence_axis *axis = &coherence->axes[i];
-		double apart = clearance + interval->stray[axis->frame];
+		double apart = clearance + interval->displacement[axis->frame];
 
 		if (tri_gap(a, b0, axis_at(axis, &interval->poses[0])) > apart &&
 		    tri_gap(a, b1, axis_at(axis, &interval->poses[1])) > apart) {
@@ -113,7 +113,8 @@ static struct cluster cluster_of(const struct bvh *bvh, const struct subtree *su
 	const struct bvh_node *node;
 
 	if (subtree->leaf.count)
-		return (struct cluster){&bvh->mesh.triangles[subtree->leaf.first], subtree->leaf.count, bvh->simd_level};
+		return (struct cluster){&bvh->mesh.triangles[subtree->leaf.first], subtree->leaf.count,
+					bvh->simd_level};
 	node = &bvh->nodes[subtree->leaf.first];
 	return (struct cluster){&bvh->mesh.triangles[node->begin], node->total, bvh->simd_level};
 }
@@ -143,8 +144,9 @@ static bool clusters_apart(const struct coherence_axis *axis, const xform poses[
 	return true;
 }
 
-bool coherence_separates_subtrees(struct coherence *coherence, const struct motion_interval *interval, const struct body_pair *pair,
-			   const struct subtree *a, const struct subtree *b, double clearance)
+bool coherence_separates_subtrees(struct coherence *coherence, const struct motion_interval *interval,
+				  const struct body_pair *pair, const struct subtree *a, const struct subtree *b,
+				  double clearance)
 {
 	struct cluster of_a, of_b;
 
@@ -159,7 +161,8 @@ bool coherence_separates_subtrees(struct coherence *coherence, const struct moti
 		return false;
 	}
 	for (int i = 0; i < coherence->axis_count; i++) {
-		double apart = clearance + interval->stray[coherence->axes[i].frame] + SUPPORT_ROUNDING * pair->reach;
+		double apart =
+		    clearance + interval->displacement[coherence->axes[i].frame] + SUPPORT_ROUNDING * pair->reach;
 
 		if (clusters_apart(&coherence->axes[i], interval->poses, &of_a, &of_b, apart)) {
 			coherence_prefer(coherence, i);

@@ -42,17 +42,18 @@ void coherence_prefer(struct coherence *coherence, int axis);
 /*
  * Does an axis keep two triangles more than `clearance` apart throughout the interval, which is a chord? b0 and b1 are
  * b's triangle at the ends of the interval, in a's mesh coordinates. The axis is fixed in its frame, so at both ends
- * the gap must exceed the interval's `stray` of that view.
+ * the gap must exceed the interval's `displacement` of that view.
  */
-bool coherence_separates_triangles(struct coherence *coherence, const struct motion_interval *interval, const tri *a, const tri *b0,
-			    const tri *b1, double clearance);
+bool coherence_separates_triangles(struct coherence *coherence, const struct motion_interval *interval, const tri *a,
+				   const tri *b0, const tri *b1, double clearance);
 
 /*
  * The same for all triangles under two subtrees, if there are few and this has helped lately. Where two surfaces bulge
  * towards each other one axis separates many triangles whose boxes overlap.
  */
-bool coherence_separates_subtrees(struct coherence *coherence, const struct motion_interval *interval, const struct body_pair *pair,
-			   const struct subtree *a, const struct subtree *b, double clearance);
+bool coherence_separates_subtrees(struct coherence *coherence, const struct motion_interval *interval,
+				  const struct body_pair *pair, const struct subtree *a, const struct subtree *b,
+				  double clearance);
 
 /* The largest gap in mm between two boxes at one pose along any of the axes; negative: no axis separates them. */
 double coherence_gap(struct coherence *coherence, const xform *pose, const struct body_pair *pair, const struct box *a,

@@ -50,11 +50,11 @@ static void push_children(struct search *search, const struct bvh_pair *entry)
 	const struct bvh *bvh = open_a ? search->pair->a : search->pair->b;
 	const struct subtree *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
 	const struct bvh_node *node = &bvh->nodes[opened->leaf.first];
-	float apart[BVH_WIDTH], loose[BVH_WIDTH];
+	float apart[BVH_WIDTH], lost[BVH_WIDTH];
 	int order[BVH_WIDTH];
 
 	boxes_apart(&search->boxes, open_a ? 0 : 1, node, &kept->box,
-		    (float)(search->share * search->found) * (1 + FLOAT_MARGIN), apart, loose);
+		    (float)(search->share * search->found) * (1 + FLOAT_MARGIN), apart, lost);
 	search->sweep->visits += node->used;
 	for (int i = 0; i < node->used; i++) {
 		int at = i;

@@ -57,7 +57,8 @@ static void crossings(const struct scene *scene, int body, vec3 point, vec3 alon
 	vec3 p = xform_apply(&back, point), d = mat3_apply(&back.rotation, along);
 
 	for (size_t i = 0; i < mesh->count; i++) {
-		vec3 a = vec3_sub(mesh_corner(&mesh->triangles[i], 0), p), b = vec3_sub(mesh_corner(&mesh->triangles[i], 1), p);
+		vec3 a = vec3_sub(mesh_corner(&mesh->triangles[i], 0), p),
+		     b = vec3_sub(mesh_corner(&mesh->triangles[i], 1), p);
 		vec3 c = vec3_sub(mesh_corner(&mesh->triangles[i], 2), p);
 		double ab = vec3_dot(d, vec3_cross(a, b)), bc = vec3_dot(d, vec3_cross(b, c));
 		double ca = vec3_dot(d, vec3_cross(c, a)), at;
@@ -92,8 +93,8 @@ static void check_head(const struct scene *scene, struct doubts *doubts)
 			double angle = 2 * PI * (k + 0.31) / LINES, ahead = 0, behind = 0;
 			vec3 p = vec3_mad(spindle->location, radius * cos(angle), across[0]);
 
-			crossings(scene, (int)i, vec3_mad(p, radius * sin(angle), across[1]), spindle->direction, &ahead,
-				  &behind);
+			crossings(scene, (int)i, vec3_mad(p, radius * sin(angle), across[1]), spindle->direction,
+				  &ahead, &behind);
 			against += ahead > NOSE;
 			doubt.value = fmax(doubt.value, ahead);
 		}
@@ -117,7 +118,8 @@ static double line_to_box(vec3 point, vec3 along, struct placed_box box)
 	for (int i = 0; i < 200; i++) {
 		double a = low + (high - low) / 3, b = high - (high - low) / 3;
 
-		if (placed_box_distance(box, vec3_mad(point, a, along)) < placed_box_distance(box, vec3_mad(point, b, along)))
+		if (placed_box_distance(box, vec3_mad(point, a, along)) <
+		    placed_box_distance(box, vec3_mad(point, b, along)))
 			high = b;
 		else
 			low = a;
@@ -191,8 +193,9 @@ static bool read_meshes(struct scene *scene, struct diag *diag)
 		const struct body *body = scene->bodies[i].body;
 
 		if (body->role == ROLE_FIXTURE || body->role == ROLE_PART ||
-		    (body->role == ROLE_MACHINE && ((machine->spindle.present && body->link == machine->spindle.link) ||
-						    (machine->workholding.present && body->link == machine->workholding.link))))
+		    (body->role == ROLE_MACHINE &&
+		     ((machine->spindle.present && body->link == machine->spindle.link) ||
+		      (machine->workholding.present && body->link == machine->workholding.link))))
 			good = scene_body_bvh(scene, (int)i, diag) && good;
 	}
 	return good;

@@ -21,7 +21,7 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 		.chain = chain,
 		.ball_a = ball_around(a, place_a),
 		.ball_b = ball_around(b, place_b),
-		.slop = a->mesh.slop + b->mesh.slop,
+		.rounding = a->mesh.rounding + b->mesh.rounding,
 		.reach = vec3_norm(a->origin) + a->radius + vec3_norm(b->origin) + b->radius,
 	};
 }
@@ -54,7 +54,7 @@ double body_pair_rounding(const struct body_pair *pair, const axis_values *q, ve
 	/*
 	 * The 256 units of POSE_ROUNDING cover a few turns. An angle of many turns has a larger rounding error itself.
 	 */
-	return POSE_ROUNDING * size * (1 + turned / 64) + pair->slop;
+	return POSE_ROUNDING * size * (1 + turned / 64) + pair->rounding;
 }
 
 double body_pair_path_displacement(const struct body_pair *pair, const axis_values *q, const axis_values *tolerance)
@@ -93,15 +93,16 @@ static void finish_chord(struct motion_interval *interval, const struct body_pai
 	struct chord_bound bound;
 
 	chord_bound_init(&bound, pair->chain, &interval->states[0], &interval->states[1], &interval->chord.q0,
-			 &interval->chord.q1, &interval->chord.deviation, interval->chord.tolerance);
+			 &interval->chord.q1, &interval->chord.chord_error, interval->chord.tolerance);
 	interval->path = fmin(bound.path[0], bound.path[1]);
 	for (int v = 0; v < VIEWS; v++) {
-		interval->stray[v] = bound.bend[v] + bound.drift[v] + rounding;
+		interval->displacement[v] = bound.chord_error[v] + bound.displacement[v] + rounding;
 		interval->path_growth[v] = bound.path_growth[v];
-		interval->play[v] = (vec3){0, 0, 0};
+		interval->axis_displacement[v] = (vec3){0, 0, 0};
 	}
-	interval->reach = 0.5 * bound.length + fmin(bound.drift[0], bound.drift[1]) + rounding;
-	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->play, interval->stray);
+	interval->reach = 0.5 * bound.length + fmin(bound.displacement[0], bound.displacement[1]) + rounding;
+	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->axis_displacement,
+			interval->displacement);
 }
 
 static axis_values half_sizes(const struct chord *box)
@@ -126,7 +127,7 @@ static axis_values middle_of(const struct chord *box)
  * mm: how far a joint moves points along each axis of a frame in which its direction is d. A linear joint moves them by
  * `half` along d, a rotary one by `turn` across d.
  */
-static vec3 play_of(double half, double turn, bool rotary, vec3 d)
+static vec3 joint_displacement(double half, double turn, bool rotary, vec3 d)
 {
 	if (!rotary)
 		return (vec3){half * fabs(d.x), half * fabs(d.y), half * fabs(d.z)};
@@ -146,19 +147,22 @@ static void finish_box(struct motion_interval *interval, const struct body_pair 
 	rounding = body_pair_rounding(pair, &middle, interval->poses[0].translation);
 	box_bound_init(&interval->bound, chain, &interval->states[0], &half);
 	interval->path = 0;
-	interval->play[0] = interval->play[1] = (vec3){0, 0, 0};
-	interval->stray[0] = interval->stray[1] = rounding;
+	interval->axis_displacement[0] = interval->axis_displacement[1] = (vec3){0, 0, 0};
+	interval->displacement[0] = interval->displacement[1] = rounding;
 	for (size_t i = 0; i < chain->count; i++) {
 		vec3 in_a = mat3_apply_transposed(&pair->place_a.rotation, interval->states[0].direction[i]);
 		vec3 in_b = mat3_apply_transposed(&interval->poses[0].rotation, in_a);
 		double h = half.v[chain->joints[i].slot];
 		bool rotary = chain->joints[i].rotary;
 
-		interval->play[0] = vec3_add(interval->play[0], play_of(h, interval->bound.turn[0][i], rotary, in_a));
-		interval->play[1] = vec3_add(interval->play[1], play_of(h, interval->bound.turn[1][i], rotary, in_b));
+		interval->axis_displacement[0] = vec3_add(
+		    interval->axis_displacement[0], joint_displacement(h, interval->bound.turn[0][i], rotary, in_a));
+		interval->axis_displacement[1] = vec3_add(
+		    interval->axis_displacement[1], joint_displacement(h, interval->bound.turn[1][i], rotary, in_b));
 	}
 	interval->reach = fmin(interval->bound.reach[0], interval->bound.reach[1]) + rounding;
-	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->play, interval->stray);
+	box_motion_init(&interval->boxes, pair->a, pair->b, interval->poses, interval->axis_displacement,
+			interval->displacement);
 }
 
 void motion_interval_init(struct motion_interval *interval, const struct body_pair *pair, enum interval_kind kind,
@@ -211,7 +215,8 @@ static void halve_box(const struct motion_interval *interval, const struct body_
 	first->q1.v[slot] = second->q0.v[slot] = middle.v[slot];
 }
 
-void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair, struct motion_interval *first, struct motion_interval *second)
+void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair,
+			   struct motion_interval *first, struct motion_interval *second)
 {
 	double middle = 0.5 * (interval->s0 + interval->s1);
 
@@ -232,7 +237,8 @@ void motion_interval_halve(struct motion_interval *interval, const struct body_p
 		return;
 	}
 	first->s1 = second->s0 = middle;
-	(interval->chord.halve ? interval->chord.halve : halve_straight)(&interval->chord, &first->chord, &second->chord);
+	(interval->chord.halve ? interval->chord.halve : halve_straight)(&interval->chord, &first->chord,
+									 &second->chord);
 	first->states[0] = interval->states[0];
 	first->poses[0] = interval->poses[0];
 	state_at(&first->states[1], &first->poses[1], pair, &first->chord.q1);
@@ -244,19 +250,19 @@ void motion_interval_halve(struct motion_interval *interval, const struct body_p
 	finish_chord(second, pair);
 }
 
-double motion_interval_play_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n)
+double motion_interval_displacement_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n)
 {
 	vec3 in_a_link = mat3_apply(&pair->place_a.rotation, n);
 	axis_values half = half_sizes(&interval->chord);
-	double play = 0;
+	double displacement = 0;
 
 	for (size_t i = 0; i < pair->chain->count; i++) {
 		vec3 d = interval->states[0].direction[i];
 
 		if (pair->chain->joints[i].rotary)
-			play += interval->bound.turn[0][i] * vec3_norm(vec3_cross(in_a_link, d));
+			displacement += interval->bound.turn[0][i] * vec3_norm(vec3_cross(in_a_link, d));
 		else
-			play += half.v[pair->chain->joints[i].slot] * fabs(vec3_dot(in_a_link, d));
+			displacement += half.v[pair->chain->joints[i].slot] * fabs(vec3_dot(in_a_link, d));
 	}
-	return play;
+	return displacement;
 }

@@ -23,7 +23,7 @@ struct body_pair {
 	xform place_a, place_b;	/* mesh -> machine coordinates at the zero pose */
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
-	double slop;	/* mm: both meshes' together */
+	double rounding;	/* mm: both meshes' together */
 	double reach;	/* mm: the distances of both meshes' farthest corners from their origins, added up, or more */
 	struct coherence *coherence;	/* axes and triangles that helped last time; NULL: none are kept */
 };
@@ -44,13 +44,13 @@ double body_pair_rounding(const struct body_pair *pair, const axis_values *q, ve
 double body_pair_path_displacement(const struct body_pair *pair, const axis_values *q, const axis_values *tolerance);
 
 /*
- * Axis positions over a piece of a move: within `deviation` of the straight line from q0 to q1. The halves of a curve
+ * Axis positions over a piece of a move: within `chord_error` of the straight line from q0 to q1. The halves of a curve
  * deviate less than the whole, and `halve` computes them; NULL: the piece is straight, and both halves have its
  * deviation. The control may leave the move by `tolerance`, which halving does not change (borrowed; NULL: it may not).
  */
 struct chord {
 	axis_values q0, q1;
-	axis_values deviation;	/* mm, radians */
+	axis_values chord_error;	/* mm, radians */
 	const axis_values *tolerance;	/* mm, radians */
 	const void *curve;
 	double u0, u1;	/* where on the curve */
@@ -70,10 +70,11 @@ struct motion_interval {
 	int depth;	/* how often it was halved */
 	struct chain_state states[2];	/* CHORD: at both ends; BOX: [0] in the middle */
 	xform poses[2];	/* of the meshes at the states; BOX: both are the same */
-	double stray[VIEWS];	/* mm: CHORD: a point's distance from its chord, rounding included; BOX: rounding */
+	double displacement[VIEWS]; /* mm: CHORD: a point's distance from its chord, rounding included; BOX: rounding */
 	double path;	/* mm: CHORD: the largest path displacement, in the better view (motion_bound.h) */
 	double path_growth[VIEWS];	/* mm: how much it can exceed the larger one at the ends */
-	vec3 play[VIEWS];	/* mm: BOX: how far a point may be off its place, along the axes of the fixed mesh */
+	vec3 axis_displacement
+	    [VIEWS]; /* mm: BOX: how far a point may be off its place, along the axes of the fixed mesh */
 	struct box_bound bound;	/* BOX */
 	double reach;	/* mm, rounding included: CHORD: L/2 + d; BOX: from the middle to any place */
 	struct box_motion boxes;
@@ -86,9 +87,10 @@ void motion_interval_init(struct motion_interval *interval, const struct body_pa
 		 const struct chord *chord);
 
 /* Fills in the two halves, whose storage the caller provides. */
-void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair, struct motion_interval *first, struct motion_interval *second);
+void motion_interval_halve(struct motion_interval *interval, const struct body_pair *pair,
+			   struct motion_interval *first, struct motion_interval *second);
 
 /* BOX: how far b's points may be off their places along n, a unit vector in a's mesh coordinates, mm. */
-double motion_interval_play_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n);
+double motion_interval_displacement_along(const struct motion_interval *interval, const struct body_pair *pair, vec3 n);
 
 #endif

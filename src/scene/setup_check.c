@@ -63,7 +63,9 @@ static void spread_hold(struct scene *scene, bool *held)
 		added = false;
 		for (int i = 0; i < (int)scene->body_count; i++) {
 			for (int k = 0; k < (int)scene->body_count && is_set_up(scene, i) && !held[i]; k++) {
-				if (!held[k] || placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) < -HELD_WITHIN ||
+				if (!held[k] ||
+				    placed_box_overlap(placed_box_of(scene, i), placed_box_of(scene, k)) <
+					-HELD_WITHIN ||
 				    distance_apart(scene, i, k) > HELD_WITHIN)
 					continue;
 				held[i] = added = true;
@@ -247,13 +249,15 @@ static void check_tool_reach(const struct scene *scene, size_t item, struct doub
 	if (box_of_setup(scene, true, &box)) {
 		extent(scene, box, up, &bottom, &top);
 		if (low - length > top + OUT_OF_REACH)
-			doubts_add(doubts, &(struct doubt){.kind = DOUBT_TOOL_SHORT, .item = item, .value = low - length - top});
+			doubts_add(doubts, &(struct doubt){
+					       .kind = DOUBT_TOOL_SHORT, .item = item, .value = low - length - top});
 	}
 	if (box_of_setup(scene, false, &box)) {
 		extent(scene, box, up, &bottom, &top);
 		if (high - length < bottom)
-			doubts_add(doubts,
-				   &(struct doubt){.kind = DOUBT_TOOL_BELOW, .item = item, .value = bottom - (high - length)});
+			doubts_add(
+			    doubts,
+			    &(struct doubt){.kind = DOUBT_TOOL_BELOW, .item = item, .value = bottom - (high - length)});
 	}
 }
 
@@ -328,7 +332,8 @@ static void check_offset_travel(const struct scene *scene, size_t item, struct d
 		longest = fmax(longest, scene->setup->tools[i].length);
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
-		double value = scene->setup->offsets[item].value.v[axis->slot], room = axis->rotary ? 0.02 : 1, below = room;
+		double value = scene->setup->offsets[item].value.v[axis->slot], room = axis->rotary ? 0.02 : 1,
+		       below = room;
 		bool along = !axis->rotary && machine->spindle.present && kinematics_side(machine, axis) &&
 			     fabs(vec3_dot(axis->direction, machine->spindle.direction)) > 0.5;
 
@@ -336,7 +341,8 @@ static void check_offset_travel(const struct scene *scene, size_t item, struct d
 			below += longest + 0.5 * (axis->limit_max - axis->limit_min);
 		if (value >= axis->limit_min - below && value <= axis->limit_max + room)
 			continue;
-		doubts_add(doubts, &(struct doubt){.kind = DOUBT_OFFSET_OUTSIDE, .item = item, .axis = (int)i, .value = value});
+		doubts_add(doubts,
+			   &(struct doubt){.kind = DOUBT_OFFSET_OUTSIDE, .item = item, .axis = (int)i, .value = value});
 	}
 }
 

@@ -48,8 +48,8 @@ static bool boxes_overlap(const struct body_pair *bodies, const xform *b_in_a)
 	       fabs(to_a.x) <= hb.x + reach_a && fabs(to_a.y) <= hb.y + reach_a && fabs(to_a.z) <= hb.z + reach_a;
 }
 
-enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
-			    struct diag *diag)
+enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
+				   vec3 *point, struct diag *diag)
 {
 	struct body_pair bodies;
 	enum inside in_b, in_a;
@@ -120,7 +120,8 @@ bool static_query_overlaps(struct scene *scene, const struct scene_pair *pair, c
 	return true;
 }
 
-void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance, struct diag *diag)
+void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,
+				   struct diag *diag)
 {
 	diag_error(diag, scene->bodies[pair->b].body->loc,
 		   "'%s' and '%s' cannot be decided to within %g mm: their coordinates are too large for that; "

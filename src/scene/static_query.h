@@ -26,8 +26,8 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
  * Is a component of one body inside the other, with the surfaces apart? For INSIDE_YES *point is filled in. Faulty
  * meshes are reported, and the answer is INSIDE_NO.
  */
-enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q, vec3 *point,
-			    struct diag *diag);
+enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
+				   vec3 *point, struct diag *diag);
 
 /* Reports that the pair cannot be decided, because rounding alone exceeds the tolerance. */
 void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,

@@ -16,7 +16,7 @@
  * The motion is halved if, because the boxes move, their test loses more than this share of the larger subtree's size.
  * Measured: 0.06 to 0.15 perform alike; 0.4 costs four times as much where bodies nearly touch while they turn.
  */
-#define LOOSE 0.1f
+#define LOST 0.1f
 
 /* The most intervals to keep; a sweep that needs more is done in parts. */
 #define INTERVALS_MAX 4096
@@ -30,8 +30,8 @@
 struct sweep_entry {
 	struct motion_interval *interval;
 	struct subtree a, b;
-	bool tested;	/* the boxes were not proved apart over this interval, and `loose` is known */
-	float loose;	/* mm: roughly how much the boxes' test loses because the boxes move */
+	bool tested;	/* the boxes were not proved apart over this interval, and `lost` is known */
+	float lost;	/* mm: roughly how much the boxes' test loses because the boxes move */
 };
 
 /* One walk. */
@@ -140,9 +140,10 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 	const struct subtree kept = open_a ? entry->b : entry->a;
 	struct motion_interval *interval = entry->interval;
 	double required = required_in(walk, interval);
-	float apart[BVH_WIDTH], loose[BVH_WIDTH];
+	float apart[BVH_WIDTH], lost[BVH_WIDTH];
 
-	boxes_apart(&interval->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + FLOAT_MARGIN), apart, loose);
+	boxes_apart(&interval->boxes, open_a ? 0 : 1, node, &kept.box, (float)required * (1 + FLOAT_MARGIN), apart,
+		    lost);
 	walk->sweep->visits += node->used;
 	for (int l = node->used; l-- > 0;) {
 		struct sweep_entry *child;
@@ -156,14 +157,14 @@ static void push_children(struct walk *walk, const struct sweep_entry *entry)
 		child->a = open_a ? subtree_child(node, l) : kept;
 		child->b = open_a ? kept : subtree_child(node, l);
 		child->tested = true;
-		child->loose = loose[l];
+		child->lost = lost[l];
 	}
 }
 
 static bool apart_by_boxes(struct walk *walk, struct sweep_entry *entry)
 {
 	walk->sweep->visits++;
-	if (box_pair_apart(&entry->interval->boxes, &entry->a.box, &entry->b.box, &entry->loose) >
+	if (box_pair_apart(&entry->interval->boxes, &entry->a.box, &entry->b.box, &entry->lost) >
 	    required_in(walk, entry->interval)) {
 		walk->sweep->certificates++;
 		return true;
@@ -187,7 +188,7 @@ static bool is_loose(const struct sweep_entry *entry)
 {
 	float larger = entry->a.size > entry->b.size ? entry->a.size : entry->b.size;
 
-	return entry->loose > LOOSE * larger;
+	return entry->lost > LOST * larger;
 }
 
 static enum progress step(struct walk *walk, struct sweep_entry *entry)

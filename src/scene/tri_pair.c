@@ -64,7 +64,8 @@ static double most_displaced(const struct body_pair *pair, const struct chain_st
 	double most = 0;
 
 	for (int i = 0; i < 3; i++)
-		most = larger(most, path_displacement(pair->chain, state, xform_apply(&pair->place_a, t->p[i]), tolerance));
+		most = larger(most,
+			      path_displacement(pair->chain, state, xform_apply(&pair->place_a, t->p[i]), tolerance));
 	return most;
 }
 
@@ -90,25 +91,26 @@ static struct required required_of(const struct motion_interval *interval, const
  * The remembered axes depend on what was proved before. Because they must prove the tolerance in addition, they answer
  * only for triangles that no final interval would report. So remembering changes no result.
  */
-static bool apart_by_coherence(const struct motion_interval *interval, const struct body_pair *pair, const tri *a, const tri *b0,
-			    const tri *b1, const struct required *required, double margin)
+static bool apart_by_coherence(const struct motion_interval *interval, const struct body_pair *pair, const tri *a,
+			       const tri *b0, const tri *b1, const struct required *required, double margin)
 {
 	return pair->coherence &&
 	       coherence_separates_triangles(pair->coherence, interval, a, b0, b1, required->throughout + margin);
 }
 
-static enum tri_pair_answer prove_chord(const struct motion_interval *interval, const struct body_pair *pair, const tri *a,
-				    const tri *b, const struct tri_pair_query *question, struct contact *contact)
+static enum tri_pair_answer prove_chord(const struct motion_interval *interval, const struct body_pair *pair,
+					const tri *a, const tri *b, const struct tri_pair_query *question,
+					struct contact *contact)
 {
 	tri b0 = tri_transform(b, &interval->poses[0]), b1 = tri_transform(b, &interval->poses[1]);
 	struct required required;
 	struct closest n0, n1;
 	double apart;
 
-	if (tri_box_gap(a, &b0, &b1) > question->clearance + interval->path + interval->stray[0])
+	if (tri_box_gap(a, &b0, &b1) > question->clearance + interval->path + interval->displacement[0])
 		return TRI_PAIR_APART;
 	required = required_of(interval, pair, a, &b0, &b1, question->clearance);
-	apart = required.throughout + interval->stray[0];
+	apart = required.throughout + interval->displacement[0];
 	if (apart_by_coherence(interval, pair, a, &b0, &b1, &required, question->coherence_margin))
 		return TRI_PAIR_APART;
 	n0 = closest_of(a, &b0);
@@ -146,8 +148,9 @@ static axis_values box_middle(const struct motion_interval *interval)
 	return q;
 }
 
-static enum tri_pair_answer prove_box(const struct motion_interval *interval, const struct body_pair *pair, const tri *a,
-				  const tri *b, const struct tri_pair_query *question, struct contact *contact)
+static enum tri_pair_answer prove_box(const struct motion_interval *interval, const struct body_pair *pair,
+				      const tri *a, const tri *b, const struct tri_pair_query *question,
+				      struct contact *contact)
 {
 	double clearance = question->clearance;
 	tri at = tri_transform(b, &interval->poses[0]);
@@ -158,8 +161,8 @@ static enum tri_pair_answer prove_box(const struct motion_interval *interval, co
 	n = closest_of(a, &at);
 	if (n.distance > clearance) {
 		if (proven(&n, a, &at) > clearance + interval->reach ||
-		    tri_gap(a, &at, n.direction) >
-			    clearance + interval->stray[0] + motion_interval_play_along(interval, pair, n.direction))
+		    tri_gap(a, &at, n.direction) > clearance + interval->displacement[0] +
+						       motion_interval_displacement_along(interval, pair, n.direction))
 			return TRI_PAIR_APART;
 		if (!question->final)
 			return TRI_PAIR_OPEN;
@@ -168,8 +171,9 @@ static enum tri_pair_answer prove_box(const struct motion_interval *interval, co
 	return TRI_PAIR_TOUCHES;
 }
 
-enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a, struct leaf b,
-			    const struct tri_pair_query *question, struct contact *contact, long *certificates)
+enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a,
+				    struct leaf b, const struct tri_pair_query *question, struct contact *contact,
+				    long *certificates)
 {
 	enum tri_pair_answer worst = TRI_PAIR_APART;
 

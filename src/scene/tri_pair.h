@@ -34,7 +34,8 @@ struct tri_pair_query {
  * they are within clearance + path displacement + tolerance. contact->s is only ever made smaller. *certificates is
  * increased by one for each pair that is proved apart.
  */
-enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a, struct leaf b,
-			    const struct tri_pair_query *question, struct contact *contact, long *certificates);
+enum tri_pair_answer tri_pair_prove(const struct motion_interval *interval, const struct body_pair *pair, struct leaf a,
+				    struct leaf b, const struct tri_pair_query *question, struct contact *contact,
+				    long *certificates);
 
 #endif

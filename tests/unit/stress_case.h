@@ -38,7 +38,7 @@ static inline void stress_release(struct stress_case *c)
 
 static inline struct mesh stress_copy(const struct mesh *mesh)
 {
-	struct mesh copy = {mem_alloc(mesh->count * sizeof(*mesh->triangles)), mesh->count, mesh->slop};
+	struct mesh copy = {mem_alloc(mesh->count * sizeof(*mesh->triangles)), mesh->count, mesh->rounding};
 
 	memcpy(copy.triangles, mesh->triangles, mesh->count * sizeof(*mesh->triangles));
 	return copy;

@@ -12,8 +12,8 @@ struct meeting {
 	struct bvh *bodies[2];
 	xform poses[2];	/* b in a, at both ends */
 	int view;	/* 0: b moves in a's frame; 1: a in b's */
-	vec3 play[2];
-	double stray[2];
+	vec3 axis_displacement[2];
+	double displacement[2];
 	struct box_motion motion;
 };
 
@@ -69,12 +69,12 @@ static void meeting_init(struct meeting *m, uint64_t test, long number)
 	}
 	m->view = random_below(random, 2);
 	/* The other view's bound is made worthless: it holds for motions that obey both. */
-	m->stray[1 - m->view] = 1e9;
-	m->stray[m->view] = random_below(random, 2) ? 0 : size * random_size(random, 1e-5, 0.1);
+	m->displacement[1 - m->view] = 1e9;
+	m->displacement[m->view] = random_below(random, 2) ? 0 : size * random_size(random, 1e-5, 0.1);
 	if (random_below(random, 2))
-		m->play[m->view] = (vec3){random_in(random, 0, 0.1 * size), random_in(random, 0, 0.1 * size),
+		m->axis_displacement[m->view] = (vec3){random_in(random, 0, 0.1 * size), random_in(random, 0, 0.1 * size),
 					  random_in(random, 0, 0.1 * size)};
-	box_motion_init(&m->motion, m->bodies[0], m->bodies[1], m->poses, m->play, m->stray);
+	box_motion_init(&m->motion, m->bodies[0], m->bodies[1], m->poses, m->axis_displacement, m->displacement);
 }
 
 static double clamped(double x, double low, double high)
@@ -90,14 +90,16 @@ static void get(vec3 p, double out[3])
 }
 
 /*
- * How near a point of the standing box can come to one of the moving box that goes along its chord, with the play:
- * by turns the best of each coordinate while the others stay, which goes downhill. All in the standing frame.
+ * How near a point of the standing box can come to one of the moving box that goes along its chord, with the
+ * axis_displacement: by turns the best of each coordinate while the others stay, which goes downhill. All in the
+ * standing frame.
  */
 struct descent {
 	const struct box *still, *moving;
 	double maps[2][4][3];	/* images of the unit vectors and of the origin of the moving body, at both ends */
-	double play[3];
-	double s, x[3], p[3];	/* of the moving point: where on the chord, where in the box, how much play */
+	double axis_displacement[3];
+	/* of the moving point: where on the chord, where in the box, how much axis_displacement */
+	double s, x[3], p[3];
 };
 
 static void place_of(const struct descent *d, double out[3])
@@ -148,7 +150,7 @@ static double nearest(struct descent *d, struct random *random)
 	d->s = random_in(random, 0, 1);
 	for (int j = 0; j < 3; j++) {
 		d->x[j] = d->moving->centre[j] + random_in(random, -1, 1) * d->moving->half[j];
-		d->p[j] = random_in(random, -1, 1) * d->play[j];
+		d->p[j] = random_in(random, -1, 1) * d->axis_displacement[j];
 	}
 	for (int round = 0; round < 40; round++) {
 		double rate[3];
@@ -160,7 +162,7 @@ static double nearest(struct descent *d, struct random *random)
 			for (int k = 0; k < 3; k++)
 				rate[k] = (1 - d->s) * d->maps[0][j][k] + d->s * d->maps[1][j][k];
 			improve(d, &d->x[j], c - h, c + h, rate);
-			improve(d, &d->p[j], -d->play[j], d->play[j], unit);
+			improve(d, &d->p[j], -d->axis_displacement[j], d->axis_displacement[j], unit);
 		}
 		for (int k = 0; k < 3; k++) {
 			rate[k] = d->maps[1][3][k] - d->maps[0][3][k];
@@ -186,10 +188,10 @@ static double least_of(struct meeting *m, const struct box *a, const struct box 
 		get(pose.rotation.z, d.maps[e][2]);
 		get(vec3_sub(xform_apply(&pose, other->origin), own->origin), d.maps[e][3]);
 	}
-	get(m->play[m->view], d.play);
+	get(m->axis_displacement[m->view], d.axis_displacement);
 	for (int start = 0; start < 3; start++)
 		least = fmin(least, nearest(&d, &m->random));
-	return fmax(least - m->stray[m->view], 0);
+	return fmax(least - m->displacement[m->view], 0);
 }
 
 static const struct bvh_node *some_node(struct random *random, const struct bvh *bvh)

@@ -32,12 +32,13 @@ static double distance_at(const struct trial *t, const xform *pose)
 }
 
 /* Anywhere within the deviation of the chord. */
-static axis_values random_off(struct random *random, const axis_values *deviation)
+static axis_values random_off(struct random *random, const axis_values *chord_error)
 {
 	axis_values off;
 
 	for (int k = 0; k < SLOT_COUNT; k++)
-		off.v[k] = deviation->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
+		off.v[k] =
+		    chord_error->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
 	return off;
 }
 
@@ -49,7 +50,7 @@ static double sampled_least(struct trial *t, int instants)
 	tri a = tri_of(&t->duo.a->mesh, 0), b = tri_of(&t->duo.b->mesh, 0);
 
 	for (int i = 0; i < instants; i++) {
-		axis_values off = random_off(&t->random, &t->chord.deviation);
+		axis_values off = random_off(&t->random, &t->chord.chord_error);
 		xform pose = pose_at(t, (double)i / (instants - 1), t->strays ? &off : NULL);
 		double distance = distance_at(t, &pose);
 
@@ -86,7 +87,7 @@ static void trial_init(struct trial *t, uint64_t test, long number, double way_l
 	random_move(random, &chain, way, &t->chord.q0, &t->chord.q1);
 	t->strays = random_below(random, 4) == 0;
 	for (size_t i = 0; i < chain.count && t->strays; i++)
-		t->chord.deviation.v[chain.joints[i].slot] =
+		t->chord.chord_error.v[chain.joints[i].slot] =
 			random_size(random, 1e-3, 1) * (chain.joints[i].rotary ? 0.01 : 1);
 	for (int k = 0; k < SLOT_COUNT; k++)
 		middle.v[k] = 0.5 * (t->chord.q0.v[k] + t->chord.q1.v[k]);
@@ -106,13 +107,14 @@ static struct leaf the_only_leaf(const struct bvh *bvh)
 	return (struct leaf){bvh->nodes[0].first[0], bvh->nodes[0].count[0]};
 }
 
-static enum tri_pair_answer prove(const struct trial *t, const struct motion_interval *interval, struct contact *contact)
+static enum tri_pair_answer prove(const struct trial *t, const struct motion_interval *interval,
+				  struct contact *contact)
 {
 	long certificates = 0;
 
 	*contact = (struct contact){.s = INFINITY};
-	return tri_pair_prove(interval, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b), &(struct tri_pair_query){t->clearance, 0, false},
-			  contact, &certificates);
+	return tri_pair_prove(interval, &t->duo.pair, the_only_leaf(t->duo.a), the_only_leaf(t->duo.b),
+			      &(struct tri_pair_query){t->clearance, 0, false}, contact, &certificates);
 }
 
 /* Axes from some instant of the move, and from nowhere. */
@@ -157,7 +159,8 @@ static double boxes_claim(const struct trial *t, const struct motion_interval *i
 	return fmax(claim, single);
 }
 
-static bool parted_as_branches(struct coherence *coherence, const struct trial *t, const struct motion_interval *interval)
+static bool parted_as_branches(struct coherence *coherence, const struct trial *t,
+			       const struct motion_interval *interval)
 {
 	const struct subtree a = subtree_root(t->duo.a), b = subtree_root(t->duo.b);
 
@@ -197,10 +200,10 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 			least = fmin(sampled_least(&t, INSTANTS), t.least);
 			require(!apart || least > t.clearance - 1e-9, "case %ld: %.12g proved, %.12g is", n,
 				t.clearance, least);
-			require(!remembered || least > t.clearance - 1e-9, "case %ld: %.12g proved by coherence, %.12g is",
-				n, t.clearance, least);
-			require(!subtrees || least > t.clearance - 1e-9, "case %ld: %.12g proved of the subtrees, %.12g is",
-				n, t.clearance, least);
+			require(!remembered || least > t.clearance - 1e-9,
+				"case %ld: %.12g proved by coherence, %.12g is", n, t.clearance, least);
+			require(!subtrees || least > t.clearance - 1e-9,
+				"case %ld: %.12g proved of the subtrees, %.12g is", n, t.clearance, least);
 			require(claim <= least, "case %ld: boxes %.12g apart, triangles %.12g", n, claim, least);
 			if ((apart || remembered) && least > 0)
 				tightest = fmax(tightest, t.clearance / least);
@@ -213,9 +216,9 @@ START_TEST(what_is_proved_of_a_chord_is_so)
 		duo_release(&t.duo);
 	}
 	require(proved > cases / 4 && touched > cases / 1000 && by_memory > cases / 10000 && parted > cases / 10 &&
-			boxed > cases / 10,
-		"proved %ld, touched %ld, only by coherence %ld, as subtrees %ld, boxes apart %ld", proved, touched, by_memory,
-		parted, boxed);
+		    boxed > cases / 10,
+		"proved %ld, touched %ld, only by coherence %ld, as subtrees %ld, boxes apart %ld", proved, touched,
+		by_memory, parted, boxed);
 	require(tightest > 0.999, "the proofs are slack: %g", tightest);
 }
 END_TEST
@@ -270,7 +273,7 @@ START_TEST(the_bend_is_needed)
 			t.clearance = 0;
 			motion_interval_init(&interval, &t.duo.pair, INTERVAL_CHORD, &t.chord);
 			require(least > 0 || prove(&t, &interval, &contact) != TRI_PAIR_APART, "case %ld: proved", n);
-			interval.stray[0] = 1e-9;
+			interval.displacement[0] = 1e-9;
 			wrong += least <= 0 && prove(&t, &interval, &contact) == TRI_PAIR_APART;
 		}
 		duo_release(&t.duo);
@@ -301,7 +304,7 @@ START_TEST(what_is_proved_of_a_box_is_so)
 			middle.v[k] = 0.5 * (low + high);
 			half.v[k] = 0.5 * (high - low);
 		}
-		t.chord.deviation = (axis_values){{0}};
+		t.chord.chord_error = (axis_values){{0}};
 		motion_interval_init(&interval, &t.duo.pair, INTERVAL_BOX, &t.chord);
 		apart = prove(&t, &interval, &contact) == TRI_PAIR_APART;
 		claim = boxes_claim(&t, &interval);

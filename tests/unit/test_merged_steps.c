@@ -57,7 +57,7 @@ static bool is_held(const struct chord *chord, const axis_values *q, double *s)
 
 	for (int k = 0; k < SLOT_COUNT; k++) {
 		double d = chord->q1.v[k] - chord->q0.v[k], off = q->v[k] - chord->q0.v[k],
-		       play = chord->deviation.v[k] + 1e-9;
+		       play = chord->chord_error.v[k] + 1e-9;
 
 		if (fabs(d) < 1e-12) {
 			if (fabs(off) > play)
@@ -136,7 +136,7 @@ START_TEST(a_line_in_pieces_deviates_by_nothing)
 	}
 	chord = merged_steps_chord(steps, 4);
 	for (int k = 0; k < SLOT_COUNT; k++)
-		ck_assert_double_le(chord.deviation.v[k], 1e-12);
+		ck_assert_double_le(chord.chord_error.v[k], 1e-12);
 }
 END_TEST
 

@@ -12,7 +12,7 @@ struct scene_of_chain {
 	long number;
 	struct chain chain;
 	struct ball ball[2];	/* of the fixed and of the moved body */
-	axis_values q0, q1, deviation;
+	axis_values q0, q1, chord_error;
 	struct chain_state start, end;
 };
 
@@ -25,9 +25,9 @@ static void set_up(struct scene_of_chain *c, uint64_t test, long number)
 	c->chain = random_chain(&c->random, 1 + random_below(&c->random, 5), 300);
 	way = random_size(&c->random, 0.01, 300);
 	random_move(&c->random, &c->chain, way, &c->q0, &c->q1);
-	c->deviation = (axis_values){{0}};
+	c->chord_error = (axis_values){{0}};
 	for (size_t i = 0; i < c->chain.count && random_below(&c->random, 3); i++)
-		c->deviation.v[c->chain.joints[i].slot] =
+		c->chord_error.v[c->chain.joints[i].slot] =
 			random_size(&c->random, 1e-4, 1) * (c->chain.joints[i].rotary ? 0.1 : 10);
 	for (int k = 0; k < 2; k++)
 		c->ball[k] = (struct ball){random_point(&c->random, 300), random_size(&c->random, 0.1, 300)};
@@ -38,7 +38,7 @@ static void set_up(struct scene_of_chain *c, uint64_t test, long number)
 			int slot = c->chain.joints[i].slot;
 
 			c->q0.v[slot] = c->q1.v[slot] = 0;
-			c->deviation.v[slot] *= c->chain.joints[i].rotary ? 1 : 30;
+			c->chord_error.v[slot] *= c->chain.joints[i].rotary ? 1 : 30;
 		}
 	}
 	chain_state_init(&c->start, &c->chain, &c->q0, &c->ball[0], &c->ball[1]);
@@ -141,17 +141,18 @@ START_TEST(no_point_is_farther_from_an_axis)
 }
 END_TEST
 
-static axis_values random_off(struct random *random, const axis_values *deviation)
+static axis_values random_off(struct random *random, const axis_values *chord_error)
 {
 	axis_values off;
 
 	for (int k = 0; k < SLOT_COUNT; k++)
-		off.v[k] = deviation->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
+		off.v[k] =
+		    chord_error->v[k] * (random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1));
 	return off;
 }
 
 struct chord_tightness {
-	double length, bend, drift;
+	double length, chord_error, displacement;
 };
 
 static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
@@ -160,9 +161,9 @@ static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
 	double lengths[VIEWS] = {0, 0};
 	struct turned poses[TIMES], strayed[TIMES];
 
-	chord_bound_init(&bound, &c->chain, &c->start, &c->end, &c->q0, &c->q1, &c->deviation, NULL);
+	chord_bound_init(&bound, &c->chain, &c->start, &c->end, &c->q0, &c->q1, &c->chord_error, NULL);
 	for (int i = 0; i < TIMES; i++) {
-		axis_values off = random_off(&c->random, &c->deviation);
+		axis_values off = random_off(&c->random, &c->chord_error);
 
 		poses[i] = true_pose(&c->chain, &c->q0, &c->q1, (real)i / (TIMES - 1), NULL);
 		strayed[i] = true_pose(&c->chain, &c->q0, &c->q1, (real)i / (TIMES - 1), &off);
@@ -185,12 +186,12 @@ static void watch_chord(struct scene_of_chain *c, struct chord_tightness *t)
 
 				way += (double)real3_norm(real3_sub(at, before));
 				before = at;
-				observe(c, "bend", (double)real3_norm(real3_sub(at, chord)), bound.bend[view],
-					&t->bend);
-				observe(c, "drift", (double)real3_norm(real3_sub(off, at)), bound.drift[view],
-					&t->drift);
+				observe(c, "chord_error", (double)real3_norm(real3_sub(at, chord)), bound.chord_error[view],
+					&t->chord_error);
+				observe(c, "displacement", (double)real3_norm(real3_sub(off, at)), bound.displacement[view],
+					&t->displacement);
 				observe(c, "stray", (double)real3_norm(real3_sub(off, chord)),
-					bound.bend[view] + bound.drift[view], &(double){0});
+					bound.chord_error[view] + bound.displacement[view], &(double){0});
 			}
 			lengths[view] = fmax(lengths[view], way);
 		}
@@ -209,8 +210,8 @@ START_TEST(chord_bounds_hold_and_are_tight)
 		set_up(&c, 3, n);
 		watch_chord(&c, &t);
 	}
-	require(t.length > 0.9 && t.bend > 0.9 && t.drift > 0.9, "slack: length %g, bend %g, drift %g", t.length,
-		      t.bend, t.drift);
+	require(t.length > 0.9 && t.chord_error > 0.9 && t.displacement > 0.9, "slack: length %g, chord_error %g, displacement %g", t.length,
+		      t.chord_error, t.displacement);
 }
 END_TEST
 
@@ -226,14 +227,15 @@ START_TEST(path_displacements)
 
 		set_up(&c, 6, n);
 		for (int k = 0; k < SLOT_COUNT; k++)
-			tolerance.v[k] = c.deviation.v[k] * random_in(&c.random, 0, 2);
-		chord_bound_init(&bound, &c.chain, &c.start, &c.end, &c.q0, &c.q1, &c.deviation, &tolerance);
+			tolerance.v[k] = c.chord_error.v[k] * random_in(&c.random, 0, 2);
+		chord_bound_init(&bound, &c.chain, &c.start, &c.end, &c.q0, &c.q1, &c.chord_error, &tolerance);
 		for (int view = 0; view < VIEWS; view++) {
 			vec3 points[POINTS];
 
 			choose_points(&c, view, points);
 			for (int i = 0; i < TIMES; i++) {
-				axis_values off = random_off(&c.random, &c.deviation), more = random_off(&c.random, &tolerance), q;
+				axis_values off = random_off(&c.random, &c.chord_error),
+					    more = random_off(&c.random, &tolerance), q;
 				struct turned pose, strayed;
 				struct chain_state state;
 				real s = (real)i / (TIMES - 1);
@@ -253,7 +255,8 @@ START_TEST(path_displacements)
 
 					observe(&c, "a point's path displacement", moved, at, &tightest);
 					require(at <= bound.path[view] * (1 + 1e-9) + 1e-12,
-						"case %ld: path displacement %.12g, bound %.12g", n, at, bound.path[view]);
+						"case %ld: path displacement %.12g, bound %.12g", n, at,
+						bound.path[view]);
 				}
 			}
 		}

@@ -52,7 +52,7 @@ static double closed_form(const struct duo *duo, const axis_values *q, const axi
 		for (size_t i = 0; i < chain->count;) {
 			size_t end = chain->joints[i].rotary ? i + 1 : linear_run_end(chain, i);
 
-			most[view] += chain->joints[i].rotary ? 0 : linear_play(chain, i, end, tolerance);
+			most[view] += chain->joints[i].rotary ? 0 : linear_displacement(chain, i, end, tolerance);
 			i = end;
 		}
 	}

@@ -15,7 +15,7 @@ static void assert_xyz(axis_values q, double x, double y, double z)
 START_TEST(straight_is_linear)
 {
 	struct path path = {.kind = PATH_STRAIGHT, .start = {{1, 2, 3, 0.5}}, .end = {{5, -6, 3, 1.5}}};
-	axis_values q = path_position(&path, 0.25), zero = path_deviation(&path, 0, 1);
+	axis_values q = path_position(&path, 0.25), zero = path_chord_error(&path, 0, 1);
 
 	assert_xyz(q, 2, 0, 3);
 	ck_assert_double_eq_tol(q.v[SLOT_A], 0.75, 1e-15);
@@ -36,10 +36,10 @@ START_TEST(helix_in_the_xy_plane)
 	ck_assert_double_eq_tol(path_position(&path, 0.25).v[SLOT_A], 0.25, 1e-15);
 	ck_assert_double_eq_tol(path_length(&path), sqrt(25 * PI * PI + 16), 1e-12);
 	/* The rise is linear: its chord is exact but for rounding. */
-	ck_assert_double_lt(path_deviation(&path, 0, 1).v[SLOT_Z], 1e-12);
+	ck_assert_double_lt(path_chord_error(&path, 0, 1).v[SLOT_Z], 1e-12);
 	/* The chord of a small arc leaves it by r (1 - cos(a/2)) on the axis that the arc's middle looks at. */
-	ck_assert_double_ge(path_deviation(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 - 1e-4));
-	ck_assert_double_le(path_deviation(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 + 1e-4));
+	ck_assert_double_ge(path_chord_error(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 - 1e-4));
+	ck_assert_double_le(path_chord_error(&path, 0, 0.01).v[SLOT_X], 10 * (1 - cos(PI / 400)) * (1 + 1e-4));
 }
 END_TEST
 
@@ -100,8 +100,8 @@ START_TEST(a_missed_end_is_accounted_for)
 	struct path path = {.kind = PATH_ARC, .circular = true, .start = {{10, 0, 0}}, .end = {{0.001, 10, 0}},
 			    .arc = {{0, 0, 0}, {0, 0, 1}, PI / 2}};
 
-	ck_assert_double_gt(path_deviation(&path, 0.999, 1).v[SLOT_X], 0.001);
-	ck_assert_double_lt(path_deviation(&path, 0.998, 0.999).v[SLOT_X], 0.0001);
+	ck_assert_double_gt(path_chord_error(&path, 0.999, 1).v[SLOT_X], 0.001);
+	ck_assert_double_lt(path_chord_error(&path, 0.998, 0.999).v[SLOT_X], 0.0001);
 }
 END_TEST
 
@@ -161,7 +161,7 @@ static void true_position(const struct path *path, long double u, long double ou
 static double worst_ratio(const struct path *path, double u0, double u1, int samples)
 {
 	axis_values q0 = path_position(path, u0), q1 = path_position(path, u1);
-	axis_values bound = path_deviation(path, u0, u1);
+	axis_values bound = path_chord_error(path, u0, u1);
 	double worst = 0;
 
 	for (int k = 0; k <= samples; k++) {

@@ -69,7 +69,7 @@ static void mix_step(struct log *log, const struct motion_step *step)
 	mix(log, reals, sizeof(reals));
 	mix_axes(log, &step->span.q0);
 	mix_axes(log, &step->span.q1);
-	mix_axes(log, &step->span.deviation);
+	mix_axes(log, &step->span.chord_error);
 	mix_axes(log, &step->tolerance);
 	/* The path is known by where it leads. */
 	if (step->span.path->kind != PATH_BOX) {

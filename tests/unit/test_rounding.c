@@ -115,7 +115,7 @@ START_TEST(box_tests_are_off_by_no_more_than_allowed)
 		double allowed, gap;
 
 		box_motion_init(&motion, bodies[0], bodies[1], poses, still, exact);
-		allowed = motion.views[0].stray;
+		allowed = motion.views[0].displacement;
 		for (int l = 1; l < BVH_WIDTH; l++) {
 			for (int k = 0; k < 3; k++) {
 				node.centre[k][l] = node.centre[k][0];

@@ -39,7 +39,7 @@ START_TEST(halves_of_a_straight_path)
 		ck_assert_mem_eq(&second.q1, &whole.q1, sizeof(first.q1));
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			ck_assert_double_eq_tol(first.q1.v[slot], 0.5 * (path.start.v[slot] + path.end.v[slot]), 1e-12);
-			ck_assert(!(first.deviation.v[slot] > 0) && !(second.deviation.v[slot] > 0));
+			ck_assert(!(first.chord_error.v[slot] > 0) && !(second.chord_error.v[slot] > 0));
 		}
 		ck_assert(span_is_flat(&whole, 0));
 		ck_assert(first.path == &path && second.path == &path);
@@ -65,7 +65,7 @@ START_TEST(halves_of_an_arc)
 	/* Halving into a piece of the same struct is allowed. */
 	quarter = first;
 	span_halve(&quarter, &quarter, &second);
-	ck_assert_double_eq_tol(quarter.deviation.v[SLOT_Y], first.deviation.v[SLOT_Y] / 4, 1e-9);
+	ck_assert_double_eq_tol(quarter.chord_error.v[SLOT_Y], first.chord_error.v[SLOT_Y] / 4, 1e-9);
 	ck_assert_double_eq(quarter.u1, 0.25);
 	ck_assert_double_eq(second.u0, 0.25);
 }

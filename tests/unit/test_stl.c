@@ -115,7 +115,7 @@ START_TEST(binary_is_read_to_the_bit)
 
 		ck_assert_msg(read_bytes(&mesh, bytes, size, &said), "%s", strbuf_text(&said));
 		ck_assert_uint_eq(mesh.count, count);
-		ck_assert(mesh.slop <= 0);
+		ck_assert(mesh.rounding <= 0);
 		for (size_t i = 0; i < count; i++)
 			ck_assert_mem_eq(&mesh.triangles[i], bytes + 84 + 50 * i + 12, 36);
 		mesh_release(&mesh);
@@ -272,8 +272,8 @@ START_TEST(ascii_crosses_the_buffer)
 		ck_assert_float_eq(mesh.triangles[i / 9].v[i % 9 / 3][i % 3],
 				   (float)((double)(int32_t)random_bits(&state) * 1e-5));
 	/* Nine digits say less than a float's place at this size: rounding, but no more than half of it. */
-	ck_assert_double_gt(mesh.slop, 0);
-	ck_assert_double_le(mesh.slop, 1.8 * 22000 * (double)FLT_EPSILON / 2);
+	ck_assert_double_gt(mesh.rounding, 0);
+	ck_assert_double_le(mesh.rounding, 1.8 * 22000 * (double)FLT_EPSILON / 2);
 	mesh_release(&mesh);
 	text.text[text.length / 2] = 'q';
 	ck_assert(!read_bytes(&mesh, text.text, text.length, &said));

@@ -103,7 +103,7 @@ static void real_position(const struct path *path, real u, real out[3])
 static double worst_ratio(const struct path *path, double u0, double u1, int samples)
 {
 	axis_values q0 = path_position(path, u0), q1 = path_position(path, u1);
-	axis_values bound = path_deviation(path, u0, u1);
+	axis_values bound = path_chord_error(path, u0, u1);
 	double worst = 0;
 
 	for (int k = 0; k <= samples; k++) {
@@ -122,7 +122,7 @@ static double worst_ratio(const struct path *path, double u0, double u1, int sam
 /* The largest second difference within [u0, u1], which is a mean of the second derivative, over its bound. */
 static double worst_bend(const struct path *path, double u0, double u1, int samples)
 {
-	axis_values bound = path_bend(path, u0, u1);
+	axis_values bound = path_second_derivative(path, u0, u1);
 	real step = ((real)u1 - u0) / 500, rounding = 1e-15L / (step * step);
 	double worst = 0;
 
@@ -226,7 +226,7 @@ START_TEST(an_axis_along_the_turn_is_exact)
 		struct path path = random_move(&machine, &tcp, &random);
 
 		path.circular = false;
-		ck_assert_double_lt(path_deviation(&path, 0, 1).v[SLOT_Z], 1e-9);
+		ck_assert_double_lt(path_chord_error(&path, 0, 1).v[SLOT_Z], 1e-9);
 	}
 }
 END_TEST

@@ -11,21 +11,21 @@ static enum query_answer answer_of(enum sweep_answer answer)
 
 static void halve(const struct chord *whole, struct chord *first, struct chord *second)
 {
-	const struct span span = {whole->q0, whole->q1, whole->deviation, whole->curve, whole->u0, whole->u1};
+	const struct span span = {whole->q0, whole->q1, whole->chord_error, whole->curve, whole->u0, whole->u1};
 	struct span halves[2];
 	struct chord *out[2] = {first, second};
 
 	span_halve(&span, &halves[0], &halves[1]);
 	for (int i = 0; i < 2; i++)
-		*out[i] = (struct chord){halves[i].q0, halves[i].q1, halves[i].deviation, whole->tolerance,
+		*out[i] = (struct chord){halves[i].q0, halves[i].q1, halves[i].chord_error, whole->tolerance,
 					 whole->curve, halves[i].u0, halves[i].u1, whole->halve};
 }
 
 enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
 					struct contact *contact)
 {
-	return answer_of((query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord, query->clearance,
-								      query->tolerance, contact));
+	return answer_of((query->any ? sweep_chord_any : sweep_chord)(query->sweep, query->bodies, chord,
+								      query->clearance, query->tolerance, contact));
 }
 
 static enum query_answer sweep_positions(const struct clearance_query *query, const struct motion_step *step,
@@ -47,7 +47,7 @@ enum query_answer clearance_query_step(const struct clearance_query *query, cons
 {
 	const struct span *span = &step->span;
 	bool may_leave = step_may_leave_path(query->bodies->chain, step);
-	const struct chord chord = {span->q0, span->q1, span->deviation, may_leave ? &step->tolerance : NULL,
+	const struct chord chord = {span->q0, span->q1, span->chord_error, may_leave ? &step->tolerance : NULL,
 				    span->path, span->u0, span->u1, halve};
 
 	if (step_is_box(step))

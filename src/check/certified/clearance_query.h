@@ -19,8 +19,8 @@ struct clearance_query {
 };
 
 enum query_answer {
-	QUERY_CLEAR,	/* proved: at every instant farther apart than clearance plus path displacement */
-	QUERY_CONTACT,	/* *contact is the first instant, its s is the step's; at most clearance + path displacement + tolerance apart */
+	QUERY_CLEAR, /* proved: at every instant farther apart than clearance plus path displacement */
+	QUERY_CONTACT, /* *contact is the first instant, its s is the step's; at most clearance + displacement + tolerance apart */
 	QUERY_UNDECIDED
 };
 

@@ -40,7 +40,8 @@ static void take(struct kept_budgets *budgets, int i)
 	budgets->kept[i] = was;
 }
 
-bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1, const struct position_errors *errors)
+bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
+			 const struct position_errors *errors)
 {
 	for (int i = 0; i < budgets->count; i++) {
 		struct motion_budget *budget = &budgets->kept[i];
@@ -58,7 +59,8 @@ bool kept_budgets_recall(struct kept_budgets *budgets, const axis_values *q0, co
 	return false;
 }
 
-bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1, const struct position_errors *errors)
+bool kept_budgets_cover(struct kept_budgets *budgets, const axis_values *q0, const axis_values *q1,
+			const struct position_errors *errors)
 {
 	return motion_budget_covers(&budgets->now, q1, errors) ||
 	       (kept_budgets_recall(budgets, q0, q1, errors) && motion_budget_covers(&budgets->now, q1, errors));

@@ -32,7 +32,7 @@ static void hold_corner(struct chord *chord, const axis_values *q, double s)
 	for (int i = 0; i < SLOT_COUNT; i++) {
 		double off = fabs(q->v[i] - ((1 - s) * chord->q0.v[i] + s * chord->q1.v[i]));
 
-		chord->deviation.v[i] = fmax(chord->deviation.v[i], off);
+		chord->chord_error.v[i] = fmax(chord->chord_error.v[i], off);
 	}
 }
 
@@ -48,7 +48,7 @@ static struct chord over_steps(const struct batch_step *steps, double u0, double
 	struct chord chord = {.q0 = steps[first].motion.span.q0, .q1 = steps[last].motion.span.q1,
 			      .curve = steps, .u0 = u0, .u1 = u1, .halve = halve};
 	double whole = 0, way = 0;
-	axis_values own = steps[first].motion.span.deviation;
+	axis_values own = steps[first].motion.span.chord_error;
 
 	for (size_t i = first; i <= last; i++)
 		whole += way_of(&steps[i].motion.span);
@@ -56,10 +56,10 @@ static struct chord over_steps(const struct batch_step *steps, double u0, double
 		way += way_of(&steps[i].motion.span);
 		hold_corner(&chord, &steps[i].motion.span.q1, whole > 0 ? way / whole : 0);
 		for (int k = 0; k < SLOT_COUNT; k++)
-			own.v[k] = fmax(own.v[k], steps[i + 1].motion.span.deviation.v[k]);
+			own.v[k] = fmax(own.v[k], steps[i + 1].motion.span.chord_error.v[k]);
 	}
 	for (int k = 0; k < SLOT_COUNT; k++)
-		chord.deviation.v[k] += own.v[k];
+		chord.chord_error.v[k] += own.v[k];
 	return chord;
 }
 
@@ -70,15 +70,15 @@ static void halve_step(const struct chord *whole, struct chord *first, struct ch
 	double begin = floor(whole->u0);
 	const struct span *step = &steps[(size_t)begin].motion.span;
 	double length = step->u1 - step->u0;
-	const struct span span = {whole->q0, whole->q1, whole->deviation, step->path,
+	const struct span span = {whole->q0, whole->q1, whole->chord_error, step->path,
 				  step->u0 + (whole->u0 - begin) * length, step->u0 + (whole->u1 - begin) * length};
 	double middle = 0.5 * (whole->u0 + whole->u1);
 	struct span halves[2];
 
 	span_halve(&span, &halves[0], &halves[1]);
-	*first = (struct chord){halves[0].q0, halves[0].q1, halves[0].deviation, whole->tolerance, steps, whole->u0,
+	*first = (struct chord){halves[0].q0, halves[0].q1, halves[0].chord_error, whole->tolerance, steps, whole->u0,
 				middle, halve};
-	*second = (struct chord){halves[1].q0, halves[1].q1, halves[1].deviation, whole->tolerance, steps, middle,
+	*second = (struct chord){halves[1].q0, halves[1].q1, halves[1].chord_error, whole->tolerance, steps, middle,
 				 whole->u1, halve};
 }
 

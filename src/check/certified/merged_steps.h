@@ -18,7 +18,8 @@ bool merged_steps_takes(const struct batch_step *step);
  * The chord from where the first of `count` steps begins to where the last ends;
  * count is a power of two up to MERGED_STEPS_MAX, each step begins where the one before it ends, and
  * the steps outlive the chord. Its deviation holds for the way through all steps at speeds that suit the chord, not at
- * the programmed ones. So a sweep of the chord tells whether the bodies meet, but not when. It has no path tolerance yet.
+ * the programmed ones. So a sweep of the chord tells whether the bodies meet, but not when. It has no path tolerance
+ * yet.
  */
 struct chord merged_steps_chord(const struct batch_step *steps, size_t count);
 

@@ -62,7 +62,7 @@ static void use_within(const struct motion_budget *budget, const axis_values *am
 			i++;
 		} else {
 			size_t end = linear_run_end(chain, i);
-			double way = linear_play(chain, i, end, amount);
+			double way = linear_displacement(chain, i, end, amount);
 
 			used[0] += way;
 			used[1] += way;

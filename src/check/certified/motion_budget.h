@@ -40,7 +40,8 @@ double motion_budget_least(const struct chain *chain, const struct chain_state *
  * Starts a new budget at q, its current position, where the chain's state is `state`. If room is 0 or less it covers
  * nothing.
  */
-void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state, double room);
+void motion_budget_set(struct motion_budget *budget, const axis_values *q, const struct chain_state *state,
+		       double room);
 
 /* Makes q the current position, whatever the motion to q was. */
 void motion_budget_resume(struct motion_budget *budget, const axis_values *q);

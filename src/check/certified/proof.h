@@ -13,9 +13,9 @@
  * Below, D is the distance of the bodies at a position on the programmed path, W the path displacement there
  * (motion_bound.h), t the target, which is at least the clearance c, and e the tolerance.
  *
- * The exact sweep of a step reports no position where D > c + W + e. Each quick way proves D > t + W + e for every position
- * that it passes. So it passes nothing that the sweep would report, and no verdict depends on which way was tried
- * (test_one_verdict).
+ * The exact sweep of a step reports no position where D > c + W + e. Each quick way proves D > t + W + e for every
+ * position that it passes. So it passes nothing that the sweep would report, and no verdict depends on which way was
+ * tried (test_one_verdict).
  *
  * The proof counts nothing and chooses nothing: strategy.h asks, and decides what to ask next. The proof must be told
  * two things truly: that motion was left out (pair_proof_forget_position), and no distance that was not proved
@@ -40,8 +40,8 @@ void pair_proof_copy(struct pair_proof *to, const struct pair_proof *from);
 double pair_proof_needed(const struct pair_proof *proof);
 
 /*
- * Chooses t: `wanted` mm, or c if `wanted` is at most c + e, for a target is c, or above c + e. A target may only become
- * smaller: then the budgets that were made for a larger one still hold.
+ * Chooses t: `wanted` mm, or c if `wanted` is at most c + e, for a target is c, or above c + e. A target may only
+ * become smaller: then the budgets that were made for a larger one still hold.
  */
 void pair_proof_aim(struct pair_proof *proof, double wanted);
 
@@ -53,12 +53,16 @@ void pair_proof_add_distance(struct pair_proof *proof, const axis_values *q, con
 			     double distance);
 
 /*
- * Still: the step moves no joint between the bodies, the control may not leave it, and the pair was proved apart where the
- * step begins. That holds for the whole step: a sweep of it could only report what the last piece's sweep reports at its end.
+ * Still: the step moves no joint between the bodies, the control may not leave it, and the pair was proved apart
+ * where the step begins. That holds for the whole step: a sweep of it could only report what the last piece's sweep
+ * reports at its end.
  */
 bool pair_proof_still(const struct pair_proof *proof, const struct motion_step *step);
 
-/* Box: by a budget, D > t + W + e at all positions between low and high, give or take `errors`. The motion ends at `end`. */
+/*
+ * Box: by a budget, D > t + W + e at all positions between low and high, give or take `errors`. The motion ends at
+ * `end`.
+ */
 bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis_values *high,
 		    const struct position_errors *errors, const axis_values *end);
 
@@ -73,8 +77,9 @@ bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)
 bool pair_proof_chord(struct pair_proof *proof, struct sweep *sweep, const struct chord *merged);
 
 /*
- * Step, by the sweep that has the last word. At t = c: CLEAR: D > c + W at every instant of it. CONTACT: *contact is the first
- * instant, within the motion e; D <= c + W + e there. At t > c + e: CLEAR: D > t + W; CONTACT: not so, *contact shows it.
+ * Step, by the sweep that has the last word. At t = c: CLEAR: D > c + W at every instant of it. CONTACT: *contact is
+ * the first instant, within the motion e; D <= c + W + e there. At t > c + e: CLEAR: D > t + W; CONTACT: not so,
+ * *contact shows it.
  */
 enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep, const struct motion_step *step,
 				  struct contact *contact);

@@ -14,8 +14,9 @@
 
 /*
  * A second, sharper distance query asks for this share of the true distance. It is used when the first query proved too
- * little although two triangles are known that are more than SHARP_NEED times the way of the step beyond what is needed. It may
- * look at as many node pairs as the sweeps did since the last such query. Measured: 0.35 to 0.5 perform alike.
+ * little although two triangles are known that are more than SHARP_NEED times the way of the step beyond what is
+ * needed. It may look at as many node pairs as the sweeps did since the last such query. Measured: 0.35 to 0.5
+ * perform alike.
  */
 #define SHARP_SHARE 0.5
 #define SHARP_NEED 2
@@ -23,15 +24,21 @@
 /* A query was worth its time if the room that it proves is more than this many times the way of the step. */
 #define PAYING_ROOM 4
 
-/* When the smallest clearance is measured and a target does not hold, this share of its part beyond the clearance is next. */
+/*
+ * When the smallest clearance is measured and a target does not hold, this share of its part beyond the clearance is
+ * next.
+ */
 #define MEASURE_SHARE 0.8
 
-/* After queries that did not pay, at most so many steps are swept until the next one. Measured: 64 cost a tenth more nearby. */
+/*
+ * After queries that did not pay, at most so many steps are swept until the next one. Measured: 64 cost a tenth more
+ * nearby.
+ */
 #define BACKOFF_MAX 256
 
 /*
- * Steps are merged if the second-order term and the chord errors take at most this share of the distance. Measured: 0.05
- * to 0.1 perform alike; 1 costs four times as much where bodies turn fast close to each other.
+ * Steps are merged if the second-order term and the chord errors take at most this share of the distance. Measured:
+ * 0.05 to 0.1 perform alike; 1 costs four times as much where bodies turn fast close to each other.
  */
 #define CHORD_ERROR_SHARE 0.1
 
@@ -158,7 +165,10 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 
 	chain_state_init(&state, bodies->chain, &span->q1, &bodies->ball_a, &bodies->ball_b);
 	way = way_of(bodies->chain, &state, span);
-	/* What the path tolerance takes off counts for sharp queries only: coarse ones are cheap even if nothing is left. */
+	/*
+	 * What the path tolerance takes off counts for sharp queries only: coarse ones are cheap even if nothing is
+	 * left.
+	 */
 	lost = strategy->measures ? motion_budget_least(bodies->chain, &state, errors) : 0;
 	distance = strategy->measures
 			   ? measure_distance(strategy, sweep, &span->q1, pair_proof_needed(proof) + lost + way)
@@ -225,16 +235,20 @@ static bool is_nearly_straight(const struct strategy *strategy, const struct cho
 
 	chain_state_init(&start, bodies->chain, &chord->q0, &bodies->ball_a, &bodies->ball_b);
 	chain_state_init(&end, bodies->chain, &chord->q1, &bodies->ball_a, &bodies->ball_b);
-	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->deviation, NULL);
-	return fmin(bound.bend[0] + bound.drift[0], bound.bend[1] + bound.drift[1]) <=
+	chord_bound_init(&bound, bodies->chain, &start, &end, &chord->q0, &chord->q1, &chord->chord_error, NULL);
+	return fmin(bound.chord_error[0] + bound.displacement[0], bound.chord_error[1] + bound.displacement[1]) <=
 	       CHORD_ERROR_SHARE * strategy->proof.coherence.near;
 }
 
-/* How many steps to merge: at most twice as many as last time. *chord is the chord of them. Less than two: merge none. */
+/*
+ * How many steps to merge: at most twice as many as last time. *chord is the chord of them. Less than two: merge
+ * none.
+ */
 static size_t choose_merge(const struct strategy *strategy, const struct batch_step *steps, size_t count,
 			   struct chord *chord)
 {
-	size_t merge_count = strategy->merge_count < MERGED_STEPS_MAX / 2 ? 2 * strategy->merge_count : MERGED_STEPS_MAX;
+	size_t merge_count =
+	    strategy->merge_count < MERGED_STEPS_MAX / 2 ? 2 * strategy->merge_count : MERGED_STEPS_MAX;
 	size_t known = 0;
 
 	merge_count = merge_count < 2 ? 2 : merge_count;

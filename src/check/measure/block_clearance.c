@@ -85,7 +85,8 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 	int failures = 0;
 
 	for (int round = 0; low < fmin(ENOUGH * high, block->bound) && target > tolerance; round++) {
-		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, GRAIN * target), true, BOX_VISITS};
+		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, GRAIN * target),
+						true,  BOX_VISITS};
 		struct contact contact;
 		enum query_answer answer = clearance_query_step(&query, step, &contact);
 
@@ -103,7 +104,8 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 	block->bound = low > tolerance ? fmin(block->bound, low) : 0;
 }
 
-void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step, double tolerance)
+void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
+			  double tolerance)
 {
 	const struct position_errors errors = step_errors(block->bodies.chain, step);
 	axis_values low, high;

@@ -37,6 +37,7 @@ bool block_clearance_clears(const struct block_clearance *block, const axis_valu
 		  const struct position_errors *errors);
 
 /* Lowers the bound to what holds in the step, too; tolerance (mm) as in sweep_chord. */
-void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step, double tolerance);
+void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
+			  double tolerance);
 
 #endif

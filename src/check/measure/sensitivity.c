@@ -360,14 +360,16 @@ size_t sensitivity_run(struct scene *scene, const struct check_options *options,
 	double *proven;
 
 	if (!path_record_init(&search.path)) {
-		diag_error(diag, (struct srcloc){0}, "--sensitivity: cannot make a temporary file: %s", strerror(errno));
+		diag_error(diag, (struct srcloc){0}, "--sensitivity: cannot make a temporary file: %s",
+			   strerror(errno));
 		return 0;
 	}
 	search.options.all = search.options.block_clearances = search.options.times = false;
 	search.options.record = &search.path;
 	search.proven = mem_zalloc(scene->pair_count, sizeof(*search.proven));
 	proven = mem_zalloc(scene->pair_count, sizeof(*proven));
-	probe = run(&search, 0, fmax(fmax(range[CHANGE_X], range[CHANGE_Y]), fmax(range[CHANGE_Z], range[CHANGE_LENGTH])));
+	probe =
+	    run(&search, 0, fmax(fmax(range[CHANGE_X], range[CHANGE_Y]), fmax(range[CHANGE_Z], range[CHANGE_LENGTH])));
 	if (probe.result != result)
 		diag_error(diag, (struct srcloc){0}, "%s could not be checked a second time%s%s", name,
 			   probe.why ? ": " : "; it may have changed", probe.why ? probe.why : "");

@@ -23,7 +23,8 @@ struct sensitivity {
 	int sign;	/* 1, -1 */
 	double range;	/* the largest change that was asked for */
 	enum sensitivity_state state;
-	double proved;	/* the verdict is proved to be clear for every change up to this; 0 if it is not clear to begin with */
+	/* the verdict is proved to be clear for every change up to this; 0 if it is not clear to begin with */
+	double proved;
 	double tried;	/* the verdict is the same at all changes that were tried up to this */
 	double turn;
 	long line;	/* of the block with the finding that decides */

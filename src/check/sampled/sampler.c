@@ -113,7 +113,7 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 	sweep_queue_reserve(sweep, 1)[0] = (struct bvh_pair){subtree_root(bodies->a), subtree_root(bodies->b), 0};
 	while (depth) {
 		struct bvh_pair at = sweep->queue[--depth];
-		float apart[BVH_WIDTH], loose[BVH_WIDTH];
+		float apart[BVH_WIDTH], lost[BVH_WIDTH];
 		const struct bvh_node *node;
 		bool open_a;
 
@@ -125,7 +125,7 @@ static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct
 		open_a = bvh_pair_opens_a(&at.a, &at.b);
 		node = &(open_a ? bodies->a : bodies->b)->nodes[open_a ? at.a.leaf.first : at.b.leaf.first];
 		boxes_apart(&boxes, open_a ? 0 : 1, node, open_a ? &at.b.box : &at.a.box,
-			    (float)sample->sampler->clearance * (1 + FLOAT_MARGIN), apart, loose);
+			    (float)sample->sampler->clearance * (1 + FLOAT_MARGIN), apart, lost);
 		for (int l = 0; l < node->used; l++) {
 			struct subtree child = subtree_child(node, l);
 

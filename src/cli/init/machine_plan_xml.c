@@ -151,11 +151,11 @@ static void add_controller(struct strbuf *out, const struct machine_plan *plan)
 		    "  <!-- TODO How the control reads programs and moves in G0. rapid: linear; dogleg (each axis\n"
 		    "       at its own rate); any (not known: every way between start and end is checked).");
 	if (dialect_rows[plan->dialect].has_parameters)
-		strbuf_addf(out,
-			    "\n       What M6 and G43 move, and how the control starts, is a matter of its parameters;\n"
-			    "       the check of a program that needs it says so: <tool_change Z=\"0\"/>,\n"
-			    "       length_offset_moves, least_input, power_on_units, power_on_distance,\n"
-			    "       power_on_plane.");
+		strbuf_addf(
+		    out, "\n       What M6 and G43 move, and how the control starts, is a matter of its parameters;\n"
+			 "       the check of a program that needs it says so: <tool_change Z=\"0\"/>,\n"
+			 "       length_offset_moves, least_input, power_on_units, power_on_distance,\n"
+			 "       power_on_plane.");
 	strbuf_addf(out, " -->\n  <controller");
 	add_text(out, "dialect", dialect_names[plan->dialect]);
 	add_text(out, "rapid", machine_plan_rapids[plan->rapid]);

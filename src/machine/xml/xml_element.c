@@ -57,7 +57,8 @@ static void report_unknown(struct xml_reader *xml, const xmlNode *node, const st
 	struct spelling meant;
 
 	if (node->ns) {
-		xml_error(xml, node, NULL, "element <%s> is in a namespace; these files use none", xml_quote(name).text);
+		xml_error(xml, node, NULL, "element <%s> is in a namespace; these files use none",
+			  xml_quote(name).text);
 		return;
 	}
 	if (belongs_elsewhere(xml, name)) {

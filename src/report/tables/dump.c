@@ -30,7 +30,7 @@ static double greatest_deviation(const struct span *span)
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!slot_is_rotary(slot))
-			greatest = fmax(greatest, span->deviation.v[slot]);
+			greatest = fmax(greatest, span->chord_error.v[slot]);
 	}
 	return greatest;
 }

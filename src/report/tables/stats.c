@@ -9,7 +9,8 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 	struct check_stats *to = &sums->check;
 
 	sums->programs++;
-	sums->pairs_required = stats->pairs_required > sums->pairs_required ? stats->pairs_required : sums->pairs_required;
+	sums->pairs_required =
+	    stats->pairs_required > sums->pairs_required ? stats->pairs_required : sums->pairs_required;
 	sums->clear += result == CHECK_CLEAR;
 	sums->accepted += accepted;
 	sums->incomplete += result == CHECK_INCOMPLETE;

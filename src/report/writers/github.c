@@ -100,7 +100,8 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
 
 /*
  * A line "::error file=...,line=...,col=...,title=...::text" for each finding and each error, at most ten, since GitHub
- * shows no more of one step; then their remaining number. A "::notice" for each caution, at most ten as well. Source: GitHub, "Workflow commands for GitHub Actions".
+ * shows no more of one step; then their remaining number. A "::notice" for each caution, at most ten as well. Source:
+ * GitHub, "Workflow commands for GitHub Actions".
  */
 const struct report_writer github_writer = {
 	.name = "github", .mark = "::", .limit = 10, .free = "::notice ", .begin = add_nothing, .finding = add_finding, .program = add_program,

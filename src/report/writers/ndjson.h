@@ -28,9 +28,9 @@ enum { NDJSON_FORMAT = 2 };
 
 /*
  * Appends the finding as one line of JSON. Keys, in this order: kind file line column move fraction a b axes time point
- * clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the order
- * X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of ndjson_put_limit. A finding
- * that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason` and `expires`.
+ * clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the
+ * order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of ndjson_put_limit. A
+ * finding that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason` and `expires`.
  * Bytes that are not UTF-8 become U+FFFD.
  */
 void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,

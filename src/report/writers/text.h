@@ -24,7 +24,8 @@ void text_headline(struct strbuf *out, const struct finding *finding, struct fin
 
 /*
  * Appends a finding: the headline, then indented lines with the block, the place in it, the time and the axes; for
- * bodies also the point and the distance; for a limit what was commanded; for a start-overlap the <pair> line that would waive it.
+ * bodies also the point and the distance; for a limit what was commanded; for a start-overlap the <pair> line that
+ * would waive it.
  */
 void text_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
 		  struct finding_style style);
