@@ -18,7 +18,7 @@ void block_log_release(struct block_log *log)
 	arena_release(&log->texts);
 	free(log->findings);
 	free(log->blocks);
-	free(log->rooms);
+	free(log->clearances);
 	free(log->out);
 	*log = (struct block_log){0};
 }
@@ -45,10 +45,10 @@ void block_log_forget(struct block_log *log)
 
 	if (!log->block_count)
 		return;
-	for (size_t i = 0; i < log->room_count; i++)
-		if (log->rooms[i].block > log->blocks[log->block_count - 1].block)
-			log->rooms[kept++] = log->rooms[i];
-	log->room_count = kept;
+	for (size_t i = 0; i < log->clearance_count; i++)
+		if (log->clearances[i].block > log->blocks[log->block_count - 1].block)
+			log->clearances[kept++] = log->clearances[i];
+	log->clearance_count = kept;
 	log->block_count = 0;
 	arena_clear(&log->texts);
 }
@@ -112,36 +112,36 @@ void block_log_drop_findings(struct block_log *log, size_t count)
 
 /* ----------------------------------------------------------- measurements */
 
-void block_log_add_room(struct block_log *log, long block, const struct check_room *room)
+void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least)
 {
-	log->rooms = mem_grow(log->rooms, &log->room_capacity, log->room_count + 1, sizeof(*log->rooms));
-	log->rooms[log->room_count++] = (struct block_room){block, *room};
+	log->clearances = mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + 1, sizeof(*log->clearances));
+	log->clearances[log->clearance_count++] = (struct block_pair_clearance){block, *least};
 }
 
 static int by_block(const void *a, const void *b)
 {
-	const struct block_room *x = a, *y = b;
+	const struct block_pair_clearance *x = a, *y = b;
 
 	if (x->block != y->block)
 		return x->block < y->block ? -1 : 1;
-	return (x->room.pair > y->room.pair) - (x->room.pair < y->room.pair);
+	return (x->least.pair > y->least.pair) - (x->least.pair < y->least.pair);
 }
 
-/* Collects the rooms of one block in log->out, beginning at *next. Each pair gets one: its smallest. */
+/* Collects the clearances of one block in log->out, beginning at *next. Each pair gets one: its smallest. */
 static size_t gather(struct block_log *log, long block, size_t *next)
 {
 	size_t count = 0;
 
-	for (; *next < log->room_count && log->rooms[*next].block <= block; ++*next) {
-		const struct check_room *room = &log->rooms[*next].room;
+	for (; *next < log->clearance_count && log->clearances[*next].block <= block; ++*next) {
+		const struct pair_clearance *least = &log->clearances[*next].least;
 
-		if (count && log->out[count - 1].pair == room->pair) {
-			if (room->clearance < log->out[count - 1].clearance)
-				log->out[count - 1] = *room;
+		if (count && log->out[count - 1].pair == least->pair) {
+			if (least->clearance < log->out[count - 1].clearance)
+				log->out[count - 1] = *least;
 			continue;
 		}
 		log->out = mem_grow(log->out, &log->out_capacity, count + 1, sizeof(*log->out));
-		log->out[count++] = *room;
+		log->out[count++] = *least;
 	}
 	return count;
 }
@@ -150,15 +150,15 @@ void block_log_measured(struct block_log *log, long last, const struct check_sin
 {
 	size_t next = 0;
 
-	if (log->room_count)
-		qsort(log->rooms, log->room_count, sizeof(*log->rooms), by_block);
+	if (log->clearance_count)
+		qsort(log->clearances, log->clearance_count, sizeof(*log->clearances), by_block);
 	for (size_t i = 0; i < log->block_count && log->blocks[i].block <= last; i++) {
 		const struct block_record *block = &log->blocks[i];
 		size_t count = gather(log, block->block, &next);
 		struct check_block out = {
 			.file = block->file, .line = block->line, .number = block->block + 1,
 			.seconds = block->seconds, .steps = block->steps, .interpret = block->interpret,
-			.check = block->check, .rooms = log->out, .room_count = count,
+			.check = block->check, .clearances = log->out, .clearance_count = count,
 		};
 
 		if (block->measured)

@@ -18,9 +18,9 @@ struct block_finding {
 };
 
 /* The clearance that a pair keeps in a part of a block. */
-struct block_room {
+struct block_pair_clearance {
 	long block;
-	struct check_room room;
+	struct pair_clearance least;
 };
 
 /* A complete block. */
@@ -44,9 +44,9 @@ struct block_log {
 	struct block_record *blocks;	/* complete blocks, in order, without a gap */
 	size_t block_count, block_capacity;
 	struct arena texts;	/* the blocks' */
-	struct block_room *rooms;	/* in any order; a pair may have several in one block: the least counts */
-	size_t room_count, room_capacity;
-	struct check_room *out;	/* the rooms of one block while it is handed over */
+	struct block_pair_clearance *clearances;	/* in any order; a pair may have several in one block: the least counts */
+	size_t clearance_count, clearance_capacity;
+	struct pair_clearance *out;	/* the clearances of one block while it is handed over */
 	size_t out_capacity;
 };
 
@@ -57,7 +57,7 @@ void block_log_release(struct block_log *log);
 void block_log_begin(struct block_log *log, long block);
 
 void block_log_add_finding(struct block_log *log, const struct block_finding *finding);
-void block_log_add_room(struct block_log *log, long block, const struct check_room *room);
+void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least);
 
 /* The block is complete. Its text is copied. The result may be changed until the log is used again. */
 struct block_record *block_log_complete(struct block_log *log, const struct block_record *block);

@@ -191,12 +191,12 @@ static bool measure_blocks(struct checker *c)
 	for (size_t i = 0; i < c->scheduler.count && complete; i++) {
 		const struct pair_check *check = &c->scheduler.checks[i];
 
-		for (size_t k = 0; k < check->room_count; k++) {
-			const double clearance = check->rooms[k].clearance;
-			const struct check_room room = {check->pair, clearance,
+		for (size_t k = 0; k < check->clearance_count; k++) {
+			const double clearance = check->clearances[k].clearance;
+			const struct pair_clearance least = {check->pair, clearance,
 							clearance >= c->options->block_clearance_cap};
 
-			block_log_add_room(&c->log, check->rooms[k].block, &room);
+			block_log_add_clearance(&c->log, check->clearances[k].block, &least);
 		}
 	}
 	c->measuring += checker_clock() - start;
@@ -296,7 +296,7 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	add_finding(c, &at, state == POSE_OVERLAP ? FINDING_START_OVERLAP : FINDING_CLEARANCE, move, step_class,
 		    &contact, NULL);
 	if (c->options->block_clearances && state == POSE_OVERLAP)
-		block_log_add_room(&c->log, c->block, &(struct check_room){.pair = check->pair});
+		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
 	pair_check_found(check, c->block);
 }
 

@@ -53,9 +53,9 @@ void pair_check_release(struct pair_check *check)
 {
 	sampler_release(&check->sampler);
 	free(check->results);
-	free(check->rooms);
+	free(check->clearances);
 	check->results = NULL;
-	check->rooms = NULL;
+	check->clearances = NULL;
 }
 
 bool pair_check_is_active(const struct pair_check *check, int tool)
@@ -234,13 +234,13 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 	strategy_forget_position(&check->strategy);
 }
 
-/* Begins the room of the step's block, if it is a new block. */
+/* Begins the least clearance of the step's block, if it is a new block. */
 static void start_room(struct pair_check *check, long block)
 {
-	if (check->room_count && check->rooms[check->room_count - 1].block == block)
+	if (check->clearance_count && check->clearances[check->clearance_count - 1].block == block)
 		return;
-	check->rooms = mem_grow(check->rooms, &check->room_capacity, check->room_count + 1, sizeof(*check->rooms));
-	check->rooms[check->room_count++] = (struct pair_check_room){block, check->block.cap};
+	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1, sizeof(*check->clearances));
+	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, check->block.cap};
 	block_clearance_start(&check->block);
 }
 
@@ -265,7 +265,7 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 	struct block_clearance *block = &check->block;
 	bool clears = false;
 
-	check->room_count = 0;
+	check->clearance_count = 0;
 	for (size_t i = 0; i < batch->step_count && check->steps == STEP_ANY; i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
@@ -279,6 +279,6 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			block_clearance_step(block, sweep, &step->motion, options->tolerance);
 		if (block->maybe_inside || !(block->bound > 0))
 			measure_inside(check, &step->motion);
-		check->rooms[check->room_count - 1].clearance = block->bound;
+		check->clearances[check->clearance_count - 1].clearance = block->bound;
 	}
 }

@@ -22,7 +22,7 @@ struct pair_check_result {
 };
 
 /* The clearance that the pair keeps in those steps of a block that are in the batch. */
-struct pair_check_room {
+struct pair_check_clearance {
 	long block;
 	double clearance;	/* mm: proven, up to the cap */
 };
@@ -41,8 +41,8 @@ struct pair_check {
 	struct pair_check_result *results;	/* of this batch */
 	size_t result_count, result_capacity;
 	struct block_clearance block;
-	struct pair_check_room *rooms;	/* of this batch */
-	size_t room_count, room_capacity;
+	struct pair_check_clearance *clearances;	/* of this batch */
+	size_t clearance_count, clearance_capacity;
 };
 
 /*

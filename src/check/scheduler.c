@@ -223,7 +223,7 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 
 	scheduler->job_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
-		scheduler->checks[i].room_count = 0;
+		scheduler->checks[i].clearance_count = 0;
 		if (pair_check_is_active(&scheduler->checks[i], tool))
 			add_job(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
 	}

@@ -8,7 +8,7 @@
 #include "check/finding.h"
 
 /* The clearance that a pair keeps in a block. */
-struct check_room {
+struct pair_clearance {
 	size_t pair;	/* of the scene */
 	double clearance;	/* mm: proven; at most the cap (check_options.block_clearance_cap) */
 	bool capped;
@@ -22,8 +22,8 @@ struct check_block {
 	double seconds;	/* of motion, dwells excluded */
 	long steps;	/* straight pieces of it that were checked */
 	double interpret, check;	/* s of wall time; with check_options.times */
-	const struct check_room *rooms;	/* in the order of the pairs; with check_options.block_clearances */
-	size_t room_count;
+	const struct pair_clearance *clearances;	/* in the order of the pairs; with check_options.block_clearances */
+	size_t clearance_count;
 };
 
 struct check_sink {

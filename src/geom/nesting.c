@@ -39,7 +39,7 @@ static int winding_around(const struct mesh *mesh, const struct topology *topolo
 
 		if (o != c && outer->kind == SHELL_ORIENTED && fabs(volume[c]) > VOLUME_SHARE * fabs(volume[o]) &&
 		    is_within(&topology->shells[2 * c], outer))
-			winding += shell_winding_number(mesh, topology, (uint32_t)(2 * o), topology->witness[c]);
+			winding += shell_winding_number(mesh, topology, (uint32_t)(2 * o), topology->component_point[c]);
 	}
 	return winding;
 }
@@ -54,7 +54,7 @@ void nesting_find(struct nesting *nesting, const struct mesh *mesh, const struct
 		uint32_t shell = topology->shell_of ? topology->shell_of[t] : 0;
 
 		if (shell != NO_SHELL && shell % 2 == 0)
-			volume[shell / 2] += volume_below(&mesh->triangles[t], topology->witness[shell / 2]);
+			volume[shell / 2] += volume_below(&mesh->triangles[t], topology->component_point[shell / 2]);
 	}
 	for (size_t c = 0; c < topology->component_count; c++) {
 		bool oriented = topology->shells ? topology->shells[2 * c].kind == SHELL_ORIENTED : topology->closed;

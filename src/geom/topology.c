@@ -29,7 +29,7 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
 		parent[a] = b;
 }
 
-/* The component of each vertex, in memory of the caller's; components and witnesses come in the order of the file. */
+/* The component of each vertex, in memory of the caller's; components and component points come in the order of the file. */
 static uint32_t *find_components(struct topology *topology, const struct soup *soup)
 {
 	uint32_t *parent = mem_alloc(soup->vertex_count * sizeof(*parent));
@@ -51,8 +51,8 @@ static uint32_t *find_components(struct topology *topology, const struct soup *s
 		if (component[root] != UINT32_MAX)
 			continue;
 		component[root] = (uint32_t)n;
-		topology->witness = mem_grow(topology->witness, &capacity, n + 1, sizeof(*topology->witness));
-		topology->witness[n] = mesh_corner(&soup->mesh->triangles[i / 3], 0);
+		topology->component_point = mem_grow(topology->component_point, &capacity, n + 1, sizeof(*topology->component_point));
+		topology->component_point[n] = mesh_corner(&soup->mesh->triangles[i / 3], 0);
 		topology->component_count++;
 	}
 	for (uint32_t v = 0; v < soup->vertex_count; v++)
@@ -210,7 +210,7 @@ void topology_init(struct topology *topology, const struct mesh *mesh)
 
 void topology_release(struct topology *topology)
 {
-	free(topology->witness);
+	free(topology->component_point);
 	free(topology->shells);
 	free(topology->shell_of);
 	*topology = (struct topology){0};

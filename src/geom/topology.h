@@ -32,7 +32,7 @@ struct shell {
 /* Vertices are the same when their coordinates are (-0 is 0). */
 struct topology {
 	size_t component_count;
-	vec3 *witness;	/* one vertex of each connected component */
+	vec3 *component_point;	/* one vertex of each connected component */
 	size_t open_edges;	/* sides, but not of degenerate triangles, that no side runs back along */
 	size_t flipped_edges;	/* of those, sides that another triangle runs through in the same direction */
 	size_t degenerate;	/* triangles whose corners are not three different points */

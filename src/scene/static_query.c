@@ -20,7 +20,7 @@ static enum inside holds(struct scene *scene, int outer, int inner, const xform 
 	enum inside result = INSIDE_NO;
 
 	for (size_t i = 0; i < parts->component_count; i++) {
-		vec3 p = xform_apply(pose, parts->witness[i]);
+		vec3 p = xform_apply(pose, parts->component_point[i]);
 		enum inside inside = INSIDE_NO;
 
 		if (in_box(p, solid))

@@ -71,7 +71,7 @@ static void expect(const struct mesh *mesh, size_t components, size_t open, size
 	ck_assert_uint_eq(t.degenerate, degenerate);
 	ck_assert_int_eq(t.closed, open == 0);
 	topology_release(&t);
-	ck_assert_ptr_null(t.witness);
+	ck_assert_ptr_null(t.component_point);
 }
 
 START_TEST(cubes)
@@ -101,7 +101,7 @@ START_TEST(cubes)
 	for (int c = 0; c < 3; c++) {
 		vec3 first = mesh_corner(&mesh.triangles[12 * c], 0);
 
-		ck_assert_double_le(vec3_norm(vec3_sub(t.witness[c], first)), 0);
+		ck_assert_double_le(vec3_norm(vec3_sub(t.component_point[c], first)), 0);
 	}
 	topology_release(&t);
 	mesh_release(&mesh);
@@ -308,7 +308,7 @@ START_TEST(many_vertices)
 	ck_assert_uint_eq(t.open_edges, 3 * mesh.count);
 	ck_assert_uint_eq(t.flipped_edges, 0);
 	for (size_t i = 0; i < mesh.count; i++)
-		ck_assert(vec3_norm(vec3_sub(t.witness[i], mesh_corner(&mesh.triangles[i], 0))) <= 0);
+		ck_assert(vec3_norm(vec3_sub(t.component_point[i], mesh_corner(&mesh.triangles[i], 0))) <= 0);
 	topology_release(&t);
 	mesh_release(&mesh);
 }

@@ -50,19 +50,19 @@ static void add_place(struct strbuf *row, const char *program, const struct chec
 	strbuf_addf(row, "%ld,%ld,", block->line, block->number);
 }
 
-static void add_room(struct block_tables *tables, const struct scene *scene, const char *program,
-		     const struct check_block *block, const struct check_room *room)
+static void add_clearance(struct block_tables *tables, const struct scene *scene, const char *program,
+		     const struct check_block *block, const struct pair_clearance *least)
 {
-	const struct scene_pair *pair = &scene->pairs[room->pair];
+	const struct scene_pair *pair = &scene->pairs[least->pair];
 
 	add_place(&tables->row, program, block);
 	add_text(&tables->row, scene->bodies[pair->a].body->name);
 	add_text(&tables->row, scene->bodies[pair->b].body->name);
 	/* Rounded down, so that the printed number is proved, too. */
-	if (room->capped)
-		strbuf_addf(&tables->row, "%.10g,1\n", room->clearance);
+	if (least->capped)
+		strbuf_addf(&tables->row, "%.10g,1\n", least->clearance);
 	else
-		strbuf_addf(&tables->row, "%.4f,0\n", floor(room->clearance * 1e4) / 1e4);
+		strbuf_addf(&tables->row, "%.4f,0\n", floor(least->clearance * 1e4) / 1e4);
 	output_text(&tables->clearance, &tables->row);
 }
 
@@ -77,8 +77,8 @@ static void add_times(struct block_tables *tables, const char *program, const st
 void block_tables_add(struct block_tables *tables, const struct scene *scene, const char *program,
 		      const struct check_block *block)
 {
-	for (size_t i = 0; tables->clearance.file && i < block->room_count; i++)
-		add_room(tables, scene, program, block, &block->rooms[i]);
+	for (size_t i = 0; tables->clearance.file && i < block->clearance_count; i++)
+		add_clearance(tables, scene, program, block, &block->clearances[i]);
 	if (tables->timing.file)
 		add_times(tables, program, block);
 }
