@@ -1,4 +1,25 @@
 // @ts-check
-// main.js - shows the report that the page carries.
+// main.js - shows the report that the page carries. If anything fails, its plain HTML stays.
 
-console.log('viewer');
+import {App} from './app.js';
+import {readReport} from './report.js';
+
+async function main() {
+	const plain = document.getElementById('plain');
+	try {
+		const model = await readReport();
+		const app = new App(model);
+		app.show(document.body);
+		document.body.classList.add('viewing');
+		// For tests, and for who looks around in the console.
+		Object.assign(window, {fivecheck: app});
+	} catch (e) {
+		console.warn('The 3-D view is not shown:', e);
+		document.body.classList.remove('viewing');
+		document.querySelector('.app')?.remove();
+		if (plain) plain.hidden = false;
+	}
+	document.dispatchEvent(new Event('fivecheck-ready'));
+}
+
+main();

@@ -25,11 +25,11 @@
  * @property {string} name
  * @property {number} link
  * @property {'machine'|'fixture'|'part'|'holder'|'shank'|'cutter'|string} role
- * @property {number|null} tool	number of the tool that it belongs to: shown only while that tool is in the spindle
+ * @property {number} tool	number of the tool that it belongs to: shown only while that tool is in the spindle; 0: always
  * @property {Mesh} mesh
  *
- * @typedef {Object} Finding
- * @property {string} kind	as in NDJSON: collision, clearance, limit, start-overlap, ...
+ * @typedef {Object} Finding	as a line of --format=ndjson, and besides:
+ * @property {string} kind	collision, clearance, limit, start-overlap, ...
  * @property {string} file
  * @property {number} line
  * @property {number} column
@@ -43,61 +43,59 @@
  * @property {string|null} block
  * @property {string} [accepted]
  * @property {string} [reason]
- * @property {string} [advice]	what would make it go away, such as "needs 4.0 mm more tool length"
- * @property {number[]} [triangles_a]	triangles of body a at the contact
- * @property {number[]} [triangles_b]
+ * @property {string} [expires]
+ * @property {string} [axis]	of a limit
+ * @property {number} [bound]
+ * @property {number} [target]
+ * @property {number} [excess]
+ * @property {[number, number]|null} bodies	indices
+ * @property {number} [tool]
+ * @property {[number[][], number[][]]|null} [triangles]	of a and of b, nine numbers each, as they stand at the finding
  *
  * @typedef {Object} Pair
- * @property {string} a
- * @property {string} b
+ * @property {number} a	index of a body
+ * @property {number} b
  * @property {string} status
  * @property {number} clearance	that must be kept
  * @property {string} reason
- * @property {number|null} [nearest]	smallest proven distance; null: not measured
- * @property {number|null} [time]	where that was
  *
  * @typedef {Object} Pose
- * @property {number} time
  * @property {number[]} values	by axis, in the order of model.axes; mm and degrees
- * @property {number} block	index of the block that runs
+ * @property {number} block	number of the block that runs, from 1; 0: none
+ * @property {number} line	of that block
+ * @property {number} file	index in model.sources
  * @property {number} tool
+ * @property {number} motion	0 rest, 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way is unknown
  *
- * @typedef {Object} Blocks
- * @property {number} count
- * @property {(index: number) => number} start	time
- * @property {(index: number) => number} end
- * @property {(index: number) => number} line
- * @property {(index: number) => number} file	index of the file in model.sources
- * @property {(time: number) => number} at	the block that runs at a time
- * @property {(file: number, line: number) => number} of	the first block of a line, or -1
- *
- * @typedef {Object} Path
+ * @typedef {Object} Path	what is not at hand yet is promised, and the coarse level answers meanwhile
  * @property {number} duration
+ * @property {number} checked	what comes later was read, but not checked
  * @property {(time: number) => Pose} pose
- * @property {Blocks} blocks
+ * @property {(time: number) => Promise<unknown>|null} load	what pose(time) should know; null: it knows
+ * @property {(time: number, by: number) => Promise<number>} blockEnd	where the block `by` blocks on from the present one ends
+ * @property {(file: number, line: number) => Promise<number>} timeOf	where the first block of a line ends, or of the last one before that moves
  *
  * @typedef {Object} Source	a program or subprogram
  * @property {string} name
  * @property {string|null} sha256
  * @property {number} lines
- * @property {(line: number) => (string|null)} text	null: not in the report
- * @property {(text: string) => void} supply	the whole text, from the user
+ * @property {{first: number, lines: string[]}[]} windows	what is at hand of the text, in order
  *
  * @typedef {Object} Clearance	"at least" of all pairs, over time
  * @property {number} cap	mm: more is not measured
  * @property {Float64Array} times	starts of the intervals, and the end of the last
- * @property {Float32Array} least	mm, one for each interval
- * @property {Int32Array} pair	index of the nearest pair in model.pairs, or -1
+ * @property {Float64Array} least	mm, one for each interval
+ * @property {Float64Array} most	the greatest of the bounds that were merged to this interval
+ * @property {Float64Array} pair	index of the nearest pair in model.pairs, or -1
  *
- * @typedef {Object} Plane	separates the pair during an interval: n . x = offset, in the frame of a link
- * @property {number} start
- * @property {number} end
- * @property {number} pair
- * @property {number} link
- * @property {Vec3} normal
- * @property {number} offset
+ * @typedef {Object} Planes	by row: from its time to the next one's
+ * @property {Float64Array} time
+ * @property {Float64Array} pair	-1: nothing is near
+ * @property {Float64Array[]} point	x, y, z: in the frame of the link of body a
+ * @property {Float64Array[]} normal	from a to b
+ * @property {Float64Array} distance	between the nearest triangles at that time
  *
- * @typedef {Object} Mark	a tool change or an operation's name
+ * @typedef {Object} Mark	a tool change or the name of an operation
  * @property {number} time
  * @property {string} text
  *
@@ -107,22 +105,26 @@
  * @property {string} program
  * @property {'clear'|'passed'|'found'|'accepted'|'incomplete'|string} verdict
  * @property {string} sentence
+ * @property {boolean} failing
  * @property {string[]} cautions
  * @property {{file: string|null, line: number|null, text: string}[]} errors
  * @property {{kind: string, file: string, sha256: string|null}[]} files
  * @property {Axis[]} axes
+ * @property {string[]} readOut	letters of the axes as a control shows them
+ * @property {string[]} links	names
  * @property {Body[]} bodies
  * @property {Pair[]} pairs
  * @property {Finding[]} findings
  * @property {Path} path
  * @property {Source[]} sources
  * @property {Clearance|null} clearance
- * @property {Plane[]} planes
+ * @property {Planes|null} planes
  * @property {Mark[]} tools
  * @property {Mark[]} operations
  * @property {[string, string][]} setup	what, value
  * @property {[string, string][]} statistics
- * @property {string} accuracy	how exactly the picture is drawn
+ * @property {number} leftOut	findings that are not here
+ * @property {number|null} accuracy	mm: how exactly the bodies are drawn
  */
 
 export {};

@@ -1,0 +1,156 @@
+// @ts-check
+// controls.js - the buttons around the picture: views, section, measure, bodies; play and speed; the positions of the axes.
+
+import {SPEEDS} from './state.js';
+import {axisValue} from './findings.js';
+import {duration, h} from './elements.js';
+import {proofSentence} from './proof.js';
+
+/** @typedef {import('./stage.js').Stage} Stage */
+/** @typedef {import('./state.js').State} State */
+
+const MOTION = ['', 'rapid', 'feed', 'feed, spindle at rest', 'rapid, way not known'];
+
+/** Axis positions as on a control. @param {State} state */
+export function readOut(state) {
+	const {model} = state;
+	const rows = model.readOut.map((letter) => {
+		const value = h('dd');
+		return {index: model.axes.findIndex((axis) => axis.letter === letter), value, row: h('div', {}, h('dt', {}, letter), value)};
+	});
+	const tool = h('span'), time = h('span'), motion = h('span');
+	const show = () => {
+		const {pose} = state;
+		for (const {index, value} of rows) value.textContent = axisValue(pose.values[index]);
+		tool.textContent = pose.tool ? `T${pose.tool}` : 'no tool';
+		time.textContent = duration(state.time);
+		motion.textContent = MOTION[pose.motion] || '';
+	};
+	state.watch(show);
+	show();
+	return h('div.readout', {'aria-label': 'Axis positions in machine coordinates'}, h('dl', {}, ...rows.map(({row}) => row)), h('p', {}, tool, time), h('p', {}, motion));
+}
+
+/** @param {string} text @param {string} title @param {() => void} act @param {Object<string, any>} [more] */
+const button = (text, title, act, more = {}) => h('button', {title, onclick: act, ...more}, text);
+
+/** @param {Stage} stage */
+export function viewButtons(stage) {
+	/** A button that stays pressed. @param {string} text @param {string} title @param {() => boolean} is @param {() => void} act */
+	const toggle = (text, title, is, act) => {
+		const element = button(text, title, act, {'aria-pressed': is()});
+		stage.onselect.push(() => element.setAttribute('aria-pressed', String(is())));
+		return element;
+	};
+	const {model} = stage;
+	return h('div.views', {role: 'toolbar', 'aria-label': 'View'},
+		model.findings.length ? button('Contact', 'Look at the contact (C)', () => stage.lookAtFocus()) : null,
+		button('Fit', 'Everything (F)', () => stage.fit()),
+		...[['Front', 'front', 1], ['Right', 'right', 2], ['Top', 'top', 3], ['Iso', 'corner', 4]].map(([text, name, key]) => button(String(text), `${text} (${key})`, () => stage.standard(String(name)))),
+		toggle('Section', 'Cut the machine open (S)', () => !!stage.section, () => toggleSection(stage)),
+		toggle('Measure', 'Distance between two points: click both (M)', () => stage.measuring, () => toggleMeasure(stage)),
+		toggle('X-ray', 'Make faint what is in the way (X)', () => stage.xray, () => toggleXray(stage)),
+		model.planes ? toggle('Proof', 'Show the separating plane (P)', () => stage.proof, () => toggleProof(stage)) : null);
+}
+
+/** @param {Stage} stage */
+function told(stage) {
+	stage.change();
+	for (const listener of stage.onselect) listener();
+}
+
+/** @param {Stage} stage */
+export function toggleSection(stage) {
+	const {point} = stage.focus();
+	stage.section = stage.section ? null : {axis: 1, at: Math.round(point[1]), sign: -1};
+	told(stage);
+}
+
+/** @param {Stage} stage */
+export function toggleMeasure(stage) {
+	stage.measuring = !stage.measuring;
+	stage.measure = [];
+	told(stage);
+}
+
+/** @param {Stage} stage */
+export function toggleXray(stage) {
+	stage.xray = !stage.xray;
+	told(stage);
+}
+
+/** @param {Stage} stage */
+export function toggleProof(stage) {
+	if (!stage.model.planes) return;
+	stage.proof = !stage.proof;
+	told(stage);
+}
+
+/** What is selected or measured, the section's place, the proof's words. @param {Stage} stage */
+export function hintBar(stage) {
+	const {state, model} = stage;
+	const bar = h('div.hints', {role: 'status'});
+	/** @type {string} */
+	let shown = '';
+	const show = () => {
+		const {selected, section, measuring, measure, proof} = stage;
+		const hidden = stage.placed.hidden.size;
+		const proofText = proof ? proofSentence(model, state.time) : '';
+		const now = JSON.stringify([selected, section?.axis, section?.sign, measuring, measure.length, proofText, hidden]);
+		if (now === shown) return;
+		shown = now;
+		bar.replaceChildren();
+		if (selected >= 0) {
+			const {name, link} = model.bodies[selected];
+			bar.append(h('div', {}, h('b', {}, name), link ? ` moves with ${model.links[link]} ` : ' stands still ',
+				button('Hide', 'Hide it (H)', () => stage.showBodies('hide')), button('Alone', 'Show it alone (I)', () => stage.showBodies('isolate'))));
+		}
+		if (hidden) bar.append(h('div', {}, `${hidden} hidden `, button('Show all', 'Show all bodies (A)', () => stage.showBodies('all'))));
+		if (section) bar.append(sectionBar(stage, section));
+		if (measuring && measure.length < 2) bar.append(h('div', {}, measure.length ? 'Click the second point.' : 'Click the first point.'));
+		if (proofText) bar.append(h('div', {}, proofText));
+	};
+	stage.onselect.push(show);
+	state.watch(show);
+	return bar;
+}
+
+/** @param {Stage} stage @param {{axis: number, at: number, sign: number}} section */
+function sectionBar(stage, section) {
+	const {min, max} = stage.extent(section.axis);
+	const slider = /** @type {HTMLInputElement} */ (h('input', {type: 'range', min: Math.floor(min), max: Math.ceil(max), value: section.at, 'aria-label': 'Place of the section, mm'}));
+	slider.addEventListener('input', () => {
+		section.at = Number(slider.value);
+		stage.change();
+	});
+	const axes = ['X', 'Y', 'Z'].map((name, axis) => button(name, `Square to ${name}`, () => {
+		Object.assign(section, {axis, at: Math.round(stage.focus().point[axis]), sign: axis === 1 ? -1 : 1});
+		told(stage);
+	}, {'aria-pressed': axis === section.axis}));
+	return h('div', {}, ...axes, slider, button('\u21c4', 'The other side', () => {
+		section.sign = -section.sign;
+		told(stage);
+	}));
+}
+
+/** @param {State} state */
+export function playButtons(state) {
+	const {model} = state;
+	const play = button('\u25b6', 'Play (space)', () => state.toggle());
+	const speed = /** @type {HTMLSelectElement} */ (h('select', {'aria-label': 'Speed', title: 'Speed ([ and ])', onchange: () => {
+		state.speed = Number(speed.value);
+	}}, ...SPEEDS.map((value) => h('option', {value}, `${value}\u00d7`))));
+	const show = () => {
+		play.textContent = state.playing ? '\u275a\u275a' : '\u25b6';
+		play.setAttribute('aria-label', state.playing ? 'Pause' : 'Play');
+		speed.value = String(state.speed);
+	};
+	state.watch((what) => {
+		if (what === 'playing') show();
+	});
+	show();
+	return h('div.play', {role: 'toolbar', 'aria-label': 'Time'},
+		button('\u23ee', 'Block before (,)', () => state.step(-1), {'aria-label': 'Block before'}), play,
+		button('\u23ed', 'Next block (.)', () => state.step(1), {'aria-label': 'Next block'}), speed,
+		model.findings.length ? button('\u22122 s', 'Two seconds before the finding (B)', () => state.beforeFinding()) : null);
+}

@@ -1,0 +1,133 @@
+// @ts-check
+// findings.js - the findings as cards: what meets what, in which block, where the axes stand.
+
+import {duration, fixed, grouped, h} from './elements.js';
+
+/** @typedef {import('./model.js').Finding} Finding */
+/** @typedef {import('./model.js').Model} Model */
+/** @typedef {import('./state.js').State} State */
+
+/** @type {Object<string, string>} */
+const KINDS = {
+	collision: 'Collision', clearance: 'Too little clearance', limit: 'Axis limit', 'start-overlap': 'Overlap at the start',
+	'rapid-contact': 'Rapid into the part', gouge: 'Gouge',
+};
+/** Cards that are made at once; the rest when asked for. */
+const FIRST_CARDS = 50;
+
+/** @param {Finding} finding what meets what, in a few words */
+export function findingTitle(finding) {
+	if (finding.kind === 'limit') return `${finding.axis} leaves its travel`;
+	const verb = finding.kind === 'clearance' ? 'comes too near to' : finding.kind === 'gouge' ? 'cuts into' : finding.kind === 'start-overlap' ? 'overlaps' : 'meets';
+	return `${finding.a} ${verb} ${finding.b}`;
+}
+
+/** @param {Finding} finding */
+export const kindName = (finding) => KINDS[finding.kind] || finding.kind;
+
+/** How an axis' value is written: mm and degrees as a control shows them. @param {number} value */
+export const axisValue = (value) => fixed(value, 3);
+
+/** The axes that move in the block of a finding, from where to where. @param {Model} model @param {Finding} finding @returns {Promise<string>} */
+async function movesOf(model, finding) {
+	const {path, axes} = model;
+	const loading = path.load(finding.time);
+	if (loading) await loading;
+	const start = await path.blockEnd(finding.time, -1), end = await path.blockEnd(finding.time, 1);
+	await Promise.all([path.load(start), path.load(end)]);
+	const from = path.pose(start).values, to = path.pose(end).values;
+	const moves = axes.map((axis, i) => ({axis, i})).filter(({i}) => Math.abs(to[i] - from[i]) > 0.0015);
+	return moves.map(({axis, i}) => `${axis.letter} ${axisValue(from[i])} \u2192 ${axisValue(to[i])}${axis.rotary ? '\u00b0' : ' mm'}`).join(', ');
+}
+
+export class FindingsView {
+	/** @param {State} state */
+	constructor(state) {
+		this.state = state;
+		this.model = state.model;
+		/** @type {HTMLElement[]} */
+		this.cards = [];
+		this.element = h('section.findings', {'aria-label': 'Findings'});
+		this.add(0, FIRST_CARDS);
+		if (!this.model.findings.length) this.element.append(this.nothing());
+		state.watch((what) => {
+			if (what !== 'playing') this.mark();
+		});
+	}
+
+	nothing() {
+		const {verdict, sentence} = this.model;
+		const good = verdict === 'clear' || verdict === 'passed' || verdict === 'accepted';
+		return h(`div.card.${good ? 'good' : 'doubt'}`, {}, h('b', {}, good ? 'Nothing was found' : 'No finding, but no proof either'), h('p', {}, sentence));
+	}
+
+	/** @param {number} from @param {number} to */
+	add(from, to) {
+		const {findings, leftOut} = this.model;
+		for (let i = from; i < Math.min(to, findings.length); i++) {
+			const card = this.card(findings[i], i);
+			this.cards.push(card);
+			this.element.append(card);
+		}
+		const left = findings.length - this.cards.length;
+		if (left > 0) {
+			const more = h('button.more', {onclick: () => {
+				more.remove();
+				this.add(this.cards.length, Infinity);
+			}}, `Show ${grouped(left)} more`);
+			this.element.append(more);
+		} else if (leftOut) this.element.append(h('p.note', {}, `${grouped(leftOut)} more findings are not in this report.`));
+	}
+
+	/** @param {Finding} finding @param {number} index */
+	card(finding, index) {
+		const {model, state} = this;
+		const axes = model.readOut.filter((letter) => letter in finding.axes);
+		const rows = [
+			h('div.where', {}, h('code', {}, finding.block ?? ''), finding.kind === 'start-overlap' ? null : ` ${fixed(finding.fraction * 100, 1)} % through the block, at ${duration(finding.time)}`),
+			h('dl.axes', {}, ...axes.map((letter) => h('div', {}, h('dt', {}, letter), h('dd', {}, axisValue(finding.axes[letter]))))),
+		];
+		const moves = h('p.moves', {hidden: true});
+		movesOf(model, finding).then((text) => {
+			moves.textContent = text ? `This block moves ${text}.` : '';
+			moves.hidden = !text;
+		});
+		return h(`article.card${finding.accepted ? '.accepted' : '.bad'}`, {'data-finding': index},
+			h('button.title', {onclick: () => state.showFinding(index)},
+				h('b', {}, ...titleParts(finding)),
+				h('span.kind', {}, `${kindName(finding)} in line ${grouped(finding.line)}`)),
+			...rows.slice(0, 1), moves, ...this.remarks(finding), rows[1],
+			h('div.actions', {},
+				h('button', {onclick: () => state.showFinding(index)}, 'Show'),
+				h('button', {onclick: () => {
+					state.showFinding(index);
+					state.beforeFinding();
+					state.toggle();
+				}}, '\u25b6 from 2 s before')));
+	}
+
+	/** @param {Finding} finding */
+	remarks(finding) {
+		const text = [];
+		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${axisValue(finding.excess ?? 0)} too far.`);
+		else if (finding.clearance) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
+		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
+		return text.map((line) => h('p', {}, line));
+	}
+
+	mark() {
+		this.cards.forEach((card, i) => {
+			const now = i === this.state.finding;
+			card.classList.toggle('now', now);
+			card.setAttribute('aria-current', String(now));
+			if (now) card.scrollIntoView({block: 'nearest'});
+		});
+	}
+}
+
+/** The title with the bodies in the colours of the picture. @param {Finding} finding */
+function titleParts(finding) {
+	if (!finding.a || !finding.b) return [findingTitle(finding)];
+	const middle = findingTitle(finding).slice(finding.a.length, -finding.b.length);
+	return [h('span.swatch.swatch-a'), finding.a, middle, h('span.swatch.swatch-b'), finding.b];
+}

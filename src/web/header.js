@@ -1,0 +1,27 @@
+// @ts-check
+// header.js - the verdict as a sentence, and what must be said beside it.
+
+import {findingTitle, kindName} from './findings.js';
+import {grouped, h} from './elements.js';
+
+/** @typedef {import('./model.js').Model} Model */
+
+/** The verdict in one sentence: the first finding if there is one. @param {Model} model */
+export function headline(model) {
+	const first = model.findings.find((finding) => !finding.accepted) || model.findings[0];
+	if (first && model.verdict !== 'clear') return `${kindName(first)}: ${findingTitle(first)} in line ${grouped(first.line)}`;
+	return {clear: 'Clear: the machine does not hit itself', passed: 'Passed', incomplete: 'Incomplete: this program is not proved'}[model.verdict] || model.verdict;
+}
+
+/** @param {Model} model @param {() => void} showHelp */
+export function headerView(model, showHelp) {
+	const kind = model.verdict === 'clear' ? 'good' : model.failing ? 'bad' : 'doubt';
+	const more = model.errors.map(({file, line, text}) => `${file ?? ''}${line ? `:${line}` : ''}: ${text}`);
+	const remarks = [...more, ...model.cautions];
+	return h(`header.${kind}`, {},
+		h('div.verdict', {}, h('h1', {}, headline(model)), h('p', {}, model.sentence.startsWith(model.program) ? model.sentence : `${model.program}: ${model.sentence}`)),
+		remarks.length ? h('details.cautions', {}, h('summary', {}, `${remarks.length} ${remarks.length === 1 ? 'remark' : 'remarks'}`), h('ul', {}, ...remarks.map((text) => h('li', {}, text)))) : null,
+		h('div.header-buttons', {},
+			h('button', {onclick: () => print()}, 'Print'),
+			h('button', {onclick: showHelp, 'aria-label': 'Keys and help', title: 'Keys and help (?)'}, '?')));
+}

@@ -1,0 +1,116 @@
+// @ts-check
+// levels.js - a long table at two levels: a coarse one at hand, and chunks that are unpacked when they are looked at.
+
+import {unpackTable} from './pack.js';
+
+/** Unpacked chunks that are kept. */
+const KEPT = 24;
+
+/**
+ * @typedef {Object} Chunk
+ * @property {number} blob
+ * @property {number} first
+ * @property {number} rows
+ * @property {number} from	s
+ * @property {number} to
+ *
+ * @typedef {Object} TableHead
+ * @property {string[]} columns
+ * @property {number[]} scale
+ * @property {number} rows
+ * @property {{blob: number, rows: number}} coarse
+ * @property {Chunk[]} chunks
+ * @property {boolean} complete
+ *
+ * @typedef {Float64Array[]} Columns
+ */
+
+/** The first row whose number is at least x; the number of rows if there is none. @param {Float64Array} column @param {number} x */
+export function lowerBound(column, x) {
+	let low = 0, high = column.length;
+	while (low < high) {
+		const middle = low + high >> 1;
+		if (column[middle] < x) low = middle + 1;
+		else high = middle;
+	}
+	return low;
+}
+
+export class Levels {
+	/** @param {TableHead} head @param {(blob: number) => Promise<Uint8Array>} fetchBlob @param {Columns} coarse */
+	constructor(head, fetchBlob, coarse) {
+		this.head = head;
+		this.fetchBlob = fetchBlob;
+		this.coarse = coarse;
+		/** In the order of use. @type {Map<number, Columns>} */
+		this.ready = new Map();
+		/** @type {Map<number, Promise<Columns>>} */
+		this.coming = new Map();
+	}
+
+	/** @param {TableHead} head @param {(blob: number) => Promise<Uint8Array>} fetchBlob */
+	static async open(head, fetchBlob) {
+		return new Levels(head, fetchBlob, unpackTable(await fetchBlob(head.coarse.blob), head.coarse.rows, head.scale));
+	}
+
+	/** @param {string} name */
+	column(name) {
+		return this.head.columns.indexOf(name);
+	}
+
+	/** The chunks with a row at or around a time: none, one or two neighbours. @param {number} time */
+	around(time) {
+		const {chunks} = this.head;
+		const next = lowerBound(Float64Array.from(chunks, (chunk) => chunk.to), time);
+		const chunk = chunks[next];
+		if (!chunk) return [];
+		if (time > chunk.from) return [next];
+		const before = chunks[next - 1];
+		if (before && before.first + before.rows === chunk.first) return [next - 1, next];
+		return time === chunk.from ? [next] : [];
+	}
+
+	/** @param {number} index of a chunk @returns {Promise<Columns>} */
+	load(index) {
+		const ready = this.ready.get(index);
+		if (ready) return Promise.resolve(ready);
+		let coming = this.coming.get(index);
+		if (!coming) {
+			const {blob, rows} = this.head.chunks[index];
+			coming = this.fetchBlob(blob).then((bytes) => {
+				const columns = unpackTable(bytes, rows, this.head.scale);
+				this.coming.delete(index);
+				this.ready.set(index, columns);
+				for (const old of this.ready.keys()) if (this.ready.size > KEPT) this.ready.delete(old);
+				return columns;
+			});
+			this.coming.set(index, coming);
+		}
+		return coming;
+	}
+
+	/** What at() still needs. @param {number} time @returns {Promise<unknown>|null} */
+	missing(time) {
+		const wanted = this.around(time).filter((index) => !this.ready.has(index));
+		return wanted.length ? Promise.all(wanted.map((index) => this.load(index))) : null;
+	}
+
+	/** The two rows around a time: the first row that is not before it, and the row before that one. @param {number} time @returns {{before: number[], after: number[], share: number}} */
+	at(time) {
+		const times = this.column('time');
+		const chunks = this.around(time).map((index) => this.ready.get(index));
+		/** @type {number[]} */
+		let before, after;
+		if (chunks.length === 2 && chunks[0] && chunks[1] && time > chunks[0][times][chunks[0][times].length - 1]) {
+			before = chunks[0].map((column) => column[column.length - 1]);
+			after = chunks[1].map((column) => column[0]);
+		} else {
+			const columns = chunks[0] || this.coarse;
+			const row = Math.min(lowerBound(columns[times], time), columns[times].length - 1);
+			after = columns.map((column) => column[row]);
+			before = columns.map((column) => column[Math.max(0, row - 1)]);
+		}
+		const span = after[times] - before[times];
+		return {before, after, share: span > 0 ? Math.max(0, Math.min(1, (time - before[times]) / span)) : 1};
+	}
+}

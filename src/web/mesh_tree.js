@@ -1,0 +1,112 @@
+// @ts-check
+// mesh_tree.js - which triangle of a mesh a ray meets first: a tree of boxes, split in the middle of the longest side.
+
+/** @typedef {import('./model.js').Mesh} Mesh */
+/** @typedef {import('./model.js').Vec3} Vec3 */
+
+const LEAF = 8;
+
+export class MeshTree {
+	/** @param {Mesh} mesh */
+	constructor(mesh) {
+		this.mesh = mesh;
+		const count = mesh.indices.length / 3;
+		this.order = new Uint32Array(count);
+		const centres = new Float32Array(3 * count);
+		for (let t = 0; t < count; t++) {
+			this.order[t] = t;
+			for (let k = 0; k < 9; k++) centres[3 * t + k % 3] += mesh.positions[3 * mesh.indices[3 * t + (k / 3 | 0)] + k % 3] / 3;
+		}
+		/** Six numbers a node. @type {number[]} */
+		this.boxes = [];
+		/** First triangle, count; or count 0 and the second child (the first one follows). @type {number[]} */
+		this.nodes = [];
+		if (count) this.build(0, count, centres);
+	}
+
+	/** @param {number} first @param {number} end @param {Float32Array} centres @returns {number} */
+	build(first, end, centres) {
+		const node = this.nodes.length / 2;
+		const {positions, indices} = this.mesh;
+		const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+		for (let i = 3 * first; i < 3 * end; i++) {
+			const v = 3 * indices[3 * this.order[i / 3 | 0] + i % 3];
+			for (let k = 0; k < 3; k++) {
+				low[k] = Math.min(low[k], positions[v + k]);
+				high[k] = Math.max(high[k], positions[v + k]);
+			}
+		}
+		this.boxes.push(...low, ...high);
+		this.nodes.push(first, end - first);
+		if (end - first <= LEAF) return node;
+		let axis = 0;
+		for (let k = 1; k < 3; k++) if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+		const middle = (low[axis] + high[axis]) / 2;
+		let split = first;
+		for (let i = first; i < end; i++) {
+			const t = this.order[i];
+			if (centres[3 * t + axis] >= middle) continue;
+			this.order[i] = this.order[split];
+			this.order[split++] = t;
+		}
+		if (split === first || split === end) split = first + end >> 1;
+		this.build(first, split, centres);
+		this.nodes[2 * node] = this.build(split, end, centres);
+		this.nodes[2 * node + 1] = 0;
+		return node;
+	}
+
+	/**
+	 * @param {Vec3} o origin, in the mesh's frame
+	 * @param {Vec3} d unit direction
+	 * @param {number} limit only what is nearer counts
+	 * @returns {{distance: number, triangle: number}|null}
+	 */
+	hit(o, d, limit) {
+		if (!this.nodes.length) return null;
+		let best = null;
+		const stack = [0];
+		while (stack.length) {
+			const node = /** @type {number} */ (stack.pop());
+			if (!this.meetsBox(node, o, d, limit)) continue;
+			const first = this.nodes[2 * node], count = this.nodes[2 * node + 1];
+			if (!count) stack.push(first, node + 1);
+			for (let i = first; i < first + count; i++) {
+				const distance = this.meetsTriangle(this.order[i], o, d);
+				if (distance >= limit) continue;
+				limit = distance;
+				best = {distance, triangle: this.order[i]};
+			}
+		}
+		return best;
+	}
+
+	/** @param {number} node @param {Vec3} o @param {Vec3} d @param {number} limit */
+	meetsBox(node, o, d, limit) {
+		let near = 0, far = limit;
+		for (let k = 0; k < 3; k++) {
+			const a = (this.boxes[6 * node + k] - o[k]) / d[k], b = (this.boxes[6 * node + 3 + k] - o[k]) / d[k];
+			// Not a number where the ray lies in the box's side: that counts as inside.
+			if (Math.min(a, b) > near) near = Math.min(a, b);
+			if (Math.max(a, b) < far) far = Math.max(a, b);
+		}
+		return near <= far;
+	}
+
+	/** Infinity: it misses. @param {number} t @param {Vec3} o @param {Vec3} d */
+	meetsTriangle(t, o, d) {
+		const {positions: p, indices: i} = this.mesh;
+		const a = 3 * i[3 * t], b = 3 * i[3 * t + 1], c = 3 * i[3 * t + 2];
+		const e1x = p[b] - p[a], e1y = p[b + 1] - p[a + 1], e1z = p[b + 2] - p[a + 2];
+		const e2x = p[c] - p[a], e2y = p[c + 1] - p[a + 1], e2z = p[c + 2] - p[a + 2];
+		const px = d[1] * e2z - d[2] * e2y, py = d[2] * e2x - d[0] * e2z, pz = d[0] * e2y - d[1] * e2x;
+		const det = e1x * px + e1y * py + e1z * pz;
+		if (Math.abs(det) < 1e-12) return Infinity;
+		const sx = o[0] - p[a], sy = o[1] - p[a + 1], sz = o[2] - p[a + 2];
+		const u = (sx * px + sy * py + sz * pz) / det;
+		const qx = sy * e1z - sz * e1y, qy = sz * e1x - sx * e1z, qz = sx * e1y - sy * e1x;
+		const v = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
+		const s = (e2x * qx + e2y * qy + e2z * qz) / det;
+		return u < 0 || v < 0 || u + v > 1 || s <= 0 ? Infinity : s;
+	}
+}

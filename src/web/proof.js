@@ -1,0 +1,58 @@
+// @ts-check
+// proof.js - the proof made visible: the plane half-way between the nearest triangles of the nearest two bodies.
+
+import {cross, dot, multiply, place, scale, translation, turn, unit} from './vec.js';
+
+/** @typedef {import('./model.js').Model} Model */
+/** @typedef {import('./model.js').Vec3} Vec3 */
+/** @typedef {import('./placed_bodies.js').PlacedBodies} PlacedBodies */
+
+/** The row that holds at a time, or -1: nothing is near. @param {Model} model @param {number} time */
+function rowAt({planes}, time) {
+	if (!planes) return -1;
+	let low = 0, high = planes.time.length;
+	while (low < high) {
+		const middle = low + high >> 1;
+		if (planes.time[middle] <= time + 1e-9) low = middle + 1;
+		else high = middle;
+	}
+	return low && planes.pair[low - 1] >= 0 ? low - 1 : -1;
+}
+
+/**
+ * The plane as a square at the nearest place.
+ *
+ * @param {Model} model
+ * @param {number} time
+ * @param {PlacedBodies} placed
+ * @param {Vec3} colour
+ * @returns {import('./scene.js').Extra[]}
+ */
+export function planeExtra(model, time, placed, colour) {
+	const row = rowAt(model, time);
+	if (row < 0 || !model.planes) return [];
+	const {a, b} = model.pairs[model.planes.pair[row]];
+	const at = (/** @type {Float64Array[]} */ columns) => /** @type {Vec3} */ (columns.map((column) => column[row]));
+	const middle = place(placed.matrix(a), at(model.planes.point)), normal = unit(turn(placed.matrix(a), at(model.planes.normal)));
+	const size = Math.max(20, 0.8 * Math.min(placed.sphere(a).radius, placed.sphere(b).radius));
+	const u = scale(unit(cross(normal, Math.abs(normal[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])), size);
+	const square = multiply(translation(middle), [...u, 0, ...cross(normal, u), 0, ...normal, 0, 0, 0, 0, 1]);
+	const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
+	return [{positions: Float32Array.from(corners), matrix: square, colour, kind: 'plane'}];
+}
+
+/** The pair that the plane keeps apart. @param {Model} model @param {number} time */
+export function planePair(model, time) {
+	const row = rowAt(model, time);
+	return row < 0 || !model.planes ? null : model.pairs[model.planes.pair[row]];
+}
+
+/** What the plane says, in words. @param {Model} model @param {number} time */
+export function proofSentence(model, time) {
+	const row = rowAt(model, time);
+	if (row < 0 || !model.planes) return 'Proof: no bodies are near each other here; each pair is farther apart than is measured.';
+	const pair = model.pairs[model.planes.pair[row]];
+	const name = (/** @type {number} */ body) => model.bodies[body].name;
+	return `Proof: the nearest bodies are ${name(pair.a)} and ${name(pair.b)}; their nearest triangles were ${model.planes.distance[row].toFixed(3)} mm ` +
+		`apart at ${model.planes.time[row].toFixed(2)} s. This plane lies half-way between them and moves with ${name(pair.a)}.`;
+}

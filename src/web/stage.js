@@ -1,0 +1,323 @@
+// @ts-check
+// stage.js - the picture of the machine: the camera and its gestures, which body looks how, picking, section, measure.
+
+import {between, Camera, copyOf, differs, STANDARD_VIEWS} from './camera.js';
+import {h} from './elements.js';
+import {watchGestures} from './gestures.js';
+import {Overlay} from './overlay.js';
+import {PlacedBodies} from './placed_bodies.js';
+import {sceneColour} from './palette.js';
+import {planeExtra} from './proof.js';
+import {Scene} from './scene.js';
+import {add, dot, norm, place, placeBack, scale, sub} from './vec.js';
+import {bestDirection, inTheWay, normalOf} from './viewpoint.js';
+
+/** @typedef {import('./model.js').Vec3} Vec3 */
+/** @typedef {import('./state.js').State} State */
+/** @typedef {import('./placed_bodies.js').Hit} Hit */
+
+/** How long a flight of the camera takes, ms. */
+const FLIGHT = 450;
+/** A finding's colours are shown this long before and after it while the time runs, s. */
+const NEAR = 0.05;
+
+export class Stage {
+	/** @param {State} state */
+	constructor(state) {
+		this.state = state;
+		this.model = state.model;
+		this.placed = new PlacedBodies(this.model);
+		this.camera = new Camera();
+		this.overlay = new Overlay();
+		this.canvas = /** @type {HTMLCanvasElement} */ (h('canvas', {
+			tabindex: 0, role: 'img', 'aria-label': 'The machine in 3-D. Arrow keys turn it, with Shift they move it, + and - zoom.',
+		}));
+		this.element = h('div.stage', {}, this.canvas, this.overlay.drawing, this.overlay.labels);
+		this.scene = new Scene(this.canvas, this.model.bodies.map((body) => body.mesh));
+		this.selected = -1;
+		this.xray = true;
+		this.proof = false;
+		this.measuring = false;
+		/** In the frame of a link, so that they move along. @type {{link: number, point: Vec3}[]} */
+		this.measure = [];
+		/** @type {{axis: number, at: number, sign: number}|null} */
+		this.section = null;
+		/** @type {Set<number>} */
+		this.ghosts = new Set();
+		/** @type {(() => void)[]} */
+		this.onselect = [];
+		this.requested = false;
+		this.listen();
+		this.size = 1.2 * this.placed.around(this.placed.bodies.map((_, i) => i)).radius + 200;
+	}
+
+	listen() {
+		this.state.watch((what) => {
+			if (what !== 'playing') this.change();
+		});
+		new ResizeObserver(() => this.change()).observe(this.canvas);
+		this.canvas.addEventListener('restored', () => this.change());
+		matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.change());
+		watchGestures(this.canvas, {
+			turn: (dx, dy) => this.by(() => this.camera.orbit(dx * 0.008, dy * 0.008)),
+			move: (dx, dy) => this.by(() => this.camera.pan(dx, dy, this.canvas.clientHeight)),
+			zoom: (factor, x, y) => this.by(() => this.zoomAt(factor, x, y)),
+			tap: (x, y) => this.tap(x, y),
+			twice: (x, y) => {
+				const hit = this.pick(x, y);
+				if (hit) this.fly({target: hit.point, distance: this.camera.distance * 0.6});
+			},
+		});
+		this.canvas.addEventListener('keydown', (e) => {
+			const step = /** @type {Object<string, [number, number]>} */ ({ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]})[e.key];
+			if (step) {
+				this.by(() => e.shiftKey ? this.camera.pan(40 * step[0], 40 * step[1], this.canvas.clientHeight)
+					: this.camera.orbit(0.1 * step[0], 0.1 * step[1]));
+			} else if (e.key === '+' || e.key === '-') this.by(() => this.camera.zoom(e.key === '+' ? 0.85 : 1 / 0.85));
+			else return;
+			e.preventDefault();
+			e.stopPropagation();
+		});
+	}
+
+	/** Changes the camera by hand: a flight ends. @param {() => void} change */
+	by(change) {
+		this.flight = null;
+		change();
+		this.change();
+	}
+
+	/** @param {number} factor @param {number} x @param {number} y */
+	zoomAt(factor, x, y) {
+		const mm = this.camera.millimetres(this.canvas.clientHeight) * (1 - factor);
+		const dx = x - this.canvas.clientWidth / 2, dy = y - this.canvas.clientHeight / 2;
+		this.camera.target = add(this.camera.target, add(scale(this.camera.right(), dx * mm), scale(this.camera.up(), -dy * mm)));
+		this.camera.zoom(factor);
+	}
+
+	/** Draws again, once, before the next frame. */
+	change() {
+		if (this.requested) return;
+		this.requested = true;
+		requestAnimationFrame((now) => {
+			this.requested = false;
+			this.advance(now);
+			this.draw();
+		});
+	}
+
+	/** @param {number} now */
+	advance(now) {
+		if (!this.flight) return;
+		this.flight.start ??= now;
+		const s = Math.min(1, (now - this.flight.start) / FLIGHT);
+		this.camera = between(this.flight.from, this.flight.to, s * s * (3 - 2 * s));
+		if (s >= 1) this.flight = null;
+		else this.change();
+	}
+
+	/** @param {Partial<Camera>} goal @param {boolean} [atOnce] */
+	fly(goal, atOnce) {
+		const to = Object.assign(copyOf(this.camera), goal);
+		if (atOnce || matchMedia('(prefers-reduced-motion: reduce)').matches) this.camera = to;
+		else if (differs(this.camera, to)) this.flight = {from: copyOf(this.camera), to, start: /** @type {number|undefined} */ (undefined)};
+		this.change();
+	}
+
+	aspect() {
+		return (this.canvas.clientWidth || 1) / (this.canvas.clientHeight || 1);
+	}
+
+	/** @param {string} name of STANDARD_VIEWS */
+	standard(name) {
+		const [yaw, pitch] = STANDARD_VIEWS[name];
+		this.fly({yaw, pitch});
+	}
+
+	fit() {
+		const goal = copyOf(this.camera);
+		const {centre, radius} = this.placed.around(this.placed.all());
+		goal.fit(centre, radius * 0.8, this.aspect());
+		this.fly(goal);
+	}
+
+	/** The finding that is shown now. */
+	finding() {
+		const {time, finding, model} = this.state;
+		if (finding >= 0) return model.findings[finding];
+		return model.findings.find((f) => Math.abs(f.time - time) < NEAR) || null;
+	}
+
+	/** The bodies that matter now, and where to look. @returns {{bodies: number[], point: Vec3, radius: number}} */
+	focus() {
+		const finding = this.finding() || (this.state.stopAt < Infinity ? this.model.findings[this.state.lastFinding] : null);
+		if (finding && finding.point) {
+			const bodies = finding.bodies || [];
+			const sizes = bodies.map((i) => this.placed.sphere(i).radius);
+			return {bodies, point: finding.point, radius: Math.max(30, Math.min(400, 2.2 * Math.min(...sizes, 400)))};
+		}
+		const role = (/** @type {string[]} */ roles) => this.placed.all().filter((i) => roles.includes(this.placed.bodies[i].role));
+		const tool = role(['cutter', 'shank', 'holder']), work = role(['part', 'fixture']);
+		const bodies = [...tool, ...work];
+		const {centre, radius} = this.placed.around(work.length ? work : bodies.length ? bodies : this.placed.all());
+		return {bodies, point: tool.length ? this.placed.sphere(tool[tool.length - 1]).centre : centre, radius: Math.max(30, radius * 1.6)};
+	}
+
+	/** Puts the camera where the contact can be seen, or before the work. @param {boolean} [atOnce] */
+	lookAtFocus(atOnce) {
+		this.place();
+		const finding = this.finding();
+		const goal = copyOf(this.camera);
+		const {bodies, point, radius} = this.focus();
+		if (finding && finding.point && bodies.length === 2) {
+			goal.lookFrom(bestDirection(this.placed, point, bodies, normalOf(finding.triangles?.[0][0])));
+			goal.fit(point, radius, this.aspect());
+		} else {
+			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
+			const work = bodies.length ? this.placed.around(bodies) : this.placed.around(this.placed.all());
+			goal.fit(work.centre, work.radius, this.aspect());
+		}
+		this.fly(goal, atOnce);
+	}
+
+	place() {
+		const {pose} = this.state;
+		this.placed.moveTo(pose.values, pose.tool);
+	}
+
+	/** @param {number} x @param {number} y */
+	pick(x, y) {
+		const {origin, direction} = this.camera.ray(x, y, this.canvas.clientWidth, this.canvas.clientHeight);
+		const solid = this.placed.all().filter((body) => !this.ghosts.has(body));
+		const cut = this.cut();
+		if (!cut) return this.placed.hit(origin, direction, 1e6, solid);
+		// Begin where the ray enters what is left of the section.
+		const n = /** @type {Vec3} */ (cut.slice(0, 3));
+		const above = dot(n, origin) - cut[3], falling = -dot(n, direction);
+		const skip = above > 0 ? (falling > 0 ? above / falling : 1e6) : 0;
+		return this.placed.hit(add(origin, scale(direction, skip)), direction, 1e6, solid);
+	}
+
+	/** @param {number} x @param {number} y */
+	tap(x, y) {
+		const hit = this.pick(x, y);
+		if (this.measuring) {
+			if (!hit) return;
+			if (this.measure.length === 2) this.measure = [];
+			const link = this.placed.bodies[hit.body].link;
+			this.measure.push({link, point: placeBack(this.placed.links[link], this.snap(hit))});
+		} else this.select(hit ? hit.body : -1);
+		this.change();
+		for (const listener of this.onselect) listener();
+	}
+
+	/** The corner of the triangle that was hit if it is within a few pixels, else the point. @param {Hit} hit @returns {Vec3} */
+	snap(hit) {
+		const {indices, positions} = this.placed.bodies[hit.body].mesh;
+		const w = this.canvas.clientWidth, tall = this.canvas.clientHeight;
+		const seen = this.camera.project(hit.point, w, tall);
+		for (let k = 0; k < 3; k++) {
+			const v = 3 * indices[3 * hit.triangle + k];
+			const corner = place(this.placed.matrix(hit.body), [positions[v], positions[v + 1], positions[v + 2]]);
+			const at = this.camera.project(corner, w, tall);
+			if (Math.hypot(at[0] - seen[0], at[1] - seen[1]) < 9) return corner;
+		}
+		return hit.point;
+	}
+
+	/** @param {number} body -1: none */
+	select(body) {
+		this.selected = body;
+		this.change();
+		for (const listener of this.onselect) listener();
+	}
+
+	/** @param {'hide'|'isolate'|'all'} what */
+	showBodies(what) {
+		const {hidden, bodies} = this.placed;
+		if (what === 'all') hidden.clear();
+		else if (this.selected < 0) return;
+		else if (what === 'hide') hidden.add(this.selected);
+		else bodies.forEach((_, i) => i === this.selected ? hidden.delete(i) : hidden.add(i));
+		this.select(-1);
+	}
+
+	/** n . x <= offset is kept. @returns {[number, number, number, number]|null} */
+	cut() {
+		if (!this.section) return null;
+		const {axis, at, sign} = this.section;
+		/** @type {[number, number, number, number]} */
+		const cut = [0, 0, 0, sign * at];
+		cut[axis] = sign;
+		return cut;
+	}
+
+	/** The range of the section's place: where the bodies are. @param {number} axis */
+	extent(axis) {
+		const {centre, radius} = this.placed.around(this.placed.all());
+		return {min: centre[axis] - radius, max: centre[axis] + radius};
+	}
+
+	/** @param {number} body @param {import('./model.js').Finding|null} finding @returns {import('./scene.js').Item} */
+	item(body, finding) {
+		const {role, link} = this.placed.bodies[body];
+		const side = finding?.bodies ? ['a', 'b'][finding.bodies.indexOf(body)] : null;
+		const known = ['part', 'fixture', 'holder', 'shank', 'cutter'].includes(role);
+		const colour = sceneColour(body === this.selected ? 'selected' : side ? `contact-${side}` : known ? role : link ? 'moving' : 'base');
+		return {body, matrix: this.placed.matrix(body), colour, ghost: this.ghosts.has(body)};
+	}
+
+	draw() {
+		this.place();
+		const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+		if (!width || !height) return;
+		const finding = this.finding();
+		const focus = this.focus();
+		this.ghosts = this.xray ? inTheWay(this.placed, this.camera.eye(), focus.point, focus.radius * 0.25, focus.bodies) : new Set();
+		this.ghosts.delete(this.selected);
+		const items = this.placed.all().map((body) => this.item(body, finding));
+		const extras = this.proof ? planeExtra(this.model, this.state.time, this.placed, sceneColour('plane')) : [];
+		// The triangles stand where they are at the finding alone.
+		if (this.state.finding >= 0 && finding?.triangles) {
+			extras.push({kind: 'triangles', positions: Float32Array.from(finding.triangles.flat(2)), colour: sceneColour('mark')});
+		}
+		this.scene.draw(this.camera, items, extras,
+			{edge: sceneColour('edge'), cut: this.cut(), size: this.size + norm(sub(this.camera.target, focus.point))});
+		this.annotate(finding, width, height);
+	}
+
+	/** @param {import('./model.js').Finding|null} finding @param {number} width @param {number} height */
+	annotate(finding, width, height) {
+		this.overlay.clear(width, height);
+		this.overlay.triad(this.camera);
+		const see = (/** @type {Vec3} */ p) => this.camera.project(p, width, height);
+		if (finding && finding.point) {
+			const [x, y, depth] = see(finding.point);
+			if (depth > 0) {
+				if (finding.bodies) finding.bodies.forEach((_, k) => this.name(/** @type {[number, number]} */ (finding.bodies), k, x, y, see));
+				this.overlay.ring(x, y);
+			}
+		}
+		const ends = this.measure.map(({link, point}) => place(this.placed.links[link], point));
+		const seen = ends.map(see);
+		seen.forEach(([x, y]) => this.overlay.dot('measure-end', x, y));
+		if (ends.length === 2) {
+			this.overlay.line('measure', seen[0], seen[1]);
+			const d = sub(ends[1], ends[0]);
+			const parts = d.map((v, k) => `${'XYZ'[k]} ${Math.abs(v).toFixed(2)}`).join('  ');
+			this.overlay.label('measure-label', `${norm(d).toFixed(2)} mm   (${parts})`, (seen[0][0] + seen[1][0]) / 2, (seen[0][1] + seen[1][1]) / 2 - 18);
+		}
+	}
+
+	/** The name of a body in contact, on its side of the ring. @param {[number, number]} bodies @param {number} k which one @param {number} x @param {number} y @param {(p: Vec3) => Vec3} see */
+	name(bodies, k, x, y, see) {
+		const side = 'ab'[k];
+		const own = see(this.placed.sphere(bodies[k]).centre), its = see(this.placed.sphere(bodies[1 - k]).centre);
+		const right = own[0] > its[0] || (own[0] === its[0] && k === 1), below = own[1] > its[1];
+		const far = Math.min(150, this.overlay.width * 0.26);
+		const box = this.overlay.label(`name-${side}`, this.placed.bodies[bodies[k]].name, x + (right ? far : -far), y + (below ? 64 : -64));
+		const to = [right ? box.left : box.right, (box.top + box.bottom) / 2];
+		const length = Math.hypot(to[0] - x, to[1] - y) || 1;
+		this.overlay.line(`leader leader-${side}`, [x + (to[0] - x) * 22 / length, y + (to[1] - y) * 22 / length], to);
+	}
+}
