@@ -3,6 +3,7 @@
 #define FIVECHECK_GCODE_KINEMATICS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "base/axes.h"
 #include "base/diag.h"
@@ -22,6 +23,29 @@ struct kinematics_orientation {
 	vec3 direction;	/* unit: from the tip to the spindle, as positions under TCP are meant */
 	axis_values rotary_zero;
 	axis_values rotary;	/* where the axes are; receives where the rotary ones go */
+	const char *command;	/* for messages; NULL: G53.1 */
+};
+
+/* One way to stand the tool in a direction. */
+struct kinematics_solution {
+	axis_values rotary;	/* of the axes of the chain, in the turn within the limits that is nearest; others as they are */
+	bool within_limits;	/* some turn of it is */
+	bool free[SLOT_COUNT];	/* this axis can stand anywhere; `rotary` has it where it is */
+	bool tie[SLOT_COUNT];	/* another turn of this axis is as near */
+};
+
+/* All ways to stand the tool in a direction: the choice is the control's. */
+struct kinematics_solutions {
+	size_t count;	/* up to 2; 0: the machine cannot stand so */
+	struct kinematics_solution items[2];
+	int primary;	/* slot of the first rotary axis as seen from the tool */
+};
+
+/* A retract along the tool's axis, from the tip to the spindle. */
+struct kinematics_retract {
+	bool to_limit;	/* as far as the first linear axis reaches the end of its travel */
+	double distance;	/* mm, if not */
+	axis_values position;	/* where the axes are, as positions are meant now; receives where they go */
 };
 
 /*
@@ -37,6 +61,10 @@ struct kinematics {
 	bool (*tcp)(void *context, const struct kinematics_tcp *tcp, struct srcloc loc, axis_values *position);
 	/* Finds the rotary positions that give the tool this direction: within the limits, the nearest to where it is. */
 	bool (*orient)(void *context, struct srcloc loc, struct kinematics_orientation *orientation);
+	/* The same with every choice, for controls that choose in another way. */
+	bool (*orientations)(void *context, struct srcloc loc, const struct kinematics_orientation *orientation,
+			     struct kinematics_solutions *solutions);
+	bool (*retract)(void *context, struct srcloc loc, struct kinematics_retract *retract);
 	/*
 	 * Where turning the table takes a point of the workpiece. *place holds, for the linear axes, the position that
 	 * brings the gauge point to it while every rotary axis is at the machine's zero, and for the rotary axes where

@@ -10,6 +10,7 @@
 #include "motion/dogleg.h"
 #include "motion/limits.h"
 #include "motion/orient.h"
+#include "motion/retract.h"
 #include "motion/table_point.h"
 #include "motion/timing.h"
 
@@ -454,6 +455,28 @@ static bool orient(void *context, struct srcloc loc, struct kinematics_orientati
 	return orient_tool(converter->machine, loc, converter->diag, orientation);
 }
 
+static bool orientations(void *context, struct srcloc loc, const struct kinematics_orientation *orientation,
+			 struct kinematics_solutions *solutions)
+{
+	struct canon_to_spans *converter = context;
+
+	return orient_solutions(converter->machine, loc, converter->diag, orientation, solutions);
+}
+
+/* In machine positions, whatever positions are meant now. */
+static bool retract(void *context, struct srcloc loc, struct kinematics_retract *way)
+{
+	struct canon_to_spans *converter = context;
+	const struct tcp *tcp = &converter->tcp;
+	struct kinematics_retract machine = *way;
+
+	machine.position = tcp->state.on ? tcp_to_machine(tcp, &way->position) : way->position;
+	if (!retract_along_tool(converter->machine, loc, converter->diag, &machine))
+		return false;
+	way->position = tcp->state.on ? tcp_from_machine(tcp, &machine.position) : machine.position;
+	return true;
+}
+
 static bool table_point(void *context, struct srcloc loc, axis_values *place)
 {
 	struct canon_to_spans *converter = context;
@@ -464,5 +487,6 @@ static bool table_point(void *context, struct srcloc loc, axis_values *place)
 struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter)
 {
 	return (struct kinematics){
-	    .context = converter, .tcp = switch_tcp, .orient = orient, .table_point = table_point};
+	    .context = converter, .tcp = switch_tcp, .orient = orient, .orientations = orientations,
+	    .retract = retract, .table_point = table_point};
 }

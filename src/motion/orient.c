@@ -21,6 +21,7 @@ struct solution {
 	double angle[2];	/* of the chain's joints, radians */
 	double way[2];	/* of each joint from here */
 	int half_turn;	/* the joint that could as well go the other way round, or -1 */
+	bool tie[2];
 	bool found;	/* some turn of it lies within the limits */
 	bool free[2];	/* any angle would do */
 };
@@ -78,6 +79,7 @@ static void settle(const struct problem *problem, struct solution *solution)
 				       &solution->angle[i], &tie))
 			solution->found = false;
 		solution->way[i] = fabs(solution->angle[i] - here);
+		solution->tie[i] = tie;
 		if (tie)
 			solution->half_turn = (int)i;
 	}
@@ -275,8 +277,8 @@ static bool set_problem(struct problem *problem, const struct machine *machine,
 				     mat3_apply(&tcp.matrix, orientation->direction));
 	if (problem->chain.count == 1 || problem->chain.count == 2)
 		return true;
-	diag_error(diag, loc, "G53.1 needs one or two rotary axes between the workpiece and the tool; this machine "
-			      "has %zu", problem->chain.count);
+	diag_error(diag, loc, "%s needs one or two rotary axes between the workpiece and the tool; this machine "
+			      "has %zu", orientation->command ? orientation->command : "G53.1", problem->chain.count);
 	return false;
 }
 
@@ -305,5 +307,33 @@ bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *
 	tell(&problem, solutions, count, chosen, loc, diag);
 	for (size_t i = 0; i < problem.chain.count; i++)
 		orientation->rotary.v[problem.chain.joints[i].slot] = solutions[chosen].angle[i];
+	return true;
+}
+
+bool orient_solutions(const struct machine *machine, struct srcloc loc, struct diag *diag,
+		      const struct kinematics_orientation *orientation, struct kinematics_solutions *solutions)
+{
+	struct kinematics_solutions made = {0};
+	struct solution found[2] = {{.found = false}};
+	struct problem problem;
+
+	if (!set_problem(&problem, machine, orientation, loc, diag))
+		return false;
+	made.count = problem.chain.count == 1 ? solve_one(&problem, found) : solve_two(&problem, found);
+	made.primary = problem.chain.joints[problem.chain.count - 1].slot;
+	for (size_t i = 0; i < made.count; i++) {
+		struct kinematics_solution *item = &made.items[i];
+
+		item->rotary = orientation->rotary;
+		item->within_limits = found[i].found;
+		for (size_t k = 0; k < problem.chain.count; k++) {
+			int slot = problem.chain.joints[k].slot;
+
+			item->rotary.v[slot] = found[i].angle[k];
+			item->free[slot] = found[i].free[k];
+			item->tie[slot] = found[i].tie[k];
+		}
+	}
+	*solutions = made;
 	return true;
 }
