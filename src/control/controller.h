@@ -27,6 +27,13 @@ enum g53_with_g91 { G53_WITH_G91_UNKNOWN, G53_WITH_G91_ABSOLUTE, G53_WITH_G91_IN
 /* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
 enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
 
+/*
+ * Cutter compensation: how the first and the last block lead to the path and away from it, and how the tool goes round an
+ * outside corner. Not known: every way is proved.
+ */
+enum comp_start { COMP_START_UNKNOWN, COMP_START_A, COMP_START_B };
+enum comp_corner_form { COMP_CORNER_UNKNOWN, COMP_CORNER_LINEAR, COMP_CORNER_CIRCULAR };
+
 /* Modes that the control has when it is switched on, if a parameter of the control decides. */
 enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
@@ -67,6 +74,8 @@ struct controller {
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
+	enum comp_start comp_start;
+	enum comp_corner_form comp_corner;
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	struct control_place references[REFERENCES_MAX];

@@ -35,4 +35,9 @@ struct length_offset {
 	double length;
 };
 
+struct radius_offset {
+	int number;	/* D */
+	double radius;	/* by which cutter compensation keeps beside the path; may be negative */
+};
+
 #endif

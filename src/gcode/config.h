@@ -29,6 +29,8 @@ struct gcode_config {
 	size_t tool_count;
 	const struct length_offset *lengths;
 	size_t length_count;
+	const struct radius_offset *radii;
+	size_t radius_count;
 	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
 	double length_change;	/* mm: added to every length offset that the program starts with */
 	struct read_options read;

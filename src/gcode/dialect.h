@@ -38,6 +38,9 @@ enum empty_feed_move { EMPTY_FEED_MOVE_UNKNOWN, EMPTY_FEED_MOVE_CHECKED, EMPTY_F
 /* The centre of an arc before any G90.1 or G91.1: counted from its start, or in program coordinates. */
 enum arc_centre { ARC_CENTRE_UNKNOWN, ARC_CENTRE_INCREMENTAL, ARC_CENTRE_ABSOLUTE };
 
+/* What D of cutter compensation is: a tool, whose diameter is taken, or an offset that holds a radius. */
+enum d_word { D_WORD_UNKNOWN, D_WORD_TOOL, D_WORD_RADIUS };
+
 /* What T does. */
 enum t_word { T_WORD_UNKNOWN, T_WORD_SELECTS };
 
@@ -152,6 +155,8 @@ struct dialect_traits {
 	enum h_zero h_zero;
 	enum h_alone h_alone;	/* not known: H needs G43 in its block */
 	enum answer d_alone;	/* D may stand in any block: it moves nothing */
+	enum d_word d_word;
+	enum answer comp_waits;	/* G41 without a move waits for one; no: the machine file says it */
 	enum answer length_never_moves;	/* its change moves no axis; no: the machine file says it */
 	enum answer g49_finds_length_gone;	/* after G28, G30, G53 that may have taken it back */
 	const char *call_letters;	/* of M97 to M99; NULL: none */

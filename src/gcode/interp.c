@@ -23,6 +23,7 @@ struct interp *interp_new(const struct gcode_config *config, const struct kinema
 	interp->sink = sink;
 	interp->diag = diag;
 	state_init(&interp->state, config);
+	interp->comp.number = -1;
 	tool_table_init(&interp->tools, config);
 	interp->dialect_state = config->dialect->state_new ? config->dialect->state_new() : NULL;
 	return interp;

@@ -6,6 +6,7 @@
 
 #include "gcode/canon.h"
 #include "gcode/config.h"
+#include "gcode/execute/cutter_comp/comp_corner.h"
 #include "gcode/execute/cutter_comp/comp_queue.h"
 #include "gcode/execute/tool_table.h"
 #include "gcode/kinematics.h"
@@ -38,6 +39,10 @@ struct rotated_frame {
 	bool on;
 	bool waits_for_tool;	/* G68.2 before its G53.1: where the control would move is not known here */
 	mat3 turn;
+	bool distorts;	/* the turn mirrors or scales, too, and then: */
+	mat3 back;	/* its inverse */
+	double growth;	/* by which it lengthens at most */
+	bool mirrors;	/* left becomes right */
 	vec3 origin;	/* mm, from the offsets in force */
 };
 
@@ -119,6 +124,16 @@ struct cutter_comp {
 	bool arc_refused;	/* after G40 the next move must be straight */
 	struct plane_point current;	/* where the last move ends if no inside corner follows */
 	struct comp_queue queue;
+	/* Of controls that look ahead: cutter_comp/comp_lookahead.h. */
+	bool looks_ahead;
+	int number;	/* the D that was given last, or -1 */
+	bool starting, leaving;	/* the first move waits; the block has G40 and moves out */
+	struct comp_way waiting;	/* the programmed way of the move that waits */
+	struct plane_point ahead;	/* its direction at its end, a unit */
+	double across, idle_across;	/* mm: how far it moves across the plane, and the blocks behind it */
+	int idle_blocks;	/* behind it, without a move in the plane */
+	bool moved;	/* this block has moved in the plane */
+	double loose[3];	/* mm, X Y Z: after G40 without a move, how far aside an axis may still be */
 };
 
 struct interp {

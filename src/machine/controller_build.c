@@ -54,6 +54,13 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
 		description_fault(file, described->at, "length_after_reference",
 				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
+	if (described->comp_start != COMP_START_UNKNOWN)
+		description_fault(file, described->at, "cutter_comp_start",
+				  "cutter_comp_start of <controller>: %s always starts cutter compensation in one way",
+				  row->title);
+	if (described->comp_corner != COMP_CORNER_UNKNOWN)
+		description_fault(file, described->at, "cutter_comp_corner",
+				  "cutter_comp_corner of <controller>: %s always rounds outside corners", row->title);
 	const struct {
 		int given;
 		const char *name;
@@ -88,6 +95,8 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;
 	to->g53_with_g91 = from->g53_with_g91;
+	to->comp_start = from->comp_start;
+	to->comp_corner = from->comp_corner;
 	to->length_after_reference = from->length_after_reference;
 	to->power_on_units = from->power_on_units;
 	to->power_on_distance = from->power_on_distance;

@@ -84,6 +84,8 @@ struct controller_description {
 	enum answer length_moves;
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
+	enum comp_start comp_start;
+	enum comp_corner_form comp_corner;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct place_description *places;
@@ -202,10 +204,11 @@ struct work_offset_description {
 	struct optional_number value[SLOT_COUNT];
 };
 
+/* <offset>: the H and the D of a number. */
 struct length_offset_description {
 	const void *at;
 	long number;
-	double length;
+	struct optional_number length, radius;	/* at least one of them */
 };
 
 struct setup_description {

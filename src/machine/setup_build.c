@@ -92,6 +92,19 @@ static void build_mounted(struct description_file *file, const struct body_descr
 	setup->bodies[setup->body_count++] = body;
 }
 
+static bool is_given_before(const struct setup *setup, long number)
+{
+	for (size_t i = 0; i < setup->length_count; i++) {
+		if (setup->lengths[i].number == number)
+			return true;
+	}
+	for (size_t i = 0; i < setup->radius_count; i++) {
+		if (setup->radii[i].number == number)
+			return true;
+	}
+	return false;
+}
+
 static void build_length(struct description_file *file, const struct length_offset_description *described,
 			 struct setup *setup)
 {
@@ -100,12 +113,18 @@ static void build_length(struct description_file *file, const struct length_offs
 				  description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
 		return;
 	}
-	for (size_t i = 0; i < setup->length_count; i++)
-		if (setup->lengths[i].number == described->number)
-			description_fault(file, described->at, "number", "<offset> %ld is given twice",
-					  described->number);
-	setup->lengths[setup->length_count++] =
-		(struct length_offset){.number = (int)described->number, .length = described->length};
+	if (!described->length.given && !described->radius.given) {
+		description_fault(file, described->at, NULL, "<offset> needs a length or a radius");
+		return;
+	}
+	if (is_given_before(setup, described->number))
+		description_fault(file, described->at, "number", "<offset> %ld is given twice", described->number);
+	if (described->length.given)
+		setup->lengths[setup->length_count++] =
+			(struct length_offset){.number = (int)described->number, .length = described->length.value};
+	if (described->radius.given)
+		setup->radii[setup->radius_count++] =
+			(struct radius_offset){.number = (int)described->number, .radius = described->radius.value};
 }
 
 /* Gives every tool the H of its number, unless an <offset> defines that H. */
@@ -138,6 +157,7 @@ static bool make_room(struct setup_description *described, struct setup *setup)
 	setup->offsets = arena_alloc(&setup->arena, described->offset_count * sizeof(*setup->offsets));
 	setup->tools = arena_alloc(&setup->arena, tools * sizeof(*setup->tools));
 	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
+	setup->radii = arena_alloc(&setup->arena, lengths * sizeof(*setup->radii));
 	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
 	return true;
 }

@@ -30,6 +30,8 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 		config.tool_count = setup->tool_count;
 		config.lengths = setup->lengths;
 		config.length_count = setup->length_count;
+		config.radii = setup->radii;
+		config.radius_count = setup->radius_count;
 	}
 	if (options->change) {
 		config.work_change = options->change->work;

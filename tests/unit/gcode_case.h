@@ -15,7 +15,7 @@
 
 struct gcode_case {
 	struct gcode_config config;
-	bool show_feed, show_blend;
+	bool show_feed, show_blend, show_spread;
 	int stop_at;	/* the sink wants no more after so many moves; 0: never */
 	bool refuse_tcp;
 	/* What came of it. */
@@ -92,6 +92,8 @@ static inline bool case_move(struct gcode_case *c, const struct canon_move *move
 		strbuf_addf(&c->moves, " at %.9g %.9g", move->feed.linear, degrees(move->feed.angular));
 	if (c->show_blend)
 		strbuf_addf(&c->moves, move->blend ? " blend %.9g" : " exact", move->blend_tolerance);
+	if (c->show_spread && move->spread[0] + move->spread[1] + move->spread[2] > 0)
+		strbuf_addf(&c->moves, " spread %.9g %.9g %.9g", move->spread[0], move->spread[1], move->spread[2]);
 	strbuf_addf(&c->moves, "%s\n", move->tcp ? " tcp" : "");
 	return ++c->count != c->stop_at;
 }

@@ -154,7 +154,7 @@ bool arc_move_run(struct interp *interp)
 	if (cutter_comp_is_on(interp))
 		return cutter_comp_arc(interp, &target, centre, turns, &move);
 	move.arc.centre = centre_in_space(state, &here, plane, centre);
-	move.arc.normal = rotated_frame_direction(state, plane->normal);
+	move.arc.normal = rotated_frame_normal(state, plane->normal);
 	move.arc.sweep = arc_sweep(start, end, centre, block->motion == G2, turns,
 				   fmax(SAME_ANGLE, SAME_POINT / hypot(start.a - centre.a, start.b - centre.b)));
 	return motion_commands_go(interp, &target, &move);

@@ -22,6 +22,8 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		move->spread[slot] += interp->comp.loose[slot];
 	move->origin = state->origin;
 	move->origin.length = state->length;
 }

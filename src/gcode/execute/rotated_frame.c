@@ -27,6 +27,20 @@ vec3 rotated_frame_direction(const struct state *state, vec3 direction)
 	return state->frame.on ? mat3_apply(&state->frame.turn, direction) : direction;
 }
 
+vec3 rotated_frame_normal(const struct state *state, vec3 normal)
+{
+	vec3 turned = rotated_frame_direction(state, normal);
+
+	if (!state->frame.on || !state->frame.distorts)
+		return turned;
+	return vec3_scale((state->frame.mirrors ? -1 : 1) / vec3_norm(turned), turned);
+}
+
+static vec3 turn_back(const struct rotated_frame *frame, vec3 from_origin)
+{
+	return frame->distorts ? mat3_apply(&frame->back, from_origin) : mat3_apply_transposed(&frame->turn, from_origin);
+}
+
 slot_values rotated_frame_straight(const struct state *state)
 {
 	slot_values straight = state->position;
@@ -35,7 +49,7 @@ slot_values rotated_frame_straight(const struct state *state)
 	if (!state->frame.on)
 		return straight;
 	from_origin = vec3_sub(vec3_sub(linear(&state->position), offset), state->frame.origin);
-	set_linear(&straight, vec3_add(offset, mat3_apply_transposed(&state->frame.turn, from_origin)));
+	set_linear(&straight, vec3_add(offset, turn_back(&state->frame, from_origin)));
 	return straight;
 }
 

@@ -18,4 +18,7 @@ slot_values rotated_frame_position(const struct state *state, const slot_values 
 vec3 rotated_frame_point(const struct state *state, vec3 straight);
 vec3 rotated_frame_direction(const struct state *state, vec3 direction);
 
+/* The controller's direction of the axis (unit) about which a right-handed turn of straight coordinates goes. */
+vec3 rotated_frame_normal(const struct state *state, vec3 normal);
+
 #endif

@@ -18,12 +18,17 @@ void tool_table_init(struct tool_table *table, const struct gcode_config *config
 		table->lengths[i] = config->lengths[i];
 		table->lengths[i].length += config->length_change;
 	}
+	table->radii = mem_zalloc(config->radius_count, sizeof(*table->radii));
+	table->radius_count = config->radius_count;
+	for (size_t i = 0; i < config->radius_count; i++)
+		table->radii[i] = config->radii[i];
 }
 
 void tool_table_release(struct tool_table *table)
 {
 	free(table->tools);
 	free(table->lengths);
+	free(table->radii);
 	*table = (struct tool_table){0};
 }
 
@@ -41,6 +46,15 @@ const struct length_offset *tool_table_length(const struct tool_table *table, in
 	for (size_t i = 0; i < table->length_count; i++) {
 		if (table->lengths[i].number == number)
 			return &table->lengths[i];
+	}
+	return NULL;
+}
+
+const struct radius_offset *tool_table_radius(const struct tool_table *table, int number)
+{
+	for (size_t i = 0; i < table->radius_count; i++) {
+		if (table->radii[i].number == number)
+			return &table->radii[i];
 	}
 	return NULL;
 }

@@ -10,6 +10,8 @@ struct tool_table {
 	size_t tool_count;
 	struct length_offset *lengths;
 	size_t length_count;
+	struct radius_offset *radii;
+	size_t radius_count;
 };
 
 void tool_table_init(struct tool_table *table, const struct gcode_config *config);
@@ -18,6 +20,9 @@ void tool_table_release(struct tool_table *table);
 /* The entry of tool T, and of length H; NULL: there is none. */
 const struct tool *tool_table_find(const struct tool_table *table, int number);
 const struct length_offset *tool_table_length(const struct tool_table *table, int number);
+
+/* The entry of radius D; NULL: there is none. */
+const struct radius_offset *tool_table_radius(const struct tool_table *table, int number);
 
 /* These change nothing if the table has no such tool. The length is also that of H with the same number. */
 void tool_table_set_length(struct tool_table *table, int number, double length);

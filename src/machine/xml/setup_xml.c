@@ -26,10 +26,11 @@ static void read_length(struct xml_reader *xml, const xmlNode *node, void *conte
 	struct setup_description *described = context;
 	struct length_offset_description *offset = &described->lengths[described->length_count++];
 
-	xml_require(xml, node, "number", "length", NULL);
+	xml_require(xml, node, "number", NULL);
 	offset->at = node;
 	offset->number = xml_positive(xml, node, "number", 1);
-	offset->length = xml_length(xml, node, "length", 0);
+	offset->length = xml_optional_length(xml, node, "length");
+	offset->radius = xml_optional_length(xml, node, "radius");
 	xml_read_nothing(xml, node);
 }
 

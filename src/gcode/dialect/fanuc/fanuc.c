@@ -146,6 +146,9 @@ const struct dialect dialect_fanuc = {
 		/* B-64484EN, "Tool Length Offset": the length changes with H; cutter compensation: D is modal. */
 		.h_alone = H_ALONE_CHANGES,
 		.d_alone = ANSWER_YES,
+		.d_word = D_WORD_RADIUS,
+		/* "Start-up", type C (parameter 5003#1, SUV): the tool goes aside at once. */
+		.comp_waits = ANSWER_NO,
 		.length_never_moves = ANSWER_NO,
 		/* B-63844EN, see after_machine_move. */
 		.g49_finds_length_gone = ANSWER_YES,

@@ -6,8 +6,8 @@ static const struct code g_codes[] = {
 	{290, GROUP_NONE, CODE_REFUSED, "return from the reference position"},
 	{310, GROUP_NONE, CODE_REFUSED, "skip function"},
 	{370, GROUP_NONE, CODE_REFUSED, "tool offset measurement"},
-	{G41, GROUP_NONE, CODE_REFUSED, "cutter compensation"},
-	{G42, GROUP_NONE, CODE_REFUSED, "cutter compensation"},
+	{G41, G_CUTTER, CODE_BOUNDED, "cutter compensation, left"},
+	{G42, G_CUTTER, CODE_BOUNDED, "cutter compensation, right"},
 	{440, GROUP_NONE, CODE_REFUSED, "negative tool length compensation"},
 	/* G50 takes back what is an error where it is switched on. */
 	{500, GROUP_NONE, CODE_IGNORED, "end of scaling"},

@@ -183,6 +183,9 @@ const struct dialect dialect_haas = {
 		/* "G49 Cancel G43/G44/G143": H0 does the same. That any other H changes the length is not said. */
 		.h_alone = H_ALONE_CANCELS,
 		.d_alone = ANSWER_YES,
+		.d_word = D_WORD_RADIUS,
+		/* "Entry and Exit from Cutter Compensation". */
+		.comp_waits = ANSWER_YES,
 		.length_never_moves = ANSWER_NO,
 		.g49_finds_length_gone = ANSWER_NO,
 		.call_letters = "LP",

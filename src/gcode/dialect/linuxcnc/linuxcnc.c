@@ -167,6 +167,7 @@ const struct dialect dialect_linuxcnc = {
 		.h_missing = H_MISSING_SPINDLE,
 		.h_zero = H_ZERO_SPINDLE,
 		.length_never_moves = ANSWER_YES,
+		.d_word = D_WORD_TOOL,
 		.g49_finds_length_gone = ANSWER_NO,
 	},
 	.after_machine_move = after_machine_move,

@@ -7,155 +7,13 @@
 #include "base/mem.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_corner.h"
+#include "gcode/execute/cutter_comp/comp_lookahead.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/motion_commands.h"
 #include "geom/tolerance.h"
 
 /* Radians: LinuxCNC's TOLERANCE_CONCAVE_CORNER; a path that turns less goes straight on. */
 #define STRAIGHT_ON 0.05
-
-/*
- * Radians: how much farther than programmed a trimmed arc may turn. LinuxCNC uses
- * its figures for mm and inches as radians.
- */
-#define SLACK_MM 0.0254
-#define SLACK_INCH 0.001
-
-static enum axis_slot slot_a(const struct interp *interp)
-{
-	return interp->state.plane == G18 ? SLOT_Z : SLOT_X;
-}
-
-static enum axis_slot slot_b(const struct interp *interp)
-{
-	return interp->state.plane == G18 ? SLOT_X : SLOT_Y;
-}
-
-static enum axis_slot slot_across(const struct interp *interp)
-{
-	return interp->state.plane == G18 ? SLOT_Y : SLOT_Z;
-}
-
-static struct plane_point point_of(const struct interp *interp, const slot_values *values)
-{
-	return (struct plane_point){values->v[slot_a(interp)], values->v[slot_b(interp)]};
-}
-
-/* The point at this distance and angle from `from`. */
-static struct plane_point beside(struct plane_point from, double distance, double angle)
-{
-	return (struct plane_point){from.a + distance * cos(angle), from.b + distance * sin(angle)};
-}
-
-/* ------------------------------------------------------------------ queue */
-
-/* An item that waited. */
-static bool tell_item(struct interp *interp, const struct comp_item *item)
-{
-	const struct canon_move *move = &item->move;
-
-	if (item->kind != COMP_BLOCK)
-		return canon_tell_move(interp->sink, move);
-	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
-}
-
-/* Sends everything that waits, with its present ends; the next move starts at `start`. */
-static bool send_all(struct interp *interp, struct plane_point start)
-{
-	struct comp_queue queue = interp->comp.queue;
-	bool good = true;
-
-	interp->comp.queue = (struct comp_queue){.start = start};
-	comp_queue_settle(&queue, slot_a(interp), slot_b(interp));
-	for (size_t i = 0; i < queue.count && good; i++)
-		good = tell_item(interp, &queue.items[i]);
-	comp_queue_release(&queue);
-	return good;
-}
-
-static bool fault_of_end(struct interp *interp, enum comp_end end, const struct comp_item *item)
-{
-	struct line_place at = interp->at;
-	const char *what = item->kind == COMP_ARC ? "arc" : item->move.kind == CANON_RAPID ? "rapid" : "straight feed";
-	int column = block_motion_column(&interp->block);
-
-	/* G40, or a stop. */
-	if (column == 0)
-		column = interp->block.g[G_CUTTER] == CODE_NONE ? 1 : interp->block.g_column[G_CUTTER];
-	if (end == COMP_END_OFF_ARC)
-		return fault(&at, column, "the compensated arc of line %ld cannot be made: its radii differ",
-			     item->move.line);
-	return fault(&at, column,
-		     "the %s of line %ld ends in an inside corner that the tool (radius %.6g mm) cannot "
-		     "reach without gouging",
-		     what, item->move.line, interp->comp.radius);
-}
-
-/* Ends everything that waits at this point and sends it. */
-static bool send_to(struct interp *interp, struct plane_point end)
-{
-	double slack = interp->state.scale > 1 ? SLACK_INCH : SLACK_MM;
-	const struct comp_item *faulty = NULL;
-	enum comp_end status = comp_queue_end_at(&interp->comp.queue, end, slack, &faulty);
-
-	if (status != COMP_END_GOOD)
-		return fault_of_end(interp, status, faulty);
-	return send_all(interp, end);
-}
-
-/* Fills in what the block says about a move, and its end on the axes off the plane. */
-static struct canon_move complete(struct interp *interp, const struct canon_move *move, const slot_values *target)
-{
-	struct canon_move full = *move;
-
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		full.end.v[slot] = slot_is_rotary(slot) ? radians(target->v[slot]) : target->v[slot];
-	motion_commands_fill(interp, &full);
-	return full;
-}
-
-/* Takes the programmed position as the present one; only the axes off the plane are really there. */
-static void arrive(struct interp *interp, const slot_values *target, struct plane_point current)
-{
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		state_set_position(&interp->state, slot, target->v[slot]);
-	interp->comp.current = current;
-	interp->comp.entered = true;
-}
-
-static bool add_line(struct interp *interp, const slot_values *target, const struct canon_move *move,
-		     struct plane_point direction, struct plane_point end)
-{
-	struct comp_item item = {
-	    .kind = COMP_LINE, .move = complete(interp, move, target), .direction = direction, .end = end};
-
-	if (!motion_commands_enqueue(interp, &item))
-		return false;
-	arrive(interp, target, end);
-	return true;
-}
-
-/* The arc as a canonical move has it: the centre at the height of the start. */
-static struct canon_arc space_arc(const struct interp *interp, struct plane_point centre)
-{
-	double xyz[3] = {0};
-
-	xyz[slot_a(interp)] = centre.a;
-	xyz[slot_b(interp)] = centre.b;
-	xyz[slot_across(interp)] = interp->state.position.v[slot_across(interp)];
-	return (struct canon_arc){.centre = {xyz[0], xyz[1], xyz[2]},
-				  .normal = interp->state.plane == G18 ? (vec3){0, 1, 0} : (vec3){0, 0, 1}};
-}
-
-/* add_line for an arc; the item has its centre, direction and turns already. */
-static bool add_arc(struct interp *interp, const slot_values *target, const struct canon_move *move,
-		    struct comp_item *item)
-{
-	item->kind = COMP_ARC;
-	item->move = complete(interp, move, target);
-	item->move.kind = CANON_ARC;
-	item->move.arc = space_arc(interp, item->centre);
-	return motion_commands_enqueue(interp, item);
-}
 
 /* ---------------------------------------------------------------- corners */
 
@@ -222,7 +80,7 @@ static bool meet(struct interp *interp, struct plane_point corner, const struct 
 			     "an inside corner that the tool (radius %.6g mm) cannot reach "
 			     "without gouging",
 			     interp->comp.radius);
-	return send_to(interp, end);
+	return comp_send_to(interp, end);
 }
 
 /* Goes round the corner at the present height; a rapid goes straight across. */
@@ -231,17 +89,17 @@ static bool go_round(struct interp *interp, struct plane_point corner, struct pl
 {
 	struct comp_item item = {.centre = corner, .end = end, .clockwise = interp->comp.side > 0, .turns = 1};
 	slot_values here = *target;
-	enum axis_slot across = slot_across(interp);
+	enum axis_slot across = comp_slot_across(interp);
 	bool good;
 
 	here.v[across] = interp->state.position.v[across];
 	if (move->kind == CANON_RAPID) {
-		item = (struct comp_item){.kind = COMP_LINE, .end = end, .move = complete(interp, move, &here)};
+		item = (struct comp_item){.kind = COMP_LINE, .end = end, .move = comp_complete(interp, move, &here)};
 		good = motion_commands_enqueue(interp, &item);
 	} else {
-		good = add_arc(interp, &here, move, &item);
+		good = comp_add_arc(interp, &here, move, &item);
 	}
-	if (!good || !send_all(interp, end))
+	if (!good || !comp_send_all(interp, end))
 		return false;
 	/* These axes are taken to their end already. */
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
@@ -254,7 +112,7 @@ static bool go_round(struct interp *interp, struct plane_point corner, struct pl
 static bool enter_by_line(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
-	struct plane_point from = point_of(interp, &interp->state.position), to = point_of(interp, target);
+	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target);
 	double beside_angle = atan2(to.b - from.b, to.a - from.a) + comp->side * PI / 2;
 	struct plane_point aside = {cos(beside_angle), sin(beside_angle)};
 
@@ -263,23 +121,25 @@ static bool enter_by_line(struct interp *interp, const slot_values *target, stru
 			     "the entry move of cutter compensation is not longer than the tool's radius, %.6g mm",
 			     comp->radius);
 	comp->queue.start = from;
-	return add_line(interp, target, move, aside, beside(to, comp->radius, beside_angle));
+	return comp_add_line(interp, target, move, aside, comp_beside(to, comp->radius, beside_angle));
 }
 
 bool cutter_comp_line(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
-	struct plane_point from = point_of(interp, &interp->state.position), to = point_of(interp, target), mid;
+	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target), mid;
 	struct comp_way before = {.is_arc = false}, after = {.is_arc = false};
 	double angle, length = hypot(to.a - from.a, to.b - from.b);
 	bool pointed, good = true;
 
+	if (comp->looks_ahead)
+		return comp_lookahead_line(interp, target, move);
 	if (!comp->entered)
 		return enter_by_line(interp, target, move);
 	if (!(length > 0))
-		return add_line(interp, target, move, (struct plane_point){0, 0}, comp->current);
+		return comp_add_line(interp, target, move, (struct plane_point){0, 0}, comp->current);
 	angle = atan2(to.b - from.b, to.a - from.a);
-	mid = beside(from, comp->radius, angle + comp->side * PI / 2);
+	mid = comp_beside(from, comp->radius, angle + comp->side * PI / 2);
 	pointed = way_before(interp, from, &before) && before.is_arc && !before.inside;
 	after.point = mid;
 	after.direction = (struct plane_point){(to.a - from.a) / length, (to.b - from.b) / length};
@@ -288,14 +148,14 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 		good = meet(interp, from, &after);
 		break;
 	case CORNER_OUTSIDE:
-		good = send_to(interp, comp->current) && go_round(interp, from, mid, target, move);
+		good = comp_send_to(interp, comp->current) && go_round(interp, from, mid, target, move);
 		break;
 	case CORNER_STRAIGHT_ON:
-		good = send_all(interp, comp->current);
+		good = comp_send_all(interp, comp->current);
 		break;
 	}
-	return good && add_line(interp, target, move, (struct plane_point){to.a - from.a, to.b - from.b},
-				beside(to, comp->radius, angle + comp->side * PI / 2));
+	return good && comp_add_line(interp, target, move, (struct plane_point){to.a - from.a, to.b - from.b},
+				comp_beside(to, comp->radius, angle + comp->side * PI / 2));
 }
 
 /*
@@ -306,8 +166,8 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 			 struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
-	struct plane_point from = point_of(interp, &interp->state.position), to = point_of(interp, target);
-	struct plane_point end = beside(to, comp->radius, aside), chord, radial;
+	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target);
+	struct plane_point end = comp_beside(to, comp->radius, aside), chord, radial;
 	double radial_angle, part;
 
 	if (hypot(to.a - from.a, to.b - from.b) <= comp->radius)
@@ -327,9 +187,9 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 	item->centre = (struct plane_point){end.a + part * radial.a, end.b + part * radial.b};
 	item->end = end;
 	comp->queue.start = from;
-	if (!add_arc(interp, target, move, item))
+	if (!comp_add_arc(interp, target, move, item))
 		return false;
-	arrive(interp, target, end);
+	comp_arrive(interp, target, end);
 	return true;
 }
 
@@ -337,38 +197,40 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 		     struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
-	struct plane_point from = point_of(interp, &interp->state.position), to = point_of(interp, target), end;
+	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target), end;
 	bool clockwise = interp->block.motion == G2, inside = (comp->side > 0) != clockwise, good = true;
 	double outward = atan2(to.b - centre.b, to.a - centre.a), start = atan2(from.b - centre.b, from.a - centre.a);
 	double radius = hypot(to.a - centre.a, to.b - centre.b);
 	struct comp_item item = {.centre = centre, .clockwise = clockwise, .turns = turns};
 	struct comp_way after = {.is_arc = true, .centre = centre, .clockwise = clockwise, .inside = inside};
 
+	if (comp->looks_ahead)
+		return comp_lookahead_arc(interp, target, centre, turns, move);
 	if (inside && radius <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the arc's radius, %.6g mm, is not greater than the tool's, %.6g mm", radius,
 			     comp->radius);
 	if (!comp->entered)
 		return enter_by_arc(interp, target, &item, inside ? outward + PI : outward, move);
-	end = beside(to, comp->radius, inside ? outward + PI : outward);
+	end = comp_beside(to, comp->radius, inside ? outward + PI : outward);
 	after.radius = hypot(end.a - centre.a, end.b - centre.b);
 	switch (turn_at(interp, from, start + (clockwise ? -PI / 2 : PI / 2), !inside, STRAIGHT_ON)) {
 	case CORNER_INSIDE:
 		good = meet(interp, from, &after);
 		break;
 	case CORNER_OUTSIDE:
-		good = send_all(interp, comp->current) &&
-		       go_round(interp, from, beside(from, comp->radius, inside ? start + PI : start), target, move);
+		good = comp_send_all(interp, comp->current) &&
+		       go_round(interp, from, comp_beside(from, comp->radius, inside ? start + PI : start), target, move);
 		break;
 	case CORNER_STRAIGHT_ON:
-		good = send_all(interp, comp->current);
+		good = comp_send_all(interp, comp->current);
 		break;
 	}
 	item.end = end;
 	item.programmed_sweep = fabs(arc_sweep(from, to, centre, clockwise, turns, SAME_POINT / radius));
-	if (!good || !add_arc(interp, target, move, &item))
+	if (!good || !comp_add_arc(interp, target, move, &item))
 		return false;
-	arrive(interp, target, end);
+	comp_arrive(interp, target, end);
 	return true;
 }
 
@@ -379,12 +241,18 @@ bool cutter_comp_select(struct interp *interp)
 	struct cutter_comp *comp = &interp->comp;
 	int code = interp->block.g[G_CUTTER];
 
+	if (!cutter_comp_take_number(interp))
+		return false;
 	if (code == CODE_NONE)
 		return true;
 	if (code != G40)
 		return cutter_comp_switch_on(interp);
+	if (comp->entered && comp->looks_ahead && comp_lookahead_leaves(interp)) {
+		comp->leaving = true;
+		return true;
+	}
 	if (comp->entered) {
-		if (!send_to(interp, comp->current))
+		if (comp->looks_ahead ? !comp_lookahead_stop(interp) : !comp_send_to(interp, comp->current))
 			return false;
 		comp->arc_refused = true;
 	}
@@ -393,15 +261,30 @@ bool cutter_comp_select(struct interp *interp)
 	return true;
 }
 
+/* Axes that the block has commanded are no longer aside. */
+static void tighten(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]) && (block->motion != CODE_NONE || block->g[G_NONMODAL] != CODE_NONE))
+			interp->comp.loose[slot] = 0;
+	}
+}
+
 bool cutter_comp_end_block(struct interp *interp)
 {
 	const struct line_place *at = &interp->at;
+	struct cutter_comp *comp = &interp->comp;
 	struct comp_item item = {.kind = COMP_BLOCK,
 				 .move = {.file = at->file, .line = at->line, .number = interp->moves}};
 
-	if (!interp->comp.queue.count)
+	tighten(interp);
+	if (!comp->queue.count)
 		return canon_tell_block(interp->sink,
 					&(struct canon_block){at->file, at->line, at->text, interp->moves});
+	comp->idle_blocks += comp->entered && !comp->moved;
+	comp->moved = false;
 	item.text = mem_strndup(at->text, strlen(at->text));
 	if (motion_commands_enqueue(interp, &item))
 		return true;
@@ -411,5 +294,15 @@ bool cutter_comp_end_block(struct interp *interp)
 
 bool cutter_comp_stop(struct interp *interp)
 {
-	return !interp->comp.queue.count || send_to(interp, interp->comp.current);
+	const struct cutter_comp *comp = &interp->comp;
+	int code = interp->block.m[M_STOP];
+
+	if (!comp->queue.count)
+		return true;
+	if (comp->looks_ahead && code >= 97)
+		return true;
+	if (comp->looks_ahead && (comp->starting || code == 0 || code == 1))
+		return fault(&interp->at, code == CODE_NONE ? 1 : interp->block.m_column[M_STOP],
+			     "the program stops under cutter compensation: where the tool waits depends on the control; G40 first");
+	return comp_send_to(interp, comp->current);
 }

@@ -18,6 +18,9 @@
 bool cutter_comp_start_block(struct interp *interp);
 bool cutter_comp_check_block(struct interp *interp);
 
+/* Takes the block's D, on controls where it is modal. */
+bool cutter_comp_take_number(struct interp *interp);
+
 /* Carries out the block's G40, G41, G41.1, G42 or G42.1, if it has one. */
 bool cutter_comp_select(struct interp *interp);
 

@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+#include "base/same_double.h"
+#include "gcode/execute/cutter_comp/comp_lookahead.h"
+
 static bool find_radius(struct interp *interp, double *radius)
 {
 	const struct block *block = &interp->block;
@@ -26,6 +29,85 @@ static bool find_radius(struct interp *interp, double *radius)
 	       fault(&interp->at, column, "the diameter of tool T%d is not known; a setup defines it", number);
 }
 
+/*
+ * Fanuc B-64484EN, "Cutter compensation": D is the number of an offset, 0 is none, and D is modal. Haas, "D Code": the same.
+ * Whether the table holds the whole radius of a tool or its wear alone is known of the setup only.
+ */
+static bool find_radius_in_table(struct interp *interp, double *radius)
+{
+	const struct block *block = &interp->block;
+	const struct radius_offset *offset;
+	int number = interp->comp.number;
+	int column = block_has(block, 'D') ? block_column(block, 'D') : block->g_column[G_CUTTER];
+
+	if (number < 0)
+		return fault(&interp->at, column, "G%d needs D, the number of its radius", block->g[G_CUTTER] / 10);
+	*radius = 0;
+	if (number == 0)
+		return true;
+	offset = tool_table_radius(&interp->tools, number);
+	if (!offset)
+		return fault(&interp->at, column,
+			     "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the tool's whole "
+			     "radius if the program has the part's contour, its wear (or 0) if it has the path of the tool's "
+			     "centre", number, number);
+	*radius = offset->radius;
+	return true;
+}
+
+/* D and G41 or G42 of controls that look ahead. */
+static bool switch_on_ahead(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+	struct cutter_comp *comp = &interp->comp;
+	int column = block->g_column[G_CUTTER], side = block->g[G_CUTTER] == G41 ? 1 : -1;
+	double radius = 0;
+	bool moves = comp_lookahead_leaves(interp);
+
+	if (block_has(block, 'L'))
+		return fault(&interp->at, block_column(block, 'L'), "no code in the block uses the word L");
+	if (!find_radius_in_table(interp, &radius))
+		return false;
+	side = radius < 0 ? -side : side;
+	/* Modal codes may be repeated. */
+	if (comp->side == side && same_double(comp->radius, fabs(radius)))
+		return true;
+	if (comp->side != 0)
+		return fault(&interp->at, column, "another side or radius of cutter compensation while it is on; G40 first");
+	if (state->tcp != TCP_OFF)
+		return fault(&interp->at, column, "cutter compensation under tool centre point control is not supported");
+	if (!moves && traits_of(interp)->comp_waits != ANSWER_YES &&
+	    interp->config->controller.comp_start == COMP_START_UNKNOWN)
+		return fault(&interp->at, column,
+			     "G%d in a block that does not move in the plane: whether the tool goes aside at once depends on a "
+			     "parameter of the control; cutter_comp_start=\"A\" or \"B\" of the machine's <controller> says "
+			     "that it waits for the next move", block->g[G_CUTTER] / 10);
+	comp->side = side;
+	comp->radius = fabs(radius);
+	comp->entered = comp->starting = comp->leaving = comp->moved = false;
+	comp->idle_blocks = 0;
+	comp->idle_across = 0;
+	return true;
+}
+
+bool cutter_comp_take_number(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	struct cutter_comp *comp = &interp->comp;
+	int number = 0;
+
+	comp->looks_ahead = traits_of(interp)->d_word == D_WORD_RADIUS;
+	if (!comp->looks_ahead || !block_has(block, 'D') || block->g[G_SPINDLE] == G96)
+		return true;
+	if (!block_integer(block, &interp->at, 'D', 0, 1000000, &number))
+		return false;
+	if (comp->side != 0 && number != comp->number)
+		return fault(&interp->at, block_column(block, 'D'), "another D while cutter compensation is on; G40 first");
+	comp->number = number;
+	return true;
+}
+
 bool cutter_comp_switch_on(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -33,6 +115,10 @@ bool cutter_comp_switch_on(struct interp *interp)
 	int code = block->g[G_CUTTER], column = block->g_column[G_CUTTER];
 	double radius = 0;
 
+	if (!is_answered(interp, column, (int)traits_of(interp)->d_word, "what D of cutter compensation is"))
+		return false;
+	if (comp->looks_ahead)
+		return switch_on_ahead(interp);
 	if (interp->state.plane == G19)
 		return fault(&interp->at, column, "cutter compensation works in the planes of G17 and G18 only");
 	if (comp->side != 0)
@@ -68,12 +154,28 @@ bool cutter_comp_start_block(struct interp *interp)
 		return refuse(interp, block->m_column[M_TCP], "tool centre point control");
 	if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
 		return refuse(interp, block->g_column[G_PLANE], "a change of the plane");
+	if (block->g[G_ROTATION] != CODE_NONE)
+		return refuse(interp, block->g_column[G_ROTATION], "a change of the coordinates");
 	return true;
 }
 
 static bool moves_as_compensated(int motion)
 {
 	return motion == CODE_NONE || motion == G80 || motion == G0 || motion == G1 || motion == G2 || motion == G3;
+}
+
+/* Between G40 and the next move of an axis, no coordinate can be taken from where it stands. */
+static bool check_loose(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z && block->g[G_NONMODAL] == G92; slot++) {
+		if (interp->comp.loose[slot] > 0)
+			return fault(&interp->at, block->g_column[G_NONMODAL],
+				     "G92 after G40 and before %c has moved: where the axis stands depends on the control",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
 }
 
 bool cutter_comp_check_block(struct interp *interp)
@@ -89,7 +191,7 @@ bool cutter_comp_check_block(struct interp *interp)
 	int code = block->g[G_NONMODAL];
 
 	if (interp->comp.side == 0)
-		return true;
+		return check_loose(interp);
 	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++)
 		if (block->g[groups[i].group] != CODE_NONE)
 			return refuse(interp, block->g_column[groups[i].group], groups[i].what);

@@ -1,0 +1,268 @@
+#include "gcode/execute/cutter_comp/comp_turn.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
+#include "geom/tolerance.h"
+
+/* Radians: a path that turns back within this has no side of a corner that is certain. */
+#define REVERSAL 0.0175
+
+/* Radians: arcs that turn less against their neighbour are meant to be tangent, and need not cross it. */
+#define MEANT_TANGENT 0.01
+
+/* A share of the radius: how far an arc about a corner may be beside the path that is drawn out, at most. */
+#define ROUND_BESIDE_DRAWN 0.42
+
+/* mm: an outside corner that is so flat needs no moves of its own. */
+#define FLAT 1e-3
+
+/* A corner and what leads to it and away from it. Directions are units. */
+struct corner {
+	const struct comp_way *before, *after;
+	struct plane_point at, ahead, onward;	/* the corner; the programmed directions before and behind it */
+	struct plane_point foot, next_foot;	/* the points beside it, across these directions */
+	double radius, side;
+	double angle;	/* radians by which the path turns, positive where the tool goes round the outside */
+};
+
+static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
+{
+	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
+}
+
+static double dot(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.a + p.b * q.b;
+}
+
+static double cross(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.b - p.b * q.a;
+}
+
+static double distance(struct plane_point p, struct plane_point q)
+{
+	return hypot(p.a - q.a, p.b - q.b);
+}
+
+static struct plane_point foot_of(const struct corner *c, struct plane_point direction)
+{
+	return along(c->at, c->radius * c->side, (struct plane_point){-direction.b, direction.a});
+}
+
+static void add(struct comp_turn *turn, struct plane_point point)
+{
+	turn->points[turn->count++] = point;
+}
+
+/* Where the two lines beside the path cross. */
+static struct plane_point line_crossing(const struct corner *c)
+{
+	struct plane_point sum = {c->foot.a + c->next_foot.a - 2 * c->at.a, c->foot.b + c->next_foot.b - 2 * c->at.b};
+
+	return along(c->at, 1 / (1 + dot(c->ahead, c->onward)), sum);
+}
+
+/* The points at which lines that are drawn out go round an outside corner: one, or two if it is acute. */
+static void add_drawn(struct comp_turn *turn, const struct corner *c)
+{
+	if (c->angle <= PI / 2) {
+		add(turn, line_crossing(c));
+		return;
+	}
+	add(turn, along(c->foot, c->radius, c->ahead));
+	add(turn, along(c->next_foot, -c->radius, c->onward));
+}
+
+/* ------------------------------------------------------- inside corners */
+
+/* Keeps the crossing that lies nearer to the two feet. */
+static void consider(const struct corner *c, struct plane_point crossing, double *nearest, struct plane_point *found)
+{
+	struct plane_point middle = {(c->foot.a + c->next_foot.a) / 2, (c->foot.b + c->next_foot.b) / 2};
+	double far = distance(crossing, middle);
+
+	if (far < *nearest) {
+		*nearest = far;
+		*found = crossing;
+	}
+}
+
+/* The radius of the tool's arc at the corner. */
+static double tool_radius(const struct corner *c, const struct comp_way *way)
+{
+	return distance(c->at, way->centre) + (way->inside ? -c->radius : c->radius);
+}
+
+static bool cross_line(const struct corner *c, struct plane_point foot, struct plane_point direction,
+		       const struct comp_way *arc, struct plane_point *found)
+{
+	struct plane_point to_centre = along(arc->centre, -1, foot);
+	double height = cross(direction, to_centre), radius = tool_radius(c, arc), half, nearest = INFINITY;
+
+	half = radius * radius - height * height;
+	if (half < 0)
+		return false;
+	for (int sign = -1; sign <= 1; sign += 2)
+		consider(c, along(foot, dot(to_centre, direction) + sign * sqrt(half), direction), &nearest, found);
+	return true;
+}
+
+static bool cross_arcs(const struct corner *c, struct plane_point *found)
+{
+	struct plane_point between = along(c->after->centre, -1, c->before->centre);
+	double apart = hypot(between.a, between.b), r0 = tool_radius(c, c->before), r1 = tool_radius(c, c->after);
+	double foot, half, nearest = INFINITY;
+
+	if (!(apart > 0))
+		return false;
+	foot = (r0 * r0 - r1 * r1 + apart * apart) / (2 * apart);
+	half = r0 * r0 - foot * foot;
+	if (half < 0)
+		return false;
+	for (int sign = -1; sign <= 1; sign += 2) {
+		struct plane_point on_line = along(c->before->centre, foot / apart, between);
+
+		consider(c, along(on_line, sign * sqrt(half) / apart, (struct plane_point){-between.b, between.a}), &nearest,
+			 found);
+	}
+	return true;
+}
+
+static bool find_crossing(const struct corner *c, struct plane_point *found)
+{
+	if (c->before->is_arc && c->after->is_arc)
+		return cross_arcs(c, found);
+	if (c->before->is_arc)
+		return cross_line(c, c->next_foot, c->onward, c->before, found);
+	if (c->after->is_arc)
+		return cross_line(c, c->foot, c->ahead, c->after, found);
+	*found = line_crossing(c);
+	return true;
+}
+
+static bool turn_inside(struct interp *interp, const struct corner *c, struct comp_turn *turn)
+{
+	struct plane_point crossing = c->foot;
+
+	if (find_crossing(c, &crossing)) {
+		add(turn, crossing);
+		return true;
+	}
+	if (c->angle < -MEANT_TANGENT)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "an inside corner that the tool (radius %.6g mm) cannot reach without gouging", c->radius);
+	/* Wherever the control ends the block before, it is between the two feet. */
+	add(turn, c->foot);
+	turn->spread_before = turn->spread_after = distance(c->foot, c->next_foot);
+	return true;
+}
+
+/* ------------------------------------------------------ outside corners */
+
+static void turn_outside(const struct corner *c, enum comp_corner_form form, struct comp_turn *turn)
+{
+	double half = fmin(c->angle, PI / 2) / 2;
+	double beside = c->angle <= PI / 2 ? c->radius * (1 / cos(half) - 1) : ROUND_BESIDE_DRAWN * c->radius;
+
+	if (form == COMP_CORNER_CIRCULAR) {
+		add(turn, c->foot);
+		add(turn, c->next_foot);
+		turn->on_arc = true;
+		return;
+	}
+	/* Both ways, and no moves of its own for a corner that is nearly straight. */
+	if (form == COMP_CORNER_UNKNOWN && beside < FLAT && !c->before->is_arc && !c->after->is_arc) {
+		add_drawn(turn, c);
+		turn->spread_before = turn->spread_after = beside;
+		return;
+	}
+	if (c->before->is_arc || form == COMP_CORNER_UNKNOWN)
+		add(turn, c->foot);
+	add_drawn(turn, c);
+	if (c->after->is_arc || form == COMP_CORNER_UNKNOWN)
+		add(turn, c->next_foot);
+	turn->spread = form == COMP_CORNER_UNKNOWN ? beside : 0;
+}
+
+/* ------------------------------------------------------ the way in and out */
+
+/* How far the points that the tool may go to are from this one; every way lies between them. */
+static double farthest(const struct corner *c, const struct comp_turn *drawn, struct plane_point from)
+{
+	double far = fmax(distance(from, c->foot), distance(from, c->next_foot));
+
+	for (int i = 0; i < drawn->count; i++)
+		far = fmax(far, distance(from, drawn->points[i]));
+	return far;
+}
+
+/*
+ * To the point beside the start of the next block, or away from the one beside the end of the last: type A and inside
+ * corners go there straight, type B goes round an outside corner.
+ */
+static void turn_at_end(const struct corner *c, enum comp_start type, enum comp_corner_form form, bool starting,
+			struct comp_turn *turn)
+{
+	struct comp_turn drawn = {.count = 0};
+
+	if (c->angle > 0)
+		add_drawn(&drawn, c);
+	if (type == COMP_START_A || (type == COMP_START_B && !(c->angle > 0))) {
+		add(turn, starting ? c->next_foot : c->foot);
+	} else if (type == COMP_START_B && form == COMP_CORNER_CIRCULAR) {
+		turn_outside(c, form, turn);
+	} else if (type == COMP_START_B && form == COMP_CORNER_LINEAR) {
+		if (!starting && c->before->is_arc)
+			add(turn, c->foot);
+		for (int i = 0; i < drawn.count; i++)
+			add(turn, drawn.points[i]);
+		if (starting && c->after->is_arc)
+			add(turn, c->next_foot);
+	} else {
+		if (!starting || !(c->angle > 0))
+			add(turn, c->foot);
+		for (int i = 0; i < drawn.count; i++)
+			add(turn, drawn.points[i]);
+		if (starting || !(c->angle > 0))
+			add(turn, c->next_foot);
+		turn->spread = farthest(c, &drawn, turn->points[starting ? 0 : turn->count - 1]);
+		/* The path goes straight on. */
+		if (turn->spread < SAME_POINT)
+			turn->count = 1;
+		turn->spread_before = starting ? turn->spread : 0;
+		turn->spread_after = starting ? 0 : turn->spread;
+	}
+}
+
+bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct comp_turn *turn)
+{
+	const struct cutter_comp *comp = &interp->comp;
+	const struct controller *controller = &interp->config->controller;
+	struct corner c = {.before = &comp->waiting,
+			   .after = after,
+			   .at = comp_here(interp),
+			   .ahead = comp->ahead,
+			   .onward = after->direction,
+			   .radius = comp->radius,
+			   .side = comp->side};
+
+	c.foot = foot_of(&c, c.ahead);
+	c.next_foot = foot_of(&c, c.onward);
+	c.angle = c.side * atan2(cross(c.onward, c.ahead), dot(c.onward, c.ahead));
+	*turn = (struct comp_turn){.corner = c.at};
+	if (fabs(c.angle) > PI - REVERSAL)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "the path turns back on itself under cutter compensation: which side of the corner is the inside "
+			     "depends on the control");
+	if (comp->starting || comp->leaving) {
+		turn_at_end(&c, controller->comp_start, controller->comp_corner, comp->starting, turn);
+		return true;
+	}
+	if (c.angle <= 0)
+		return turn_inside(interp, &c, turn);
+	turn_outside(&c, controller->comp_corner, turn);
+	return true;
+}

@@ -1,0 +1,286 @@
+/*
+ * test_gcode_comp_ahead.c - cutter compensation of controls that look ahead (Fanuc B-62764EN, 15.4 and 15.5; Haas,
+ * "Cutter Compensation"): closed forms, every way inside what is proved, faults.
+ */
+#include "gcode_case.h"
+
+static const struct radius_offset radii[] = {{1, 2}, {2, -2}, {3, 0}, {4, 40}};
+
+static void init(struct gcode_case *c, const struct dialect *dialect, enum comp_start start, enum comp_corner_form corner)
+{
+	case_init(c);
+	c->config.dialect = dialect;
+	c->config.radii = radii;
+	c->config.radius_count = sizeof(radii) / sizeof(radii[0]);
+	c->config.controller.comp_start = start;
+	c->config.controller.comp_corner = corner;
+	c->show_spread = true;
+}
+
+static void run(enum comp_start start, enum comp_corner_form corner, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc, start, corner);
+	case_expect(&c, program, moves);
+}
+
+#define A COMP_START_A
+#define B COMP_START_B
+#define LINEAR COMP_CORNER_LINEAR
+#define CIRCULAR COMP_CORNER_CIRCULAR
+#define SQUARE "G94 F9 G1 G41 D1 X10 Y0\nY20\nX30\nY0\nG40 X40\nM30\n"
+
+START_TEST(square)
+{
+	run(A, LINEAR, SQUARE,
+	    "feed 8 0 0 0 0\nfeed 8 22 0 0 0\nfeed 32 22 0 0 0\nfeed 32 0 0 0 0\nfeed 40 0 0 0 0\n");
+	run(A, CIRCULAR, SQUARE,
+	    "feed 8 0 0 0 0\nfeed 8 20 0 0 0\narc 10 22 0 0 0 centre 10 20 0 normal 0 0 1 sweep -90\nfeed 30 22 0 0 0\n"
+	    "arc 32 20 0 0 0 centre 30 20 0 normal 0 0 1 sweep -90\nfeed 32 0 0 0 0\nfeed 40 0 0 0 0\n");
+	/* D2 is negative: the other side, on which all corners are inside. The first one, too: both types go straight. */
+	run(B, LINEAR, "G94 F9 G1 G41 D2 X10 Y0\nY20\nX30\nY0\nG40 X40\nM30\n",
+	    "feed 12 -2 0 0 0\nfeed 12 18 0 0 0\nfeed 28 18 0 0 0\nfeed 28 -2 0 0 0\nfeed 40 0 0 0 0\n");
+	/* A D of 0 compensates nothing. */
+	run(A, LINEAR, "G94 F9 G1 G41 D3 X10 Y0\nY20\nG40 X40\nM30\n",
+	    "feed 10 0 0 0 0\nfeed 10 20 0 0 0\nfeed 40 20 0 0 0\n");
+	run(A, LINEAR, "G94 F9 G1 G42 D0 X10 Y0\nY20\nG40 X40\nM30\n",
+	    "feed 10 0 0 0 0\nfeed 10 20 0 0 0\nfeed 40 20 0 0 0\n");
+}
+END_TEST
+
+/* "Start-up" and "Offset mode cancel": type B goes round an outside corner, type A never does. */
+START_TEST(start_and_end)
+{
+	/* From the left to a wall that goes down, on its left: an outside corner of 90 degrees at both ends. */
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
+	    "feed 12 0 0 0 0\nfeed 12 -20 0 0 0\nfeed 0 -20 0 0 0\n");
+	run(B, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
+	    "feed 12 2 0 0 0\nfeed 12 -22 0 0 0\nfeed 0 -20 0 0 0\n");
+	run(B, CIRCULAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
+	    "feed 10 2 0 0 0\narc 12 0 0 0 0 centre 10 0 0 normal 0 0 1 sweep -90\nfeed 12 -20 0 0 0\n"
+	    "arc 10 -22 0 0 0 centre 10 -20 0 normal 0 0 1 sweep -90\nfeed 0 -20 0 0 0\n");
+	/* Not known: everything within 2 sqrt 2 of the way of type B. */
+	run(COMP_START_UNKNOWN, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY-20\nG40 X0\nM30\n",
+	    "feed 12 2 0 0 0 spread 2 2 0\nfeed 12 0 0 0 0 spread 2 2 0\nfeed 12 -20 0 0 0\n"
+	    "feed 12 -22 0 0 0 spread 2 2 0\nfeed 0 -20 0 0 0 spread 2 2 0\n");
+	/* G41 alone waits; Z moves before and between; D is modal, and G41 may be repeated. */
+	run(A, LINEAR, "G94 F9 G41 D1\nG1 Z5\nX10 Y0\nZ0\nG41 Y-20\nG40 X0\nM30\n",
+	    "feed 0 0 5 0 0\nfeed 12 0 5 0 0\nfeed 12 0 0 0 0\nfeed 12 -20 0 0 0\nfeed 0 -20 0 0 0\n");
+}
+END_TEST
+
+/* Corners of more than 90 degrees are cut off at the radius on both sides. */
+START_TEST(acute)
+{
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nX30\nX20 Y-10\nG40 X0\nM30\n",
+	    "feed 10 2 0 0 0\nfeed 32 2 0 0 0\nfeed 32.8284271 0 0 0 0\nfeed 21.4142136 -11.4142136 0 0 0\nfeed 0 -10 0 0 0\n");
+}
+END_TEST
+
+/* Arcs: 3-4-5 crossings inside, tangents outside. */
+START_TEST(arcs)
+{
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X5 Y0\nX10\nG2 X30 Y0 I10 J0\nG1 X40\nG40 X60\nM30\n",
+	    "feed 5 2 0 0 0\nfeed 8.16784043 2 0 0 0\narc 31.8321596 2 0 0 0 centre 20 0 0 normal 0 0 1 sweep -160.811864\n"
+	    "feed 40 2 0 0 0\nfeed 60 0 0 0 0\n");
+	run(A, LINEAR, "G94 F9 G1 G42 D1 X5 Y0\nX10\nG2 X30 Y0 I10 J0\nG1 X40\nG40 X60\nM30\n",
+	    "feed 5 -2 0 0 0\nfeed 12 -2 0 0 0\nfeed 12 0 0 0 0\narc 28 0 0 0 0 centre 20 0 0 normal 0 0 1 sweep -180\n"
+	    "feed 28 -2 0 0 0\nfeed 40 -2 0 0 0\nfeed 60 0 0 0 0\n");
+	/* Tangent: no corner. */
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X5 Y0\nX10\nG3 X20 Y10 I0 J10\nG1 Y20\nG40 X60\nM30\n",
+	    "feed 5 2 0 0 0\nfeed 10 2 0 0 0\narc 18 10 0 0 0 centre 10 10 0 normal 0 0 1 sweep 90\nfeed 18 20 0 0 0\n"
+	    "feed 60 20 0 0 0\n");
+}
+END_TEST
+
+START_TEST(planes)
+{
+	run(A, LINEAR, "G94 F9 G18 G1 G41 D1 Z10 X0\nX20\nZ30\nG40 X40\nM30\n",
+	    "feed 0 0 8 0 0\nfeed 22 0 8 0 0\nfeed 22 0 30 0 0\nfeed 40 0 30 0 0\n");
+	run(A, LINEAR, "G94 F9 G19 G1 G41 D1 Y10 Z0\nZ20\nY30\nG40 Z40\nM30\n",
+	    "feed 0 8 0 0 0\nfeed 0 8 22 0 0\nfeed 0 30 22 0 0\nfeed 0 30 40 0 0\n");
+}
+END_TEST
+
+/* G40 alone: the tool is beside the end until its axes move again, whatever else moves before. */
+START_TEST(cancel_alone)
+{
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY20\nG40\nZ50\nX0\nZ60\nY0\nZ70\nM30\n",
+	    "feed 8 0 0 0 0\nfeed 8 20 0 0 0\nfeed 10 20 0 0 0 spread 2 2 0\nfeed 10 20 50 0 0 spread 2 2 0\n"
+	    "feed 0 20 50 0 0 spread 2 2 0\nfeed 0 20 60 0 0 spread 0 2 0\nfeed 0 0 60 0 0 spread 0 2 0\nfeed 0 0 70 0 0\n");
+}
+END_TEST
+
+/* ------------------------------------------------------- every way is covered */
+
+struct piece {
+	double from[2], to[2], centre[2], sweep, spread;
+};
+
+/* The moves that a case has written down. */
+static int pieces_of(struct gcode_case *c, struct piece pieces[64])
+{
+	double at[2] = {0, 0};
+	int count = 0;
+
+	for (char *line = strtok(c->moves.text, "\n"); line; line = strtok(NULL, "\n")) {
+		struct piece *piece = &pieces[count++];
+		const char *spread = strstr(line, "spread "), *centre = strstr(line, "centre ");
+
+		ck_assert_int_lt(count, 64);
+		*piece = (struct piece){{at[0], at[1]}, {0}, {0}, 0, 0};
+		ck_assert(sscanf(strchr(line, ' '), "%lf %lf", &piece->to[0], &piece->to[1]) == 2);
+		if (centre)
+			ck_assert(sscanf(centre, "centre %lf %lf 0 normal 0 0 1 sweep %lf", &piece->centre[0],
+					 &piece->centre[1], &piece->sweep) == 3);
+		if (spread)
+			ck_assert(sscanf(spread, "spread %lf", &piece->spread) == 1);
+		memcpy(at, piece->to, sizeof(at));
+	}
+	return count;
+}
+
+static void point_of(const struct piece *piece, double s, double p[2])
+{
+	double turn = radians(piece->sweep) * s, x = piece->from[0] - piece->centre[0], y = piece->from[1] - piece->centre[1];
+
+	for (int i = 0; i < 2; i++)
+		p[i] = piece->from[i] + s * (piece->to[i] - piece->from[i]);
+	if (piece->sweep < 0 || piece->sweep > 0) {
+		p[0] = piece->centre[0] + cos(turn) * x - sin(turn) * y;
+		p[1] = piece->centre[1] + sin(turn) * x + cos(turn) * y;
+	}
+}
+
+/* How far outside of the spread of any piece: 0 or less, it is covered. Sampled finely along the pieces. */
+static double outside(const struct piece *pieces, int count, const double p[2])
+{
+	double least = INFINITY, q[2];
+
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k <= 400; k++) {
+			point_of(&pieces[i], k / 400.0, q);
+			least = fmin(least, fmax(fabs(p[0] - q[0]), fabs(p[1] - q[1])) - pieces[i].spread);
+		}
+	}
+	return least;
+}
+
+/* Random contours, with lines and arcs: each way that the control may have lies in what is proved of the unknown one. */
+START_TEST(every_way_is_covered)
+{
+	unsigned seed = 20251122;
+	int compared = 0;
+
+	for (int round = 0; round < 60; round++) {
+		struct piece all[64], one[64];
+		struct strbuf program = {0};
+		struct gcode_case c;
+		double heading = 0, x = 0, y = 0;
+		int count;
+
+		strbuf_addf(&program, "G94 F9 G1 G%s D1 X%d Y0\n", round % 2 ? "41" : "42", 10);
+		x = 10;
+		for (int i = 0; i < 4; i++) {
+			heading += radians((double)(rand_r(&seed) % 300) - 150);
+			x += 40 * cos(heading);
+			y += 40 * sin(heading);
+			if (rand_r(&seed) % 3 || i == 3)
+				strbuf_addf(&program, "G1 X%.4f Y%.4f\n", x, y);
+			else
+				strbuf_addf(&program, "G%d X%.4f Y%.4f R%d\n", rand_r(&seed) % 2 ? 2 : 3, x, y, 30);
+		}
+		heading += radians((double)(rand_r(&seed) % 300) - 150);
+		strbuf_addf(&program, "G1 G40 X%.4f Y%.4f\nM30\n", x + 30 * cos(heading), y + 30 * sin(heading));
+		init(&c, round % 3 ? &dialect_fanuc : &dialect_haas, COMP_START_UNKNOWN, COMP_CORNER_UNKNOWN);
+		if (!case_run(&c, program.text)) {
+			/* The tool does not fit: no way. */
+			ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "without gouging"));
+			case_release(&c);
+			strbuf_release(&program);
+			continue;
+		}
+		count = pieces_of(&c, all);
+		case_release(&c);
+		for (int way = 0; way < 4; way++) {
+			int pieces;
+
+			init(&c, &dialect_fanuc, way & 1 ? A : B, way & 2 ? LINEAR : CIRCULAR);
+			if (!case_run(&c, program.text))
+				ck_abort_msg("%s%s", program.text, strbuf_text(&c.messages));
+			pieces = pieces_of(&c, one);
+			for (int i = 0; i < pieces; i++) {
+				double p[2];
+
+				for (int k = 0; k <= 20; k++, compared++) {
+					point_of(&one[i], k / 20.0, p);
+					/* 0.2: half of the distance between samples of the pieces. */
+					if (outside(all, count, p) > 0.2)
+						ck_abort_msg("%.6f %.6f lies %.6f outside:\n%s", p[0], p[1],
+							     outside(all, count, p), program.text);
+				}
+			}
+			case_release(&c);
+		}
+		strbuf_release(&program);
+	}
+	ck_assert_int_gt(compared, 20000);
+}
+END_TEST
+
+static const struct {
+	const struct dialect *dialect;
+	const char *program, *message;
+} bads[] = {
+	{&dialect_fanuc, "F9 G1 G41 X5\n", "G41 needs D, the number of its radius"},
+	{&dialect_fanuc, "F9 G1 G41 D9 X5\n", "D9: the setup has no such radius; add <offset number=\"9\" radius=\"\"/>"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nG42 D1 X9\n", "another side or radius of cutter compensation while it is on"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9 D4\n", "another D while cutter compensation is on"},
+	{&dialect_fanuc, "F9 G41 D1\nG2 X5 R9\n", "cutter compensation starts and ends with G0 or G1, not with an arc"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40 G2 X20 R9\n", "cutter compensation starts and ends with G0 or G1"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nZ1\nZ2\nY9\n", "2 blocks without a move in the plane"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nM0\n", "the program stops under cutter compensation"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX5\n", "the path turns back on itself under cutter compensation"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nX20 A9\n", "A under cutter compensation is not supported"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG3 X11 Y2 R1.5\n", "is not greater than the radius of the compensation"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nY1\nX0\n", "cannot reach without gouging"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG92 X0\n", "G92 after G40 and before X has moved"},
+	{&dialect_fanuc, "F9 G1 G41 D1 X5\nX9\nG40\nG2 X5 Y5 R9\n", "the move after cutter compensation (G40) must be straight"},
+};
+
+START_TEST(faults)
+{
+	for (size_t i = 0; i < sizeof(bads) / sizeof(bads[0]); i++) {
+		struct gcode_case c;
+
+		init(&c, bads[i].dialect, A, LINEAR);
+		ck_assert(!case_run(&c, bads[i].program));
+		if (!strstr(strbuf_text(&c.messages), bads[i].message))
+			ck_abort_msg("%s%s", bads[i].program, strbuf_text(&c.messages));
+		case_release(&c);
+	}
+}
+END_TEST
+
+/* Without the parameter, a G41 that stands alone is a question on Fanuc; Haas waits for the next move. */
+START_TEST(alone)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc, COMP_START_UNKNOWN, LINEAR);
+	ck_assert(!case_run(&c, "F9 G41 D1\nG1 X5\nX9\nM30\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "cutter_comp_start=\"A\" or \"B\""));
+	case_release(&c);
+	init(&c, &dialect_haas, COMP_START_UNKNOWN, LINEAR);
+	case_expect(&c, "F9 G41 D1\nG1 X5\nX9\nG40\nG0 X0 Y0\nM30\n",
+		    "feed 5 2 0 0 0\nfeed 9 2 0 0 0\nfeed 9 0 0 0 0 spread 2 2 0\nrapid 0 0 0 0 0 spread 2 2 0\n");
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *tests[] = {square, start_and_end, acute, arcs, planes, cancel_alone, every_way_is_covered, faults, alone};
+
+	return RUN_TESTS("comp_ahead", tests);
+}
