@@ -25,6 +25,8 @@ enum {
 	G28_1 = 281,
 	G30 = 300,
 	G30_1 = 301,
+	G31 = 310,	/* skip function: stops where a signal comes */
+	G31_3 = 313,
 	G33 = 330,
 	G33_1 = 331,
 	G38_2 = 382,

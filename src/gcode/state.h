@@ -107,6 +107,9 @@ struct state {
 	axis_values rotary_zero;	/* as the sink was told last */
 	slot_values reference[2];	/* machine positions of G28 and G30 */
 	bool probed[SLOT_COUNT];	/* a probe stopped the axis somewhere, and no coordinate led it on since */
+	bool probe_bounded[SLOT_COUNT];	/* and between which positions is known: execute/probed_axes.h */
+	slot_values probe_low, probe_high;
+	bool settles[SLOT_COUNT];	/* the block gives the axis an absolute coordinate */
 	int tool;	/* in the spindle */
 	int selected;	/* by T, or -1 */
 	int length_number;	/* the H that was given last, or -1 */

@@ -33,7 +33,7 @@ static void expect_bad(const struct bad *bad, const struct dialect *dialect, boo
 
 static const struct bad texts[] = {
     /* "G38.n Straight Probe": how far the axis goes is known to the machine alone. */
-    {"G38.2 Z-9 F99\nG91 G1 Z2\n", 2, 8, PROBED},
+    {"G38.2 Z-9 F99\nG91 G1 X2 Z2\n", 2, 11, PROBED},
     {"G38.2 Z-9 F99\nG92 Z0\n", 2, 5, PROBED},
     {"G38.2 Z-9 F99\n#1=#5420\nG0 Z#5422\n", 3, 5, PROBED},
     {"G38.2 Z-9 F99\nG0 X#<_z>\n", 2, 5, PROBED},

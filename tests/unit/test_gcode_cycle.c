@@ -163,7 +163,7 @@ START_TEST(threads_and_probes)
 
 	case_init(&c);
 	c.show_feed = true;
-	case_expect(&c, "M3 S120\nG33 Z-5 K1.5\nG33.1 Z5 K2 I3\nF60 G38.2 X7\nM2\n",
+	case_expect(&c, "M3 S120\nG33 Z-5 K1.5\nG33.1 Z5 K2 I3\nM5 F60 G38.2 X7\nM2\n",
 		    "feed 0 0 -5 0 0 at 3 3\n"
 		    "feed 0 0 5 0 0 at 4 4\nfeed 0 0 -5 0 0 at 12 4\n"
 		    "feed 7 0 -5 0 0 at 1 1\n");

@@ -143,6 +143,9 @@ bool arc_move_run(struct interp *interp)
 	/* LinuxCNC gives P to the arc and to a G64 of the block. */
 	if (block_has(block, 'P') && !find_turns(interp, &turns))
 		return false;
+	if ((state->probe_bounded[plane->a] && !endpoint_is_known(interp, (int)plane->a, block_motion_column(block))) ||
+	    (state->probe_bounded[plane->b] && !endpoint_is_known(interp, (int)plane->b, block_motion_column(block))))
+		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};
 	if (block_has(block, 'R') ? !find_arc_by_radius(interp, plane, start, end, &centre)

@@ -434,6 +434,10 @@ bool canned_cycle_run(struct interp *interp)
 
 	if (!dialect_answers_cycles(interp->config->dialect, &interp->at, column))
 		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (state->probe_bounded[slot] && !endpoint_is_known(interp, slot, column))
+			return false;
+	}
 	if (state->feed_mode == FEED_INVERSE_TIME)
 		return fault(&interp->at, column, "G%d in inverse time mode (G93); canned cycles need G94 or G95",
 			     cycle.code / 10);

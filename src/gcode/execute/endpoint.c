@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
@@ -73,23 +74,32 @@ bool endpoint_is_known(struct interp *interp, int slot, int column)
 }
 
 /*
- * After a probe only the axes of its way are led back along it before others move: elsewhere the path depends on
- * where the probe has stopped, and what is followed starts at the end of the probe's way.
+ * Where a set of places is not followed (probed_axes.h), only the axes of the probe's way may be led back along it
+ * before others move: elsewhere the path depends on where the probe has stopped, and what is followed starts at the
+ * end of the probe's way.
  */
 static void caution_probe(struct interp *interp)
 {
 	bool unknown = false, others = false;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		unknown |= interp->state.probed[slot];
+		unknown |= interp->state.probed[slot] && !interp->state.probe_bounded[slot];
 		others |= !interp->state.probed[slot] && block_has(&interp->block, AXIS_LETTERS[slot]);
 	}
 	if (!unknown || !others || interp->cautioned_probe)
 		return;
 	interp->cautioned_probe = true;
 	caution(&interp->at, block_motion_column(&interp->block),
-		"this path depends on where the probe has stopped: it is proved from the end of the probe's way only, here "
-		"and further on; lead the probed axis back by an absolute coordinate in a block of its own first");
+		"this path depends on where the probe has stopped: under TCP, in turned coordinates, with cutter compensation "
+		"and for rotary axes it is proved from the end of the probe's way only, here and further on; lead the probed "
+		"axis back by an absolute coordinate in a block of its own first");
+}
+
+static void forget_sets(struct interp *interp)
+{
+	probed_axes_forget_turned(&interp->state);
+	for (int slot = 0; slot < SLOT_COUNT && interp->comp.side != 0; slot++)
+		interp->state.probe_bounded[slot] = false;
 }
 
 bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
@@ -105,6 +115,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 			     "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported");
 	if (!coordinate_rotation_check_words(interp, machine) || !dynamic_work_offset_check_words(interp))
 		return false;
+	forget_sets(interp);
 	caution_probe(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];
@@ -118,7 +129,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		if (!machine && (!state->incremental || !same_double(value, 0)) &&
 		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
 			return false;
-		if (!machine && state->incremental && !same_double(value, 0) &&
+		if (!machine && state->incremental && !same_double(value, 0) && !state->probe_bounded[slot] &&
 		    !endpoint_is_known(interp, slot, block_column(block, letter)))
 			return false;
 		if (state->incremental)
@@ -126,7 +137,8 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		else if (!endpoint_absolute(interp, slot, value, machine ? 0 : state->offset.v[slot],
 					    block_column(block, letter), &target->v[slot]))
 			return false;
-		if (!state->incremental && block->motion >= G0 && block->motion <= G3)
+		state->settles[slot] = !state->incremental;
+		if (!state->incremental && block->motion >= G0 && block->motion <= G3 && !state->probe_bounded[slot])
 			state->probed[slot] = false;
 	}
 	return true;

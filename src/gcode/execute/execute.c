@@ -11,6 +11,7 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/offsets.h"
 #include "gcode/execute/path_control.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/straight_move.h"
 #include "gcode/execute/tool_change.h"
@@ -274,6 +275,8 @@ static bool execute_motion(struct interp *interp)
 	} motions[] = {
 	    {G0, straight_move_run},	 {G1, straight_move_run},     {G2, arc_move_run},
 	    {G3, arc_move_run},		 {G80, cancel_motion},	      {G33, feedback_moves_run},
+	    {G31, feedback_moves_run},	 {311, feedback_moves_run},   {312, feedback_moves_run},
+	    {G31_3, feedback_moves_run},
 	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
 	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
 	};
@@ -309,6 +312,7 @@ bool execute_block(struct interp *interp)
 
 	if (state->unknown_modes && !check_modes(interp))
 		return false;
+	probed_axes_forget_turned(state);
 	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
 	    !cutter_comp_start_block(interp))
 		return false;

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
 /* K is the length of path for one revolution of the spindle. */
@@ -48,6 +49,11 @@ static bool tap(struct interp *interp, const slot_values *target, struct canon_m
 	return motion_commands_go(interp, &start, move);
 }
 
+static bool is_skip(int code)
+{
+	return code >= G31 && code <= G31_3;
+}
+
 /* G38.2 and G38.4 must find something on their way, so the way cannot be empty. */
 static bool check_probe(struct interp *interp, const slot_values *target)
 {
@@ -55,6 +61,11 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 	slot_values start = rotated_frame_straight(&interp->state);
 	int column = block_motion_column(block);
 
+	if (interp->comp.side != 0)
+		return fault(&interp->at, column, "probing under cutter compensation; G40 first");
+	/* Fanuc B-64484EN and Haas, "G31": no signal on the way is no error, and G95 is a feed like any other. */
+	if (is_skip(block->motion))
+		return true;
 	if (interp->state.feed_mode == FEED_PER_REVOLUTION)
 		return fault(&interp->at, column, "G38.%d in feed per revolution (G95); G94 first", block->motion % 10);
 	if (block->motion != G38_2 && block->motion != G38_4)
@@ -67,15 +78,32 @@ static bool check_probe(struct interp *interp, const slot_values *target)
 }
 
 /* The probe stops where it finds something, or at the end of its way. */
-static void forget_places(struct interp *interp)
+static bool probe(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
-	struct state *state = &interp->state;
+	struct state *state = &interp->state, before = *state;
+	bool named[SLOT_COUNT], bounded = state->tcp == TCP_OFF && !state->frame.on && interp->comp.side == 0;
 
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		/* Under TCP each coordinate of the tool point may move all linear axes. */
-		if (block_has(&interp->block, AXIS_LETTERS[slot]) || (state->tcp != TCP_OFF && slot <= SLOT_Z))
-			state->probed[slot] = true;
+		bool word = block_has(&interp->block, AXIS_LETTERS[slot]);
+
+		/* Under TCP each coordinate of the tool point may move all linear axes; so it is in turned coordinates. */
+		named[slot] = word || (slot <= SLOT_Z && (state->tcp != TCP_OFF || state->frame.on));
+		bounded = bounded && !(word && slot > SLOT_Z);
 	}
+	if (!motion_commands_go(interp, target, move))
+		return false;
+	probed_axes_stop(state, named, &before, bounded);
+	return true;
+}
+
+/* Threads must begin where it is known that they do. */
+static bool check_start(struct interp *interp)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!endpoint_is_known(interp, slot, block_motion_column(&interp->block)))
+			return false;
+	}
+	return true;
 }
 
 bool feedback_moves_run(struct interp *interp)
@@ -87,14 +115,14 @@ bool feedback_moves_run(struct interp *interp)
 
 	if (pitch ? !find_pitch_feed(interp, &move.feed) : !motion_commands_feed(interp, &move.feed))
 		return false;
-	interp->state.motion = code;
+	/* G31 holds for its own block. */
+	if (!is_skip(code))
+		interp->state.motion = code;
 	if (!endpoint_find(interp, false, &target))
 		return false;
-	if (code == G33_1)
-		return tap(interp, &target, &move);
-	if (!pitch && !check_probe(interp, &target))
-		return false;
 	if (!pitch)
-		forget_places(interp);
-	return motion_commands_go(interp, &target, &move);
+		return check_probe(interp, &target) && probe(interp, &target, &move);
+	if (!check_start(interp))
+		return false;
+	return code == G33_1 ? tap(interp, &target, &move) : motion_commands_go(interp, &target, &move);
 }

@@ -6,6 +6,8 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
 void motion_commands_fill(struct interp *interp, struct canon_move *move)
@@ -44,10 +46,45 @@ bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 	return canon_tell_move(interp->sink, &item.move);
 }
 
-bool motion_commands_spindle_stops(struct interp *interp)
+static bool go_to(struct interp *interp, const slot_values *position, struct canon_move *move)
 {
-	return interp->state.spindle == SPINDLE_STOPPED ||
-	       motion_commands_emit(interp, &(struct canon_move){.kind = CANON_SPINDLE_STOP});
+	struct state *state = &interp->state;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(state->position.v[slot], position->v[slot]))
+			state_set_position(state, slot, position->v[slot]);
+	}
+	move->end = state->canonical;
+	return motion_commands_emit(interp, move);
+}
+
+/* Moves on from where a probe may have stopped. */
+static bool go_probed(struct interp *interp, const slot_values *position, struct canon_move *move)
+{
+	struct state *state = &interp->state;
+	const slot_values start = state->position;
+	struct canon_move before = *move;
+	struct probed_plan plan;
+	int open = SLOT_X;
+
+	if (!probed_axes_plan(state, position, move->kind == CANON_ARC, &plan, &open))
+		return endpoint_is_known(interp, open, block_column(&interp->block, AXIS_LETTERS[open]));
+	before.kind = move->kind == CANON_ARC ? CANON_FEED : move->kind;
+	for (int i = 0; i < plan.via_count; i++) {
+		if (!go_to(interp, &plan.via[i], &before))
+			return false;
+	}
+	move->arc.centre.x += state->position.v[SLOT_X] - start.v[SLOT_X];
+	move->arc.centre.y += state->position.v[SLOT_Y] - start.v[SLOT_Y];
+	move->arc.centre.z += state->position.v[SLOT_Z] - start.v[SLOT_Z];
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		move->spread[slot] += plan.spread[slot];
+	if (!go_to(interp, &plan.end, move))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		move->spread[slot] -= plan.spread[slot];
+	probed_axes_arrive(state, &plan);
+	return true;
 }
 
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move)
@@ -57,12 +94,37 @@ bool motion_commands_go(struct interp *interp, const slot_values *target, struct
 
 	if (!dynamic_work_offset_check_turn(interp, &position))
 		return false;
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(state->position.v[slot], position.v[slot]))
-			state_set_position(state, slot, position.v[slot]);
+	return probed_axes_any(state) ? go_probed(interp, &position, move) : go_to(interp, &position, move);
+}
+
+bool motion_commands_cover_probed(struct interp *interp, int column)
+{
+	struct state *state = &interp->state;
+	struct canon_move move = {.kind = CANON_RAPID};
+	int last = -1;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		slot_values low = state->position, high = state->position;
+
+		if (!state->probed[slot] || !state->probe_bounded[slot])
+			continue;
+		if (last >= 0)
+			return endpoint_is_known(interp, slot, column);
+		last = slot;
+		low.v[slot] = state->probe_low.v[slot];
+		high.v[slot] = state->probe_high.v[slot];
+		if (!go_to(interp, &low, &move) || !go_to(interp, &high, &move))
+			return false;
 	}
-	move->end = state->canonical;
-	return motion_commands_emit(interp, move);
+	return true;
+}
+
+bool motion_commands_spindle_stops(struct interp *interp)
+{
+	if (interp->state.spindle == SPINDLE_STOPPED)
+		return true;
+	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_SPINDLE_STOP}) &&
+	       motion_commands_cover_probed(interp, 1);
 }
 
 bool motion_commands_seconds(const struct interp *interp, char letter, double *seconds)

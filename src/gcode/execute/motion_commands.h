@@ -32,6 +32,12 @@ bool motion_commands_spindle_stops(struct interp *interp);
  */
 bool motion_commands_go(struct interp *interp, const slot_values *target, struct canon_move *move);
 
+/*
+ * Goes over all places where a probe may have stopped, as what stands there has changed: the tool, or its spindle.
+ * False: the sink wants no more, or several axes are in doubt, which was reported at the column.
+ */
+bool motion_commands_cover_probed(struct interp *interp, int column);
+
 /* The feed in force for the block's motion. False: there is none, which was reported. */
 bool motion_commands_feed(struct interp *interp, struct canon_feed *feed);
 

@@ -40,7 +40,7 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 
 		if (!moves[slot])
 			continue;
-		done[slot] = true;
+		done[slot] = interp->state.settles[slot] = true;
 		if (!endpoint_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]) ||
 		    !go_in_machine(interp, &target))
 			return false;
@@ -48,7 +48,7 @@ static bool go_to_place(struct interp *interp, const struct control_place *place
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!moves[slot] || done[slot])
 			continue;
-		left = true;
+		left = interp->state.settles[slot] = true;
 		if (!endpoint_absolute(interp, slot, values->v[slot], 0, column, &target.v[slot]))
 			return false;
 	}

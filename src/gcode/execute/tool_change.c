@@ -32,5 +32,6 @@ bool tool_change_run(struct interp *interp)
 		return false;
 	state->tool = state->selected;
 	state->spindle = SPINDLE_STOPPED;
-	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool});
+	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}) &&
+	       motion_commands_cover_probed(interp, column);
 }

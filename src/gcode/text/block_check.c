@@ -273,6 +273,9 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	}
 	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
 		used |= cycle_letters(block->motion, dialect);
+	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
+	if (block->motion >= G31 && block->motion <= G31_3)
+		used |= letter_bit('P');
 	if (block->motion == G33 || block->motion == G33_1)
 		used |= letter_bit('K');
 	if (block->motion == G33_1)

@@ -4,7 +4,7 @@
 static const struct code g_codes[] = {
 	{90, GROUP_NONE, CODE_REFUSED, "exact stop in one block"},
 	{290, GROUP_NONE, CODE_REFUSED, "return from the reference position"},
-	{310, GROUP_NONE, CODE_REFUSED, "skip function"},
+	{G31, G_MOTION, CODE_BOUNDED, "skip function"},
 	{370, GROUP_NONE, CODE_REFUSED, "tool offset measurement"},
 	{G41, G_CUTTER, CODE_BOUNDED, "cutter compensation, left"},
 	{G42, G_CUTTER, CODE_BOUNDED, "cutter compensation, right"},

@@ -72,6 +72,10 @@ static const struct code m_codes[] = {
 	{41, GROUP_NONE, CODE_IGNORED, "low gear"},
 	{42, GROUP_NONE, CODE_IGNORED, "high gear"},
 	{50, GROUP_NONE, CODE_REFUSED, "pallet change"},
+	/* M75, M78, M79: what becomes of the signal of G31; none moves an axis. */
+	{75, GROUP_NONE, CODE_IGNORED, "reference point of G35 or G136"},
+	{78, GROUP_NONE, CODE_IGNORED, "alarm if a skip signal has come"},
+	{79, GROUP_NONE, CODE_IGNORED, "alarm if no skip signal has come"},
 	{83, GROUP_NONE, CODE_IGNORED, "air jet on"},
 	{84, GROUP_NONE, CODE_IGNORED, "air jet off"},
 	{88, GROUP_NONE, CODE_IGNORED, "coolant through the spindle on"},
