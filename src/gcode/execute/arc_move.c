@@ -7,6 +7,7 @@
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "geom/tolerance.h"
 
@@ -143,8 +144,8 @@ bool arc_move_run(struct interp *interp)
 	/* LinuxCNC gives P to the arc and to a G64 of the block. */
 	if (block_has(block, 'P') && !find_turns(interp, &turns))
 		return false;
-	if ((state->probe_bounded[plane->a] && !endpoint_is_known(interp, (int)plane->a, block_motion_column(block))) ||
-	    (state->probe_bounded[plane->b] && !endpoint_is_known(interp, (int)plane->b, block_motion_column(block))))
+	if ((state->probe_bounded[plane->a] && !probed_axes_is_known(interp, (int)plane->a, block_motion_column(block))) ||
+	    (state->probe_bounded[plane->b] && !probed_axes_is_known(interp, (int)plane->b, block_motion_column(block))))
 		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};

@@ -8,6 +8,7 @@
 #include "gcode/execute/cycle_hole.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
@@ -435,7 +436,7 @@ bool canned_cycle_run(struct interp *interp)
 	if (!dialect_answers_cycles(interp->config->dialect, &interp->at, column))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (state->probe_bounded[slot] && !endpoint_is_known(interp, slot, column))
+		if (state->probe_bounded[slot] && !probed_axes_is_known(interp, slot, column))
 			return false;
 	}
 	if (state->feed_mode == FEED_INVERSE_TIME)

@@ -63,16 +63,6 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
 	return true;
 }
 
-bool endpoint_is_known(struct interp *interp, int slot, int column)
-{
-	if (!interp->state.probed[slot])
-		return true;
-	return fault(&interp->at, column,
-		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
-		     "absolute coordinate (G90) first",
-		     AXIS_LETTERS[slot]);
-}
-
 /*
  * Where a set of places is not followed (probed_axes.h), only the axes of the probe's way may be led back along it
  * before others move: elsewhere the path depends on where the probe has stopped, and what is followed starts at the
@@ -130,7 +120,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		    tool_length_is_in_doubt(interp, slot, block_column(block, letter)))
 			return false;
 		if (!machine && state->incremental && !same_double(value, 0) && !state->probe_bounded[slot] &&
-		    !endpoint_is_known(interp, slot, block_column(block, letter)))
+		    !probed_axes_is_known(interp, slot, block_column(block, letter)))
 			return false;
 		if (state->incremental)
 			target->v[slot] += value;

@@ -19,7 +19,4 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target);
  */
 bool endpoint_absolute(struct interp *interp, int slot, double value, double origin, int column, double *target);
 
-/* Is the axis' position known? False: a probe has stopped the axis, which was reported at the column. */
-bool endpoint_is_known(struct interp *interp, int slot, int column);
-
 #endif

@@ -100,7 +100,7 @@ static bool probe(struct interp *interp, const slot_values *target, struct canon
 static bool check_start(struct interp *interp)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!endpoint_is_known(interp, slot, block_motion_column(&interp->block)))
+		if (!probed_axes_is_known(interp, slot, block_motion_column(&interp->block)))
 			return false;
 	}
 	return true;

@@ -6,7 +6,6 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/dynamic_work_offset.h"
-#include "gcode/execute/endpoint.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 
@@ -68,7 +67,7 @@ static bool go_probed(struct interp *interp, const slot_values *position, struct
 	int open = SLOT_X;
 
 	if (!probed_axes_plan(state, position, move->kind == CANON_ARC, &plan, &open))
-		return endpoint_is_known(interp, open, block_column(&interp->block, AXIS_LETTERS[open]));
+		return probed_axes_is_known(interp, open, block_column(&interp->block, AXIS_LETTERS[open]));
 	before.kind = move->kind == CANON_ARC ? CANON_FEED : move->kind;
 	for (int i = 0; i < plan.via_count; i++) {
 		if (!go_to(interp, &plan.via[i], &before))
@@ -109,7 +108,7 @@ bool motion_commands_cover_probed(struct interp *interp, int column)
 		if (!state->probed[slot] || !state->probe_bounded[slot])
 			continue;
 		if (last >= 0)
-			return endpoint_is_known(interp, slot, column);
+			return probed_axes_is_known(interp, slot, column);
 		last = slot;
 		low.v[slot] = state->probe_low.v[slot];
 		high.v[slot] = state->probe_high.v[slot];

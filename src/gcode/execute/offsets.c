@@ -4,8 +4,8 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/dynamic_work_offset.h"
-#include "gcode/execute/endpoint.h"
 #include "gcode/execute/g10_tool_table.h"
+#include "gcode/execute/probed_axes.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
@@ -97,7 +97,7 @@ static bool change_slots(struct interp *interp, int system, change_slot *change)
 			if (slot_is_rotary(slot) != rotary || !slot_word(interp, slot, &word))
 				continue;
 			if ((change == change_work_here || change == change_shift_here) &&
-			    !endpoint_is_known(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
+			    !probed_axes_is_known(interp, slot, block_column(&interp->block, AXIS_LETTERS[slot])))
 				return false;
 			change(interp, system, slot, word);
 		}

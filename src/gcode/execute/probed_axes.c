@@ -18,6 +18,16 @@ bool probed_axes_any(const struct state *state)
 	return false;
 }
 
+bool probed_axes_is_known(struct interp *interp, int slot, int column)
+{
+	if (!interp->state.probed[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "where the probe has stopped %c is not known before the program runs; lead the axis on by an "
+		     "absolute coordinate (G90) first",
+		     AXIS_LETTERS[slot]);
+}
+
 static void add_via(struct probed_plan *plan, const struct state *state, int slot, double value)
 {
 	slot_values place = plan->via_count > 0 ? plan->via[plan->via_count - 1] : state->position;

@@ -13,8 +13,8 @@
  * - Where the probed axis moves alone, the move first goes to the far end of
  *   the interval. Then its path covers every path, and no more.
  * - Else the move goes from the middle of the intervals, and every position of
- *   it may be as far beside its path as half an interval is long. A straight path
- *   from (1 - h) m to b and one from m to b are nowhere farther apart at equal shares of the way.
+ *   it may be as far beside its path as half an interval is long: two paths to
+ *   one end are farthest apart at their starts.
  * An absolute coordinate ends the doubt about its axis.
  */
 struct probed_plan {
@@ -23,6 +23,9 @@ struct probed_plan {
 	slot_values end;
 	double spread[3];	/* mm: as canon_move has it */
 };
+
+/* Is the axis' position known? False: a probe has stopped the axis, which was reported at the column. */
+bool probed_axes_is_known(struct interp *interp, int slot, int column);
 
 /* Is the set of places known of an axis whose place is not? */
 bool probed_axes_any(const struct state *state);

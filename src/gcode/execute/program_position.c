@@ -1,14 +1,14 @@
 #include "gcode/execute/program_position.h"
 
 #include "gcode/execute/dynamic_work_offset.h"
-#include "gcode/execute/endpoint.h"
+#include "gcode/execute/probed_axes.h"
 
 bool program_position_check(struct interp *interp, int slot, int column)
 {
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
-		return dynamic_work_offset_check_read(interp, slot, column) && endpoint_is_known(interp, slot, column);
+		return dynamic_work_offset_check_read(interp, slot, column) && probed_axes_is_known(interp, slot, column);
 	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 
