@@ -14,7 +14,7 @@ SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
 JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
-MANUALS := $(sort $(wildcard man/*.[1-9]))
+MANUALS := $(sort $(wildcard man/*.[1-9]) $(BUILD)/man/fivecheck-gcode.5)
 PLOTS := $(sort $(wildcard examples/plots/*.gnuplot))
 COMPLETIONS := $(patsubst %,$(BUILD)/completion/fivecheck.%,bash zsh fish)
 # Where zsh looks for functions differs: Debian's packages have share/zsh/vendor-completions.
@@ -25,7 +25,7 @@ INSTALLED := bin/fivecheck include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR
 	$(foreach m,$(MANUALS),share/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m))) \
 	share/bash-completion/completions/fivecheck $(ZSH_FUNCTIONS)/_fivecheck share/fish/vendor_completions.d/fivecheck.fish
 
-all: $(BUILD)/fivecheck $(COMPLETIONS) $(BUILD)/installed/libfivecheck.a
+all: $(BUILD)/fivecheck $(COMPLETIONS) $(BUILD)/man/fivecheck-gcode.5 $(BUILD)/installed/libfivecheck.a
 
 $(BUILD)/fivecheck: $(BUILD)/src/main.o $(BUILD)/libfivecheck.a
 	@echo '  LD $@'
@@ -61,6 +61,11 @@ $(BUILD)/installed/libfivecheck.a: $(FACE_OBJECTS) $(BUILD)/objects
 $(BUILD)/completion/fivecheck.%: $(BUILD)/fivecheck
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/fivecheck completion $* > $@.new && mv $@.new $@
+
+# The codes of all dialects, as the program itself knows them.
+$(BUILD)/man/fivecheck-gcode.5: man/fivecheck-gcode.5.in scripts/gcode-page $(BUILD)/fivecheck
+	@mkdir -p $(@D)
+	$(Q)sh scripts/gcode-page $(BUILD)/fivecheck > $@.new && mv $@.new $@
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
 TEST_TARGETS := accept bench bench-quick build-units campaign campaign-verdict check check-asan check-calls check-deb check-faults \

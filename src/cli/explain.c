@@ -1,6 +1,11 @@
 #include "cli/explain.h"
 
+#include <string.h>
+
 #include "base/spelling.h"
+#include "control/dialects.h"
+#include "gcode/code_list.h"
+#include "gcode/dialect/dialects.h"
 #include "report/topics.h"
 
 static const struct srcloc nowhere;
@@ -18,14 +23,36 @@ static void refuse(const char *word, struct diag *diag)
 	if (nearest.best)
 		diag_error(diag, nowhere, "--explain: '%s' is not known; did you mean %s?", word, nearest.best);
 	else
-		diag_error(diag, nowhere, "--explain: '%s' is none of %s", word, strbuf_text(&names));
+		diag_error(diag, nowhere, "--explain: '%s' is no code of a dialect ('codes' lists them), and it is none of %s",
+			   word, strbuf_text(&names));
 	strbuf_release(&names);
+}
+
+/* A code in the dialect that was named, or in every one that knows it; "codes": all codes. */
+static bool explain_code(struct strbuf *out, const struct options *options)
+{
+	bool found = false;
+
+	for (int row = 0; dialect_names[row]; row++) {
+		const struct dialect *dialect = dialect_of_row(row);
+
+		if (options->dialect >= 0 && options->dialect != row)
+			continue;
+		if (strcmp(options->explain, "codes") != 0) {
+			found |= code_list_explain(out, dialect, options->explain);
+			continue;
+		}
+		found = true;
+		strbuf_addf(out, "%s%s, by %s\n", row && options->dialect < 0 ? "\n" : "", dialect->name, dialect->manual);
+		code_list_add(out, dialect);
+	}
+	return found;
 }
 
 bool explain_add(struct strbuf *out, const struct options *options, struct diag *diag)
 {
-	/* The words of reports are in small letters, the codes of programs in capital ones: they never collide. */
-	if (topics_explain(out, options->explain))
+	/* No word of the reports is a code of a dialect. */
+	if (topics_explain(out, options->explain) || explain_code(out, options))
 		return true;
 	refuse(options->explain, diag);
 	return false;

@@ -1,4 +1,4 @@
-/* explain.h - what a word of a report means (--explain). */
+/* explain.h - what a word of a report or a code of a program means (--explain). */
 #ifndef FIVECHECK_CLI_EXPLAIN_H
 #define FIVECHECK_CLI_EXPLAIN_H
 

@@ -96,6 +96,7 @@ const struct dialect dialect_fanuc = {
 	.manual = "Fanuc 30i-B operator's manual (B-64484EN)",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.words = {&fanuc_family_words},
 	.traits = {
 		/* B-64484EN, "Preparatory Function": of one group in one block the last one is valid. */
 		.last_of_group = ANSWER_YES,

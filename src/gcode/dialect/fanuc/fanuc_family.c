@@ -28,5 +28,16 @@ static const struct code m_codes[] = {
 	{98, M_STOP, CODE_READ, "subprogram call"},
 };
 
+/* B-63944EN, custom macro; Haas mill operator's manual, "Macros". */
+static const struct code_word words[] = {
+	{"#n =", CODE_READ, "macro variable; one that only the machine knows is an error where it is read"},
+	{"IF [...] GOTO n", CODE_READ, "conditional jump"},
+	{"IF [...] THEN", CODE_READ, "conditional statement"},
+	{"GOTO n", CODE_READ, "jump"},
+	{"WHILE [...] DO m", CODE_READ, "loop, up to END m"},
+	{"POPEN", CODE_IGNORED, "output to a port or a file; so are PCLOS, BPRNT, DPRNT"},
+};
+
+const struct word_set fanuc_family_words = {words, sizeof(words) / sizeof(*words)};
 const struct code_set fanuc_family_g_codes = CODE_SET(g_codes);
 const struct code_set fanuc_family_m_codes = CODE_SET(m_codes);

@@ -4,6 +4,7 @@
 
 #include "gcode/dialect.h"
 
+extern const struct word_set fanuc_family_words;
 extern const struct code_set fanuc_family_g_codes, fanuc_family_m_codes;
 
 #endif

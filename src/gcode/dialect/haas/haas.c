@@ -138,6 +138,7 @@ const struct dialect dialect_haas = {
 	.manual = "Haas mill operator's manual",
 	.g_codes = {&standard_g_codes, &fanuc_family_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &fanuc_family_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.words = {&fanuc_family_words},
 	.traits = {
 		.last_of_group = ANSWER_NO,
 		/* Parameters decide on units, distance and plane: the machine file has them. */

@@ -83,6 +83,16 @@ static const struct code m_codes[] = {
 	{98, GROUP_STATEMENT, CODE_READ, "subprogram call"},
 };
 
+/* LinuxCNC's manual, "Parameters", "O Codes". */
+static const struct code_word words[] = {
+	{"#n =", CODE_READ, "parameter, by its number or as #<name>; one that only the machine knows is an error where it is read"},
+	{"O... SUB", CODE_READ, "subroutine, up to ENDSUB; RETURN leaves it"},
+	{"O... CALL", CODE_READ, "call of a subroutine or of its file"},
+	{"O... IF", CODE_READ, "condition, with ELSEIF, ELSE and ENDIF"},
+	{"O... WHILE", CODE_READ, "loop, up to ENDWHILE; also DO, BREAK and CONTINUE"},
+	{"O... REPEAT", CODE_READ, "loop, up to ENDREPEAT"},
+};
+
 /* LinuxCNC's manual, "Canned Cycles", and its 2.9 interpreter (interp_cycles.cc). */
 static const struct cycle_traits cycles = {
 	.words_outlive_cycle = ANSWER_NO,
@@ -125,6 +135,7 @@ const struct dialect dialect_linuxcnc = {
 	.manual = "LinuxCNC's manual",
 	.g_codes = {&standard_g_codes, &(const struct code_set)CODE_SET(g_codes)},
 	.m_codes = {&standard_m_codes, &(const struct code_set)CODE_SET(m_codes)},
+	.words = {&(const struct word_set){words, sizeof(words) / sizeof(*words)}},
 	.traits = {
 		.last_of_group = ANSWER_NO,
 		/* "G-code defaults". */
