@@ -61,7 +61,7 @@ export class App {
 function tabs(pages) {
 	const id = (/** @type {number} */ i) => `tab-${i}`;
 	/** @type {HTMLElement[]} */
-	const panels = pages.map((_, i) => h('div.panel', {role: 'tabpanel', id: `${id(i)}-panel`, 'aria-labelledby': id(i), tabindex: -1}));
+	const panels = pages.map((_, i) => h(i ? 'div.panel' : 'div.panel.flush', {role: 'tabpanel', id: `${id(i)}-panel`, 'aria-labelledby': id(i), tabindex: -1}));
 	const buttons = pages.map(([name], i) => h('button', {role: 'tab', id: id(i), 'aria-controls': `${id(i)}-panel`, onclick: () => open(i)}, name));
 	const open = (/** @type {number} */ index) => {
 		const [, content] = pages[index];

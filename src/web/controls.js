@@ -38,7 +38,7 @@ const button = (text, title, act, more = {}) => h('button', {title, onclick: act
 export function viewButtons(stage) {
 	/** A button that stays pressed. @param {string} text @param {string} title @param {() => boolean} is @param {() => void} act */
 	const toggle = (text, title, is, act) => {
-		const element = button(text, title, act, {'aria-pressed': is()});
+		const element = button(text, title, act, {'aria-pressed': String(is())});
 		stage.onselect.push(() => element.setAttribute('aria-pressed', String(is())));
 		return element;
 	};
@@ -46,11 +46,22 @@ export function viewButtons(stage) {
 	return h('div.views', {role: 'toolbar', 'aria-label': 'View'},
 		model.findings.length ? button('Contact', 'Look at the contact (C)', () => stage.lookAtFocus()) : null,
 		button('Fit', 'Everything (F)', () => stage.fit()),
-		...[['Front', 'front', 1], ['Right', 'right', 2], ['Top', 'top', 3], ['Iso', 'corner', 4]].map(([text, name, key]) => button(String(text), `${text} (${key})`, () => stage.standard(String(name)))),
+		standardViews(stage),
 		toggle('Section', 'Cut the machine open (S)', () => !!stage.section, () => toggleSection(stage)),
 		toggle('Measure', 'Distance between two points: click both (M)', () => stage.measuring, () => toggleMeasure(stage)),
 		toggle('X-ray', 'Make faint what is in the way (X)', () => stage.xray, () => toggleXray(stage)),
 		model.planes ? toggle('Proof', 'Show the separating plane (P)', () => stage.proof, () => toggleProof(stage)) : null);
+}
+
+/** @param {Stage} stage */
+function standardViews(stage) {
+	const names = {front: 'Front (1)', right: 'Right (2)', top: 'Top (3)', corner: 'Corner (4)', back: 'Back (5)', left: 'Left (6)'};
+	const select = /** @type {HTMLSelectElement} */ (h('select', {'aria-label': 'Standard view', onchange: () => {
+		stage.standard(select.value);
+		// The same view can be chosen again.
+		select.value = '';
+	}}, h('option', {value: '', selected: true}, 'View'), ...Object.entries(names).map(([value, text]) => h('option', {value}, text))));
+	return select;
 }
 
 /** @param {Stage} stage */
@@ -126,7 +137,7 @@ function sectionBar(stage, section) {
 	const axes = ['X', 'Y', 'Z'].map((name, axis) => button(name, `Square to ${name}`, () => {
 		Object.assign(section, {axis, at: Math.round(stage.focus().point[axis]), sign: axis === 1 ? -1 : 1});
 		told(stage);
-	}, {'aria-pressed': axis === section.axis}));
+	}, {'aria-pressed': String(axis === section.axis)}));
 	return h('div', {}, ...axes, slider, button('\u21c4', 'The other side', () => {
 		section.sign = -section.sign;
 		told(stage);
@@ -150,7 +161,7 @@ export function playButtons(state) {
 	});
 	show();
 	return h('div.play', {role: 'toolbar', 'aria-label': 'Time'},
-		button('\u23ee', 'Block before (,)', () => state.step(-1), {'aria-label': 'Block before'}), play,
-		button('\u23ed', 'Next block (.)', () => state.step(1), {'aria-label': 'Next block'}), speed,
+		button('\u2039 Block', 'Block before (,)', () => state.step(-1)), play,
+		button('Block \u203a', 'Next block (.)', () => state.step(1)), speed,
 		model.findings.length ? button('\u22122 s', 'Two seconds before the finding (B)', () => state.beforeFinding()) : null);
 }

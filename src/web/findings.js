@@ -28,7 +28,7 @@ export const kindName = (finding) => KINDS[finding.kind] || finding.kind;
 /** How an axis' value is written: mm and degrees as a control shows them. @param {number} value */
 export const axisValue = (value) => fixed(value, 3);
 
-/** The axes that move in the block of a finding, from where to where. @param {Model} model @param {Finding} finding @returns {Promise<string>} */
+/** The axes that move in the block of a finding. @param {Model} model @param {Finding} finding */
 async function movesOf(model, finding) {
 	const {path, axes} = model;
 	const loading = path.load(finding.time);
@@ -36,8 +36,19 @@ async function movesOf(model, finding) {
 	const start = await path.blockEnd(finding.time, -1), end = await path.blockEnd(finding.time, 1);
 	await Promise.all([path.load(start), path.load(end)]);
 	const from = path.pose(start).values, to = path.pose(end).values;
-	const moves = axes.map((axis, i) => ({axis, i})).filter(({i}) => Math.abs(to[i] - from[i]) > 0.0015);
-	return moves.map(({axis, i}) => `${axis.letter} ${axisValue(from[i])} \u2192 ${axisValue(to[i])}${axis.rotary ? '\u00b0' : ' mm'}`).join(', ');
+	return axes.map((axis, i) => ({axis, from: from[i], to: to[i]})).filter((move) => Math.abs(move.to - move.from) > 0.0015);
+}
+
+/** What is worth a try; no proof stands behind it. @param {Model} model @param {Finding} finding @param {{axis: import('./model.js').Axis}[]} moves */
+function advice({bodies}, finding, moves) {
+	const roles = (finding.bodies || []).map((i) => bodies[i].role);
+	const turning = moves.filter(({axis}) => axis.rotary).map(({axis}) => axis.letter).join(' and ');
+	const before = turning ? `before ${turning} ${turning.length > 1 ? 'turn' : 'turns'}` : 'before this block';
+	if (finding.kind === 'limit') return 'shift the work offset or the part, or change the tool length, so that the axis stays within its travel.';
+	if (finding.kind === 'start-overlap') return 'look at the setup: something stands in something else before anything moves.';
+	if (roles.some((role) => role === 'holder' || role === 'shank')) return `retract the tool farther ${before}, or let it stick out more.`;
+	if (roles.includes('cutter')) return `retract the tool ${before}, or move what is in the cutter\u2019s way.`;
+	return `retract ${before}, or take another way there.`;
 }
 
 export class FindingsView {
@@ -88,9 +99,10 @@ export class FindingsView {
 			h('dl.axes', {}, ...axes.map((letter) => h('div', {}, h('dt', {}, letter), h('dd', {}, axisValue(finding.axes[letter]))))),
 		];
 		const moves = h('p.moves', {hidden: true});
-		movesOf(model, finding).then((text) => {
-			moves.textContent = text ? `This block moves ${text}.` : '';
-			moves.hidden = !text;
+		movesOf(model, finding).then((all) => {
+			const text = all.map(({axis, from, to}) => `${axis.letter} ${axisValue(from)} \u2192 ${axisValue(to)}${axis.rotary ? '\u00b0' : ' mm'}`).join(', ');
+			moves.append(text ? `This block moves ${text}. ` : '', h('b', {}, 'Try: '), advice(model, finding, all));
+			moves.hidden = false;
 		});
 		return h(`article.card${finding.accepted ? '.accepted' : '.bad'}`, {'data-finding': index},
 			h('button.title', {onclick: () => state.showFinding(index)},

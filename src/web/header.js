@@ -22,6 +22,6 @@ export function headerView(model, showHelp) {
 		h('div.verdict', {}, h('h1', {}, headline(model)), h('p', {}, model.sentence.startsWith(model.program) ? model.sentence : `${model.program}: ${model.sentence}`)),
 		remarks.length ? h('details.cautions', {}, h('summary', {}, `${remarks.length} ${remarks.length === 1 ? 'remark' : 'remarks'}`), h('ul', {}, ...remarks.map((text) => h('li', {}, text)))) : null,
 		h('div.header-buttons', {},
-			h('button', {onclick: () => print()}, 'Print'),
+			h('button.print', {onclick: () => print()}, 'Print'),
 			h('button', {onclick: showHelp, 'aria-label': 'Keys and help', title: 'Keys and help (?)'}, '?')));
 }

@@ -5,6 +5,9 @@ import {h, svg} from './elements.js';
 
 /** @typedef {import('./camera.js').Camera} Camera */
 
+/** Buttons and the axes' positions are above and below the names. */
+const EDGE = 46;
+
 export class Overlay {
 	constructor() {
 		this.drawing = svg('svg', {'aria-hidden': 'true', class: 'overlay'});
@@ -42,7 +45,7 @@ export class Overlay {
 		const label = h(`span.label.${kind}`, {}, text);
 		this.labels.append(label);
 		const w = label.offsetWidth, tall = label.offsetHeight;
-		const left = Math.max(4, Math.min(this.width - w - 4, x - w / 2)), top = Math.max(4, Math.min(this.height - tall - 4, y - tall / 2));
+		const left = Math.max(4, Math.min(this.width - w - 4, x - w / 2)), top = Math.max(EDGE, Math.min(this.height - tall - EDGE, y - tall / 2));
 		label.style.left = `${left}px`;
 		label.style.top = `${top}px`;
 		return {left, top, right: left + w, bottom: top + tall};

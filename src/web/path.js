@@ -34,10 +34,10 @@ export class ReportPath {
 		return this.levels.missing(time);
 	}
 
-	/** The rows around a time: of the chunk where there is one. @param {number} time @returns {Promise<Columns>} */
-	async rows(time) {
+	/** Rows around a time; between two chunks those of the one that is asked for. @param {number} time @param {'before'|'after'} side @returns {Promise<Columns>} */
+	async rows(time, side) {
 		const chunks = this.levels.around(time);
-		return chunks.length ? this.levels.load(chunks[0]) : this.levels.coarse;
+		return chunks.length ? this.levels.load(side === 'after' ? chunks[chunks.length - 1] : chunks[0]) : this.levels.coarse;
 	}
 
 	/** @param {number} time @param {number} by blocks @returns {Promise<number>} */
@@ -48,36 +48,33 @@ export class ReportPath {
 
 	/** Where the present block ends, or if that is now, where the next one does. @param {number} time */
 	async next(time) {
-		let at = time + SAME;
-		for (;;) {
-			const columns = await this.rows(at);
+		let end = time, block = -1;
+		while (end < this.duration - SAME) {
+			const columns = await this.rows(end + SAME, 'after');
 			const times = columns[this.time], blocks = columns[this.block];
-			let row = lowerBound(times, at);
-			if (row < times.length) {
-				while (row + 1 < times.length && blocks[row + 1] === blocks[row]) row++;
-				if (row + 1 < times.length) return times[row];
-			}
-			// The block goes on past these rows, or has not begun in them.
-			const end = times[times.length - 1];
-			if (end >= this.duration - SAME || end <= at) return Math.max(time, Math.min(end, this.duration));
-			const beyond = await this.rows(end + 2 * SAME);
-			if (row < times.length && beyond[this.block][lowerBound(beyond[this.time], end + 2 * SAME)] !== blocks[row]) return end;
-			at = end + 2 * SAME;
+			let row = lowerBound(times, end + SAME);
+			if (row === times.length || (block >= 0 && blocks[row] !== block)) break;
+			block = blocks[row];
+			while (row + 1 < times.length && blocks[row + 1] === block) row++;
+			end = times[row];
+			if (row + 1 < times.length) break;
 		}
+		return Math.min(end, this.duration);
 	}
 
 	/** Where the block before the present one ended. @param {number} time */
 	async previous(time) {
-		let at = time;
+		let columns = await this.rows(time - SAME, 'after');
+		let row = Math.min(lowerBound(columns[this.time], time - SAME), columns[this.time].length - 1);
+		const block = columns[this.block][row];
 		for (;;) {
-			const columns = await this.rows(at);
 			const times = columns[this.time], blocks = columns[this.block];
-			let row = Math.min(lowerBound(times, at - SAME), times.length - 1);
-			const block = blocks[row];
-			while (row > 0 && (blocks[row] === block || times[row] > time - SAME)) row--;
-			if (blocks[row] !== block && times[row] <= time - SAME) return times[row];
-			if (times[0] <= SAME || times[0] >= at) return Math.min(times[0], time);
-			at = times[0] - 2 * SAME;
+			while (row >= 0 && (blocks[row] === block || times[row] > time - SAME)) row--;
+			if (row >= 0) return times[row];
+			const first = times[0];
+			columns = await this.rows(first - SAME, 'before');
+			row = lowerBound(columns[this.time], first - SAME) - 1;
+			if (row < 0) return Math.min(first, time);
 		}
 	}
 

@@ -146,7 +146,7 @@ export class ProgramView {
 		const text = this.text(line);
 		const finding = this.found?.get(line);
 		const kind = `${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${text === null ? '.absent' : ''}`;
-		return h(`div.row${kind}`, {role: 'option', 'data-line': line, 'aria-selected': here},
+		return h(`div.row${kind}`, {role: 'option', 'data-line': line, 'aria-selected': String(here)},
 			h('span.number', {}, grouped(line)), h('span.text', {}, text === null ? '\u00b7\u00b7\u00b7' : text));
 	}
 

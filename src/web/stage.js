@@ -6,10 +6,10 @@ import {h} from './elements.js';
 import {watchGestures} from './gestures.js';
 import {Overlay} from './overlay.js';
 import {PlacedBodies} from './placed_bodies.js';
-import {sceneColour} from './palette.js';
+import {mix, sceneColour} from './palette.js';
 import {planeExtra} from './proof.js';
 import {Scene} from './scene.js';
-import {add, dot, norm, place, placeBack, scale, sub} from './vec.js';
+import {add, dot, norm, place, placeBack, scale, sub, unit} from './vec.js';
 import {bestDirection, inTheWay, normalOf} from './viewpoint.js';
 
 /** @typedef {import('./model.js').Vec3} Vec3 */
@@ -154,7 +154,7 @@ export class Stage {
 		if (finding && finding.point) {
 			const bodies = finding.bodies || [];
 			const sizes = bodies.map((i) => this.placed.sphere(i).radius);
-			return {bodies, point: finding.point, radius: Math.max(30, Math.min(400, 2.2 * Math.min(...sizes, 400)))};
+			return {bodies, point: finding.point, radius: Math.max(30, Math.min(400, 2.5 * Math.min(...sizes, 400)))};
 		}
 		const role = (/** @type {string[]} */ roles) => this.placed.all().filter((i) => roles.includes(this.placed.bodies[i].role));
 		const tool = role(['cutter', 'shank', 'holder']), work = role(['part', 'fixture']);
@@ -264,7 +264,8 @@ export class Stage {
 		const side = finding?.bodies ? ['a', 'b'][finding.bodies.indexOf(body)] : null;
 		const known = ['part', 'fixture', 'holder', 'shank', 'cutter'].includes(role);
 		const colour = sceneColour(body === this.selected ? 'selected' : side ? `contact-${side}` : known ? role : link ? 'moving' : 'base');
-		return {body, matrix: this.placed.matrix(body), colour, ghost: this.ghosts.has(body)};
+		const faint = finding?.bodies && !side && body !== this.selected;
+		return {body, matrix: this.placed.matrix(body), colour: faint ? mix(colour, sceneColour('faint'), 0.5) : colour, ghost: this.ghosts.has(body)};
 	}
 
 	draw() {
@@ -294,7 +295,10 @@ export class Stage {
 		if (finding && finding.point) {
 			const [x, y, depth] = see(finding.point);
 			if (depth > 0) {
-				if (finding.bodies) finding.bodies.forEach((_, k) => this.name(/** @type {[number, number]} */ (finding.bodies), k, x, y, see));
+				if (finding.bodies) {
+					this.name(finding.bodies[0], 'a', x, y);
+					this.name(finding.bodies[1], 'b', x, y);
+				}
 				this.overlay.ring(x, y);
 			}
 		}
@@ -309,15 +313,41 @@ export class Stage {
 		}
 	}
 
-	/** The name of a body in contact, on its side of the ring. @param {[number, number]} bodies @param {number} k which one @param {number} x @param {number} y @param {(p: Vec3) => Vec3} see */
-	name(bodies, k, x, y, see) {
-		const side = 'ab'[k];
-		const own = see(this.placed.sphere(bodies[k]).centre), its = see(this.placed.sphere(bodies[1 - k]).centre);
-		const right = own[0] > its[0] || (own[0] === its[0] && k === 1), below = own[1] > its[1];
-		const far = Math.min(150, this.overlay.width * 0.26);
-		const box = this.overlay.label(`name-${side}`, this.placed.bodies[bodies[k]].name, x + (right ? far : -far), y + (below ? 64 : -64));
-		const to = [right ? box.left : box.right, (box.top + box.bottom) / 2];
-		const length = Math.hypot(to[0] - x, to[1] - y) || 1;
-		this.overlay.line(`leader leader-${side}`, [x + (to[0] - x) * 22 / length, y + (to[1] - y) * 22 / length], to);
+	/** The name of a body in contact, with a line to where the body is seen. @param {number} body @param {'a'|'b'} side @param {number} x of the ring @param {number} y */
+	name(body, side, x, y) {
+		const {width, height} = this.overlay;
+		const anchor = this.anchor(body, x, y, width, height);
+		if (!anchor) return;
+		const length = Math.hypot(anchor[0] - x, anchor[1] - y) || 1;
+		const out = Math.min(90, width * 0.17);
+		const right = anchor[0] > x || (anchor[0] === x && side === 'b');
+		const to = [anchor[0] + (right ? out : -out), anchor[1] + (anchor[1] - y) / length * 30];
+		this.overlay.line(`leader leader-${side}`, anchor, to);
+		this.overlay.dot('anchor', anchor[0], anchor[1], 3.5);
+		this.overlay.label(`name-${side}`, this.placed.bodies[body].name, to[0], to[1]);
+	}
+
+	/** Where a body is seen, beside the ring: among some of its vertices. @param {number} body @param {number} x @param {number} y @param {number} width @param {number} height */
+	anchor(body, x, y, width, height) {
+		const {positions} = this.placed.bodies[body].mesh;
+		const eye = this.camera.eye(), wanted = Math.min(110, width * 0.2);
+		const step = 3 * Math.max(1, Math.floor(positions.length / 3 / 250));
+		/** @type {{at: Vec3, seen: Vec3, cost: number}[]} */
+		const found = [];
+		for (let v = 0; v < positions.length; v += step) {
+			const at = place(this.placed.matrix(body), [positions[v], positions[v + 1], positions[v + 2]]);
+			const seen = this.camera.project(at, width, height);
+			const away = Math.hypot(seen[0] - x, seen[1] - y);
+			if (seen[2] <= 0 || away < 36 || seen[0] < 20 || seen[0] > width - 20 || seen[1] < 40 || seen[1] > height - 40) continue;
+			found.push({at, seen, cost: Math.abs(away - wanted)});
+		}
+		found.sort((p, q) => p.cost - q.cost);
+		const solid = this.placed.all().filter((other) => !this.ghosts.has(other));
+		for (const {at, seen} of found.slice(0, 40)) {
+			const to = sub(at, eye);
+			const hit = this.placed.hit(eye, unit(to), norm(to) + 1, solid);
+			if (hit && hit.body === body && hit.distance > norm(to) - 2) return seen;
+		}
+		return null;
 	}
 }

@@ -22,13 +22,16 @@ export function pairsView(model) {
 		h('option', {value: ''}, `all ${grouped(model.pairs.length)} pairs`),
 		...[...counts].map(([key, count]) => h('option', {value: key}, `${key}: ${count}`))));
 
+	// What was checked comes first.
+	const sorted = [...model.pairs].sort((p, q) => Number(q.status === 'checked') - Number(p.status === 'checked'));
 	const fill = (/** @type {number} */ most) => {
 		const word = name.value.toLowerCase();
-		const named = model.pairs.map((pair) => ({...pair, names: [pair.a, pair.b].map((i) => model.bodies[i].name)}));
+		const named = sorted.map((pair) => ({...pair, names: [pair.a, pair.b].map((i) => model.bodies[i].name)}));
 		const rows = named.filter((pair) => (!status.value || pair.status === status.value) && (!word || pair.names.some((text) => text.toLowerCase().includes(word))));
-		const cells = rows.slice(0, most).map((pair) => [pair.names.join(' \u2013 '), pair.status, pair.clearance ? `${fixed(pair.clearance, 2)} mm` : '', pair.reason || STATUS[pair.status] || '']);
+		const cells = rows.slice(0, most).map((pair) => [pair.names.join(' \u2013 '), h('div', {}, h('b', {}, pair.status),
+			pair.clearance ? `, keeps ${fixed(pair.clearance, 3)} mm` : '', h('br'), pair.reason || STATUS[pair.status] || '')]);
 		const more = rows.length > most && h('button.more', {onclick: () => fill(Infinity)}, `Show all ${grouped(rows.length)}`);
-		body.replaceChildren(table(['Pair', 'Status', 'Keeps', 'Why'], cells), ...(more ? [more] : []));
+		body.replaceChildren(table(['Pair', 'Status and why'], cells), ...(more ? [more] : []));
 	};
 	fill(FIRST_ROWS);
 	return h('div.pairs', {}, h('div.filter', {}, name, status), body);

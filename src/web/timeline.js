@@ -248,8 +248,12 @@ export class Timeline {
 		fill.lineTo(w, bottom);
 		pen.fill(fill);
 		pen.stroke();
+		pen.lineWidth = 3;
+		pen.strokeStyle = cssColour('panel');
 		pen.fillStyle = cssColour('muted');
-		pen.fillText(`${clearance.cap} mm clearance or more`, 5, top + 8);
-		pen.fillText('0', 5, bottom - 6);
+		for (const [text, place] of /** @type {[string, number][]} */ ([[`at least ${clearance.cap} mm apart`, top + 8], ['0', bottom - 6]])) {
+			pen.strokeText(text, 5, place);
+			pen.fillText(text, 5, place);
+		}
 	}
 }

@@ -29,19 +29,19 @@ export function bestDirection(placed, point, focus, normal) {
 	/** @type {Vec3} */
 	let best = [0, -1, 0];
 	let bestScore = -Infinity;
-	for (let pitch = -10; pitch <= 70; pitch += 16) {
+	for (let pitch = 8; pitch <= 68; pitch += 15) {
 		for (let yaw = -180; yaw < 180; yaw += 24) {
 			const c = Math.cos(pitch * Math.PI / 180);
 			/** @type {Vec3} */
 			const d = [Math.sin(yaw * Math.PI / 180) * c, -Math.cos(yaw * Math.PI / 180) * c, Math.sin(pitch * Math.PI / 180)];
 			const [u, v] = across(d);
-			let score = 0.5 * Math.cos((yaw - 25) * Math.PI / 180) + 0.4 * Math.cos((pitch - 25) * Math.PI / 90);
+			let score = 0.5 * Math.cos((yaw - 25) * Math.PI / 180) + 0.6 * Math.cos((pitch - 28) * Math.PI / 90);
 			if (normal) score -= 0.8 * Math.abs(dot(d, normal));
 			for (const side of [[0, 0], [4, 0], [-4, 0], [0, 4], [0, -4]]) {
 				const from = add(point, add(scale(d, 1), add(scale(u, side[0]), scale(v, side[1]))));
 				if (!placed.hit(from, d, FAR, focus)) score += 0.6;
 			}
-			if (placed.hit(add(point, d), d, FAR, others)) score -= 0.4;
+			if (placed.hit(add(point, d), d, FAR, others)) score -= 0.15;
 			if (score > bestScore) {
 				bestScore = score;
 				best = d;

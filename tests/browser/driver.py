@@ -135,6 +135,13 @@ class Page:
     def events(self, method):
         return [e["params"] for e in self.browser.events if e["method"] == method and e.get("sessionId") == self.session]
 
+    def wait(self, method):
+        """Until an event comes; those that came before count."""
+        while not self.events(method):
+            message = self.browser.receive()
+            if "method" in message:
+                self.browser.events.append(message)
+
     def open(self, path, ready="fivecheck-ready", scripts=""):
         """Opens a file and waits for the event `ready` of its document; `scripts` run before those of the page."""
         source = scripts + """;
