@@ -47,6 +47,19 @@ struct mcode {
 	enum mcode_action action;
 };
 
+/*
+ * What a program of the machine's maker does, such as O9810 of a probe: nothing that is followed; a straight move to the
+ * X, Y and Z of its call; or moves somewhere around the place where it is called, and back to it.
+ */
+enum macro_action { MACRO_NONE, MACRO_MOVE, MACRO_AROUND };
+
+struct builder_macro {
+	int program;
+	double code;	/* the G-code that calls it, too; 0: none does */
+	enum macro_action action;
+	double around[3];	/* mm along X, Y and Z, to both sides: MACRO_AROUND */
+};
+
 /* A place in machine coordinates where the control sends axes by itself. */
 struct control_place {
 	bool given;
@@ -78,6 +91,8 @@ struct controller {
 	enum comp_corner_form comp_corner;
 	const struct mcode *mcodes;
 	size_t mcode_count;
+	const struct builder_macro *macros;
+	size_t macro_count;
 	struct control_place references[REFERENCES_MAX];
 	struct control_place tool_change;	/* M6 goes there first */
 };

@@ -34,6 +34,50 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 	mcodes[(*count)++] = (struct mcode){(int)described->number, described->action};
 }
 
+/* Programs of users have lower numbers; O8000 to O9999 can be protected. */
+#define PROGRAM_MAX 99999999
+#define G_CODE_MAX 999.9
+
+static void build_macro(struct description_file *file, const struct macro_description *described,
+			struct builder_macro *macros, size_t *count)
+{
+	struct builder_macro macro = {(int)described->program, described->code.value, described->action, {0}};
+	bool around = described->action == MACRO_AROUND, any = false;
+
+	if (described->program < 1 || described->program > PROGRAM_MAX) {
+		description_fault(file, described->at, "program", "program=\"%s\" of <macro> is not between 1 and %d",
+				  description_quote(file, described->at, "program").text, PROGRAM_MAX);
+		return;
+	}
+	if (described->code.given && !(macro.code > 0 && macro.code <= G_CODE_MAX))
+		description_fault(file, described->at, "code", "code=\"%s\" of <macro> is no G-code",
+				  description_quote(file, described->at, "code").text);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const char letter[] = {AXIS_LETTERS[slot], '\0'};
+		double value = described->around[slot].value;
+
+		if (!described->around[slot].given)
+			continue;
+		any = true;
+		if (!around || slot > SLOT_Z || !(value >= 0))
+			description_fault(file, described->at, letter,
+					  "%s of <macro>: X, Y and Z say how far, from 0 on, a macro with action=\"around\" "
+					  "moves along an axis",
+					  letter);
+		else
+			macro.around[slot] = value;
+	}
+	if (around && !any)
+		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
+	for (size_t i = 0; i < *count; i++) {
+		if (macros[i].program == macro.program) {
+			description_fault(file, described->at, "program", "O%d is given twice", macro.program);
+			return;
+		}
+	}
+	macros[(*count)++] = macro;
+}
+
 /* Refuses settings for which, by the dialect's row, the control has no parameter. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
@@ -41,6 +85,11 @@ static void check_dialect(struct description_file *file, const struct controller
 
 	if (row->has_parameters)
 		return;
+	if (described->macro_count > 0)
+		description_fault(file, described->macros[0].at, NULL,
+				  "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "
+				  "can be told; a file in a folder of --include has what they do",
+				  row->title);
 	if (described->least_input.given)
 		description_fault(file, described->at, "least_input",
 				  "least_input of <controller>: %s has no least input increment", row->title);
@@ -83,6 +132,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	const struct controller_description *from = &described->controller;
 	struct description_file *file = &described->file;
 	struct controller *to = &machine->controller;
+	struct builder_macro *macros;
 	struct mcode *mcodes;
 
 	to->unit = described->unit;
@@ -113,6 +163,10 @@ void controller_build(struct machine_description *described, struct machine *mac
 	for (size_t i = 0; i < from->mcode_count; i++)
 		build_mcode(file, &from->mcodes[i], mcodes, &to->mcode_count);
 	to->mcodes = mcodes;
+	macros = arena_alloc(&machine->arena, from->macro_count * sizeof(*macros));
+	for (size_t i = 0; i < from->macro_count; i++)
+		build_macro(file, &from->macros[i], macros, &to->macro_count);
+	to->macros = macros;
 }
 
 /* ----------------------------------------------------------------- places */

@@ -62,6 +62,14 @@ struct mcode_description {
 	enum mcode_action action;
 };
 
+struct macro_description {
+	const void *at;
+	long program;
+	struct optional_number code;
+	enum macro_action action;
+	struct optional_number around[SLOT_COUNT];
+};
+
 /* <reference> and <tool_change>. */
 struct place_description {
 	const void *at;
@@ -88,6 +96,8 @@ struct controller_description {
 	enum comp_corner_form comp_corner;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
+	struct macro_description *macros;
+	size_t macro_count;
 	struct place_description *places;
 	size_t place_count;
 };

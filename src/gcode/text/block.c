@@ -9,7 +9,7 @@
 /* LinuxCNC's limit, "Number of M codes in a block". */
 #define M_COUNT_MAX 4
 
-static void block_clear(struct block *block)
+void block_clear(struct block *block)
 {
 	block->words = 0;
 	block->letters = 0;

@@ -34,6 +34,9 @@ struct block_cautions {
 	bool duplicate;
 };
 
+/* No words and no codes. */
+void block_clear(struct block *block);
+
 static inline uint32_t letter_bit(char letter)
 {
 	return (uint32_t)1 << (letter - 'A');

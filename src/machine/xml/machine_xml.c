@@ -10,7 +10,7 @@
 #include "machine/xml/xml_element.h"
 
 static const char *const elements[] = {
-	"machine", "controller", "mcode",	"reference", "tool_change", "base",
+	"machine", "controller", "mcode",	"macro",	"reference", "tool_change", "base",
 	"body",	   "axis",	 "spindle",	"workholding", "pairs",	    "pair", SETUP_XML_ELEMENTS, NULL,
 };
 
@@ -29,6 +29,23 @@ static void read_mcode(struct xml_reader *xml, const xmlNode *node, void *contex
 	mcode->at = node;
 	mcode->number = xml_whole(xml, node, "number", 0);
 	mcode->action = (enum mcode_action)xml_choice(xml, node, "action", actions, MCODE_IGNORE);
+	xml_read_nothing(xml, node);
+}
+
+static void read_macro(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	static const char *const actions[] = {
+		[MACRO_NONE] = "none", [MACRO_MOVE] = "move", [MACRO_AROUND] = "around", NULL,
+	};
+	struct machine_description *described = context;
+	struct macro_description *macro = &described->controller.macros[described->controller.macro_count++];
+
+	xml_require(xml, node, "program", "action", NULL);
+	macro->at = node;
+	macro->program = xml_whole(xml, node, "program", 0);
+	macro->code = xml_optional_number(xml, node, "code");
+	macro->action = (enum macro_action)xml_choice(xml, node, "action", actions, MACRO_NONE);
+	xml_axis_values(xml, node, macro->around);
 	xml_read_nothing(xml, node);
 }
 
@@ -76,6 +93,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const starts[] = {"A", "B", NULL};
 	static const char *const corners[] = {"linear", "circular", NULL};
 	static const struct xml_child children[] = {{"mcode", read_mcode, false, false},
+						    {"macro", read_macro, false, false},
 						    {"reference", read_reference, false, false},
 						    {"tool_change", read_tool_change, false, false},
 						    {.name = NULL}};
@@ -100,6 +118,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->comp_start = (enum comp_start)(xml_choice(xml, node, "cutter_comp_start", starts, -1) + 1);
 	controller->comp_corner = (enum comp_corner_form)(xml_choice(xml, node, "cutter_comp_corner", corners, -1) + 1);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
+	controller->macros = arena_alloc(&described->arena, xml_count(node, "macro") * sizeof(*controller->macros));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));
 	xml_read_children(xml, node, children, described);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gcode/dialect/fanuc/builder_macro.h"
 #include "gcode/dialect/fanuc/macro_b_call.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_seek.h"
@@ -256,6 +257,18 @@ static bool take_number(struct lexer *lexer, double *value)
 	return true;
 }
 
+/* The number of a G-code, which may have tenths; nothing is taken if there is none. */
+static bool take_code(struct lexer *lexer, double *value)
+{
+	size_t position = lexer->position + 1;
+	bool point;
+
+	if (number_read(lexer->at->text, &position, value, &point) != NUMBER_OK)
+		return false;
+	lexer->position = position;
+	return true;
+}
+
 /* '/', '/2', or several of them. */
 static void skip_slash(struct lexer *lexer)
 {
@@ -303,18 +316,23 @@ static bool is_output(struct lexer *lexer)
 static bool do_g(struct interp *interp, struct lexer *lexer, bool *done)
 {
 	bool modal = macro_b_of(interp)->rules->modal_calls;
+	const struct builder_macro *code;
 	size_t position = lexer->position;
 	int column = lexer_column(lexer);
 	double value;
 
-	*done = take_number(lexer, &value) && fabs(value - round(value)) < 1e-9 &&
+	*done = take_code(lexer, &value);
+	code = *done ? builder_macro_of_code(interp, value) : NULL;
+	if (code)
+		return macro_b_call_by_code(interp, lexer, column, code, done);
+	*done = *done && fabs(value - round(value)) < 1e-9 &&
 		(lround(value) == 65 || (modal && (lround(value) == 66 || lround(value) == 67)));
 	if (!*done) {
 		lexer->position = position;
 		return true;
 	}
 	if (lround(value) == 65)
-		return macro_b_call_g65(interp, lexer, column);
+		return macro_b_call_g65(interp, lexer, column, done);
 	if (lround(value) == 66)
 		return macro_b_call_g66(interp, lexer, column);
 	macro_b_of(interp)->modal = false;
@@ -385,6 +403,7 @@ bool macro_b_line(struct interp *interp, bool *done)
 
 	*done = false;
 	macro->assigned_count = 0;
+	macro->builder.macro = NULL;
 	if ((macro->jumped || interp->program.repeated) &&
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
@@ -408,5 +427,9 @@ bool macro_b_read_block(struct interp *interp)
 	static const struct block_rules rules = {
 		.lexer = &macro_b_word_rules, .program_numbers = true, .numbered_switches = true};
 
+	if (macro_b_of(interp)->builder.macro) {
+		builder_macro_begin(interp);
+		return true;
+	}
 	return block_read(&interp->block, &interp->at, interp->config, &rules, interp, &interp->cautions);
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gcode/dialect/fanuc/builder_macro.h"
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_seek.h"
 #include "gcode/restart.h"
@@ -142,19 +143,19 @@ static bool read_count(struct interp *interp, const struct word *word, int most,
 	return true;
 }
 
-static bool read_request(struct interp *interp, struct lexer *lexer, int column, struct request *request)
+static bool read_request(struct interp *interp, struct lexer *lexer, int column, int number, struct request *request)
 {
 	enum lexer_result result;
 	struct word word;
 	int set = 0;
 	char last = 0;
 
-	*request = (struct request){.repeats = 1};
+	*request = (struct request){.number = number, .repeats = 1};
 	for (int i = 0; i <= MACRO_B_LOCALS; i++)
 		request->arguments[i] = macro_b_vacant();
 	lexer->rules = &macro_b_argument_rules;
 	while ((result = lexer_next(lexer, &word)) == LEXER_WORD) {
-		if (word.letter == 'P' ? !read_count(interp, &word, 99999999, &request->number)
+		if (word.letter == 'P' && number == 0 ? !read_count(interp, &word, 99999999, &request->number)
 		    : word.letter == 'L'
 			? !read_count(interp, &word, 9999, &request->repeats)
 			: !read_argument(interp, &word, request, &set, &last))
@@ -199,23 +200,60 @@ static bool check_repeats(struct interp *interp, const struct request *request, 
 	return true;
 }
 
-bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column)
+/* A program of the machine's builder: nothing, or a block that run_block carries out in place of this line. */
+static void call_builder(struct interp *interp, const struct builder_macro *macro, const struct request *request,
+			 int column, bool *done)
+{
+	struct builder_call *call = &macro_b_of(interp)->builder;
+
+	*done = macro->action == MACRO_NONE;
+	if (*done)
+		return;
+	call->macro = macro;
+	call->column = column;
+	memcpy(call->arguments, request->arguments, sizeof(request->arguments));
+}
+
+bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column, bool *done)
+{
+	const struct builder_macro *macro;
+	struct request request;
+
+	if (!read_request(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
+		return false;
+	macro = builder_macro_of_program(interp, request.number);
+	if (!macro)
+		return call_macro(interp, MACRO_B_G65, &request, column);
+	call_builder(interp, macro, &request, column, done);
+	return true;
+}
+
+bool macro_b_call_by_code(struct interp *interp, struct lexer *lexer, int column, const struct builder_macro *macro,
+			  bool *done)
 {
 	struct request request;
 
-	return read_request(interp, lexer, column, &request) && check_repeats(interp, &request, column) &&
-	       call_macro(interp, MACRO_B_G65, &request, column);
+	if (!read_request(interp, lexer, column, macro->program, &request))
+		return false;
+	call_builder(interp, macro, &request, column, done);
+	return true;
 }
 
 /* B-63944EN, modal call (G66): from the next block on, after each that moves; the block itself calls nothing. */
 bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 {
 	struct macro_b *macro = macro_b_of(interp);
+	const struct builder_macro *builder;
 	struct request request;
 	struct position entry;
 
-	if (!read_request(interp, lexer, column, &request) || !check_repeats(interp, &request, column))
+	if (!read_request(interp, lexer, column, 0, &request) || !check_repeats(interp, &request, column))
 		return false;
+	builder = builder_macro_of_program(interp, request.number);
+	if (builder && builder->action != MACRO_NONE)
+		return fault(&interp->at, column, "G66 with a program of the machine's builder that moves is not followed");
+	if (builder)
+		return true;
 	if (macro->modal)
 		return fault(&interp->at, column, "G66 while another one is in force is not supported yet; G67 first");
 	if (!macro_b_seek_program(interp, request.number, column, &entry))
@@ -301,9 +339,16 @@ static bool do_m98(struct interp *interp, int column)
 	int number, repeats;
 	struct position entry;
 	bool local = interp->block.m[M_STOP] == 97;
+	const struct builder_macro *macro;
 
 	if (!read_m98(interp, &number, &repeats))
 		return false;
+	macro = local ? NULL : builder_macro_of_program(interp, number);
+	if (macro && macro->action == MACRO_MOVE)
+		return fault(&interp->at, column, "M98 calls O%d, which moves to the X, Y and Z of a G65; M98 has none",
+			     number);
+	if (macro)
+		return macro->action == MACRO_NONE || builder_macro_around(interp, macro, column);
 	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, 'P'), &entry)
 		  : !macro_b_seek_program(interp, number, column, &entry))
 		return false;
@@ -354,6 +399,8 @@ bool macro_b_call_after_block(struct interp *interp)
 {
 	int code = interp->block.m[M_STOP], column = interp->block.m_column[M_STOP];
 
+	if (macro_b_of(interp)->builder.macro)
+		return builder_macro_end(interp);
 	if (!call_modal(interp))
 		return false;
 	if (code < 97)

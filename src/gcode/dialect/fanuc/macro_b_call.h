@@ -7,8 +7,14 @@
 #include "gcode/dialect/fanuc/macro_b_state.h"
 #include "gcode/text/lexer.h"
 
-/* G65 and G66, behind which the lexer stands; `column` is the G's. False: reported. */
-bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column);
+/*
+ * G65 and G66, behind which the lexer stands; `column` is the G's. *done is false if a block has to be carried out for a
+ * program of the machine's builder (builder_macro.h). False: reported.
+ */
+bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column, bool *done);
+/* The same of a G-code that calls a program of the machine's builder. */
+bool macro_b_call_by_code(struct interp *interp, struct lexer *lexer, int column, const struct builder_macro *macro,
+			  bool *done);
 bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column);
 
 /* "O100", "N10": the call's program; lives in the buffer, which has MACRO_B_TITLE bytes. */

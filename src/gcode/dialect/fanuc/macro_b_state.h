@@ -51,6 +51,15 @@ struct macro_b_call {
 	int loop_count;
 };
 
+/* A call of a program of the machine's builder that is carried out as a block (builder_macro.h). */
+struct builder_call {
+	const struct builder_macro *macro;	/* NULL: there is none */
+	double arguments[MACRO_B_LOCALS + 1];
+	int column;
+	int motion, path_motion;	/* in force before */
+	double feed;
+};
+
 struct macro_b {
 	const struct macro_b_rules *rules;
 	struct macro_b_vars vars;
@@ -64,6 +73,7 @@ struct macro_b {
 	bool modal;	/* G66 is in force */
 	int modal_number, modal_repeats, modal_level;
 	double modal_arguments[MACRO_B_LOCALS + 1];
+	struct builder_call builder;
 	bool cautioned_angle;
 	struct labels found;	/* what was searched for, and where it was found */
 	struct strbuf line;	/* the line in hand, while others are read */

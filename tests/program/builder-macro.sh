@@ -1,0 +1,36 @@
+# <macro> in the machine file says what programs of the machine's builder do: nothing, a straight move to the X, Y and Z
+# of the call, or moves somewhere around the place of the call. What it does not answer is refused with the words that do.
+small_machine
+box post 120 -20 80 140 20 90
+sed 's|<workholding|<body name="post" mesh="post.stl"/><workholding|
+s|<base|<controller dialect="fanuc" rapid="linear" least_input="1" power_on_plane="xy"><!-- --></controller><base|' m.xml >bare.xml
+sed 's|<!-- -->|<macro program="9810" action="move"/><macro program="9811" action="around" X="95" Z="30"/><macro program="9832" action="none"/><macro program="9010" code="107" action="none"/>|' bare.xml >m.xml
+program probe.nc <<'NC'
+%
+O1(PROBE)
+G90 G21 G94 G0 X0 Z40. F500
+G65 P9832
+G65 P9810 X5. Z10. F3000.
+X8.
+G65 P9811 Z-2. Q3.
+M98 P9832
+G107 X3. Y4. S6.
+G1 X9.
+M30
+%
+NC
+status fivecheck -q --dump-path m.xml probe.nc | cut -f 1-7
+# Within 95 mm of X8 the head meets the post, which no programmed move does.
+status fivecheck -q m.xml probe.nc 2>&1 | sed -n 1,2p
+for block in 'G65 P9999' 'M98 P9999' 'G65 P77' 'M98 P9810' 'G66 P9811'; do
+	printf '%%\nG90 G21\n%s\nM30\n' "$block" >a.nc
+	status fivecheck -q --parse-only m.xml a.nc 2>&1 | grep -v '^ '
+done
+for macro in 'program="0" action="none"' 'program="9" action="none" X="1"' 'program="9" action="around"' \
+	'program="9" action="around" A="1"' 'program="9" code="-1" action="none"' 'program="9" action="run"' \
+	'program="9" action="none"/><macro program="9" action="none"'; do
+	sed "s|<!-- -->|<macro $macro/>|" bare.xml >a.xml
+	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
+done
+sed 's|<!-- -->|<macro program="9" action="none"/>|; s/dialect="fanuc"/dialect="linuxcnc"/; s/least_input="1" power_on_plane="xy"//' bare.xml >a.xml
+status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
