@@ -87,6 +87,7 @@ struct controller {
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
+	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
 	const struct mcode *mcodes;

@@ -15,7 +15,10 @@ enum {
 	G5 = 50,
 	G5_1 = 51,
 	G8 = 80,
+	G9 = 90,
 	G10 = 100,
+	G15 = 150,
+	G16 = 160,
 	G17 = 170,
 	G18 = 180,
 	G19 = 190,
@@ -41,12 +44,15 @@ enum {
 	G43 = 430,
 	G43_4 = 434,
 	G49 = 490,
+	G50_1 = 501,
+	G51_1 = 511,
 	G52 = 520,
 	G53 = 530,
 	G53_1 = 531,
 	G54 = 540,
 	G54_1 = 541,
 	G59 = 590,
+	G60 = 600,
 	G61 = 610,
 	G61_1 = 611,
 	G62 = 620,	/* automatic corner override */
@@ -82,6 +88,8 @@ enum {
 	G96 = 960,
 	G98 = 980,
 	G99 = 990,
+	G100 = 1000,
+	G101 = 1010,
 	G103 = 1030,
 	G110 = 1100,
 	G129 = 1290,
@@ -113,6 +121,10 @@ enum g_group {
 	G_SPINDLE,
 	G_ROTATION,
 	G_DYNAMIC,	/* G254, G255 */
+	G_MIRROR,	/* G50.1, G51.1; G100, G101 */
+	G_POLAR,	/* G15, G16 */
+	G_APPROACH,	/* G60, which holds for its block */
+	G_EXACT,	/* G9, which holds for its block and stops where G61 would */
 	G_GROUPS
 };
 

@@ -41,6 +41,7 @@ bool dialect_answers_cycles(const struct dialect *dialect, const struct line_pla
 		{traits->rises_first, "at which height canned cycles go to their first hole"},
 		{traits->exact_path, "whether canned cycles drill in exact path mode"},
 		{(int)traits->g87, "how G87 bores"},
+		{traits->pecks_fall, "whether I, J and K stand for the pecks of a drilling cycle"},
 		{traits->shift_by_ij, "whether I and J stand for the shift of bores"},
 		{traits->repeat_letter, "which word repeats a canned cycle"},
 	};

@@ -38,6 +38,9 @@ enum empty_feed_move { EMPTY_FEED_MOVE_UNKNOWN, EMPTY_FEED_MOVE_CHECKED, EMPTY_F
 /* The centre of an arc before any G90.1 or G91.1: counted from its start, or in program coordinates. */
 enum arc_centre { ARC_CENTRE_UNKNOWN, ARC_CENTRE_INCREMENTAL, ARC_CENTRE_ABSOLUTE };
 
+/* An arc with neither a centre nor a radius: an error; or a straight line, unless the control stops there. */
+enum arc_without_centre { ARC_WITHOUT_CENTRE_UNKNOWN, ARC_WITHOUT_CENTRE_REFUSED, ARC_WITHOUT_CENTRE_LINE };
+
 /* What D of cutter compensation is: a tool, whose diameter is taken, or an offset that holds a radius. */
 enum d_word { D_WORD_UNKNOWN, D_WORD_TOOL, D_WORD_RADIUS };
 
@@ -94,6 +97,7 @@ struct cycle_traits {
 	enum answer rises_first;	/* to R, before it goes over the first hole */
 	enum answer exact_path;	/* whatever path mode is in force */
 	enum g87 g87;
+	enum answer pecks_fall;	/* pecks may have I, J and K in place of Q */
 	enum answer shift_by_ij;	/* I and J may stand for the Q of bores, and then say in which direction */
 	char repeat_letter;
 };
@@ -125,6 +129,7 @@ struct dialect_traits {
 	enum empty_feed_move empty_feed_move;
 	enum answer g64_has_tolerance;	/* in P */
 	enum arc_centre arc_centre;
+	enum arc_without_centre arc_without_centre;
 	enum answer arcs_have_turns;	/* in P */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */

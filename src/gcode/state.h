@@ -54,6 +54,12 @@ struct dynamic_work_offset {
 	bool unsure[SLOT_COUNT];	/* its offset has changed and no absolute coordinate led the axis on since */
 };
 
+/* G16: execute/polar_coordinates.h. */
+struct polar_coordinates {
+	bool on, has_radius, has_angle;
+	double radius, angle;	/* of the last point, mm and degrees */
+};
+
 /* What canned cycles remember from block to block: the bare numbers, in the units of the block that gave them. */
 struct cycle_memory {
 	uint32_t known;	/* letter bits */
@@ -87,8 +93,9 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct rotated_frame frame;
+	struct polar_coordinates polar;
 	struct dynamic_work_offset dynamic;
-	int unsure_code;	/* G68 or G69 that made coordinates unsure, or CODE_NONE */
+	int unsure_code;	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: execute/coordinate_rotation.h */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
@@ -152,7 +159,7 @@ struct interp {
 	struct tool_table tools;
 	struct cutter_comp comp;
 	struct block_cautions cautions;
-	bool cautioned_retract, cautioned_by_hand, cautioned_probe;
+	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */
 	bool ended;

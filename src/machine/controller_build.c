@@ -103,6 +103,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->length_after_reference != LENGTH_AFTER_REFERENCE_UNKNOWN)
 		description_fault(file, described->at, "length_after_reference",
 				  "length_after_reference of <controller>: %s keeps the length offset", row->title);
+	if (described->overrun.given)
+		description_fault(file, described->at, "unidirectional_overrun",
+				  "unidirectional_overrun of <controller>: %s has no G60", row->title);
 	if (described->comp_start != COMP_START_UNKNOWN)
 		description_fault(file, described->at, "cutter_comp_start",
 				  "cutter_comp_start of <controller>: %s always starts cutter compensation in one way",
@@ -145,6 +148,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;
 	to->g53_with_g91 = from->g53_with_g91;
+	to->overrun = from->overrun.value;
 	to->comp_start = from->comp_start;
 	to->comp_corner = from->comp_corner;
 	to->length_after_reference = from->length_after_reference;
@@ -154,6 +158,9 @@ void controller_build(struct machine_description *described, struct machine *mac
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance",
 				  "path_tolerance of <controller> must be more than 0");
+	if (from->overrun.given && !(to->overrun > 0))
+		description_fault(file, from->at, "unidirectional_overrun",
+				  "unidirectional_overrun of <controller> must be more than 0");
 	if (from->least_input.given && !(to->least_input >= LEAST_INPUT_MIN && to->least_input <= LEAST_INPUT_MAX))
 		description_fault(file, from->at, "least_input",
 				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",

@@ -92,6 +92,7 @@ struct controller_description {
 	enum answer length_moves;
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
+	struct optional_number overrun;	/* of G60 */
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
 	struct mcode_description *mcodes;

@@ -61,7 +61,7 @@ static inline double tidy(double value)
 static inline void case_write_arc(struct gcode_case *c, const struct canon_arc *arc)
 {
 	strbuf_addf(&c->moves, " centre %.9g %.9g %.9g normal %g %g %g sweep %.9g", tidy(arc->centre.x),
-		    tidy(arc->centre.y), tidy(arc->centre.z), arc->normal.x, arc->normal.y, arc->normal.z,
+		    tidy(arc->centre.y), tidy(arc->centre.z), tidy(arc->normal.x), tidy(arc->normal.y), tidy(arc->normal.z),
 		    degrees(arc->sweep));
 }
 

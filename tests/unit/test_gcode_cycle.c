@@ -351,7 +351,6 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
-    {&dialect_fanuc, "G76 X1. Z-1. R1.", 1, "G76 needs Q"},
     {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
     {&dialect_fanuc, "G87 X1. Z-1. R-2.", 1, "G87 needs Q"},
     {&dialect_fanuc, "G87 X1. Z-1. R1. Q1.", 1,

@@ -118,6 +118,33 @@ static bool find_turns(struct interp *interp, int *turns)
 	       (has_turns == ANSWER_NO || block_integer(&interp->block, &interp->at, 'P', 1, INT_MAX, turns));
 }
 
+/* Neither a centre nor a radius, on a control that goes straight then. */
+static bool is_line(const struct interp *interp)
+{
+	const uint32_t words = letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
+
+	return !(interp->block.letters & words) &&
+	       traits_of(interp)->arc_without_centre == ARC_WITHOUT_CENTRE_LINE;
+}
+
+static bool go_straight(struct interp *interp)
+{
+	struct canon_move move = {.kind = CANON_FEED};
+	slot_values target;
+
+	if (!(interp->block.letters & AXIS_BITS))
+		return true;
+	if (!interp->cautioned_line)
+		caution(&interp->at, block_motion_column(&interp->block),
+			"an arc without a centre (I, J, K) and without a radius (R): this control goes straight to its end, or "
+			"stops with an alarm; here and further on");
+	interp->cautioned_line = true;
+	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
+		return false;
+	return cutter_comp_is_on(interp) ? cutter_comp_line(interp, &target, &move)
+					 : motion_commands_go(interp, &target, &move);
+}
+
 /* LinuxCNC's manual, "G2, G3 Arc Move". */
 bool arc_move_run(struct interp *interp)
 {
@@ -132,6 +159,10 @@ bool arc_move_run(struct interp *interp)
 	int turns = 1;
 
 	interp->state.motion = block->motion;
+	if (is_line(interp))
+		return go_straight(interp);
+	if (state->polar.on)
+		return fault(&interp->at, block_motion_column(block), "an arc in polar coordinates (G16) is not supported; G15 first");
 	if (!has_axis[plane->a] || !has_axis[plane->b])
 		return fault(&interp->at, block_motion_column(block),
 			     "the machine has no %c axis, which an arc in the plane of G%d needs",

@@ -8,6 +8,7 @@
 #include "gcode/execute/cycle_hole.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/polar_coordinates.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
@@ -168,6 +169,49 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	return cycle_word(cycle, 'P', kept, &cycle->dwell);
 }
 
+static bool is_known(const struct canned_cycle *cycle, char letter, bool kept)
+{
+	return block_has(&cycle->interp->block, letter) || (kept && (cycle->interp->state.cycle.known & letter_bit(letter)));
+}
+
+/* Haas, "G73", "G83": the first peck is I, each one is less by J, and none is less than K. */
+static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
+{
+	struct interp *interp = cycle->interp;
+	double first = 0, less = 0, least = 0, scale = interp->state.scale;
+
+	if (!cycle_word(cycle, 'I', kept, &first) || !cycle_word(cycle, 'J', kept, &less) ||
+	    !cycle_word(cycle, 'K', kept, &least))
+		return false;
+	cycle->peck = fabs(first) * scale;
+	cycle->peck_less = fabs(less) * scale;
+	cycle->peck_least = fabs(least) * scale;
+	if (!(cycle->peck > 0) || !(cycle->peck_least > 0))
+		return fault(&interp->at, block_motion_column(&interp->block), "I and K of G%d must be greater than 0",
+			     cycle->code / 10);
+	return true;
+}
+
+/* Whatever the pecks are, they lie on the way between R and the bottom. */
+static void drill_in_one_stroke(struct canned_cycle *cycle)
+{
+	cycle->peck = cycle->peck_least = cycle->r - cycle->bottom + 1;
+}
+
+static bool check_pecks(struct canned_cycle *cycle, int column, double q)
+{
+	struct interp *interp = cycle->interp;
+
+	if ((cycle->r - cycle->bottom) / cycle->peck_least > COUNT_MAX)
+		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
+			     COUNT_MAX);
+	/* Rounding would make such a peck 0, and the pecks would never reach the bottom. */
+	if (cycle->peck_least < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
+		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
+			     cycle->code / 10);
+	return true;
+}
+
 static bool find_peck(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
@@ -177,19 +221,23 @@ static bool find_peck(struct canned_cycle *cycle, bool kept)
 
 	if (cycle->code != G73 && cycle->code != G83)
 		return true;
+	if (cycle->traits->pecks_fall == ANSWER_YES && !block_has(&interp->block, 'Q') && is_known(cycle, 'I', kept))
+		return find_falling_peck(cycle, kept) && check_pecks(cycle, column, cycle->peck);
+	if (cycle->traits->q_has_sign == ANSWER_NO && !is_known(cycle, 'Q', kept)) {
+		drill_in_one_stroke(cycle);
+		return true;
+	}
 	if (!cycle_word(cycle, 'Q', kept, &q))
 		return false;
+	if (cycle->traits->q_has_sign == ANSWER_NO && same_double(q, 0)) {
+		drill_in_one_stroke(cycle);
+		return true;
+	}
 	cycle->peck = (cycle->traits->q_has_sign == ANSWER_YES ? q : fabs(q)) * interp->state.scale;
 	if (!(cycle->peck > 0))
 		return fault(&interp->at, column, "Q of G%d must be greater than 0", cycle->code / 10);
-	if ((cycle->r - cycle->bottom) / cycle->peck > COUNT_MAX)
-		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
-			     COUNT_MAX);
-	/* Rounding would make such a peck 0, and the pecks would never reach the bottom. */
-	if (cycle->peck < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
-		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
-			     cycle->code / 10);
-	return true;
+	cycle->peck_least = cycle->peck;
+	return check_pecks(cycle, column, q);
 }
 
 static bool find_back_bore(struct canned_cycle *cycle, bool kept)
@@ -214,7 +262,7 @@ static double shift_word(struct canned_cycle *cycle, char letter, bool kept)
 {
 	double value = 0;
 
-	if (block_has(&cycle->interp->block, letter) || (kept && (cycle->interp->state.cycle.known & letter_bit(letter))))
+	if (is_known(cycle, letter, kept))
 		cycle_word(cycle, letter, kept, &value);
 	return value;
 }
@@ -252,6 +300,13 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		cycle->shift_b = shift_word(cycle, 'J', kept) * state->scale;
 		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
 		cycle->spread = back ? hypot(cycle->shift_a, cycle->shift_b) : 0;
+	} else if (!back && !is_known(cycle, 'Q', kept)) {
+		/* The tool is drawn up where it has bored. */
+		if (!interp->cautioned_no_shift)
+			caution(&interp->at, column, "G%d without Q: the tool leaves the bore without a shift, here and further on",
+				code);
+		interp->cautioned_no_shift = true;
+		return true;
 	} else if (!cycle_word(cycle, 'Q', kept, &q)) {
 		return false;
 	} else {
@@ -371,11 +426,16 @@ static bool go_over(struct canned_cycle *cycle, bool first, double height)
 
 static bool make_holes(struct canned_cycle *cycle)
 {
+	const struct state *state = &cycle->interp->state;
 	double height = cycle->at.v[cycle->depth];
 
 	for (int i = 0; i < cycle->repeats; i++) {
-		for (int slot = 0; slot < SLOT_COUNT; slot++)
+		bool turns = i > 0 && state->polar.on && state->incremental;
+
+		for (int slot = 0; slot < SLOT_COUNT && !turns; slot++)
 			cycle->at.v[slot] += cycle->step.v[slot];
+		if (turns && !polar_coordinates_find(cycle->interp, &cycle->at))
+			return false;
 		if (!go_over(cycle, i == 0, height) || !cycle_hole_make(cycle))
 			return false;
 		height = cycle->at.v[cycle->depth];

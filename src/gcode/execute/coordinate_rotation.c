@@ -4,6 +4,7 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
@@ -51,21 +52,6 @@ static bool find_centre(struct interp *interp, vec3 *centre)
 		     "the centre of G68 needs both of its words, or none for where the tool stands");
 }
 
-/* Marks the coordinates that turning, or turning back, has changed. */
-static void mark_unsure(struct state *state, const slot_values *before, int code)
-{
-	slot_values now = rotated_frame_straight(state);
-	bool any = false;
-
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		bool moved = fabs(now.v[slot] - before->v[slot]) > SAME_COORDINATE;
-
-		state->unsure[slot] = moved;
-		any = any || moved;
-	}
-	state->unsure_code = any ? code : CODE_NONE;
-}
-
 /*
  * Fanuc 30i-B operator's manual (B-64484EN), coordinate system rotation (G68,
  * G69); Haas mill operator's manual, "G68 Rotation": by R degrees about a
@@ -94,7 +80,7 @@ static bool turn_in_plane(struct interp *interp)
 	frame.turn = mat3_turn(plane_normal(state->plane), radians(block_value(&interp->block, 'R')));
 	frame.origin = vec3_sub(centre, mat3_apply(&frame.turn, centre));
 	state->frame = frame;
-	mark_unsure(state, &before, G68);
+	rotated_frame_mark_unsure(state, &before, G68);
 	return true;
 }
 
@@ -141,7 +127,7 @@ static bool turn_back(struct interp *interp)
 	state->cycle.turned = true;
 	if (state->tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, interp->block.g_column[G_ROTATION], TCP_OFF))
 		return false;
-	mark_unsure(state, &before, G69);
+	rotated_frame_mark_unsure(state, &before, G69);
 	return true;
 }
 
@@ -185,10 +171,10 @@ bool coordinate_rotation_check_words(struct interp *interp, bool machine)
 		bool named = block_has(block, AXIS_LETTERS[slot]);
 		double value = named ? block_value(block, AXIS_LETTERS[slot]) : 0;
 
-		if (state->unsure[slot] && state->unsure_code == G69 && !absolute && !same_double(value, 0))
+		if (state->unsure[slot] && state->unsure_code != G68 && !absolute && !same_double(value, 0))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-				     "%c by an increment after G69: the first move after it is absolute",
-				     AXIS_LETTERS[slot]);
+				     "%c by an increment after G%g: the first move after it is absolute",
+				     AXIS_LETTERS[slot], state->unsure_code / 10.0);
 		state->unsure[slot] = state->unsure[slot] && !(named && absolute);
 		left = left || state->unsure[slot];
 	}
@@ -288,6 +274,8 @@ bool coordinate_rotation_start_block(struct interp *interp)
 
 	if (!frame->on)
 		return true;
+	if (frame->distorts)
+		return mirror_image_start_block(interp);
 	if (block->g[G_ROTATION] == G69)
 		return turn_back(interp);
 	if (changes_offsets(block))

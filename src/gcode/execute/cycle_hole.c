@@ -1,5 +1,7 @@
 #include "gcode/execute/cycle_hole.h"
 
+#include <math.h>
+
 #include "gcode/execute/motion_commands.h"
 
 /*
@@ -40,13 +42,14 @@ static bool rest(struct canned_cycle *cycle)
 
 static bool make_pecks(struct canned_cycle *cycle)
 {
-	double depth = cycle->r - cycle->peck;
+	double peck = cycle->peck, depth = cycle->r - peck;
 
 	while (depth > cycle->bottom) {
 		if (!feed(cycle, depth) || (cycle->code == G83 && !cycle_hole_rapid(cycle, cycle->r)) ||
 		    !cycle_hole_rapid(cycle, depth + PECK_CLEARANCE))
 			return false;
-		depth -= cycle->peck;
+		peck = fmax(peck - cycle->peck_less, cycle->peck_least);
+		depth -= peck;
 	}
 	return feed(cycle, cycle->bottom) && cycle_hole_rapid(cycle, cycle->clear);
 }

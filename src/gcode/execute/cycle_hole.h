@@ -18,7 +18,7 @@ struct canned_cycle {
 	double r, bottom, clear;	/* straight positions on the drilling axis */
 	double dwell;	/* seconds */
 	bool dwells;
-	double peck;	/* mm */
+	double peck, peck_less, peck_least;	/* mm: the first; by how much each is less; none is less than that */
 	double shift_a, shift_b;	/* aside, where the direction is known */
 	double top;	/* straight position of the top of LinuxCNC's counterbore */
 	double spread;	/* mm: aside, in a direction of the plane that is not known */

@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/polar_coordinates.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
@@ -113,7 +114,7 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		char letter = AXIS_LETTERS[slot];
 		double value;
 
-		if (!block_has(block, letter))
+		if (!block_has(block, letter) || (!machine && polar_coordinates_take(interp, slot)))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (!machine && (!state->incremental || !same_double(value, 0)) &&
@@ -131,5 +132,5 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 		if (!state->incremental && block->motion >= G0 && block->motion <= G3 && !state->probe_bounded[slot])
 			state->probed[slot] = false;
 	}
-	return true;
+	return machine || !state->polar.on || polar_coordinates_find(interp, target);
 }

@@ -8,9 +8,11 @@
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/feedback_moves.h"
 #include "gcode/execute/length_change.h"
+#include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/offsets.h"
 #include "gcode/execute/path_control.h"
+#include "gcode/execute/polar_coordinates.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/straight_move.h"
@@ -174,13 +176,13 @@ static bool is_angle(const struct block *block, char letter)
 }
 
 /* K of a canned cycle may be a number of holes, and Q and R of G5.1 and R of M19 are no lengths. */
-static bool is_count(const struct block *block, char letter)
+static bool is_count(const struct block *block, const struct dialect_traits *traits, char letter)
 {
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
 		return true;
 	if (block->m[M_SPINDLE] == 19 && letter == 'R')
 		return true;
-	return letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
+	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
 }
 
 /*
@@ -201,7 +203,7 @@ static bool execute_increments(struct interp *interp)
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
 		int slot = slot_of_letter(*letter);
 
-		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) || is_count(block, *letter) ||
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) || is_count(block, traits_of(interp), *letter) ||
 		    same_double(block_value(block, *letter), 0))
 			continue;
 		if (!is_answered(interp, block_column(block, *letter), whole,
@@ -211,7 +213,8 @@ static bool execute_increments(struct interp *interp)
 			return dialect_refuse_whole_number(&interp->at, block_column(block, *letter), *letter,
 							   block_value(block, *letter));
 		block->value[*letter - 'A'] *=
-		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ? increment : linear;
+		    (slot >= 0 && slot_is_rotary(slot)) || is_angle(block, *letter) ||
+				    polar_coordinates_is_angle(interp, *letter) ? increment : linear;
 	}
 	return true;
 }
@@ -334,7 +337,7 @@ bool execute_block(struct interp *interp)
 	    !execute_path(interp) || !path_control_select(interp))
 		return false;
 	execute_modes(interp);
-	if (!coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
+	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
 		return false;
 	if (!execute_nonmodal(interp) || !execute_motion(interp) || !execute_stop(interp))
 		return false;

@@ -1,5 +1,9 @@
 #include "gcode/execute/rotated_frame.h"
 
+#include <math.h>
+
+#include "geom/tolerance.h"
+
 static vec3 linear(const slot_values *values)
 {
 	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
@@ -60,4 +64,18 @@ slot_values rotated_frame_position(const struct state *state, const slot_values 
 	if (state->frame.on)
 		set_linear(&position, rotated_frame_point(state, linear(straight)));
 	return position;
+}
+
+void rotated_frame_mark_unsure(struct state *state, const slot_values *before, int code)
+{
+	slot_values now = rotated_frame_straight(state);
+	bool any = false;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool moved = fabs(now.v[slot] - before->v[slot]) > SAME_COORDINATE;
+
+		state->unsure[slot] = moved;
+		any = any || moved;
+	}
+	state->unsure_code = any ? code : CODE_NONE;
 }

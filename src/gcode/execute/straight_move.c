@@ -41,6 +41,47 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 	return true;
 }
 
+/*
+ * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, and goes past its end by
+ * an overrun before if it must. Haas, "G60": the same, setting 35. The box of all overruns is proved.
+ */
+static bool approach(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	double overrun = interp->config->controller.overrun;
+	int column = block->g_column[G_APPROACH];
+	slot_values target;
+
+	if (block->g[G_MOTION] == G0)
+		interp->state.motion = G0;
+	if (cutter_comp_is_on(interp) || interp->state.tcp != TCP_OFF || interp->state.frame.on)
+		return fault(&interp->at, column,
+			     "G60 under compensation or in changed coordinates is not supported; cancel these first");
+	if (!(overrun > 0))
+		return fault(&interp->at, column,
+			     "G60 goes past its end by an overrun, which a parameter of the control gives: "
+			     "unidirectional_overrun=\"\" of the machine's <controller> says it, in the unit of the file");
+	if (!endpoint_find(interp, false, &target))
+		return false;
+	for (int sign = 1; sign >= -1; sign--) {
+		struct canon_move move = {.kind = CANON_RAPID};
+		slot_values past = target;
+
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			if (!block_has(block, AXIS_LETTERS[slot]))
+				continue;
+			if (slot > SLOT_Z)
+				return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+					     "%c with G60 is not supported", AXIS_LETTERS[slot]);
+			past.v[slot] += sign == 1 ? overrun : sign == 0 ? -overrun : 0;
+			move.spread[slot] = overrun;
+		}
+		if (!motion_commands_go(interp, &past, &move))
+			return false;
+	}
+	return true;
+}
+
 bool straight_move_run(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -48,6 +89,8 @@ bool straight_move_run(struct interp *interp)
 	bool machine = block->g[G_NONMODAL] == G53, feeds = block->motion != G0;
 	struct canon_move move = {.kind = CANON_RAPID};
 
+	if (block->g[G_APPROACH] != CODE_NONE)
+		return approach(interp);
 	if (!machine || block->g[G_MOTION] != CODE_NONE)
 		interp->state.motion = block->motion;
 	if (machine && feeds &&

@@ -49,6 +49,18 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
 
 	block->motion = given;
+	if (block->g[G_MIRROR] != CODE_NONE && axes) {
+		block->motion = CODE_NONE;
+		return (given == CODE_NONE && other == CODE_NONE) ||
+		       fault(at, block->g_column[G_MIRROR], "G%g with axis words needs a block without motion or offsets",
+			     block->g[G_MIRROR] / 10.0);
+	}
+	if (block->g[G_APPROACH] != CODE_NONE && axes) {
+		block->motion = G0;
+		return ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
+		       fault(at, block->g_column[G_APPROACH], "G60 positions its axes by itself; it needs a block without "
+			     "another motion or offset");
+	}
 	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2) {
 		block->motion = CODE_NONE;
 		if (given != CODE_NONE || other != CODE_NONE)
@@ -199,7 +211,7 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 		return bits_of("IJKLPQR");
 	used |= letter_bit(traits->repeat_letter);
 	if (code == G73 || code == G83)
-		used |= letter_bit('Q');
+		used |= letter_bit('Q') | (traits->pecks_fall == ANSWER_YES ? bits_of("IJK") : 0);
 	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 ||
 	    traits->p_is_needed != ANSWER_YES)
 		used |= letter_bit('P');

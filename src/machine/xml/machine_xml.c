@@ -115,6 +115,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	    (enum power_on_distance)(xml_choice(xml, node, "power_on_distance", distances, -1) + 1);
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
 	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
+	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
 	controller->comp_start = (enum comp_start)(xml_choice(xml, node, "cutter_comp_start", starts, -1) + 1);
 	controller->comp_corner = (enum comp_corner_form)(xml_choice(xml, node, "cutter_comp_corner", corners, -1) + 1);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));

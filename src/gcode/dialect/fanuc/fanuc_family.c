@@ -2,7 +2,7 @@
 
 /* Fanuc 30i-B operator's manual (B-64484EN), preparatory function; Haas mill operator's manual, G-codes, M-codes. */
 static const struct code g_codes[] = {
-	{90, GROUP_NONE, CODE_REFUSED, "exact stop in one block"},
+	{G9, G_EXACT, CODE_IGNORED, "exact stop in one block"},
 	{290, GROUP_NONE, CODE_REFUSED, "return from the reference position"},
 	{G31, G_MOTION, CODE_BOUNDED, "skip function"},
 	{370, GROUP_NONE, CODE_REFUSED, "tool offset measurement"},
@@ -13,7 +13,7 @@ static const struct code g_codes[] = {
 	{500, GROUP_NONE, CODE_IGNORED, "end of scaling"},
 	{510, GROUP_NONE, CODE_REFUSED, "scaling"},
 	{G54_1, G_SYSTEM, CODE_READ, "additional work offset"},
-	{600, GROUP_NONE, CODE_REFUSED, "unidirectional positioning"},
+	{G60, G_APPROACH, CODE_BOUNDED, "unidirectional positioning"},
 	{650, GROUP_STATEMENT, CODE_READ, "macro call"},
 	{G68, G_ROTATION, CODE_READ, "coordinate rotation"},
 	{G69, G_ROTATION, CODE_READ, "end of coordinate rotation"},

@@ -154,6 +154,8 @@ bool cutter_comp_start_block(struct interp *interp)
 		return refuse(interp, block->m_column[M_TCP], "tool centre point control");
 	if (block->g[G_PLANE] != CODE_NONE && block->g[G_PLANE] != interp->state.plane)
 		return refuse(interp, block->g_column[G_PLANE], "a change of the plane");
+	if (block->g[G_MIRROR] != CODE_NONE)
+		return refuse(interp, block->g_column[G_MIRROR], "a change of the coordinates");
 	if (block->g[G_ROTATION] != CODE_NONE)
 		return refuse(interp, block->g_column[G_ROTATION], "a change of the coordinates");
 	return true;

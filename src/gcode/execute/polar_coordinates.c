@@ -1,0 +1,95 @@
+#include "gcode/execute/polar_coordinates.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+
+static int slot_of_radius(const struct state *state)
+{
+	return state->plane == G17 ? SLOT_X : state->plane == G18 ? SLOT_Z : SLOT_Y;
+}
+
+static int slot_of_angle(const struct state *state)
+{
+	return state->plane == G17 ? SLOT_Y : state->plane == G18 ? SLOT_X : SLOT_Z;
+}
+
+bool polar_coordinates_switch(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	int code = block->g[G_POLAR];
+
+	/* In another plane other words mean radius and angle. */
+	if (block->g[G_PLANE] != CODE_NONE && code == CODE_NONE)
+		interp->state.polar = (struct polar_coordinates){.on = interp->state.polar.on};
+	if (code != CODE_NONE)
+		interp->state.polar = (struct polar_coordinates){.on = code == G16};
+	return true;
+}
+
+bool polar_coordinates_take(const struct interp *interp, int slot)
+{
+	const struct state *state = &interp->state;
+
+	return state->polar.on && (slot == slot_of_radius(state) || slot == slot_of_angle(state));
+}
+
+bool polar_coordinates_is_angle(const struct interp *interp, char letter)
+{
+	int code = interp->block.g[G_POLAR];
+	bool on = code == G16 || (interp->state.polar.on && code == CODE_NONE);
+
+	return on && interp->block.g[G_NONMODAL] == CODE_NONE &&
+	       interp->block.g[G_ROTATION] == CODE_NONE && letter == AXIS_LETTERS[slot_of_angle(&interp->state)];
+}
+
+/* An absolute radius counts from the zero of the work offset; by an increment it would move the pole to the tool. */
+static bool take_words(struct interp *interp, char radius, char angle)
+{
+	const struct block *block = &interp->block;
+	struct state *state = &interp->state;
+	struct polar_coordinates *polar = &state->polar;
+
+	if (block_has(block, radius)) {
+		if (state->incremental && !same_double(block_value(block, radius), 0))
+			return fault(&interp->at, block_column(block, radius),
+				     "%c by an increment (G91) in polar coordinates (G16) is not supported: it moves the pole to "
+				     "where the tool is", radius);
+		if (!state->incremental) {
+			polar->radius = block_value(block, radius) * state->scale;
+			polar->has_radius = true;
+		}
+	}
+	if (block_has(block, angle)) {
+		if (state->incremental && !polar->has_angle)
+			return fault(&interp->at, block_column(block, angle),
+				     "%c by an increment (G91) before any angle of these polar coordinates (G16)", angle);
+		polar->angle = block_value(block, angle) + (state->incremental ? polar->angle : 0);
+		polar->has_angle = true;
+	}
+	return true;
+}
+
+bool polar_coordinates_find(struct interp *interp, slot_values *target)
+{
+	struct state *state = &interp->state;
+	struct polar_coordinates *polar = &state->polar;
+	int a = slot_of_radius(state), b = slot_of_angle(state);
+	char radius = AXIS_LETTERS[a], angle = AXIS_LETTERS[b];
+
+	if (!(interp->block.letters & (letter_bit(radius) | letter_bit(angle))))
+		return true;
+	if (!take_words(interp, radius, angle))
+		return false;
+	if (!polar->has_radius || !polar->has_angle)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "the first move in polar coordinates (G16) needs both its radius in %c and its angle in %c", radius,
+			     angle);
+	target->v[a] = state->offset.v[a] + polar->radius * cos(radians(polar->angle));
+	target->v[b] = state->offset.v[b] + polar->radius * sin(radians(polar->angle));
+	state->settles[a] = state->settles[b] = true;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		state->probed[slot] = state->probed[slot] && (state->probe_bounded[slot] || !polar_coordinates_take(interp, slot));
+	return true;
+}

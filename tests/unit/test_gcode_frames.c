@@ -1,0 +1,171 @@
+/*
+ * test_gcode_frames.c - mirror images, polar coordinates, G60, arcs without a centre, pecks of Haas, as Fanuc's and
+ * Haas's manuals have them: closed forms and faults.
+ */
+#include "gcode_case.h"
+
+static const struct radius_offset radii[] = {{1, 2}};
+
+static void init(struct gcode_case *c, const struct dialect *dialect)
+{
+	case_init(c);
+	c->config.dialect = dialect;
+	c->config.radii = radii;
+	c->config.radius_count = 1;
+	c->config.controller.comp_start = COMP_START_A;
+	c->config.controller.comp_corner = COMP_CORNER_LINEAR;
+	c->show_spread = true;
+}
+
+static void run(const struct dialect *dialect, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	init(&c, dialect);
+	case_expect(&c, program, moves);
+}
+
+/* The same with a caution. */
+static void run_with(const struct dialect *dialect, const char *program, const char *moves, const char *caution)
+{
+	struct gcode_case c;
+
+	init(&c, dialect);
+	ck_assert(case_run(&c, program));
+	ck_assert_str_eq(strbuf_text(&c.moves), moves);
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), caution));
+	case_release(&c);
+}
+
+/* Fanuc B-64484EN, "Programmable Mirror Image (G50.1, G51.1)"; Haas, "G100/G101 Disable/Enable Mirror Image". */
+START_TEST(mirror)
+{
+	/* About X 10: 30 goes to -10; the other axes and axes without a word stay. */
+	run(&dialect_fanuc, "G0 X30. Y5.\nG51.1 X10.\nX30.\nG91 X1.\nG90 Y6.\nG50.1\nX0.\nM30\n",
+	    "rapid 30 5 0 0 0\nrapid -10 5 0 0 0\nrapid -11 5 0 0 0\nrapid -11 6 0 0 0\nrapid 0 6 0 0 0\n");
+	/* Two axes, of which one goes. */
+	run(&dialect_fanuc, "G51.1 X0. Y0.\nG0 X1. Y2.\nG50.1 X0.\nX1. Y2.\nG50.1 Y0.\nX1. Y2.\nM30\n",
+	    "rapid -1 -2 0 0 0\nrapid 1 -2 0 0 0\nrapid 1 2 0 0 0\n");
+	/* Arcs turn the other way round; in the image of two axes they do not. */
+	run(&dialect_fanuc, "F9 G51.1 X0.\nG0 X10. Y0.\nG3 X0. Y10. I-10. J0.\nM30\n",
+	    "rapid -10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 -1 sweep 90\n");
+	run(&dialect_haas, "F9 G101 X0. Y0.\nG0 X10. Y0.\nG3 X0. Y10. R10.\nG100\nG0 X1. Y1.\nM30\n",
+	    "rapid -10 0 0 0 0\narc 0 -10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\nrapid 1 1 0 0 0\n");
+	/* G41 keeps to what is left in the program: 2 mm beside x = 10 is 2 mm beside its image. */
+	run(&dialect_fanuc, "F9 G51.1 X0.\nG1 G41 D1 X10. Y0.\nY20.\nG2 X30. Y40. I20. J0.\nG40 G1 X50.\nM30\n",
+	    "feed -8 0 0 0 0\nfeed -8 20 0 0 0\narc -30 42 0 0 0 centre -30 20 0 normal 0 0 -1 sweep -90\nfeed -50 40 0 0 0\n");
+	/* Canned cycles; Z0 of G28 does not mind on Haas. */
+	run(&dialect_haas, "F9 G101 X0.\nG81 G99 X5. Y1. R1. Z-2.\nG80\nG91 G28 Z0.\nG90 G100\nM30\n",
+	    "rapid -5 1 0 0 0\nrapid -5 1 1 0 0\nfeed -5 1 -2 0 0\nrapid -5 1 1 0 0\nrapid -5 1 1 0 0\nrapid -5 1 0 0 0\n");
+}
+END_TEST
+
+/* The same book, "Polar Coordinate Command (G15, G16)": the example of a bolt hole circle. */
+START_TEST(polar)
+{
+	static const char holes[] = "rapid 86.6025404 50 0 0 0\nrapid 86.6025404 50 -5 0 0\nfeed 86.6025404 50 -20 0 0\n"
+				    "rapid 86.6025404 50 -5 0 0\nrapid -86.6025404 50 -5 0 0\n"
+				    "rapid -86.6025404 50 -5 0 0\nfeed -86.6025404 50 -20 0 0\nrapid -86.6025404 50 -5 0 0\n"
+				    "rapid 0 -100 -5 0 0\nrapid 0 -100 -5 0 0\nfeed 0 -100 -20 0 0\nrapid 0 -100 -5 0 0\n";
+
+	run(&dialect_fanuc, "G17 G90 G16\nG99 G81 X100. Y30. Z-20. R-5. F200.\nY150.\nY270.\nG15 G80\nM30\n", holes);
+	run(&dialect_fanuc, "G17 G90 G16\nG99 G81 X100. Y30. Z-20. R-5. F200.\nG91 Y120. Z-15. R-5. K2\nG15 G80\nM30\n", holes);
+	/* In the plane of Z and X the radius is Z. */
+	run(&dialect_fanuc, "G18 G16 G0 Z10. X90.\nX180. Y3.\nG15 X1.\nM30\n",
+	    "rapid 10 0 0 0 0\nrapid 0 3 -10 0 0\nrapid 1 3 -10 0 0\n");
+}
+END_TEST
+
+/* "Single Direction Positioning (G60)": everything within the overrun is proved; G1 holds behind it. */
+START_TEST(single_direction)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	c.config.controller.overrun = 0.5;
+	case_expect(&c, "F9 G1 X1.\nG60 X10. Y5.\nX11.\nM30\n",
+		    "feed 1 0 0 0 0\nrapid 10.5 5.5 0 0 0 spread 0.5 0.5 0\nrapid 9.5 4.5 0 0 0 spread 0.5 0.5 0\n"
+		    "rapid 10 5 0 0 0 spread 0.5 0.5 0\nfeed 11 5 0 0 0\n");
+	init(&c, &dialect_haas);
+	ck_assert(!case_run(&c, "G60 X10.\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "unidirectional_overrun=\"\" of the machine's <controller>"));
+	case_release(&c);
+}
+END_TEST
+
+/* Parameter 3403#5 (CIR) of Fanuc: a line, or an alarm. */
+START_TEST(arc_without_centre)
+{
+	run_with(&dialect_fanuc, "F9 G2 X5. Y5.\nX6.\nM30\n", "feed 5 5 0 0 0\nfeed 6 5 0 0 0\n",
+		 "p.nc:1:4: warning: an arc without a centre (I, J, K) and without a radius (R): this control goes straight");
+}
+END_TEST
+
+/* G9 stops exactly for one block, whatever moves in it. */
+START_TEST(exact_stop)
+{
+	run(&dialect_fanuc, "F9 G9 G1 X5.\nX6. G09\nM30\n", "feed 5 0 0 0 0\nfeed 6 0 0 0 0\n");
+}
+END_TEST
+
+/* Haas, "G83", "G73": I is the first peck, J what each is less, K the least. Q0 or none: all pecks lie on one stroke. */
+START_TEST(pecks)
+{
+	run(&dialect_haas, "F9 G73 G99 X1. Z-5. R0. I3. J1. K1.5\nM30\n",
+	    "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 -2.746 0 0\nfeed 1 0 -5 0 0\nrapid 1 0 0 0 0\n");
+	run(&dialect_haas, "F9 G73 G99 X1. Z-5. R0. I2. J1. K1.5\nM30\n",
+	    "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -2 0 0\nrapid 1 0 -1.746 0 0\nfeed 1 0 -3.5 0 0\n"
+	    "rapid 1 0 -3.246 0 0\nfeed 1 0 -5 0 0\nrapid 1 0 0 0 0\n");
+	run(&dialect_fanuc, "F9 G83 G99 X1. Z-5. R0. Q0.\nG73 X2.\nM30\n",
+	    "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -5 0 0\nrapid 1 0 0 0 0\n"
+	    "rapid 2 0 0 0 0\nrapid 2 0 0 0 0\nfeed 2 0 -5 0 0\nrapid 2 0 0 0 0\n");
+	run_with(&dialect_fanuc, "F9 G76 G99 X1. Z-5. R0.\nM30\n",
+		 "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -5 0 0\nrapid 1 0 -5 0 0\nrapid 1 0 0 0 0\nrapid 1 0 0 0 0\n",
+		 "G76 without Q: the tool leaves the bore without a shift");
+}
+END_TEST
+
+static const struct {
+	const struct dialect *dialect;
+	const char *program, *message;
+} bads[] = {
+	{&dialect_fanuc, "G51.1\n", "G51.1 needs the axes that it mirrors"},
+	{&dialect_fanuc, "G51.1 A0.\n", "a mirror image of A is not supported"},
+	{&dialect_fanuc, "G91 G51.1 X0.\n", "G51.1 in incremental distance mode (G91) is not supported"},
+	{&dialect_fanuc, "G51.1 X0. G0\n", "G51.1 with axis words needs a block without motion or offsets"},
+	{&dialect_fanuc, "G51.1 X0.\nG54\n", "a change of offsets while a mirror image is in force"},
+	{&dialect_fanuc, "G51.1 X0.\nG91 G28 Z0.\n", "a move to a place of the machine while a mirror image"},
+	{&dialect_haas, "G101 X0.\nG91 G28 X0.\n", "a move to a place of the machine while a mirror image"},
+	{&dialect_haas, "G101 X1.\n", "G101 with another figure than 0 is not supported"},
+	{&dialect_fanuc, "G51.1 X0.\nG68 X0. Y0. R9.\n", "a rotation while a mirror image is in force"},
+	{&dialect_fanuc, "G68 X0. Y0. R9.\nG51.1 X0.\n", "a mirror image of turned coordinates"},
+	{&dialect_fanuc, "F9 G51.1 Z0.\nG81 X1. Z-1. R1.\n", "a canned cycle along an axis that is mirrored"},
+	{&dialect_fanuc, "G51.1 X0.\nG0 X1.\nG50.1\nG91 X1.\n", "X by an increment after G50.1"},
+	{&dialect_fanuc, "F9 G51.1 X0.\nG1 G41 D1 X5.\nG50.1\n", "a change of the coordinates while cutter compensation is on"},
+	{&dialect_fanuc, "G16 G0 X5.\n", "the first move in polar coordinates (G16) needs both its radius in X and its angle in Y"},
+	{&dialect_fanuc, "G16 G0 X5. Y0.\nG91 X1.\n", "X by an increment (G91) in polar coordinates (G16)"},
+	{&dialect_fanuc, "F9 G16 G1 X5. Y0.\nG2 X5. Y90. R5.\n", "an arc in polar coordinates (G16)"},
+	{&dialect_fanuc, "G60 G1 X5.\n", "G60 positions its axes by itself"},
+	{&dialect_haas, "F9 G2 X5. Y5.\n", "an arc needs a centre (I, J, K) or a radius (R)"},
+	{&dialect_haas, "F9 G83 X1. Z-5. R0. I0. J0. K1.\n", "I and K of G83 must be greater than 0"},
+};
+
+START_TEST(faults)
+{
+	for (size_t i = 0; i < sizeof(bads) / sizeof(bads[0]); i++) {
+		struct gcode_case c;
+
+		init(&c, bads[i].dialect);
+		if (case_run(&c, bads[i].program) || !strstr(strbuf_text(&c.messages), bads[i].message))
+			ck_abort_msg("%s%s", bads[i].program, strbuf_text(&c.messages));
+		case_release(&c);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, exact_stop, pecks, faults};
+
+	return RUN_TESTS("frames", tests);
+}
