@@ -16,7 +16,8 @@ export class Camera {
 	constructor() {
 		/** @type {Vec3} */
 		this.target = [0, 0, 0];
-		[this.yaw, this.pitch] = STANDARD_VIEWS.corner;
+		this.yaw = STANDARD_VIEWS.corner[0];
+		this.pitch = STANDARD_VIEWS.corner[1];
 		this.distance = 1000;
 	}
 

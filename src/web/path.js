@@ -16,8 +16,12 @@ export class ReportPath {
 		this.duration = end;
 		this.checked = checked;
 		this.axes = letters.map((letter) => levels.column(letter));
-		[this.time, this.block, this.line, this.file, this.tool, this.motion] =
-			['time', 'block', 'line', 'file', 'tool', 'class'].map((name) => levels.column(name));
+		this.time = levels.column('time');
+		this.block = levels.column('block');
+		this.line = levels.column('line');
+		this.file = levels.column('file');
+		this.tool = levels.column('tool');
+		this.motion = levels.column('class');
 	}
 
 	/** @param {number} time @returns {Pose} */

@@ -55,8 +55,8 @@ export class PlacedBodies {
 	around(bodies) {
 		const spheres = bodies.map((i) => this.sphere(i)).filter((s) => s.radius > 0);
 		if (!spheres.length) return {centre: [0, 0, 0], radius: 100};
-		/** @type {Vec3} */
-		let low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+		/** @type {Vec3[]} */
+		const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
 		for (const {centre, radius} of spheres) {
 			for (let k = 0; k < 3; k++) {
 				low[k] = Math.min(low[k], centre[k] - radius);
@@ -89,8 +89,8 @@ export class PlacedBodies {
 
 /** The middle of the box around the points, and how far they are from it. @param {Float32Array} p */
 function sphereOf(p) {
-	/** @type {Vec3} */
-	const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+	/** @type {Vec3[]} */
+	const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
 	for (let i = 0; i < p.length; i++) {
 		low[i % 3] = Math.min(low[i % 3], p[i]);
 		high[i % 3] = Math.max(high[i % 3], p[i]);

@@ -22,6 +22,8 @@ export class ProgramView {
 		this.note = h('p.note', {role: 'status'});
 		this.element = h('div.program', {}, h('div.program-head', {}, this.files, this.note), this.list);
 		this.first = 0;
+		/** Findings of a line. @type {Map<number, number>} */
+		this.found = new Map();
 		this.listen();
 		this.open(0);
 	}
@@ -57,8 +59,7 @@ export class ProgramView {
 		this.first = 0;
 		this.files.replaceChildren(...this.model.sources.map((source, i) => h('option', {selected: i === file}, source.name)));
 		this.files.hidden = this.model.sources.length < 2;
-		/** Findings of a line. @type {Map<number, number>} */
-		this.found = new Map();
+		this.found.clear();
 		this.model.findings.forEach((finding, i) => {
 			if (finding.file === this.source()?.name && !this.found.has(finding.line)) this.found.set(finding.line, i);
 		});
@@ -144,7 +145,7 @@ export class ProgramView {
 	/** @param {number} line @param {boolean} here */
 	row(line, here) {
 		const text = this.text(line);
-		const finding = this.found?.get(line);
+		const finding = this.found.get(line);
 		const kind = `${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${text === null ? '.absent' : ''}`;
 		return h(`div.row${kind}`, {role: 'option', 'data-line': line, 'aria-selected': String(here)},
 			h('span.number', {}, grouped(line)), h('span.text', {}, text === null ? '\u00b7\u00b7\u00b7' : text));

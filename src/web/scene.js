@@ -36,7 +36,11 @@ export class Scene {
 		this.canvas = canvas;
 		this.gl = gl;
 		this.meshes = meshes;
-		this.restore();
+		this.surface = this.program(VERTEX, SURFACE);
+		this.plain = this.program(VERTEX, PLAIN);
+		/** Made when a body is first drawn. @type {(ReturnType<Scene['upload']>|undefined)[]} */
+		this.buffers = [];
+		this.extra = gl.createBuffer();
 		canvas.addEventListener('webglcontextlost', (e) => e.preventDefault());
 		canvas.addEventListener('webglcontextrestored', () => {
 			this.restore();
@@ -44,10 +48,10 @@ export class Scene {
 		});
 	}
 
+	/** The graphics card has forgotten everything. */
 	restore() {
 		this.surface = this.program(VERTEX, SURFACE);
 		this.plain = this.program(VERTEX, PLAIN);
-		/** Made when a body is first drawn. @type {(ReturnType<Scene['upload']>|undefined)[]} */
 		this.buffers = [];
 		this.extra = this.gl.createBuffer();
 	}
