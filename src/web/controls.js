@@ -21,7 +21,11 @@ export function readOut(state) {
 	const tool = h('span'), time = h('span'), motion = h('span');
 	const show = () => {
 		const {pose} = state;
-		for (const {index, value} of rows) value.textContent = axisValue(pose.values[index]);
+		for (const {index, value} of rows) {
+			value.textContent = axisValue(pose.values[index]);
+			const {min, max} = model.axes[index];
+			value.classList.toggle('beyond', pose.values[index] < (min ?? -Infinity) - 1e-3 || pose.values[index] > (max ?? Infinity) + 1e-3);
+		}
 		tool.textContent = pose.tool ? `T${pose.tool}` : 'no tool';
 		time.textContent = duration(state.time);
 		motion.textContent = MOTION[pose.motion] || '';
@@ -50,6 +54,7 @@ export function viewButtons(stage) {
 		toggle('Section', 'Cut the machine open (S)', () => !!stage.section, () => toggleSection(stage)),
 		toggle('Measure', 'Distance between two points: click both (M)', () => stage.measuring, () => toggleMeasure(stage)),
 		toggle('X-ray', 'Make faint what is in the way (X)', () => stage.xray, () => toggleXray(stage)),
+		toggle('Path', 'Show the way of the tool (T)', () => stage.trace, () => toggleTrace(stage)),
 		model.planes ? toggle('Proof', 'Show the separating plane (P)', () => stage.proof, () => toggleProof(stage)) : null);
 }
 
@@ -87,6 +92,12 @@ export function toggleMeasure(stage) {
 /** @param {Stage} stage */
 export function toggleXray(stage) {
 	stage.xray = !stage.xray;
+	told(stage);
+}
+
+/** @param {Stage} stage */
+export function toggleTrace(stage) {
+	stage.trace = !stage.trace;
 	told(stage);
 }
 

@@ -1,7 +1,7 @@
 // @ts-check
 // keyboard.js - the keys that work everywhere on the page, and their list.
 
-import {toggleMeasure, toggleProof, toggleSection, toggleXray} from './controls.js';
+import {toggleMeasure, toggleProof, toggleSection, toggleTrace, toggleXray} from './controls.js';
 import {h, table} from './elements.js';
 
 /** @typedef {import('./stage.js').Stage} Stage */
@@ -28,6 +28,7 @@ const KEYS = [
 	['s', 'section', (_, stage) => toggleSection(stage)],
 	['m', 'measure', (_, stage) => toggleMeasure(stage)],
 	['x', 'x-ray: make faint what is in the way', (_, stage) => toggleXray(stage)],
+	['t', 'the way of the tool', (_, stage) => toggleTrace(stage)],
 	['p', 'the separating plane of the proof', (_, stage) => toggleProof(stage)],
 	['h', 'hide the selected body', (_, stage) => stage.showBodies('hide')],
 	['i', 'show the selected body alone', (_, stage) => stage.showBodies('isolate')],

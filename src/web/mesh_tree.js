@@ -12,28 +12,23 @@ export class MeshTree {
 		this.mesh = mesh;
 		const count = mesh.indices.length / 3;
 		this.order = new Uint32Array(count);
-		const centres = new Float32Array(3 * count);
-		for (let t = 0; t < count; t++) {
-			this.order[t] = t;
-			for (let k = 0; k < 9; k++) centres[3 * t + k % 3] += mesh.positions[3 * mesh.indices[3 * t + (k / 3 | 0)] + k % 3] / 3;
-		}
+		for (let t = 0; t < count; t++) this.order[t] = t;
 		/** Six numbers a node. @type {number[]} */
 		this.boxes = [];
 		/** First triangle, count; or count 0 and the second child (the first one follows). @type {number[]} */
 		this.nodes = [];
-		if (count) this.build(0, count, centres);
+		if (count) this.build(0, count, triangleBoxes(mesh));
 	}
 
-	/** @param {number} first @param {number} end @param {Float32Array} centres @returns {number} */
-	build(first, end, centres) {
+	/** @param {number} first @param {number} end @param {Float32Array} sides of the triangles' boxes @returns {number} */
+	build(first, end, sides) {
 		const node = this.nodes.length / 2;
-		const {positions, indices} = this.mesh;
 		const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-		for (let i = 3 * first; i < 3 * end; i++) {
-			const v = 3 * indices[3 * this.order[i / 3 | 0] + i % 3];
+		for (let i = first; i < end; i++) {
+			const t = 6 * this.order[i];
 			for (let k = 0; k < 3; k++) {
-				low[k] = Math.min(low[k], positions[v + k]);
-				high[k] = Math.max(high[k], positions[v + k]);
+				if (sides[t + k] < low[k]) low[k] = sides[t + k];
+				if (sides[t + 3 + k] > high[k]) high[k] = sides[t + 3 + k];
 			}
 		}
 		this.boxes.push(...low, ...high);
@@ -41,17 +36,17 @@ export class MeshTree {
 		if (end - first <= LEAF) return node;
 		let axis = 0;
 		for (let k = 1; k < 3; k++) if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-		const middle = (low[axis] + high[axis]) / 2;
+		const twice = low[axis] + high[axis];
 		let split = first;
 		for (let i = first; i < end; i++) {
 			const t = this.order[i];
-			if (centres[3 * t + axis] >= middle) continue;
+			if (sides[6 * t + axis] + sides[6 * t + 3 + axis] >= twice) continue;
 			this.order[i] = this.order[split];
 			this.order[split++] = t;
 		}
 		if (split === first || split === end) split = first + end >> 1;
-		this.build(first, split, centres);
-		this.nodes[2 * node] = this.build(split, end, centres);
+		this.build(first, split, sides);
+		this.nodes[2 * node] = this.build(split, end, sides);
 		this.nodes[2 * node + 1] = 0;
 		return node;
 	}
@@ -109,4 +104,17 @@ export class MeshTree {
 		const s = (e2x * qx + e2y * qy + e2z * qz) / det;
 		return u < 0 || v < 0 || u + v > 1 || s <= 0 ? Infinity : s;
 	}
+}
+
+/** @param {Mesh} mesh @returns {Float32Array} for each triangle its least x, y, z and its greatest */
+function triangleBoxes({positions, indices}) {
+	const sides = new Float32Array(2 * indices.length);
+	for (let i = 0; i < indices.length; i += 3) {
+		const a = 3 * indices[i], b = 3 * indices[i + 1], c = 3 * indices[i + 2];
+		for (let k = 0; k < 3; k++) {
+			sides[2 * i + k] = Math.min(positions[a + k], positions[b + k], positions[c + k]);
+			sides[2 * i + 3 + k] = Math.max(positions[a + k], positions[b + k], positions[c + k]);
+		}
+	}
+	return sides;
 }

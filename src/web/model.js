@@ -71,6 +71,7 @@
  * @property {number} duration
  * @property {number} checked	what comes later was read, but not checked
  * @property {(time: number) => Pose} pose
+ * @property {(most: number) => number[]} instants	about so many times at which axes change their motion
  * @property {(time: number) => Promise<unknown>|null} load	what pose(time) should know; null: it knows
  * @property {(time: number, by: number) => Promise<number>} blockEnd	where the block `by` blocks on from the present one ends
  * @property {(file: number, line: number) => Promise<number>} timeOf	where the first block of a line ends, or of the last one before that moves

@@ -33,6 +33,14 @@ export class ReportPath {
 		};
 	}
 
+	/** Times of rows. @param {number} most @returns {number[]} */
+	instants(most) {
+		const chunks = [...this.levels.ready.values()];
+		const whole = this.levels.head.complete && chunks.length === this.levels.head.chunks.length && this.levels.head.rows <= most;
+		const times = whole && chunks.length ? chunks.flatMap((columns) => [...columns[this.time]]) : [...this.levels.coarse[this.time]];
+		return times.sort((a, b) => a - b);
+	}
+
 	/** @param {number} time */
 	load(time) {
 		return this.levels.missing(time);

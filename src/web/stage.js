@@ -9,6 +9,7 @@ import {PlacedBodies} from './placed_bodies.js';
 import {mix, sceneColour} from './palette.js';
 import {planeExtra} from './proof.js';
 import {Scene} from './scene.js';
+import {toolTrace} from './tool_path.js';
 import {add, dot, norm, place, placeBack, scale, sub, unit} from './vec.js';
 import {bestDirection, inTheWay, normalOf} from './viewpoint.js';
 
@@ -37,6 +38,8 @@ export class Stage {
 		this.selected = -1;
 		this.xray = true;
 		this.proof = false;
+		/** Where nothing is hit the way of the tool is what there is to see. */
+		this.trace = !this.model.findings.length;
 		this.measuring = false;
 		/** In the frame of a link, so that they move along. @type {{link: number, point: Vec3}[]} */
 		this.measure = [];
@@ -47,6 +50,8 @@ export class Stage {
 		/** @type {(() => void)[]} */
 		this.onselect = [];
 		this.requested = false;
+		/** Made when it is first shown. @type {import('./tool_path.js').Trace|null|undefined} */
+		this.traced = undefined;
 		this.listen();
 		this.size = 1.2 * this.placed.around(this.placed.bodies.map((_, i) => i)).radius + 200;
 	}
@@ -156,6 +161,11 @@ export class Stage {
 			const sizes = bodies.map((i) => this.placed.sphere(i).radius);
 			return {bodies, point: finding.point, radius: Math.max(30, Math.min(400, 2.5 * Math.min(...sizes, 400)))};
 		}
+		const carried = finding ? this.placed.all().filter((body) => this.carriedBy(finding, body)) : [];
+		if (carried.length) {
+			const {centre, radius} = this.placed.around(carried);
+			return {bodies: carried, point: centre, radius: radius * 1.6};
+		}
 		const role = (/** @type {string[]} */ roles) => this.placed.all().filter((i) => roles.includes(this.placed.bodies[i].role));
 		const tool = role(['cutter', 'shank', 'holder']), work = role(['part', 'fixture']);
 		const bodies = [...tool, ...work];
@@ -258,13 +268,19 @@ export class Stage {
 		return {min: centre[axis] - radius, max: centre[axis] + radius};
 	}
 
+	/** Does the axis that leaves its travel carry the body? @param {import('./model.js').Finding} finding @param {number} body */
+	carriedBy(finding, body) {
+		const axis = this.model.axes.findIndex(({letter}) => letter === finding.axis);
+		return finding.kind === 'limit' && this.placed.bodies[body].link === axis + 1;
+	}
+
 	/** @param {number} body @param {import('./model.js').Finding|null} finding @returns {import('./scene.js').Item} */
 	item(body, finding) {
 		const {role, link} = this.placed.bodies[body];
-		const side = finding?.bodies ? ['a', 'b'][finding.bodies.indexOf(body)] : null;
+		const side = finding?.bodies ? ['a', 'b'][finding.bodies.indexOf(body)] : finding && this.carriedBy(finding, body) ? 'a' : null;
 		const known = ['part', 'fixture', 'holder', 'shank', 'cutter'].includes(role);
 		const colour = sceneColour(body === this.selected ? 'selected' : side ? `contact-${side}` : known ? role : link ? 'moving' : 'base');
-		const faint = finding?.bodies && !side && body !== this.selected;
+		const faint = finding && !side && body !== this.selected;
 		return {body, matrix: this.placed.matrix(body), colour: faint ? mix(colour, sceneColour('faint'), 0.5) : colour, ghost: this.ghosts.has(body)};
 	}
 
@@ -278,6 +294,7 @@ export class Stage {
 		this.ghosts.delete(this.selected);
 		const items = this.placed.all().map((body) => this.item(body, finding));
 		const extras = this.proof ? planeExtra(this.model, this.state.time, this.placed, sceneColour('plane')) : [];
+		if (this.trace) extras.push(...this.traceLines());
 		// The triangles stand where they are at the finding alone.
 		if (this.state.finding >= 0 && finding?.triangles) {
 			extras.push({kind: 'triangles', positions: Float32Array.from(finding.triangles.flat(2)), colour: sceneColour('mark')});
@@ -285,6 +302,17 @@ export class Stage {
 		this.scene.draw(this.camera, items, extras,
 			{edge: sceneColour('edge'), cut: this.cut(), size: this.size + norm(sub(this.camera.target, focus.point))});
 		this.annotate(finding, width, height);
+	}
+
+	/** @returns {import('./scene.js').Extra[]} */
+	traceLines() {
+		const trace = this.traced === undefined ? this.traced = toolTrace(this.model) : this.traced;
+		if (!trace) return [];
+		const matrix = this.placed.links[trace.link];
+		return [
+			{kind: 'lines', positions: trace.rapid, matrix, colour: sceneColour('rapid')},
+			{kind: 'lines', positions: trace.feed, matrix, colour: sceneColour('feed')},
+		];
 	}
 
 	/** @param {import('./model.js').Finding|null} finding @param {number} width @param {number} height */
