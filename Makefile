@@ -46,6 +46,16 @@ $(BUILD)/%.o: %.c $(FLAGS)
 	@echo '  CC $@'
 	$(Q)$(CC) $(PP_FLAGS) $(C_FLAGS) -MMD -MP -c -o $@ $<
 
+# The viewer of reports, which report/html/viewer.c embeds.
+$(BUILD)/gen/report/html/viewer_files.h: $(wildcard src/web/*.js src/web/*.css src/web/boot/*.js) scripts/bundle-web scripts/embed
+	@mkdir -p $(@D)
+	@echo '  GEN $@'
+	$(Q)sh scripts/bundle-web $(BUILD)/gen/web
+	$(Q)sh scripts/embed viewer_js=$(BUILD)/gen/web/viewer.js viewer_css=$(BUILD)/gen/web/viewer.css \
+		viewer_boot=src/web/boot/boot.js > $@.new && mv $@.new $@
+
+$(BUILD)/src/report/html/viewer.o: $(BUILD)/gen/report/html/viewer_files.h
+
 # The library that is installed: one object, whose only global symbols are those of src/fivecheck.h. Neither the command
 # line nor the reports are in it.
 FACE_OBJECTS := $(filter-out $(BUILD)/src/cli/% $(BUILD)/src/report/%,$(OBJECTS))

@@ -21,7 +21,7 @@ HARDEN_LDFLAGS := $(if $(HARDEN),-pie -Wl$(comma)-z$(comma)relro$(comma)-z$(comm
 C_FLAGS := $(CFLAGS) -std=c17 -ffp-contract=off -ffile-prefix-map="$(CURDIR)"=. $(WARNINGS) $(HARDEN_CFLAGS) $(SANITIZE_FLAGS)
 PP_FLAGS := $(CPPFLAGS) -D_POSIX_C_SOURCE=200809L -DFIVECHECK_VERSION='"$(VERSION)"' -Isrc -I$(BUILD)/gen $(XML_FLAGS)
 LD_FLAGS := $(LDFLAGS) $(HARDEN_LDFLAGS) $(SANITIZE_FLAGS) -pthread
-LDLIBS := -lxml2 -ljansson -lnettle -lm
+LDLIBS := -lxml2 -ljansson -lnettle -lz -lm
 
 # make V=1 shows the commands.
 Q := $(if $(V),,@)

@@ -144,6 +144,8 @@ static bool on_event(void *context, const struct motion_event *event)
 	struct checker *c = context;
 
 	c->summary = event->summary;
+	if (c->options->watch)
+		c->options->watch->event(c->options->watch->context, event);
 	switch (event->kind) {
 	case MOTION_STEP:
 		on_step(c, &event->of.step);

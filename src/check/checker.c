@@ -196,7 +196,8 @@ static bool measure_blocks(struct checker *c)
 			const struct pair_clearance least = {check->pair, clearance,
 							clearance >= c->options->block_clearance_cap};
 
-			block_log_add_clearance(&c->log, check->clearances[k].block, &least);
+			if (!least.capped || !c->options->clearances_below_cap)
+				block_log_add_clearance(&c->log, check->clearances[k].block, &least);
 		}
 	}
 	c->measuring += checker_clock() - start;

@@ -6,6 +6,7 @@
 
 #include "gcode/read_options.h"
 
+struct motion_sink;
 struct setup_change;
 struct path_record;
 
@@ -33,9 +34,11 @@ struct check_options {
 	int threads;	/* >= 1 */
 	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
 	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
+	bool clearances_below_cap;	/* of the measured clearances hand on only those below the cap */
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
 	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */
 	const struct setup_change *change;	/* check with the setup changed like this; or NULL */
+	const struct motion_sink *watch;	/* is told every event before it is checked; its answer is ignored; or NULL */
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.

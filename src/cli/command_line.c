@@ -167,6 +167,10 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-report lists proven clearances, but the sampled methods prove nothing";
 	else if (o->check.block_clearance_cap > 0 && !o->clearance_report)
 		fault = "--clearance-cap needs --clearance-report";
+	else if (o->report && !strcmp(o->report, "-"))
+		fault = "--report needs the name of a file: standard output gets the results";
+	else if (!o->report && (o->report_size > 0 || o->report_code == REPORT_CODE_NONE))
+		fault = "--report-size and --report-code need --report";
 	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
 		fault = "--sensitivity is about a proof, but the sampled methods prove nothing";
 	else if (options_want_sensitivity(o) && !o->formats[FORMAT_TEXT].wanted && !o->formats[FORMAT_NDJSON].wanted)
@@ -249,10 +253,10 @@ static bool apply_shard(const struct parser *parser)
 		    "may be accepted once");
 		return false;
 	}
-	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_sensitivity(o))) {
+	if (o->shards > 1 && (o->clearance_report || o->timing || o->report || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
 			   "--%s cannot be used with --shard of one program: it needs all blocks",
-			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : "sensitivity");
+			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : "sensitivity");
 		return false;
 	}
 	return true;
@@ -287,7 +291,10 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 		options->check.method = CHECK_NOTHING;
 	if (!(options->check.block_clearance_cap > 0))
 		options->check.block_clearance_cap = 10;
-	options->check.block_clearances = options->clearance_report;
+	if (!(options->report_size > 0))
+		options->report_size = 5;
+	options->check.clearances_below_cap = !options->clearance_report;
+	options->check.block_clearances = options->clearance_report || (options->report && options->check.method == CHECK_CERTIFIED);
 	options->check.times = options->timing;
 	options->check.read.includes = options->includes.items;
 	options->check.read.include_count = options->includes.count;

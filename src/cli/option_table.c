@@ -22,7 +22,8 @@ enum {
 	KEY_LIST_PAIRS, KEY_CHECK_MACHINE, KEY_EXPLAIN, KEY_DIALECT, KEY_DUPLICATES, KEY_BLOCK_DELETE, KEY_INCLUDE, KEY_INPUT_ROOT,
 	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_STATS, KEY_COLOR,
-	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY
+	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY,
+	KEY_REPORT, KEY_REPORT_SIZE, KEY_REPORT_CODE
 };
 
 static const char *const methods[] = {
@@ -41,6 +42,7 @@ static const char *const fail_on_names[] = {
 	[FINDING_START_OVERLAP] = "start-overlap", [FINDING_RAPID_CONTACT] = "rapid-contact",
 	[FINDING_GOUGE] = "gouge", [FAIL_ON_WARNING] = "warning", [FAIL_ON_NONE] = "none", NULL,
 };
+static const char *const report_code[] = {[REPORT_CODE_FULL] = "full", [REPORT_CODE_NONE] = "none", NULL};
 static const char *const duplicates[] = {"error", "last", NULL};
 
 #define FIELD(member) .field = offsetof(struct options, member)
@@ -66,6 +68,12 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "go on after the first finding; report the first of\neach block and pair"},
 	{KEY_POSE, "pose", "FILE.stl", IN_CHECK, TEXT(pose),
 	 .help = "write all bodies as they stand at the first finding"},
+	{KEY_REPORT, "report", "FILE.html", IN_CHECK, TEXT(report),
+	 .help = "write a report that shows in a browser what was found;\nof several programs FILE.html is an index"},
+	{KEY_REPORT_SIZE, "report-size", "MB", IN_CHECK, NUMBER(report_size, 0.1, 1000, "MB"),
+	 .help = "how large a report may become (5)"},
+	{KEY_REPORT_CODE, "report-code", "full|none", IN_CHECK, CHOICE(report_code, report_code),
+	 .help = "leave the text of the program out of the report: none"},
 	{KEY_PARSE_ONLY, "parse-only", NULL, MODE(RUN_PARSE_ONLY),
 	 .help = "interpret the programs and check axis limits, but not\ncollisions"},
 	{KEY_DUMP_PATH, "dump-path", NULL, MODE(RUN_DUMP_PATH), .help = "print the path of the axes, one row per span"},

@@ -4,7 +4,7 @@
 
 #include "cli/option_row.h"
 
-enum { OPTION_COUNT = 38 };
+enum { OPTION_COUNT = 41 };
 
 /* The fields are offsets in struct options. */
 extern const struct option_row option_table[OPTION_COUNT];

@@ -13,7 +13,7 @@ bool options_want_sensitivity(const struct options *options)
 
 bool options_want_digests(const struct options *options)
 {
-	return options->record || options->formats[FORMAT_NDJSON].wanted;
+	return options->record || options->report || options->formats[FORMAT_NDJSON].wanted;
 }
 
 void options_release(struct options *options)

@@ -24,6 +24,9 @@ enum run_mode {
 	RUN_VERSION
 };
 
+/* Whether a report contains the text of the program. */
+enum report_code { REPORT_CODE_FULL, REPORT_CODE_NONE };
+
 /* The texts are borrowed from argv; the array is owned. */
 struct text_list {
 	const char **items;
@@ -54,6 +57,9 @@ struct options {
 	const char *output;	/* NULL: standard output */
 	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
+	const char *report;	/* or NULL */
+	double report_size;	/* MB */
+	int report_code;	/* enum report_code */
 	const char *depfile;	/* or NULL */
 	const char *record;	/* or NULL; also the path of formats[FORMAT_RECORD] */
 	const char *clearance_report, *timing;	/* or NULL */

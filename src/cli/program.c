@@ -56,6 +56,7 @@ struct program {
 	size_t sensitivity_count;
 	FILE *stream;
 	off_t size;	/* of the file; 0: not known */
+	struct recorder *recorder;	/* for a report; or NULL */
 	struct strbuf text[FORMAT_COUNT];	/* what each sink will be given next */
 	int *matched;	/* see waiver_match_find */
 	struct strbuf waived_text;	/* waived findings and the reasons, one per line */
@@ -74,6 +75,8 @@ static bool tell_finding(struct program *program, const struct finding *finding,
 	const struct program_context *context = program->context;
 	bool good = true;
 
+	if (program->recorder)
+		recorder_finding(program->recorder, finding, (struct finding_style){.status = status, .waiver = waiver});
 	for (size_t i = 0; i < context->sinks->count; i++) {
 		const struct sink *sink = &context->sinks->items[i];
 
@@ -184,7 +187,10 @@ static void on_block(void *context, const struct check_block *block)
 {
 	const struct program *program = context;
 
-	block_tables_add(program->context->tables, program->context->scene, program->name, block);
+	if (program->context->tables)
+		block_tables_add(program->context->tables, program->context->scene, program->name, block);
+	if (program->recorder)
+		recorder_block(program->recorder, block);
 }
 
 static bool has_text(const struct sinks *sinks)
@@ -213,6 +219,17 @@ static void tell_verdict(struct program *program, const struct verdict *verdict)
 	strbuf_release(&text);
 }
 
+/* --report. The verdict stands, but what was asked for is missing. */
+static void write_report(struct program *program, const struct report_program *about)
+{
+	const struct program_context *context = program->context;
+	const size_t index = (size_t)(program->output - program->output->order->programs);
+
+	if (!program_reports_write(context->reports, index, program->recorder, &context->run, about, &program->output->diag) &&
+	    program->outcome->status < RUN_INCOMPLETE)
+		program->outcome->status = RUN_INCOMPLETE;
+}
+
 /* verdict NULL: the program could not be opened */
 static void report(struct program *program, const struct verdict *verdict, const double *proven)
 {
@@ -235,6 +252,8 @@ static void report(struct program *program, const struct verdict *verdict, const
 
 	if (verdict && !has_text(context->sinks))
 		tell_verdict(program, verdict);
+	if (program->recorder)
+		write_report(program, &about);
 	for (size_t i = 0; i < context->sinks->count; i++) {
 		context->sinks->items[i].writer->program(&program->text[i], &context->run, &about);
 		program_output_write(program->output, i, &program->text[i]);
@@ -300,7 +319,9 @@ static bool find_start(const struct program *program, const struct program_file 
 static void run(struct program *program, struct program_file *file, const char *path, off_t start)
 {
 	const struct program_context *context = program->context;
-	const struct fivecheck_events events = {program, on_finding, on_progress, context->tables ? on_block : NULL};
+	const struct fivecheck_events events = {program, on_finding, on_progress,
+						context->tables || program->recorder ? on_block : NULL};
+	struct check_options check = context->check;
 	struct program_outcome *outcome = program->outcome;
 	struct diag *diag = &program->output->diag;
 	double *proven = NULL;
@@ -308,7 +329,8 @@ static void run(struct program *program, struct program_file *file, const char *
 
 	if (context->options->verbose)
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
-	outcome->result = (enum check_result)fivecheck_check(context->model, &context->check, file->stream, file->name,
+	check.watch = program->recorder ? &program->recorder->watch : NULL;
+	outcome->result = (enum check_result)fivecheck_check(context->model, &check, file->stream, file->name,
 							     &events, diag, &outcome->stats, proven);
 	measure_sensitivity(program, file->stream, start);
 	if (!program_close(file, diag))
@@ -353,6 +375,7 @@ void program_check(const struct program_context *context, const char *path, stru
 		   struct program_outcome *outcome)
 {
 	struct program program = {.context = context, .output = output, .outcome = outcome, .first_kind = -1};
+	struct recorder recorder;
 	struct program_file file;
 	bool opened;
 	off_t start;
@@ -366,6 +389,10 @@ void program_check(const struct program_context *context, const char *path, stru
 	if (opened && find_start(&program, &file, &start)) {
 		program.name = file.name;
 		program.stream = file.stream;
+		if (context->reports) {
+			recorder_init(&recorder, context->scene, file.name, context->check.block_clearance_cap);
+			program.recorder = &recorder;
+		}
 		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
 			program.size = status.st_size;
 		run(&program, &file, path, start);
@@ -374,6 +401,8 @@ void program_check(const struct program_context *context, const char *path, stru
 		if (opened)
 			program_close(&file, &output->diag);
 	}
+	if (program.recorder)
+		recorder_release(program.recorder);
 	sensitivity_release(program.sensitivity, program.sensitivity_count);
 	free(program.matched);
 	strbuf_release(&program.waived_text);

@@ -9,6 +9,7 @@
 #include "check/model.h"
 #include "cli/options.h"
 #include "cli/ordered_output.h"
+#include "cli/program_reports.h"
 #include "cli/run_status.h"
 #include "report/sink.h"
 #include "report/tables/block_tables.h"
@@ -32,6 +33,7 @@ struct program_context {
 	struct scene *scene;	/* the model's */
 	struct report_run run;
 	const struct sinks *sinks;
+	struct program_reports *reports;	/* or NULL */
 	struct block_tables *tables;	/* or NULL; with tables, only one program may be checked at a time */
 };
 

@@ -146,12 +146,18 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	static const struct cancel cancel = {NULL, is_pressed};
 	enum run_status status;
 	int threads = options->check.threads;
+	struct program_reports reports = {0};
 
 	if ((size_t)threads > options->program_count)
 		threads = options->program_count ? (int)options->program_count : 1;
 	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
 	if (tables)
 		threads = 1;
+	if (program_reports_wanted(options)) {
+		if (!program_reports_init(&reports, options, scene, inputs->items, inputs->count, &ui->diag))
+			return RUN_INCOMPLETE;
+		session.context.reports = &reports;
+	}
 	session.context.check.read.opened = &inputs->opened;
 	session.context.check.read.cancel = &cancel;
 	/* The check must go on after an accepted finding. */
@@ -172,9 +178,12 @@ enum run_status programs_check(const struct options *options, struct model *mode
 		input_files_digest(inputs);
 		input_files_verify(inputs, options->record, &ui->diag);
 	}
+	if (session.context.reports && sinks->count)
+		program_reports_finish(&reports, &ui->diag);
 	status = status_of(&session);
 	tell_end(&session, seconds, inputs, status);
 	ordered_output_release(&session.order);
 	free(session.outcomes);
+	program_reports_release(&reports);
 	return status;
 }

@@ -167,24 +167,29 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	return search.depth ? 0 : larger(search.proven - rounding, 0);
 }
 
-void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact)
+void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q,
+			     struct nearest_triangles *nearest)
 {
 	struct body_pair bodies = *pair;
 	struct coherence coherence = {0};
-	vec3 on_a, on_b;
-	double distance;
 	xform pose;
-	tri a, b;
 
 	bodies.coherence = &coherence;
-	sweep_distance(sweep, &bodies, &contact->q, 1, 0, 0);
-	pose = body_pair_pose(pair, &contact->q);
-	a = tri_of(&pair->a->mesh, coherence.near_a);
-	b = tri_of(&pair->b->mesh, coherence.near_b);
-	b = tri_transform(&b, &pose);
-	distance = tri_distance(&a, &b, &on_a, &on_b);
-	if (distance < contact->distance) {
-		contact->distance = distance;
-		contact->point = vec3_lerp(on_a, on_b, 0.5);
+	sweep_distance(sweep, &bodies, q, 1, 0, 0);
+	pose = body_pair_pose(pair, q);
+	nearest->a = tri_of(&pair->a->mesh, coherence.near_a);
+	nearest->b = tri_of(&pair->b->mesh, coherence.near_b);
+	nearest->b = tri_transform(&nearest->b, &pose);
+	nearest->distance = tri_distance(&nearest->a, &nearest->b, &nearest->on_a, &nearest->on_b);
+}
+
+void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct contact *contact)
+{
+	struct nearest_triangles nearest;
+
+	sweep_nearest_triangles(sweep, pair, &contact->q, &nearest);
+	if (nearest.distance < contact->distance) {
+		contact->distance = nearest.distance;
+		contact->point = vec3_lerp(nearest.on_a, nearest.on_b, 0.5);
 	}
 }

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "base/callbacks.h"
+#include "geom/tri.h"
 #include "scene/bvh_pair.h"
 #include "scene/motion_interval.h"
 #include "scene/tri_pair.h"
@@ -74,6 +75,17 @@ enum sweep_answer sweep_box(struct sweep *sweep, const struct body_pair *pair, c
  */
 double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 		      double enough, long max_visits);
+
+/* Two triangles in a's mesh coordinates, with two points that are as near as any. */
+struct nearest_triangles {
+	tri a, b;
+	vec3 on_a, on_b;
+	double distance;	/* mm */
+};
+
+/* The triangles of a pair that are nearest to each other at the axis positions q. */
+void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q,
+			     struct nearest_triangles *nearest);
 
 /*
  * Sets the contact's distance and point to those of the nearest triangles at its q. A sweep stops at the first

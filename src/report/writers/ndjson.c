@@ -96,8 +96,7 @@ void ndjson_put_limit(json_t *object, const struct finding *f)
 	json_put(object, "tool_length", f->work_offset && f->length_acts ? json_real(f->length) : json_null());
 }
 
-void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *f,
-		    struct finding_style style)
+json_t *ndjson_finding_object(const struct machine *machine, const struct finding *f, struct finding_style style)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
 	json_t *object = json_object();
@@ -127,7 +126,13 @@ void ndjson_finding(struct strbuf *out, const struct machine *machine, const str
 		json_put(object, "reason", json_text(style.waiver->reason));
 		json_put(object, "expires", json_string(style.waiver->expires));
 	}
-	json_add_line(out, object);
+	return object;
+}
+
+void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
+		    struct finding_style style)
+{
+	json_add_line(out, ndjson_finding_object(machine, finding, style));
 }
 
 static void add_finding(struct strbuf *out, const struct report_run *run, const struct finding *finding,
@@ -150,7 +155,7 @@ json_t *ndjson_cautions(const struct verdict *verdict)
 	return array;
 }
 
-static json_t *errors_of(const struct report_program *program)
+json_t *ndjson_errors(const struct report_program *program)
 {
 	json_t *array = json_array();
 
@@ -180,7 +185,7 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	json_put(object, "checked", json_integer(stats ? stats->blocks_checked : 0));
 	json_put(object, "findings", json_integer(stats ? stats->findings : 0));
 	json_put(object, "cautions", ndjson_cautions(program->verdict));
-	json_put(object, "errors", errors_of(program));
+	json_put(object, "errors", ndjson_errors(program));
 	if (program->sensitivity_count)
 		json_put(object, "sensitivity",
 			 sensitivity_report_json(program->sensitivity, program->sensitivity_count));

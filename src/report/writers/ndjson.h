@@ -24,15 +24,21 @@ void ndjson_put_limit(json_t *object, const struct finding *finding);
 /* The cautions of a verdict (NULL: none) as an array of strings, which the caller releases. */
 json_t *ndjson_cautions(const struct verdict *verdict);
 
+/* Why the check of a program is incomplete, as an array of objects, which the caller releases. */
+json_t *ndjson_errors(const struct report_program *program);
+
 enum { NDJSON_FORMAT = 2 };
 
 /*
- * Appends the finding as one line of JSON. Keys, in this order: kind file line column move fraction a b axes time point
- * clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the
+ * The finding as a JSON object, which the caller releases. Keys, in this order: kind file line column move fraction a b
+ * axes time point clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the
  * order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of ndjson_put_limit. A
  * finding that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason` and `expires`.
  * Bytes that are not UTF-8 become U+FFFD.
  */
+json_t *ndjson_finding_object(const struct machine *machine, const struct finding *finding, struct finding_style style);
+
+/* The same as a line. */
 void ndjson_finding(struct strbuf *out, const struct machine *machine, const struct finding *finding,
 		    struct finding_style style);
 

@@ -1,0 +1,218 @@
+#include "cli/program_reports.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "report/html/html_report.h"
+#include "report/html/report_data.h"
+#include "report/output.h"
+#include "report/verdict.h"
+
+/* Meshes get this share of a report's size. */
+#define MESH_SHARE 0.75
+
+bool program_reports_wanted(const struct options *options)
+{
+	return options->report != NULL;
+}
+
+/* ------------------------------------------------------------------- names */
+
+static bool may_stand_in_name(char c)
+{
+	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+/* "parts/a b.nc" becomes "a_b". */
+static void add_stem(struct strbuf *out, const char *program)
+{
+	const char *slash = strrchr(program, '/'), *base = slash ? slash + 1 : program, *dot = strrchr(base, '.');
+	const size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+
+	for (size_t i = 0; i < length; i++)
+		strbuf_addf(out, "%c", may_stand_in_name(base[i]) ? base[i] : '_');
+}
+
+static bool is_taken(const struct program_reports *reports, size_t before, const char *name)
+{
+	for (size_t i = 0; i < before; i++) {
+		if (!strcmp(reports->programs[i].name, name))
+			return true;
+	}
+	return false;
+}
+
+/* Gives the program a name that no earlier one has. */
+static void choose_name(struct program_reports *reports, size_t index)
+{
+	struct strbuf name = {0};
+	int turn = 0;
+
+	do {
+		strbuf_clear(&name);
+		add_stem(&name, reports->options->programs[index]);
+		if (turn++)
+			strbuf_addf(&name, "-%d", turn);
+	} while (is_taken(reports, index, strbuf_text(&name)));
+	reports->programs[index].name = mem_strndup(strbuf_text(&name), name.length);
+	strbuf_release(&name);
+}
+
+/* The file of a program: of several programs "out.html" becomes "out-NAME.html". */
+static void add_path(struct strbuf *out, const char *path, const char *name)
+{
+	const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+
+	if (!*name) {
+		strbuf_addf(out, "%s", path);
+		return;
+	}
+	strbuf_add(out, path, dot ? (size_t)(dot - path) : strlen(path));
+	strbuf_addf(out, "-%s%s", name, dot ? dot : "");
+}
+
+/* --------------------------------------------------------------------- run */
+
+/* Can the file be written? It stays as it is. False: reported. */
+static bool try_output(const char *path, struct diag *diag)
+{
+	struct output out;
+
+	if (!path)
+		return true;
+	if (!output_open(&out, path, diag))
+		return false;
+	output_discard(&out);
+	return true;
+}
+
+bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
+			  const struct report_file *files, size_t file_count, struct diag *diag)
+{
+	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
+	if (!try_output(options->report, diag) ||
+	    !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
+		return false;
+	if (reports->pack.left_out)
+		diag_note(diag, (struct srcloc){0},
+			  "the meshes of %zu bodies are left out of the report, which may have %g MB (--report-size)",
+			  reports->pack.left_out, options->report_size);
+	reports->files = mem_alloc((file_count + 1) * sizeof(*files));
+	memcpy(reports->files, files, file_count * sizeof(*files));
+	reports->programs = mem_zalloc(options->program_count + 1, sizeof(*reports->programs));
+	for (size_t i = 0; i < options->program_count; i++) {
+		if (options->program_count > 1)
+			choose_name(reports, i);
+		else
+			reports->programs[i].name = mem_strndup("", 0);
+	}
+	return true;
+}
+
+void program_reports_release(struct program_reports *reports)
+{
+	for (size_t i = 0; reports->programs && i < reports->options->program_count; i++) {
+		free(reports->programs[i].name);
+		free(reports->programs[i].sentence);
+	}
+	free(reports->programs);
+	free(reports->files);
+	scene_pack_release(&reports->pack);
+	*reports = (struct program_reports){0};
+}
+
+/* The files that this program was checked with: without other programs, and with its subprograms. */
+static struct report_file *files_of(const struct program_reports *reports, const struct recorder *recorder,
+				    const char *program, size_t *count)
+{
+	struct report_file *files = mem_alloc((reports->file_count + recorder->file_count + 1) * sizeof(*files));
+
+	*count = 0;
+	for (size_t i = 0; i < reports->file_count; i++) {
+		const struct report_file *file = &reports->files[i];
+
+		if (strcmp(file->kind, "program") != 0 || !strcmp(file->path, program))
+			files[(*count)++] = *file;
+	}
+	for (size_t i = 1; i < recorder->file_count; i++) {
+		struct report_file *file = &files[(*count)++];
+
+		*file = (struct report_file){.kind = "subprogram", .path = recorder->files[i].name};
+		if (!digest_file(file->digest, file->path))
+			file->digest[0] = '\0';
+	}
+	return files;
+}
+
+static void keep_for_index(struct reported_program *it, const struct report_program *program, bool written)
+{
+	struct strbuf text = {0};
+
+	if (program->verdict)
+		verdict_add_sentence(&text, program->verdict);
+	it->word = verdict_word(program->verdict);
+	it->sentence = mem_strndup(strbuf_text(&text), text.length);
+	it->written = written;
+	strbuf_release(&text);
+}
+
+bool program_reports_write(struct program_reports *reports, size_t index, struct recorder *recorder,
+			   const struct report_run *run, const struct report_program *program, struct diag *diag)
+{
+	const struct options *options = reports->options;
+	struct reported_program *it = &reports->programs[index];
+	struct html_contents report = {
+		.scene = &reports->pack,
+		.run = run,
+		.program = program,
+		.recorder = recorder,
+		.budget = (size_t)(1e6 * options->report_size),
+		.no_code = options->report_code == REPORT_CODE_NONE,
+	};
+	struct report_file *files = files_of(reports, recorder, program->name, &report.file_count);
+	struct strbuf path = {0};
+	bool good;
+	int error;
+
+	/* html_report_write names the fault of a temporary file. */
+	recorder_close(recorder, &error);
+	report.files = files;
+	add_path(&path, options->report, it->name);
+	good = html_report_write(&report, strbuf_text(&path), diag);
+	keep_for_index(it, program, good);
+	strbuf_release(&path);
+	free(files);
+	return good;
+}
+
+bool program_reports_finish(struct program_reports *reports, struct diag *diag)
+{
+	const struct options *options = reports->options;
+	struct html_index_row *rows;
+	struct strbuf *links;
+	bool good;
+
+	if (options->program_count < 2)
+		return true;
+	rows = mem_zalloc(options->program_count, sizeof(*rows));
+	links = mem_zalloc(options->program_count, sizeof(*links));
+	for (size_t i = 0; i < options->program_count; i++) {
+		const struct reported_program *it = &reports->programs[i];
+		const char *slash = strrchr(options->report, '/');
+
+		add_path(&links[i], slash ? slash + 1 : options->report, it->name);
+		rows[i] = (struct html_index_row){
+			.program = options->programs[i],
+			.link = it->written ? strbuf_text(&links[i]) : NULL,
+			.word = it->word ? it->word : "incomplete",
+			.sentence = it->sentence ? it->sentence : "it was not checked",
+		};
+	}
+	good = html_index_write(options->report, rows, options->program_count, diag);
+	for (size_t i = 0; i < options->program_count; i++)
+		strbuf_release(&links[i]);
+	free(links);
+	free(rows);
+	return good;
+}

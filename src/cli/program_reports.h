@@ -1,0 +1,48 @@
+/*
+ * program_reports.h - the reports with pictures of a run (--report, --glb, --picture): one file for each program, and an
+ * index page where there are several.
+ */
+#ifndef FIVECHECK_CLI_PROGRAM_REPORTS_H
+#define FIVECHECK_CLI_PROGRAM_REPORTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "cli/options.h"
+#include "report/html/recorder.h"
+#include "report/html/scene_pack.h"
+#include "report/report.h"
+
+/* What the index says of a program. Owned; NULL: not known yet. */
+struct reported_program {
+	char *name;	/* of its files: a part of the program's name that may stand in a file name; "" for a single program */
+	char *sentence;
+	const char *word;
+	bool written;	/* it has a report */
+};
+
+struct program_reports {
+	const struct options *options;
+	struct scene *scene;
+	struct scene_pack pack;
+	struct report_file *files;	/* that are known before the check; their texts are borrowed */
+	size_t file_count;
+	struct reported_program *programs;
+};
+
+bool program_reports_wanted(const struct options *options);
+
+/* Packs the meshes and looks whether the files can be written. False: reported. */
+bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
+			  const struct report_file *files, size_t file_count, struct diag *diag);
+void program_reports_release(struct program_reports *reports);
+
+/* Writes the files of the program with this index. Different threads may write those of different programs. False: reported. */
+bool program_reports_write(struct program_reports *reports, size_t index, struct recorder *recorder,
+			   const struct report_run *run, const struct report_program *program, struct diag *diag);
+
+/* Writes the index page if there are several programs. False: reported. */
+bool program_reports_finish(struct program_reports *reports, struct diag *diag);
+
+#endif

@@ -1,0 +1,15 @@
+/* html_text.h - text from anywhere as text of an HTML page. */
+#ifndef FIVECHECK_REPORT_HTML_HTML_TEXT_H
+#define FIVECHECK_REPORT_HTML_HTML_TEXT_H
+
+#include <jansson.h>
+
+#include "base/strbuf.h"
+
+/* Appends the text, valid as element content, as a quoted attribute, and in SVG. Control characters become spaces. NULL adds nothing. */
+void html_text_add(struct strbuf *out, const char *text);
+
+/* Appends the value as JSON that may stand inside <script>: there is no < in it. */
+void html_text_add_json(struct strbuf *out, const json_t *value);
+
+#endif

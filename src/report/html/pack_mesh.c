@@ -1,0 +1,226 @@
+#include "report/html/pack_mesh.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "report/html/mesh_order.h"
+
+enum { GRID_MAX = 65535 };
+
+/* Points of the grid and the triangles between them. */
+struct grid {
+	uint16_t (*points)[3];
+	size_t point_count;
+	uint32_t *corners;
+	size_t triangle_count;
+	uint32_t *slots;	/* hash table: a point's number and 1; 0 is free */
+	size_t slot_count;	/* a power of two */
+};
+
+static void choose_grid(struct packed_mesh *packed, const struct mesh *mesh, const xform *place)
+{
+	vec3 least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
+	double extent;
+
+	for (size_t i = 0; i < 3 * mesh->count; i++) {
+		vec3 p = xform_apply(place, mesh_corner(&mesh->triangles[i / 3], (int)(i % 3)));
+
+		least = (vec3){fmin(least.x, p.x), fmin(least.y, p.y), fmin(least.z, p.z)};
+		greatest = (vec3){fmax(greatest.x, p.x), fmax(greatest.y, p.y), fmax(greatest.z, p.z)};
+	}
+	extent = fmax(greatest.x - least.x, fmax(greatest.y - least.y, greatest.z - least.z));
+	packed->origin = least;
+	packed->step = fmax(PACK_MESH_STEP, extent / (GRID_MAX - 1));
+}
+
+static uint16_t quantise(double value, double origin, double step)
+{
+	return (uint16_t)lround(fmin(fmax((value - origin) / step, 0), GRID_MAX));
+}
+
+/* The number of the grid point, which is new or was seen before. */
+static uint32_t number_of(struct grid *grid, const uint16_t point[3])
+{
+	const uint64_t key = (uint64_t)point[0] << 32 | (uint64_t)point[1] << 16 | point[2];
+	/* Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4). */
+	size_t slot = (size_t)(key * UINT64_C(0x9e3779b97f4a7c15) >> 20) & (grid->slot_count - 1);
+
+	for (; grid->slots[slot]; slot = (slot + 1) & (grid->slot_count - 1)) {
+		const uint16_t *p = grid->points[grid->slots[slot] - 1];
+
+		if (p[0] == point[0] && p[1] == point[1] && p[2] == point[2])
+			return grid->slots[slot] - 1;
+	}
+	for (int k = 0; k < 3; k++)
+		grid->points[grid->point_count][k] = point[k];
+	grid->slots[slot] = (uint32_t)++grid->point_count;
+	return (uint32_t)grid->point_count - 1;
+}
+
+static void grid_init(struct grid *grid, const struct mesh *mesh, const xform *place, const struct packed_mesh *packed)
+{
+	*grid = (struct grid){
+		.points = mem_alloc(3 * mesh->count * sizeof(*grid->points)),
+		.corners = mem_alloc(3 * mesh->count * sizeof(*grid->corners)),
+		.slot_count = 8,
+	};
+	while (grid->slot_count < 6 * mesh->count)
+		grid->slot_count *= 2;
+	grid->slots = mem_zalloc(grid->slot_count, sizeof(*grid->slots));
+	for (size_t i = 0; i < mesh->count; i++) {
+		uint32_t *v = &grid->corners[3 * grid->triangle_count];
+
+		for (int k = 0; k < 3; k++) {
+			vec3 p = xform_apply(place, mesh_corner(&mesh->triangles[i], k));
+			const uint16_t point[3] = {quantise(p.x, packed->origin.x, packed->step),
+						   quantise(p.y, packed->origin.y, packed->step),
+						   quantise(p.z, packed->origin.z, packed->step)};
+
+			v[k] = number_of(grid, point);
+		}
+		grid->triangle_count += v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
+	}
+}
+
+/* A triangle whose least corner is the first, and the places of its corners on the grid. */
+struct placed_triangle {
+	uint64_t keys[3];
+	uint32_t corners[3];
+};
+
+static int compare(const void *a, const void *b)
+{
+	const struct placed_triangle *x = a, *y = b;
+
+	for (int k = 0; k < 3; k++) {
+		if (x->keys[k] != y->keys[k])
+			return x->keys[k] < y->keys[k] ? -1 : 1;
+	}
+	return 0;
+}
+
+static uint64_t key_of(const uint16_t point[3])
+{
+	return (uint64_t)point[2] << 32 | (uint64_t)point[1] << 16 | point[0];
+}
+
+/*
+ * Sorts the triangles by the places of their corners. Then equal parts of a body, as its screws are, begin with the same triangle,
+ * are walked in the same order, and have the same codes, which deflate finds.
+ */
+static void sort_triangles(struct grid *grid)
+{
+	struct placed_triangle *sorted = mem_alloc((grid->triangle_count + 1) * sizeof(*sorted));
+
+	for (size_t i = 0; i < grid->triangle_count; i++) {
+		const uint32_t *v = &grid->corners[3 * i];
+		int least = 0;
+
+		for (int k = 1; k < 3; k++) {
+			if (key_of(grid->points[v[k]]) < key_of(grid->points[v[least]]))
+				least = k;
+		}
+		for (int k = 0; k < 3; k++) {
+			sorted[i].corners[k] = v[(least + k) % 3];
+			sorted[i].keys[k] = key_of(grid->points[sorted[i].corners[k]]);
+		}
+	}
+	qsort(sorted, grid->triangle_count, sizeof(*sorted), compare);
+	for (size_t i = 0; i < grid->triangle_count; i++) {
+		for (size_t k = 0; k < 3; k++)
+			grid->corners[3 * i + k] = sorted[i].corners[k];
+	}
+	free(sorted);
+}
+
+static void grid_release(struct grid *grid)
+{
+	free(grid->points);
+	free(grid->corners);
+	free(grid->slots);
+}
+
+/*
+ * Turns the corners into codes that count back from the newest vertex. order[i] receives the old number of vertex i. The
+ * result: how many vertices are used.
+ */
+static size_t encode_corners(const struct grid *grid, uint32_t *order, uint32_t *most)
+{
+	uint32_t *numbers = mem_zalloc(grid->point_count + 1, sizeof(*numbers));	/* new number and 1; 0: not seen yet */
+	uint32_t seen = 0;
+
+	*most = 0;
+	for (size_t i = 0; i < 3 * grid->triangle_count; i++) {
+		uint32_t old = grid->corners[i], code = 0;
+
+		if (numbers[old]) {
+			code = seen - (numbers[old] - 1);
+		} else {
+			order[seen] = old;
+			numbers[old] = ++seen;
+		}
+		grid->corners[i] = code;
+		*most = code > *most ? code : *most;
+	}
+	free(numbers);
+	return seen;
+}
+
+static void add_vertices(struct strbuf *out, const struct grid *grid, const uint32_t *order, size_t count)
+{
+	char *planes = mem_alloc(2 * count + 1);
+
+	for (int k = 0; k < 3; k++) {
+		uint16_t last = 0;
+
+		for (size_t i = 0; i < count; i++) {
+			const uint16_t q = grid->points[order[i]][k];
+			const int16_t d = (int16_t)(uint16_t)(q - last);
+			const uint16_t code = (uint16_t)(d < 0 ? -2 * (d + 1) + 1 : 2 * d);
+
+			planes[i] = (char)(code & 255);
+			planes[count + i] = (char)(code >> 8);
+			last = q;
+		}
+		strbuf_add(out, planes, 2 * count);
+	}
+	free(planes);
+}
+
+static void add_corners(struct strbuf *out, const struct grid *grid, int bytes)
+{
+	const size_t count = 3 * grid->triangle_count;
+	char *plane = mem_alloc(count + 1);
+
+	for (int p = 0; p < bytes; p++) {
+		for (size_t i = 0; i < count; i++)
+			plane[i] = (char)(grid->corners[i] >> 8 * p & 255);
+		strbuf_add(out, plane, count);
+	}
+	free(plane);
+}
+
+void pack_mesh_add(struct strbuf *out, const struct mesh *mesh, const xform *place, struct packed_mesh *packed)
+{
+	struct packed_mesh result = {.index_bytes = 1};
+	struct grid grid;
+	uint32_t *order, most;
+
+	choose_grid(&result, mesh, place);
+	grid_init(&grid, mesh, place, &result);
+	sort_triangles(&grid);
+	mesh_order(grid.corners, grid.triangle_count, grid.point_count);
+	order = mem_alloc((grid.point_count + 1) * sizeof(*order));
+	result.triangles = grid.triangle_count;
+	result.vertices = encode_corners(&grid, order, &most);
+	while (most >> 8 * result.index_bytes && result.index_bytes < 4)
+		result.index_bytes++;
+	add_vertices(out, &grid, order, result.vertices);
+	add_corners(out, &grid, result.index_bytes);
+	free(order);
+	grid_release(&grid);
+	*packed = result;
+}

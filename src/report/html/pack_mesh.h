@@ -1,0 +1,28 @@
+/* pack_mesh.h - a mesh as the planes of report_data.h, "MESHES": quantised, its triangles in an order that packs well. */
+#ifndef FIVECHECK_REPORT_HTML_PACK_MESH_H
+#define FIVECHECK_REPORT_HTML_PACK_MESH_H
+
+#include <stddef.h>
+
+#include "base/strbuf.h"
+#include "geom/mesh.h"
+#include "geom/xform.h"
+
+/* mm: the least step of the grid; a finer one would not be seen. */
+#define PACK_MESH_STEP 0.02
+
+struct packed_mesh {
+	size_t vertices, triangles;	/* triangles without area on the grid are left out */
+	vec3 origin;	/* mm */
+	double step;	/* mm, the same in all directions */
+	int index_bytes;
+};
+
+/*
+ * Appends the mesh, moved by `place`, not deflated. No vertex is farther than PACK_MESH_ERROR steps from where `place` moves
+ * it. The mesh is not empty and has fewer than 2^30 triangles.
+ */
+#define PACK_MESH_ERROR 0.8661	/* half the diagonal of a cube, rounded up */
+void pack_mesh_add(struct strbuf *out, const struct mesh *mesh, const xform *place, struct packed_mesh *packed);
+
+#endif

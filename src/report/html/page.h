@@ -1,0 +1,29 @@
+/* page.h - an HTML page while it is written: counts its size and numbers its blobs. */
+#ifndef FIVECHECK_REPORT_HTML_PAGE_H
+#define FIVECHECK_REPORT_HTML_PAGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/strbuf.h"
+#include "report/output.h"
+
+struct page {
+	struct output out;
+	size_t written;	/* bytes */
+	int blobs;	/* that have a number */
+};
+
+/* Writes a text and empties it. */
+void page_text(struct page *page, struct strbuf *text);
+
+/* The bytes, deflated, in base64. */
+void page_pack(struct strbuf *out, const struct strbuf *bytes);
+
+/* Appends a blob (report_data.h) that page_pack has packed. */
+void page_add_blob(struct strbuf *out, int number, const struct strbuf *packed);
+
+/* Writes a packed blob and returns its number. */
+int page_blob(struct page *page, const struct strbuf *packed);
+
+#endif

@@ -1,0 +1,405 @@
+#include "report/html/recorder.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "check/step.h"
+#include "report/format/format_units.h"
+#include "report/html/report_data.h"
+#include "report/writers/ndjson.h"
+#include "report/writers/text.h"
+
+/* A block this near before a finding has its plane, however long the program is. */
+enum { BESIDE_FINDING = 24 };
+
+/* ------------------------------------------------------------------- path */
+
+static void keep_later(int64_t *row, const int64_t *next, size_t columns)
+{
+	memcpy(row, next, columns * sizeof(*row));
+}
+
+double recorder_axis_scale(const struct axis *axis)
+{
+	return axis->rotary ? RECORD_ANGLE : RECORD_LENGTH;
+}
+
+static int64_t whole(double value, double scale)
+{
+	return llround(value / scale);
+}
+
+/* The index of a file. The check keeps one pointer to the name of a file; the program itself is known by its name. */
+static size_t file_index(struct recorder *recorder, const char *name)
+{
+	for (size_t i = recorder->file_count; i-- > 0;) {
+		if (recorder->files[i].interned == name)
+			return i;
+	}
+	for (size_t i = 0; i < recorder->file_count; i++) {
+		if (strcmp(recorder->files[i].name, name) != 0)
+			continue;
+		recorder->files[i].interned = name;
+		return i;
+	}
+	recorder->files = mem_grow(recorder->files, &recorder->file_capacity, recorder->file_count + 1, sizeof(*recorder->files));
+	recorder->files[recorder->file_count++] = (struct recorded_file){name, mem_strndup(name, strlen(name))};
+	return recorder->file_count - 1;
+}
+
+static void add_row(struct recorder *recorder, const struct motion_step *step, double time, const axis_values *at, int class)
+{
+	const struct machine *machine = recorder->scene->machine;
+	int64_t row[RECORDED_COLUMNS_MAX] = {
+		[PATH_TIME] = whole(time, RECORD_TIME),
+		[PATH_BLOCK] = recorder->blocks + 1,
+		[PATH_LINE] = step->line,
+		[PATH_FILE] = (int64_t)file_index(recorder, step->file),
+		[PATH_TOOL] = step->tool,
+		[PATH_CLASS] = class,
+	};
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
+
+		row[PATH_AXES + i] = whole(format_units_value(axis->slot, at->v[axis->slot]), recorder_axis_scale(axis));
+	}
+	recorded_table_add(&recorder->path, row);
+}
+
+static int class_of(const struct motion_step *step)
+{
+	if (step_is_box(step))
+		return 4;
+	return step->step_class == STEP_RAPID ? 1 : step->step_class == STEP_FEED_STANDING ? 3 : 2;
+}
+
+static void on_step(struct recorder *recorder, const struct motion_step *step)
+{
+	if (!recorder->path.rows)
+		recorder->start = recorder->block_from = step->time;
+	if (!recorder->path.rows || whole(step->time, RECORD_TIME) > whole(recorder->now, RECORD_TIME))
+		add_row(recorder, step, step->time, &step->span.q0, 0);
+	recorder->now = step->time + step->seconds;
+	recorder->position = step->span.q1;
+	recorder->tool = step->tool;
+	add_row(recorder, step, recorder->now, &step->span.q1, class_of(step));
+}
+
+static void on_block(struct recorder *recorder, const struct motion_block *block)
+{
+	const long number = ++recorder->blocks;
+
+	recorder->ends[number % BLOCK_ENDS] = (struct block_end){
+		number, block->line, recorder->block_from, recorder->now, recorder->position, recorder->tool,
+	};
+	recorder->block_from = recorder->now;
+}
+
+static bool on_event(void *context, const struct motion_event *event)
+{
+	struct recorder *recorder = context;
+
+	if (event->kind == MOTION_STEP)
+		on_step(recorder, &event->of.step);
+	else if (event->kind == MOTION_BLOCK)
+		on_block(recorder, &event->of.block);
+	return true;
+}
+
+/* --------------------------------------------------------------- findings */
+
+int recorder_body(const struct scene *scene, int body)
+{
+	for (int i = 0; (size_t)body >= scene->body_count && (size_t)i < scene->body_count; i++) {
+		if (scene->bodies[i].body == scene->bodies[body].body)
+			return i;
+	}
+	return body;
+}
+
+static int body_of_name(const struct scene *scene, const char *name)
+{
+	for (size_t i = 0; name && i < scene->body_count; i++) {
+		if (!strcmp(scene->bodies[i].body->name, name))
+			return (int)i;
+	}
+	return -1;
+}
+
+/* The pair whose bodies have these names, as the finding has them. Of a cutter and the part it is any of their pairs. */
+static const struct scene_pair *pair_of(const struct scene *scene, int a, int b)
+{
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (recorder_body(scene, pair->a) == a && recorder_body(scene, pair->b) == b)
+			return pair;
+	}
+	return NULL;
+}
+
+/* The pose of a body's mesh. */
+static xform mesh_pose(const struct scene *scene, int body, const axis_values *q)
+{
+	const struct body *it = scene->bodies[body].body;
+	const xform link = machine_pose(scene->machine, it->link, q);
+
+	return xform_mul(&link, &it->placement);
+}
+
+/* False: there is nothing to be drawn. */
+static bool nearest_of(struct recorder *recorder, const struct scene_pair *pair, const axis_values *q,
+		       struct nearest_triangles *nearest)
+{
+	struct diag unheard = {0};	/* the check has read the meshes already */
+	struct body_pair bodies;
+
+	if (!scene_pair_bodies(recorder->scene, pair, &bodies, &unheard))
+		return false;
+	sweep_nearest_triangles(&recorder->sweep, &bodies, q, nearest);
+	return true;
+}
+
+static void add_triangles(struct recorder *recorder, struct recorded_finding *finding)
+{
+	const struct scene_pair *pair = pair_of(recorder->scene, finding->a, finding->b);
+	struct nearest_triangles nearest;
+	xform pose;
+
+	if (!pair || !nearest_of(recorder, pair, &finding->axes, &nearest))
+		return;
+	pose = mesh_pose(recorder->scene, pair->a, &finding->axes);
+	for (int k = 0; k < 3; k++) {
+		finding->triangles[0][k] = xform_apply(&pose, nearest.a.p[k]);
+		finding->triangles[1][k] = xform_apply(&pose, nearest.b.p[k]);
+	}
+}
+
+/* The number of the finding's block: the first one of its line that ends after it. 0: not known. */
+static long block_of(const struct recorder *recorder, const struct finding *finding)
+{
+	const long oldest = recorder->blocks >= BLOCK_ENDS ? recorder->blocks - BLOCK_ENDS + 1 : 1;
+	long found = 0;
+
+	for (long n = recorder->blocks; n >= oldest; n--) {
+		const struct block_end *end = &recorder->ends[n % BLOCK_ENDS];
+
+		if (end->to < finding->time)
+			break;
+		if (end->line == finding->line)
+			found = n;
+	}
+	return found;
+}
+
+static char *text_of(struct strbuf *text)
+{
+	char *copy = mem_strndup(strbuf_text(text), text->length);
+
+	strbuf_release(text);
+	return copy;
+}
+
+void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style)
+{
+	const struct scene *scene = recorder->scene;
+	struct strbuf headline = {0}, message = {0}, text = {0};
+	struct recorded_finding *it;
+
+	style.colour = false;
+	if (recorder->finding_count == FINDINGS_MAX) {
+		recorder->findings_left_out++;
+		return;
+	}
+	recorder->findings = mem_grow(recorder->findings, &recorder->finding_capacity, recorder->finding_count + 1,
+				      sizeof(*recorder->findings));
+	it = &recorder->findings[recorder->finding_count++];
+	text_headline(&headline, finding, style);
+	text_sentence(&message, finding);
+	format_units_add_plain(&text, finding->text);
+	*it = (struct recorded_finding){
+		.object = ndjson_finding_object(scene->machine, finding, style),
+		.headline = text_of(&headline),
+		.message = text_of(&message),
+		.file = mem_strndup(finding->file, strlen(finding->file)),
+		.text = text_of(&text),
+		.kind = finding->kind,
+		.status = style.status,
+		.line = finding->line,
+		.block = block_of(recorder, finding),
+		.time = finding->time,
+		.fraction = finding->fraction,
+		.axes = finding->axes,
+		.tool = finding->tool,
+		.a = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->a),
+		.b = finding->kind == FINDING_LIMIT ? -1 : body_of_name(scene, finding->b),
+		.point = finding->point,
+	};
+	if (it->a >= 0 && it->b >= 0)
+		add_triangles(recorder, it);
+}
+
+const struct recorded_finding *recorder_first(const struct recorder *recorder)
+{
+	for (size_t i = 0; i < recorder->finding_count; i++) {
+		if (recorder->findings[i].status == FINDING_FAILS)
+			return &recorder->findings[i];
+	}
+	return recorder->finding_count ? &recorder->findings[0] : NULL;
+}
+
+/* ------------------------------------------------------------- clearances */
+
+static void keep_least(int64_t *row, const int64_t *next, size_t columns)
+{
+	(void)columns;
+	row[CLEARANCE_TIME] = next[CLEARANCE_TIME];
+	if (next[CLEARANCE_MOST] > row[CLEARANCE_MOST])
+		row[CLEARANCE_MOST] = next[CLEARANCE_MOST];
+	if (next[CLEARANCE_LEAST] >= row[CLEARANCE_LEAST])
+		return;
+	row[CLEARANCE_LEAST] = next[CLEARANCE_LEAST];
+	row[CLEARANCE_PAIR] = next[CLEARANCE_PAIR];
+}
+
+static bool is_beside_finding(const struct recorder *recorder, long number)
+{
+	for (size_t i = recorder->finding_count; i-- > 0;) {
+		const long block = recorder->findings[i].block;
+
+		if (number <= block && number > block - BESIDE_FINDING)
+			return true;
+	}
+	return false;
+}
+
+/* Halves the planes that stand at regular distances. */
+static void thin_planes(struct recorder *recorder)
+{
+	size_t kept = 0, turn = 0;
+
+	for (size_t i = 0; i < recorder->plane_count; i++) {
+		if (!recorder->forced[i] && turn++ % 2)
+			continue;
+		memcpy(recorder->planes[kept], recorder->planes[i], sizeof(*recorder->planes));
+		recorder->forced[kept++] = recorder->forced[i];
+	}
+	recorder->plane_count = kept;
+	recorder->plane_stride *= 2;
+}
+
+static void add_plane(struct recorder *recorder, const struct block_end *end, size_t pair_index, bool forced)
+{
+	const struct scene *scene = recorder->scene;
+	const struct scene_pair *pair = &scene->pairs[pair_index];
+	struct nearest_triangles nearest;
+	vec3 middle, normal;
+	int64_t *row;
+
+	if (!nearest_of(recorder, pair, &end->axes, &nearest) || !(nearest.distance > RECORD_NORMAL))
+		return;
+	middle = xform_apply(&scene->bodies[pair->a].body->placement, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
+	normal = mat3_apply(&scene->bodies[pair->a].body->placement.rotation,
+			    vec3_scale(1 / nearest.distance, vec3_sub(nearest.on_b, nearest.on_a)));
+	if (recorder->plane_count - recorder->planes_forced >= PLANES_MAX)
+		thin_planes(recorder);
+	recorder->planes = mem_grow(recorder->planes, &recorder->plane_capacity, recorder->plane_count + 1, sizeof(*recorder->planes));
+	recorder->forced = mem_grow(recorder->forced, &recorder->forced_capacity, recorder->plane_count + 1, sizeof(*recorder->forced));
+	recorder->forced[recorder->plane_count] = forced;
+	row = recorder->planes[recorder->plane_count++];
+	recorder->planes_forced += forced;
+	row[PLANE_TIME] = whole(end->to, RECORD_TIME);
+	row[PLANE_PAIR] = (int64_t)pair_index;
+	row[PLANE_POINT] = whole(middle.x, RECORD_LENGTH);
+	row[PLANE_POINT + 1] = whole(middle.y, RECORD_LENGTH);
+	row[PLANE_POINT + 2] = whole(middle.z, RECORD_LENGTH);
+	row[PLANE_NORMAL] = whole(normal.x, RECORD_NORMAL);
+	row[PLANE_NORMAL + 1] = whole(normal.y, RECORD_NORMAL);
+	row[PLANE_NORMAL + 2] = whole(normal.z, RECORD_NORMAL);
+	row[PLANE_DISTANCE] = whole(nearest.distance, RECORD_CLEARANCE);
+}
+
+void recorder_block(struct recorder *recorder, const struct check_block *block)
+{
+	const struct block_end *end = &recorder->ends[block->number % BLOCK_ENDS];
+	double least = recorder->cap;
+	size_t pair = recorder->scene->pair_count;
+	int64_t row[CLEARANCE_COLUMNS];
+	bool beside;
+
+	if (end->number != block->number)
+		return;
+	recorder->checked = end->to;
+	if (!block->steps)
+		return;
+	for (size_t i = 0; i < block->clearance_count; i++) {
+		if (block->clearances[i].clearance >= least)
+			continue;
+		least = block->clearances[i].clearance;
+		pair = block->clearances[i].pair;
+	}
+	row[CLEARANCE_TIME] = whole(end->to, RECORD_TIME);
+	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)floor(least / RECORD_CLEARANCE);
+	row[CLEARANCE_PAIR] = pair < recorder->scene->pair_count ? (int64_t)pair : -1;
+	recorded_table_add(&recorder->clearance, row);
+	if (pair == recorder->scene->pair_count)
+		return;
+	beside = recorder->planes_forced < PLANES_MAX && is_beside_finding(recorder, block->number);
+	if (beside || block->number % recorder->plane_stride == 0)
+		add_plane(recorder, end, pair, beside);
+}
+
+/* -------------------------------------------------------------------- run */
+
+void recorder_init(struct recorder *recorder, struct scene *scene, const char *program, double cap)
+{
+	*recorder = (struct recorder){
+		.watch = {recorder, on_event},
+		.scene = scene,
+		.cap = cap,
+		.position = machine_home(scene->machine),
+		.tool = scene->setup ? scene->setup->initial_tool : 0,
+		.ends = mem_zalloc(BLOCK_ENDS, sizeof(struct block_end)),
+		.plane_stride = 1,
+	};
+	file_index(recorder, program);
+	recorded_table_init(&recorder->path, PATH_AXES + scene->machine->axis_count, keep_later);
+	recorded_table_init(&recorder->clearance, CLEARANCE_COLUMNS, keep_least);
+}
+
+void recorder_release(struct recorder *recorder)
+{
+	for (size_t i = 0; i < recorder->finding_count; i++) {
+		struct recorded_finding *it = &recorder->findings[i];
+
+		json_decref(it->object);
+		free(it->headline);
+		free(it->message);
+		free(it->file);
+		free(it->text);
+	}
+	for (size_t i = 0; i < recorder->file_count; i++)
+		free(recorder->files[i].name);
+	free(recorder->findings);
+	free(recorder->files);
+	free(recorder->ends);
+	free(recorder->planes);
+	free(recorder->forced);
+	recorded_table_release(&recorder->path);
+	recorded_table_release(&recorder->clearance);
+	sweep_release(&recorder->sweep);
+}
+
+bool recorder_close(struct recorder *recorder, int *error)
+{
+	const bool path = recorded_table_close(&recorder->path);
+	const bool clearance = recorded_table_close(&recorder->clearance);
+
+	if (!path || !clearance)
+		*error = path ? recorder->clearance.error : recorder->path.error;
+	return path && clearance;
+}

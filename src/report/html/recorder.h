@@ -1,0 +1,114 @@
+/*
+ * recorder.h - what a report needs of one program while it is checked: the path of the axes, findings, clearances. Memory
+ * does not grow with the program.
+ */
+#ifndef FIVECHECK_REPORT_HTML_RECORDER_H
+#define FIVECHECK_REPORT_HTML_RECORDER_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "check/sink.h"
+#include "motion/events.h"
+#include "report/html/recorded_table.h"
+#include "report/report.h"
+#include "scene/sweep.h"
+
+/* Columns of the path before the axes. */
+enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_AXES };
+enum { CLEARANCE_TIME, CLEARANCE_LEAST, CLEARANCE_MOST, CLEARANCE_PAIR, CLEARANCE_COLUMNS };
+enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLANE_DISTANCE = PLANE_NORMAL + 3, PLANE_COLUMNS };
+
+/* What a one in the columns means. */
+#define RECORD_TIME 1e-5	/* s */
+#define RECORD_LENGTH 0.01	/* mm */
+#define RECORD_ANGLE 0.001	/* degrees */
+#define RECORD_CLEARANCE 0.001	/* mm */
+#define RECORD_NORMAL 1e-6
+
+/* At most so many planes are kept, and so many more beside findings. */
+enum { PLANES_MAX = 256 };
+
+/* A finding, with what is drawn of it. */
+struct recorded_finding {
+	json_t *object;	/* as in NDJSON; owned */
+	char *headline;	/* owned; on one line */
+	char *message;	/* owned */
+	char *file, *text;	/* owned; the text of the block */
+	enum finding_kind kind;
+	enum finding_status status;
+	long line, block;	/* number of the block, from 1; 0: not known */
+	double time, fraction;
+	axis_values axes;
+	int tool;
+	int a, b;	/* bodies; -1 for a limit */
+	vec3 point;	/* machine coordinates */
+	vec3 triangles[2][3];	/* of a and of b, machine coordinates at the finding's pose */
+};
+
+/* Where a block ended. */
+struct block_end {
+	long number;	/* from 1; 0: none */
+	long line;
+	double from, to;	/* s */
+	axis_values axes;
+	int tool;
+};
+
+/* Blocks between being read and being checked are fewer. */
+enum { BLOCK_ENDS = 4096 };
+
+/* The name of a file as the check calls it, and a copy that outlives the check. */
+struct recorded_file {
+	const char *interned;
+	char *name;
+};
+
+/* Not to be moved after recorder_init. */
+struct recorder {
+	struct motion_sink watch;	/* give it to the check: check_options.watch */
+	struct scene *scene;
+	double cap;	/* mm: of the clearances */
+	struct recorded_table path, clearance;
+	struct recorded_file *files;
+	size_t file_count, file_capacity;
+	struct recorded_finding *findings;	/* the first FINDINGS_MAX */
+	size_t finding_count, finding_capacity;
+	long findings_left_out;
+	struct block_end *ends;	/* ring: block n at n % BLOCK_ENDS */
+	long blocks;	/* that were read */
+	double now, block_from;	/* s: where the last step, and the block before, ended */
+	axis_values position;
+	int tool;
+	double start;	/* s: of the first step */
+	double checked;	/* s: the end of the last block that was handed to recorder_block */
+	int64_t (*planes)[PLANE_COLUMNS];
+	size_t plane_count, plane_capacity, planes_forced;
+	bool *forced;	/* by plane: it stands beside a finding */
+	size_t forced_capacity;
+	long plane_stride;	/* every so many blocks one is looked at */
+	struct sweep sweep;
+};
+
+/* `program` is its file's name, which the report calls it by. The scene must have been built. */
+void recorder_init(struct recorder *recorder, struct scene *scene, const char *program, double cap);
+void recorder_release(struct recorder *recorder);
+
+/* To be called for each finding and for each block that was checked (check_sink). */
+void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style);
+void recorder_block(struct recorder *recorder, const struct check_block *block);
+
+/* Completes the tables. False: a temporary file failed; *error is its errno. */
+bool recorder_close(struct recorder *recorder, int *error);
+
+/* The index of the body in the report: of a core, that of its cutter. */
+int recorder_body(const struct scene *scene, int body);
+
+/* The first finding that fails the run, else the first one; NULL: there is none. */
+const struct recorded_finding *recorder_first(const struct recorder *recorder);
+
+/* What a one means in the column of this axis of the machine. */
+double recorder_axis_scale(const struct axis *axis);
+
+#endif

@@ -1,0 +1,30 @@
+/* scene_pack.h - machine, setup and bodies as a report has them: made once, used by the reports of all programs of a run. */
+#ifndef FIVECHECK_REPORT_HTML_SCENE_PACK_H
+#define FIVECHECK_REPORT_HTML_SCENE_PACK_H
+
+#include <jansson.h>
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "scene/scene.h"
+
+struct scene_pack {
+	json_t *machine, *bodies, *tools, *offsets, *pairs;	/* values of the report's JSON; owned */
+	struct strbuf meshes;	/* HTML: the blobs of the meshes */
+	int blobs;	/* how many */
+	double accuracy;	/* mm */
+	size_t left_out;	/* bodies whose meshes would have been too much */
+};
+
+/*
+ * Reads the meshes that are still missing. Where the meshes need more than `most` bytes, those of the largest bodies are left
+ * out. False: a mesh is faulty, reported.
+ */
+bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, struct diag *diag);
+void scene_pack_release(struct scene_pack *pack);
+
+/* "machine", "fixture", "part", "holder", "shank", "cutter" */
+const char *scene_pack_role(enum body_role role);
+
+#endif
