@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/spelling.h"
+#include "cli/dialect_choice.h"
 #include "control/dialects.h"
 #include "gcode/code_list.h"
 #include "gcode/dialect/dialects.h"
@@ -36,7 +37,7 @@ static bool explain_code(struct strbuf *out, const struct options *options)
 	for (int row = 0; dialect_names[row]; row++) {
 		const struct dialect *dialect = dialect_of_row(row);
 
-		if (options->dialect >= 0 && options->dialect != row)
+		if (options->dialect >= 0 && !dialect_choice_is_auto(options->dialect) && options->dialect != row)
 			continue;
 		if (strcmp(options->explain, "codes") != 0) {
 			found |= code_list_explain(out, dialect, options->explain);

@@ -2,9 +2,9 @@
 
 #include <stddef.h>
 
+#include "cli/dialect_choice.h"
 #include "cli/options.h"
 #include "cli/stderr_ui.h"
-#include "control/dialects.h"
 #include "report/topics.h"
 
 enum {
@@ -84,8 +84,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	{KEY_EXPLAIN, "explain", "WORD", 1 << RUN_EXPLAIN, .kind = VALUE_MODE, .mode = RUN_EXPLAIN, FIELD(explain),
 	 .choices = topic_names,
 	 .help = "print what a kind of finding, a verdict, a caution or\na code such as G43.4 means; codes: all codes"},
-	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM | 1 << RUN_EXPLAIN, CHOICE(dialect, dialect_names),
-	 .help = "%s; replaces the dialect of\nthe machine file"},
+	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM | 1 << RUN_EXPLAIN, CHOICE(dialect, dialect_choice_names),
+	 .help = "%s; replaces\nthat of the machine file; auto: as the programs show\nfor certain"},
 	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),
 	 .help = "a word that stands twice in a block is an error (the\ndefault), or the last one counts"},
 	{KEY_BLOCK_DELETE, "block-delete", NULL, WITH_PROGRAM, FLAG(check.read.block_delete),

@@ -71,7 +71,7 @@ struct options {
 	int color;	/* enum color_choice */
 	bool quiet, verbose;
 	int progress;	/* enum progress_kind */
-	int dialect;	/* row of control/dialects.h; -1: the machine's */
+	int dialect;	/* of dialect_choice_names; -1: the machine's */
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "check/model.h"
+#include "cli/dialect_choice.h"
 #include "cli/diag_tee.h"
 #include "cli/error_list.h"
 #include "cli/failure_report.h"
@@ -109,8 +110,13 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	if (!path_checks_root(options, job->model->machine, job->model->setup, diag) ||
 	    !load_waivers(job, options, diag))
 		return false;
-	if (options->dialect >= 0)
+	if (dialect_choice_is_auto(options->dialect)) {
+		if (!dialect_choice_find(options->programs, options->program_count, diag,
+					 &job->model->machine->controller.dialect))
+			return false;
+	} else if (options->dialect >= 0) {
 		job->model->machine->controller.dialect = options->dialect;
+	}
 	if (options->mode == RUN_CHECK) {
 		if (!fivecheck_prepare(job->model, options->clearance, diag))
 			return false;

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "control/dialects.h"
 #include "gcode/text/line_shape.h"
 
 /* Lines that are looked at: heads are shorter, and a program's first path stands in them, too. */
@@ -20,6 +21,7 @@ static const struct family klartext = {"Heidenhain Klartext", {"klartext", NULL}
 static const struct family sinumerik = {"a program for Siemens Sinumerik", {"sinumerik", NULL}};
 static const struct family linuxcnc = {"a program for LinuxCNC", {"linuxcnc", NULL}};
 static const struct family haas = {"a program for Haas", {"haas", NULL}};
+static const struct family fanuc = {"a program for Fanuc", {"fanuc", NULL}};
 static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas", NULL}};
 
 /*
@@ -48,6 +50,9 @@ static const struct sign {
 	{&sinumerik, "DEFINT", "DEF INT", MATCH_START, true},
 	{&sinumerik, "SUPA", "SUPA", MATCH_ANYWHERE, true},
 	{&linuxcnc, "", "o<name>", MATCH_O_CALL, false},
+	{&linuxcnc, "#<", "#<name>", MATCH_ANYWHERE, false},
+	{&fanuc, "G5.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
+	{&fanuc, "G05.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
 	{&haas, "G154", "G154", MATCH_G, false},
 	{&haas, "G187", "G187", MATCH_G, false},
 	{&haas, "G234", "G234", MATCH_G, false},
@@ -139,4 +144,66 @@ struct family_sign family_find(struct reader *reader, const char *dialect)
 		reader_seek(reader, start, 1);
 	reader->furthest = 0;
 	return found;
+}
+
+/* A bit for each dialect of the family. */
+static unsigned dialects_of(const struct family *family)
+{
+	unsigned bits = 0;
+
+	for (size_t i = 0; family->dialects[i]; i++) {
+		int row = dialect_row_find(family->dialects[i]);
+
+		bits |= row < 0 ? 0 : 1U << row;
+	}
+	return bits;
+}
+
+/* Takes a line into account; false: it contradicts what came before. */
+static bool narrow(const char *line, long number, unsigned *dialects, struct family_guess *guess)
+{
+	char block[LINE_SHAPE_MAX];
+
+	line_shape_squeeze(line, block);
+	for (size_t i = 0; i < sizeof(signs) / sizeof(signs[0]); i++) {
+		const struct sign *sign = &signs[i];
+		const struct family_sign found = {number, sign->shown, sign->family->title, sign->certain};
+		unsigned both;
+
+		/* Of a family that no dialect reads, one sign is enough. */
+		if (*dialects == 0 || !is_sign(sign, line, block))
+			continue;
+		both = *dialects & dialects_of(sign->family);
+		if (!both && guess->sign.line) {
+			guess->against = found;
+			return false;
+		}
+		if (both != *dialects)
+			guess->sign = found;
+		*dialects = both;
+	}
+	return true;
+}
+
+struct family_guess family_guess(struct reader *reader)
+{
+	struct family_guess guess = {.row = -1};
+	unsigned dialects = ~0U;
+	long long start = 0;
+	const char *text;
+	bool agreed = true;
+
+	while (agreed && reader->line < FAMILY_LINES && reader_next(reader, &text) == READER_LINE) {
+		if (reader->line == 1)
+			start = reader->start;
+		agreed = narrow(text, reader->line, &dialects, &guess);
+	}
+	if (reader->line > 0)
+		reader_seek(reader, start, 1);
+	reader->furthest = 0;
+	for (int row = 0; agreed && dialect_names[row]; row++) {
+		if (dialects == 1U << row)
+			guess.row = row;
+	}
+	return guess;
 }

@@ -20,4 +20,17 @@ struct family_sign {
  */
 struct family_sign family_find(struct reader *reader, const char *dialect);
 
+/* Which dialect reads a program, as far as its first lines show it. */
+struct family_guess {
+	int row;	/* of control/dialects.h; -1: it is not certain */
+	struct family_sign sign;	/* what shows it; line 0: no sign of any control was found */
+	struct family_sign against;	/* a sign of another control; line 0: there is none */
+};
+
+/*
+ * Takes what all signs in the first lines have in common; nothing is guessed: a sign that several dialects share
+ * (O1234 of Fanuc and Haas) leaves it open. The reader as in family_find.
+ */
+struct family_guess family_guess(struct reader *reader);
+
 #endif

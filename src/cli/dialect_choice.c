@@ -1,0 +1,80 @@
+#include "cli/dialect_choice.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "control/dialects.h"
+#include "gcode/dialect/family.h"
+
+#define NAME_ROW(id, ...) #id,
+
+const char *const dialect_choice_names[] = {DIALECTS(NAME_ROW) "auto", NULL};
+
+bool dialect_choice_is_auto(int choice)
+{
+	return choice >= 0 && !dialect_names[choice];
+}
+
+static bool refuse(const char *program, const struct family_guess *guess, struct diag *diag)
+{
+	struct srcloc loc = {program, guess->sign.line, 0};
+
+	if (guess->against.line)
+		diag_error(diag, (struct srcloc){program, guess->against.line, 0},
+			   "--dialect=auto: this looks like %s (%s), but line %ld like %s (%s); name the dialect",
+			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,
+			   guess->sign.sign);
+	else if (guess->sign.line)
+		diag_error(diag, loc, "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; name it",
+			   guess->sign.title, guess->sign.sign);
+	else
+		diag_error(diag, loc, "--dialect=auto: nothing in the first lines shows the control; name the dialect");
+	return false;
+}
+
+static bool find_one(const char *program, struct diag *diag, struct family_guess *guess)
+{
+	struct reader reader;
+	FILE *in;
+
+	if (!strcmp(program, "-")) {
+		diag_error(diag, (struct srcloc){0}, "--dialect=auto cannot look ahead in standard input; name the dialect");
+		return false;
+	}
+	in = fopen(program, "rb");
+	if (!in) {
+		diag_error(diag, (struct srcloc){program, 0, 0}, "cannot open the program: %s", strerror(errno));
+		return false;
+	}
+	reader_init(&reader, in);
+	*guess = family_guess(&reader);
+	reader_release(&reader);
+	fclose(in);
+	return guess->row >= 0 || refuse(program, guess, diag);
+}
+
+bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag, int *row)
+{
+	int found = -1;
+
+	for (size_t i = 0; i < count; i++) {
+		struct family_guess guess;
+
+		if (!find_one(programs[i], diag, &guess))
+			return false;
+		if (found >= 0 && guess.row != found) {
+			diag_error(diag, (struct srcloc){programs[i], guess.sign.line, 0},
+				   "--dialect=auto: this is %s (%s), but %s is for %s; check them apart", guess.sign.title,
+				   guess.sign.sign, programs[0], dialect_rows[found].title);
+			return false;
+		}
+		if (found < 0)
+			diag_note(diag, (struct srcloc){programs[i], guess.sign.line, 0}, "read in the %s dialect: %s (%s)",
+				  dialect_names[guess.row], guess.sign.title, guess.sign.sign);
+		found = guess.row;
+	}
+	if (found >= 0)
+		*row = found;
+	return found >= 0;
+}

@@ -1,0 +1,16 @@
+# --dialect=auto takes the dialect that all signs in a program have in common, says which sign that was, and guesses
+# nothing: what is open or contradictory is an error.
+small_machine
+sed 's|<base|<controller dialect="linuxcnc"/><base|' m.xml >c.xml
+printf '%%\nO1\nG90 G21\nG187 P3\nG0 X1.\nM30\n%%\n' >haas.nc
+printf '%%\nO1\nG90 G21\nG05.1 Q1\nG0 X1.\nM30\n%%\n' >fanuc.nc
+printf 'G21\n#<depth> = 3\nG0 X#<depth>\nM2\n' >linuxcnc.nc
+printf '%%\nO1\nG90 G21\nG0 X1.\nM30\n%%\n' >either.nc
+printf 'G21\nG0 X1\nM2\n' >plain.nc
+printf '%%\nO1\n#<depth> = 3\nM30\n%%\n' >both.nc
+for name in haas fanuc linuxcnc either plain both missing; do
+	echo "$name"
+	status fivecheck --dialect=auto --parse-only c.xml $name.nc 2>&1 | grep -v '^  \|^[0-9]* blocks\|incomplete'
+done
+status fivecheck --dialect=auto --parse-only c.xml haas.nc fanuc.nc 2>&1 | grep -v incomplete
+status fivecheck --dialect=auto --parse-only c.xml - 2>&1 <haas.nc | grep -v incomplete
