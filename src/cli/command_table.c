@@ -5,6 +5,7 @@
 #include "cli/completion/completion.h"
 #include "cli/init/init.h"
 #include "cli/merge.h"
+#include "cli/scan/scan.h"
 #include "cli/waive.h"
 
 const struct command command_table[] = {
@@ -13,6 +14,7 @@ const struct command command_table[] = {
     {"merge", "FILE...", NULL, "join the NDJSON results of the shards of a run", merge_options, MERGE_OPTION_COUNT,
      merge_run},
     {"waive", "FILE", NULL, "write waivers for the findings of a run", waive_options, WAIVE_OPTION_COUNT, waive_run},
+    {"scan", "FILE...", NULL, "list the codes of programs, and what to answer", scan_options, SCAN_OPTION_COUNT, scan_run},
     {"completion", "SHELL", completion_shells, "write the completions of bash, zsh or fish", completion_table,
      COMPLETION_OPTION_COUNT, completion_run},
     {.name = NULL},

@@ -1,0 +1,138 @@
+#include "cli/scan/scan_codes.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "gcode/code_list.h"
+#include "gcode/text/line_shape.h"
+#include "gcode/text/reader.h"
+
+/* M-codes have up to five digits; more is no code. */
+#define NUMBER_MAX 99999
+
+void scan_codes_release(struct scan_codes *codes)
+{
+	free(codes->items);
+	*codes = (struct scan_codes){0};
+}
+
+static void count(struct scan_codes *codes, char letter, int number, const struct code_word *word)
+{
+	struct scan_code *item = NULL;
+
+	for (size_t i = 0; i < codes->count && !item; i++) {
+		if (codes->items[i].letter == letter && codes->items[i].number == number && codes->items[i].word == word)
+			item = &codes->items[i];
+	}
+	if (!item) {
+		codes->items = mem_grow(codes->items, &codes->capacity, codes->count + 1, sizeof(*codes->items));
+		item = &codes->items[codes->count++];
+		*item = (struct scan_code){.letter = letter, .number = number, .word = word};
+	}
+	item->times++;
+	item->programs += item->last_program != codes->programs;
+	item->last_program = codes->programs;
+}
+
+/* G and M with plain numbers that are no part of a longer word. */
+static void count_codes(struct scan_codes *codes, const char *block)
+{
+	for (const char *at = block; *at; at++) {
+		bool inside = at > block && (isalpha((unsigned char)at[-1]) || at[-1] == '_' || at[-1] == '<');
+		double number;
+		char *end;
+
+		if ((*at != 'G' && *at != 'M') || inside || !isdigit((unsigned char)at[1]))
+			continue;
+		number = strtod(at + 1, &end);
+		if (number <= NUMBER_MAX && *end != '=')
+			count(codes, *at, (int)lround(*at == 'G' ? number * 10 : number), NULL);
+		at = end - 1;
+	}
+}
+
+/* A word of letters and digits, with others than these on both sides of it. */
+static void count_word(struct scan_codes *codes, const char *block, const struct code_word *word)
+{
+	char text[LINE_SHAPE_MAX];
+
+	line_shape_squeeze(word->word, text);
+	for (const char *at = text; *at; at++) {
+		if (!isalnum((unsigned char)*at))
+			return;
+	}
+	for (const char *at = strstr(block, text); at; at = strstr(at + 1, text)) {
+		char after = at[strlen(text)];
+
+		if ((at == block || !isalpha((unsigned char)at[-1])) &&
+		    !(isdigit((unsigned char)after) && isdigit((unsigned char)text[strlen(text) - 1]))) {
+			count(codes, 0, 0, word);
+			return;
+		}
+	}
+}
+
+void scan_codes_read(struct scan_codes *codes, FILE *in)
+{
+	struct reader reader;
+	const char *text;
+
+	codes->programs++;
+	reader_init(&reader, in);
+	while (reader_next(&reader, &text) == READER_LINE) {
+		char block[LINE_SHAPE_MAX];
+
+		line_shape_squeeze(text, block);
+		count_codes(codes, block);
+		for (int i = 0; i < CODE_SETS_MAX && codes->dialect->words[i]; i++) {
+			for (size_t k = 0; k < codes->dialect->words[i]->count; k++)
+				count_word(codes, block, &codes->dialect->words[i]->rows[k]);
+		}
+	}
+	reader_release(&reader);
+}
+
+static int in_order(const void *first, const void *second)
+{
+	const struct scan_code *a = first, *b = second;
+	/* Words last. */
+	int letters = (a->letter ? a->letter : 'Z') - (b->letter ? b->letter : 'Z');
+
+	if (letters != 0)
+		return letters;
+	if (a->number != b->number)
+		return a->number < b->number ? -1 : 1;
+	return a->word && b->word ? strcmp(a->word->word, b->word->word) : 0;
+}
+
+static void add_row(struct strbuf *out, const struct dialect *dialect, const struct scan_code *item)
+{
+	const struct code *code =
+		item->letter ? code_find(item->letter == 'G' ? dialect->g_codes : dialect->m_codes, item->number) : NULL;
+
+	if (item->word)
+		strbuf_addf(out, "%s", item->word->word);
+	else if (item->letter == 'G' && item->number % 10)
+		strbuf_addf(out, "G%d.%d", item->number / 10, item->number % 10);
+	else
+		strbuf_addf(out, "%c%d", item->letter, item->letter == 'G' ? item->number / 10 : item->number);
+	strbuf_addf(out, "\t%ld\t%zu\t", item->times, item->programs);
+	if (item->word)
+		strbuf_addf(out, "%s\t%s\n", code_state_name(item->word->state), item->word->what);
+	else if (code)
+		strbuf_addf(out, "%s\t%s\n", code_state_name(code->state), code->what);
+	else
+		strbuf_addf(out, "unknown\tno code of the %s dialect\n", dialect->name);
+}
+
+void scan_codes_add(struct strbuf *out, struct scan_codes *codes)
+{
+	if (codes->count > 0)
+		qsort(codes->items, codes->count, sizeof(*codes->items), in_order);
+	strbuf_addf(out, "code\ttimes\tprograms\tstate\twhat\n");
+	for (size_t i = 0; i < codes->count; i++)
+		add_row(out, codes->dialect, &codes->items[i]);
+}
