@@ -41,6 +41,9 @@ enum arc_centre { ARC_CENTRE_UNKNOWN, ARC_CENTRE_INCREMENTAL, ARC_CENTRE_ABSOLUT
 /* An arc with neither a centre nor a radius: an error; or a straight line, unless the control stops there. */
 enum arc_without_centre { ARC_WITHOUT_CENTRE_UNKNOWN, ARC_WITHOUT_CENTRE_REFUSED, ARC_WITHOUT_CENTRE_LINE };
 
+/* ",C" and ",R": none, or a chamfer and a rounding between lines, or between lines and arcs. */
+enum corner_words { CORNER_WORDS_UNKNOWN, CORNER_WORDS_WITH_LINES, CORNER_WORDS_WITH_ARCS };
+
 /* What D of cutter compensation is: a tool, whose diameter is taken, or an offset that holds a radius. */
 enum d_word { D_WORD_UNKNOWN, D_WORD_TOOL, D_WORD_RADIUS };
 
@@ -131,6 +134,7 @@ struct dialect_traits {
 	enum arc_centre arc_centre;
 	enum arc_without_centre arc_without_centre;
 	enum answer arcs_have_turns;	/* in P */
+	enum corner_words corner_words;
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */
 	enum answer cycles_apart;	/* cycles and G80 are a group beside G0 to G3: G80 brings back which of them was there */

@@ -6,6 +6,7 @@
 
 #include "base/mem.h"
 #include "gcode/dialect/family.h"
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/execute.h"
 #include "gcode/fault_list.h"
@@ -34,6 +35,7 @@ void interp_free(struct interp *interp)
 	program_release(&interp->program);
 	tool_table_release(&interp->tools);
 	comp_queue_release(&interp->comp.queue);
+	free(interp->corner.text);
 	if (interp->dialect_state)
 		interp->config->dialect->state_free(interp->dialect_state);
 	free(interp);
@@ -116,7 +118,9 @@ static bool run_block(struct interp *interp)
 		return false;
 	if (!execute_block(interp))
 		return false;
-	return cutter_comp_end_block(interp);
+	if (corner_insert_keeps_block(interp))
+		return corner_insert_end_block(interp);
+	return corner_insert_end_block(interp) && cutter_comp_end_block(interp);
 }
 
 static bool run_line(struct interp *interp)
@@ -295,7 +299,7 @@ static bool run_program(struct interp *interp, FILE *in, const char *name)
 	if (good && !interp->ended) {
 		/* The last line is no longer in the reader's buffer. */
 		interp->at.text = "";
-		good = cutter_comp_stop(interp);
+		good = corner_insert_end_block(interp) && cutter_comp_stop(interp);
 	}
 	if (good && !interp->ended)
 		warn_of_missing_end(interp, reader);

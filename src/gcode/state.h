@@ -146,6 +146,20 @@ struct cutter_comp {
 	double loose[3];	/* mm, X Y Z: after G40 without a move, how far aside an axis may still be */
 };
 
+/* ",C" and ",R": execute/corner_insert.h. */
+struct pending_corner {
+	bool on;	/* a block waits */
+	bool fresh;	/* it is the one in hand */
+	char letter;	/* 'C' or 'R' */
+	double size;	/* mm */
+	struct block block;
+	struct line_place at;
+	char *text;	/* of the line; owned */
+	struct canon_move move;	/* its kind and feed */
+	slot_values start;	/* straight */
+	struct comp_way way;
+};
+
 struct interp {
 	const struct gcode_config *config;
 	const struct kinematics *kinematics;
@@ -158,6 +172,7 @@ struct interp {
 	struct state state;
 	struct tool_table tools;
 	struct cutter_comp comp;
+	struct pending_corner corner;
 	struct block_cautions cautions;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line;
 	bool percent;	/* the program is enclosed in '%' lines */

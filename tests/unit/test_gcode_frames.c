@@ -125,10 +125,51 @@ START_TEST(pecks)
 }
 END_TEST
 
+/* Fanuc B-64484EN, "Optional Chamfering and Corner R"; Haas, "Corner Rounding and Chamfering". */
+START_TEST(corners)
+{
+	struct gcode_case c;
+
+	run(&dialect_haas, "F9 G1 X20. ,C5.\nY20. ,R4.\nX0.\nM30\n",
+	    "feed 15 0 0 0 0\nfeed 20 5 0 0 0\nfeed 20 16 0 0 0\narc 16 20 0 0 0 centre 16 16 0 normal 0 0 1 sweep 90\n"
+	    "feed 0 20 0 0 0\n");
+	/* Clockwise, in the plane of Z and X, in increments. */
+	run(&dialect_fanuc, "F9 G18 G1 G91 X20. ,R4.\nZ-20.\nM30\n",
+	    "feed 16 0 0 0 0\narc 20 0 -4 0 0 centre 16 0 -4 normal 0 1 0 sweep 90\nfeed 20 0 -20 0 0\n");
+	/* A line that meets the arc x^2 + y^2 = 400 on X: the circle of radius 5 inside touches both (3-4-5: not the axis). */
+	run(&dialect_fanuc, "F9 G0 X-5.\nG1 X20. ,R5.\nG3 X0. Y20. R20.\nM30\n",
+	    "rapid -5 0 0 0 0\nfeed 14.1421356 0 0 0 0\narc 18.8561808 6.66666667 0 0 0 centre 14.1421356 5 0 normal 0 0 1 sweep "
+	    "109.471221\narc 0 20 0 0 0 centre 0 0 0 normal 0 0 1 sweep 70.5287794\n");
+	/* With compensation the rounding is part of the contour. */
+	run(&dialect_fanuc, "F9 G1 G41 D1 X10. Y0.\nY20. ,R5.\nX40.\nG40 X50.\nM30\n",
+	    "feed 8 0 0 0 0\nfeed 8 15 0 0 0\narc 15 22 0 0 0 centre 15 15 0 normal 0 0 1 sweep -90\nfeed 40 22 0 0 0\n"
+	    "feed 50 20 0 0 0\n");
+	/* Every block is told once, in order, with its moves. */
+	init(&c, &dialect_haas);
+	ck_assert(case_run(&c, "F9 G1 X20. ,C5.\n(between)\nY20.\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.blocks), "1:2:F9 G1 X20. ,C5.\n3:1:Y20.\n4:0:M30\n");
+	case_release(&c);
+}
+END_TEST
+
 static const struct {
 	const struct dialect *dialect;
 	const char *program, *message;
 } bads[] = {
+	{&dialect_fanuc, "F9 G1 X5. ,A5.\n", ",A is not supported"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1. ,C1.\n", "a block can have only one word behind a comma"},
+	{&dialect_fanuc, "F9 G0 X5. ,R1.\n", ",R needs a block with G1, G2 or G3"},
+	{&dialect_fanuc, "F9 G1 X5. ,R0.\n", ",R must be greater than 0"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nZ5.\n", "need a move of G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. Z1. ,R1.\n", "need a move of G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nM30\n", "has a move in the plane and no other code"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nF20\n", "needs a move of G1, G2 or G3 in the plane"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\nX9.\n", "has no corner there"},
+	{&dialect_fanuc, "F9 G1 X5. ,R6.\nY9.\n", "is longer than one of its blocks"},
+	{&dialect_fanuc, "F9 G1 X5. ,C1.\nG2 Y9. R9.\n", "a chamfer (,C) beside an arc"},
+	{&dialect_haas, "F9 G1 X5. ,R1.\nG2 Y9. R9.\n", "beside an arc is not supported on this control"},
+	{&dialect_fanuc, "F9 G1 X5. ,R1.\n", "needs a move of G1, G2 or G3 in the plane"},
+	{&dialect_linuxcnc, "F9 G1 X5. ,R1.\n", "unexpected ','"},
 	{&dialect_fanuc, "G51.1\n", "G51.1 needs the axes that it mirrors"},
 	{&dialect_fanuc, "G51.1 A0.\n", "a mirror image of A is not supported"},
 	{&dialect_fanuc, "G91 G51.1 X0.\n", "G51.1 in incremental distance mode (G91) is not supported"},
@@ -165,7 +206,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, exact_stop, pecks, faults};
+	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, exact_stop, pecks, corners, faults};
 
 	return RUN_TESTS("frames", tests);
 }

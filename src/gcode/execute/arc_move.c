@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "gcode/execute/arc.h"
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -186,6 +187,15 @@ bool arc_move_run(struct interp *interp)
 	if (interp->comp.arc_refused)
 		return fault(&interp->at, block_motion_column(block),
 			     "the move after cutter compensation (G40) must be straight, not an arc");
+	if (corner_insert_concerns(interp)) {
+		bool waits = false;
+		const struct corner_move next = {.target = &target, .move = &move, .is_arc = true, .centre = centre};
+
+		if (!corner_insert_pass(interp, &next, &waits) || waits)
+			return waits;
+		here = rotated_frame_straight(state);
+		start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
+	}
 	if (cutter_comp_is_on(interp))
 		return cutter_comp_arc(interp, &target, centre, turns, &move);
 	move.arc.centre = centre_in_space(state, &here, plane, centre);

@@ -4,6 +4,7 @@
 #include "gcode/execute/arc_move.h"
 #include "gcode/execute/canned_cycle.h"
 #include "gcode/execute/coordinate_rotation.h"
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/feedback_moves.h"
@@ -198,6 +199,11 @@ static bool execute_increments(struct interp *interp)
 	/* With 1, parameter 3401#0 (DPI) or setting 162 has whole numbers count whole units, of either kind. */
 	double linear = interp->state.scale > 1 && increment < 1 ? increment / 10 : increment;
 
+	if (block->corner && !block->corner_point && whole == WHOLE_NUMBERS_INCREMENTS) {
+		if (!(increment > 0))
+			return dialect_refuse_whole_number(&interp->at, block->corner_column, block->corner, block->corner_value);
+		block->corner_value *= linear;
+	}
 	if (whole == WHOLE_NUMBERS_UNITS || block->g[G_NONMODAL] == G4)
 		return true;
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
@@ -316,6 +322,8 @@ bool execute_block(struct interp *interp)
 	if (state->unknown_modes && !check_modes(interp))
 		return false;
 	probed_axes_forget_turned(state);
+	if (corner_insert_concerns(interp) && !corner_insert_start_block(interp))
+		return false;
 	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
 	    !cutter_comp_start_block(interp))
 		return false;

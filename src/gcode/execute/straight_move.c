@@ -1,5 +1,6 @@
 #include "gcode/execute/straight_move.h"
 
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -11,6 +12,12 @@ static bool go_in_program(struct interp *interp, struct canon_move *move)
 
 	if (!endpoint_find(interp, false, &target))
 		return false;
+	if (corner_insert_concerns(interp)) {
+		bool waits = false;
+
+		if (!corner_insert_pass(interp, &(struct corner_move){.target = &target, .move = move}, &waits) || waits)
+			return waits;
+	}
 	return cutter_comp_is_on(interp) ? cutter_comp_line(interp, &target, move)
 					 : motion_commands_go(interp, &target, move);
 }

@@ -18,6 +18,7 @@ void block_clear(struct block *block)
 	block->m_ignored = false;
 	block->motion = CODE_NONE;
 	block->idle = CODE_NONE;
+	block->corner = '\0';
 	for (int i = 0; i < G_GROUPS; i++)
 		block->g[i] = CODE_NONE;
 	for (int i = 0; i < M_GROUPS; i++)
@@ -186,6 +187,20 @@ static bool add_value(struct block *block, const struct line_place *at, const st
 	return true;
 }
 
+/* ",C" and ",R". */
+static bool add_corner(struct block *block, const struct line_place *at, const struct word *word)
+{
+	if (word->letter != 'C' && word->letter != 'R')
+		return fault(at, word->column, ",%c is not supported", word->letter);
+	if (block->corner)
+		return fault(at, word->column, "a block can have only one word behind a comma");
+	block->corner = word->letter;
+	block->corner_value = word->value;
+	block->corner_point = word->point;
+	block->corner_column = word->column;
+	return true;
+}
+
 static bool add_word(struct block *block, const struct line_place *at, const struct word *word,
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
@@ -193,6 +208,8 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
 	if (word->vacant)
 		return true;
+	if (word->comma)
+		return add_corner(block, at, word);
 	switch (word->letter) {
 	case 'G':
 		return add_g(block, at, word, config->dialect) || config->read.all_faults;

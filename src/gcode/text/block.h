@@ -21,6 +21,10 @@ struct block {
 	int column[26];
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
+	char corner;	/* 'C' or 'R' of a word behind a comma, or NUL */
+	bool corner_point;	/* its number has a decimal point */
+	double corner_value;
+	int corner_column;
 	int idle, idle_column;	/* a G-code of GROUP_NONE, in tenths, or CODE_NONE */
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];

@@ -146,11 +146,30 @@ static enum lexer_result read_word(struct lexer *lexer, char letter, struct word
 	return LEXER_FAULT;
 }
 
+static enum lexer_result read_comma_word(struct lexer *lexer, struct word *word)
+{
+	char letter;
+
+	lexer_take(lexer);
+	letter = lexer_peek(lexer);
+	if (letter >= 'a' && letter <= 'z')
+		letter = (char)(letter - 'a' + 'A');
+	if (letter < 'A' || letter > 'Z') {
+		fault_report(lexer->at, lexer_column(lexer), "a letter is needed behind ','");
+		return LEXER_FAULT;
+	}
+	word->comma = true;
+	return read_word(lexer, letter, word);
+}
+
 enum lexer_result lexer_next(struct lexer *lexer, struct word *word)
 {
 	for (;;) {
 		char byte = lexer_peek(lexer);
 
+		word->comma = false;
+		if (byte == ',' && lexer->rules->comma_words)
+			return read_comma_word(lexer, word);
 		if (byte >= 'A' && byte <= 'Z')
 			return read_word(lexer, byte, word);
 		if (byte >= 'a' && byte <= 'z')

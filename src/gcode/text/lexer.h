@@ -14,6 +14,7 @@ struct word {
 	bool point;	/* the number has a decimal point */
 	int column;	/* of the letter, from 1 */
 	double value;
+	bool comma;	/* a comma stands before its letter */
 	bool vacant;	/* its value is a variable without a value: the word counts as not written */
 };
 
@@ -35,6 +36,7 @@ enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLO
  */
 struct lexer_rules {
 	enum semicolon semicolon;
+	bool comma_words;	/* a comma may stand before a word, which then means something else */
 	bool comments_nest;	/* a comment inside of one that ends the line is text; no: a fault everywhere */
 	/*
 	 * Reads the value of a word that has no plain number behind its letter;

@@ -116,6 +116,8 @@ const struct dialect dialect_fanuc = {
 		/* Parameter 3403#5 (CIR): a line, or alarm PS0022. */
 		.arc_without_centre = ARC_WITHOUT_CENTRE_LINE,
 		.arcs_have_turns = ANSWER_NO,
+		/* "Optional Chamfering and Corner R". */
+		.corner_words = CORNER_WORDS_WITH_ARCS,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
 		/* G code list: cycles are group 09, G0 to G3 group 01, G28 and its like group 00. */

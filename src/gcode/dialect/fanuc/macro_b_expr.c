@@ -283,7 +283,7 @@ static const struct lexer_refusal refusals[] = {
 #define REFUSALS .refusals = refusals, .refusal_count = sizeof(refusals) / sizeof(*refusals)
 
 const struct lexer_rules macro_b_word_rules = {
-	.semicolon = SEMICOLON_ENDS_BLOCK, .comments_nest = true, .value = read_block_word, REFUSALS};
+	.semicolon = SEMICOLON_ENDS_BLOCK, .comments_nest = true, .comma_words = true, .value = read_block_word, REFUSALS};
 const struct lexer_rules macro_b_argument_rules = {
 	.semicolon = SEMICOLON_ENDS_BLOCK, .comments_nest = true, .value = read_argument, REFUSALS};
 

@@ -157,6 +157,8 @@ const struct dialect dialect_haas = {
 		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		.arc_without_centre = ARC_WITHOUT_CENTRE_REFUSED,
 		.arcs_have_turns = ANSWER_NO,
+		/* "Corner Rounding and Chamfering". */
+		.corner_words = CORNER_WORDS_WITH_LINES,
 		.wrap_below_turn = ANSWER_NO,
 		.cycles = &cycles,
 		/* G-codes: cycles are group 09, G00 to G03 group 01, G28 and its like group 00. */

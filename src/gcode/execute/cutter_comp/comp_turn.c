@@ -18,15 +18,6 @@
 /* mm: an outside corner that is so flat needs no moves of its own. */
 #define FLAT 1e-3
 
-/* A corner and what leads to it and away from it. Directions are units. */
-struct corner {
-	const struct comp_way *before, *after;
-	struct plane_point at, ahead, onward;	/* the corner; the programmed directions before and behind it */
-	struct plane_point foot, next_foot;	/* the points beside it, across these directions */
-	double radius, side;
-	double angle;	/* radians by which the path turns, positive where the tool goes round the outside */
-};
-
 static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
 {
 	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
@@ -47,7 +38,7 @@ static double distance(struct plane_point p, struct plane_point q)
 	return hypot(p.a - q.a, p.b - q.b);
 }
 
-static struct plane_point foot_of(const struct corner *c, struct plane_point direction)
+static struct plane_point foot_of(const struct comp_corner_shape *c, struct plane_point direction)
 {
 	return along(c->at, c->radius * c->side, (struct plane_point){-direction.b, direction.a});
 }
@@ -58,7 +49,7 @@ static void add(struct comp_turn *turn, struct plane_point point)
 }
 
 /* Where the two lines beside the path cross. */
-static struct plane_point line_crossing(const struct corner *c)
+static struct plane_point line_crossing(const struct comp_corner_shape *c)
 {
 	struct plane_point sum = {c->foot.a + c->next_foot.a - 2 * c->at.a, c->foot.b + c->next_foot.b - 2 * c->at.b};
 
@@ -66,7 +57,7 @@ static struct plane_point line_crossing(const struct corner *c)
 }
 
 /* The points at which lines that are drawn out go round an outside corner: one, or two if it is acute. */
-static void add_drawn(struct comp_turn *turn, const struct corner *c)
+static void add_drawn(struct comp_turn *turn, const struct comp_corner_shape *c)
 {
 	if (c->angle <= PI / 2) {
 		add(turn, line_crossing(c));
@@ -79,7 +70,7 @@ static void add_drawn(struct comp_turn *turn, const struct corner *c)
 /* ------------------------------------------------------- inside corners */
 
 /* Keeps the crossing that lies nearer to the two feet. */
-static void consider(const struct corner *c, struct plane_point crossing, double *nearest, struct plane_point *found)
+static void consider(const struct comp_corner_shape *c, struct plane_point crossing, double *nearest, struct plane_point *found)
 {
 	struct plane_point middle = {(c->foot.a + c->next_foot.a) / 2, (c->foot.b + c->next_foot.b) / 2};
 	double far = distance(crossing, middle);
@@ -91,12 +82,12 @@ static void consider(const struct corner *c, struct plane_point crossing, double
 }
 
 /* The radius of the tool's arc at the corner. */
-static double tool_radius(const struct corner *c, const struct comp_way *way)
+static double tool_radius(const struct comp_corner_shape *c, const struct comp_way *way)
 {
 	return distance(c->at, way->centre) + (way->inside ? -c->radius : c->radius);
 }
 
-static bool cross_line(const struct corner *c, struct plane_point foot, struct plane_point direction,
+static bool cross_line(const struct comp_corner_shape *c, struct plane_point foot, struct plane_point direction,
 		       const struct comp_way *arc, struct plane_point *found)
 {
 	struct plane_point to_centre = along(arc->centre, -1, foot);
@@ -110,7 +101,7 @@ static bool cross_line(const struct corner *c, struct plane_point foot, struct p
 	return true;
 }
 
-static bool cross_arcs(const struct corner *c, struct plane_point *found)
+static bool cross_arcs(const struct comp_corner_shape *c, struct plane_point *found)
 {
 	struct plane_point between = along(c->after->centre, -1, c->before->centre);
 	double apart = hypot(between.a, between.b), r0 = tool_radius(c, c->before), r1 = tool_radius(c, c->after);
@@ -131,7 +122,7 @@ static bool cross_arcs(const struct corner *c, struct plane_point *found)
 	return true;
 }
 
-static bool find_crossing(const struct corner *c, struct plane_point *found)
+static bool find_crossing(const struct comp_corner_shape *c, struct plane_point *found)
 {
 	if (c->before->is_arc && c->after->is_arc)
 		return cross_arcs(c, found);
@@ -143,7 +134,16 @@ static bool find_crossing(const struct corner *c, struct plane_point *found)
 	return true;
 }
 
-static bool turn_inside(struct interp *interp, const struct corner *c, struct comp_turn *turn)
+bool comp_turn_crossing(const struct comp_corner_shape *shape, struct plane_point *found)
+{
+	struct comp_corner_shape c = *shape;
+
+	c.foot = foot_of(&c, c.ahead);
+	c.next_foot = foot_of(&c, c.onward);
+	return find_crossing(&c, found);
+}
+
+static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c, struct comp_turn *turn)
 {
 	struct plane_point crossing = c->foot;
 
@@ -162,7 +162,7 @@ static bool turn_inside(struct interp *interp, const struct corner *c, struct co
 
 /* ------------------------------------------------------ outside corners */
 
-static void turn_outside(const struct corner *c, enum comp_corner_form form, struct comp_turn *turn)
+static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_form form, struct comp_turn *turn)
 {
 	double half = fmin(c->angle, PI / 2) / 2;
 	double beside = c->angle <= PI / 2 ? c->radius * (1 / cos(half) - 1) : ROUND_BESIDE_DRAWN * c->radius;
@@ -190,7 +190,7 @@ static void turn_outside(const struct corner *c, enum comp_corner_form form, str
 /* ------------------------------------------------------ the way in and out */
 
 /* How far the points that the tool may go to are from this one; every way lies between them. */
-static double farthest(const struct corner *c, const struct comp_turn *drawn, struct plane_point from)
+static double farthest(const struct comp_corner_shape *c, const struct comp_turn *drawn, struct plane_point from)
 {
 	double far = fmax(distance(from, c->foot), distance(from, c->next_foot));
 
@@ -203,7 +203,7 @@ static double farthest(const struct corner *c, const struct comp_turn *drawn, st
  * To the point beside the start of the next block, or away from the one beside the end of the last: type A and inside
  * corners go there straight, type B goes round an outside corner.
  */
-static void turn_at_end(const struct corner *c, enum comp_start type, enum comp_corner_form form, bool starting,
+static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type, enum comp_corner_form form, bool starting,
 			struct comp_turn *turn)
 {
 	struct comp_turn drawn = {.count = 0};
@@ -241,7 +241,7 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 {
 	const struct cutter_comp *comp = &interp->comp;
 	const struct controller *controller = &interp->config->controller;
-	struct corner c = {.before = &comp->waiting,
+	struct comp_corner_shape c = {.before = &comp->waiting,
 			   .after = after,
 			   .at = comp_here(interp),
 			   .ahead = comp->ahead,

@@ -19,6 +19,21 @@ struct comp_turn {
 	double spread_before, spread_after;	/* and the whole path of the block before, and of the next one */
 };
 
+/* A corner and what leads to it and away from it. Directions are units. */
+struct comp_corner_shape {
+	const struct comp_way *before, *after;
+	struct plane_point at, ahead, onward;	/* the corner; the programmed directions before and behind it */
+	struct plane_point foot, next_foot;	/* the points beside it, across these directions */
+	double radius, side;
+	double angle;	/* radians by which the path turns, positive where the tool goes round the outside */
+};
+
+/*
+ * Where the two ways beside the path cross, on the inside of the corner: of two crossings the one nearer to it. The
+ * feet and the angle need not be given. False: they do not cross.
+ */
+bool comp_turn_crossing(const struct comp_corner_shape *shape, struct plane_point *found);
+
 /*
  * At the programmed point where the program is, between comp.waiting and
  * `after`. False: the tool cannot go on there, which was reported.

@@ -1,0 +1,276 @@
+#include "gcode/execute/corner_insert.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "base/units.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
+#include "gcode/execute/cutter_comp/comp_turn.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+#include "geom/tolerance.h"
+
+/* Radians: a corner that is flatter, or nearly a reversal, has no rounding that is certain. */
+#define FLAT_CORNER 0.0175
+
+static double distance(struct plane_point p, struct plane_point q)
+{
+	return hypot(p.a - q.a, p.b - q.b);
+}
+
+static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
+{
+	return (struct plane_point){from.a + s * direction.a, from.b + s * direction.b};
+}
+
+static double cross(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.b - p.b * q.a;
+}
+
+static double dot(struct plane_point p, struct plane_point q)
+{
+	return p.a * q.a + p.b * q.b;
+}
+
+/* What follows a fault is no fault of its own. */
+static bool drop(struct interp *interp)
+{
+	interp->corner.on = false;
+	free(interp->corner.text);
+	interp->corner.text = NULL;
+	return false;
+}
+
+bool corner_insert_start_block(struct interp *interp)
+{
+	const struct block *block = &interp->block;
+	bool more = block->m_count > 0 || block_has(block, 'S') || block_has(block, 'T');
+
+	for (int group = 0; group < G_GROUPS; group++)
+		more = more || (group != G_MOTION && group != G_DISTANCE && block->g[group] != CODE_NONE);
+	if (interp->corner.on && more) {
+		fault_report(&interp->at, 1,
+			     "the block behind a chamfer or rounding (,C or ,R) has a move in the plane and no other code");
+		return drop(interp);
+	}
+	if (block->corner == '\0')
+		return true;
+	if (!traits_of(interp)->corner_words)
+		return is_answered(interp, block->corner_column, 0, "whether ,C and ,R make a corner");
+	if (block->motion < G1 || block->motion > G3 || block->g[G_NONMODAL] != CODE_NONE)
+		return fault(&interp->at, block->corner_column, ",%c needs a block with G1, G2 or G3", block->corner);
+	if (more && block->m_count > 0)
+		return fault(&interp->at, block->corner_column, ",%c beside an M-code is not supported; write two blocks",
+			     block->corner);
+	if (!(block->corner_value > 0))
+		return fault(&interp->at, block->corner_column, ",%c must be greater than 0", block->corner);
+	return true;
+}
+
+/* Its way leaves the plane or does not move in it. */
+static bool leaves_plane(const struct interp *interp, const slot_values *target)
+{
+	slot_values here = rotated_frame_straight(&interp->state);
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		bool in_plane = slot == (int)comp_slot_a(interp) || slot == (int)comp_slot_b(interp);
+
+		if (!in_plane && fabs(target->v[slot] - here.v[slot]) > SAME_COORDINATE)
+			return true;
+	}
+	return distance(comp_here(interp), comp_point_of(interp, target)) < SAME_COORDINATE;
+}
+
+static struct plane_point direction_at(const struct comp_way *way, struct plane_point at, struct plane_point to)
+{
+	struct plane_point radial = {(at.a - way->centre.a) / fmax(distance(at, way->centre), SAME_POINT),
+				     (at.b - way->centre.b) / fmax(distance(at, way->centre), SAME_POINT)};
+	double length = distance(at, to);
+
+	if (!way->is_arc)
+		return (struct plane_point){(to.a - at.a) / length, (to.b - at.b) / length};
+	return way->clockwise ? (struct plane_point){radial.b, -radial.a} : (struct plane_point){-radial.b, radial.a};
+}
+
+/* The point of a way next to the centre of the rounding. */
+static struct plane_point touch(const struct comp_way *way, struct plane_point at, struct plane_point direction,
+				struct plane_point centre)
+{
+	struct plane_point from_centre = along(centre, -1, way->centre), from_at = along(centre, -1, at);
+	double radius = distance(at, way->centre), length = hypot(from_centre.a, from_centre.b);
+
+	if (!way->is_arc)
+		return along(at, dot(from_at, direction), direction);
+	return along(way->centre, radius / fmax(length, SAME_POINT), from_centre);
+}
+
+/* Does the point lie on the way from one point of it to another? */
+static bool lies_between(const struct comp_way *way, struct plane_point from, struct plane_point to, struct plane_point point)
+{
+	struct plane_point whole = along(to, -1, from);
+
+	if (!way->is_arc)
+		return dot(along(point, -1, from), whole) >= 0 && dot(along(point, -1, from), whole) <= dot(whole, whole);
+	return fabs(arc_sweep(from, point, way->centre, way->clockwise, 1, 0)) <=
+	       fabs(arc_sweep(from, to, way->centre, way->clockwise, 1, SAME_POINT));
+}
+
+/* The corner between the block that waits and the next one. */
+struct insertion {
+	struct plane_point first, last;	/* where it starts and ends */
+	struct plane_point centre;	/* of a rounding */
+	bool clockwise;
+};
+
+static bool find_insertion(struct interp *interp, const struct corner_move *next, struct insertion *insertion)
+{
+	const struct pending_corner *corner = &interp->corner;
+	struct plane_point at = comp_here(interp), to = comp_point_of(interp, next->target);
+	struct plane_point from = comp_point_of(interp, &corner->start);
+	struct comp_way before = corner->way;
+	struct comp_way after = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = interp->block.motion == G2};
+	struct plane_point ahead, onward = direction_at(&after, at, to);
+	double angle;
+
+	ahead = before.is_arc ? direction_at(&before, at, at) : direction_at(&before, from, at);
+	angle = atan2(cross(ahead, onward), dot(ahead, onward));
+	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "the path of the chamfer or rounding (,C or ,R) of line %ld has no corner there", corner->at.line);
+	insertion->clockwise = angle < 0;
+	if (corner->letter == 'C' && (before.is_arc || after.is_arc))
+		return fault(&interp->at, block_motion_column(&interp->block), "a chamfer (,C) beside an arc is not supported");
+	if (corner->letter == 'C') {
+		insertion->first = along(at, -corner->size, ahead);
+		insertion->last = along(at, corner->size, onward);
+	} else {
+		struct comp_corner_shape shape = {.before = &before, .after = &after, .at = at, .ahead = ahead,
+						  .onward = onward, .radius = corner->size, .side = angle > 0 ? 1 : -1};
+
+		before.inside = (shape.side > 0) != before.clockwise;
+		after.inside = (shape.side > 0) != after.clockwise;
+		if (!comp_turn_crossing(&shape, &insertion->centre))
+			return fault(&interp->at, block_motion_column(&interp->block),
+				     "the rounding (,R) of line %ld does not touch both of its blocks", corner->at.line);
+		insertion->first = touch(&before, at, ahead, insertion->centre);
+		insertion->last = touch(&after, at, onward, insertion->centre);
+	}
+	if (!lies_between(&before, from, at, insertion->first) || !lies_between(&after, at, to, insertion->last))
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "the chamfer or rounding (,C or ,R) of line %ld is longer than one of its blocks", corner->at.line);
+	return true;
+}
+
+static bool go(struct interp *interp, struct plane_point to, bool is_arc, struct plane_point centre)
+{
+	slot_values here = rotated_frame_straight(&interp->state), target = here;
+	struct plane_point from = comp_here(interp);
+	struct canon_move move = {.kind = is_arc ? CANON_ARC : CANON_FEED, .feed = interp->corner.move.feed};
+	double normal[3] = {0}, xyz[3] = {here.v[SLOT_X], here.v[SLOT_Y], here.v[SLOT_Z]};
+
+	target.v[comp_slot_a(interp)] = to.a;
+	target.v[comp_slot_b(interp)] = to.b;
+	if (cutter_comp_is_on(interp))
+		return is_arc ? cutter_comp_arc(interp, &target, centre, 1, &move) : cutter_comp_line(interp, &target, &move);
+	if (is_arc) {
+		xyz[comp_slot_a(interp)] = centre.a;
+		xyz[comp_slot_b(interp)] = centre.b;
+		normal[comp_slot_across(interp)] = 1;
+		move.arc.centre = rotated_frame_point(&interp->state, (vec3){xyz[0], xyz[1], xyz[2]});
+		move.arc.normal = rotated_frame_normal(&interp->state, (vec3){normal[0], normal[1], normal[2]});
+		move.arc.sweep = arc_sweep(from, to, centre, interp->block.motion == G2, 1, 0);
+	}
+	return motion_commands_go(interp, &target, &move);
+}
+
+static void put_at(struct interp *interp, const slot_values *straight)
+{
+	slot_values position = rotated_frame_position(&interp->state, straight);
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		state_set_position(&interp->state, slot, position.v[slot]);
+}
+
+/* Makes the block that waits, as it stood, and the corner behind it, and tells its end. */
+static bool make_waiting(struct interp *interp, const struct insertion *insertion)
+{
+	struct pending_corner corner = interp->corner;
+	const struct block block = interp->block;
+	const struct line_place at = interp->at;
+	int moves = interp->moves;
+	bool good;
+
+	interp->block = corner.block;
+	interp->at = corner.at;
+	interp->moves = 0;
+	put_at(interp, &corner.start);
+	good = go(interp, insertion->first, corner.way.is_arc, corner.way.centre);
+	interp->block.motion = corner.letter == 'C' ? G1 : insertion->clockwise ? G2 : G3;
+	good = good && go(interp, insertion->last, corner.letter == 'R', insertion->centre);
+	interp->corner.on = false;
+	good = good && cutter_comp_end_block(interp);
+	interp->block = block;
+	interp->at = at;
+	interp->moves = moves;
+	free(interp->corner.text);
+	interp->corner.text = NULL;
+	return good;
+}
+
+bool corner_insert_pass(struct interp *interp, const struct corner_move *next, bool *waits)
+{
+	const struct block *block = &interp->block;
+	struct pending_corner *corner = &interp->corner;
+	struct insertion insertion = {.clockwise = false};
+	bool arcs = traits_of(interp)->corner_words == CORNER_WORDS_WITH_ARCS;
+
+	*waits = false;
+	if (leaves_plane(interp, next->target) || block->motion < G1)
+		return fault(&interp->at, block_motion_column(block),
+			     "the blocks on both sides of a chamfer or rounding (,C or ,R) need a move of G1, G2 or G3 in the plane, "
+			     "and in the plane only");
+	if (next->is_arc && !arcs)
+		return fault(&interp->at, block_motion_column(block),
+			     "a chamfer or rounding (,C or ,R) beside an arc is not supported on this control");
+	if (corner->on && (!find_insertion(interp, next, &insertion) || !make_waiting(interp, &insertion)))
+		return drop(interp);
+	if (block->corner == '\0')
+		return true;
+	*corner = (struct pending_corner){.on = true,
+					  .letter = block->corner,
+					  .size = block->corner_value * interp->state.scale,
+					  .block = *block,
+					  .at = interp->at,
+					  .move = *next->move,
+					  .start = rotated_frame_straight(&interp->state),
+					  .way = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = block->motion == G2},
+					  .text = mem_strndup(interp->at.text, strlen(interp->at.text))};
+	corner->at.text = corner->text;
+	corner->fresh = true;
+	put_at(interp, next->target);
+	*waits = true;
+	return true;
+}
+
+bool corner_insert_keeps_block(struct interp *interp)
+{
+	return interp->corner.on && interp->corner.fresh;
+}
+
+bool corner_insert_end_block(struct interp *interp)
+{
+	struct pending_corner *corner = &interp->corner;
+
+	if (!corner->on)
+		return true;
+	if (corner->fresh) {
+		corner->fresh = false;
+		return true;
+	}
+	fault_report(&interp->at, 1, "the block behind a chamfer or rounding (,C or ,R) needs a move of G1, G2 or G3 in the plane");
+	return drop(interp);
+}
