@@ -13,7 +13,8 @@
 #define DIALECTS(ROW) \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true) \
 	ROW(fanuc, "Fanuc", .has_parameters = true) \
-	ROW(haas, "Haas", .has_parameters = true)
+	ROW(haas, "Haas", .has_parameters = true) \
+	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true)
 
 /* What is known of a control before any program is read. */
 struct dialect_row {

@@ -137,12 +137,14 @@ bool expr_sum(struct expr *expr, struct expr_operand *value)
 
 /* ----------------------------------------------------------------- values */
 
-bool expr_number(struct lexer *lexer, double *value)
+bool expr_number(struct expr *expr, double *value)
 {
+	struct lexer *lexer = expr->lexer;
 	size_t position = lexer->position;
 	bool point;
 
-	switch (number_read(lexer->at->text, &position, value, &point)) {
+	switch (expr->rules->decimal_comma ? number_read_with_comma(lexer->at->text, &position, value)
+					   : number_read(lexer->at->text, &position, value, &point)) {
 	case NUMBER_OK:
 		lexer->position = position;
 		return true;
@@ -176,8 +178,8 @@ static bool read_unsigned(struct expr *expr, struct expr_operand *value)
 	int column = lexer_column(expr->lexer);
 
 	*value = (struct expr_operand){0};
-	if (is_digit(byte) || byte == '.')
-		return expr_number(expr->lexer, &value->number);
+	if (is_digit(byte) || byte == '.' || (byte == ',' && rules->decimal_comma))
+		return expr_number(expr, &value->number);
 	if (starts_variable(rules, byte))
 		return rules->variable(expr, value);
 	if (byte != rules->open)

@@ -41,6 +41,7 @@ struct expr_rules {
 	const struct function_name *functions;
 	size_t function_count;
 	bool abbreviations;	/* the first two letters of a function's name will do */
+	bool decimal_comma;	/* numbers may have one in place of the point, and have no blanks inside */
 	bool signs_repeat;	/* --1 is a value; else it is a fault */
 	bool has_vacant;	/* variables can be vacant; else a value that is no number is a fault */
 	int depth_max;
@@ -89,7 +90,7 @@ bool expr_close(struct expr *expr);
 bool expr_enter(struct expr *expr);
 
 /* A plain number. */
-bool expr_number(struct lexer *lexer, double *value);
+bool expr_number(struct expr *expr, double *value);
 
 /* Column of the next byte that is no blank. */
 int expr_column(struct lexer *lexer);

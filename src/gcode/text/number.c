@@ -136,3 +136,27 @@ enum number_status number_read(const char *text, size_t *position, double *value
 	*position = at;
 	return NUMBER_OK;
 }
+
+enum number_status number_read_with_comma(const char *text, size_t *position, double *value)
+{
+	const char *first = text + *position + (text[*position] == '-' || text[*position] == '+'), *at, *end;
+	uint64_t mantissa = 0;
+	int digits, fraction_digits = 0;
+	double size;
+
+	at = end = take_digits(first, &mantissa);
+	digits = (int)(at - first);
+	if (*at == '.' || *at == ',') {
+		end = take_digits(at + 1, &mantissa);
+		fraction_digits = (int)(end - at) - 1;
+	}
+	if (digits + fraction_digits == 0)
+		return NUMBER_MISSING;
+	if (end - first > NUMBER_LENGTH_MAX)
+		return NUMBER_TOO_LONG;
+	if (digits + fraction_digits > MANTISSA_DIGITS_MAX || !exact_value(mantissa, fraction_digits, &size))
+		size = slow_value(text, (size_t)(first - text), (size_t)(end - text), fraction_digits);
+	*value = text[*position] == '-' ? -size : size;
+	*position = (size_t)(end - text);
+	return NUMBER_OK;
+}

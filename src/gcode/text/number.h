@@ -18,4 +18,7 @@ enum number_status { NUMBER_OK, NUMBER_MISSING, NUMBER_TOO_LONG };
  */
 enum number_status number_read(const char *text, size_t *position, double *value, bool *point);
 
+/* The same for [+-] digits [, or .] digits without any blank. */
+enum number_status number_read_with_comma(const char *text, size_t *position, double *value);
+
 #endif

@@ -165,6 +165,12 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	return status;
 }
 
+bool reader_peek(const struct reader *reader, size_t least, const char **text)
+{
+	*text = reader->buffer + reader->begin;
+	return reader->end - reader->begin >= least;
+}
+
 long long reader_position(const struct reader *reader)
 {
 	return reader->origin + (long long)reader->begin;

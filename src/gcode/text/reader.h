@@ -54,6 +54,12 @@ void reader_release(struct reader *reader);
  */
 enum reader_status reader_next(struct reader *reader, const char **text);
 
+/*
+ * The bytes that come next, which stay the next ones; they live until the next call, and *text has no NUL at its end.
+ * False: fewer than `least` of them are in the buffer.
+ */
+bool reader_peek(const struct reader *reader, size_t least, const char **text);
+
 /* Where the next line starts, for reader_seek. */
 long long reader_position(const struct reader *reader);
 

@@ -1,0 +1,332 @@
+#include "gcode/dialect/klartext/klartext_circle.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_path.h"
+#include "gcode/execute/arc.h"
+#include "geom/tolerance.h"
+
+/*
+ * mm: how much the radii of a circle's start and end may differ (iTNC 530 user's manual, "Circular path C around circle
+ * center CC": input tolerance up to 0.016 mm).
+ */
+#define RADIUS_TOLERANCE 0.016
+
+/* A coordinate of the plane is a zero radius below this, mm. */
+#define RADIUS_LEAST 1e-6
+
+/* ------------------------------------------------------------------ planes */
+
+/* Z X Y: the planes XY, ZX, YZ across Z, Y, X, each with its first and second axis. */
+static void plane_axes(int across, int *a, int *b)
+{
+	*a = across == SLOT_Z ? SLOT_X : across == SLOT_Y ? SLOT_Z : SLOT_Y;
+	*b = across == SLOT_Z ? SLOT_Y : across == SLOT_Y ? SLOT_X : SLOT_Z;
+}
+
+static double coordinate(vec3 v, int slot)
+{
+	return slot == SLOT_X ? v.x : slot == SLOT_Y ? v.y : v.z;
+}
+
+static void set_coordinate(vec3 *v, int slot, double value)
+{
+	*(slot == SLOT_X ? &v->x : slot == SLOT_Y ? &v->y : &v->z) = value;
+}
+
+static vec3 normal_of(int across)
+{
+	vec3 normal = {0, 0, 0};
+
+	set_coordinate(&normal, across, 1);
+	return normal;
+}
+
+static struct plane_point in_plane(vec3 v, int across)
+{
+	int a, b;
+
+	plane_axes(across, &a, &b);
+	return (struct plane_point){coordinate(v, a), coordinate(v, b)};
+}
+
+static void from_plane(vec3 *v, int across, struct plane_point point)
+{
+	int a, b;
+
+	plane_axes(across, &a, &b);
+	set_coordinate(v, a, point.a);
+	set_coordinate(v, b, point.b);
+}
+
+static bool check_direction(struct interp *interp, const struct klartext_words *words, const char *what)
+{
+	return words->direction ||
+	       fault(&interp->at, words->first_column, "%s needs its direction of rotation, DR+ or DR-", what);
+}
+
+/* Is the third axis named? Only helices lead it along. */
+static bool check_across(struct interp *interp, const struct klartext_words *words, int across, const char *what)
+{
+	if (!klartext_words_has(words, across))
+		return true;
+	return fault(&interp->at, words->column[across],
+		     "%c does not belong to the plane of this %s; a helix is written as CP", AXIS_LETTERS[across], what);
+}
+
+static bool find_pole(struct interp *interp, int column, struct plane_point *pole)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	int a, b;
+
+	plane_axes(klartext->across, &a, &b);
+	if (!klartext->has_pole[a] || !klartext->has_pole[b])
+		return fault(&interp->at, column, "no CC has given the centre");
+	*pole = in_plane(klartext->pole, klartext->across);
+	return true;
+}
+
+/* --------------------------------------------------------------------- CC */
+
+/*
+ * iTNC 530 user's manual, "Circle center CC": coordinates that are left out stay; without any the present position is
+ * the centre; I values count from the present position.
+ */
+bool klartext_circle_pole(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z;
+	vec3 here = klartext_frame_point(interp);
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (words.has_radius || words.has_angle)
+		return fault(lexer->at, words.first_column, "CC in polar coordinates is not supported yet");
+	if (words.axes & ~plane || words.m_count || words.feed || words.has_size || words.direction || words.comp)
+		return fault(lexer->at, words.first_column, "CC has coordinates of X, Y and Z alone");
+	if (words.axes == plane)
+		return fault(lexer->at, words.first_column,
+			     "CC with X, Y and Z: two of them say in which plane the circle lies; leave the third out");
+	if (!words.axes) {
+		klartext->pole = here;
+		klartext->across = SLOT_Z;
+		klartext->has_pole[SLOT_X] = klartext->has_pole[SLOT_Y] = true;
+		return true;
+	}
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		double from = words.increments & 1U << slot ? coordinate(here, slot) : 0;
+
+		if (klartext_words_has(&words, slot)) {
+			set_coordinate(&klartext->pole, slot, words.value[slot] + from);
+			klartext->has_pole[slot] = true;
+		}
+	}
+	if (klartext_words_has(&words, SLOT_Z))
+		klartext->across = klartext_words_has(&words, SLOT_X) ? SLOT_Y : klartext_words_has(&words, SLOT_Y) ? SLOT_X
+											    : klartext->across;
+	else if (klartext_words_has(&words, SLOT_X) && klartext_words_has(&words, SLOT_Y))
+		klartext->across = SLOT_Z;
+	return true;
+}
+
+/* ------------------------------------------------------------------ C, CR */
+
+static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end, struct plane_point centre, int across,
+		     int direction, int column)
+{
+	struct plane_point start_point = in_plane(path->start, across), end_point = in_plane(end, across);
+	double r0 = hypot(start_point.a - centre.a, start_point.b - centre.b);
+	double r1 = hypot(end_point.a - centre.a, end_point.b - centre.b);
+
+	if (r0 < RADIUS_LEAST || r1 < RADIUS_LEAST)
+		return fault(&interp->at, column, "a circle of radius 0: %.6g mm at its start, %.6g mm at its end", r0, r1);
+	if (fabs(r0 - r1) > RADIUS_TOLERANCE)
+		return fault(&interp->at, column, "the radius of the circle is %.6g mm at its start and %.6g mm at its end", r0, r1);
+	path->arc = true;
+	path->centre = path->start;
+	from_plane(&path->centre, across, centre);
+	path->normal = normal_of(across);
+	path->sweep = arc_sweep(start_point, end_point, centre, direction < 0, 1, SAME_POINT / r0);
+	return true;
+}
+
+static bool shape_about_pole(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			     struct klartext_path *path)
+{
+	int across = klartext_of(interp)->across;
+	struct plane_point centre;
+
+	return check_direction(interp, words, "C") && check_across(interp, words, across, "circle") &&
+	       find_pole(interp, words->first_column, &centre) &&
+	       fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
+}
+
+bool klartext_circle_about_pole(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_about_pole);
+}
+
+/* "Circular path CR with defined radius": R > 0 turns less than half a turn, R < 0 more. */
+static bool shape_by_radius(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			    struct klartext_path *path)
+{
+	static const struct arc_tolerance tolerance = {RADIUS_TOLERANCE, RADIUS_TOLERANCE};
+	struct plane_point centre = {0, 0};
+
+	if (!check_direction(interp, words, "CR") || !check_across(interp, words, SLOT_Z, "circle"))
+		return false;
+	if (!words->has_size || same_double(words->size, 0))
+		return fault(&interp->at, words->first_column, "CR needs its radius in R");
+	switch (arc_find_centre(in_plane(path->start, SLOT_Z), in_plane(target->point, SLOT_Z), words->size,
+				words->direction < 0, &tolerance, &centre)) {
+	case ARC_NO_CHORD:
+		return fault(&interp->at, words->first_column, "a circle by its radius cannot end where it starts; use CC and C");
+	case ARC_RADIUS_TOO_SMALL:
+		return fault(&interp->at, words->size_column,
+			     "a radius of %.6g mm does not reach from the start of the circle to its end", fabs(words->size));
+	default:
+		return fill_arc(interp, path, target->point, centre, SLOT_Z, words->direction, words->first_column);
+	}
+}
+
+bool klartext_circle_by_radius(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_by_radius);
+}
+
+/* ---------------------------------------------------------------------- CT */
+
+/*
+ * The circle that starts in direction t and ends at e: its centre lies across t, as far from the start as from the
+ * end. With n = z x t and d = e - start: centre = start + n d.d / (2 n.d).
+ */
+static bool fill_tangential(struct interp *interp, const struct klartext_words *words,
+			    const struct klartext_target *target, struct klartext_path *path)
+{
+	const vec3 z = {0, 0, 1};
+	vec3 direction, way = vec3_sub(target->point, path->start), across;
+	struct plane_point centre;
+	double side;
+
+	if (!check_across(interp, words, SLOT_Z, "circle"))
+		return false;
+	if (!klartext_path_end_direction(&klartext_of(interp)->last, &direction) || fabs(direction.z) > SAME_POINT)
+		return fault(&interp->at, words->first_column,
+			     "CT needs a path block before it that moves in the plane, to start in its direction");
+	way.z = 0;
+	across = vec3_cross(z, direction);
+	side = vec3_dot(across, way);
+	/* Straight on: no circle is needed. */
+	if (fabs(side) <= SAME_POINT && vec3_dot(direction, way) > 0)
+		return true;
+	if (fabs(side) <= SAME_POINT)
+		return fault(&interp->at, words->first_column, "the end of CT lies behind its start: no circle leads there");
+	across = vec3_scale(vec3_norm2(way) / (2 * side), across);
+	centre = (struct plane_point){path->start.x + across.x, path->start.y + across.y};
+	return fill_arc(interp, path, target->point, centre, SLOT_Z, side > 0 ? 1 : -1, words->first_column);
+}
+
+static bool shape_tangential(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			     struct klartext_path *path)
+{
+	return fill_tangential(interp, words, target, path);
+}
+
+bool klartext_circle_tangential(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_tangential);
+}
+
+/* ------------------------------------------------------------------- polar */
+
+/* Degrees: where the tool stands as seen from the pole. */
+static double polar_angle(struct plane_point pole, struct plane_point point)
+{
+	return degrees(atan2(point.b - pole.b, point.a - pole.a));
+}
+
+static bool polar_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
+			struct klartext_target *target)
+{
+	int across = klartext_of(interp)->across, a, b;
+	struct plane_point pole, here;
+	double radius, angle;
+
+	plane_axes(across, &a, &b);
+	if (klartext_words_has(words, a) || klartext_words_has(words, b))
+		return fault(&interp->at, words->column[klartext_words_has(words, a) ? a : b],
+			     "polar coordinates and %c in one block", AXIS_LETTERS[klartext_words_has(words, a) ? a : b]);
+	if (!find_pole(interp, words->first_column, &pole))
+		return false;
+	here = in_plane(path->start, across);
+	radius = hypot(here.a - pole.a, here.b - pole.b);
+	angle = polar_angle(pole, here);
+	if (words->has_radius)
+		radius = words->radius + (words->radius_increment ? radius : 0);
+	if (words->has_angle)
+		angle = words->angle + (words->angle_increment ? angle : 0);
+	if (radius < 0)
+		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
+	from_plane(&target->point, across,
+		   (struct plane_point){pole.a + radius * cos(radians(angle)), pole.b + radius * sin(radians(angle))});
+	return true;
+}
+
+static bool shape_polar_line(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			     struct klartext_path *path)
+{
+	return polar_point(interp, words, path, target);
+}
+
+bool klartext_circle_polar_line(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_polar_line);
+}
+
+/*
+ * "Circular path CP around pole CC", "Helical interpolation": PA is where the circle ends, IPA how far it turns, which may
+ * be more than a turn; IZ is the height of a helix. The sign of IPA is that of DR.
+ */
+static bool shape_polar(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
+			struct klartext_path *path)
+{
+	int across = klartext_of(interp)->across;
+	struct plane_point centre;
+
+	if (!check_direction(interp, words, "CP") || !find_pole(interp, words->first_column, &centre))
+		return false;
+	if (words->has_radius)
+		return fault(&interp->at, words->radius_column, "CP keeps the distance from the pole; PR does not belong to it");
+	if (!words->has_angle)
+		return fault(&interp->at, words->first_column, "CP needs PA or IPA");
+	if (words->angle_increment && words->angle * words->direction < 0)
+		return fault(&interp->at, words->angle_column, "the signs of IPA and DR differ");
+	if (!polar_point(interp, words, path, target) ||
+	    !fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column))
+		return false;
+	if (words->angle_increment)
+		path->sweep = radians(words->angle);
+	return !same_double(path->sweep, 0) || fault(&interp->at, words->angle_column, "a circle of 0 degrees");
+}
+
+bool klartext_circle_polar(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_polar);
+}
+
+static bool shape_tangential_polar(struct interp *interp, const struct klartext_words *words,
+				   struct klartext_target *target, struct klartext_path *path)
+{
+	return polar_point(interp, words, path, target) && fill_tangential(interp, words, target, path);
+}
+
+bool klartext_circle_tangential_polar(struct lexer *lexer)
+{
+	return klartext_path_run(lexer, shape_tangential_polar);
+}

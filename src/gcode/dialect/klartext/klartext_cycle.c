@@ -1,0 +1,348 @@
+#include "gcode/dialect/klartext/klartext_cycle.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_hole.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+
+/* More pecks are a typing mistake, and carrying them out would seem to hang. */
+#define PECKS_MAX 100000
+
+/* A cycle that is being carried out. */
+struct call {
+	struct interp *interp;
+	const struct klartext_cycle *cycle;
+	int column;	/* of what calls it */
+};
+
+/* ------------------------------------------------------------------- words */
+
+static bool find_word(const struct call *call, int q, double *value)
+{
+	char name[12] = "Q";
+	int digits = q >= 100 ? 3 : 2;
+
+	for (int i = digits; i > 0; i--, q /= 10)
+		name[i] = (char)('0' + q % 10);
+	name[digits + 1] = '\0';
+	for (int i = call->cycle->count; i-- > 0;) {
+		const struct klartext_cycle_word *word = &call->cycle->words[i];
+
+		if (word->given && !strcmp(word->name, name)) {
+			*value = word->value;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* A parameter that the cycle must have. False: reported. */
+static bool need(const struct call *call, int q, double *value)
+{
+	return find_word(call, q, value) ||
+	       fault(&call->interp->at, call->column, "CYCL DEF %d lacks Q%d", call->cycle->number, q);
+}
+
+static double word_or(const struct call *call, int q, double otherwise)
+{
+	double value;
+
+	return find_word(call, q, &value) ? value : otherwise;
+}
+
+/* A length, in mm. */
+static bool need_length(const struct call *call, int q, double *value)
+{
+	if (!need(call, q, value))
+		return false;
+	*value *= call->interp->state.scale;
+	return true;
+}
+
+static double length_or(const struct call *call, int q, double otherwise)
+{
+	double value;
+
+	return find_word(call, q, &value) ? value * call->interp->state.scale : otherwise;
+}
+
+/* mm/s, of F in mm/min or tenths of an inch a minute. */
+static double per_second(const struct call *call, double feed)
+{
+	double scale = call->interp->state.scale;
+
+	return feed * (scale > 1 ? scale / 10 : 1) / SECONDS_PER_MINUTE;
+}
+
+/* ------------------------------------------------------------------- feeds */
+
+/* Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time finite. */
+static bool find_feed(const struct call *call, int q, double *feed)
+{
+	double value;
+
+	if (!need(call, q, &value))
+		return false;
+	if (value < 0)
+		return fault(&call->interp->at, call->column, "Q%d of CYCL DEF %d: a feed rate cannot be negative", q,
+			     call->cycle->number);
+	*feed = per_second(call, value);
+	return true;
+}
+
+/* The pitch times the speed. */
+static bool find_tap_feed(const struct call *call, double pitch, double *feed)
+{
+	const struct state *state = &call->interp->state;
+
+	if (!(state->speed > 0))
+		return fault(&call->interp->at, call->column, "CYCL DEF %d without a spindle speed (S)", call->cycle->number);
+	*feed = fabs(pitch) * state->scale * state->speed / SECONDS_PER_MINUTE;
+	return true;
+}
+
+/* ------------------------------------------------------------------ heights */
+
+/*
+ * iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's surface, Q200 the set-up clearance above it,
+ * Q204 the second one, Q201 the depth below the surface.
+ */
+static bool find_heights(const struct call *call, struct klartext_hole *hole)
+{
+	double clearance, surface, depth, second;
+
+	if (!need_length(call, 200, &clearance) || !need_length(call, 201, &depth) || !need_length(call, 203, &surface) ||
+	    !need_length(call, 204, &second))
+		return false;
+	if (clearance < 0 || second < 0)
+		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
+	if (depth > 0)
+		return fault(&call->interp->at, call->column,
+			     "Q201=%g: what a depth above the surface does depends on a machine parameter", depth);
+	hole->start = surface + clearance;
+	hole->bottom = surface + depth;
+	hole->clear = surface + fmax(second, clearance);
+	hole->clearance = clearance;
+	hole->nothing = same_double(depth, 0);
+	return true;
+}
+
+/* Q202, Q212, Q205: a peck, by how much each is smaller, and how small it may get. */
+static bool find_pecks(const struct call *call, struct klartext_hole *hole)
+{
+	double depth = hole->start - hole->bottom;
+
+	if (!need_length(call, 202, &hole->peck))
+		return false;
+	if (hole->peck < 0)
+		return fault(&call->interp->at, call->column, "Q202: a peck cannot be negative");
+	hole->less = fmax(0, length_or(call, 212, 0));
+	hole->least = fmax(0, length_or(call, 205, 0));
+	/* 0: however the control divides the depth, the tool stays on this line. */
+	if (!(hole->peck > 0))
+		hole->peck = depth;
+	if (depth / hole->peck > PECKS_MAX)
+		return fault(&call->interp->at, call->column, "Q202: more than %d pecks", PECKS_MAX);
+	if (hole->less > 0 && !(hole->least > 0))
+		hole->least = hole->peck / 100;
+	return true;
+}
+
+static bool find_dwell(const struct call *call, int q, double *seconds)
+{
+	*seconds = word_or(call, q, 0);
+	return *seconds >= 0 || fault(&call->interp->at, call->column, "Q%d: a dwell cannot be negative", q);
+}
+
+/* -------------------------------------------------------------- the cycles */
+
+/* 200, 203, 205, 240: drilling, with pecks. */
+static bool drill(const struct call *call, struct klartext_hole *hole)
+{
+	int number = call->cycle->number;
+
+	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+		return false;
+	if (number == 240) {
+		if (!same_double(word_or(call, 343, 0), 0))
+			return fault(&call->interp->at, call->column,
+				     "Q343=1: a centring by its diameter needs the point angle of the tool; give its depth in Q201");
+		return true;
+	}
+	if (!find_pecks(call, hole))
+		return false;
+	hole->chip_breaks = number == 203 ? (int)fmin(PECKS_MAX, fmax(0, word_or(call, 213, 0))) : 0;
+	hole->break_way = length_or(call, 256, 0);
+	if (number == 205)
+		hole->start = fmax(hole->bottom, hole->start + fmin(0, length_or(call, 379, 0)));
+	return true;
+}
+
+/* 201: to the bottom and back at the feed Q208, or that of the way down; 202 the same, aside at the bottom. */
+static bool ream(const struct call *call, struct klartext_hole *hole)
+{
+	double direction = word_or(call, 214, 0);
+
+	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+		return false;
+	hole->out = per_second(call, fmax(0, word_or(call, 208, 0)));
+	hole->out = hole->out > 0 ? hole->out : hole->feed;
+	if (call->cycle->number != 202 || same_double(direction, 0))
+		return true;
+	if (!(direction >= 1 && direction <= 4) || !same_double(floor(direction), direction))
+		return fault(&call->interp->at, call->column, "Q214 is a whole number from 0 to 4");
+	/* "BORING (Cycle 202)": 0.2 mm in X-, Y-, X+ or Y+. */
+	hole->aside_x = same_double(direction, 1) ? -0.2 : same_double(direction, 3) ? 0.2 : 0;
+	hole->aside_y = same_double(direction, 2) ? -0.2 : same_double(direction, 4) ? 0.2 : 0;
+	return true;
+}
+
+/* 206: with a floating holder; 207, 209: without. The tool leaves the hole at the feed. */
+static bool tap(const struct call *call, struct klartext_hole *hole)
+{
+	double pitch;
+
+	hole->turns = true;
+	if (!find_dwell(call, 211, &hole->dwell))
+		return false;
+	if (call->cycle->number == 206) {
+		if (!find_feed(call, 206, &hole->feed))
+			return false;
+	} else if (!need(call, 239, &pitch) || !find_tap_feed(call, pitch, &hole->feed)) {
+		return false;
+	}
+	hole->out = hole->feed;
+	return true;
+}
+
+/* 241: single-lip deep-hole drilling: to the starting point at Q253, to the bottom, back at Q208. */
+static bool drill_deep(const struct call *call, struct klartext_hole *hole)
+{
+	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+		return false;
+	hole->out = per_second(call, fmax(0, word_or(call, 208, 0)));
+	hole->out = hole->out > 0 ? hole->out : hole->feed;
+	return true;
+}
+
+/* "BACK BORING (Cycle 204)" does nothing where the depth of its countersink, Q249, is 0. */
+static bool bore_back(const struct call *call, struct klartext_hole *hole)
+{
+	double depth;
+
+	if (!need(call, 249, &depth))
+		return false;
+	if (!same_double(depth, 0))
+		return fault(&call->interp->at, call->column, "CYCL DEF 204: back boring is not supported yet");
+	hole->nothing = true;
+	return true;
+}
+
+static bool by_q(const struct call *call)
+{
+	static const struct {
+		int number;
+		bool (*find)(const struct call *call, struct klartext_hole *hole);
+	} cycles[] = {{200, drill}, {201, ream}, {202, ream}, {203, drill}, {205, drill},
+		      {206, tap},   {207, tap},	 {209, tap},  {240, drill}, {241, drill_deep}};
+	struct klartext_hole hole = {0};
+
+	if (call->cycle->number == 204)
+		return bore_back(call, &hole);
+	if (!find_heights(call, &hole))
+		return false;
+	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
+		if (cycles[i].number == call->cycle->number)
+			return cycles[i].find(call, &hole) && klartext_hole_make(call->interp, &hole, call->column);
+	}
+	return fault(&call->interp->at, call->column, "CYCL DEF %d is not supported yet", call->cycle->number);
+}
+
+/* The value of line n.<part> of an older cycle; lines without a value are 0. */
+static double part_of(const struct call *call, int part)
+{
+	for (int i = call->cycle->count; i-- > 0;) {
+		if (call->cycle->words[i].part == part && call->cycle->words[i].given)
+			return call->cycle->words[i].value;
+	}
+	return 0;
+}
+
+/*
+ * TNC 415/425 user's manual, "PECKING (Cycle 1)", "TAPPING (Cycle 2)", "RIGID TAPPING (Cycle 17)": the tool stands at the
+ * set-up clearance over the surface where the cycle is called, and comes back there. 1: set-up, depth, peck, dwell, F;
+ * 2: set-up, depth, dwell, F; 17: set-up, depth, pitch.
+ */
+static bool by_parts(const struct call *call)
+{
+	struct interp *interp = call->interp;
+	int number = call->cycle->number;
+	double scale = interp->state.scale, set_up = part_of(call, 1) * scale, depth = part_of(call, 2) * scale;
+	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = set_up};
+
+	if (set_up < 0)
+		return fault(&interp->at, call->column, "the set-up clearance of CYCL DEF %d cannot be negative", number);
+	if (depth > 0)
+		return fault(&interp->at, call->column, "the depth of CYCL DEF %d is above the surface", number);
+	hole.clear = hole.start;
+	hole.bottom = hole.start - set_up + depth;
+	hole.nothing = same_double(depth, 0);
+	hole.dwell = fmax(0, part_of(call, number == 1 ? 4 : 3));
+	hole.feed = per_second(call, part_of(call, number == 1 ? 5 : 4));
+	if (number == 1) {
+		hole.peck = part_of(call, 3) * scale;
+		if (hole.peck < 0 || (hole.start - hole.bottom) / hole.peck > PECKS_MAX)
+			hole.peck = 0;
+		return klartext_hole_make(interp, &hole, call->column);
+	}
+	hole.turns = true;
+	if (number == 17) {
+		hole.dwell = 0;
+		if (!find_tap_feed(call, part_of(call, 3), &hole.feed))
+			return false;
+	}
+	hole.out = hole.feed;
+	return klartext_hole_make(interp, &hole, call->column);
+}
+
+/* --------------------------------------------------------------------- calls */
+
+bool klartext_cycle_call(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct call call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
+
+	if (klartext->cycle.number == 0)
+		return fault(&interp->at, column, "no cycle has been defined that could be called");
+	if (interp->state.tcp == TCP_BY_MCODE)
+		return fault(&interp->at, column, "a cycle while M128 is in force is not supported yet");
+	if (klartext->waits)
+		return fault(&interp->at, column, "a cycle before the rotary axes stand where PLANE ... STAY needs them");
+	if (!klartext_frame_check_plane(interp, column))
+		return false;
+	if (klartext->corner.waits)
+		return fault(&interp->at, column, "RND and CHF need a straight line behind them");
+	klartext->last.known = false;
+	klartext->moved = true;
+	return klartext->cycle.by_q ? by_q(&call) : by_parts(&call);
+}
+
+/* M89: behind every block that moves axes, until M99 or another definition. */
+bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct klartext_m *m = words->m_count ? klartext_words_m(words, 99) : NULL;
+
+	if (!klartext->modal_call)
+		return true;
+	/* The block with M99 is the last one. */
+	if (m) {
+		klartext->modal_call = false;
+		return true;
+	}
+	return !words->axes || klartext_cycle_call(interp, words->first_column);
+}

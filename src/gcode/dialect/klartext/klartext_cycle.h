@@ -1,0 +1,16 @@
+/* klartext_cycle.h - CYCL DEF: definitions of cycles; CYCL CALL, M99 and M89, which carry them out. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CYCLE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CYCLE_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_words.h"
+#include "gcode/text/lexer.h"
+
+/* Carries out the cycle that was defined last, where the tool stands. False: reported at the column, or the sink ... */
+bool klartext_cycle_call(struct interp *interp, int column);
+
+/* The same behind a move, if M89 is in force. */
+bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words);
+
+#endif

@@ -1,0 +1,341 @@
+#include "gcode/dialect/klartext/klartext_define.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_plane.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/motion_commands.h"
+
+/* FMAX as a number, as cycles write it. */
+#define FMAX_VALUE 99999
+
+/* What a cycle is to this control. */
+enum cycle_use {
+	USE_CALLED,	/* by CYCL CALL, M99, M89 */
+	USE_DEFINED,	/* takes effect where it is defined */
+	USE_IGNORED,	/* moves no axis */
+	USE_REFUSED
+};
+
+struct cycle_row {
+	short number;
+	enum cycle_use use;
+	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle);	/* DEFINED */
+	const char *what;	/* REFUSED */
+};
+
+static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	double seconds = cycle->count ? cycle->words[cycle->count - 1].value : 0;
+
+	return seconds >= 0 ? motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds})
+			    : fault(&interp->at, cycle->column, "a dwell cannot be negative");
+}
+
+/*
+ * "TOLERANCE (Cycle 32)": T is how far the control may leave the path to smooth it, TA the same in degrees of rotary axes;
+ * without T the machine's own value counts again.
+ */
+static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct state *state = &interp->state;
+	bool rotary = cycle->count && cycle->words[0].part > 1;
+	double tolerance = rotary ? state->blend_tolerance : 0;
+
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+
+		if (word->given && !strcmp(word->name, "T"))
+			tolerance = word->value * state->scale;
+		else if (word->given && !strcmp(word->name, "TA") && tolerance > 0)
+			tolerance = fmax(tolerance, word->value);
+	}
+	if (tolerance < 0)
+		return fault(&interp->at, cycle->column, "a path tolerance cannot be negative");
+	state->blend_tolerance = tolerance;
+	return true;
+}
+
+/* iTNC 530 and TNC 640 user's manuals, cycle programming. Sorted by number. */
+static const struct cycle_row rows[] = {
+	{1, USE_CALLED, NULL, NULL},
+	{2, USE_CALLED, NULL, NULL},
+	{3, USE_REFUSED, NULL, "slot milling"},
+	{4, USE_REFUSED, NULL, "pocket milling"},
+	{5, USE_REFUSED, NULL, "circular pocket milling"},
+	{7, USE_DEFINED, klartext_frame_shift, NULL},
+	{8, USE_DEFINED, klartext_frame_mirror, NULL},
+	{9, USE_DEFINED, dwell, NULL},
+	{10, USE_DEFINED, klartext_frame_rotate, NULL},
+	{11, USE_DEFINED, klartext_frame_scale, NULL},
+	{12, USE_REFUSED, NULL, "a program as a cycle"},
+	{13, USE_IGNORED, NULL, NULL},	/* orients the spindle */
+	{14, USE_REFUSED, NULL, "contours of subprograms"},
+	{17, USE_CALLED, NULL, NULL},
+	{18, USE_REFUSED, NULL, "thread cutting"},
+	{19, USE_DEFINED, klartext_plane_cycle, NULL},
+	{26, USE_DEFINED, klartext_frame_scale_axes, NULL},
+	{32, USE_DEFINED, tolerate, NULL},
+	{200, USE_CALLED, NULL, NULL},
+	{201, USE_CALLED, NULL, NULL},
+	{202, USE_CALLED, NULL, NULL},
+	{203, USE_CALLED, NULL, NULL},
+	{204, USE_CALLED, NULL, NULL},
+	{205, USE_CALLED, NULL, NULL},
+	{206, USE_CALLED, NULL, NULL},
+	{207, USE_CALLED, NULL, NULL},
+	{208, USE_REFUSED, NULL, "bore milling"},
+	{209, USE_CALLED, NULL, NULL},
+	{220, USE_REFUSED, NULL, "a pattern of holes on a circle"},
+	{221, USE_REFUSED, NULL, "a pattern of holes on lines"},
+	{240, USE_CALLED, NULL, NULL},
+	{241, USE_CALLED, NULL, NULL},
+	{247, USE_DEFINED, klartext_frame_preset, NULL},
+	{262, USE_REFUSED, NULL, "thread milling"},
+};
+
+static const struct cycle_row *find_row(int number)
+{
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+		if (rows[i].number == number)
+			return &rows[i];
+	}
+	return NULL;
+}
+
+/* --------------------------------------------------------------------- ends */
+
+static bool finish(struct interp *interp)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct klartext_cycle *definition = &klartext->definition;
+	const struct cycle_row *row = find_row(definition->number);
+
+	definition->open = false;
+	if (row->use == USE_CALLED) {
+		klartext->cycle = *definition;
+		klartext->modal_call = false;
+	}
+	/* Older cycles have taken effect line by line. */
+	return row->use != USE_DEFINED || !definition->by_q || row->run(interp, definition);
+}
+
+bool klartext_define_end(struct interp *interp)
+{
+	return !klartext_of(interp)->definition.open || finish(interp);
+}
+
+/* ------------------------------------------------------------------- words */
+
+static struct klartext_cycle_word *add_word(struct lexer *lexer, struct klartext_cycle *cycle, int column)
+{
+	struct klartext_cycle_word *word;
+
+	if (cycle->count == KLARTEXT_CYCLE_WORDS) {
+		fault_report(lexer->at, column, "a cycle has at most %d parameters", KLARTEXT_CYCLE_WORDS);
+		return NULL;
+	}
+	word = &cycle->words[cycle->count++];
+	*word = (struct klartext_cycle_word){.part = cycle->part, .column = column, .line = lexer->at->line};
+	return word;
+}
+
+/* Q200=2; a feed may be FMAX or FAUTO. */
+static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer), number;
+	struct klartext_cycle_word *word;
+	char text[KLARTEXT_WORD];
+
+	lexer_take(lexer);
+	if (!klartext_integer(lexer, "the number of a parameter", 0, KLARTEXT_Q_COUNT - 1, &number))
+		return false;
+	if (lexer_peek(lexer) != '=')
+		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
+	lexer_take(lexer);
+	word = add_word(lexer, cycle, column);
+	if (!word)
+		return false;
+	snprintf(word->name, sizeof(word->name), "Q%d", number);
+	if (klartext_ends(lexer))
+		return true;
+	if (klartext_value_follows(lexer)) {
+		if (!klartext_value(lexer, &word->value))
+			return false;
+		word->given = true;
+		klartext_q_set(klartext_of(interp), number, word->value);
+		return true;
+	}
+	if (!klartext_word(lexer, text))
+		return fault(lexer->at, klartext_column(lexer), "a value is needed here");
+	if (!strcmp(text, "FMAX"))
+		word->value = FMAX_VALUE;
+	else if (!strcmp(text, "FAUTO"))
+		word->value = klartext_of(interp)->call_feed_bare;
+	else
+		return fault(lexer->at, column, "Q%d=%s is not supported yet: give a number", number, text);
+	word->given = true;
+	return true;
+}
+
+static bool is_letter(char byte)
+{
+	byte = klartext_upper(byte);
+	return byte >= 'A' && byte <= 'Z';
+}
+
+/* Words of the lines n.1 and on of older cycles: X+10, IX-5, ROT+30, SCL 0.5, SET UP 2, T0.05, F100, #5. */
+static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	int column = klartext_column(lexer);
+	struct klartext_cycle_word *word = add_word(lexer, cycle, column);
+	char text[KLARTEXT_WORD], more[KLARTEXT_WORD];
+
+	if (!word)
+		return false;
+	if (lexer_peek(lexer) == '#') {
+		lexer_take(lexer);
+		snprintf(word->name, sizeof(word->name), "#");
+	} else if (klartext_word(lexer, text)) {
+		snprintf(word->name, sizeof(word->name), "%.11s", text);
+		/* Names of several words: SET UP, V.TIME. A letter that is an axis stands alone, as in 8.1 X Y. */
+		while (text[1] != '\0' && !klartext_ends(lexer) && !klartext_value_follows(lexer) && klartext_word(lexer, more))
+			;
+	} else if (!klartext_value_follows(lexer)) {
+		return fault(lexer->at, column, "this is no word of a cycle");
+	}
+	/* V.ZEIT, HSC-MODE:1 */
+	while ((lexer_peek(lexer) == '.' || lexer_peek(lexer) == '-') && is_letter(lexer->at->text[lexer->position + 1])) {
+		lexer_take(lexer);
+		klartext_word(lexer, more);
+	}
+	if (lexer_peek(lexer) == ':' || lexer_peek(lexer) == '=')
+		lexer_take(lexer);
+	if (!klartext_value_follows(lexer))
+		return true;
+	word->given = true;
+	return klartext_value(lexer, &word->value);
+}
+
+static bool is_q_word(struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position;
+	char byte = lexer_peek(lexer);
+
+	text = lexer->at->text + lexer->position;
+	return (byte == 'Q' || byte == 'q') && text[1] >= '0' && text[1] <= '9';
+}
+
+static bool read_words(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	while (!klartext_ends(lexer)) {
+		if (!(cycle->by_q ? read_q(lexer, cycle) : read_old(lexer, cycle)))
+			return false;
+	}
+	return true;
+}
+
+/* --------------------------------------------------------------------- lines */
+
+bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
+{
+	const struct interp *interp = lexer->context;
+	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
+
+	return definition->open && definition->by_q && !numbered && is_q_word(lexer);
+}
+
+bool klartext_define_line(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+
+	return read_words(lexer, &klartext_of(interp)->definition);
+}
+
+/* The name of a cycle, which says nothing that its number does not say. */
+static void skip_name(struct lexer *lexer)
+{
+	while (!klartext_ends(lexer) && !is_q_word(lexer))
+		lexer_take(lexer);
+}
+
+static bool begin(struct lexer *lexer, int number, int column)
+{
+	struct interp *interp = lexer->context;
+	const struct cycle_row *row = find_row(number);
+
+	if (!row && number >= 400 && number <= 499)
+		return fault(lexer->at, column, "touch probe cycle %d: where the probe stops is not known before the program runs",
+			     number);
+	if (!row)
+		return fault(lexer->at, column,
+			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder, whose moves a checker cannot know",
+			     number);
+	if (row->use == USE_REFUSED)
+		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
+	klartext_of(interp)->definition = (struct klartext_cycle){
+	    .number = number, .open = true, .by_q = number >= 200, .line = lexer->at->line, .column = column};
+	return true;
+}
+
+/* 7.0 begins a definition, 7.1 and on add to it, and take effect at once: each line stands for itself. */
+static bool read_part(struct lexer *lexer, int number, int part, int column)
+{
+	struct interp *interp = lexer->context;
+	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	int count;
+
+	if (part == 0) {
+		if (!begin(lexer, number, column))
+			return false;
+		skip_name(lexer);
+		return true;
+	}
+	if (!definition->open || definition->number != number || definition->by_q)
+		return fault(lexer->at, column, "CYCL DEF %d.%d, but no %d.0 has begun the cycle", number, part, number);
+	count = definition->count;
+	definition->part = part;
+	definition->column = column;
+	if (!read_words(lexer, definition))
+		return false;
+	if (find_row(number)->use == USE_DEFINED) {
+		struct klartext_cycle one = *definition;
+
+		/* The words of this line alone. */
+		one.count -= count;
+		memmove(one.words, &one.words[count], (size_t)one.count * sizeof(one.words[0]));
+		definition->count = count;
+		return find_row(number)->run(interp, &one);
+	}
+	return true;
+}
+
+bool klartext_define_read(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer), number;
+	size_t digits;
+	const char *text = lexer->at->text + lexer->position;
+
+	digits = strspn(text, "0123456789");
+	if (digits == 0 || digits > 4)
+		return fault(lexer->at, column, "CYCL DEF needs the number of a cycle");
+	for (number = 0; digits > 0; digits--, lexer_take(lexer))
+		number = 10 * number + (lexer->at->text[lexer->position] - '0');
+	text = lexer->at->text + lexer->position;
+	if (*text == '.' && text[1] >= '0' && text[1] <= '9') {
+		lexer->position += 2;
+		return read_part(lexer, number, text[1] - '0', column);
+	}
+	if (!klartext_define_end(interp) || !begin(lexer, number, column))
+		return false;
+	if (!klartext_of(interp)->definition.by_q)
+		return fault(lexer->at, column, "CYCL DEF %d is written in lines %d.0, %d.1 and on", number, number, number);
+	skip_name(lexer);
+	return read_words(lexer, &klartext_of(interp)->definition);
+}

@@ -1,0 +1,22 @@
+/* klartext_define.h - CYCL DEF: the lines of a definition, and the cycles that take effect where they are defined. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_DEFINE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_DEFINE_H
+
+#include <stdbool.h>
+
+#include "gcode/state.h"
+#include "gcode/text/lexer.h"
+
+/* Behind CYCL: DEF, or CALL with its words. False: reported. */
+bool klartext_define_read(struct lexer *lexer);
+
+/* Is a definition open that goes on in this line? `numbered`: the line has a block number. */
+bool klartext_define_goes_on(struct lexer *lexer, bool numbered);
+
+/* A further line of the definition. False: reported. */
+bool klartext_define_line(struct lexer *lexer);
+
+/* Ends a definition that is open. False: reported. */
+bool klartext_define_end(struct interp *interp);
+
+#endif

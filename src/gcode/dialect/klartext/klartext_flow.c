@@ -1,0 +1,379 @@
+#include "gcode/dialect/klartext/klartext_flow.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/motion_commands.h"
+
+/* Bytes of the key of a label: its source and its name. */
+#define KEY (KLARTEXT_NAME + 24)
+
+/* Numbers that differ by less than this share may be equal to the control. */
+#define SAME_NUMBER 1e-9
+
+enum { LABEL_FOUND, LABEL_TWICE };
+
+/* ------------------------------------------------------------------ labels */
+
+/* A label's name: digits or a text in quotes. Leading zeros of a number do not count. */
+static bool read_label(struct lexer *lexer, char name[KLARTEXT_NAME])
+{
+	int column = klartext_column(lexer), number;
+	char byte = lexer_peek(lexer);
+
+	if (byte == '"' || byte == '\'')
+		return klartext_name(lexer, "a label's name", name, KLARTEXT_NAME);
+	if (klartext_take(lexer, "QS"))
+		return fault(lexer->at, column, "a label by a string (QS) is not supported yet");
+	if (!klartext_value_follows(lexer))
+		return klartext_name(lexer, "a label", name, KLARTEXT_NAME);
+	if (!klartext_integer(lexer, "a label", 0, 65535, &number))
+		return false;
+	snprintf(name, KLARTEXT_NAME, "%d", number);
+	return true;
+}
+
+static void make_key(char key[KEY], const struct sources *sources, const struct source *source, const char *name)
+{
+	size_t index = 0;
+
+	while (index < sources->count && sources->items[index] != source)
+		index++;
+	snprintf(key, KEY, "%zu %s", index, name);
+}
+
+/* The name behind "LBL" of a line; false: it is no such line. */
+static bool label_of_line(struct interp *interp, const char *text, char name[KLARTEXT_NAME])
+{
+	struct diag unheard = {0};
+	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
+	struct lexer lexer = klartext_lexer(interp);
+
+	lexer.at = &at;
+	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
+		lexer_take(&lexer);
+	return klartext_take(&lexer, "LBL") && lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) && strcmp(name, "0") != 0;
+}
+
+static bool add_label(struct interp *interp, const char *name)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct source *source = interp->program.source;
+	struct label *label;
+	char key[KEY];
+
+	make_key(key, &interp->program.sources, source, name);
+	label = labels_find(&klartext->labels, key);
+	if (label) {
+		label->kind = label->at.line == source->reader.line ? label->kind : LABEL_TWICE;
+		return true;
+	}
+	label = labels_add(&klartext->labels, key, LABEL_FOUND);
+	if (!label)
+		return fault(&interp->at, 1, "more than %d labels", LABELS_MAX);
+	label->at = source_here(source);
+	label->body = source_next(source);
+	return true;
+}
+
+/* Keeps the text of the line in hand, as the reader goes elsewhere. */
+static void keep_line(struct interp *interp)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (interp->at.text == klartext->line.text)
+		return;
+	strbuf_clear(&klartext->line);
+	strbuf_addf(&klartext->line, "%s", interp->at.text);
+	interp->at.text = strbuf_text(&klartext->line);
+}
+
+/* Reads the whole file in hand once and notes its labels; the line in hand stays. False: reported. */
+static bool scan_labels(struct interp *interp, int column)
+{
+	struct source *source = interp->program.source;
+	struct reader *reader = &source->reader;
+	const struct position next = source_next(source);
+	const long furthest = reader->furthest;
+	char name[KLARTEXT_NAME], key[KEY];
+	const char *text;
+	bool good = true;
+
+	make_key(key, &interp->program.sources, source, "");
+	if (labels_find(&klartext_of(interp)->labels, key))
+		return true;
+	keep_line(interp);
+	if (!reader_seek(reader, source == interp->program.start.source ? interp->program.start.offset : 0, 1))
+		return fault(&interp->at, column, "labels are looked for in the whole program, which a pipe can no longer deliver; "
+			     "give the program as a file");
+	while (good && reader_next(reader, &text) == READER_LINE) {
+		if (label_of_line(interp, text, name))
+			good = add_label(interp, name);
+	}
+	reader->furthest = furthest;
+	if (!good || !labels_add(&klartext_of(interp)->labels, key, LABEL_FOUND))
+		return false;
+	return program_jump(&interp->program, &next, &interp->at, column);
+}
+
+static struct label *find_label(struct interp *interp, const char *name, int column)
+{
+	struct label *label;
+	char key[KEY];
+
+	if (!strcmp(name, "0")) {
+		fault_report(&interp->at, column, "LBL 0 ends subprograms: nothing can call it or jump there");
+		return NULL;
+	}
+	if (!scan_labels(interp, column))
+		return NULL;
+	make_key(key, &interp->program.sources, interp->program.source, name);
+	label = labels_find(&klartext_of(interp)->labels, key);
+	if (!label)
+		fault_report(&interp->at, column, "the program has no LBL %s", name);
+	else if (label->kind == LABEL_TWICE)
+		fault_report(&interp->at, column, "LBL %s stands more than once in the program", name);
+	return label && label->kind == LABEL_FOUND ? label : NULL;
+}
+
+/* ------------------------------------------------------------------- levels */
+
+static bool enter(struct interp *interp, enum klartext_call_kind kind, const char *title, const struct position *to,
+		  int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct klartext_call *call;
+	const struct position back = source_next(interp->program.source);
+
+	if (klartext->level == KLARTEXT_CALLS_MAX)
+		return fault(&interp->at, column, "more than %d calls inside each other", KLARTEXT_CALLS_MAX);
+	call = &klartext->calls[++klartext->level];
+	*call = (struct klartext_call){
+	    .kind = kind, .back = back, .file = interp->at.file, .line = interp->at.line, .column = column};
+	snprintf(call->title, sizeof(call->title), "%s", title);
+	klartext->jumped = true;
+	if (kind == KLARTEXT_PROGRAM) {
+		klartext->programs++;
+		memset(klartext->ql[klartext->programs], 0, sizeof(klartext->ql[0]));
+	}
+	return program_jump(&interp->program, to, &interp->at, column);
+}
+
+static bool leave(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct klartext_call *call = &klartext->calls[klartext->level--];
+
+	klartext->programs -= call->kind == KLARTEXT_PROGRAM;
+	while (klartext->repeat_count && klartext->repeats[klartext->repeat_count - 1].level > klartext->level)
+		klartext->repeat_count--;
+	return program_jump(&interp->program, &call->back, &interp->at, column);
+}
+
+bool klartext_flow_label(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	const struct klartext *klartext = klartext_of(interp);
+	int column = klartext_column(lexer);
+	char name[KLARTEXT_NAME];
+
+	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
+		return false;
+	if (strcmp(name, "0") != 0 || klartext->level == 0 || klartext->calls[klartext->level].kind != KLARTEXT_LABEL)
+		return true;
+	return leave(interp, column);
+}
+
+/* ------------------------------------------------------------------- CALL */
+
+static bool same_place(const struct position *a, const struct position *b)
+{
+	return a->source == b->source && a->offset == b->offset;
+}
+
+/* CALL LBL n REP m: the section from the label on runs m times more. */
+static bool repeat(struct interp *interp, const struct label *label, int count, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct position here = source_here(interp->program.source);
+	struct klartext_repeat *item = NULL;
+
+	for (int i = 0; i < klartext->repeat_count; i++) {
+		if (klartext->repeats[i].level == klartext->level && same_place(&klartext->repeats[i].at, &here))
+			item = &klartext->repeats[i];
+	}
+	if (!item && klartext->repeat_count == KLARTEXT_REPEATS_MAX)
+		return fault(&interp->at, column, "more than %d program section repeats at a time", KLARTEXT_REPEATS_MAX);
+	if (!item) {
+		item = &klartext->repeats[klartext->repeat_count++];
+		*item = (struct klartext_repeat){here, klartext->level, count};
+	}
+	if (item->left == 0) {
+		*item = klartext->repeats[--klartext->repeat_count];
+		return true;
+	}
+	item->left--;
+	klartext->jumped = true;
+	return program_jump(&interp->program, &label->body, &interp->at, column);
+}
+
+static bool call_label(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer), count = 0;
+	char name[KLARTEXT_NAME], title[KLARTEXT_NAME + 8];
+	const struct label *label;
+	bool repeats;
+
+	if (!read_label(lexer, name))
+		return false;
+	repeats = klartext_take(lexer, "REP");
+	if (repeats) {
+		/* Older controls list "REP 5/5", the second number being what is left. */
+		if (!klartext_integer(lexer, "REP", 0, 65534, &count))
+			return false;
+		if (lexer_peek(lexer) == '/') {
+			int left;
+
+			lexer_take(lexer);
+			if (!klartext_integer(lexer, "REP", 0, 65534, &left))
+				return false;
+		}
+	}
+	if (!klartext_expect_end(lexer) || !(label = find_label(interp, name, column)))
+		return false;
+	if (repeats)
+		return repeat(interp, label, count, column);
+	snprintf(title, sizeof(title), "LBL %s", name);
+	return enter(interp, KLARTEXT_LABEL, title, &label->body, column);
+}
+
+/* The file of a program: its name as it stands or with .H, without the folders of the control. */
+static bool find_program(struct interp *interp, const char *name, int column, struct source **source)
+{
+	static const char *const endings[] = {"", ".h", ".H"};
+	const char *bare = name;
+
+	for (const char *at = name; *at; at++) {
+		if (*at == '\\' || *at == '/' || *at == ':')
+			bare = at + 1;
+	}
+	*source = NULL;
+	for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]) && !*source && *bare; i++) {
+		char file[KLARTEXT_NAME + 4];
+
+		snprintf(file, sizeof(file), "%s%s", bare, endings[i]);
+		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
+			return false;
+	}
+	return *source || fault(&interp->at, column, "there is no file of the program %s", name);
+}
+
+static bool call_program(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+	char name[KLARTEXT_NAME];
+	struct source *source;
+	struct position start = {.line = 1};
+
+	if (!klartext_name(lexer, "a program's name", name, sizeof(name)) || !klartext_expect_end(lexer) ||
+	    !find_program(interp, name, column, &source))
+		return false;
+	start.source = source;
+	return enter(interp, KLARTEXT_PROGRAM, source->name, &start, column);
+}
+
+bool klartext_flow_call(struct lexer *lexer)
+{
+	if (klartext_take(lexer, "LBL"))
+		return call_label(lexer);
+	if (klartext_take(lexer, "PGM"))
+		return call_program(lexer);
+	return fault(lexer->at, klartext_column(lexer), "CALL needs LBL or PGM");
+}
+
+/* ------------------------------------------------------------------- jumps */
+
+bool klartext_flow_jump(struct lexer *lexer, int number)
+{
+	static const char *const names[] = {"EQU", "NE", "GT", "LT"};
+	struct interp *interp = lexer->context;
+	char name[KLARTEXT_NAME];
+	double a, b;
+	bool holds;
+	int column;
+	const struct label *label;
+
+	if (!klartext_take(lexer, "IF"))
+		return fault(lexer->at, klartext_column(lexer), "FN %d needs IF here", number);
+	if (!klartext_value(lexer, &a))
+		return false;
+	if (!klartext_take(lexer, names[number - 9]))
+		return fault(lexer->at, klartext_column(lexer), "FN %d compares by %s", number, names[number - 9]);
+	if (!klartext_value(lexer, &b))
+		return false;
+	if (!klartext_take(lexer, "GOTO") || !klartext_take(lexer, "LBL"))
+		return fault(lexer->at, klartext_column(lexer), "FN %d needs GOTO LBL here", number);
+	column = klartext_column(lexer);
+	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
+		return false;
+	/* The control rounds in a way of its own: so near it might find them equal, or not. */
+	if (!same_double(a, b) && fabs(a - b) < SAME_NUMBER * fmax(1, fmax(fabs(a), fabs(b))))
+		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal", a, b, a - b);
+	holds = number == 9 ? same_double(a, b) : number == 10 ? !same_double(a, b) : number == 11 ? a > b : a < b;
+	if (!holds)
+		return true;
+	label = find_label(interp, name, column);
+	if (!label)
+		return false;
+	klartext_of(interp)->jumped = true;
+	return program_jump(&interp->program, &label->body, &interp->at, column);
+}
+
+/* -------------------------------------------------------------------- ends */
+
+bool klartext_flow_end(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	const struct klartext_call *call = &klartext->calls[klartext->level];
+
+	if (klartext->behind_end || klartext->level == 0) {
+		interp->ended = true;
+		return motion_commands_spindle_stops(interp);
+	}
+	if (call->kind == KLARTEXT_LABEL)
+		return fault(lexer->at, 1, "the program ends inside of the subprogram %s: its LBL 0 is missing", call->title);
+	return leave(interp, 1);
+}
+
+bool klartext_flow_end_of_file(struct interp *interp)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const struct srcloc loc = {interp->program.source->name, interp->program.source->reader.line, 0};
+
+	if (klartext->behind_end) {
+		interp->ended = true;
+		return true;
+	}
+	if (!klartext->begun && klartext->level == 0)
+		return true;
+	diag_error(interp->diag, loc, "the file ends without END PGM: is it complete?");
+	return false;
+}
+
+void klartext_flow_note_callers(struct interp *interp)
+{
+	const struct klartext *klartext = klartext_of(interp);
+
+	for (int level = klartext->level; level > 0; level--) {
+		const struct klartext_call *call = &klartext->calls[level];
+
+		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here", call->title);
+	}
+}

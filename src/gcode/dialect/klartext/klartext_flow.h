@@ -1,0 +1,28 @@
+/* klartext_flow.h - labels, CALL LBL, REP, CALL PGM, the jumps of FN 9 to FN 12, and the ends of programs. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FLOW_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FLOW_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/text/lexer.h"
+
+/* Behind LBL. False: reported. */
+bool klartext_flow_label(struct lexer *lexer);
+
+/* Behind CALL: LBL or PGM. */
+bool klartext_flow_call(struct lexer *lexer);
+
+/* Behind the colon of FN 9 to FN 12. */
+bool klartext_flow_jump(struct lexer *lexer, int number);
+
+/* END PGM: the program ends, or the one that has called it goes on. */
+bool klartext_flow_end(struct lexer *lexer);
+
+/* The file in hand has ended without END PGM. */
+bool klartext_flow_end_of_file(struct interp *interp);
+
+/* Adds notes: from where the block in hand was called. */
+void klartext_flow_note_callers(struct interp *interp);
+
+#endif

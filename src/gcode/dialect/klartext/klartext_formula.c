@@ -1,0 +1,244 @@
+#include "gcode/dialect/klartext/klartext_formula.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/eval/expr.h"
+
+/* Brackets inside each other. */
+#define DEPTH_MAX 64
+
+/* --------------------------------------------------------------- formulas */
+
+/* iTNC 530 user's manual, "Entering formulas directly": brackets, then powers, then * / %, then + -. */
+static const struct expr_operator operators[] = {
+	{"+", EXPR_PLUS, 1, false},   {"-", EXPR_MINUS, 1, false}, {"*", EXPR_TIMES, 2, false},
+	{"/", EXPR_DIVIDE, 2, false}, {"%", EXPR_MODULO, 2, false}, {"^", EXPR_POWER, 3, false},
+};
+
+/* A name comes before every name that it starts with. */
+static const struct function_name functions[] = {
+	{"sqrt", "SQRT", FUNCTION_SQRT, false}, {"sq", "SQ", FUNCTION_SQUARE, false},
+	{"sin", "SIN", FUNCTION_SIN, false},	{"sgn", "SGN", FUNCTION_SIGN, false},
+	{"cos", "COS", FUNCTION_COS, false},	{"tan", "TAN", FUNCTION_TAN, false},
+	{"asin", "ASIN", FUNCTION_ASIN, false}, {"acos", "ACOS", FUNCTION_ACOS, false},
+	{"atan", "ATAN", FUNCTION_ATAN, false}, {"abs", "ABS", FUNCTION_ABS, false},
+	{"log", "LOG", FUNCTION_LOG10, false},	{"ln", "LN", FUNCTION_LN, false},
+	{"exp", "EXP", FUNCTION_EXP, false},	{"neg", "NEG", FUNCTION_NEGATE, false},
+	{"int", "INT", FUNCTION_FIX, false},	{"frac", "FRAC", FUNCTION_FRACTION, false},
+	{"pi", "PI", FUNCTION_PI, false},
+};
+
+static bool is_zero(double value)
+{
+	return fpclassify(value) == FP_ZERO;
+}
+
+static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,
+		  struct expr_operand *right)
+{
+	const struct line_place *at = expr->lexer->at;
+	double *value = &left->number, by = right->number;
+
+	if ((operator->operation == EXPR_DIVIDE || operator->operation == EXPR_MODULO) && is_zero(by))
+		return fault(at, column, "division by zero");
+	if (operator->operation == EXPR_POWER && *value < 0 && !same_double(floor(by), by))
+		return fault(at, column, "a negative number to a power that is not whole");
+	if (operator->operation == EXPR_MODULO && (*value < 0 || by < 0))
+		return fault(at, column, "%% of a negative number: which sign the control gives it is not known here");
+	switch (operator->operation) {
+	case EXPR_PLUS:
+		*value += by;
+		break;
+	case EXPR_MINUS:
+		*value -= by;
+		break;
+	case EXPR_TIMES:
+		*value *= by;
+		break;
+	case EXPR_DIVIDE:
+		*value /= by;
+		break;
+	case EXPR_MODULO:
+		*value = fmod(*value, by);
+		break;
+	default:
+		*value = pow(*value, by);
+		break;
+	}
+	return isfinite(*value) || fault(at, column, "the result is infinite");
+}
+
+/* A function takes the value behind it, which may be a pair of brackets. */
+static bool compute(struct expr *expr, int column, const struct function_name *function, struct expr_operand *value)
+{
+	double *x = &value->number;
+
+	if (function->function == FUNCTION_PI) {
+		*x = PI;
+		return true;
+	}
+	if (!expr_enter(expr) || !expr_value(expr, value))
+		return false;
+	expr->depth--;
+	switch (function->function) {
+	case FUNCTION_SQUARE:
+		*x *= *x;
+		return true;
+	case FUNCTION_SIGN:
+		*x = (*x > 0) - (*x < 0);
+		return true;
+	case FUNCTION_NEGATE:
+		*x = -*x;
+		return true;
+	case FUNCTION_FIX:
+		*x = trunc(*x);
+		return true;
+	case FUNCTION_FRACTION:
+		*x -= trunc(*x);
+		return true;
+	case FUNCTION_ATAN:
+		*x = function_arc_tangent(*x, 1);
+		return true;
+	case FUNCTION_LOG10:
+		if (!(*x > 0))
+			return fault(expr->lexer->at, column, "LOG of %.15g: only positive numbers have one", *x);
+		*x = log10(*x);
+		return true;
+	default:
+		return function_compute(expr->lexer->at, column, function, x);
+	}
+}
+
+static bool variable(struct expr *expr, struct expr_operand *value)
+{
+	if (!klartext_value_follows(expr->lexer))
+		return fault(expr->lexer->at, klartext_column(expr->lexer), "strings (QS) are not supported yet");
+	return klartext_q_read(expr->lexer, &value->number);
+}
+
+static const struct expr_rules rules = {
+	.open = '(',
+	.close = ')',
+	.variable_starts = "Qq",
+	.operators = operators,
+	.operator_count = sizeof(operators) / sizeof(operators[0]),
+	.functions = functions,
+	.function_count = sizeof(functions) / sizeof(functions[0]),
+	.decimal_comma = true,
+	.depth_max = DEPTH_MAX,
+	.nested = "brackets and functions",
+	.apply = apply,
+	.function = compute,
+	.variable = variable,
+};
+
+static bool assign(struct lexer *lexer, struct klartext_q *q, int number, int column, double value)
+{
+	struct interp *interp = lexer->context;
+
+	if (q == &klartext_of(interp)->q[number] && number >= 100 && number < 120)
+		return fault(lexer->at, column, "Q%d belongs to the control: a program cannot assign it", number);
+	*q = (struct klartext_q){value, true};
+	return true;
+}
+
+bool klartext_formula_assign(struct lexer *lexer)
+{
+	int column = klartext_column(lexer), number;
+	struct expr expr = {.lexer = lexer, .rules = &rules};
+	struct expr_operand value;
+	struct klartext_q *q;
+
+	if (klartext_take(lexer, "QS") || !klartext_value_follows(lexer))
+		return fault(lexer->at, column, "strings (QS) are not supported yet");
+	q = klartext_q_find(lexer, &number);
+	if (!q)
+		return false;
+	if (lexer_peek(lexer) != '=')
+		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
+	lexer_take(lexer);
+	return expr_sum(&expr, &value) && klartext_expect_end(lexer) &&
+	       assign(lexer, q, number, column, value.number);
+}
+
+/* ---------------------------------------------------------- FN 0 to FN 13 */
+
+/* The operator between the two values of a function; "DIV" is written out, LEN and ANG are words. */
+static bool take_operator(struct lexer *lexer, int number)
+{
+	static const char *const names[] = {[1] = "+", [2] = "-", [3] = "*", [4] = "DIV", [8] = "LEN", [13] = "ANG"};
+
+	if (klartext_take(lexer, names[number]))
+		return true;
+	return fault(lexer->at, klartext_column(lexer), "FN %d needs %s between its values", number, names[number]);
+}
+
+/* Values for which a function has no result. False: reported. */
+static bool check_operands(struct lexer *lexer, int number, int column, double a, double b)
+{
+	if (number == 4 && is_zero(b))
+		return fault(lexer->at, column, "division by zero");
+	if (number == 5 && a < 0)
+		return fault(lexer->at, column, "SQRT of %.15g: negative numbers have none", a);
+	return true;
+}
+
+static double result(int number, double a, double b)
+{
+	switch (number) {
+	case 1:
+		return a + b;
+	case 2:
+		return a - b;
+	case 3:
+		return a * b;
+	case 4:
+		return a / b;
+	case 5:
+		return sqrt(a);
+	case 6:
+		return sin(radians(a));
+	case 7:
+		return cos(radians(a));
+	case 8:
+		return hypot(a, b);
+	case 13: {
+		double angle = function_arc_tangent(a, b);
+
+		return angle < 0 ? angle + 360 : angle;
+	}
+	default:
+		return a;
+	}
+}
+
+bool klartext_formula_function(struct lexer *lexer, int number)
+{
+	static const char *const unary[] = {[5] = "SQRT", [6] = "SIN", [7] = "COS"};
+	int column = klartext_column(lexer), index;
+	double a, b = 0;
+	struct klartext_q *q;
+
+	if (lexer_peek(lexer) != 'Q' && lexer_peek(lexer) != 'q')
+		return fault(lexer->at, column, "a Q parameter is needed here");
+	q = klartext_q_find(lexer, &index);
+	if (!q)
+		return false;
+	if (lexer_peek(lexer) != '=')
+		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
+	lexer_take(lexer);
+	if (number >= 5 && number <= 7 && !klartext_take(lexer, unary[number]))
+		return fault(lexer->at, klartext_column(lexer), "FN %d needs %s here", number, unary[number]);
+	if (!klartext_value(lexer, &a))
+		return false;
+	if ((number >= 1 && number <= 4) || number == 8 || number == 13) {
+		if (!take_operator(lexer, number) || !klartext_value(lexer, &b))
+			return false;
+	}
+	return klartext_expect_end(lexer) && check_operands(lexer, number, column, a, b) &&
+	       assign(lexer, q, index, column, result(number, a, b));
+}

@@ -1,0 +1,15 @@
+/* klartext_formula.h - what assigns Q parameters: formulas, FN 0 to FN 8 and FN 13. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FORMULA_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FORMULA_H
+
+#include <stdbool.h>
+
+#include "gcode/text/lexer.h"
+
+/* Q5 = formula; the Q comes next. False: reported. */
+bool klartext_formula_assign(struct lexer *lexer);
+
+/* Behind the colon of FN 0 to FN 8 and FN 13. False: reported. */
+bool klartext_formula_function(struct lexer *lexer, int number);
+
+#endif

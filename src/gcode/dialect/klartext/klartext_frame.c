@@ -1,0 +1,349 @@
+#include "gcode/dialect/klartext/klartext_frame.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/execute/tool_length.h"
+#include "gcode/execute/work_offset_use.h"
+
+/* --------------------------------------------------------------- the frame */
+
+static bool is_zero(vec3 v)
+{
+	return same_double(v.x, 0) && same_double(v.y, 0) && same_double(v.z, 0);
+}
+
+static bool is_one(double factor)
+{
+	return same_double(factor, 1);
+}
+
+static vec3 times(vec3 a, vec3 b)
+{
+	return (vec3){a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+void klartext_frame_update(struct klartext_frame *frame)
+{
+	const double sign[3] = {frame->mirror[0] ? -1 : 1, frame->mirror[1] ? -1 : 1, frame->mirror[2] ? -1 : 1};
+	mat3 turn = mat3_turn((vec3){0, 0, 1}, radians(frame->rotation)), mirror = mat3_identity();
+	vec3 fixed = times(vec3_sub((vec3){1, 1, 1}, frame->factor), frame->centre);
+
+	mirror.x.x = sign[0];
+	mirror.y.y = sign[1];
+	mirror.z.z = sign[2];
+	turn = mat3_mul(&turn, &mirror);
+	frame->scale = frame->factor;
+	frame->origin = vec3_add(frame->inner, mat3_apply(&turn, fixed));
+	if (frame->tilted) {
+		frame->origin = mat3_apply(&frame->tilt, frame->origin);
+		turn = mat3_mul(&frame->tilt, &turn);
+	}
+	frame->turn = turn;
+	frame->origin = vec3_add(frame->origin, frame->shift);
+	frame->any = frame->tilted || klartext_frame_is_inner(frame) || !is_zero(frame->shift);
+}
+
+bool klartext_frame_is_inner(const struct klartext_frame *frame)
+{
+	return frame->mirror[0] || frame->mirror[1] || frame->mirror[2] || !same_double(frame->rotation, 0) ||
+	       !is_one(frame->factor.x) || !is_one(frame->factor.y) || !is_one(frame->factor.z) || !is_zero(frame->inner);
+}
+
+static vec3 offset_of(const struct interp *interp)
+{
+	const double *v = interp->state.offset.v;
+
+	return (vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]};
+}
+
+vec3 klartext_frame_position(const struct interp *interp, vec3 point)
+{
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+
+	if (frame->any)
+		point = vec3_add(frame->origin, mat3_apply(&frame->turn, times(frame->scale, point)));
+	return vec3_add(offset_of(interp), point);
+}
+
+vec3 klartext_frame_point(const struct interp *interp)
+{
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+	const double *v = interp->state.position.v;
+	vec3 point = vec3_sub((vec3){v[SLOT_X], v[SLOT_Y], v[SLOT_Z]}, offset_of(interp));
+
+	if (!frame->any)
+		return point;
+	point = mat3_apply_transposed(&frame->turn, vec3_sub(point, frame->origin));
+	return (vec3){point.x / frame->scale.x, point.y / frame->scale.y, point.z / frame->scale.z};
+}
+
+vec3 klartext_frame_direction(const struct interp *interp, vec3 direction)
+{
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+
+	return frame->any ? mat3_apply(&frame->turn, direction) : direction;
+}
+
+/* ------------------------------------------------------------------ cycles */
+
+static struct line_place place_of(const struct interp *interp, long line)
+{
+	struct line_place at = interp->at;
+
+	if (at.line != line) {
+		at.line = line;
+		at.text = "";
+	}
+	return at;
+}
+
+#define word_fault(interp, word, ...) \
+	(fault_report(&(struct line_place){(interp)->at.diag, (interp)->at.file, (word)->line, \
+					   (word)->line == (interp)->at.line ? (interp)->at.text : ""}, \
+		      (word)->column, __VA_ARGS__), false)
+
+/* The linear axis of a word named X, IX, Y ...; -1: it is none. */
+static int axis_of(const char *name, bool *increment)
+{
+	*increment = name[0] == 'I' && name[1] != '\0';
+	name += *increment;
+	return name[0] != '\0' && name[1] == '\0' ? slot_of_letter(name[0]) : -1;
+}
+
+/* Does anything lie between the shift and the coordinates that a shift would be counted in? */
+static bool has_turned(const struct klartext_frame *frame)
+{
+	struct klartext_frame bare = *frame;
+
+	bare.inner = (vec3){0, 0, 0};
+	return klartext_frame_is_inner(&bare);
+}
+
+/*
+ * iTNC 530 user's manual, "DATUM SHIFT (Cycle 7)": absolute values count from the preset, I values from the shift in
+ * force. "WORKING PLANE (Cycle 19)", combining cycles: a shift before the tilting is one of the machine-based
+ * coordinates, and a later one of the tilted coordinates. What a shift does while mirror, rotation or scaling is in
+ * force is known for 0 alone, where no order matters.
+ */
+bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_frame *frame = &klartext_of(interp)->frame;
+	vec3 *linear = frame->tilted ? &frame->inner : &frame->shift;
+	double values[3] = {linear->x, linear->y, linear->z};
+	slot_values shift = interp->state.shift;
+	bool increment;
+
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+		int slot = axis_of(word->name, &increment);
+
+		if (word->name[0] == '#')
+			return word_fault(interp, word, "a datum from a table is not supported yet: give its values in X, Y and Z");
+		if (slot < 0 || !word->given)
+			return word_fault(interp, word, "DATUM SHIFT needs an axis and a value here");
+		if (!interp->config->has_axis[slot])
+			return word_fault(interp, word, "the machine has no %c axis", AXIS_LETTERS[slot]);
+		if (slot_is_rotary(slot) && frame->tilted && !same_double(word->value, 0))
+			return word_fault(interp, word, "a shift of a rotary axis in a tilted plane is not supported yet");
+		if (slot_is_rotary(slot) || slot > SLOT_Z)
+			shift.v[slot] = word->value * (slot_is_rotary(slot) ? 1 : interp->state.scale) +
+					(increment ? shift.v[slot] : 0);
+		else
+			values[slot] = word->value * interp->state.scale + (increment ? values[slot] : 0);
+		if (slot <= SLOT_Z && has_turned(frame) && !(same_double(word->value, 0) && !increment))
+			return word_fault(interp, word,
+				     "a datum shift while a mirror image, a rotation or a scaling is in force: whether it is "
+				     "turned with them is not known here; shift the datum first");
+	}
+	*linear = (vec3){values[0], values[1], values[2]};
+	interp->state.shift = shift;
+	klartext_frame_update(frame);
+	return tool_length_offsets_changed(interp, cycle->column);
+}
+
+/* Two of mirror, rotation and unequal scaling do not commute: which one the control takes first is not known here. */
+static bool check_order(struct interp *interp, const struct klartext_cycle *cycle, const struct klartext_frame *frame)
+{
+	const struct line_place at = place_of(interp, cycle->line);
+	bool mirrored = frame->mirror[0] || frame->mirror[1] || frame->mirror[2];
+	bool rotated = !same_double(frame->rotation, 0);
+	bool unequal = !same_double(frame->factor.x, frame->factor.y);
+
+	if (mirrored && rotated)
+		return fault(&at, cycle->column, "a mirror image and a rotation at a time: their order is not known here; "
+			     "cancel one of them first");
+	if (unequal && rotated)
+		return fault(&at, cycle->column, "a rotation and factors that differ in X and Y at a time: their order is not "
+			     "known here; cancel one of them first");
+	return true;
+}
+
+static bool put(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_frame *frame)
+{
+	if (!check_order(interp, cycle, frame))
+		return false;
+	klartext_frame_update(frame);
+	klartext_of(interp)->frame = *frame;
+	return true;
+}
+
+/* "MIRROR IMAGE (Cycle 8)": the axes named are mirrored at the datum; none cancels it. */
+bool klartext_frame_mirror(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_frame frame = klartext_of(interp)->frame;
+	bool increment;
+
+	memset(frame.mirror, 0, sizeof(frame.mirror));
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+		int slot = axis_of(word->name, &increment);
+
+		if (slot < 0 || word->given || increment)
+			return word_fault(interp, word, "MIRROR IMAGE needs axes without values here");
+		if (slot > SLOT_Z)
+			return word_fault(interp, word, "a mirror image of %c is not supported yet", AXIS_LETTERS[slot]);
+		frame.mirror[slot] = true;
+	}
+	return put(interp, cycle, &frame);
+}
+
+/* "ROTATION (Cycle 10)": about the datum in the working plane, counter-clockwise; IROT adds to the angle in force. */
+bool klartext_frame_rotate(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_frame frame = klartext_of(interp)->frame;
+
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+		bool increment = !strcmp(word->name, "IROT");
+
+		if ((strcmp(word->name, "ROT") != 0 && !increment) || !word->given)
+			return word_fault(interp, word, "ROTATION needs ROT and an angle here");
+		frame.rotation = word->value + (increment ? frame.rotation : 0);
+	}
+	return put(interp, cycle, &frame);
+}
+
+static bool check_factor(struct interp *interp, const struct klartext_cycle_word *word)
+{
+	return (word->value > 0 && word->value < 100) ||
+	       word_fault(interp, word, "a scaling factor must be more than 0 and less than 100");
+}
+
+/* "SCALING FACTOR (Cycle 11)": of all three axes, from the datum; in the plane alone on some controls, by a parameter. */
+bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_frame frame = klartext_of(interp)->frame;
+
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+
+		if (strcmp(word->name, "SCL") != 0 || !word->given)
+			return word_fault(interp, word, "SCALING needs SCL and a factor here");
+		if (!check_factor(interp, word))
+			return false;
+		if (!is_one(word->value))
+			return word_fault(interp, word,
+				     "a machine parameter says whether SCALING changes Z, too; give the factors of X, Y and Z by "
+				     "CYCL DEF 26");
+		frame.factor = (vec3){word->value, word->value, word->value};
+		frame.centre = (vec3){0, 0, 0};
+	}
+	return put(interp, cycle, &frame);
+}
+
+/* "AXIS-SPECIFIC SCALING (Cycle 26)": a factor for each axis, from a centre CCX, CCY, CCZ. */
+bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_frame frame = klartext_of(interp)->frame;
+	double factor[3] = {1, 1, 1}, centre[3] = {0, 0, 0};
+
+	for (int i = 0; i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+		bool is_centre = !strncmp(word->name, "CC", 2) && word->name[2] != '\0';
+		int slot = slot_of_letter(word->name[is_centre ? 2 : 0]);
+
+		if (slot < SLOT_X || slot > SLOT_Z || !word->given || word->name[is_centre ? 3 : 1] != '\0')
+			return word_fault(interp, word, "AXIS-SPECIFIC SCALING needs X, Y, Z or CCX, CCY, CCZ with a value here");
+		if (!is_centre && !check_factor(interp, word))
+			return false;
+		if (is_centre)
+			centre[slot] = word->value * interp->state.scale;
+		else
+			factor[slot] = word->value;
+	}
+	frame.factor = (vec3){factor[0], factor[1], factor[2]};
+	frame.centre = (vec3){centre[0], centre[1], centre[2]};
+	return put(interp, cycle, &frame);
+}
+
+/* ----------------------------------------------------------------- presets */
+
+/* Is a rotary or a parallel axis shifted? */
+static bool shifts_others(const struct interp *interp)
+{
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (!same_double(interp->state.shift.v[slot], 0))
+			return true;
+	}
+	return false;
+}
+
+/* "DATUM SETTING (Cycle 247)": row Q339 of the preset table, which a setup gives as G54.1 P<row>. */
+bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct state *state = &interp->state;
+	const struct klartext_cycle_word *word = cycle->count ? &cycle->words[0] : NULL;
+
+	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
+		return fault(&interp->at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
+	if (!(word->value >= 1 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
+		return word_fault(interp, word, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup", EXTENDED_COUNT,
+			     EXTENDED_COUNT);
+	if (klartext_frame_is_inner(&klartext->frame) || !is_zero(klartext->frame.shift) || shifts_others(interp))
+		return word_fault(interp, word,
+				  "a preset while a datum shift, a mirror image, a rotation or a scaling is in force: which of them "
+				  "it cancels is not known here; cancel them first");
+	if (state->tcp == TCP_BY_MCODE)
+		return word_fault(interp, word, "a preset while M128 is in force is not supported; M129 first");
+	state->system = SYSTEM_COUNT - 1 + (int)word->value;
+	klartext->cautioned_preset = true;
+	klartext->preset_in_plane = klartext->frame.tilted;
+	return work_offset_use_require(interp, state->system, word->column) &&
+	       tool_length_offsets_changed(interp, word->column);
+}
+
+bool klartext_frame_check_plane(struct interp *interp, int column)
+{
+	return !klartext_of(interp)->preset_in_plane ||
+	       fault(&interp->at, column,
+		     "CYCL DEF 247 has selected a preset in a tilted plane: whether the plane stays tilted is not known here; write "
+		     "PLANE RESET first");
+}
+
+bool klartext_frame_check_preset(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct state *state = &interp->state;
+	int known = 0, only = 0;
+
+	if (klartext->cautioned_preset)
+		return true;
+	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
+		known += state->work_known[system];
+		only = state->work_known[system] ? system : only;
+	}
+	if (known > 1)
+		return fault(&interp->at, column,
+			     "the setup has %d presets, and the program does not say which one is in force: select it by "
+			     "CYCL DEF 247", known);
+	klartext->cautioned_preset = true;
+	state->system = known ? only : 0;
+	if (!known)
+		work_offset_use_note(interp, 0, column);
+	return tool_length_offsets_changed(interp, column);
+}

@@ -1,0 +1,39 @@
+/* klartext_frame.h - from programmed coordinates to positions, and the cycles that change the way there. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FRAME_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FRAME_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_state.h"
+
+/* Recomputes what the frame is made of. */
+void klartext_frame_update(struct klartext_frame *frame);
+
+/* The position of a programmed point, and back: X, Y, Z in mm. */
+vec3 klartext_frame_position(const struct interp *interp, vec3 point);
+vec3 klartext_frame_point(const struct interp *interp);
+
+/* A direction of programmed coordinates as one of positions; no scaling. */
+vec3 klartext_frame_direction(const struct interp *interp, vec3 direction);
+
+/*
+ * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling), 247 (preset): takes effect where
+ * its definition ends. False: reported.
+ */
+bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle);
+bool klartext_frame_mirror(struct interp *interp, const struct klartext_cycle *cycle);
+bool klartext_frame_rotate(struct interp *interp, const struct klartext_cycle *cycle);
+bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle);
+bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycle *cycle);
+bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *cycle);
+
+/* Is anything of the inner coordinates in force: mirror, rotation, scaling, a shift behind the tilting? */
+bool klartext_frame_is_inner(const struct klartext_frame *frame);
+
+/* Which preset is in force at the start is known only if the setup has no other. Asked at each axis word. False: reported. */
+bool klartext_frame_check_preset(struct interp *interp, int column);
+
+/* Has a preset in a tilted plane left open whether it is still tilted? False: it has, which was reported. */
+bool klartext_frame_check_plane(struct interp *interp, int column);
+
+#endif

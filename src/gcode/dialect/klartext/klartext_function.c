@@ -1,0 +1,118 @@
+#include "gcode/dialect/klartext/klartext_function.h"
+
+#include "gcode/dialect/klartext/klartext_flow.h"
+#include "gcode/dialect/klartext/klartext_formula.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/tool_length.h"
+
+/* ---------------------------------------------------------------------- FN */
+
+/* iTNC 530 user's manual, "Additional functions": what they do that a checker cannot know; NULL: they move nothing. */
+static bool run_other(struct lexer *lexer, int number, int column)
+{
+	switch (number) {
+	case 14:
+		return fault(lexer->at, column, "FN 14 stops the program here with an error of its own");
+	case 16:	/* prints */
+	case 29:	/* tells the PLC */
+	case 38:	/* sends */
+		return true;
+	case 18:
+		return fault(lexer->at, column, "FN 18 reads data of the control, which is not known here; give the value by FN 0");
+	case 19:
+	case 20:
+		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);
+	case 26:
+	case 27:
+	case 28:
+		return fault(lexer->at, column, "FN %d: freely definable tables are not supported yet", number);
+	default:
+		return fault(lexer->at, column, "FN %d is not supported yet", number);
+	}
+}
+
+bool klartext_function_run(struct lexer *lexer)
+{
+	int column = klartext_column(lexer), number;
+
+	if (!klartext_integer(lexer, "the number of FN", 0, 99, &number))
+		return false;
+	if (lexer_peek(lexer) != ':')
+		return fault(lexer->at, lexer_column(lexer), "':' is needed here");
+	lexer_take(lexer);
+	if (number <= 8 || number == 13)
+		return klartext_formula_function(lexer, number);
+	if (number >= 9 && number <= 12)
+		return klartext_flow_jump(lexer, number);
+	return run_other(lexer, number, column);
+}
+
+/* ---------------------------------------------------------------- FUNCTION */
+
+static bool switch_tcpm(struct interp *interp, bool on, int column)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	enum tcp_source off = klartext->frame.tilted ? TCP_BY_PLANE : TCP_OFF;
+
+	if (klartext->waits)
+		return fault(&interp->at, column, "TCPM before the rotary axes stand where PLANE ... STAY needs them");
+	if (on == (interp->state.tcp == TCP_BY_MCODE))
+		return true;
+	return klartext_frame_check_preset(interp, column) &&
+	       tool_length_switch_tcp(interp, column, on ? TCP_BY_MCODE : off);
+}
+
+/*
+ * "FUNCTION TCPM": F TCP or F CONT is what the feed counts; AXIS POS: rotary words are positions of the axes, AXIS SPAT:
+ * spatial angles; PATHCTRL AXIS: the axes go linearly, PATHCTRL VECTOR: the tool in the plane between its directions.
+ */
+static bool read_tcpm(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+	bool positions = false, linear = false;
+
+	while (!klartext_ends(lexer)) {
+		int word = klartext_column(lexer);
+
+		if (klartext_take(lexer, "F")) {
+			if (!klartext_take(lexer, "TCP") && !klartext_take(lexer, "CONT"))
+				return fault(lexer->at, word, "F of TCPM is TCP or CONT");
+		} else if (klartext_take(lexer, "AXIS")) {
+			if (klartext_take(lexer, "SPAT"))
+				return fault(lexer->at, word, "AXIS SPAT: rotary words as spatial angles are not supported yet");
+			positions = klartext_take(lexer, "POS");
+			if (!positions)
+				return fault(lexer->at, word, "AXIS of TCPM is POS or SPAT");
+		} else if (klartext_take(lexer, "PATHCTRL")) {
+			if (klartext_take(lexer, "VECTOR"))
+				return fault(lexer->at, word, "PATHCTRL VECTOR is not supported yet");
+			linear = klartext_take(lexer, "AXIS");
+			if (!linear)
+				return fault(lexer->at, word, "PATHCTRL of TCPM is AXIS or VECTOR");
+		} else if (klartext_take(lexer, "REFPNT")) {
+			if (!klartext_take(lexer, "TIP-TIP"))
+				return fault(lexer->at, word, "REFPNT other than TIP-TIP is not supported yet");
+		} else {
+			return fault(lexer->at, word, "this is no word of FUNCTION TCPM");
+		}
+	}
+	if (!positions || !linear)
+		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS and PATHCTRL AXIS");
+	return switch_tcpm(interp, true, column);
+}
+
+bool klartext_function_mode(struct lexer *lexer)
+{
+	int column = klartext_column(lexer);
+
+	if (klartext_take(lexer, "TCPM"))
+		return read_tcpm(lexer);
+	if (klartext_take(lexer, "RESET") && klartext_take(lexer, "TCPM"))
+		return switch_tcpm(lexer->context, false, column);
+	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
+		return true;
+	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");
+}

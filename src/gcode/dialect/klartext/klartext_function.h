@@ -1,0 +1,15 @@
+/* klartext_function.h - FN 0 to FN 38, and FUNCTION: TCPM and modes of the machine. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FUNCTION_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_FUNCTION_H
+
+#include <stdbool.h>
+
+#include "gcode/text/lexer.h"
+
+/* Behind FN. False: reported. */
+bool klartext_function_run(struct lexer *lexer);
+
+/* Behind FUNCTION. False: reported. */
+bool klartext_function_mode(struct lexer *lexer);
+
+#endif

@@ -1,0 +1,43 @@
+/* klartext_lexis.h - the smallest pieces of a Klartext line: keywords, numbers, names, the end of the line. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LEXIS_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_LEXIS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "gcode/state.h"
+#include "gcode/text/lexer.h"
+
+/* Letters of the longest keyword. */
+#define KLARTEXT_WORD 16
+
+static inline char klartext_upper(char byte)
+{
+	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+}
+
+/* A lexer for the line in hand, whose context is the interpreter. */
+struct lexer klartext_lexer(struct interp *interp);
+
+/* Has the line nothing more but a comment or the '~' that continues it? */
+bool klartext_ends(struct lexer *lexer);
+
+/* Nothing more may follow. False: reported. */
+bool klartext_expect_end(struct lexer *lexer);
+
+/* Does the line go on in the next one? */
+bool klartext_continues(const char *text);
+
+/* Column of the next byte that is no blank. */
+int klartext_column(struct lexer *lexer);
+
+/* Takes the letters that come next, in upper case; longer words are cut off. Returns how many there are. */
+size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD]);
+
+/* Takes this word, given in upper case, if it comes next and no letter follows. */
+bool klartext_take(struct lexer *lexer, const char *word);
+
+/* A name in quotes, or up to the next blank. False: reported. */
+bool klartext_name(struct lexer *lexer, const char *what, char *name, size_t size);
+
+#endif

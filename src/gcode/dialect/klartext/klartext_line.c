@@ -1,0 +1,362 @@
+#include "gcode/dialect/klartext/klartext_line.h"
+
+#include <string.h>
+
+#include "gcode/dialect/klartext/klartext_circle.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
+#include "gcode/dialect/klartext/klartext_cycle.h"
+#include "gcode/dialect/klartext/klartext_define.h"
+#include "gcode/dialect/klartext/klartext_flow.h"
+#include "gcode/dialect/klartext/klartext_formula.h"
+#include "gcode/dialect/klartext/klartext_function.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_straight.h"
+#include "gcode/dialect/klartext/klartext_plane.h"
+#include "gcode/dialect/klartext/klartext_tool.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+
+/* ------------------------------------------------------------------ blocks */
+
+static bool run_line(struct lexer *lexer)
+{
+	return klartext_straight_run(lexer);
+}
+
+static bool round_corner(struct lexer *lexer)
+{
+	return klartext_corner_read(lexer, false);
+}
+
+static bool chamfer_corner(struct lexer *lexer)
+{
+	return klartext_corner_read(lexer, true);
+}
+
+/* "BEGIN PGM NAME MM": what lengths count. */
+static bool begin(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	int column = klartext_column(lexer);
+	const char *text = lexer->at->text, *unit;
+	size_t length = strcspn(text, ";");
+
+	if (!klartext_take(lexer, "PGM"))
+		return fault(lexer->at, column, "BEGIN needs PGM");
+	while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+		length--;
+	unit = text + length;
+	while (unit > text && unit[-1] != ' ' && unit[-1] != '\t')
+		unit--;
+	length = (size_t)(text + length - unit);
+	if (klartext->begun && klartext->programs == 0)
+		return fault(lexer->at, column, "a second BEGIN PGM before END PGM");
+	if (length == 2 && !strncmp(unit, "MM", 2)) {
+		if (klartext->programs && klartext->inch)
+			return fault(lexer->at, column, "a program in mm that one in inches calls is not supported yet");
+		klartext->inch = false;
+	} else if ((length == 4 && !strncmp(unit, "INCH", 4)) || (length == 2 && !strncmp(unit, "IN", 2))) {
+		if (klartext->programs && !klartext->inch)
+			return fault(lexer->at, column, "a program in inches that one in mm calls is not supported yet");
+		klartext->inch = true;
+	} else {
+		return fault(lexer->at, (int)(unit - text) + 1, "BEGIN PGM ends with the unit of the program, MM or INCH");
+	}
+	klartext->begun = true;
+	interp->state.scale = klartext->inch ? state_unit(G20) : state_unit(G21);
+	return true;
+}
+
+static bool end(struct lexer *lexer)
+{
+	return klartext_take(lexer, "PGM") ? klartext_flow_end(lexer)
+					   : fault(lexer->at, klartext_column(lexer), "END needs PGM");
+}
+
+/* Blocks that neither move anything nor change what moves do. */
+static bool ignore(struct lexer *lexer)
+{
+	(void)lexer;
+	return true;
+}
+
+static bool tool(struct lexer *lexer)
+{
+	if (klartext_take(lexer, "CALL"))
+		return klartext_tool_call(lexer);
+	if (klartext_take(lexer, "DEF"))
+		return klartext_tool_define(lexer);
+	return fault(lexer->at, klartext_column(lexer), "TOOL needs CALL or DEF");
+}
+
+/* CYCL CALL: like a block of M-functions, behind which the cycle is called. */
+static bool call_cycle(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+	struct klartext_words words;
+
+	if (klartext_take(lexer, "PAT"))
+		return fault(lexer->at, column, "CYCL CALL PAT: patterns and point tables are not supported yet");
+	if (klartext_take(lexer, "POS"))
+		return klartext_straight_cycle_position(lexer) && klartext_cycle_call(interp, column);
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (words.axes)
+		return fault(lexer->at, words.first_column, "CYCL CALL with coordinates is written as CYCL CALL POS");
+	return klartext_m_start(interp, &words) && klartext_cycle_call(interp, column) && klartext_m_end(interp, &words);
+}
+
+static bool cycle(struct lexer *lexer)
+{
+	if (klartext_take(lexer, "DEF"))
+		return klartext_define_read(lexer);
+	if (klartext_take(lexer, "CALL"))
+		return call_cycle(lexer);
+	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
+}
+
+static bool refuse(struct lexer *lexer, const char *what)
+{
+	return fault(lexer->at, 1, "%s is not supported yet", what);
+}
+
+static bool probe(struct lexer *lexer)
+{
+	return fault(lexer->at, 1, "TCH PROBE: where the probe stops is not known before the program runs");
+}
+
+static bool approach(struct lexer *lexer)
+{
+	return refuse(lexer, "APPR: an approach to a contour");
+}
+
+static bool depart(struct lexer *lexer)
+{
+	return refuse(lexer, "DEP: a departure from a contour");
+}
+
+static bool pattern(struct lexer *lexer)
+{
+	return refuse(lexer, "PATTERN DEF");
+}
+
+static bool select_file(struct lexer *lexer)
+{
+	return refuse(lexer, "SEL: a selection of tables and contours");
+}
+
+static bool free_contour(struct lexer *lexer)
+{
+	return refuse(lexer, "FK free contour programming");
+}
+
+static bool transform(struct lexer *lexer)
+{
+	return refuse(lexer, "TRANS DATUM");
+}
+
+/* Sorted by what is frequent. `bare`: there is nothing to be told of such a block. */
+static const struct statement {
+	const char *word;
+	bool (*run)(struct lexer *lexer);
+	bool bare;
+} statements[] = {
+	{"L", run_line, false},
+	{"CC", klartext_circle_pole, false},
+	{"C", klartext_circle_about_pole, false},
+	{"CR", klartext_circle_by_radius, false},
+	{"CT", klartext_circle_tangential, false},
+	{"LN", klartext_straight_run_normal, false},
+	{"LP", klartext_circle_polar_line, false},
+	{"CP", klartext_circle_polar, false},
+	{"CTP", klartext_circle_tangential_polar, false},
+	{"RND", round_corner, false},
+	{"CHF", chamfer_corner, false},
+	{"CYCL", cycle, false},
+	{"LBL", klartext_flow_label, true},
+	{"CALL", klartext_flow_call, true},
+	{"FN", klartext_function_run, true},
+	{"TOOL", tool, false},
+	{"PLANE", klartext_plane_run, false},
+	{"FUNCTION", klartext_function_mode, false},
+	{"STOP", run_line, false},
+	{"BEGIN", begin, true},
+	{"END", end, true},
+	{"BLK", ignore, true},
+	{"APPR", approach, false},
+	{"DEP", depart, false},
+	{"TCH", probe, false},
+	{"PATTERN", pattern, false},
+	{"SEL", select_file, false},
+	{"TRANS", transform, false},
+	{"FL", free_contour, false},
+	{"FLT", free_contour, false},
+	{"FC", free_contour, false},
+	{"FCT", free_contour, false},
+	{"FPOL", free_contour, false},
+};
+
+static const struct statement *find_statement(const char *word)
+{
+	for (size_t i = 0; i < sizeof(statements) / sizeof(statements[0]); i++) {
+		if (!strcmp(statements[i].word, word))
+			return &statements[i];
+	}
+	return NULL;
+}
+
+/* ------------------------------------------------------------------- lines */
+
+/* Words of a positioning block without L: "X+10 R0 FMAX", "R0 FMAX M99", "M3". */
+static bool starts_word(const char *word, char behind)
+{
+	bool value = (behind >= '0' && behind <= '9') || (behind != '\0' && strchr("+-.,Qq", behind) != NULL);
+	bool blank = behind == '\0' || behind == ' ' || behind == '\t' || behind == ';';
+
+	if (word[0] == 'I')
+		word++;
+	if (word[0] == '\0')
+		return false;
+	/* "FMAX", "M", "R0": the letters that stand without a value, too. */
+	if (!strcmp(word, "FMAX") || !strcmp(word, "RL") || !strcmp(word, "RR"))
+		return blank;
+	if (word[1] != '\0' && strcmp(word, "MQ") != 0 && strcmp(word, "SQ") != 0 && strcmp(word, "FQ") != 0)
+		return word[1] == 'Q' && slot_of_letter(word[0]) >= 0;
+	return strchr("MSFR", word[0]) ? value || blank : slot_of_letter(word[0]) >= 0 && value;
+}
+
+/* A block that begins with a letter. */
+static bool run_block(struct lexer *lexer, bool *bare)
+{
+	const size_t start = lexer->position;
+	const struct statement *statement;
+	char word[KLARTEXT_WORD];
+	char behind;
+
+	klartext_word(lexer, word);
+	behind = lexer->at->text[lexer->position];
+	statement = find_statement(word);
+	*bare = statement && statement->bare;
+	/* C+45 is an axis, C X+5 a circle; so is L. */
+	if (statement && !(word[1] == '\0' && word[0] == 'C' && starts_word(word, behind)))
+		return statement->run(lexer);
+	lexer->position = start;
+	if (word[0] == 'Q') {
+		*bare = true;
+		return klartext_formula_assign(lexer);
+	}
+	if (starts_word(word, behind))
+		return run_line(lexer);
+	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
+}
+
+/* "%NAME G71": a program in DIN/ISO, which these controls read as well. */
+static bool refuse_iso(struct lexer *lexer)
+{
+	return fault(lexer->at, klartext_column(lexer),
+		     "this is a DIN/ISO program of the control (%%NAME G71); only Klartext is supported");
+}
+
+/* Skips the block number. */
+static bool skip_number(struct lexer *lexer)
+{
+	const char *text;
+	size_t digits;
+
+	lexer_peek(lexer);
+	text = lexer->at->text + lexer->position;
+	digits = strspn(text, "0123456789");
+	lexer->position += digits;
+	return digits > 0;
+}
+
+/* Blocks of loops and calls are counted. */
+static bool count_block(struct interp *interp)
+{
+	return !klartext_of(interp)->jumped ||
+	       program_count(&interp->program, interp->config->read.max_blocks, &interp->at);
+}
+
+/* Behind M2 and M30 stand subprograms, up to END PGM. */
+static bool pass_by(struct lexer *lexer)
+{
+	return !klartext_take(lexer, "END") || end(lexer);
+}
+
+static bool check_begun(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	const struct klartext *klartext = klartext_of(interp);
+	char byte = lexer_peek(lexer);
+
+	if (klartext->begun || klartext_take(lexer, "BEGIN"))
+		return true;
+	if (byte == '%')
+		return refuse_iso(lexer);
+	return fault(lexer->at, klartext_column(lexer), "a Klartext program begins with BEGIN PGM, which says MM or INCH");
+}
+
+static bool take_line(struct lexer *lexer, bool *bare)
+{
+	struct interp *interp = lexer->context;
+	bool numbered = skip_number(lexer);
+	const size_t start = lexer->position;
+	char byte = lexer_peek(lexer);
+
+	*bare = true;
+	if (byte == '\0' || byte == ';' || byte == '*')
+		return true;
+	if (klartext_of(interp)->behind_end)
+		return pass_by(lexer);
+	if (!count_block(interp) || !check_begun(lexer))
+		return false;
+	lexer->position = start;
+	if (byte == '/' && interp->config->read.block_delete)
+		return true;
+	if (byte == '/')
+		lexer_take(lexer);
+	if (klartext_define_goes_on(lexer, numbered)) {
+		*bare = false;
+		return klartext_define_line(lexer);
+	}
+	return run_block(lexer, bare);
+}
+
+/* A definition that ends in this line: without '~', it goes on only in lines that hold nothing but parameters. */
+static bool end_definition(struct interp *interp, const struct lexer *before)
+{
+	struct lexer lexer = *before;
+	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	bool numbered;
+
+	if (!definition->open)
+		return true;
+	numbered = skip_number(&lexer);
+	if (klartext_ends(&lexer) || klartext_define_goes_on(&lexer, numbered))
+		return true;
+	if (klartext_take(&lexer, "CYCL") && !definition->by_q)
+		return true;
+	return klartext_define_end(interp);
+}
+
+bool klartext_line_run(struct interp *interp, bool *done)
+{
+	struct klartext_cycle *definition = &klartext_of(interp)->definition;
+	struct lexer lexer = klartext_lexer(interp);
+	bool bare;
+
+	*done = true;
+	interp->moves = 0;
+	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))
+		return false;
+	definition->continued |= definition->open && klartext_continues(interp->at.text);
+	/* A definition in one line, or the last line of one with '~'. */
+	if (definition->open && definition->by_q && !klartext_continues(interp->at.text) &&
+	    (definition->continued || (definition->count > 0 && definition->line == interp->at.line)) &&
+	    !klartext_define_end(interp))
+		return false;
+	return bare || cutter_comp_end_block(interp);
+}

@@ -1,0 +1,21 @@
+/* klartext_m.h - the M-functions of a Heidenhain control, those of a block's start and those of its end. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_M_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_M_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_words.h"
+
+/* Carries out S and what takes effect at the start of the block. False: reported, or the sink wants no more. */
+bool klartext_m_start(struct interp *interp, const struct klartext_words *words);
+
+/* What takes effect at the end of the block, cycle calls included. False: the same. */
+bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
+
+/* Are the coordinates of the block those of the machine (M91)? */
+static inline bool klartext_m_is_machine(const struct klartext_words *words)
+{
+	return words->m_count && klartext_words_m(words, 91);
+}
+
+#endif

@@ -1,0 +1,197 @@
+#include "gcode/dialect/klartext/klartext_move.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "geom/tolerance.h"
+
+/* ----------------------------------------------------------------- targets */
+
+/*
+ * "M126" (iTNC 530 user's manual): without it a rotary axis with a reduced display goes the plain way, with it the
+ * shorter one. The machine file tells by wrap what the axis does.
+ */
+static bool check_way(struct interp *interp, int slot, double plain, double target, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	enum wrap wrap = interp->config->wrap[slot];
+
+	if (klartext->shortest && wrap == WRAP_NONE && !klartext->cautioned_wrap &&
+	    fabs(target - interp->state.position.v[slot]) > 180) {
+		klartext->cautioned_wrap = true;
+		caution(&interp->at, column,
+			"M126 is in force, but %c counts as a plain number: if its display is reduced to 360 degrees, "
+			"wrap=\"shortest\" of the axis in the machine file says so", AXIS_LETTERS[slot]);
+	}
+	if (wrap == WRAP_SIGN)
+		return fault(&interp->at, column,
+			     "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
+			     AXIS_LETTERS[slot]);
+	if (klartext->shortest || wrap == WRAP_NONE || fabs(plain - target) < SAME_DEGREES)
+		return true;
+	return fault(&interp->at, column,
+		     "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
+		     "without it the control goes the plain way; write M126, or wrap=\"none\"",
+		     AXIS_LETTERS[slot]);
+}
+
+static bool find_other(struct interp *interp, const struct klartext_words *words, int slot, slot_values *others)
+{
+	const struct state *state = &interp->state;
+	double value = words->value[slot], plain;
+
+	if (words->increments & 1U << slot) {
+		others->v[slot] += value;
+		return true;
+	}
+	/* The plain way, from where the reduced display stands. */
+	plain = value + state->offset.v[slot];
+	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
+		plain += 360 * floor((state->position.v[slot] - state->offset.v[slot]) / 360);
+	return endpoint_absolute(interp, slot, value, state->offset.v[slot], words->column[slot], &others->v[slot]) &&
+	       (!slot_is_rotary(slot) || check_way(interp, slot, plain, others->v[slot], words->column[slot]));
+}
+
+bool klartext_move_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)
+{
+	vec3 here = klartext_frame_point(interp);
+	double point[3] = {here.x, here.y, here.z};
+
+	target->others = interp->state.position;
+	target->turns = words->axes & (1U << SLOT_A | 1U << SLOT_B | 1U << SLOT_C);
+	target->point = here;
+	if (!words->axes)
+		return true;
+	if (!klartext_frame_check_preset(interp, words->first_column) ||
+	    !klartext_frame_check_plane(interp, words->first_column))
+		return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!klartext_words_has(words, slot))
+			continue;
+		if (slot > SLOT_Z) {
+			if (!find_other(interp, words, slot, &target->others))
+				return false;
+		} else {
+			point[slot] = words->value[slot] + (words->increments & 1U << slot ? point[slot] : 0);
+		}
+	}
+	target->point = (vec3){point[0], point[1], point[2]};
+	return true;
+}
+
+bool klartext_move_feed(struct interp *interp, const struct klartext_words *words, bool *rapid, struct canon_feed *feed)
+{
+	struct state *state = &interp->state;
+	int column = words->feed_column ? words->feed_column : words->first_column;
+
+	*rapid = words->feed == KLARTEXT_FEED_MAX;
+	*feed = (struct canon_feed){0};
+	if (words->feed == KLARTEXT_FEED_VALUE) {
+		state->feed_linear = words->feed_value;
+		state->feed_angular = words->feed_bare;
+	} else if (words->feed == KLARTEXT_FEED_AUTO) {
+		if (!(klartext_of(interp)->call_feed > 0))
+			return fault(&interp->at, column, "F AUTO, but TOOL CALL has given no F");
+		state->feed_linear = klartext_of(interp)->call_feed;
+		state->feed_angular = klartext_of(interp)->call_feed_bare;
+	}
+	if (*rapid)
+		return true;
+	if (!(state->feed_linear > 0))
+		return fault(&interp->at, column, "a move without a feed rate: F or FMAX is needed");
+	feed->linear = state->feed_linear / SECONDS_PER_MINUTE;
+	feed->angular = radians(state->feed_angular) / SECONDS_PER_MINUTE;
+	return true;
+}
+
+/* ------------------------------------------------------------------- moves */
+
+bool klartext_move_in_plane(const struct interp *interp, const slot_values *others)
+{
+	const struct klartext *klartext = klartext_of(interp);
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		double off = remainder(others->v[slot] - state_from_canonical(slot, klartext->rotary.v[slot]), 360);
+
+		/* Q120 to Q122 are written with three decimals by some posts. */
+		if (klartext->rotary_needed[slot] && fabs(off) > 0.001)
+			return false;
+	}
+	return true;
+}
+
+bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	bool tilted = interp->state.tcp == TCP_BY_PLANE;
+
+	if (!target->turns && klartext->waits)
+		return fault(&interp->at, column,
+			     "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
+			     "is not supported");
+	if (target->turns && tilted && !klartext_move_in_plane(interp, &target->others))
+		return fault(&interp->at, column,
+			     "a rotary axis leaves the tilted plane: write PLANE RESET first, or M128");
+	return true;
+}
+
+static bool go(struct interp *interp, const struct klartext_target *target, struct canon_move *move)
+{
+	slot_values position = target->others;
+	vec3 xyz = klartext_frame_position(interp, target->point);
+	struct klartext *klartext = klartext_of(interp);
+
+	klartext->moved = true;
+	if (klartext->waits) {
+		/* Only the rotary axes move. */
+		position.v[SLOT_X] = interp->state.position.v[SLOT_X];
+		position.v[SLOT_Y] = interp->state.position.v[SLOT_Y];
+		position.v[SLOT_Z] = interp->state.position.v[SLOT_Z];
+	} else {
+		position.v[SLOT_X] = xyz.x;
+		position.v[SLOT_Y] = xyz.y;
+		position.v[SLOT_Z] = xyz.z;
+	}
+	return motion_commands_go(interp, &position, move);
+}
+
+bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
+			const struct canon_feed *feed)
+{
+	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED, .feed = *feed};
+
+	return go(interp, target, &move);
+}
+
+bool klartext_move_check_arc(struct interp *interp, const struct klartext_path *path, int column)
+{
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+	const double factor[3] = {frame->scale.x, frame->scale.y, frame->scale.z};
+	const double normal[3] = {path->normal.x, path->normal.y, path->normal.z};
+	double first = 0;
+
+	for (int i = 0; i < 3; i++) {
+		if (same_double(fabs(normal[i]), 1))
+			continue;
+		if (first > 0 && !same_double(first, factor[i]))
+			return fault(&interp->at, column, "a circle while the factors of its plane's axes differ would be an ellipse");
+		first = factor[i];
+	}
+	return true;
+}
+
+bool klartext_move_arc(struct interp *interp, const struct klartext_target *target, const struct klartext_path *arc)
+{
+	struct canon_move move = {.kind = CANON_ARC, .feed = arc->feed};
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+	bool mirrored = frame->any && (frame->mirror[0] + frame->mirror[1] + frame->mirror[2]) % 2 == 1;
+
+	move.arc.centre = klartext_frame_position(interp, arc->centre);
+	move.arc.normal = klartext_frame_direction(interp, arc->normal);
+	move.arc.sweep = mirrored ? -arc->sweep : arc->sweep;
+	return go(interp, target, &move);
+}

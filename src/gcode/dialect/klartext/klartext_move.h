@@ -1,0 +1,38 @@
+/* klartext_move.h - positioning blocks: where their words lead, what their M-functions do, and the moves they make. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_MOVE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_MOVE_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_words.h"
+
+/* Where a block leads: the programmed point in mm, and positions of the other axes. */
+struct klartext_target {
+	vec3 point;
+	slot_values others;	/* of all slots but X, Y and Z */
+	bool turns;	/* a rotary axis is named */
+};
+
+/* The target of the block's axis words. False: reported. */
+bool klartext_move_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target);
+
+/* The feed of the block's move; a rapid where *rapid comes back true. False: reported. */
+bool klartext_move_feed(struct interp *interp, const struct klartext_words *words, bool *rapid, struct canon_feed *feed);
+
+/* May linear axes move now? Not between PLANE ... STAY and its rotary axes. False: reported. */
+bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column);
+
+/* Do the rotary axes stand where the tilted plane needs them? Whole turns do not matter. */
+bool klartext_move_in_plane(const struct interp *interp, const slot_values *others);
+
+/* Sends a straight move to the target. False: the sink wants no more, or reported. */
+bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
+			const struct canon_feed *feed);
+
+/* May an arc be made with the scaling in force? False: reported. */
+bool klartext_move_check_arc(struct interp *interp, const struct klartext_path *path, int column);
+
+/* Sends an arc in programmed coordinates. */
+bool klartext_move_arc(struct interp *interp, const struct klartext_target *target, const struct klartext_path *arc);
+
+#endif

@@ -1,0 +1,92 @@
+#include "gcode/dialect/klartext/klartext_path.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
+#include "gcode/dialect/klartext/klartext_cycle.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_m.h"
+#include "geom/tolerance.h"
+
+bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction)
+{
+	vec3 way = vec3_sub(path->end, path->start), radius;
+
+	if (!path->known)
+		return false;
+	if (!path->arc) {
+		*direction = way;
+	} else {
+		radius = vec3_sub(path->end, path->centre);
+		radius = vec3_mad(radius, -vec3_dot(radius, path->normal), path->normal);
+		*direction = vec3_scale(path->sweep > 0 ? 1 : -1, vec3_cross(path->normal, radius));
+	}
+	if (!(vec3_norm(*direction) > SAME_POINT))
+		return false;
+	*direction = vec3_unit(*direction);
+	return true;
+}
+
+bool klartext_path_make(struct interp *interp, const struct klartext_target *target, struct klartext_path *path)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (klartext->corner.waits && !klartext_corner_make(interp, path))
+		return false;
+	klartext->last = *path;
+	if (klartext_corner_follows(interp))
+		return klartext_corner_hold(interp, target, path);
+	return path->arc ? klartext_move_arc(interp, target, path)
+			 : klartext_move_line(interp, target, path->rapid, &path->feed);
+}
+
+bool klartext_path_check_comp(struct interp *interp, const struct klartext_words *words)
+{
+	if (words->comp != KLARTEXT_RL && words->comp != KLARTEXT_RR)
+		return true;
+	return fault(&interp->at, words->comp_column,
+		     "%s: radius compensation is not supported yet; post the path of the tool's centre with R0",
+		     words->comp == KLARTEXT_RL ? "RL" : "RR");
+}
+
+/* Words that no circle and no polar line has. */
+static bool check_words(struct interp *interp, const struct klartext_words *words)
+{
+	if (!klartext_path_check_comp(interp, words))
+		return false;
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (klartext_words_has(words, slot))
+			return fault(&interp->at, words->column[slot], "%c in a circle or in polar coordinates is not supported yet",
+				     AXIS_LETTERS[slot]);
+	}
+	if (words->has_length || words->has_centre_angle)
+		return fault(&interp->at, words->first_column, "LEN and CCA belong to APPR and DEP");
+	if (klartext_m_is_machine(words))
+		return fault(&interp->at, klartext_words_m(words, 91)->column, "M91 belongs to straight lines (L)");
+	return true;
+}
+
+bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape)
+{
+	struct interp *interp = lexer->context;
+	struct klartext_path path = {.known = true};
+	struct klartext_target target;
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words) || !check_words(interp, &words) || !klartext_m_start(interp, &words) ||
+	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) || !klartext_move_target(interp, &words, &target))
+		return false;
+	if (!klartext_move_check(interp, &target, words.first_column))
+		return false;
+	path.start = klartext_frame_point(interp);
+	if (!shape(interp, &words, &target, &path))
+		return false;
+	path.end = target.point;
+	if (path.arc && path.rapid)
+		return fault(&interp->at, words.feed_column, "a circle cannot be moved at FMAX; it needs F");
+	if (path.arc && !klartext_move_check_arc(interp, &path, words.first_column))
+		return false;
+	return klartext_path_make(interp, &target, &path) && klartext_cycle_call_modal(interp, &words) &&
+	       klartext_m_end(interp, &words);
+}

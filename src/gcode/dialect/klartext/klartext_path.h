@@ -1,0 +1,28 @@
+/* klartext_path.h - what every path block has in common: its words, its M-functions, corners, the direction it ends in. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_move.h"
+
+/*
+ * A path block from its words on: reads them, carries out what takes effect at its start, lets `shape` fill in the
+ * path from words and target, makes the move, and carries out what takes effect at its end.
+ */
+typedef bool (*klartext_path_shape)(struct interp *interp, const struct klartext_words *words,
+				    struct klartext_target *target, struct klartext_path *path);
+
+/* False: reported, or the sink wants no more. */
+bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape);
+
+/* RL and RR are refused. False: reported. */
+bool klartext_path_check_comp(struct interp *interp, const struct klartext_words *words);
+
+/* Makes the move of a path in programmed coordinates, now or when the corner behind it is known. False: the same. */
+bool klartext_path_make(struct interp *interp, const struct klartext_target *target, struct klartext_path *path);
+
+/* The direction at the end of a path, unit; false: it has none. */
+bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction);
+
+#endif

@@ -1,0 +1,16 @@
+/* klartext_plane.h - the PLANE function: tilted working planes, and where the rotary axes go. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PLANE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PLANE_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/text/lexer.h"
+
+/* Behind PLANE. False: reported, or the sink wants no more. */
+bool klartext_plane_run(struct lexer *lexer);
+
+/* CYCL DEF 19, one line of it: only its reset is certain. False: reported. */
+bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle);
+
+#endif

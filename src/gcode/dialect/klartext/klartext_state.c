@@ -1,0 +1,23 @@
+#include "gcode/dialect/klartext/klartext_state.h"
+
+#include <stdlib.h>
+
+#include "base/mem.h"
+
+void *klartext_state_new(void)
+{
+	struct klartext *klartext = mem_zalloc(1, sizeof(*klartext));
+
+	klartext->frame.turn = klartext->frame.tilt = mat3_identity();
+	klartext->frame.scale = klartext->frame.factor = (vec3){1, 1, 1};
+	return klartext;
+}
+
+void klartext_state_free(void *state)
+{
+	struct klartext *klartext = state;
+
+	labels_release(&klartext->labels);
+	strbuf_release(&klartext->line);
+	free(klartext);
+}

@@ -1,0 +1,182 @@
+#include "gcode/dialect/klartext/klartext_straight.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_cycle.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_path.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/tool_length.h"
+
+/* --------------------------------------------------------------------- L */
+
+/*
+ * M91: coordinates of the machine's axes; work offsets, the frame and the tool's length do not count ("M91", "M92" in the
+ * iTNC 530 user's manual). That the plane stays tilted meanwhile is from memory.
+ */
+static bool run_in_machine(struct interp *interp, const struct klartext_words *words, bool rapid,
+			   const struct canon_feed *feed)
+{
+	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED, .feed = *feed, .machine_coordinates = true};
+	int column = klartext_words_m(words, 91)->column;
+	struct suspended suspended;
+	slot_values target;
+
+	if (interp->state.tcp == TCP_BY_MCODE)
+		return fault(&interp->at, column, "M91 while M128 is in force: the manual wants M129 first");
+	if (klartext_of(interp)->waits)
+		return fault(&interp->at, column, "M91 between PLANE ... STAY and the rotary axes' way to the plane is not supported");
+	if (!tool_length_suspend(interp, column, &suspended))
+		return false;
+	target = interp->state.position;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!klartext_words_has(words, slot))
+			continue;
+		if (suspended.tcp == TCP_BY_PLANE && slot_is_rotary(slot))
+			return fault(&interp->at, words->column[slot], "a rotary axis leaves the tilted plane: write PLANE RESET first");
+		if (words->increments & 1U << slot)
+			target.v[slot] += words->value[slot];
+		else if (!endpoint_absolute(interp, slot, words->value[slot], 0, words->column[slot], &target.v[slot]))
+			return false;
+	}
+	klartext_of(interp)->last.known = false;
+	klartext_of(interp)->moved = true;
+	return motion_commands_go(interp, &target, &move) && tool_length_resume(interp, column, &suspended);
+}
+
+/* The rotary axes have reached the plane of PLANE ... STAY: from here on coordinates are tilted. */
+static bool settle_plane(struct interp *interp, const struct klartext_target *target, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (!klartext->waits || !target->turns)
+		return true;
+	if (!klartext_move_in_plane(interp, &interp->state.position))
+		return true;
+	klartext->waits = false;
+	return tool_length_switch_tcp(interp, column, TCP_BY_PLANE);
+}
+
+/* Axis words between STAY and the plane: only rotary ones. */
+static bool check_waiting(struct interp *interp, const struct klartext_words *words)
+{
+	if (!klartext_of(interp)->waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
+		return true;
+	return fault(&interp->at, words->first_column,
+		     "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) is not "
+		     "supported");
+}
+
+static bool make_path(struct interp *interp, const struct klartext_words *words, bool rapid, const struct canon_feed *feed)
+{
+	struct klartext_target target;
+	struct klartext_path path = {.rapid = rapid, .feed = *feed};
+
+	if (!check_waiting(interp, words) || !klartext_move_target(interp, words, &target) ||
+	    !klartext_move_check(interp, &target, words->first_column))
+		return false;
+	path.known = !target.turns;
+	path.start = klartext_frame_point(interp);
+	path.end = target.point;
+	return klartext_path_make(interp, &target, &path) && settle_plane(interp, &target, words->first_column);
+}
+
+static bool run_words(struct interp *interp, const struct klartext_words *words)
+{
+	struct canon_feed feed;
+	bool rapid;
+
+	if (!klartext_path_check_comp(interp, words) || !klartext_m_start(interp, words))
+		return false;
+	if (!words->axes) {
+		/* F alone counts for what comes next. */
+		return (words->feed != KLARTEXT_FEED_VALUE && words->feed != KLARTEXT_FEED_AUTO) ||
+		       klartext_move_feed(interp, words, &rapid, &feed);
+	}
+	if (!klartext_move_feed(interp, words, &rapid, &feed))
+		return false;
+	return klartext_m_is_machine(words) ? run_in_machine(interp, words, rapid, &feed)
+					    : make_path(interp, words, rapid, &feed);
+}
+
+static bool check_line_words(struct lexer *lexer, const struct klartext_words *words)
+{
+	if (words->has_radius || words->has_angle)
+		return fault(lexer->at, words->has_radius ? words->radius_column : words->angle_column,
+			     "polar coordinates need LP or CP");
+	if (words->has_size)
+		return fault(lexer->at, words->size_column, "R with a radius belongs to CR, RND, APPR and DEP");
+	if (words->direction || words->has_length || words->has_centre_angle)
+		return fault(lexer->at, words->first_column, "DR, LEN and CCA belong to circles, APPR and DEP");
+	return true;
+}
+
+static bool run(struct lexer *lexer, const struct klartext_words *words)
+{
+	struct interp *interp = lexer->context;
+
+	return check_line_words(lexer, words) && run_words(interp, words) && klartext_cycle_call_modal(interp, words) &&
+	       klartext_m_end(interp, words);
+}
+
+bool klartext_straight_run(struct lexer *lexer)
+{
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (words.has_normal || words.has_tool)
+		return fault(lexer->at, words.first_column, "NX and TX belong to LN");
+	return run(lexer, &words);
+}
+
+/*
+ * "Three-dimensional tool compensation": with a surface normal the control moves the tool by the oversizes of TOOL CALL
+ * along it; without oversizes the path is that of L.
+ */
+bool klartext_straight_run_normal(struct lexer *lexer)
+{
+	const struct interp *interp = lexer->context;
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (klartext_of(interp)->oversize)
+		return fault(lexer->at, words.first_column,
+			     "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "
+			     "supported yet");
+	if (words.has_tool)
+		return fault(lexer->at, words.first_column,
+			     "TX, TY, TZ: a direction of the tool is not supported yet; post the positions of the rotary axes");
+	return run(lexer, &words);
+}
+
+/*
+ * "Calling a cycle with CYCL CALL POS": below the position the tool goes along its axis first, above it in the plane.
+ */
+bool klartext_straight_cycle_position(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	const struct canon_feed none = {0};
+	struct klartext_target target, first;
+	struct klartext_words words;
+	vec3 here;
+
+	if (!klartext_words_read(lexer, &words) || !check_line_words(lexer, &words))
+		return false;
+	if (words.axes & ~(1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z))
+		return fault(lexer->at, words.first_column, "CYCL CALL POS has coordinates of X, Y and Z alone");
+	if (!klartext_m_start(interp, &words) || !klartext_move_target(interp, &words, &target) ||
+	    !klartext_move_check(interp, &target, words.first_column))
+		return false;
+	here = klartext_frame_point(interp);
+	first = target;
+	if (here.z < target.point.z)
+		first.point = (vec3){here.x, here.y, target.point.z};
+	else
+		first.point.z = here.z;
+	return klartext_move_line(interp, &first, true, &none) && klartext_move_line(interp, &target, true, &none);
+}

@@ -1,0 +1,154 @@
+#include "gcode/dialect/klartext/klartext_tilt.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "geom/tolerance.h"
+
+static const vec3 unit_x = {1, 0, 0}, unit_y = {0, 1, 0}, unit_z = {0, 0, 1};
+
+/* A named value that must be there. */
+static bool need(struct lexer *lexer, const char *name, double *value)
+{
+	if (!klartext_take(lexer, name))
+		return fault(lexer->at, klartext_column(lexer), "%s is needed here", name);
+	return klartext_value(lexer, value);
+}
+
+static mat3 turned(vec3 axis, double angle)
+{
+	return mat3_turn(axis, radians(angle));
+}
+
+/* "PLANE SPATIAL": about the machine's X by SPA, then Y by SPB, then Z by SPC. */
+static bool read_spatial(struct lexer *lexer, mat3 *tilt)
+{
+	double a, b, c;
+	mat3 x, y, z;
+
+	if (!need(lexer, "SPA", &a) || !need(lexer, "SPB", &b) || !need(lexer, "SPC", &c))
+		return false;
+	x = turned(unit_x, a);
+	y = turned(unit_y, b);
+	z = turned(unit_z, c);
+	y = mat3_mul(&y, &x);
+	*tilt = mat3_mul(&z, &y);
+	return true;
+}
+
+/* "PLANE EULER": about Z by EULPR, about the new X by EULNU, about the new Z by EULROT. */
+static bool read_euler(struct lexer *lexer, mat3 *tilt)
+{
+	double first, second, third;
+	mat3 a, b, c;
+
+	if (!need(lexer, "EULPR", &first) || !need(lexer, "EULNU", &second) || !need(lexer, "EULROT", &third))
+		return false;
+	a = turned(unit_z, first);
+	b = turned(unit_x, second);
+	c = turned(unit_z, third);
+	a = mat3_mul(&a, &b);
+	*tilt = mat3_mul(&a, &c);
+	return true;
+}
+
+/* X along `base` as far as it lies in the plane, Z along the normal. False: they are parallel, which was reported. */
+static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column, mat3 *tilt)
+{
+	if (!(vec3_norm(normal) > DIRECTION_TOLERANCE) || !(vec3_norm(base) > DIRECTION_TOLERANCE))
+		return fault(lexer->at, column, "a vector of length 0 has no direction");
+	normal = vec3_unit(normal);
+	base = vec3_mad(base, -vec3_dot(base, normal), normal);
+	if (!(vec3_norm(base) > DIRECTION_TOLERANCE))
+		return fault(lexer->at, column, "the base vector must not be parallel to the normal");
+	base = vec3_unit(base);
+	*tilt = (mat3){base, vec3_cross(normal, base), normal};
+	return true;
+}
+
+/*
+ * "PLANE VECTOR": B is the base vector, along the tilted X, N the normal, along the tilted Z. The control makes B
+ * perpendicular to N (iTNC 530 user's manual).
+ */
+static bool read_vector(struct lexer *lexer, mat3 *tilt)
+{
+	int column = klartext_column(lexer);
+	vec3 b, n;
+
+	return need(lexer, "BX", &b.x) && need(lexer, "BY", &b.y) && need(lexer, "BZ", &b.z) && need(lexer, "NX", &n.x) &&
+	       need(lexer, "NY", &n.y) && need(lexer, "NZ", &n.z) && from_vectors(lexer, b, n, column, tilt);
+}
+
+static bool read_point(struct lexer *lexer, char number, vec3 *point)
+{
+	char names[3][4] = {"P1X", "P1Y", "P1Z"};
+
+	for (int i = 0; i < 3; i++)
+		names[i][1] = number;
+	return need(lexer, names[0], &point->x) && need(lexer, names[1], &point->y) && need(lexer, names[2], &point->z);
+}
+
+/* "PLANE POINTS": X from point 1 to point 2; point 3 lies towards positive Y; right-handed. */
+static bool read_points(struct lexer *lexer, mat3 *tilt)
+{
+	int column = klartext_column(lexer);
+	vec3 p[3], base;
+
+	for (int i = 0; i < 3; i++) {
+		if (!read_point(lexer, (char)('1' + i), &p[i]))
+			return false;
+	}
+	base = vec3_sub(p[1], p[0]);
+	return from_vectors(lexer, base, vec3_cross(base, vec3_sub(p[2], p[0])), column, tilt);
+}
+
+/* "PLANE RELATIVE": one more rotation, about an axis of the plane in force. */
+static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
+{
+	double angle;
+	vec3 axis;
+	mat3 turn;
+
+	if (klartext_take(lexer, "SPA"))
+		axis = unit_x;
+	else if (klartext_take(lexer, "SPB"))
+		axis = unit_y;
+	else if (klartext_take(lexer, "SPC"))
+		axis = unit_z;
+	else
+		return fault(lexer->at, klartext_column(lexer), "PLANE RELATIVE needs SPA, SPB or SPC");
+	if (!klartext_value(lexer, &angle))
+		return false;
+	turn = turned(axis, angle);
+	*tilt = mat3_mul(before, &turn);
+	return true;
+}
+
+bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, mat3 *tilt, bool *reset)
+{
+	int column = klartext_column(lexer);
+	char kind[KLARTEXT_WORD];
+
+	klartext_word(lexer, kind);
+	*reset = !strcmp(kind, "RESET");
+	*tilt = mat3_identity();
+	if (*reset)
+		return true;
+	if (!strcmp(kind, "SPATIAL"))
+		return read_spatial(lexer, tilt);
+	if (!strcmp(kind, "EULER"))
+		return read_euler(lexer, tilt);
+	if (!strcmp(kind, "VECTOR"))
+		return read_vector(lexer, tilt);
+	if (!strcmp(kind, "POINTS"))
+		return read_points(lexer, tilt);
+	if (!strcmp(kind, "RELATIVE") || !strcmp(kind, "RELATIV"))
+		return read_relative(lexer, before, tilt);
+	if (!strcmp(kind, "PROJECTED") || !strcmp(kind, "AXIAL"))
+		return fault(lexer->at, column, "PLANE %s is not supported yet: write the plane as PLANE SPATIAL", kind);
+	return fault(lexer->at, column,
+		     "PLANE needs SPATIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
+}

@@ -1,0 +1,241 @@
+#include "gcode/dialect/klartext/klartext_tool.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/reference_return.h"
+#include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
+
+/* The words of TOOL CALL. */
+struct request {
+	bool has_tool;
+	int number;
+	int column;
+	bool has_speed, has_feed;
+	double speed, feed;
+	double longer;	/* DL, mm */
+	bool oversize;
+};
+
+/* ----------------------------------------------------------------- numbers */
+
+static bool find_by_name(struct lexer *lexer, const char *name, int column, int *number)
+{
+	struct interp *interp = lexer->context;
+	const struct tool *found = NULL;
+
+	for (size_t i = 0; i < interp->config->tool_count; i++) {
+		const struct tool *tool = &interp->config->tools[i];
+
+		if (!tool->name || strcmp(tool->name, name) != 0)
+			continue;
+		if (found)
+			return fault(lexer->at, column, "the setup has two tools named \"%s\", T%d and T%d", name, found->number,
+				     tool->number);
+		found = tool;
+	}
+	if (!found)
+		return fault(lexer->at, column,
+			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what it "
+			     "is made of", name, name);
+	*number = found->number;
+	return true;
+}
+
+/* 5, "NAME"; an indexed tool, 5.2, is one that a setup cannot name. */
+static bool read_tool(struct lexer *lexer, int *number, int *column)
+{
+	char byte = lexer_peek(lexer), name[KLARTEXT_NAME];
+
+	*column = klartext_column(lexer);
+	if (byte == '"' || byte == '\'')
+		return klartext_name(lexer, "a tool's name", name, sizeof(name)) && find_by_name(lexer, name, *column, number);
+	return klartext_integer(lexer, "a tool's number", 0, 32767, number);
+}
+
+/* -------------------------------------------------------------- definitions */
+
+static bool check_length(struct lexer *lexer, int number, double length, int column)
+{
+	struct interp *interp = lexer->context;
+	const struct tool *tool = tool_table_find(&interp->tools, number);
+
+	if (!tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE)
+		return true;
+	return fault(lexer->at, column,
+		     "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes depends on "
+		     "whether its tool table is active; make them agree, or leave L out",
+		     number, length, tool->length_offset);
+}
+
+bool klartext_tool_define(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int number, column;
+	double value;
+
+	if (!read_tool(lexer, &number, &column))
+		return false;
+	while (!klartext_ends(lexer)) {
+		column = klartext_column(lexer);
+		if (klartext_take(lexer, "L")) {
+			if (!klartext_value(lexer, &value) || !check_length(lexer, number, value * interp->state.scale, column))
+				return false;
+		} else if (klartext_take(lexer, "R")) {
+			if (!klartext_value(lexer, &value))
+				return false;
+		} else {
+			return fault(lexer->at, column, "TOOL DEF has a number, L and R");
+		}
+	}
+	return true;
+}
+
+/* -------------------------------------------------------------------- call */
+
+static bool read_word(struct lexer *lexer, struct request *request)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+	double value;
+
+	if (klartext_take(lexer, "Z"))
+		return true;
+	if (klartext_take(lexer, "X") || klartext_take(lexer, "Y") || klartext_take(lexer, "U") || klartext_take(lexer, "V") ||
+	    klartext_take(lexer, "W"))
+		return fault(lexer->at, column, "another tool axis than Z is not supported yet");
+	if (klartext_take(lexer, "S"))
+		return request->has_speed = true, klartext_value(lexer, &request->speed);
+	if (klartext_take(lexer, "F"))
+		return request->has_feed = true, klartext_value(lexer, &request->feed);
+	if (klartext_take(lexer, "DL")) {
+		if (!klartext_value(lexer, &value))
+			return false;
+		request->longer = value * interp->state.scale;
+		request->oversize |= fabs(value) > 0;
+		return true;
+	}
+	/* Oversizes of the radius count for compensation alone. */
+	if (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2") || klartext_take(lexer, "DR")) {
+		if (!klartext_value(lexer, &value))
+			return false;
+		request->oversize |= fabs(value) > 0;
+		return true;
+	}
+	return fault(lexer->at, column, "TOOL CALL has a tool, its axis, S, F, DL, DR and DR2");
+}
+
+static bool read_request(struct lexer *lexer, struct request *request)
+{
+	char byte = lexer_peek(lexer);
+
+	*request = (struct request){.column = klartext_column(lexer)};
+	if (byte == '"' || byte == '\'' || klartext_value_follows(lexer)) {
+		request->has_tool = true;
+		if (!read_tool(lexer, &request->number, &request->column))
+			return false;
+	}
+	while (!klartext_ends(lexer)) {
+		if (!read_word(lexer, request))
+			return false;
+	}
+	if (request->speed < 0 || request->feed < 0)
+		return fault(lexer->at, request->column, "S and F of TOOL CALL cannot be negative");
+	return true;
+}
+
+static bool find_length(struct interp *interp, const struct request *request, double *length)
+{
+	const struct tool *tool = tool_table_find(&interp->tools, request->number);
+
+	*length = request->longer;
+	if (request->number == 0)
+		return true;
+	if (!interp->config->has_setup)
+		return fault(&interp->at, request->column, "T%d: no setup was given that defines the tool's length", request->number);
+	if (!tool)
+		return fault(&interp->at, request->column,
+			     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
+			     request->number, request->number);
+	*length += tool->length_offset;
+	return true;
+}
+
+/*
+ * iTNC 530 user's manual, "Calling tool data": the length counts from TOOL CALL on, which moves no axis by itself;
+ * where the machine's builder has the change take the axes, the machine file says.
+ */
+static bool change(struct interp *interp, const struct request *request)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct state *state = &interp->state;
+	enum tcp_source tcp = state->tcp;
+	double length;
+
+	if (tcp == TCP_BY_MCODE)
+		return fault(&interp->at, request->column, "TOOL CALL while M128 is in force: the manual wants M129 first");
+	if (klartext->corner.waits)
+		return fault(&interp->at, request->column, "RND and CHF need a straight line behind them");
+	if (!find_length(interp, request, &length))
+		return false;
+	if (!interp->config->controller.tool_change.given)
+		return fault(&interp->at, request->column,
+			     "where TOOL CALL takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
+			     "machine file says it, and <tool_change/> that it moves none");
+	interp->block.m_column[M_TOOL] = request->column;
+	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
+		return false;
+	klartext->last.known = false;
+	state->tool = request->number;
+	state->spindle = SPINDLE_STOPPED;
+	state->length = length;
+	klartext->oversize = request->oversize;
+	klartext->change_pending = true;
+	klartext->moved = false;
+	if (!motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}))
+		return false;
+	state_update_offset(state);
+	return tcp == TCP_OFF || tool_length_switch_tcp(interp, request->column, tcp);
+}
+
+bool klartext_tool_call(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	struct request request;
+
+	if (!read_request(lexer, &request))
+		return false;
+	if (request.has_tool && !change(interp, &request))
+		return false;
+	if (!request.has_tool && request.oversize)
+		return fault(lexer->at, request.column, "DL and DR without a tool is not supported yet");
+	if (request.has_speed) {
+		interp->state.speed = request.speed;
+		interp->state.speed_is_zero = !(request.speed > 0);
+	}
+	if (request.has_feed)
+		klartext->call_feed_bare = request.feed;
+	if (request.has_feed)
+		klartext->call_feed = request.feed * (interp->state.scale > 1 ? interp->state.scale / 10 : 1);
+	return true;
+}
+
+bool klartext_tool_m6(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (!klartext->change_pending)
+		return fault(&interp->at, column, "M6, but no TOOL CALL has named a tool");
+	if (klartext->moved)
+		return fault(&interp->at, column,
+			     "axes have moved between TOOL CALL and M6: which of them changes the tool, and which tool has moved, is "
+			     "not known; write M6 behind TOOL CALL");
+	klartext->change_pending = false;
+	return true;
+}

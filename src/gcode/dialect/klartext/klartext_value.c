@@ -1,0 +1,142 @@
+#include "gcode/dialect/klartext/klartext_value.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/text/number.h"
+
+void klartext_q_set(struct klartext *klartext, int number, double value)
+{
+	klartext->q[number] = (struct klartext_q){value, true};
+}
+
+bool klartext_q_get(const struct klartext *klartext, int number, double *value)
+{
+	*value = klartext->q[number].value;
+	return klartext->q[number].given;
+}
+
+/* ------------------------------------------------------------- parameters */
+
+/* iTNC 530 user's manual, "Preassigned Q parameters": what the control itself knows at any time. */
+static void preassign(struct interp *interp, int number)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct state *state = &interp->state;
+	const struct tool *tool = tool_table_find(&interp->tools, state->tool);
+	double unit = state->scale;
+
+	if (number == 108 && tool)
+		klartext_q_set(klartext, 108, tool->diameter / 2 / unit);
+	else if (number == 109)
+		klartext_q_set(klartext, 109, 2);
+	else if (number == 110)
+		klartext_q_set(klartext, 110, state->spindle == SPINDLE_CLOCKWISE ? 0
+					      : state->spindle == SPINDLE_COUNTERCLOCKWISE ? 1 : -1);
+	else if (number == 113)
+		klartext_q_set(klartext, 113, klartext->inch);
+	else if (number == 114)
+		klartext_q_set(klartext, 114, state->length / unit);
+}
+
+struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	const char *text = lexer->at->text;
+	int column = klartext_column(lexer), count = KLARTEXT_Q_COUNT;
+	char kind = 'Q';
+	struct klartext_q *array = klartext->q;
+
+	lexer_take(lexer);
+	if (text[lexer->position] == 'L' || text[lexer->position] == 'l') {
+		kind = 'L';
+		array = klartext->ql[klartext->programs];
+	} else if (text[lexer->position] == 'R' || text[lexer->position] == 'r') {
+		kind = 'R';
+		array = klartext->qr;
+	}
+	if (kind != 'Q') {
+		count = KLARTEXT_QL_COUNT;
+		lexer_take(lexer);
+	}
+	for (*number = 0; text[lexer->position] >= '0' && text[lexer->position] <= '9'; lexer_take(lexer)) {
+		*number = 10 * *number + (text[lexer->position] - '0');
+		if (*number >= count) {
+			fault_report(lexer->at, column, "Q parameters go from %s0 to %s%d", kind == 'Q' ? "Q" : kind == 'L' ? "QL" : "QR",
+				     kind == 'Q' ? "Q" : kind == 'L' ? "QL" : "QR", count - 1);
+			return NULL;
+		}
+	}
+	if (kind == 'Q' && *number >= 100 && *number < 200)
+		preassign(interp, *number);
+	return &array[*number];
+}
+
+bool klartext_q_read(struct lexer *lexer, double *value)
+{
+	int column = klartext_column(lexer), number;
+	const char *name = lexer->at->text + lexer->position;
+	const struct klartext_q *q = klartext_q_find(lexer, &number);
+	int length = (int)(lexer->at->text + lexer->position - name);
+
+	if (!q)
+		return false;
+	if (!q->given)
+		return fault(lexer->at, column,
+			     "%.*s has no value: the program has not assigned one, and what the control still holds from "
+			     "before is not known", length, name);
+	*value = q->value;
+	return true;
+}
+
+/* ------------------------------------------------------------------ values */
+
+bool klartext_value_follows(struct lexer *lexer)
+{
+	char byte = lexer_peek(lexer);
+	const char *text = lexer->at->text + lexer->position;
+
+	if (byte == '+' || byte == '-')
+		byte = *++text;
+	if (klartext_upper(byte) == 'Q')
+		return (text[1] >= '0' && text[1] <= '9') || strchr("LlRr", text[1] ? text[1] : ' ');
+	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ',';
+}
+
+bool klartext_value(struct lexer *lexer, double *value)
+{
+	char byte = lexer_peek(lexer);
+	bool negative = byte == '-';
+
+	switch (number_read_with_comma(lexer->at->text, &lexer->position, value)) {
+	case NUMBER_OK:
+		return true;
+	case NUMBER_TOO_LONG:
+		return fault(lexer->at, lexer_column(lexer), "a number of more than %d digits", NUMBER_LENGTH_MAX);
+	case NUMBER_MISSING:
+		break;
+	}
+	if (!klartext_value_follows(lexer))
+		return fault(lexer->at, lexer_column(lexer), "a value is needed here");
+	if (byte == '-' || byte == '+')
+		lexer_take(lexer);
+	if (!klartext_q_read(lexer, value))
+		return false;
+	*value = negative ? -*value : *value;
+	return true;
+}
+
+bool klartext_integer(struct lexer *lexer, const char *what, int least, int greatest, int *value)
+{
+	int column = klartext_column(lexer);
+	double number;
+
+	if (!klartext_value(lexer, &number))
+		return false;
+	if (!(number >= least && number <= greatest) || !same_double(floor(number), number))
+		return fault(lexer->at, column, "%s is a whole number from %d to %d", what, least, greatest);
+	*value = (int)number;
+	return true;
+}
