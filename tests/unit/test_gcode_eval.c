@@ -47,7 +47,7 @@ static bool function(struct expr *expr, int column, const struct function_name *
 static bool variable(struct expr *expr, struct expr_operand *value)
 {
 	lexer_take(expr->lexer);
-	return expr_number(expr->lexer, &value->number);
+	return expr_number(expr, &value->number);
 }
 
 static const struct expr_rules rules = {

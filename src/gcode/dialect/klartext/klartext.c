@@ -1,4 +1,5 @@
 #include "gcode/dialect/dialects.h"
+#include "gcode/dialect/klartext/klartext_codes.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_line.h"
 #include "gcode/dialect/klartext/klartext_state.h"
@@ -18,6 +19,9 @@ static void after_machine_move(struct interp *interp, int code, const bool moved
  */
 const struct dialect dialect_klartext = {
 	.name = "klartext",
+	.manual = "Heidenhain iTNC 530 and TNC 640 user's manuals, Klartext programming",
+	.m_codes = {&klartext_m_codes},
+	.words = {&klartext_word_set},
 	.traits = {
 		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94, .path = G64},
 		.whole_numbers = WHOLE_NUMBERS_UNITS,

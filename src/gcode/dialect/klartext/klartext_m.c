@@ -11,94 +11,28 @@
 #include "gcode/execute/tool_length.h"
 
 enum m_action {
-	M_HARMLESS, M_HALT, M_END, M_TURN_RIGHT, M_TURN_LEFT, M_STAND, M_CHANGE, M_CALL, M_CALL_MODAL, M_MACHINE,
-	M_SHORTEST, M_PLAIN, M_TCP_START, M_TCP_STOP, M_PER_REVOLUTION, M_PER_MINUTE, M_RETRACT, M_TILT_AXES, M_REDUCE,
-	M_REFUSED
+	M_HARMLESS, M_HALT, M_END, M_TURN_RIGHT, M_TURN_LEFT, M_STAND, M_CHANGE, M_CALL, M_CALL_MODAL, M_SHORTEST,
+	M_PLAIN, M_TCP_START, M_TCP_STOP, M_RETRACT, M_TILT_AXES, M_REDUCE
 };
 
-/* iTNC 530 and TNC 640 user's manuals, "Miscellaneous functions". Sorted by number. */
-static const struct m_function {
-	short number;
-	enum m_action action;
-	const char *what;	/* REFUSED */
-} functions[] = {
-	{0, M_HALT, NULL},
-	{1, M_HALT, NULL},
-	{2, M_END, NULL},
-	{3, M_TURN_RIGHT, NULL},
-	{4, M_TURN_LEFT, NULL},
-	{5, M_STAND, NULL},
-	{6, M_CHANGE, NULL},
-	{7, M_HARMLESS, NULL},
-	{8, M_HARMLESS, NULL},
-	{9, M_HARMLESS, NULL},
-	{13, M_TURN_RIGHT, NULL},
-	{14, M_TURN_LEFT, NULL},
-	{30, M_END, NULL},
-	{89, M_CALL_MODAL, NULL},
-	{90, M_HARMLESS, NULL},
-	{91, M_MACHINE, NULL},
-	{92, M_REFUSED, "coordinates from a point that the machine's builder has set; use M91"},
-	{94, M_REDUCE, NULL},
-	{97, M_HARMLESS, NULL},	/* and M98, M120: of radius compensation alone */
-	{98, M_HARMLESS, NULL},
-	{99, M_CALL, NULL},
-	{101, M_REFUSED, "a change of tools when the tool's life ends"},
-	{102, M_HARMLESS, NULL},
-	{103, M_HARMLESS, NULL},	/* feeds only, as M109 to M111, M116, M117 */
-	{104, M_REFUSED, "the datum that was set last"},
-	{105, M_HARMLESS, NULL},
-	{106, M_HARMLESS, NULL},
-	{107, M_HARMLESS, NULL},
-	{108, M_HARMLESS, NULL},
-	{109, M_HARMLESS, NULL},
-	{110, M_HARMLESS, NULL},
-	{111, M_HARMLESS, NULL},
-	{112, M_REFUSED, "transitions between contour elements"},
-	{113, M_HARMLESS, NULL},
-	{114, M_REFUSED, "compensation of the tilted axes' geometry"},
-	{115, M_HARMLESS, NULL},
-	{116, M_HARMLESS, NULL},
-	{117, M_HARMLESS, NULL},
-	{118, M_REFUSED, "moves of the handwheel during the program"},
-	{120, M_HARMLESS, NULL},
-	{124, M_REFUSED, "leaving out of points"},
-	{126, M_SHORTEST, NULL},
-	{127, M_PLAIN, NULL},
-	{128, M_TCP_START, NULL},
-	{129, M_TCP_STOP, NULL},
-	{130, M_REFUSED, "coordinates of the untilted system in a tilted plane"},
-	{134, M_HARMLESS, NULL},
-	{135, M_HARMLESS, NULL},
-	{136, M_PER_REVOLUTION, NULL},
-	{137, M_PER_MINUTE, NULL},
-	{138, M_TILT_AXES, NULL},
-	{140, M_RETRACT, NULL},
-	{141, M_HARMLESS, NULL},
-	{142, M_REFUSED, "erasing of program information"},
-	{143, M_REFUSED, "erasing of the basic rotation"},
-	{144, M_REFUSED, "compensation of the machine's kinematics"},
-	{145, M_HARMLESS, NULL},
-	{148, M_HARMLESS, NULL},
-	{149, M_HARMLESS, NULL},
-	{197, M_REFUSED, "rounding of corners"},
-};
-
-static const struct m_function *find_function(int number)
+/* What those do that are read; the others are refused or ignored (klartext_codes.c). */
+static enum m_action action_of(int number)
 {
-	size_t low = 0, high = sizeof(functions) / sizeof(functions[0]);
+	static const struct {
+		short number;
+		short action;
+	} actions[] = {
+		{0, M_HALT},	 {1, M_HALT},	   {2, M_END},	       {3, M_TURN_RIGHT},   {4, M_TURN_LEFT},
+		{5, M_STAND},	 {6, M_CHANGE},	   {13, M_TURN_RIGHT}, {14, M_TURN_LEFT},   {30, M_END},
+		{89, M_CALL_MODAL}, {94, M_REDUCE}, {99, M_CALL},      {126, M_SHORTEST},   {127, M_PLAIN},
+		{128, M_TCP_START}, {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},
+	};
 
-	while (low < high) {
-		size_t middle = (low + high) / 2;
-
-		if (functions[middle].number == number)
-			return &functions[middle];
-		if (functions[middle].number < number)
-			low = middle + 1;
-		else
-			high = middle;
+	for (size_t i = 0; i < sizeof(actions) / sizeof(actions[0]); i++) {
+		if (actions[i].number == number)
+			return (enum m_action)actions[i].action;
 	}
-	return NULL;
+	return M_HARMLESS;
 }
 
 /* What the machine file says of an M-function, or the control's own meaning. False: not known, which was reported. */
@@ -109,7 +43,7 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 		[MCODE_SPINDLE_ON] = M_TURN_RIGHT, [MCODE_SPINDLE_OFF] = M_STAND,
 	};
 	const struct controller *controller = &interp->config->controller;
-	const struct m_function *found;
+	const struct code *found;
 
 	for (size_t i = 0; i < controller->mcode_count; i++) {
 		if (controller->mcodes[i].number == m->number) {
@@ -117,15 +51,15 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			return true;
 		}
 	}
-	found = find_function(m->number);
+	found = code_find(interp->config->dialect->m_codes, m->number);
 	if (!found)
 		return fault(&interp->at, m->column,
 			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
 			     "machine's <controller> says so",
 			     m->number, m->number);
-	if (found->action == M_REFUSED)
+	if (found->state == CODE_REFUSED)
 		return fault(&interp->at, m->column, "M%d: %s is not supported yet", m->number, found->what);
-	*action = found->action;
+	*action = action_of(m->number);
 	return true;
 }
 
@@ -214,8 +148,6 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 		return true;
 	case M_TCP_START:
 		return start_tcp(interp, m);
-	case M_PER_REVOLUTION:
-		return fault(&interp->at, m->column, "M136: a feed per revolution is not supported yet");
 	case M_REDUCE:
 		return reduce(interp, m);
 	case M_TILT_AXES:
