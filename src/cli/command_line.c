@@ -94,12 +94,43 @@ static bool check_modes(const struct parser *parser)
 	return true;
 }
 
+/* A table has one format, text or json; its file is that of --output. */
+static bool check_table_formats(const struct parser *parser)
+{
+	struct options *o = parser->options;
+	struct format_choice *json = &o->formats[FORMAT_JSON], *text = &o->formats[FORMAT_TEXT];
+	const char *path = json->path ? json->path : text->path;
+
+	for (int i = 0; i < FORMAT_CHOICES; i++) {
+		if (o->formats[i].wanted && i != FORMAT_TEXT && i != FORMAT_JSON) {
+			diag_error(parser->diag, nowhere, "--%s has the formats text and json, not %s", parser->mode->name,
+				   writer_names[i]);
+			return false;
+		}
+	}
+	if ((json->wanted && text->wanted) || (path && o->output)) {
+		diag_error(parser->diag, nowhere, "--%s prints one table: give one --format, and one file at most",
+			   parser->mode->name);
+		return false;
+	}
+	o->output = path ? path : o->output;
+	json->path = text->path = NULL;
+	return true;
+}
+
 /* Without --format the results are text. One format may lack a file: it goes to the file of --output. */
 static bool check_formats(const struct parser *parser)
 {
 	struct options *o = parser->options;
 	int wanted = 0, unnamed = 0;
 
+	if (o->mode == RUN_LIST_PAIRS || o->mode == RUN_CHECK_MACHINE)
+		return check_table_formats(parser);
+	if (o->formats[FORMAT_JSON].wanted) {
+		diag_error(parser->diag, nowhere, "--format=json is for --check-machine and --list-pairs; the results of a check "
+						  "are JSON with --format=ndjson");
+		return false;
+	}
 	o->formats[FORMAT_RECORD] = (struct format_choice){o->record != NULL, o->record};
 	for (int i = 0; i < FORMAT_CHOICES; i++) {
 		wanted += o->formats[i].wanted;

@@ -15,8 +15,9 @@
 #include "cli/report_date.h"
 #include "fivecheck.h"
 #include "report/format/digest.h"
+#include "report/machine_json.h"
 #include "report/machine_report.h"
-#include "report/mesh_lint.h"
+#include "report/oddities.h"
 #include "report/tables/dump.h"
 #include "report/tables/pairs.h"
 #include "scene/model_check.h"
@@ -238,22 +239,34 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-static enum run_status run_machine(const struct job *job, struct diag *diag, struct output *out)
+/* All meshes are read before the model is doubted, so that the doubts are about all of them. */
+static enum run_status run_machine(const struct job *job, bool as_json, struct diag *diag, struct output *out)
 {
-	struct strbuf text = {0};
-	bool good = machine_report_add(&text, job->model->scene, diag) && model_check(job->model->scene, diag) &&
-		    mesh_lint_add(&text, job->model->scene, diag);
+	struct scene *scene = job->model->scene;
+	struct oddities oddities = {0};
+	struct strbuf text = {0}, json = {0};
+	bool good = machine_report_add(&text, scene, diag) && model_check(scene, diag) &&
+		    oddities_find(&oddities, scene, diag);
 
-	output_text(out, &text);
+	if (as_json)
+		good = good && machine_json_add(&json, scene, &oddities, diag);
+	else if (good)
+		machine_report_add_oddities(&text, &oddities);
+	output_text(out, as_json ? &json : &text);
 	strbuf_release(&text);
+	strbuf_release(&json);
+	oddities_release(&oddities);
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
-static enum run_status run_pairs(const struct job *job, struct output *out)
+static enum run_status run_pairs(const struct job *job, bool as_json, struct output *out)
 {
 	struct strbuf text = {0};
 
-	pairs_add(&text, job->model->scene);
+	if (as_json)
+		machine_json_add_pairs(&text, job->model->scene);
+	else
+		pairs_add(&text, job->model->scene);
 	output_text(out, &text);
 	strbuf_release(&text);
 	return RUN_CLEAR;
@@ -262,13 +275,15 @@ static enum run_status run_pairs(const struct job *job, struct output *out)
 static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag,
 				struct output *out)
 {
+	const bool as_json = options->formats[FORMAT_JSON].wanted;
+
 	switch (options->mode) {
 	case RUN_DUMP_PATH:
 		return run_dump(job, options, diag, out);
 	case RUN_LIST_PAIRS:
-		return run_pairs(job, out);
+		return run_pairs(job, as_json, out);
 	case RUN_CHECK_MACHINE:
-		return run_machine(job, diag, out);
+		return run_machine(job, as_json, diag, out);
 	case RUN_CHECK:
 	case RUN_PARSE_ONLY:
 	case RUN_EXPLAIN:

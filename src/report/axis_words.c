@@ -54,7 +54,7 @@ static const char *carried(int side)
 
 static void add_linear(struct strbuf *out, const struct machine *machine, const struct axis *axis, int side)
 {
-	strbuf_addf(out, "  %s+10: %s moves 10 mm toward ", axis->name, carried(side));
+	strbuf_addf(out, "%s moves 10 mm toward ", carried(side));
 	add_way(out, axis->direction);
 	if (side < 0) {
 		strbuf_addf(out, "; the tool moves toward ");
@@ -65,7 +65,7 @@ static void add_linear(struct strbuf *out, const struct machine *machine, const 
 
 static void add_rotary(struct strbuf *out, const struct machine *machine, const struct axis *axis, int side)
 {
-	strbuf_addf(out, "  %s+10: %s ", axis->name, carried(side));
+	strbuf_addf(out, "%s ", carried(side));
 	add_turn(out, axis->direction);
 	if (side) {
 		strbuf_addf(out, "; the tool turns right-handed about ");
@@ -74,17 +74,24 @@ static void add_rotary(struct strbuf *out, const struct machine *machine, const 
 	}
 }
 
+void axis_words_add_axis(struct strbuf *out, const struct machine *machine, const struct axis *axis)
+{
+	int side = kinematics_side(machine, axis);
+
+	if (axis->rotary)
+		add_rotary(out, machine, axis, side);
+	else
+		add_linear(out, machine, axis, side);
+}
+
 void axis_words_add(struct strbuf *out, const struct machine *machine)
 {
 	strbuf_addf(out, "\nwhat a positive value does (all axes at 0, directions of the drawing)\n");
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
-		int side = kinematics_side(machine, axis);
 
-		if (axis->rotary)
-			add_rotary(out, machine, axis, side);
-		else
-			add_linear(out, machine, axis, side);
+		strbuf_addf(out, "  %s+10: ", axis->name);
+		axis_words_add_axis(out, machine, axis);
 		if (axis->checked)
 			strbuf_addf(out, " (checked: %s)", axis->checked);
 		strbuf_addf(out, "\n");

@@ -11,4 +11,7 @@
  */
 void axis_words_add(struct strbuf *out, const struct machine *machine);
 
+/* Appends the same of one axis, without its name: "the tool moves 10 mm toward +X". */
+void axis_words_add_axis(struct strbuf *out, const struct machine *machine, const struct axis *axis);
+
 #endif

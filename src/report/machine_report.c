@@ -13,7 +13,7 @@ struct machine_report {
 	struct diag *diag;
 };
 
-static const char *role_name(enum body_role role)
+const char *machine_report_role(enum body_role role)
 {
 	static const char *const names[] = {
 		[ROLE_MACHINE] = "body", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part",
@@ -33,12 +33,18 @@ static void add_direction(struct strbuf *out, vec3 v)
 	strbuf_addf(out, "%.6g %.6g %.6g", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
+const char *machine_report_rapid(enum rapid rapid)
+{
+	static const char *const names[] = {"linear", "dogleg", "any"};
+
+	return names[rapid];
+}
+
 static void add_controller(struct strbuf *out, const struct controller *controller)
 {
-	static const char *const rapids[] = {"linear", "dogleg", "any (anywhere in the box of the move)"};
-
-	strbuf_addf(out, "controller: %s, rapids %s, TCP's rotary zero %s", dialect_names[controller->dialect],
-		    rapids[controller->rapid], controller->tcp_zero_offset ? "the work offset's" : "the machine's");
+	strbuf_addf(out, "controller: %s, rapids %s%s, TCP's rotary zero %s", dialect_names[controller->dialect],
+		    machine_report_rapid(controller->rapid),
+		    controller->rapid == RAPID_ANY ? " (anywhere in the box of the move)" : "", controller->tcp_zero_offset ? "the work offset's" : "the machine's");
 	if (controller->path_tolerance > 0)
 		strbuf_addf(out, ", path tolerance %.10g", controller->path_tolerance);
 	strbuf_addf(out, "\n");
@@ -87,8 +93,8 @@ static void add_axis(struct strbuf *out, const struct axis *axis, int depth)
 		    format_units_value(axis->slot, axis->home), wraps[axis->wrap]);
 }
 
-/* The bounds of all corners after placement; the bounds of a rotated box would be too large. */
-static void placed_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest)
+/* The bounds of a rotated box would be too large. */
+void machine_report_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest)
 {
 	*least = (vec3){INFINITY, INFINITY, INFINITY};
 	*greatest = vec3_scale(-1, *least);
@@ -117,9 +123,9 @@ static bool add_body(const struct machine_report *tree, int index, int depth)
 
 	if (!bvh)
 		return false;
-	placed_bounds(&bvh->mesh, &body->placement, &least, &greatest);
+	machine_report_bounds(&bvh->mesh, &body->placement, &least, &greatest);
 	add_indent(tree->out, depth);
-	strbuf_addf(tree->out, "%s ", role_name(body->role));
+	strbuf_addf(tree->out, "%s ", machine_report_role(body->role));
 	format_units_add_plain(tree->out, body->name);
 	strbuf_addf(tree->out, ": ");
 	format_units_add_count(tree->out, bvh->mesh.count, "triangle");
@@ -202,4 +208,13 @@ bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *di
 	add_table(out, machine);
 	axis_words_add(out, machine);
 	return true;
+}
+
+void machine_report_add_oddities(struct strbuf *out, const struct oddities *oddities)
+{
+	strbuf_addf(out, "\noddities\n");
+	for (size_t i = 0; i < oddities->count; i++)
+		strbuf_addf(out, "  %s\n", strbuf_text(&oddities->items[i].text));
+	if (!oddities->count)
+		strbuf_addf(out, "  none\n");
 }

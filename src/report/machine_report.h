@@ -6,6 +6,7 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
+#include "report/oddities.h"
 #include "scene/scene.h"
 
 /*
@@ -14,5 +15,17 @@
  * reported: a mesh is faulty.
  */
 bool machine_report_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+
+/* Appends the list of oddities. */
+void machine_report_add_oddities(struct strbuf *out, const struct oddities *oddities);
+
+/* What bodies are called in reports: "body", "fixture", "part", "holder", "shank", "cutter". */
+const char *machine_report_role(enum body_role role);
+
+/* "linear", "dogleg", "any" */
+const char *machine_report_rapid(enum rapid rapid);
+
+/* The bounds of all corners of the mesh after placement: machine coordinates at the zero pose. */
+void machine_report_bounds(const struct mesh *mesh, const xform *placement, vec3 *least, vec3 *greatest);
 
 #endif

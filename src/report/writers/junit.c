@@ -149,20 +149,23 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
 		    const struct strbuf *items)
 {
 	const struct run_stats *sums = end->sums;
-	char counts[128];
+	char counts[192];
 
 	(void)run;
-	snprintf(counts, sizeof(counts), "tests=\"%zu\" failures=\"%zu\" errors=\"%zu\"", sums->programs,
-		 sums->programs - sums->clear - sums->accepted - sums->incomplete, sums->incomplete);
+	snprintf(counts, sizeof(counts), "name=\"fivecheck\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\"",
+		 sums->programs, sums->programs - sums->clear - sums->accepted - sums->incomplete, sums->incomplete);
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
-	strbuf_addf(out, "  <testsuite name=\"fivecheck\" %s skipped=\"0\" time=\"%.3f\">\n%s  </testsuite>\n"
-			 "</testsuites>\n", counts, sums->check.seconds_interpret + sums->check.seconds_check,
-		    strbuf_text(items));
+	strbuf_addf(out, "  <testsuite %s skipped=\"0\" time=\"%.3f\">\n%s  </testsuite>\n</testsuites>\n", counts,
+		    sums->check.seconds_interpret + sums->check.seconds_check, strbuf_text(items));
 }
 
 /*
  * One test suite. A program with findings has a failure, an incomplete one has an error. The message has the first
  * place, the text has all of them.
+ *
+ * There is no published standard. The form is that of the schema of Jenkins' xUnit plugin (junit-10.xsd) with one attribute
+ * more, "file", by which GitLab and others link to the program; Jenkins itself takes it. The schema that Ant's users know
+ * wants the computer's name and a time of day, which reports of the same input must not differ by.
  */
 const struct report_writer junit_writer = {
 	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",

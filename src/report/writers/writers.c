@@ -5,4 +5,4 @@ const struct report_writer *const report_writers[FORMAT_COUNT] = {WRITERS(WRITER
 								      RECORD_WRITERS(WRITER_ADDRESS)};
 
 #define WRITER_NAME(upper, lower) #lower,
-const char *const writer_names[] = {WRITERS(WRITER_NAME) NULL};
+const char *const writer_names[] = {WRITERS(WRITER_NAME) "json", NULL};

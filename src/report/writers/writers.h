@@ -4,7 +4,7 @@
 
 #include "report/report.h"
 
-/* FORMAT_<first> is written by <second>_writer. The first format is the default; --format offers all of these. */
+/* FORMAT_<first> is written by <second>_writer. The first format is the default; --format offers all of these, and json. */
 #define WRITERS(X) \
 	X(TEXT, text) \
 	X(NDJSON, ndjson) \
@@ -16,7 +16,13 @@
 #define RECORD_WRITERS(X) X(RECORD, record)
 
 #define WRITER_FORMAT(upper, lower) FORMAT_##upper,
-enum report_format { WRITERS(WRITER_FORMAT) FORMAT_CHOICES, FORMAT_RECORD = FORMAT_CHOICES, FORMAT_COUNT };
+enum report_format {
+	WRITERS(WRITER_FORMAT)
+	FORMAT_JSON,	/* of the tables that --check-machine and --list-pairs print: no writer */
+	FORMAT_CHOICES,
+	FORMAT_RECORD = FORMAT_CHOICES,
+	FORMAT_COUNT
+};
 #undef WRITER_FORMAT
 
 #define WRITER_DECLARATION(upper, lower) extern const struct report_writer lower##_writer;
