@@ -122,7 +122,7 @@ export class FindingsView {
 	remarks(finding) {
 		const text = [];
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${axisValue(finding.excess ?? 0)} too far.`);
-		else if (finding.clearance) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
+		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return text.map((line) => h('p', {}, line));
 	}

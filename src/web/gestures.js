@@ -17,7 +17,7 @@ export function watchGestures(element, moves) {
 	/** @type {Map<number, {x: number, y: number}>} */
 	const down = new Map();
 	let travelled = 0;
-	let lastTap = -Infinity;
+	let lastTap = {time: -Infinity, x: 0, y: 0};
 
 	const local = (/** @type {MouseEvent} */ e) => {
 		const box = element.getBoundingClientRect();
@@ -56,9 +56,9 @@ export function watchGestures(element, moves) {
 		const {x, y} = local(e);
 		const single = down.delete(e.pointerId) && !down.size && travelled < STILL && e.button === 0;
 		if (!single) return;
-		if (e.timeStamp - lastTap < 350) moves.twice(x, y);
+		if (e.timeStamp - lastTap.time < 350 && Math.hypot(x - lastTap.x, y - lastTap.y) < 12) moves.twice(x, y);
 		else moves.tap(x, y);
-		lastTap = e.timeStamp;
+		lastTap = {time: e.timeStamp, x, y};
 	});
 	element.addEventListener('pointercancel', (e) => down.delete(e.pointerId));
 	element.addEventListener('contextmenu', (e) => e.preventDefault());

@@ -160,7 +160,9 @@ export class ProgramView {
 			this.note.textContent = `${file.name} is not a program of this report: its SHA-256 differs.`;
 			return false;
 		}
-		source.windows = [{first: 1, lines: new TextDecoder().decode(bytes).split('\n')}];
+		const lines = new TextDecoder().decode(bytes).replace(/\n$/, '').split('\n');
+		source.windows = [{first: 1, lines}];
+		source.lines = Math.max(source.lines, lines.length);
 		this.open(this.model.sources.indexOf(source));
 		this.note.textContent = `${file.name}: the digest is right, all lines are shown.`;
 		return true;

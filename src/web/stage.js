@@ -159,7 +159,7 @@ export class Stage {
 		if (finding && finding.point) {
 			const bodies = finding.bodies || [];
 			const sizes = bodies.map((i) => this.placed.sphere(i).radius);
-			return {bodies, point: finding.point, radius: Math.max(30, Math.min(400, 2.5 * Math.min(...sizes, 400)))};
+			return {bodies, point: finding.point, radius: Math.max(0.05 * this.size, Math.min(400, 2.5 * Math.min(...sizes)))};
 		}
 		const carried = finding ? this.placed.all().filter((body) => this.carriedBy(finding, body)) : [];
 		if (carried.length) {

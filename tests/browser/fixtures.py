@@ -51,7 +51,7 @@ def boxes(work, hostile=False, subprogram=False):
     with open(setup, "w", encoding="utf-8") as file:
         file.write(f"""<?xml version="1.0"?>
 <setup version="1" units="mm">
-  <work_offset name="G54" X="0" Y="0" Z="-240"/>
+  <work_offset name="G54" X="0" Y="0" Z="-340"/>
   <fixture name="{escaped(name)}" mesh="block.stl"/>
   <tool number="1" name="{escaped(name)}" length="100">
     <holder><section length="50" diameter="50"/></holder>

@@ -115,7 +115,7 @@ static bool on_event(void *context, const struct motion_event *event)
 int recorder_body(const struct scene *scene, int body)
 {
 	for (int i = 0; (size_t)body >= scene->body_count && (size_t)i < scene->body_count; i++) {
-		if (scene->bodies[i].body == scene->bodies[body].body)
+		if (scene->bodies[i].body->profile == scene->bodies[body].body->profile)
 			return i;
 	}
 	return body;
