@@ -34,6 +34,24 @@ enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFER
 enum comp_start { COMP_START_UNKNOWN, COMP_START_A, COMP_START_B };
 enum comp_corner_form { COMP_CORNER_UNKNOWN, COMP_CORNER_LINEAR, COMP_CORNER_CIRCULAR };
 
+/* In which order several angles of one block turn the program's coordinates. */
+enum rotation_order { ROTATION_ORDER_UNKNOWN, ROTATION_ORDER_RPY, ROTATION_ORDER_EULER };
+
+/* How guided rotary axes turn the tool where the program leaves it open: evenly, or its direction on a great circle. */
+enum orientation_interpolation {
+	ORIENTATION_INTERPOLATION_UNKNOWN,
+	ORIENTATION_INTERPOLATION_AXES,
+	ORIENTATION_INTERPOLATION_VECTOR
+};
+
+/* The tool's edge that holds after a tool change: the first, none, or the number of before. */
+enum edge_after_tool_change {
+	EDGE_AFTER_TOOL_CHANGE_UNKNOWN,
+	EDGE_AFTER_TOOL_CHANGE_FIRST,
+	EDGE_AFTER_TOOL_CHANGE_NONE,
+	EDGE_AFTER_TOOL_CHANGE_KEEPS
+};
+
 /* Modes that the control has when it is switched on, if a parameter of the control decides. */
 enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
@@ -90,12 +108,19 @@ struct controller {
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
+	enum rotation_order rotation_order;
+	enum orientation_interpolation orientation_interpolation;
+	enum edge_after_tool_change edge_after_tool_change;
+	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */
+	enum answer length_along_z;	/* the tool's length acts along Z whatever the plane */
+	int swivel_axis;	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	const struct builder_macro *macros;
 	size_t macro_count;
 	struct control_place references[REFERENCES_MAX];
 	struct control_place tool_change;	/* M6 goes there first */
+	struct control_place swivel_retract;	/* a cycle that swivels goes there first if it is told to */
 };
 
 #endif

@@ -14,6 +14,7 @@
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true) \
 	ROW(fanuc, "Fanuc", .has_parameters = true) \
 	ROW(haas, "Haas", .has_parameters = true) \
+	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true) \
 	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true)
 
 /* What is known of a control before any program is read. */
@@ -28,6 +29,12 @@ struct dialect_row {
 	 * length_offset_moves, length_after_reference, g53_with_g91.
 	 */
 	bool has_parameters;
+	/*
+	 * Programs have frames, edges of tools and planes that a cycle swivels, and parameters say how. Otherwise the
+	 * machine file must not tell it: rotation_order, orientation_interpolation, edge_after_tool_change,
+	 * frames_outlive_traori, tool_length_axis, swivel_axis.
+	 */
+	bool has_frames;
 };
 
 /* In the order of the table. */

@@ -30,6 +30,14 @@ struct tool {
 	long line;	/* in the setup file */
 };
 
+/* An edge of a tool beside its first, which the tool's own row has. */
+struct tool_edge {
+	int tool;	/* its number */
+	int number;	/* > 1 */
+	double length;
+	double diameter;	/* 0: the tool's */
+};
+
 struct length_offset {
 	int number;	/* H */
 	double length;

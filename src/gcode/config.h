@@ -27,6 +27,8 @@ struct gcode_config {
 	size_t work_offset_count;
 	const struct tool *tools;
 	size_t tool_count;
+	const struct tool_edge *edges;
+	size_t edge_count;
 	const struct length_offset *lengths;
 	size_t length_count;
 	const struct radius_offset *radii;

@@ -20,6 +20,12 @@
 /* G54.1 P1 and on (Fanuc), G154 P1 to P99, of which G110 to G129 are the first (Haas); they follow G59.3 */
 #define EXTENDED_COUNT 99
 
+/* G505 to G599 (Sinumerik) follow those, and then comes the work offset that is none (G500). */
+#define SETTABLE_COUNT 95
+#define SYSTEM_SETTABLE (SYSTEM_COUNT + EXTENDED_COUNT)
+#define SYSTEM_NONE (SYSTEM_SETTABLE + SETTABLE_COUNT)
+#define SYSTEMS_ALL (SYSTEM_NONE + 1)
+
 /* One value a slot, in mm and degrees: the units of programs, so that no conversion makes a position drift. */
 typedef struct slot_values {
 	double v[SLOT_COUNT];
@@ -98,9 +104,9 @@ struct state {
 	int unsure_code;	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: execute/coordinate_rotation.h */
 	int system;	/* 0 is G54 */
-	slot_values work[SYSTEM_COUNT + EXTENDED_COUNT];
+	slot_values work[SYSTEMS_ALL];
 	bool work_assigned;	/* the program assigned a value to the one in force, and has not selected it since */
-	bool work_known[SYSTEM_COUNT + EXTENDED_COUNT];	/* by the setup or by G10; or else it was said that it is 0 */
+	bool work_known[SYSTEMS_ALL];	/* by the setup or by G10; or else it was said that it is 0 */
 	slot_values shift;	/* of G52 and G92 */
 	slot_values saved_shift;	/* that G92.3 restores */
 	bool shift_applied;	/* no G92.1 or G92.2 has taken it back */
@@ -209,7 +215,7 @@ void state_update_offset(struct state *state);
 /* Puts the axes elsewhere. */
 void state_set_position(struct state *state, int slot, double value);
 
-/* "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on. */
+/* "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on, "G505" and on for SYSTEM_SETTABLE and on, "G500" at the end. */
 const char *state_system_name(int system);
 
 /* Degrees (or mm) of a value of the configuration: the short decimal that its file had, where there is one. */

@@ -78,11 +78,35 @@ static void build_macro(struct description_file *file, const struct macro_descri
 	macros[(*count)++] = macro;
 }
 
+/* Questions of a control whose programs have frames, edges of tools and planes that a cycle swivels. */
+static void check_frames(struct description_file *file, const struct controller_description *described)
+{
+	const struct dialect_row *row = &dialect_rows[described->dialect];
+	const struct {
+		int given;
+		const char *name;
+	} answers[] = {
+		{(int)described->rotation_order, "rotation_order"},
+		{(int)described->orientation_interpolation, "orientation_interpolation"},
+		{(int)described->edge_after_tool_change, "edge_after_tool_change"},
+		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
+		{(int)described->length_along_z, "tool_length_axis"},
+		{described->swivel_axis, "swivel_axis"},
+	};
+
+	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]) && !row->has_frames; i++) {
+		if (answers[i].given)
+			description_fault(file, described->at, answers[i].name,
+					  "%s of <controller>: %s has no such parameter", answers[i].name, row->title);
+	}
+}
+
 /* Refuses settings for which, by the dialect's row, the control has no parameter. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->dialect];
 
+	check_frames(file, described);
 	if (row->has_parameters)
 		return;
 	if (described->macro_count > 0)
@@ -155,6 +179,12 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->power_on_units = from->power_on_units;
 	to->power_on_distance = from->power_on_distance;
 	to->power_on_plane = from->power_on_plane;
+	to->rotation_order = from->rotation_order;
+	to->orientation_interpolation = from->orientation_interpolation;
+	to->edge_after_tool_change = from->edge_after_tool_change;
+	to->frames_outlive_traori = from->frames_outlive_traori;
+	to->length_along_z = from->length_along_z;
+	to->swivel_axis = from->swivel_axis;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance",
 				  "path_tolerance of <controller> must be more than 0");
@@ -180,7 +210,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 
 static const char *element_of(const struct place_description *described)
 {
-	return described->tool_change ? "tool_change" : "reference";
+	return described->tool_change ? "tool_change" : described->swivel_retract ? "swivel_retract" : "reference";
 }
 
 static void build_order(struct description_file *file, const struct place_description *described,
@@ -280,6 +310,8 @@ void controller_build_places(struct machine_description *described, struct machi
 
 		if (place->tool_change) {
 			build_place(file, place, machine, &controller->tool_change);
+		} else if (place->swivel_retract) {
+			build_place(file, place, machine, &controller->swivel_retract);
 		} else if (place->number >= 1 && place->number <= REFERENCES_MAX) {
 			build_place(file, place, machine, &controller->references[place->number - 1]);
 		} else {

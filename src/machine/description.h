@@ -70,10 +70,10 @@ struct macro_description {
 	struct optional_number around[SLOT_COUNT];
 };
 
-/* <reference> and <tool_change>. */
+/* <reference>, <tool_change> and <swivel_retract>. */
 struct place_description {
 	const void *at;
-	bool tool_change;	/* else a reference position */
+	bool tool_change, swivel_retract;	/* else a reference position */
 	long number;	/* of a reference position */
 	struct optional_number value[SLOT_COUNT];
 	const char *order;	/* axis letters, with or without blanks between them; or NULL */
@@ -95,6 +95,12 @@ struct controller_description {
 	struct optional_number overrun;	/* of G60 */
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
+	enum rotation_order rotation_order;
+	enum orientation_interpolation orientation_interpolation;
+	enum edge_after_tool_change edge_after_tool_change;
+	enum answer frames_outlive_traori;
+	enum answer length_along_z;
+	int swivel_axis;	/* a slot; 0: not given */
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct macro_description *macros;
@@ -208,6 +214,13 @@ struct tool_description {
 	struct piece_description pieces[TOOL_PIECES];
 };
 
+struct edge_description {
+	const void *at;
+	long tool, number;
+	double length;
+	struct optional_number diameter;
+};
+
 struct work_offset_description {
 	const void *at;
 	const char *name;
@@ -235,6 +248,8 @@ struct setup_description {
 	size_t body_count;
 	struct tool_description *tools;
 	size_t tool_count;
+	struct edge_description *edges;	/* of all tools */
+	size_t edge_count;
 };
 
 struct waiver_description {

@@ -20,6 +20,8 @@ struct setup {
 	size_t offset_count;
 	struct tool *tools;
 	size_t tool_count;
+	struct tool_edge *edges;
+	size_t edge_count;
 	struct length_offset *lengths;	/* every H that a tool or an <offset> defines, each once */
 	size_t length_count;
 	struct radius_offset *radii;	/* every D that an <offset> defines, each once */

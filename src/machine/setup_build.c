@@ -7,6 +7,13 @@
 #include "machine/body_build.h"
 #include "machine/tool_build.h"
 
+/* "G505" to "G599". */
+static bool is_settable_name(const char *name)
+{
+	return name[0] == 'G' && name[1] == '5' && strlen(name) == 4 && name[2] >= '0' && name[2] <= '9' &&
+	       name[3] >= '0' && name[3] <= '9' && (name[2] > '0' || name[3] >= '5');
+}
+
 /* "G54.1 P7" and, the same, "G154 P7": P1 to P99. */
 static bool is_extended_name(const char *name)
 {
@@ -27,7 +34,7 @@ static bool is_work_offset_name(const char *name)
 	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
 		if (!strcmp(name, names[i]))
 			return true;
-	return is_extended_name(name);
+	return is_extended_name(name) || is_settable_name(name);
 }
 
 static void build_work_offset(struct description_file *file, const struct work_offset_description *described,
@@ -39,7 +46,7 @@ static void build_work_offset(struct description_file *file, const struct work_o
 	if (!is_work_offset_name(offset.name)) {
 		description_fault(file, described->at, "name",
 				  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, "
-				  "G59.3 or G54.1 P1 to P99", description_quote(file, described->at, "name").text);
+				  "G59.3, G54.1 P1 to P99 or G505 to G599", description_quote(file, described->at, "name").text);
 		return;
 	}
 	for (size_t i = 0; i < setup->offset_count; i++) {
@@ -127,6 +134,29 @@ static void build_length(struct description_file *file, const struct length_offs
 			(struct radius_offset){.number = (int)described->number, .radius = described->radius.value};
 }
 
+/* The first edge is the tool's own row, unless its number is given, too. */
+static void build_edge(struct description_file *file, const struct edge_description *described, struct setup *setup)
+{
+	struct tool_edge edge = {.tool = (int)described->tool, .number = (int)described->number,
+				 .length = described->length, .diameter = described->diameter.value};
+
+	if (described->number < 2 || described->number > TOOL_NUMBER_MAX) {
+		description_fault(file, described->at, "number",
+				  "number=\"%s\" of <edge> is not between 2 and %d; the tool itself has the values of "
+				  "edge 1", description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
+		return;
+	}
+	if (described->diameter.given && !(edge.diameter > 0))
+		description_fault(file, described->at, "diameter", "diameter=\"%s\" of <edge> must be more than 0",
+				  description_quote(file, described->at, "diameter").text);
+	for (size_t i = 0; i < setup->edge_count; i++) {
+		if (setup->edges[i].tool == edge.tool && setup->edges[i].number == edge.number)
+			description_fault(file, described->at, "number", "<edge> %d of tool %d is given twice",
+					  edge.number, edge.tool);
+	}
+	setup->edges[setup->edge_count++] = edge;
+}
+
 /* Gives every tool the H of its number, unless an <offset> defines that H. */
 static void add_tool_lengths(struct setup *setup)
 {
@@ -156,6 +186,7 @@ static bool make_room(struct setup_description *described, struct setup *setup)
 	}
 	setup->offsets = arena_alloc(&setup->arena, described->offset_count * sizeof(*setup->offsets));
 	setup->tools = arena_alloc(&setup->arena, tools * sizeof(*setup->tools));
+	setup->edges = arena_alloc(&setup->arena, described->edge_count * sizeof(*setup->edges));
 	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
 	setup->radii = arena_alloc(&setup->arena, lengths * sizeof(*setup->radii));
 	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
@@ -187,6 +218,8 @@ static void build_content(struct setup_description *described, const struct mach
 		build_mounted(file, &described->bodies[i], machine, setup);
 	for (size_t i = 0; i < described->tool_count; i++)
 		tool_build(&tools, &described->tools[i]);
+	for (size_t i = 0; i < described->edge_count; i++)
+		build_edge(file, &described->edges[i], setup);
 	add_tool_lengths(setup);
 	if (described->initial_tool > TOOL_NUMBER_MAX)
 		description_fault(file, described->at, "initial_tool",

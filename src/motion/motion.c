@@ -28,6 +28,8 @@ static struct gcode_config config_of(const struct machine *machine, const struct
 		config.work_offset_count = setup->offset_count;
 		config.tools = setup->tools;
 		config.tool_count = setup->tool_count;
+		config.edges = setup->edges;
+		config.edge_count = setup->edge_count;
 		config.lengths = setup->lengths;
 		config.length_count = setup->length_count;
 		config.radii = setup->radii;

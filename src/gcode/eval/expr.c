@@ -1,6 +1,7 @@
 #include "gcode/eval/expr.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "gcode/text/number.h"
 
@@ -82,6 +83,27 @@ struct next_operator {
 	int column;
 };
 
+static bool is_letter(char byte)
+{
+	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
+}
+
+/* Takes the operator's name if it comes next. */
+static bool take_name(struct expr *expr, const char *name)
+{
+	const size_t position = expr->lexer->position, length = strlen(name);
+	const char *text = expr->lexer->at->text + position;
+
+	if (!lexer_keyword(expr->lexer, name))
+		return false;
+	if (!expr->rules->whole_words || !is_letter(*name) ||
+	    (expr->lexer->position == position + length && !is_letter(text[length]) && !is_digit(text[length]) &&
+	     text[length] != '_'))
+		return true;
+	expr->lexer->position = position;
+	return false;
+}
+
 static void take_operator(struct expr *expr, struct next_operator *next)
 {
 	const struct expr_rules *rules = expr->rules;
@@ -90,7 +112,7 @@ static void take_operator(struct expr *expr, struct next_operator *next)
 	byte = byte >= 'A' && byte <= 'Z' ? (char)(byte - 'A' + 'a') : byte;
 	*next = (struct next_operator){NULL, lexer_column(expr->lexer)};
 	for (size_t i = 0; i < rules->operator_count && !next->operator; i++) {
-		if (rules->operators[i].name[0] == byte && lexer_keyword(expr->lexer, rules->operators[i].name))
+		if (rules->operators[i].name[0] == byte && take_name(expr, rules->operators[i].name))
 			next->operator = &rules->operators[i];
 	}
 }

@@ -21,7 +21,8 @@ struct expr_operand {
 
 enum expr_operation {
 	EXPR_EQ, EXPR_NE, EXPR_GT, EXPR_GE, EXPR_LT, EXPR_LE, EXPR_PLUS, EXPR_MINUS, EXPR_TIMES, EXPR_DIVIDE,
-	EXPR_MODULO, EXPR_POWER, EXPR_AND, EXPR_OR, EXPR_XOR
+	EXPR_MODULO, EXPR_POWER, EXPR_AND, EXPR_OR, EXPR_XOR, EXPR_INTEGER_DIVIDE, EXPR_BIT_AND, EXPR_BIT_OR,
+	EXPR_BIT_XOR
 };
 
 struct expr_operator {
@@ -35,6 +36,7 @@ struct expr_operator {
 struct expr_rules {
 	char open, close;	/* brackets */
 	const char *variable_starts;	/* bytes that start a variable */
+	bool whole_words;	/* a name of an operator is a word without blanks in it, which no letter, digit or '_' follows */
 	const struct expr_operator *operators;	/* a name comes after every name that starts with it */
 	size_t operator_count;
 	const char *unordered;	/* the message where operators without a rank are mixed with others */

@@ -10,7 +10,7 @@
 #include "machine/xml/xml_element.h"
 
 static const char *const elements[] = {
-	"machine", "controller", "mcode",	"macro",	"reference", "tool_change", "base",
+	"machine", "controller", "mcode",	"macro",	"reference", "tool_change", "swivel_retract", "base",
 	"body",	   "axis",	 "spindle",	"workholding", "pairs",	    "pair", SETUP_XML_ELEMENTS, NULL,
 };
 
@@ -76,6 +76,34 @@ static void read_tool_change(struct xml_reader *xml, const xmlNode *node, void *
 	xml_read_nothing(xml, node);
 }
 
+static void read_swivel_retract(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	read_place(xml, node, context)->swivel_retract = true;
+	xml_read_nothing(xml, node);
+}
+
+/* The answers of a control whose programs have frames, edges of tools and planes that a cycle swivels. */
+static void read_frames(struct xml_reader *xml, const xmlNode *node, struct controller_description *controller)
+{
+	static const char *const orders[] = {"rpy", "euler", NULL};
+	static const char *const ways[] = {"axes", "vector", NULL};
+	static const char *const edges[] = {"first", "none", "keeps", NULL};
+	static const char *const answers[] = {"yes", "no", NULL};
+	static const char *const length_axes[] = {"z", NULL};
+	static const char *const rotary[] = {"A", "B", "C", NULL};
+	const int swivel = xml_choice(xml, node, "swivel_axis", rotary, -1);
+
+	controller->rotation_order = (enum rotation_order)(xml_choice(xml, node, "rotation_order", orders, -1) + 1);
+	controller->orientation_interpolation =
+	    (enum orientation_interpolation)(xml_choice(xml, node, "orientation_interpolation", ways, -1) + 1);
+	controller->edge_after_tool_change =
+	    (enum edge_after_tool_change)(xml_choice(xml, node, "edge_after_tool_change", edges, -1) + 1);
+	controller->frames_outlive_traori =
+	    (enum answer)(xml_choice(xml, node, "frames_outlive_traori", answers, -1) + 1);
+	controller->length_along_z = (enum answer)(xml_choice(xml, node, "tool_length_axis", length_axes, -1) + 1);
+	controller->swivel_axis = swivel < 0 ? 0 : SLOT_A + swivel;
+}
+
 static void read_controller(struct xml_reader *xml, const xmlNode *node, void *context)
 {
 	static const char *const rapids[] = {
@@ -96,10 +124,12 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 						    {"macro", read_macro, false, false},
 						    {"reference", read_reference, false, false},
 						    {"tool_change", read_tool_change, false, false},
+						    {"swivel_retract", read_swivel_retract, false, false},
 						    {.name = NULL}};
 	struct machine_description *described = context;
 	struct controller_description *controller = &described->controller;
-	const size_t places = xml_count(node, "reference") + xml_count(node, "tool_change");
+	const size_t places =
+	    xml_count(node, "reference") + xml_count(node, "tool_change") + xml_count(node, "swivel_retract");
 
 	controller->at = node;
 	controller->dialect = xml_choice(xml, node, "dialect", dialect_names, 0);
@@ -118,6 +148,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
 	controller->comp_start = (enum comp_start)(xml_choice(xml, node, "cutter_comp_start", starts, -1) + 1);
 	controller->comp_corner = (enum comp_corner_form)(xml_choice(xml, node, "cutter_comp_corner", corners, -1) + 1);
+	read_frames(xml, node, controller);
 	controller->mcodes = arena_alloc(&described->arena, xml_count(node, "mcode") * sizeof(*controller->mcodes));
 	controller->macros = arena_alloc(&described->arena, xml_count(node, "macro") * sizeof(*controller->macros));
 	controller->places = arena_alloc(&described->arena, places * sizeof(*controller->places));

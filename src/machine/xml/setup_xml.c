@@ -73,6 +73,7 @@ static void read_section(struct xml_reader *xml, const xmlNode *node, void *cont
 struct tool_context {
 	struct tool_description *tool;
 	struct arena *arena;
+	struct setup_description *described;
 };
 
 static void read_piece(struct xml_reader *xml, const xmlNode *node, struct piece_description *piece,
@@ -86,6 +87,21 @@ static void read_piece(struct xml_reader *xml, const xmlNode *node, struct piece
 	piece->has_units = xml_attribute(xml, node, "units") != NULL;
 	piece->sections = arena_alloc(arena, xml_count(node, "section") * sizeof(*piece->sections));
 	xml_read_children(xml, node, children, piece);
+}
+
+/* An edge of a tool beside its first. */
+static void read_edge(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	const struct tool_context *tool = context;
+	struct edge_description *edge = &tool->described->edges[tool->described->edge_count++];
+
+	xml_require(xml, node, "number", "length", NULL);
+	edge->at = node;
+	edge->tool = tool->tool->number;
+	edge->number = xml_positive(xml, node, "number", 1);
+	edge->length = xml_length(xml, node, "length", 0);
+	edge->diameter = xml_optional_length(xml, node, "diameter");
+	xml_read_nothing(xml, node);
 }
 
 static void read_holder(struct xml_reader *xml, const xmlNode *node, void *context)
@@ -123,10 +139,11 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	static const struct xml_child children[] = {{"holder", read_holder, true, false},
 						    {"shank", read_shank, true, false},
 						    {"cutter", read_cutter, true, false},
+						    {"edge", read_edge, false, false},
 						    {.name = NULL}};
 	static const char *const kinds[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
 	struct setup_description *described = context;
-	struct tool_context tool = {&described->tools[described->tool_count++], &described->arena};
+	struct tool_context tool = {&described->tools[described->tool_count++], &described->arena, described};
 
 	xml_require(xml, node, "number", "length", NULL);
 	tool.tool->at = node;
@@ -141,6 +158,15 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 }
 
 /* ------------------------------------------------------------------- setup */
+
+static size_t count_edges(const xmlNode *setup)
+{
+	size_t count = 0;
+
+	for (const xmlNode *child = setup->children; child; child = child->next)
+		count += xml_count(child, "edge");
+	return count;
+}
 
 void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_description *described)
 {
@@ -164,6 +190,7 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 	described->lengths = arena_alloc(arena, xml_count(node, "offset") * sizeof(*described->lengths));
 	described->bodies = arena_alloc(arena, bodies * sizeof(*described->bodies));
 	described->tools = arena_alloc(arena, xml_count(node, "tool") * sizeof(*described->tools));
+	described->edges = arena_alloc(arena, count_edges(node) * sizeof(*described->edges));
 	xml_read_children(xml, node, children, described);
 	xml->unit = unit;
 }

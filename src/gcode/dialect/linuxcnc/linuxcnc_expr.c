@@ -125,8 +125,9 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 	case EXPR_XOR:
 		*left = is_zero(*left) != is_zero(right);
 		return true;
+	default:
+		return false;
 	}
-	return false;
 }
 
 /* -------------------------------------------------------------- functions */

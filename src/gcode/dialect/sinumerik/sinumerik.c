@@ -1,0 +1,209 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "gcode/dialect/dialects.h"
+#include "gcode/dialect/sinumerik/sinumerik_assign.h"
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_flow.h"
+#include "gcode/dialect/sinumerik/sinumerik_run.h"
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/eval/expr.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/program.h"
+
+/* At the first line: what the dialect has at power-on beside the modes of state_init. */
+static void begin(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const double basic = interp->config->controller.unit;
+
+	/* Group 1: G1 is in force after power-on and reset. */
+	interp->state.motion = G1;
+	interp->state.system = SYSTEM_NONE;
+	state_update_offset(&interp->state);
+	sinumerik->feed_scale = basic > 0 ? basic : 1;
+	sinumerik->path_code = SINUMERIK_G(64);
+	sinumerik->edge_unsure = interp->state.tool != 0;
+	for (int group = 0; group < G_GROUPS; group++)
+		interp->block.g[group] = CODE_NONE;
+	for (int group = 0; group < M_GROUPS; group++)
+		interp->block.m[group] = CODE_NONE;
+	interp->block.words = 1;
+}
+
+/* CALL "NAME", EXTCALL("NAME") */
+static bool call_by_text(struct interp *interp, struct lexer *lexer)
+{
+	const bool brackets = sinumerik_expr_take_byte(lexer, '(');
+	const int column = expr_column(lexer);
+	struct sinumerik_text path;
+	char name[SINUMERIK_NAME + 1];
+
+	if (!sinumerik_expr_text(interp, lexer, &path) ||
+	    (brackets && !sinumerik_expr_need(lexer, ')', "the name of the subprogram")) ||
+	    !sinumerik_call_name(interp, path.bytes, column, name))
+		return false;
+	sinumerik_of(interp)->argument_count = 0;
+	return sinumerik_call_run(interp, name, 1, column);
+}
+
+/* Declarations and calls that are no words of a block. */
+static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *done)
+{
+	const size_t start = lexer->position;
+	const int column = expr_column(lexer);
+	char name[SINUMERIK_NAME + 1];
+
+	*done = true;
+	if (!sinumerik_expr_name(lexer, name))
+		name[0] = '\0';
+	if (!strcmp(name, "DEF"))
+		return sinumerik_assign_define(interp, lexer);
+	if (!strcmp(name, "PROC"))
+		return sinumerik_call_proc(interp, lexer);
+	if (!strcmp(name, "CALL") || !strcmp(name, "EXTCALL"))
+		return call_by_text(interp, lexer);
+	if (!strcmp(name, "RET")) {
+		if (lexer_peek(lexer) == '(')
+			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
+		return sinumerik_call_return(interp, column);
+	}
+	*done = false;
+	lexer->position = start;
+	return true;
+}
+
+/* The words of a line, which are a statement or a block. */
+static bool run_words(struct interp *interp, struct lexer *lexer)
+{
+	const char *text = lexer->at->text + lexer->position;
+	struct sinumerik_block block;
+	bool done = false;
+
+	interp->moves = 0;
+	/* All statements are words of two letters or more. */
+	if (sinumerik_is_letter(text[0]) && sinumerik_is_letter(text[1])) {
+		if (!run_declaration(interp, lexer, &done) || (!done && !sinumerik_flow_run(interp, lexer, &done)))
+			return false;
+	}
+	if (done)
+		return true;
+	sinumerik_block_clear(&block);
+	return sinumerik_block_read(interp, lexer, &block) && sinumerik_run(interp, lexer, &block);
+}
+
+/* "%", "%_N_NAME_MPF": before the first block it is the head of the program. */
+static bool take_percent(struct interp *interp)
+{
+	const char *rest = line_start(&interp->at) + 1;
+
+	if (!interp->begun || sinumerik_of(interp)->entering)
+		return true;
+	/* Alone, it ends the tape. */
+	if (rest[strspn(rest, " \t")] == '\0' && !sinumerik_call_is_inside(interp)) {
+		interp->ended = true;
+		return true;
+	}
+	return fault(&interp->at, 1,
+		     "a second program begins here: give it a file of its own, beside this one, and it can be called");
+}
+
+static bool is_proc(const char *words)
+{
+	return !strncmp(words, "PROC", 4) || !strncmp(words, "proc", 4);
+}
+
+/* Every line is read here: no words of other controls are left to see. */
+static bool read_line(struct interp *interp, bool *done)
+{
+	const struct line_place at = interp->at;
+	struct sinumerik_head head;
+	struct lexer lexer;
+	bool left;
+
+	if (!sinumerik_of(interp)->begun) {
+		begin(interp);
+		sinumerik_of(interp)->begun = true;
+	}
+	*done = false;
+	if (*line_start(&at) == '%') {
+		*done = true;
+		return take_percent(interp);
+	}
+	*done = true;
+	if (!sinumerik_call_round(interp, &left))
+		return false;
+	if (left)
+		return true;
+	head = sinumerik_seek_head(at.text);
+	if (at.text[head.rest] == ';' || at.text[head.rest] == '\0') {
+		if (!head.number[0] && !head.label[0])
+			return true;
+	}
+	if (head.skipped && interp->config->read.block_delete)
+		return true;
+	if (sinumerik_of(interp)->entering && !is_proc(at.text + head.rest) && !sinumerik_call_no_proc(interp))
+		return false;
+	if (sinumerik_of(interp)->depth &&
+	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
+		return false;
+	lexer = (struct lexer){.at = &interp->at, .position = head.rest};
+	return run_words(interp, &lexer) && cutter_comp_end_block(interp);
+}
+
+/* SUPA, G74, G75 and M6 leave the tool's length as D has set it. */
+static void keep_length(struct interp *interp, int code, const bool moved[SLOT_COUNT])
+{
+	(void)interp;
+	(void)code;
+	(void)moved;
+}
+
+static void *new_state(void)
+{
+	struct sinumerik *sinumerik = mem_zalloc(1, sizeof(*sinumerik));
+
+	sinumerik->frame.matrix = sinumerik->swivel.matrix = mat3_identity();
+	return sinumerik;
+}
+
+static void free_state(void *state)
+{
+	struct sinumerik *sinumerik = state;
+
+	sinumerik_variables_leave(sinumerik, -1);
+	free(sinumerik->variables);
+	free(sinumerik->names);
+	strbuf_release(&sinumerik->line);
+	free(sinumerik);
+}
+
+const struct dialect dialect_sinumerik = {
+	.name = "sinumerik",
+	.manual = "Siemens SINUMERIK 840D sl, programming manuals \"Fundamentals\", \"Job planning\", \"Cycles\"",
+	.g_codes = {&sinumerik_g_codes},
+	.m_codes = {&sinumerik_m_codes},
+	.words = {&sinumerik_word_set},
+	.traits = {
+		/* MD20150 sets the other modes at power-on. G64 is the worst that it can be. */
+		.power_on = {.feed_mode = G94, .path = G64},
+		.whole_numbers = WHOLE_NUMBERS_UNITS,
+		.known_order = ANSWER_YES,
+		.text_before_percent = ANSWER_NO,
+		.arc_centre = ARC_CENTRE_INCREMENTAL,
+		.arcs_have_turns = ANSWER_NO,
+		.wrap_below_turn = ANSWER_NO,
+		.g53_under_tcp = G53_UNDER_TCP_AXES,
+		.t_word = T_WORD_SELECTS,
+		.tool_change_stays = ANSWER_NO,
+	},
+	.after_machine_move = keep_length,
+	.state_new = new_state,
+	.state_free = free_state,
+	.statement = read_line,
+	.end_of_file = sinumerik_call_end_of_file,
+	.note_callers = sinumerik_call_note_callers,
+};

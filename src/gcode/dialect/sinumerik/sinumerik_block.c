@@ -1,0 +1,396 @@
+#include "gcode/dialect/sinumerik/sinumerik_block.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_assign.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/eval/expr.h"
+#include "gcode/text/number.h"
+
+/* What a read_... function works on. */
+struct reading {
+	struct interp *interp;
+	struct lexer *lexer;
+	struct sinumerik_block *block;
+};
+
+void sinumerik_block_clear(struct sinumerik_block *block)
+{
+	block->any = block->machine_axes = block->names_tool = block->spindle_stands = block->modal = false;
+	block->call_has_arguments = false;
+	block->letters = block->addresses = 0;
+	block->m_count = 0;
+	block->call[0] = '\0';
+	for (int group = 0; group < SINUMERIK_GROUPS; group++)
+		block->code[group] = CODE_NONE;
+}
+
+int sinumerik_block_axis_column(const struct sinumerik_block *block)
+{
+	int least = 0;
+
+	for (const char *letter = AXIS_LETTERS "IJK"; *letter; letter++) {
+		const int column = block->column[*letter - 'A'];
+
+		if (sinumerik_block_has(block, *letter) && (!least || column < least))
+			least = column;
+	}
+	return least ? least : 1;
+}
+
+static bool set_code(struct reading *r, int group, int code, int column)
+{
+	struct sinumerik_block *block = r->block;
+
+	if (block->code[group] != CODE_NONE)
+		return fault(r->lexer->at, column,
+			     "this and the word at column %d are of one group; a block can have only one of them",
+			     block->code_column[group]);
+	block->code[group] = code;
+	block->code_column[group] = column;
+	return true;
+}
+
+/* ---------------------------------------------------------------- numbers */
+
+/* "=" and not "==" comes next. */
+static bool assigns(struct lexer *lexer)
+{
+	return lexer_peek(lexer) == '=' && lexer->at->text[lexer->position + 1] != '=';
+}
+
+
+/* A value behind '=': AC(5), IC(5) and the like, or an expression. */
+static bool read_value(struct reading *r, double *value, unsigned char *way)
+{
+	static const struct {
+		const char *name;
+		enum sinumerik_way way;
+	} ways[] = {{"AC", SINUMERIK_WAY_AC}, {"IC", SINUMERIK_WAY_IC}, {"DC", SINUMERIK_WAY_DC},
+		    {"ACP", SINUMERIK_WAY_ACP}, {"ACN", SINUMERIK_WAY_ACN}};
+	const size_t position = r->lexer->position;
+	char name[SINUMERIK_NAME + 1];
+
+	*way = SINUMERIK_WAY_MODAL;
+	if (sinumerik_expr_name(r->lexer, name) && lexer_peek(r->lexer) == '(') {
+		for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
+			if (strcmp(name, ways[i].name) != 0)
+				continue;
+			*way = (unsigned char)ways[i].way;
+			lexer_take(r->lexer);
+			return sinumerik_expr_number(r->interp, r->lexer, value) &&
+			       sinumerik_expr_need(r->lexer, ')', "the coordinate");
+		}
+		if (!strcmp(name, "CAC") || !strcmp(name, "CIC") || !strcmp(name, "CDC") || !strcmp(name, "CACP") ||
+		    !strcmp(name, "CACN"))
+			return fault(r->lexer->at, (int)position + 1, "positions of a table of the control (%s)", name);
+	}
+	r->lexer->position = position;
+	return sinumerik_expr_number(r->interp, r->lexer, value);
+}
+
+/* ------------------------------------------------------------------ words */
+
+static bool add_letter(struct reading *r, char letter, int column, double value, unsigned char way)
+{
+	struct sinumerik_block *block = r->block;
+	const int index = letter - 'A', slot = slot_of_letter(letter);
+
+	if (slot >= 0 && !r->interp->config->has_axis[slot])
+		return fault(r->lexer->at, column, "the machine has no %c axis", letter);
+	if (sinumerik_block_has(block, letter))
+		return fault(r->lexer->at, column, "the word %c stands twice in the block, at columns %d and %d", letter,
+			     block->column[index], column);
+	block->letters |= letter_bit(letter);
+	block->value[index] = value;
+	block->way[index] = way;
+	block->column[index] = column;
+	return true;
+}
+
+static bool read_g(struct reading *r, double value, int column)
+{
+	const double tenths = value * 10;
+	const struct code *code;
+
+	if (!(value >= 0 && value <= 999) || floor(value) < value)
+		return fault(r->lexer->at, column, "%g is no G-code", value);
+	if (value >= 505 && value <= 599)
+		return set_code(r, SINUMERIK_SYSTEM, (int)tenths, column);
+	code = code_find(r->interp->config->dialect->g_codes, (int)tenths);
+	if (!code)
+		return fault(r->lexer->at, column, "G%g is not known", value);
+	if (code->state == CODE_REFUSED)
+		return fault(r->lexer->at, column, "G%g: %s is not supported yet", value, code->what);
+	return code->group == GROUP_NONE || set_code(r, code->group, code->number, column);
+}
+
+static bool read_m(struct reading *r, double value, int column)
+{
+	struct sinumerik_block *block = r->block;
+
+	if (!(value >= 0 && value <= 99999999) || floor(value) < value)
+		return fault(r->lexer->at, column, "%g is no M-code", value);
+	if (block->m_count == SINUMERIK_M_MAX)
+		return fault(r->lexer->at, column, "a block can have at most %d M-codes", SINUMERIK_M_MAX);
+	block->m[block->m_count] = (int)value;
+	block->m_column[block->m_count++] = column;
+	return true;
+}
+
+static bool set_call(struct reading *r, const char *name, int column)
+{
+	struct sinumerik_block *block = r->block;
+
+	if (block->call[0])
+		return fault(r->lexer->at, column, "a second call in the block");
+	strcpy(block->call, name);
+	block->call_column = column;
+	block->call_has_arguments = lexer_peek(r->lexer) == '(';
+	return true;
+}
+
+/* L100: the name of a subprogram, leading zeros included. */
+static bool read_l(struct reading *r, size_t start, size_t end, int column)
+{
+	char name[SINUMERIK_NAME + 1] = "L";
+	size_t length = end - start;
+
+	while (length > 0 && !sinumerik_is_digit(r->lexer->at->text[start + length - 1]))
+		length--;
+	if (length == 0 || length > 8 || strspn(r->lexer->at->text + start, "0123456789") < length)
+		return fault(r->lexer->at, column, "L needs the number of a subprogram");
+	memcpy(name + 1, r->lexer->at->text + start, length);
+	name[length + 1] = '\0';
+	return set_call(r, name, column);
+}
+
+static bool take_word(struct reading *r, char letter, int column, double value, unsigned char way)
+{
+	switch (letter) {
+	case 'G':
+		return read_g(r, value, column);
+	case 'M':
+		return read_m(r, value, column);
+	case 'N':
+		return fault(r->lexer->at, column, "N stands at the start of a block only");
+	case 'A': case 'B': case 'C': case 'D': case 'F': case 'I': case 'J': case 'K': case 'P': case 'S':
+	case 'T': case 'U': case 'V': case 'W': case 'X': case 'Y': case 'Z':
+		return add_letter(r, letter, column, value, way);
+	case 'H':
+		return fault(r->lexer->at, column,
+			     "H%g: an auxiliary function of the machine's maker; what it does is not known", value);
+	default:
+		return fault(r->lexer->at, column, "%c is neither an axis of the machine nor an address", letter);
+	}
+}
+
+/* X10.5, G1, M3: a letter and a plain number. An integer with '=' behind it belongs to a name: R1=, A3=. */
+static bool read_plain(struct reading *r, char letter, int column, bool *done)
+{
+	struct lexer *lexer = r->lexer;
+	const char *text = lexer->at->text;
+	const size_t start = lexer->position + 1;
+	size_t position = start;
+	double value;
+	bool point;
+
+	*done = false;
+	switch (number_read(text, &position, &value, &point)) {
+	case NUMBER_OK:
+		break;
+	case NUMBER_TOO_LONG:
+		return fault(lexer->at, column, "%c has a number of more than %d digits", letter, NUMBER_LENGTH_MAX);
+	case NUMBER_MISSING:
+		return true;
+	}
+	if (text[position] == '=' || (text[position] == '[' && letter == 'R') || letter == 'R')
+		return true;
+	*done = true;
+	lexer->position = position;
+	if (letter == 'L')
+		return read_l(r, start, position, column);
+	if (letter == 'E' || ((text[position] == 'E' || text[position] == 'e') && sinumerik_upper(text[position + 1]) == 'X'))
+		return fault(lexer->at, column, letter == 'E' ? "E is neither an axis of the machine nor an address"
+							       : "numbers with an exponent (EX) are not supported yet");
+	return take_word(r, letter, column, value, SINUMERIK_WAY_MODAL);
+}
+
+/* T="NAME", T=TEXTVARIABLE */
+static bool read_tool_name(struct reading *r, int column)
+{
+	r->block->names_tool = true;
+	return sinumerik_expr_text(r->interp, r->lexer, &r->block->tool_name) && add_letter(r, 'T', column, 0, 0);
+}
+
+/* X=..., M2=3, S1=500, A3=..., CR=... */
+static bool read_assigned(struct reading *r, const char *name, int column, bool *done)
+{
+	const size_t digits = strspn(name + 1, "0123456789");
+	struct sinumerik_word word;
+	double value = 0;
+	unsigned char way = 0;
+
+	*done = true;
+	if (name[1] == '\0' && name[0] != 'R') {
+		lexer_take(r->lexer);
+		if (name[0] == 'T' && sinumerik_expr_is_text(r->interp, r->lexer))
+			return read_tool_name(r, column);
+		return read_value(r, &value, &way) && take_word(r, name[0], column, value, way);
+	}
+	if (sinumerik_codes_word(name, &word) && word.kind == SINUMERIK_WORD_ADDRESS) {
+		lexer_take(r->lexer);
+		if (r->block->addresses & 1U << word.code)
+			return fault(r->lexer->at, column, "%s stands twice in the block", name);
+		if (!read_value(r, &value, &way))
+			return false;
+		r->block->addresses |= 1U << word.code;
+		r->block->address_value[word.code] = value;
+		r->block->address_way[word.code] = way;
+		r->block->address_column[word.code] = column;
+		return true;
+	}
+	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S')) {
+		lexer_take(r->lexer);
+		if (strcmp(name + 1, "1") != 0)
+			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet", name);
+		return read_value(r, &value, &way) && take_word(r, name[0], column, value, way);
+	}
+	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {
+		lexer_take(r->lexer);
+		r->block->machine_axes = true;
+		return read_value(r, &value, &way) && add_letter(r, name[0], column, value, way);
+	}
+	*done = false;
+	return true;
+}
+
+/* Steps over "(...)", strings included, and nothing else. */
+static bool step_over_call(struct reading *r)
+{
+	const char *text = r->lexer->at->text;
+	const int column = expr_column(r->lexer);
+	bool quoted = false;
+	int depth = 0;
+
+	if (lexer_peek(r->lexer) != '(')
+		return true;
+	for (size_t at = r->lexer->position; text[at]; at++) {
+		quoted = quoted != (text[at] == '"');
+		depth += quoted ? 0 : text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+		if (depth == 0 && !quoted) {
+			r->lexer->position = at + 1;
+			return true;
+		}
+	}
+	return fault(r->lexer->at, column, "this '(' is not closed");
+}
+
+static bool step_over_value(struct reading *r, const char *name)
+{
+	double value;
+	unsigned char way;
+
+	if (sinumerik_expr_take_byte(r->lexer, '[')) {
+		const char *close = strchr(r->lexer->at->text + r->lexer->position, ']');
+
+		if (!close)
+			return fault(r->lexer->at, expr_column(r->lexer), "']' is needed here");
+		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
+	}
+	return sinumerik_expr_need(r->lexer, '=', name) && read_value(r, &value, &way);
+}
+
+static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
+{
+	switch (word->kind) {
+	case SINUMERIK_WORD_CODE:
+		/* TRAORI(1) and TRAORI() are the first transformation that the machine's maker has set up. */
+		if (word->code == SINUMERIK_TRAORI && lexer_peek(r->lexer) == '(' && !step_over_call(r))
+			return false;
+		return set_code(r, (int)word->group, word->code, column);
+	case SINUMERIK_WORD_IGNORED:
+		return true;
+	case SINUMERIK_WORD_IGNORED_CALL:
+		return step_over_call(r);
+	case SINUMERIK_WORD_IGNORED_VALUE:
+		return step_over_value(r, name);
+	case SINUMERIK_WORD_IGNORED_LINE:
+		r->lexer->position += strlen(r->lexer->at->text + r->lexer->position);
+		return true;
+	case SINUMERIK_WORD_SPINDLE_STANDS:
+		r->block->spindle_stands = true;
+		return step_over_value(r, name);
+	case SINUMERIK_WORD_MODAL:
+		r->block->modal = true;
+		r->block->modal_column = column;
+		return true;
+	case SINUMERIK_WORD_ADDRESS:
+		return fault(r->lexer->at, column, "%s needs '=' and a value", name);
+	case SINUMERIK_WORD_STATEMENT:
+		return fault(r->lexer->at, column, "%s stands at the start of its block", name);
+	default:
+		return fault(r->lexer->at, column, "%s: %s is not supported yet", name, word->what);
+	}
+}
+
+static bool read_named(struct reading *r)
+{
+	const int column = lexer_column(r->lexer);
+	char name[SINUMERIK_NAME + 1];
+	struct sinumerik_word word;
+	bool done = false;
+
+	if (!sinumerik_expr_name(r->lexer, name))
+		return fault(r->lexer->at, column, "a name of more than %d bytes", SINUMERIK_NAME);
+	if (assigns(r->lexer) && sinumerik_assign_is_own(r->interp, name))
+		return sinumerik_assign(r->interp, r->lexer, name, column);
+	if (assigns(r->lexer) && !read_assigned(r, name, column, &done))
+		return false;
+	if (done)
+		return true;
+	if (sinumerik_codes_word(name, &word))
+		return read_known(r, name, &word, column);
+	if (assigns(r->lexer) || lexer_peek(r->lexer) == '[')
+		return sinumerik_assign(r->interp, r->lexer, name, column);
+	if (name[1] == '\0' && name[0] == 'F' && lexer_peek(r->lexer) == '(')
+		return fault(r->lexer->at, column, "F needs '=' before an expression");
+	if (name[1] == '\0' || !sinumerik_is_letter(name[1]))
+		return fault(r->lexer->at, column, "%c without a number", name[0]);
+	return set_call(r, name, column);
+}
+
+bool sinumerik_block_read(struct interp *interp, struct lexer *lexer, struct sinumerik_block *block)
+{
+	struct reading reading = {interp, lexer, block};
+
+	for (;;) {
+		const char byte = sinumerik_upper(lexer_peek(lexer));
+		const int column = lexer_column(lexer);
+		bool done = false;
+
+		if (byte == '\0' || byte == ';')
+			return true;
+		block->any = true;
+		if (block->call[0] && block->call_has_arguments)
+			return true;
+		if (byte >= 'A' && byte <= 'Z' && !sinumerik_is_letter(lexer->at->text[lexer->position + 1])) {
+			if (!read_plain(&reading, byte, column, &done))
+				return false;
+			if (done)
+				continue;
+		}
+		if (sinumerik_is_letter(byte) || byte == '$') {
+			if (!read_named(&reading))
+				return false;
+			continue;
+		}
+		if (byte == '/')
+			return fault(lexer->at, column, "'/' stands at the start of a block only");
+		if (byte > ' ' && byte <= '~')
+			return fault(lexer->at, column, "unexpected '%c'", byte);
+		return fault(lexer->at, column, "unexpected byte 0x%02X", (unsigned)(unsigned char)byte);
+	}
+}

@@ -1,0 +1,391 @@
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_assign.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/eval/expr.h"
+#include "gcode/program.h"
+
+static struct sinumerik_call *top_call(struct sinumerik *sinumerik)
+{
+	return sinumerik->depth ? &sinumerik->calls[sinumerik->depth - 1] : NULL;
+}
+
+/* --------------------------------------------------------------- arguments */
+
+/* The caller's variable, if nothing else stands in the argument: a VAR parameter is that variable. */
+static int variable_alone(struct interp *interp, struct lexer *lexer)
+{
+	const size_t position = lexer->position;
+	char name[SINUMERIK_NAME + 1], byte;
+	int found = sinumerik_expr_name(lexer, name) ? sinumerik_variables_find(sinumerik_of(interp), name) : -1;
+
+	byte = lexer_peek(lexer);
+	lexer->position = position;
+	return byte == ',' || byte == ')' ? found : -1;
+}
+
+static bool read_argument(struct interp *interp, struct lexer *lexer)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const size_t i = sinumerik->argument_count;
+	const char byte = lexer_peek(lexer);
+
+	if (i == SINUMERIK_ARGUMENTS_MAX)
+		return fault(lexer->at, expr_column(lexer), "more than %d arguments", SINUMERIK_ARGUMENTS_MAX);
+	sinumerik->argument_count++;
+	sinumerik->arguments[i] = NAN;
+	sinumerik->argument_texts[i].bytes[0] = '\0';
+	sinumerik->argument_is_text[i] = false;
+	sinumerik->argument_variable[i] = -1;
+	if (byte == ',' || byte == ')')
+		return true;
+	sinumerik->argument_variable[i] = variable_alone(interp, lexer);
+	if (sinumerik->argument_variable[i] >= 0 &&
+	    sinumerik->variables[sinumerik->argument_variable[i]].dimensions > 0) {
+		char name[SINUMERIK_NAME + 1];
+
+		sinumerik_expr_name(lexer, name);
+		return true;
+	}
+	sinumerik->argument_is_text[i] = sinumerik_expr_is_text(interp, lexer);
+	return sinumerik->argument_is_text[i]
+		   ? sinumerik_expr_text(interp, lexer, &sinumerik->argument_texts[i])
+		   : sinumerik_expr_number(interp, lexer, &sinumerik->arguments[i]);
+}
+
+bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	sinumerik->argument_count = 0;
+	if (!sinumerik_expr_take_byte(lexer, '(') || sinumerik_expr_take_byte(lexer, ')'))
+		return true;
+	do {
+		if (!read_argument(interp, lexer))
+			return false;
+	} while (sinumerik_expr_take_byte(lexer, ','));
+	return sinumerik_expr_need(lexer, ')', "the arguments");
+}
+
+/* ------------------------------------------------------------------- files */
+
+bool sinumerik_call_name(struct interp *interp, const char *path, int column, char name[SINUMERIK_NAME + 1])
+{
+	static const char *const types[] = {"_MPF", "_SPF", ".MPF", ".SPF"};
+	const char *base = path;
+	size_t length;
+
+	for (const char *at = path; *at; at++)
+		base = *at == '/' || *at == '\\' || *at == ':' ? at + 1 : base;
+	if (!strncmp(base, "_N_", 3))
+		base += 3;
+	length = strlen(base);
+	for (size_t i = 0; i < sizeof(types) / sizeof(types[0]) && length > 4; i++) {
+		bool same = true;
+
+		for (size_t k = 0; k < 4; k++)
+			same = same && sinumerik_upper(base[length - 4 + k]) == types[i][k];
+		if (same) {
+			length -= 4;
+			break;
+		}
+	}
+	if (length == 0 || length > SINUMERIK_NAME)
+		return fault(&interp->at, column, "\"%s\" names no subprogram", path);
+	for (size_t i = 0; i < length; i++)
+		name[i] = sinumerik_upper(base[i]);
+	name[length] = '\0';
+	return true;
+}
+
+/* Controls keep names in upper case; files on other computers have them in either. */
+static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
+{
+	static const char *const ends[] = {".SPF", ".spf", ".MPF", ".mpf", "_SPF", "_MPF", ""};
+	char file[SINUMERIK_NAME + 16];
+
+	*source = NULL;
+	for (size_t i = 0; i < 2 * sizeof(ends) / sizeof(ends[0]) && !*source; i++) {
+		snprintf(file, sizeof(file), "%s%s", name, ends[i / 2]);
+		for (char *at = file; *at && i % 2 && at < file + strlen(name); at++) {
+			if (*at >= 'A' && *at <= 'Z')
+				*at = (char)(*at - 'A' + 'a');
+		}
+		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
+			return false;
+	}
+	return *source ||
+	       fault(&interp->at, column,
+		     "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
+		     "lower case) lies beside the program or in a folder of --include",
+		     name, name);
+}
+
+/* ------------------------------------------------------------------ levels */
+
+static bool enter(struct interp *interp, const struct position *entry, long last_line, int rounds, const char *title,
+		  int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_call *call;
+
+	if (sinumerik->depth == SINUMERIK_LEVELS_MAX)
+		return fault(&interp->at, column, "more than %d calls inside each other", SINUMERIK_LEVELS_MAX);
+	call = &sinumerik->calls[sinumerik->depth++];
+	*call = (struct sinumerik_call){.back = source_next(interp->program.source), .entry = *entry,
+					.last_line = last_line, .left = rounds - 1, .file = interp->at.file,
+					.line = interp->at.line, .column = column, .loops = sinumerik->loop_count};
+	snprintf(call->title, sizeof(call->title), "%s", title);
+	return program_jump(&interp->program, entry, &interp->at, column);
+}
+
+bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct position entry = {.line = 1};
+
+	if (!find_file(interp, name, column, &entry.source) || !enter(interp, &entry, 0, repeats, name, column))
+		return false;
+	sinumerik->level++;
+	sinumerik->entering = true;
+	return true;
+}
+
+static void save_modes(const struct interp *interp, struct sinumerik_saved *saved)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct state *state = &interp->state;
+
+	*saved = (struct sinumerik_saved){
+		.motion = state->motion, .plane = state->plane, .system = state->system,
+		.path_code = sinumerik->path_code, .incremental = state->incremental,
+		.compresses = sinumerik->compresses, .feed_mode = state->feed_mode, .tcp = state->tcp,
+		.scale = state->scale, .feed_scale = sinumerik->feed_scale, .smoothing = sinumerik->smoothing,
+		.rounding = sinumerik->rounding, .frame = sinumerik->frame,
+	};
+}
+
+static bool restore_modes(struct interp *interp, const struct sinumerik_saved *saved, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct state *state = &interp->state;
+
+	if (saved->tcp != state->tcp)
+		return fault(&interp->at, column,
+			     "a subprogram with SAVE that switches TRAORI or swivels is not supported yet");
+	sinumerik_frame_place(interp);
+	state->motion = saved->motion;
+	state->plane = saved->plane;
+	state->system = saved->system;
+	state->incremental = saved->incremental;
+	state->feed_mode = saved->feed_mode;
+	state->scale = saved->scale;
+	sinumerik->path_code = saved->path_code;
+	sinumerik->compresses = saved->compresses;
+	sinumerik->feed_scale = saved->feed_scale;
+	sinumerik->smoothing = saved->smoothing;
+	sinumerik->rounding = saved->rounding;
+	sinumerik->frame = saved->frame;
+	return sinumerik_frame_changed(interp, column);
+}
+
+bool sinumerik_call_is_inside(const struct interp *interp)
+{
+	return sinumerik_of(interp)->level > 0;
+}
+
+/* Ends the repeated parts that are under way in the program in hand. */
+static void leave_repeats(struct sinumerik *sinumerik)
+{
+	while (sinumerik->depth && top_call(sinumerik)->last_line)
+		sinumerik->depth--;
+}
+
+bool sinumerik_call_return(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_call *call;
+	struct position to;
+
+	leave_repeats(sinumerik);
+	if (!sinumerik_call_is_inside(interp))
+		return fault(&interp->at, column, "this returns, but no subprogram is being carried out");
+	call = top_call(sinumerik);
+	sinumerik->loop_count = call->loops;
+	if (call->saves && !restore_modes(interp, &call->saved, column))
+		return false;
+	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
+	to = call->left > 0 ? call->entry : call->back;
+	if (call->left > 0) {
+		call->left--;
+		call->saves = false;
+		sinumerik->entering = true;
+	} else {
+		sinumerik->depth--;
+		sinumerik->level--;
+	}
+	return program_jump(&interp->program, &to, &interp->at, column);
+}
+
+/* ----------------------------------------------------------------- repeats */
+
+bool sinumerik_call_repeat(struct interp *interp, const struct position *entry, long last_line, int rounds, int column)
+{
+	return enter(interp, entry, last_line, rounds, "the repeated part", column);
+}
+
+bool sinumerik_call_round(struct interp *interp, bool *left)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_call *call = top_call(sinumerik);
+
+	*left = call && call->last_line && interp->at.line == call->last_line + 1 &&
+		call->entry.source == interp->program.source;
+	if (!*left)
+		return true;
+	if (call->left-- > 0)
+		return program_jump(&interp->program, &call->entry, &interp->at, 1);
+	sinumerik->depth--;
+	return program_jump(&interp->program, &call->back, &interp->at, 1);
+}
+
+void sinumerik_call_jumped(struct interp *interp, long line)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	while (sinumerik->depth) {
+		const struct sinumerik_call *call = top_call(sinumerik);
+
+		if (!call->last_line || (line >= call->entry.line && line <= call->last_line))
+			return;
+		sinumerik->depth--;
+	}
+}
+
+/* -------------------------------------------------------------- parameters */
+
+/* One parameter of PROC: [VAR] type name[,,] [= value]. */
+static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const bool given = i < sinumerik->argument_count;
+	const bool by_reference = sinumerik_expr_take(lexer, "VAR");
+	struct sinumerik_variable made = {.refers_to = -1}, *variable;
+	const int column = expr_column(lexer);
+	double value = 0;
+
+	if (!sinumerik_assign_type(interp, lexer, &made.type))
+		return false;
+	if (!sinumerik_expr_name(lexer, made.name))
+		return fault(lexer->at, expr_column(lexer), "the name of a parameter is needed here");
+	if (lexer_peek(lexer) == '[') {
+		const char *close = strchr(lexer->at->text + lexer->position, ']');
+
+		if (!by_reference || !close)
+			return fault(lexer->at, column, "an array is a VAR parameter");
+		lexer->position = (size_t)(close - lexer->at->text) + 1;
+	}
+	if (by_reference) {
+		made.refers_to = given ? sinumerik->argument_variable[i] : -1;
+		if (made.refers_to < 0)
+			return fault(lexer->at, column, "the VAR parameter %s needs a variable of the caller", made.name);
+		if (sinumerik->variables[made.refers_to].type != made.type)
+			return fault(lexer->at, column, "the VAR parameter %s and its variable differ in type", made.name);
+	}
+	variable = sinumerik_variables_add(interp, &made, column);
+	if (!variable)
+		return false;
+	if (sinumerik_expr_take_byte(lexer, '=')) {
+		if (made.type == SINUMERIK_STRING ? !sinumerik_expr_text(interp, lexer, &variable->texts[0])
+						  : !sinumerik_expr_number(interp, lexer, &value))
+			return false;
+	}
+	if (by_reference)
+		return true;
+	if (made.type == SINUMERIK_STRING) {
+		if (given && sinumerik->argument_is_text[i])
+			variable->texts[0] = sinumerik->argument_texts[i];
+		return true;
+	}
+	if (given && sinumerik->argument_is_text[i])
+		return fault(lexer->at, column, "the parameter %s is a number, and the call gives a text", made.name);
+	if (given && !isnan(sinumerik->arguments[i]))
+		value = sinumerik->arguments[i];
+	return sinumerik_variables_set(interp, variable, 0, value, column);
+}
+
+bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int column = expr_column(lexer);
+	char name[SINUMERIK_NAME + 1];
+	size_t count = 0;
+
+	sinumerik->entering = false;
+	if (!sinumerik_expr_name(lexer, name))
+		return fault(lexer->at, column, "PROC needs the name of its subprogram");
+	if (sinumerik_expr_take_byte(lexer, '(') && !sinumerik_expr_take_byte(lexer, ')')) {
+		do {
+			if (!take_parameter(interp, lexer, count++))
+				return false;
+		} while (sinumerik_expr_take_byte(lexer, ','));
+		if (!sinumerik_expr_need(lexer, ')', "the parameters"))
+			return false;
+	}
+	if (sinumerik->argument_count > count)
+		return fault(lexer->at, column, "%s has %zu parameters, and the call gives %zu", name, count,
+			     sinumerik->argument_count);
+	while (sinumerik_expr_name(lexer, name)) {
+		if (!strcmp(name, "SAVE") && sinumerik->depth) {
+			top_call(sinumerik)->saves = true;
+			save_modes(interp, &top_call(sinumerik)->saved);
+		}
+	}
+	return true;
+}
+
+bool sinumerik_call_no_proc(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_call *call = top_call(sinumerik);
+
+	sinumerik->entering = false;
+	return !call || sinumerik->argument_count == 0 ||
+	       fault(&interp->at, 1, "%s is called with arguments, but does not begin with PROC", call->title);
+}
+
+/* ------------------------------------------------------------------- hooks */
+
+bool sinumerik_call_end_of_file(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct srcloc loc = {interp->at.file, interp->program.source->reader.line, 0};
+
+	if (sinumerik->loop_count > 0 && sinumerik->loops[sinumerik->loop_count - 1].level == sinumerik->level) {
+		diag_error(interp->diag, loc, "the loop of line %ld is not closed at the end of the file",
+			   sinumerik->loops[sinumerik->loop_count - 1].start.line);
+		return false;
+	}
+	if (!sinumerik_call_is_inside(interp))
+		return true;
+	diag_error(interp->diag, loc, "the subprogram ends without M17 or RET");
+	return false;
+}
+
+void sinumerik_call_note_callers(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	for (int i = sinumerik->depth; i > 0; i--) {
+		const struct sinumerik_call *call = &sinumerik->calls[i - 1];
+
+		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
+			  call->title);
+	}
+}

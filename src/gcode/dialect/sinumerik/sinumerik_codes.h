@@ -1,0 +1,80 @@
+/* sinumerik_codes.h - G-codes, words and addresses of the 840D, and what becomes of each. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CODES_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CODES_H
+
+#include "gcode/code.h"
+
+/* The G groups of the 840D that matter here; a block has one code of each. */
+enum sinumerik_group {
+	SINUMERIK_MOTION,	/* group 1 */
+	SINUMERIK_ONCE,	/* group 2: G4, G74, G75 ... */
+	SINUMERIK_PLANE,
+	SINUMERIK_CUTTER,
+	SINUMERIK_SYSTEM,	/* G500, G54 ... */
+	SINUMERIK_SUPPRESSION,	/* G53, G153, SUPA */
+	SINUMERIK_PATH,	/* G60, G64, G641 ... */
+	SINUMERIK_UNITS,
+	SINUMERIK_DISTANCE,
+	SINUMERIK_FEED,
+	SINUMERIK_TRANSFORM,	/* TRAORI, TRAFOOF */
+	SINUMERIK_FRAME,	/* TRANS, ROT ... */
+	SINUMERIK_ORI_SYSTEM,	/* ORIWKS, ORIMKS */
+	SINUMERIK_ORI_WAY,	/* ORIAXES, ORIVECT */
+	SINUMERIK_COMPRESSOR,	/* COMPOF, COMPCAD ... */
+	SINUMERIK_CORNER,	/* G450, G451 */
+	SINUMERIK_GROUPS
+};
+
+/* Codes of words, beside the numbers of G-codes in tenths. */
+enum {
+	SINUMERIK_CIP = 100000,
+	SINUMERIK_SUPA,
+	SINUMERIK_TRAORI,
+	SINUMERIK_TRAFOOF,
+	SINUMERIK_ORIWKS,
+	SINUMERIK_ORIMKS,
+	SINUMERIK_ORIAXES,
+	SINUMERIK_ORIVECT,
+	SINUMERIK_COMPOF,
+	SINUMERIK_COMPON,
+	/* Frame codes: SINUMERIK_FRAME_CODES + 2 * enum sinumerik_frame_code + (the A... form). */
+	SINUMERIK_FRAME_CODES = 100100
+};
+
+#define SINUMERIK_G(number) ((number) * 10)
+
+/* Addresses of more than one letter, or of a letter and a number: with '=' behind them. */
+enum sinumerik_address {
+	SINUMERIK_CR, SINUMERIK_AR, SINUMERIK_TURN, SINUMERIK_I1, SINUMERIK_J1, SINUMERIK_K1, SINUMERIK_A3,
+	SINUMERIK_B3, SINUMERIK_C3, SINUMERIK_RPL, SINUMERIK_ADIS, SINUMERIK_ADISPOS, SINUMERIK_CTOL, SINUMERIK_FP,
+	SINUMERIK_ADDRESSES
+};
+
+enum sinumerik_word_kind {
+	SINUMERIK_WORD_CODE,	/* as a G-code: group and code */
+	SINUMERIK_WORD_ADDRESS,	/* '=' and a value: an enum sinumerik_address */
+	SINUMERIK_WORD_IGNORED,	/* stands alone */
+	SINUMERIK_WORD_IGNORED_VALUE,	/* [axis] or not, '=' and a value, which are read */
+	SINUMERIK_WORD_IGNORED_CALL,	/* parentheses behind it or not; their contents are stepped over */
+	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of its line is stepped over */
+	SINUMERIK_WORD_MODAL,	/* MCALL */
+	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before */
+	SINUMERIK_WORD_SPINDLE_STANDS,	/* SPOS=: the spindle is stopped at an angle */
+	SINUMERIK_WORD_REFUSED
+};
+
+struct sinumerik_word {
+	enum sinumerik_word_kind kind;
+	enum sinumerik_group group;
+	int code;
+	const char *what;
+};
+
+/* The word with this upper-case name. False: there is none. */
+bool sinumerik_codes_word(const char *name, struct sinumerik_word *word);
+
+/* Rows for the dialect's table: G-codes with an enum sinumerik_group as group, M-codes, and words. */
+extern const struct code_set sinumerik_g_codes, sinumerik_m_codes;
+extern const struct word_set sinumerik_word_set;
+
+#endif

@@ -1,0 +1,410 @@
+#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_move.h"
+#include "gcode/execute/motion_commands.h"
+
+/* 840D sl, "CYCLE83", VARI = 1: how far above the last depth the rapid ends, by the depth of the hole, mm. */
+#define PECK_LEAST 0.6
+#define PECK_MOST 7.0
+#define PECK_SHARE 50.0
+#define PECK_SHALLOW 30.0
+/* Pecks of one hole. */
+#define PECKS_MAX 10000
+
+enum { RTP, RFP, SDIS, DP, DPR };	/* the first arguments of all of them */
+
+struct drilling {
+	struct interp *interp;
+	const double *arguments;
+	size_t count;
+	int column;
+	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
+	slot_values at;	/* program coordinates of the tool */
+	double clear, safe, reference, bottom;	/* coordinates: RTP, RFP + SDIS, RFP, DP */
+	struct canon_feed feed;
+	bool turns;	/* the cycle itself has the spindle turn */
+};
+
+static bool given(const struct drilling *d, size_t i)
+{
+	return i < d->count && !isnan(d->arguments[i]);
+}
+
+static double argument(const struct drilling *d, size_t i, double otherwise)
+{
+	return given(d, i) ? d->arguments[i] : otherwise;
+}
+
+static double length(const struct drilling *d, size_t i)
+{
+	return argument(d, i, 0) * d->interp->state.scale;
+}
+
+/* ------------------------------------------------------------------- moves */
+
+static bool go(struct drilling *d, enum canon_kind kind, double height)
+{
+	struct canon_move move = {.kind = kind, .feed = d->feed, .spindle_turns = d->turns};
+	slot_values straight;
+
+	d->at.v[d->depth] = height;
+	straight = sinumerik_frame_straight(d->interp, &d->at);
+	if (!motion_commands_go(d->interp, &straight, &move))
+		return false;
+	sinumerik_of(d->interp)->place = d->at;
+	sinumerik_of(d->interp)->placed = true;
+	return true;
+}
+
+static bool rapid(struct drilling *d, double height)
+{
+	return go(d, CANON_RAPID, height);
+}
+
+static bool feed(struct drilling *d, double height)
+{
+	return go(d, CANON_FEED, height);
+}
+
+/* Seconds, or turns of the spindle if it is negative. */
+static bool dwell(struct drilling *d, size_t i)
+{
+	double seconds = argument(d, i, 0);
+
+	if (seconds < 0 && d->interp->state.speed > 0)
+		seconds = -seconds * SECONDS_PER_MINUTE / d->interp->state.speed;
+	return !(seconds > 0) ||
+	       motion_commands_emit(d->interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
+}
+
+static bool programmed_feed(struct drilling *d)
+{
+	d->interp->block.motion = G1;
+	d->interp->block.letters = 0;
+	return motion_commands_feed(d->interp, &d->feed);
+}
+
+static void own_feed(struct drilling *d, double per_minute)
+{
+	d->feed = (struct canon_feed){.linear = per_minute / SECONDS_PER_MINUTE};
+}
+
+static bool stop_spindle(struct drilling *d)
+{
+	const bool good = motion_commands_spindle_stops(d->interp);
+
+	d->interp->state.spindle = SPINDLE_STOPPED;
+	return good;
+}
+
+/* SDIR: 3 or 4, the way that the spindle turns. */
+static bool start_spindle(struct drilling *d, size_t i)
+{
+	const double way = argument(d, i, 0);
+
+	if (given(d, i) && !(way >= 3 && way <= 4))
+		return fault(&d->interp->at, d->column, "SDIR must be 3 or 4, as M3 and M4, not %.15g", way);
+	if (given(d, i))
+		d->interp->state.spindle = way > 3 ? SPINDLE_COUNTERCLOCKWISE : SPINDLE_CLOCKWISE;
+	return true;
+}
+
+/* ------------------------------------------------------------------ cycles */
+
+static bool drill(struct drilling *d)
+{
+	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && rapid(d, d->clear);
+}
+
+static bool counterbore(struct drilling *d)
+{
+	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, 5) && rapid(d, d->clear);
+}
+
+/* How deep the next peck goes: DAM takes something off each time, or is a factor if it is negative. */
+static double next_peck(const struct drilling *d, double peck)
+{
+	const double amount = argument(d, 7, 0), least = length(d, 13);
+	double next = amount < 0 ? peck * -amount : peck - amount * d->interp->state.scale;
+
+	if (amount > 0)
+		next = fmax(next, fmin(peck, amount * d->interp->state.scale));
+	return fmax(next, least);
+}
+
+/*
+ * CYCLE83: to FDEP first, then in pecks. All of it lies on one line between the safe plane and the bottom; where the
+ * control divides the last two pecks differently, only the time differs.
+ */
+static bool deep(struct drilling *d)
+{
+	const bool removes = argument(d, 11, 0) > 0;
+	const double first = given(d, 6) ? d->reference - length(d, 6) : given(d, 5) ? length(d, 5) : d->bottom;
+	const double whole = d->reference - d->bottom;
+	const double above = whole <= PECK_SHALLOW ? PECK_LEAST : fmin(whole / PECK_SHARE, PECK_MOST);
+	double depth = fmax(first, d->bottom), peck = d->reference - depth;
+
+	if (!programmed_feed(d) || !rapid(d, d->safe))
+		return false;
+	for (int i = 0; depth > d->bottom; i++) {
+		if (!(peck > 0) || i == PECKS_MAX)
+			return fault(&d->interp->at, d->column, "the pecks of CYCLE83 never reach its depth");
+		if (!feed(d, depth) || !dwell(d, 8))
+			return false;
+		if (removes ? !rapid(d, d->safe) || !dwell(d, 9) || !rapid(d, fmin(depth + above, d->safe))
+			    : !feed(d, fmin(depth + 1, d->safe)))
+			return false;
+		peck = next_peck(d, peck);
+		depth = fmax(depth - peck, d->bottom);
+	}
+	return feed(d, d->bottom) && dwell(d, 8) && rapid(d, d->clear);
+}
+
+/* The pitch of a metric thread by its size (MPIT): DIN 13, coarse. 0: not known. */
+static double metric_pitch(double size)
+{
+	static const double threads[][2] = {{3, 0.5}, {4, 0.7}, {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5},
+					    {12, 1.75}, {14, 2}, {16, 2},  {18, 2.5}, {20, 2.5}, {22, 2.5},
+					    {24, 3},  {27, 3},  {30, 3.5}, {33, 3.5}, {36, 4},	 {39, 4},
+					    {42, 4.5}, {45, 4.5}, {48, 5}};
+
+	for (size_t i = 0; i < sizeof(threads) / sizeof(threads[0]); i++) {
+		if (fabs(fabs(size) - threads[i][0]) < 1e-9)
+			return threads[i][1];
+	}
+	return 0;
+}
+
+/* Into the hole and out of it at the rate of the thread. */
+static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
+{
+	if (!(pitch > 0 && speed > 0))
+		return fault(&d->interp->at, d->column,
+			     "tapping needs a pitch (PIT), or a metric size (MPIT) from 3 to 48, and a speed");
+	own_feed(d, pitch * speed);
+	d->turns = true;
+	return rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, dwell_at) && feed(d, d->safe) && rapid(d, d->clear);
+}
+
+static double pitch_of(const struct drilling *d, size_t size, size_t pitch)
+{
+	return given(d, pitch) && fabs(d->arguments[pitch]) > 0 ? fabs(length(d, pitch))
+								 : metric_pitch(argument(d, size, 0));
+}
+
+static bool tap_rigid(struct drilling *d)
+{
+	return stop_spindle(d) && tap(d, pitch_of(d, 7, 8), argument(d, 10, d->interp->state.speed), 5);
+}
+
+static bool tap_floating(struct drilling *d)
+{
+	return tap(d, pitch_of(d, 9, 10), d->interp->state.speed, 5);
+}
+
+/* CYCLE85: in at FFR, out at RFF. */
+static bool ream(struct drilling *d)
+{
+	const double scale = sinumerik_of(d->interp)->feed_scale;
+
+	if (!given(d, 6) || !given(d, 7) || !(d->arguments[6] > 0 && d->arguments[7] > 0))
+		return fault(&d->interp->at, d->column, "CYCLE85 needs its feeds FFR and RFF");
+	own_feed(d, d->arguments[6] * scale);
+	if (!rapid(d, d->safe) || !feed(d, d->bottom) || !dwell(d, 5))
+		return false;
+	own_feed(d, d->arguments[7] * scale);
+	return feed(d, d->safe) && rapid(d, d->clear);
+}
+
+/* CYCLE86: the spindle stops at an angle, the tool is lifted off the wall by RPA, RPO and RPAP, and leaves at G0. */
+static bool bore_oriented(struct drilling *d)
+{
+	const slot_values start = d->at;
+
+	if (!programmed_feed(d) || !start_spindle(d, 6) || !rapid(d, d->safe) || !feed(d, d->bottom) || !dwell(d, 5) ||
+	    !stop_spindle(d))
+		return false;
+	d->at.v[d->a] += length(d, 7);
+	d->at.v[d->b] += length(d, 8);
+	if (!rapid(d, d->bottom + length(d, 9)) || !rapid(d, d->clear))
+		return false;
+	d->at.v[d->a] = start.v[d->a];
+	d->at.v[d->b] = start.v[d->b];
+	return rapid(d, d->clear);
+}
+
+/* CYCLE87 and CYCLE88: M5 M0 at the bottom; then the tool leaves at G0. */
+static bool bore_stopped(struct drilling *d, bool dwells, size_t direction)
+{
+	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->safe) && feed(d, d->bottom) &&
+	       (!dwells || dwell(d, 5)) && stop_spindle(d) && rapid(d, d->clear);
+}
+
+static bool bore_stop(struct drilling *d)
+{
+	return bore_stopped(d, false, 5);
+}
+
+static bool bore_stop_dwell(struct drilling *d)
+{
+	return bore_stopped(d, true, 6);
+}
+
+static bool bore_feed(struct drilling *d)
+{
+	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, 5) && feed(d, d->safe) &&
+	       rapid(d, d->clear);
+}
+
+/* 840D sl, "Drilling cycles". */
+static const struct cycle {
+	const char *name;
+	bool (*run)(struct drilling *d);
+} cycles[] = {
+	{"CYCLE81", drill},	      {"CYCLE82", counterbore},	  {"CYCLE83", deep},
+	{"CYCLE84", tap_rigid},	      {"CYCLE840", tap_floating}, {"CYCLE85", ream},
+	{"CYCLE86", bore_oriented},   {"CYCLE87", bore_stop},	  {"CYCLE88", bore_stop_dwell},
+	{"CYCLE89", bore_feed},
+};
+
+static const struct cycle *find(const char *name)
+{
+	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
+		if (!strcmp(cycles[i].name, name))
+			return &cycles[i];
+	}
+	return NULL;
+}
+
+bool sinumerik_cycle_drills(const char *name)
+{
+	return find(name) != NULL;
+}
+
+/* The planes of the hole. Where both are given, the relative depth holds (840D sl, CYCLE81, DPR). */
+static bool find_planes(struct drilling *d)
+{
+	if (!given(d, RTP) || !given(d, RFP) || (!given(d, DP) && !given(d, DPR)))
+		return fault(&d->interp->at, d->column, "the cycle needs RTP, RFP and one of DP and DPR");
+	d->clear = length(d, RTP);
+	d->reference = length(d, RFP);
+	d->safe = d->reference + fabs(length(d, SDIS));
+	d->bottom = given(d, DPR) && fabs(d->arguments[DPR]) > 0 ? d->reference - fabs(length(d, DPR)) : length(d, DP);
+	if (given(d, DP) && given(d, DPR) && fabs(d->arguments[DPR]) > 0 && fabs(d->bottom - length(d, DP)) > 1e-6)
+		return fault(&d->interp->at, d->column,
+			     "the depths DP and DPR differ: %.9g and %.9g mm; give one of them", length(d, DP), d->bottom);
+	if (d->clear < d->reference || d->bottom > d->reference)
+		return fault(&d->interp->at, d->column,
+			     "the return plane RTP must not lie below the reference plane RFP, and the depth not above it "
+			     "(the control's alarm 61101): RTP %.9g, RFP %.9g, depth %.9g mm",
+			     d->clear, d->reference, d->bottom);
+	return true;
+}
+
+bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column)
+{
+	const int plane = interp->state.plane;
+	struct drilling d = {.interp = interp, .arguments = arguments, .count = count, .column = column};
+
+	d.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+	d.a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
+	d.b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
+	if (!interp->config->has_axis[d.depth])
+		return fault(&interp->at, column, "the machine has no %c axis", AXIS_LETTERS[d.depth]);
+	d.at = *sinumerik_frame_place(interp);
+	return find_planes(&d) && find(name)->run(&d);
+}
+
+/* ---------------------------------------------------------------- patterns */
+
+bool sinumerik_cycle_is_pattern(const char *name)
+{
+	return !strcmp(name, "HOLES1") || !strcmp(name, "HOLES2");
+}
+
+static bool drill_at(struct interp *interp, enum axis_slot a, enum axis_slot b, double at_a, double at_b)
+{
+	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
+	slot_values target = *sinumerik_frame_place(interp);
+
+	target.v[a] = at_a;
+	target.v[b] = at_b;
+	return sinumerik_move_to(interp, &target, true) &&
+	       sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+}
+
+/* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
+static bool run_row(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
+{
+	const double scale = interp->state.scale, angle = radians(n[2]), count = n[5];
+	const slot_values *place = sinumerik_frame_place(interp);
+	const double first = n[3] * scale, last = (n[3] + (count - 1) * n[4]) * scale;
+	const double along = (place->v[a] - n[0] * scale) * cos(angle) + (place->v[b] - n[1] * scale) * sin(angle);
+	const bool backward = fabs(along - last) < fabs(along - first);
+
+	for (int i = 0; i < (int)count; i++) {
+		const double step = backward ? count - 1 - i : i, at = (n[3] + step * n[4]) * scale;
+
+		if (!drill_at(interp, a, b, n[0] * scale + at * cos(angle), n[1] * scale + at * sin(angle)))
+			return false;
+	}
+	return true;
+}
+
+/* HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): a circle; INDA 0 divides all of it. */
+static bool run_ring(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
+{
+	const double scale = interp->state.scale, step = fabs(n[4]) > 0 ? n[4] : 360 / n[5];
+
+	for (int i = 0; i < (int)n[5]; i++) {
+		const double angle = radians(n[3] + i * step);
+
+		if (!drill_at(interp, a, b, (n[0] + n[2] * cos(angle)) * scale, (n[1] + n[2] * sin(angle)) * scale))
+			return false;
+	}
+	return true;
+}
+
+bool sinumerik_cycle_pattern(struct interp *interp, const char *name, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int plane = interp->state.plane;
+	const enum axis_slot a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
+	const enum axis_slot b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
+	double n[6];
+
+	if (!sinumerik->modal.on || !sinumerik->modal.cycle)
+		return fault(&interp->at, column, "%s needs a cycle that MCALL has made modal", name);
+	for (size_t i = 0; i < 6; i++)
+		n[i] = i < sinumerik->argument_count && !isnan(sinumerik->arguments[i]) ? sinumerik->arguments[i] : 0;
+	if (!(n[5] >= 1 && n[5] <= 9999) || floor(n[5]) < n[5])
+		return fault(&interp->at, column, "%s needs a number of holes, NUM, from 1 to 9999", name);
+	return name[5] == '1' ? run_row(interp, n, a, b) : run_ring(interp, n, a, b);
+}
+
+const char *sinumerik_cycle_refused(const char *name)
+{
+	static const struct {
+		const char *start, *what;
+	} refused[] = {
+		{"POCKET", "milling of a pocket"},     {"SLOT", "milling of slots"},
+		{"LONGHOLE", "milling of long holes"}, {"CYCLE801", "grid of holes"},
+		{"CYCLE802", "positions of holes"},    {"CYCLE90", "thread milling"},
+		{"CYCLE6", "milling of a contour"},    {"CYCLE7", "milling of a face or a contour"},
+		{"CYCLE9", "turning or measuring"},    {"CYCLE899", "milling of a slot"},
+		{"CYCLE8", "cycle of the control"},    {"CYCLE1", "measuring with a probe"},
+		{"CYCLE", "cycle of the control or of the machine's maker"},
+	};
+
+	for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
+		if (!strncmp(name, refused[i].start, strlen(refused[i].start)))
+			return refused[i].what;
+	}
+	return NULL;
+}

@@ -1,0 +1,438 @@
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_functions.h"
+#include "gcode/dialect/sinumerik/sinumerik_system.h"
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/eval/expr.h"
+
+/* 840D sl, job planning, "Comparison operations": REAL values are equal within this part of them. */
+#define SAME_PART 1e-12
+
+#define LARGEST_WHOLE 2147483647.0
+
+static const struct expr_rules rules;
+
+/* ------------------------------------------------------------------ names */
+
+size_t sinumerik_expr_name(struct lexer *lexer, char name[SINUMERIK_NAME + 1])
+{
+	const char *text = lexer->at->text;
+	size_t length = 0, at;
+
+	lexer_peek(lexer);
+	at = lexer->position;
+	if (!sinumerik_is_letter(text[at]) && text[at] != '$')
+		return 0;
+	for (; sinumerik_is_name(text[at]) || (length == 0 && text[at] == '$'); at++, length++) {
+		if (length == SINUMERIK_NAME)
+			return 0;
+		name[length] = sinumerik_upper(text[at]);
+	}
+	name[length] = '\0';
+	lexer->position = at;
+	return length;
+}
+
+bool sinumerik_expr_take(struct lexer *lexer, const char *name)
+{
+	const size_t position = lexer->position;
+	char found[SINUMERIK_NAME + 1];
+
+	if (sinumerik_expr_name(lexer, found) && !strcmp(found, name))
+		return true;
+	lexer->position = position;
+	return false;
+}
+
+bool sinumerik_expr_take_byte(struct lexer *lexer, char byte)
+{
+	if (lexer_peek(lexer) != byte)
+		return false;
+	lexer_take(lexer);
+	return true;
+}
+
+bool sinumerik_expr_need(struct lexer *lexer, char byte, const char *after)
+{
+	return sinumerik_expr_take_byte(lexer, byte) ||
+	       fault(lexer->at, expr_column(lexer), "'%c' is needed behind %s", byte, after);
+}
+
+/* ------------------------------------------------------------------- text */
+
+static bool quoted(struct lexer *lexer, struct sinumerik_text *text)
+{
+	const char *start, *end;
+	const int column = expr_column(lexer);
+
+	lexer_take(lexer);
+	start = lexer->at->text + lexer->position;
+	end = strchr(start, '"');
+	if (!end)
+		return fault(lexer->at, column, "this text is not closed: '\"' is missing");
+	if (end - start > SINUMERIK_TEXT)
+		return fault(lexer->at, column, "a text of more than %d bytes", SINUMERIK_TEXT);
+	memcpy(text->bytes, start, (size_t)(end - start));
+	text->bytes[end - start] = '\0';
+	lexer->position += (size_t)(end - start) + 1;
+	return true;
+}
+
+/* The text variable that comes next, or NULL; nothing is taken. */
+static const struct sinumerik_variable *text_variable(struct interp *interp, struct lexer *lexer)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const size_t position = lexer->position;
+	char name[SINUMERIK_NAME + 1];
+	const int found = sinumerik_expr_name(lexer, name) ? sinumerik_variables_find(sinumerik, name) : -1;
+
+	lexer->position = position;
+	return found >= 0 && sinumerik->variables[found].texts ? &sinumerik->variables[found] : NULL;
+}
+
+static bool concatenates(struct lexer *lexer)
+{
+	return lexer_peek(lexer) == '<' && lexer->at->text[lexer->position + 1] == '<';
+}
+
+bool sinumerik_expr_is_text(struct interp *interp, struct lexer *lexer)
+{
+	return lexer_peek(lexer) == '"' || concatenates(lexer) || text_variable(interp, lexer) != NULL;
+}
+
+/* One piece of a text. A number becomes its shortest decimal, as the control shows it. */
+static bool piece(struct interp *interp, struct lexer *lexer, struct sinumerik_text *text)
+{
+	const struct sinumerik_variable *variable = text_variable(interp, lexer);
+	struct expr expr = {.lexer = lexer, .rules = &rules, .context = interp};
+	struct expr_operand value;
+	char name[SINUMERIK_NAME + 1];
+	size_t element = 0;
+
+	if (lexer_peek(lexer) == '"')
+		return quoted(lexer, text);
+	if (!variable) {
+		if (!expr_value(&expr, &value))
+			return false;
+		snprintf(text->bytes, sizeof(text->bytes), "%.12g", value.number);
+		return true;
+	}
+	sinumerik_expr_name(lexer, name);
+	if (!sinumerik_expr_element(interp, lexer, variable, &element))
+		return false;
+	*text = variable->texts[element];
+	return true;
+}
+
+bool sinumerik_expr_text(struct interp *interp, struct lexer *lexer, struct sinumerik_text *text)
+{
+	const int column = expr_column(lexer);
+	struct sinumerik_text next;
+	bool first = !concatenates(lexer);
+
+	text->bytes[0] = '\0';
+	if (first && !piece(interp, lexer, text))
+		return false;
+	while (concatenates(lexer)) {
+		lexer->position += 2;
+		if (!piece(interp, lexer, &next))
+			return false;
+		if (strlen(text->bytes) + strlen(next.bytes) > SINUMERIK_TEXT)
+			return fault(lexer->at, column, "a text of more than %d bytes", SINUMERIK_TEXT);
+		strcat(text->bytes, next.bytes);
+	}
+	return true;
+}
+
+/* Text is compared whole, byte by byte; case counts. */
+static bool compare_texts(struct expr *expr, struct expr_operand *value)
+{
+	static const struct {
+		const char *name;
+		bool less, equal, greater;
+	} comparisons[] = {{"==", false, true, false}, {"<>", true, false, true}, {"<=", true, true, false},
+			   {">=", false, true, true},  {"<", true, false, false}, {">", false, false, true}};
+	struct sinumerik_text left, right;
+	int column, order;
+
+	if (!sinumerik_expr_text(expr->context, expr->lexer, &left))
+		return false;
+	column = expr_column(expr->lexer);
+	for (size_t i = 0; i < sizeof(comparisons) / sizeof(comparisons[0]); i++) {
+		if (!lexer_keyword(expr->lexer, comparisons[i].name))
+			continue;
+		if (!sinumerik_expr_text(expr->context, expr->lexer, &right))
+			return false;
+		order = strcmp(left.bytes, right.bytes);
+		value->truth = true;
+		value->number = order < 0 ? comparisons[i].less : order > 0 ? comparisons[i].greater : comparisons[i].equal;
+		return true;
+	}
+	return fault(expr->lexer->at, column, "text stands here for a number; compare it with ==, <> or the like");
+}
+
+/* -------------------------------------------------------------- variables */
+
+bool sinumerik_expr_whole(struct interp *interp, struct lexer *lexer, const char *what, int least, int most,
+			  int *value)
+{
+	const int column = expr_column(lexer);
+	double number;
+
+	if (!sinumerik_expr_number(interp, lexer, &number))
+		return false;
+	if (number < least || number > most || floor(number) < number)
+		return fault(lexer->at, column, "%s must be a whole number from %d to %d, not %.15g", what, least, most,
+			     number);
+	*value = (int)number;
+	return true;
+}
+
+bool sinumerik_expr_element(struct interp *interp, struct lexer *lexer, const struct sinumerik_variable *variable,
+			    size_t *element)
+{
+	int index;
+
+	*element = 0;
+	if (variable->dimensions == 0)
+		return true;
+	if (!sinumerik_expr_need(lexer, '[', variable->name))
+		return false;
+	for (int i = 0; i < variable->dimensions; i++) {
+		if ((i > 0 && !sinumerik_expr_need(lexer, ',', "an index")) ||
+		    !sinumerik_expr_whole(interp, lexer, "an index", 0, variable->size[i] - 1, &index))
+			return false;
+		*element = *element * (size_t)variable->size[i] + (size_t)index;
+	}
+	return sinumerik_expr_need(lexer, ']', "the indices");
+}
+
+bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, int *number)
+{
+	const bool computed = lexer_peek(lexer) == '[';
+
+	if (computed) {
+		lexer_take(lexer);
+		return sinumerik_expr_whole(interp, lexer, "the number of an R parameter", 0, SINUMERIK_R_COUNT - 1,
+					    number) &&
+		       sinumerik_expr_need(lexer, ']', "the number of an R parameter");
+	}
+	*number = 0;
+	for (; sinumerik_is_digit(lexer->at->text[lexer->position]); lexer_take(lexer)) {
+		*number = 10 * *number + (lexer->at->text[lexer->position] - '0');
+		if (*number >= SINUMERIK_R_COUNT)
+			return fault(lexer->at, lexer_column(lexer), "R parameters have numbers up to %d",
+				     SINUMERIK_R_COUNT - 1);
+	}
+	return true;
+}
+
+bool sinumerik_expr_axis(struct interp *interp, struct lexer *lexer, int *slot)
+{
+	const int column = expr_column(lexer);
+	char name[SINUMERIK_NAME + 1];
+
+	*slot = -1;
+	if (sinumerik_expr_name(lexer, name) == 1)
+		*slot = slot_of_letter(name[0]);
+	if (*slot < 0 || !interp->config->has_axis[*slot])
+		return fault(lexer->at, column, "an axis of the machine is needed here");
+	return true;
+}
+
+static bool system_value(struct expr *expr, const char *name, int column, struct expr_operand *value)
+{
+	int slot = -1;
+
+	if (sinumerik_expr_take_byte(expr->lexer, '[') &&
+	    (!sinumerik_expr_axis(expr->context, expr->lexer, &slot) ||
+	     !sinumerik_expr_need(expr->lexer, ']', "the axis")))
+		return false;
+	return sinumerik_system_read(expr->context, name, slot, column, &value->number);
+}
+
+/* R1, R[R2], a variable of DEF, a system variable, a function, or one of the constants. */
+static bool named(struct expr *expr, const char *name, int column, struct expr_operand *value)
+{
+	struct interp *interp = expr->context;
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_variable *variable;
+	size_t element = 0;
+	int found = sinumerik_variables_find(sinumerik, name);
+
+	if (found >= 0) {
+		variable = &sinumerik->variables[found];
+		if (!sinumerik_expr_element(interp, expr->lexer, variable, &element))
+			return false;
+		value->number = variable->numbers[element];
+		return true;
+	}
+	if (!strcmp(name, "TRUE") || !strcmp(name, "FALSE")) {
+		value->number = name[0] == 'T';
+		return true;
+	}
+	if (!strcmp(name, "PI") || !strcmp(name, "$PI")) {
+		value->number = acos(-1);
+		return true;
+	}
+	if (name[0] == '$')
+		return system_value(expr, name, column, value);
+	if (lexer_peek(expr->lexer) == '(' || !strcmp(name, "NOT") || !strcmp(name, "B_NOT"))
+		return sinumerik_functions_compute(expr, name, column, &value->number);
+	return fault(expr->lexer->at, column,
+		     "%s is no variable of this program; DEF makes one, and those that the machine's maker has defined "
+		     "are not known here",
+		     name);
+}
+
+static bool is_r(const char *name)
+{
+	if (name[0] != 'R')
+		return false;
+	return name[1 + strspn(name + 1, "0123456789")] == '\0';
+}
+
+static bool variable_value(struct expr *expr, struct expr_operand *value)
+{
+	struct interp *interp = expr->context;
+	struct lexer *lexer = expr->lexer;
+	const int column = expr_column(lexer);
+	const size_t position = lexer->position;
+	char name[SINUMERIK_NAME + 1];
+	int number;
+
+	if (sinumerik_expr_is_text(interp, lexer))
+		return compare_texts(expr, value);
+	if (!sinumerik_expr_name(lexer, name))
+		return fault(lexer->at, column, "a value is needed here");
+	if (!is_r(name) || (name[1] == '\0' && lexer_peek(lexer) != '['))
+		return named(expr, name, column, value);
+	lexer->position = position + 1;
+	if (!sinumerik_expr_r_number(interp, lexer, &number))
+		return false;
+	value->number = sinumerik_of(interp)->r[number];
+	return true;
+}
+
+/* -------------------------------------------------------------- operators */
+
+static bool same(double left, double right)
+{
+	return fabs(left - right) <= SAME_PART * fmax(fabs(left), fabs(right));
+}
+
+static bool holds(enum expr_operation operation, double left, double right)
+{
+	switch (operation) {
+	case EXPR_EQ:
+		return same(left, right);
+	case EXPR_NE:
+		return !same(left, right);
+	case EXPR_GT:
+		return left > right && !same(left, right);
+	case EXPR_GE:
+		return left >= right || same(left, right);
+	case EXPR_LT:
+		return left < right && !same(left, right);
+	default:
+		return left <= right || same(left, right);
+	}
+}
+
+static bool apply_bits(struct expr *expr, int column, enum expr_operation operation, double *left, double right)
+{
+	const double numbers[2] = {*left, right};
+	long a, b;
+
+	for (int i = 0; i < 2; i++) {
+		if (fabs(numbers[i]) > LARGEST_WHOLE || floor(numbers[i]) < numbers[i])
+			return fault(expr->lexer->at, column, "B_AND, B_OR and B_XOR need whole numbers, not %.15g",
+				     numbers[i]);
+	}
+	a = (long)numbers[0];
+	b = (long)numbers[1];
+	*left = (double)(operation == EXPR_BIT_AND ? a & b : operation == EXPR_BIT_OR ? a | b : a ^ b);
+	return true;
+}
+
+static bool divide(struct expr *expr, int column, enum expr_operation operation, double *left, double right)
+{
+	if (fpclassify(right) == FP_ZERO)
+		return fault(expr->lexer->at, column, "division by zero");
+	*left = operation == EXPR_MODULO ? fmod(*left, right) : *left / right;
+	if (operation == EXPR_INTEGER_DIVIDE)
+		*left = trunc(*left);
+	return true;
+}
+
+static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,
+		  struct expr_operand *right)
+{
+	const enum expr_operation operation = operator->operation;
+	const bool a = fpclassify(left->number) != FP_ZERO, b = fpclassify(right->number) != FP_ZERO;
+
+	if (operation <= EXPR_LE) {
+		left->number = holds(operation, left->number, right->number);
+	} else if (operation == EXPR_AND || operation == EXPR_OR || operation == EXPR_XOR) {
+		left->number = operation == EXPR_AND ? a && b : operation == EXPR_OR ? a || b : a != b;
+	} else if (operation >= EXPR_BIT_AND) {
+		return apply_bits(expr, column, operation, &left->number, right->number);
+	} else if (operation == EXPR_PLUS) {
+		left->number += right->number;
+	} else if (operation == EXPR_MINUS) {
+		left->number -= right->number;
+	} else if (operation == EXPR_TIMES) {
+		left->number *= right->number;
+	} else if (!divide(expr, column, operation, &left->number, right->number)) {
+		return false;
+	}
+	return isfinite(left->number) || fault(expr->lexer->at, column, "the result is infinite");
+}
+
+/* 840D sl, job planning, "Priority of the operations": comparisons come last. */
+static const struct expr_operator operators[] = {
+	{"==", EXPR_EQ, 1, false},   {"<>", EXPR_NE, 1, false},	      {">=", EXPR_GE, 1, false},
+	{"<=", EXPR_LE, 1, false},   {">", EXPR_GT, 1, false},	      {"<", EXPR_LT, 1, false},
+	{"or", EXPR_OR, 2, false},   {"xor", EXPR_XOR, 3, false},     {"and", EXPR_AND, 4, false},
+	{"b_or", EXPR_BIT_OR, 5, false}, {"b_xor", EXPR_BIT_XOR, 6, false}, {"b_and", EXPR_BIT_AND, 7, false},
+	{"+", EXPR_PLUS, 8, false},  {"-", EXPR_MINUS, 8, false},     {"*", EXPR_TIMES, 9, false},
+	{"/", EXPR_DIVIDE, 9, false}, {"div", EXPR_INTEGER_DIVIDE, 9, false}, {"mod", EXPR_MODULO, 9, false},
+};
+
+static bool no_function(struct expr *expr, int column, const struct function_name *function,
+			struct expr_operand *value)
+{
+	(void)function;
+	(void)value;
+	return fault(expr->lexer->at, column, "a value is needed here");
+}
+
+static const struct expr_rules rules = {
+	.open = '(',
+	.close = ')',
+	.variable_starts = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$\"",
+	.whole_words = true,
+	.operators = operators,
+	.operator_count = sizeof(operators) / sizeof(operators[0]),
+	.signs_repeat = true,
+	.depth_max = 64,
+	.nested = "brackets",
+	.apply = apply,
+	.function = no_function,
+	.variable = variable_value,
+};
+
+bool sinumerik_expr_number(struct interp *interp, struct lexer *lexer, double *value)
+{
+	struct expr expr = {.lexer = lexer, .rules = &rules, .context = interp};
+	struct expr_operand operand;
+
+	if (!expr_sum(&expr, &operand))
+		return false;
+	*value = operand.number;
+	return true;
+}

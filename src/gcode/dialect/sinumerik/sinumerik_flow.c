@@ -1,0 +1,435 @@
+#include "gcode/dialect/sinumerik/sinumerik_flow.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+#include "gcode/eval/expr.h"
+#include "gcode/program.h"
+
+struct flow {
+	struct interp *interp;
+	struct lexer *lexer;
+	struct sinumerik *sinumerik;
+	int column;	/* of the statement's word */
+};
+
+static bool go(const struct flow *flow, const struct position *to)
+{
+	return program_count(&flow->interp->program, flow->interp->config->read.max_blocks, &flow->interp->at) &&
+	       program_jump(&flow->interp->program, to, &flow->interp->at, flow->column);
+}
+
+static bool at_end(const struct flow *flow)
+{
+	const char byte = lexer_peek(flow->lexer);
+
+	return byte == '\0' || byte == ';' ||
+	       fault(flow->lexer->at, expr_column(flow->lexer), "nothing can follow here");
+}
+
+static bool condition(const struct flow *flow, bool *holds)
+{
+	double value;
+
+	if (!sinumerik_expr_number(flow->interp, flow->lexer, &value))
+		return false;
+	*holds = fpclassify(value) != FP_ZERO;
+	return true;
+}
+
+/* ------------------------------------------------------------------- loops */
+
+static struct sinumerik_loop *top_loop(const struct flow *flow)
+{
+	struct sinumerik *sinumerik = flow->sinumerik;
+	struct sinumerik_loop *loop = sinumerik->loop_count ? &sinumerik->loops[sinumerik->loop_count - 1] : NULL;
+
+	return loop && loop->level == sinumerik->level ? loop : NULL;
+}
+
+/* The loop that begins in the line in hand: the one under way, or a new one. NULL: there are too many, reported. */
+static struct sinumerik_loop *begin(const struct flow *flow, enum sinumerik_loop_kind kind)
+{
+	struct sinumerik *sinumerik = flow->sinumerik;
+	const struct position start = source_here(flow->interp->program.source);
+	struct sinumerik_loop *loop;
+
+	for (size_t i = sinumerik->loop_count; i-- > 0 && sinumerik->loops[i].level == sinumerik->level;) {
+		if (sinumerik->loops[i].start.line == start.line && sinumerik->loops[i].start.source == start.source) {
+			sinumerik->loop_count = i + 1;
+			return &sinumerik->loops[i];
+		}
+	}
+	if (sinumerik->loop_count == SINUMERIK_LOOPS_MAX) {
+		fault_report(flow->lexer->at, flow->column, "more than %d loops inside each other",
+			     SINUMERIK_LOOPS_MAX);
+		return NULL;
+	}
+	loop = &sinumerik->loops[sinumerik->loop_count++];
+	*loop = (struct sinumerik_loop){.kind = kind, .start = start, .level = sinumerik->level};
+	return loop;
+}
+
+static bool leave(const struct flow *flow, enum sinumerik_close close)
+{
+	struct position behind;
+
+	flow->sinumerik->loop_count--;
+	return sinumerik_seek_close(flow->interp, close, flow->column, &behind) && go(flow, &behind);
+}
+
+static bool run_while(struct flow *flow)
+{
+	bool holds;
+
+	if (!begin(flow, SINUMERIK_WHILE) || !condition(flow, &holds) || !at_end(flow))
+		return false;
+	return holds || leave(flow, SINUMERIK_ENDWHILE);
+}
+
+static bool run_loop(struct flow *flow)
+{
+	return begin(flow, SINUMERIK_LOOP) && at_end(flow);
+}
+
+/* The variable that FOR counts: an R parameter or an INT or REAL of the program. */
+static bool counter(const struct flow *flow, double **value)
+{
+	const int column = expr_column(flow->lexer);
+	const size_t position = flow->lexer->position;
+	char name[SINUMERIK_NAME + 1];
+	int found, number;
+
+	if (!sinumerik_expr_name(flow->lexer, name))
+		return fault(flow->lexer->at, column, "FOR needs a variable");
+	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0') {
+		flow->lexer->position = position + strspn(flow->lexer->at->text + position, " \t") + 1;
+		if (!sinumerik_expr_r_number(flow->interp, flow->lexer, &number))
+			return false;
+		*value = &flow->sinumerik->r[number];
+		return true;
+	}
+	found = sinumerik_variables_find(flow->sinumerik, name);
+	if (found < 0 || !flow->sinumerik->variables[found].numbers || flow->sinumerik->variables[found].dimensions > 0)
+		return fault(flow->lexer->at, column, "%s is no variable of this program that FOR can count; DEF makes one",
+			     name);
+	*value = &flow->sinumerik->variables[found].numbers[0];
+	return true;
+}
+
+/* 840D sl, "Count loop (FOR ... TO ..., ENDFOR)": the variable grows by 1 in each round. */
+static bool run_for(struct flow *flow)
+{
+	struct sinumerik_loop *loop = begin(flow, SINUMERIK_FOR);
+	double *value, first, last;
+	int column;
+
+	if (!loop || !counter(flow, &value) || !sinumerik_expr_need(flow->lexer, '=', "the variable of FOR") ||
+	    !sinumerik_expr_number(flow->interp, flow->lexer, &first))
+		return false;
+	if (!sinumerik_expr_take(flow->lexer, "TO"))
+		return fault(flow->lexer->at, expr_column(flow->lexer), "TO is needed here");
+	column = expr_column(flow->lexer);
+	if (!sinumerik_expr_number(flow->interp, flow->lexer, &last) || !at_end(flow))
+		return false;
+	if (loop->again && !(fabs(last - loop->last) <= 0))
+		return fault(flow->lexer->at, column,
+			     "the end of this count has changed since its first round; whether a control heeds that is not "
+			     "certain");
+	*value = loop->again ? *value + 1 : first;
+	loop->last = last;
+	loop->again = false;
+	return *value <= last || leave(flow, SINUMERIK_ENDFOR);
+}
+
+static const struct closing {
+	const char *word, *opening;
+	enum sinumerik_loop_kind kind;
+} closings[] = {{"ENDWHILE", "WHILE", SINUMERIK_WHILE},
+		{"ENDFOR", "FOR", SINUMERIK_FOR},
+		{"ENDLOOP", "LOOP", SINUMERIK_LOOP},
+		{"UNTIL", "REPEAT", SINUMERIK_REPEAT}};
+
+static bool run_closing(struct flow *flow, const struct closing *closing)
+{
+	struct sinumerik_loop *loop = top_loop(flow);
+	bool ends = false;
+
+	if (!loop || loop->kind != closing->kind)
+		return fault(flow->lexer->at, flow->column, "%s closes no %s that has begun", closing->word,
+			     closing->opening);
+	if (closing->kind == SINUMERIK_REPEAT && !condition(flow, &ends))
+		return false;
+	if (!at_end(flow))
+		return false;
+	loop->again = true;
+	if (!ends)
+		return go(flow, &loop->start);
+	flow->sinumerik->loop_count--;
+	return true;
+}
+
+/* ------------------------------------------------------------------- jumps */
+
+static bool close_of(enum sinumerik_loop_kind kind, enum sinumerik_close *close)
+{
+	static const enum sinumerik_close closes[] = {[SINUMERIK_WHILE] = SINUMERIK_ENDWHILE,
+						      [SINUMERIK_FOR] = SINUMERIK_ENDFOR,
+						      [SINUMERIK_LOOP] = SINUMERIK_ENDLOOP,
+						      [SINUMERIK_REPEAT] = SINUMERIK_UNTIL};
+
+	*close = closes[kind];
+	return true;
+}
+
+/* Loops that do not hold the line are left. */
+static bool leave_loops(const struct flow *flow, long line)
+{
+	struct sinumerik_loop *loop;
+
+	while ((loop = top_loop(flow)) != NULL) {
+		enum sinumerik_close close;
+		struct position behind;
+
+		if (!loop->end && close_of(loop->kind, &close)) {
+			if (!sinumerik_seek_close_of(flow->interp, close, &loop->start, flow->column, &behind))
+				return false;
+			loop->end = behind.line - 1;
+		}
+		if (line > loop->start.line && line <= loop->end)
+			return true;
+		flow->sinumerik->loop_count--;
+	}
+	return true;
+}
+
+struct jump {
+	bool given;	/* a word of a jump */
+	bool may_miss;	/* GOTOC */
+	enum sinumerik_direction direction;
+	char target[SINUMERIK_NAME + 1];
+	int column;
+};
+
+/* "GOTOF LABEL", if a jump comes next. False: reported. */
+static bool read_jump(const struct flow *flow, struct jump *jump)
+{
+	static const struct {
+		const char *word;
+		enum sinumerik_direction direction;
+		bool may_miss;
+	} words[] = {{"GOTOF", SINUMERIK_FORWARD, false}, {"GOTOB", SINUMERIK_BACKWARD, false},
+		     {"GOTOC", SINUMERIK_ANYWHERE, true}, {"GOTO", SINUMERIK_ANYWHERE, false}};
+	struct lexer *lexer = flow->lexer;
+	struct sinumerik_text text;
+
+	*jump = (struct jump){.given = false};
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]) && !jump->given; i++) {
+		jump->given = sinumerik_expr_take(lexer, words[i].word);
+		jump->direction = words[i].direction;
+		jump->may_miss = words[i].may_miss;
+	}
+	if (!jump->given)
+		return true;
+	jump->column = expr_column(lexer);
+	if (lexer_peek(lexer) == '"' || sinumerik_expr_is_text(flow->interp, lexer)) {
+		if (!sinumerik_expr_text(flow->interp, lexer, &text))
+			return false;
+		for (size_t i = 0; i <= strlen(text.bytes) && i < sizeof(jump->target) - 1; i++)
+			jump->target[i] = sinumerik_upper(text.bytes[i]);
+		return true;
+	}
+	return sinumerik_expr_name(lexer, jump->target) ||
+	       fault(lexer->at, jump->column, "the label or block number to jump to is needed here");
+}
+
+static bool make_jump(const struct flow *flow, const struct jump *jump)
+{
+	struct position to;
+	bool found;
+
+	if (!sinumerik_seek_label(flow->interp, jump->target, jump->direction, jump->column, &to, &found))
+		return false;
+	if (!found && jump->may_miss)
+		return true;
+	if (!found)
+		return fault(flow->lexer->at, jump->column, "there is no label %s %s", jump->target,
+			     jump->direction == SINUMERIK_FORWARD    ? "from here on"
+			     : jump->direction == SINUMERIK_BACKWARD ? "before this line"
+								     : "in this program");
+	if (!leave_loops(flow, to.line))
+		return false;
+	sinumerik_call_jumped(flow->interp, to.line);
+	return go(flow, &to);
+}
+
+static bool run_goto(struct flow *flow, size_t word)
+{
+	struct jump jump;
+
+	flow->lexer->position = word;
+	return read_jump(flow, &jump) && at_end(flow) && make_jump(flow, &jump);
+}
+
+/* IF ... ENDIF, or IF condition GOTOF label, which may stand in a line several times. */
+static bool run_if(struct flow *flow)
+{
+	struct position behind;
+	struct jump jump;
+	bool holds;
+
+	do {
+		if (!condition(flow, &holds) || !read_jump(flow, &jump))
+			return false;
+		if (jump.given && holds)
+			return make_jump(flow, &jump);
+	} while (jump.given && sinumerik_expr_take(flow->lexer, "IF"));
+	if (!at_end(flow))
+		return false;
+	if (jump.given)
+		return true;
+	if (!sinumerik_seek_close(flow->interp, SINUMERIK_ELSE, flow->column, &behind))
+		return false;
+	return holds || go(flow, &behind);
+}
+
+static bool run_else(struct flow *flow)
+{
+	struct position behind;
+
+	return at_end(flow) && sinumerik_seek_close(flow->interp, SINUMERIK_ENDIF, flow->column, &behind) &&
+	       go(flow, &behind);
+}
+
+/* CASE (value) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C */
+static bool run_case(struct flow *flow)
+{
+	struct jump jump, taken = {.given = false};
+	double value, constant;
+
+	if (!sinumerik_expr_number(flow->interp, flow->lexer, &value))
+		return false;
+	if (!sinumerik_expr_take(flow->lexer, "OF"))
+		return fault(flow->lexer->at, expr_column(flow->lexer), "OF is needed here");
+	while (lexer_peek(flow->lexer) != '\0' && lexer_peek(flow->lexer) != ';') {
+		const bool otherwise = sinumerik_expr_take(flow->lexer, "DEFAULT");
+
+		if (!otherwise && !expr_number(flow->lexer, &constant))
+			return false;
+		if (!read_jump(flow, &jump))
+			return false;
+		if (!jump.given)
+			return fault(flow->lexer->at, expr_column(flow->lexer), "GOTOF, GOTOB, GOTO or GOTOC is needed here");
+		if (!taken.given && (otherwise || fabs(value - constant) <= 0))
+			taken = jump;
+	}
+	return !taken.given || make_jump(flow, &taken);
+}
+
+/* ----------------------------------------------------------------- repeats */
+
+static bool find_mark(const struct flow *flow, const char *name, int column, struct position *to)
+{
+	bool found;
+
+	if (!sinumerik_seek_label(flow->interp, name, SINUMERIK_ANYWHERE, column, to, &found))
+		return false;
+	return found || fault(flow->lexer->at, column, "there is no label %s in this program", name);
+}
+
+/* Where a part ends that has a start label only: at ENDLABEL, or before this REPEAT. */
+static bool find_last(const struct flow *flow, const struct position *first, int column, long *last)
+{
+	struct position end;
+	bool found;
+
+	if (first->line >= flow->interp->at.line)
+		return fault(flow->lexer->at, column,
+			     "a part behind its REPEAT is not supported yet without a second label");
+	if (!sinumerik_seek_label(flow->interp, "ENDLABEL", SINUMERIK_BACKWARD, column, &end, &found))
+		return false;
+	*last = found && end.line >= first->line ? end.line : flow->interp->at.line - 1;
+	return true;
+}
+
+/* REPEATB LABEL P=n; REPEAT LABEL P=n; REPEAT LABEL LABEL P=n */
+static bool run_repeat(struct flow *flow, bool block)
+{
+	char first_name[SINUMERIK_NAME + 1], last_name[SINUMERIK_NAME + 1] = "";
+	const int column = expr_column(flow->lexer);
+	struct position first, end;
+	int rounds = 1;
+	long last;
+
+	if (!sinumerik_expr_name(flow->lexer, first_name))
+		return fault(flow->lexer->at, column, "the label of the repeated part is needed here");
+	if (!sinumerik_expr_take(flow->lexer, "P") && !block) {
+		if (sinumerik_expr_name(flow->lexer, last_name) && !strcmp(last_name, "P"))
+			last_name[0] = '\0';
+		else if (last_name[0])
+			sinumerik_expr_take(flow->lexer, "P");
+	}
+	if (sinumerik_expr_take_byte(flow->lexer, '=') &&
+	    !sinumerik_expr_whole(flow->interp, flow->lexer, "P", 1, 9999, &rounds))
+		return false;
+	if (!at_end(flow) || !find_mark(flow, first_name, column, &first))
+		return false;
+	last = first.line;
+	if (last_name[0]) {
+		if (!find_mark(flow, last_name, column, &end))
+			return false;
+		last = end.line;
+	} else if (!block && !find_last(flow, &first, column, &last)) {
+		return false;
+	}
+	if (last < first.line)
+		return fault(flow->lexer->at, column, "the repeated part ends before it begins");
+	return program_count(&flow->interp->program, flow->interp->config->read.max_blocks, &flow->interp->at) &&
+	       sinumerik_call_repeat(flow->interp, &first, last, rounds, column);
+}
+
+static bool run_repeat_word(struct flow *flow)
+{
+	const char byte = lexer_peek(flow->lexer);
+
+	if (byte != '\0' && byte != ';')
+		return run_repeat(flow, false);
+	return begin(flow, SINUMERIK_REPEAT) != NULL;
+}
+
+bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done)
+{
+	static const struct {
+		const char *word;
+		bool (*run)(struct flow *flow);
+	} words[] = {{"IF", run_if},   {"ELSE", run_else}, {"WHILE", run_while}, {"FOR", run_for},
+		     {"LOOP", run_loop}, {"CASE", run_case}, {"REPEAT", run_repeat_word}};
+	struct flow flow = {interp, lexer, sinumerik_of(interp), expr_column(lexer)};
+	const size_t start = lexer->position;
+	char name[SINUMERIK_NAME + 1];
+
+	*done = true;
+	if (!sinumerik_expr_name(lexer, name))
+		name[0] = '\0';
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+		if (!strcmp(words[i].word, name))
+			return words[i].run(&flow);
+	}
+	for (size_t i = 0; i < sizeof(closings) / sizeof(closings[0]); i++) {
+		if (!strcmp(closings[i].word, name))
+			return run_closing(&flow, &closings[i]);
+	}
+	if (!strcmp(name, "ENDIF"))
+		return at_end(&flow);
+	if (!strncmp(name, "GOTO", 4) && (name[4] == '\0' || (strchr("FBC", name[4]) && name[5] == '\0')))
+		return run_goto(&flow, start);
+	if (!strcmp(name, "REPEATB"))
+		return run_repeat(&flow, true);
+	*done = false;
+	lexer->position = start;
+	return true;
+}

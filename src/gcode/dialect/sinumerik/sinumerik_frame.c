@@ -1,0 +1,226 @@
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+
+#include <string.h>
+
+#include "base/same_double.h"
+#include "base/units.h"
+#include "gcode/execute/tool_length.h"
+
+/* Factors of a scale are equal, and directions are at right angles, within this much. */
+#define SAME_SCALE 1e-12
+
+static vec3 linear(const slot_values *values)
+{
+	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
+}
+
+static void set_linear(slot_values *values, vec3 point)
+{
+	values->v[SLOT_X] = point.x;
+	values->v[SLOT_Y] = point.y;
+	values->v[SLOT_Z] = point.z;
+}
+
+static vec3 apply_inverse(const mat3 *m, vec3 p)
+{
+	const vec3 yz = vec3_cross(m->y, m->z);
+	const double determinant = vec3_dot(m->x, yz);
+
+	return vec3_scale(1 / determinant, (vec3){vec3_dot(yz, p), vec3_dot(vec3_cross(m->z, m->x), p),
+						  vec3_dot(vec3_cross(m->x, m->y), p)});
+}
+
+struct sinumerik_frame sinumerik_frame_none(void)
+{
+	return (struct sinumerik_frame){.matrix = mat3_identity()};
+}
+
+struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer, const struct sinumerik_frame *inner)
+{
+	struct sinumerik_frame total = {.matrix = mat3_mul(&outer->matrix, &inner->matrix)};
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		total.shift.v[slot] = outer->shift.v[slot] + inner->shift.v[slot];
+	set_linear(&total.shift,
+		   vec3_add(linear(&outer->shift), mat3_apply(&outer->matrix, linear(&inner->shift))));
+	return total;
+}
+
+struct sinumerik_frame sinumerik_frame_total(const struct sinumerik *sinumerik)
+{
+	return sinumerik_frame_chain(&sinumerik->swivel, &sinumerik->frame);
+}
+
+bool sinumerik_frame_scale(const mat3 *matrix, double *factor)
+{
+	const double x = vec3_norm(matrix->x), y = vec3_norm(matrix->y), z = vec3_norm(matrix->z);
+
+	*factor = x;
+	return fabs(x - y) <= SAME_SCALE * x && fabs(x - z) <= SAME_SCALE * x &&
+	       fabs(vec3_dot(matrix->x, matrix->y)) <= SAME_SCALE * x * x &&
+	       fabs(vec3_dot(matrix->y, matrix->z)) <= SAME_SCALE * x * x &&
+	       fabs(vec3_dot(matrix->z, matrix->x)) <= SAME_SCALE * x * x;
+}
+
+static bool is_identity(const mat3 *m)
+{
+	const mat3 one = mat3_identity();
+
+	return same_double(vec3_norm2(vec3_sub(m->x, one.x)), 0) && same_double(vec3_norm2(vec3_sub(m->y, one.y)), 0) &&
+	       same_double(vec3_norm2(vec3_sub(m->z, one.z)), 0);
+}
+
+slot_values sinumerik_frame_straight(const struct interp *interp, const slot_values *place)
+{
+	slot_values straight;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		straight.v[slot] = place->v[slot] + interp->state.offset.v[slot];
+	return straight;
+}
+
+const slot_values *sinumerik_frame_place(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct state *state = &interp->state;
+
+	if (sinumerik->placed)
+		return &sinumerik->place;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		sinumerik->place.v[slot] = state->position.v[slot] - state->offset.v[slot];
+	if (state->frame.on)
+		set_linear(&sinumerik->place, apply_inverse(&state->frame.turn, vec3_sub(linear(&sinumerik->place),
+											   state->frame.origin)));
+	sinumerik->placed = true;
+	return &sinumerik->place;
+}
+
+void sinumerik_frame_moved(struct interp *interp)
+{
+	sinumerik_of(interp)->placed = false;
+}
+
+bool sinumerik_frame_changed(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct state *state = &interp->state;
+	const struct sinumerik_frame total = sinumerik_frame_total(sinumerik);
+	const slot_values before = *sinumerik_frame_place(interp);
+
+	state->shift = total.shift;
+	state->frame = (struct rotated_frame){.on = !is_identity(&total.matrix)};
+	if (state->frame.on) {
+		state->frame.turn = total.matrix;
+		state->frame.origin = linear(&total.shift);
+		set_linear(&state->shift, (vec3){0, 0, 0});
+	}
+	if (!tool_length_offsets_changed(interp, column))
+		return false;
+	sinumerik->placed = false;
+	sinumerik_frame_place(interp);
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		sinumerik->increments_unsure[slot] |= !same_double(before.v[slot], sinumerik->place.v[slot]);
+	return true;
+}
+
+/* ------------------------------------------------------------- statements */
+
+static vec3 words_vector(const struct sinumerik_frame_words *words, double otherwise)
+{
+	return (vec3){words->has[SLOT_X] ? words->value[SLOT_X] : otherwise,
+		      words->has[SLOT_Y] ? words->value[SLOT_Y] : otherwise,
+		      words->has[SLOT_Z] ? words->value[SLOT_Z] : otherwise};
+}
+
+static mat3 turn_about(int slot, double angle)
+{
+	return mat3_turn((vec3){slot == SLOT_X, slot == SLOT_Y, slot == SLOT_Z}, radians(angle));
+}
+
+/*
+ * 840D sl, "Programmable rotation (ROT, AROT, RPL)": with several angles in a block the order is Z, Y, X by RPY (the
+ * default of MD10600): about Z first, then about the new Y, then about the new X. RPL turns in the working plane.
+ */
+static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *turn)
+{
+	const int across = interp->state.plane == G17 ? SLOT_Z : interp->state.plane == G18 ? SLOT_Y : SLOT_X;
+	int angles = 0;
+
+	*turn = mat3_identity();
+	for (int slot = SLOT_Z; slot >= SLOT_X; slot--) {
+		const mat3 one = turn_about(slot, words->has[slot] ? words->value[slot] : 0);
+
+		angles += words->has[slot];
+		if (words->has[slot])
+			*turn = mat3_mul(turn, &one);
+	}
+	if (angles > 1 && interp->config->controller.rotation_order == ROTATION_ORDER_UNKNOWN)
+		return fault(&interp->at, words->column,
+			     "a parameter of the control (MD10600) decides in which order several angles turn the "
+			     "frame: rotation_order=\"rpy\" or \"euler\" of the machine's <controller> says it");
+	if (angles > 1 && interp->config->controller.rotation_order == ROTATION_ORDER_EULER)
+		return fault(&interp->at, words->column,
+			     "several angles in one ROT by Euler's angles are not supported yet; write one angle in a "
+			     "block, ROT and then AROT");
+	if (angles > 0 && words->has_plane_angle)
+		return fault(&interp->at, words->column, "RPL stands alone in its ROT");
+	if (words->has_plane_angle)
+		*turn = turn_about(across, words->plane_angle);
+	return true;
+}
+
+static bool scale_by(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *matrix)
+{
+	const vec3 factor = words_vector(words, 1);
+
+	if (!(factor.x > 0 && factor.y > 0 && factor.z > 0))
+		return fault(&interp->at, words->column, "a scale must be greater than 0");
+	*matrix = (mat3){{factor.x, 0, 0}, {0, factor.y, 0}, {0, 0, factor.z}};
+	return true;
+}
+
+/* Naming an axis reverses it, whatever its value (MD10610 = 0, the default, reverses about the axis named). */
+static mat3 mirror_of(const struct sinumerik_frame_words *words)
+{
+	return (mat3){{words->has[SLOT_X] ? -1 : 1, 0, 0},
+		      {0, words->has[SLOT_Y] ? -1 : 1, 0},
+		      {0, 0, words->has[SLOT_Z] ? -1 : 1}};
+}
+
+static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *words, struct sinumerik_frame *frame)
+{
+	*frame = sinumerik_frame_none();
+	for (int slot = SLOT_A; slot < SLOT_COUNT && words->code != SINUMERIK_TRANS; slot++) {
+		if (words->has[slot])
+			return fault(&interp->at, words->column,
+				     "only X, Y and Z can be turned, scaled and mirrored here, not %c", AXIS_LETTERS[slot]);
+	}
+	switch (words->code) {
+	case SINUMERIK_TRANS:
+		for (int slot = 0; slot < SLOT_COUNT; slot++)
+			frame->shift.v[slot] = words->has[slot] ? words->value[slot] : 0;
+		return true;
+	case SINUMERIK_ROT:
+		return turn_by(interp, words, &frame->matrix);
+	case SINUMERIK_SCALE:
+		return scale_by(interp, words, &frame->matrix);
+	default:
+		frame->matrix = mirror_of(words);
+		return true;
+	}
+}
+
+/*
+ * 840D sl, "Frame instructions": TRANS, ROT, SCALE and MIRROR delete the whole programmable frame first; without words
+ * that is all they do. The forms with A add to it, in its own coordinates.
+ */
+bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_words *words)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_frame frame;
+
+	if (!frame_of(interp, words, &frame))
+		return false;
+	sinumerik->frame = words->added ? sinumerik_frame_chain(&sinumerik->frame, &frame) : frame;
+	return sinumerik_frame_changed(interp, words->column);
+}

@@ -1,0 +1,56 @@
+/* sinumerik_frame.h - program coordinates and positions: frames (TRANS, ROT, SCALE, MIRROR) before the work offset. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FRAME_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FRAME_H
+
+#include "gcode/dialect/sinumerik/sinumerik_state.h"
+
+/*
+ * position = offset + shift + matrix p for X Y Z of the program coordinates p: `offset` is the work offset and the
+ * tool length in force, matrix and shift are those of the frames. The whole is put into state.shift where the frames
+ * only shift, and else into state.frame (rotated_frame.h), whose matrix may mirror and scale here.
+ */
+
+/* Program coordinates of the present position, mm and degrees. */
+const slot_values *sinumerik_frame_place(struct interp *interp);
+
+/* The straight position (rotated_frame.h) of program coordinates. */
+slot_values sinumerik_frame_straight(const struct interp *interp, const slot_values *place);
+
+/* The position was changed by other means than program coordinates. */
+void sinumerik_frame_moved(struct interp *interp);
+
+/*
+ * Call after a change of frames, offsets or lengths: whatever the program coordinates are now, an increment may count
+ * from those before. False: reported at the column.
+ */
+bool sinumerik_frame_changed(struct interp *interp, int column);
+
+/* Matrix and shift of the frames in force, one after the other. */
+struct sinumerik_frame sinumerik_frame_total(const struct sinumerik *sinumerik);
+
+/* The frame `inner` carried out first, and then `outer`. */
+struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer, const struct sinumerik_frame *inner);
+
+/* How a frame changes lengths: its factor. False: it differs from direction to direction. */
+bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
+
+struct sinumerik_frame sinumerik_frame_none(void);
+
+/* TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR. */
+enum sinumerik_frame_code { SINUMERIK_TRANS, SINUMERIK_ROT, SINUMERIK_SCALE, SINUMERIK_MIRROR };
+
+/* The words of such a statement. */
+struct sinumerik_frame_words {
+	enum sinumerik_frame_code code;
+	bool added;	/* the A... form: behind what is in force */
+	bool has[SLOT_COUNT];
+	double value[SLOT_COUNT];	/* TRANS: mm and degrees */
+	bool has_plane_angle;	/* RPL */
+	double plane_angle;	/* degrees */
+	int column;
+};
+
+/* Carries one out. False: reported. */
+bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_words *words);
+
+#endif

@@ -1,0 +1,10 @@
+/* sinumerik_functions.h - functions of expressions: SIN(...), TRUNC(...), NOT. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FUNCTIONS_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_FUNCTIONS_H
+
+#include "gcode/eval/expr.h"
+
+/* Reads the arguments behind the upper-case name and computes it. False: reported. */
+bool sinumerik_functions_compute(struct expr *expr, const char *name, int column, double *value);
+
+#endif

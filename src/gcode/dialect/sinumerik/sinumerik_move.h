@@ -1,0 +1,19 @@
+/* sinumerik_move.h - the motion of a block: lines, circles, helices. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_MOVE_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_MOVE_H
+
+#include "gcode/dialect/sinumerik/sinumerik_block.h"
+
+/*
+ * Carries out the motion that the block's words ask for. False: reported, or the sink wants no more. *moved: the
+ * block has words of axes in program coordinates, after which a modal call is due.
+ */
+bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *block, bool *moved);
+
+/* A move to program coordinates, at the rapid rate or at the feed in force. False: as above. */
+bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool rapid);
+
+/* How closely the control keeps to the path now: G60, G64 and their like, the compressor, CYCLE832. */
+void sinumerik_move_set_path(struct interp *interp, const struct sinumerik_block *block);
+
+#endif

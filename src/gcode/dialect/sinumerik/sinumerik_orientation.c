@@ -1,0 +1,156 @@
+#include "gcode/dialect/sinumerik/sinumerik_orientation.h"
+
+#include "base/same_double.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
+
+/* A direction shorter than this has no direction. */
+#define LEAST_VECTOR 1e-9
+
+static bool has_frames(const struct interp *interp)
+{
+	const struct state *state = &interp->state;
+
+	if (state->frame.on)
+		return true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(state->shift.v[slot], 0) || !same_double(state->work[state->system].v[slot], 0))
+			return true;
+	}
+	return false;
+}
+
+/* MD10602: TRAORI and TRAFOOF keep frames and work offset, or delete them. */
+static bool outlive(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const enum answer answer = interp->config->controller.frames_outlive_traori;
+
+	if (!has_frames(interp) || answer == ANSWER_YES)
+		return true;
+	if (answer == ANSWER_UNKNOWN) {
+		sinumerik->frames_unsure = true;
+		return true;
+	}
+	sinumerik->frame = sinumerik_frame_none();
+	interp->state.system = SYSTEM_NONE;
+	return sinumerik_frame_changed(interp, column);
+}
+
+static bool switch_transformation(struct interp *interp, bool on, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct state *state = &interp->state;
+
+	if (sinumerik->swivelled)
+		return fault(&interp->at, column, "TRAORI and TRAFOOF while CYCLE800 has swivelled; CYCLE800() first");
+	if (on == (state->tcp != TCP_OFF))
+		return true;
+	if (sinumerik->edge_unsure && on)
+		return fault(&interp->at, column, "TRAORI needs the tool's edge: write D before it");
+	sinumerik_frame_place(interp);
+	if (!tool_length_switch_tcp(interp, column, on ? TCP_BY_LENGTH : TCP_OFF))
+		return false;
+	return sinumerik_frame_changed(interp, column) && outlive(interp, column);
+}
+
+bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int *code = block->code;
+
+	if (code[SINUMERIK_ORI_SYSTEM] != CODE_NONE)
+		sinumerik->machine_orientation = code[SINUMERIK_ORI_SYSTEM] == SINUMERIK_ORIMKS;
+	if (code[SINUMERIK_ORI_WAY] != CODE_NONE)
+		sinumerik->orientation =
+		    code[SINUMERIK_ORI_WAY] == SINUMERIK_ORIAXES ? SINUMERIK_ORI_AXES : SINUMERIK_ORI_VECTOR;
+	return code[SINUMERIK_TRANSFORM] == CODE_NONE ||
+	       switch_transformation(interp, code[SINUMERIK_TRANSFORM] == SINUMERIK_TRAORI,
+				     block->code_column[SINUMERIK_TRANSFORM]);
+}
+
+/* The position of the rotary axes that gives the tool the direction of A3=, B3=, C3=, which frames turn. */
+static bool find_direction(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+{
+	const struct state *state = &interp->state;
+	const int column = sinumerik_block_axis_column(block);
+	struct kinematics_orientation orientation = {.rotary = state->canonical};
+	vec3 direction;
+	double scale;
+
+	direction = (vec3){
+	    sinumerik_block_has_address(block, SINUMERIK_A3) ? block->address_value[SINUMERIK_A3] : 0,
+	    sinumerik_block_has_address(block, SINUMERIK_B3) ? block->address_value[SINUMERIK_B3] : 0,
+	    sinumerik_block_has_address(block, SINUMERIK_C3) ? block->address_value[SINUMERIK_C3] : 0,
+	};
+	if (!(vec3_norm(direction) > LEAST_VECTOR))
+		return fault(&interp->at, column, "the direction A3= B3= C3= has no length");
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (sinumerik_block_has(block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block->column[AXIS_LETTERS[slot] - 'A'],
+				     "the block turns the tool by %c and by a direction (A3= B3= C3=)", AXIS_LETTERS[slot]);
+	}
+	if (sinumerik_of(interp)->machine_orientation)
+		return fault(&interp->at, column, "a direction A3= B3= C3= with ORIMKS is not supported yet; use ORIWKS");
+	if (state->frame.on && !sinumerik_frame_scale(&state->frame.turn, &scale))
+		return fault(&interp->at, column, "a direction where the frame scales its axes differently");
+	if (state->frame.on)
+		direction = mat3_apply(&state->frame.turn, direction);
+	orientation.direction = vec3_unit(direction);
+	orientation.rotary_zero = tool_length_rotary_zero(interp);
+	if (!interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, column), &orientation))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (interp->config->has_axis[slot])
+			target->v[slot] =
+			    state_from_canonical(slot, orientation.rotary.v[slot]) - state->offset.v[slot];
+	}
+	return true;
+}
+
+static enum sinumerik_orientation way_in_force(const struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (sinumerik->orientation)
+		return sinumerik->orientation;
+	if (sinumerik->machine_orientation)
+		return SINUMERIK_ORI_AXES;
+	switch (interp->config->controller.orientation_interpolation) {
+	case ORIENTATION_INTERPOLATION_AXES:
+		return SINUMERIK_ORI_AXES;
+	case ORIENTATION_INTERPOLATION_VECTOR:
+		return SINUMERIK_ORI_VECTOR;
+	default:
+		return SINUMERIK_ORI_UNKNOWN;
+	}
+}
+
+bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+{
+	const slot_values *place = sinumerik_frame_place(interp);
+	const int column = sinumerik_block_axis_column(block);
+	bool turns = false;
+
+	if ((block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)) &&
+	    !find_direction(interp, block, target))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		turns = turns || fabs(target->v[slot] - place->v[slot]) > SAME_DEGREES;
+	if (!turns)
+		return true;
+	switch (way_in_force(interp)) {
+	case SINUMERIK_ORI_AXES:
+		return true;
+	case SINUMERIK_ORI_UNKNOWN:
+		return fault(&interp->at, column,
+			     "a parameter of the control (MD21104) decides how TRAORI turns the tool: ORIAXES or ORIVECT "
+			     "in the program says it, or orientation_interpolation=\"axes\" or \"vector\" of the machine's "
+			     "<controller>");
+	default:
+		return fault(&interp->at, column,
+			     "the way of the rotary axes on a great circle (ORIVECT) is not supported yet; ORIAXES turns "
+			     "them evenly");
+	}
+}

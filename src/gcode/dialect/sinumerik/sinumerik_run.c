@@ -1,0 +1,473 @@
+#include "gcode/dialect/sinumerik/sinumerik_run.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_move.h"
+#include "gcode/dialect/sinumerik/sinumerik_orientation.h"
+#include "gcode/dialect/sinumerik/sinumerik_swivel.h"
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
+#include "gcode/dialect/sinumerik/sinumerik_tool.h"
+#include "gcode/eval/expr.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/tool_length.h"
+#include "gcode/execute/work_offset_use.h"
+
+/* ---------------------------------------------------------- feed and spindle */
+
+static bool set_feed(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct state *state = &interp->state;
+	const int code = block->code[SINUMERIK_FEED];
+	const double feed = block->value['F' - 'A'];
+
+	if (code != CODE_NONE && state_feed_mode(code) != state->feed_mode) {
+		state->feed_mode = state_feed_mode(code);
+		state->feed_linear = state->feed_angular = 0;
+	}
+	if (code != CODE_NONE)
+		state->unknown_modes &= ~(1U << G_FEED_MODE);
+	if (!sinumerik_block_has(block, 'F') || block->code[SINUMERIK_ONCE] == G4)
+		return true;
+	if (feed < 0)
+		return fault(&interp->at, block->column['F' - 'A'], "a feed rate cannot be negative");
+	if (state->feed_mode != FEED_INVERSE_TIME) {
+		state->feed_linear = feed * sinumerik_of(interp)->feed_scale;
+		state->feed_angular = feed;
+	}
+	return true;
+}
+
+static bool set_speed(struct interp *interp, const struct sinumerik_block *block)
+{
+	const double speed = block->value['S' - 'A'];
+
+	if (!sinumerik_block_has(block, 'S') || block->code[SINUMERIK_ONCE] == G4)
+		return true;
+	if (speed < 0)
+		return fault(&interp->at, block->column['S' - 'A'], "a spindle speed cannot be negative");
+	interp->state.speed = speed;
+	interp->state.speed_is_zero = !(speed > 0);
+	return true;
+}
+
+static bool turn_spindle(struct interp *interp, enum spindle_turn turn)
+{
+	if (turn == SPINDLE_STOPPED && !motion_commands_spindle_stops(interp))
+		return false;
+	interp->state.spindle = turn;
+	return true;
+}
+
+/* --------------------------------------------------------------- M functions */
+
+struct ending {
+	bool stops;	/* M0, M1 */
+	bool ends;	/* M2, M30, M17 */
+	int column;
+	bool returns_only;	/* M17 */
+};
+
+static bool machine_m(struct interp *interp, enum mcode_action action, int column)
+{
+	const enum tcp_source tcp = interp->state.tcp;
+
+	switch (action) {
+	case MCODE_IGNORE:
+		return true;
+	case MCODE_SPINDLE_ON:
+		return turn_spindle(interp, SPINDLE_CLOCKWISE);
+	case MCODE_SPINDLE_OFF:
+		return turn_spindle(interp, SPINDLE_STOPPED);
+	default:
+		break;
+	}
+	if (tcp == TCP_BY_PLANE)
+		return fault(&interp->at, column, "tool centre point control while CYCLE800 has swivelled; CYCLE800() first");
+	if ((action == MCODE_TCP_ON) == (tcp != TCP_OFF))
+		return true;
+	sinumerik_frame_place(interp);
+	return tool_length_switch_tcp(interp, column, action == MCODE_TCP_ON ? TCP_BY_LENGTH : TCP_OFF) &&
+	       sinumerik_frame_changed(interp, column);
+}
+
+static bool known_m(struct interp *interp, int number, int column, struct ending *ending)
+{
+	const struct code *code = code_find(interp->config->dialect->m_codes, number);
+
+	if (!code)
+		return fault(&interp->at, column,
+			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
+			     "machine's <controller> says so",
+			     number, number);
+	if (code->state == CODE_REFUSED)
+		return fault(&interp->at, column, "M%d: %s is not supported yet", number, code->what);
+	if (code->group == M_SPINDLE)
+		return turn_spindle(interp, number == 3	  ? SPINDLE_CLOCKWISE
+					    : number == 4 ? SPINDLE_COUNTERCLOCKWISE
+							  : SPINDLE_STOPPED);
+	if (code->group != M_STOP)
+		return true;
+	ending->column = column;
+	ending->stops = number <= 1;
+	ending->ends = number > 1;
+	ending->returns_only = number == 17;
+	return true;
+}
+
+static bool run_m(struct interp *interp, const struct sinumerik_block *block, struct ending *ending)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (int i = 0; i < block->m_count; i++) {
+		size_t k = 0;
+
+		while (k < controller->mcode_count && controller->mcodes[k].number != block->m[i])
+			k++;
+		if (k < controller->mcode_count
+			? !machine_m(interp, controller->mcodes[k].action, block->m_column[i])
+			: !known_m(interp, block->m[i], block->m_column[i], ending))
+			return false;
+	}
+	return !block->spindle_stands || turn_spindle(interp, SPINDLE_STOPPED);
+}
+
+/* -------------------------------------------------------------------- modes */
+
+static void set_units(struct interp *interp, int code)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const double basic = interp->config->controller.unit;
+	const bool inch = code == SINUMERIK_G(70) || code == SINUMERIK_G(700);
+
+	sinumerik_frame_place(interp);
+	interp->state.unknown_modes &= ~(1U << G_UNITS);
+	interp->state.scale = inch ? MM_PER_INCH : 1;
+	/* G70 and G71 are for lengths alone: feeds stay in the control's own system. */
+	if (code == SINUMERIK_G(700) || code == SINUMERIK_G(710))
+		sinumerik->feed_scale = interp->state.scale;
+	else
+		sinumerik->feed_scale = basic > 0 ? basic : 1;
+}
+
+static bool set_modes(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct state *state = &interp->state;
+	const int *code = block->code;
+
+	if (code[SINUMERIK_PLANE] != CODE_NONE) {
+		state->plane = code[SINUMERIK_PLANE];
+		state->unknown_modes &= ~(1U << G_PLANE);
+	}
+	if (code[SINUMERIK_UNITS] != CODE_NONE)
+		set_units(interp, code[SINUMERIK_UNITS]);
+	if (code[SINUMERIK_DISTANCE] != CODE_NONE) {
+		state->incremental = code[SINUMERIK_DISTANCE] == G91;
+		state->unknown_modes &= ~(1U << G_DISTANCE);
+	}
+	if (code[SINUMERIK_CUTTER] == G41 || code[SINUMERIK_CUTTER] == G42)
+		return fault(&interp->at, block->code_column[SINUMERIK_CUTTER],
+			     "G%d: cutter compensation of Sinumerik is not supported yet", code[SINUMERIK_CUTTER] / 10);
+	sinumerik_move_set_path(interp, block);
+	return true;
+}
+
+/* G500, G54 to G57, G505 to G599. */
+static bool select_system(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int code = block->code[SINUMERIK_SYSTEM] / 10, column = block->code_column[SINUMERIK_SYSTEM];
+	int system;
+
+	if (block->code[SINUMERIK_SYSTEM] == CODE_NONE)
+		return true;
+	if (sinumerik->swivelled)
+		return fault(&interp->at, column, "another work offset while CYCLE800 has swivelled; CYCLE800() first");
+	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
+	if (system != SYSTEM_NONE && !work_offset_use_require(interp, system, column))
+		return false;
+	sinumerik_frame_place(interp);
+	interp->state.system = system;
+	sinumerik->work_selected = true;
+	sinumerik->frames_unsure = false;
+	return sinumerik_frame_changed(interp, column);
+}
+
+static bool run_frame(struct interp *interp, const struct sinumerik_block *block)
+{
+	const int number = block->code[SINUMERIK_FRAME] - SINUMERIK_FRAME_CODES;
+	struct sinumerik_frame_words words = {
+		.code = (enum sinumerik_frame_code)(number / 2), .added = number % 2,
+		.has_plane_angle = sinumerik_block_has_address(block, SINUMERIK_RPL),
+		.plane_angle = block->address_value[SINUMERIK_RPL],
+		.column = block->code_column[SINUMERIK_FRAME]};
+	bool lengths = false;
+
+	if (words.has_plane_angle && words.code != SINUMERIK_ROT)
+		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const int index = AXIS_LETTERS[slot] - 'A';
+		const bool scaled = words.code == SINUMERIK_TRANS && !slot_is_rotary(slot);
+
+		words.has[slot] = sinumerik_block_has(block, AXIS_LETTERS[slot]);
+		if (!words.has[slot])
+			continue;
+		lengths = lengths || scaled;
+		words.value[slot] = block->value[index] * (scaled ? interp->state.scale : 1);
+	}
+	if (lengths && (interp->state.unknown_modes & 1U << G_UNITS))
+		return fault(&interp->at, words.column,
+			     "a parameter of the control decides whether lengths are mm or inches before any G70, G71, "
+			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+	if (words.has_plane_angle && (interp->state.unknown_modes & 1U << G_PLANE))
+		return fault(&interp->at, words.column,
+			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
+			     "power_on_plane=\"xy\", \"zx\" or \"yz\" of the machine's <controller> says it");
+	if (sinumerik_of(interp)->frames_unsure)
+		return fault(&interp->at, words.column,
+			     "frames after TRAORI or TRAFOOF: select the work offset again first");
+	return sinumerik_frame_set(interp, &words);
+}
+
+/* ------------------------------------------------------------- G4, G74, G75 */
+
+static bool run_dwell(struct interp *interp, const struct sinumerik_block *block)
+{
+	const int column = block->code_column[SINUMERIK_ONCE];
+	double seconds = block->value['F' - 'A'];
+
+	if (!sinumerik_block_has(block, 'F')) {
+		if (!sinumerik_block_has(block, 'S'))
+			return fault(&interp->at, column, "G4 needs its time: F in seconds, or S in turns of the spindle");
+		if (!(interp->state.speed > 0))
+			return fault(&interp->at, column, "G4 S counts turns of the spindle, whose speed is not known");
+		seconds = block->value['S' - 'A'] * SECONDS_PER_MINUTE / interp->state.speed;
+	}
+	if (seconds < 0)
+		return fault(&interp->at, column, "a dwell cannot be negative");
+	if (block->letters & AXIS_BITS)
+		return fault(&interp->at, sinumerik_block_axis_column(block), "G4 stands in a block without motion");
+	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
+}
+
+/* G74: the reference point, <reference number="1">. G75 FP=n: fixed point n, <reference number="n+1">. */
+static bool run_reference(struct interp *interp, const struct sinumerik_block *block)
+{
+	const int column = block->code_column[SINUMERIK_ONCE];
+	const bool fixed = block->code[SINUMERIK_ONCE] == SINUMERIK_G(75);
+	const double point = sinumerik_block_has_address(block, SINUMERIK_FP) ? block->address_value[SINUMERIK_FP] : 1;
+	const int index = fixed ? (int)point : 0;
+	struct canon_move move = {.kind = CANON_RAPID, .machine_coordinates = true};
+	const struct control_place *place;
+	struct suspended suspended;
+	slot_values target;
+
+	if (fixed && (!(point >= 1 && point < REFERENCES_MAX) || floor(point) < point))
+		return fault(&interp->at, column, "G75 FP= must be a whole number from 1 to %d", REFERENCES_MAX - 1);
+	if (!(block->letters & AXIS_BITS))
+		return fault(&interp->at, column, "G%d needs the axes that it moves: X1=0 and the like", fixed ? 75 : 74);
+	if (interp->state.tcp == TCP_BY_LENGTH)
+		return fault(&interp->at, column, "G%d while TRAORI is on; TRAFOOF first", fixed ? 75 : 74);
+	place = &interp->config->controller.references[index];
+	if (!tool_length_suspend(interp, column, &suspended))
+		return false;
+	target = interp->state.position;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!sinumerik_block_has(block, AXIS_LETTERS[slot]))
+			continue;
+		if (!place->given || !place->has[slot])
+			return fault(&interp->at, column,
+				     "where G%d takes %c is not known: <reference number=\"%d\" %c=\"\"/> in the <controller> of "
+				     "the machine file says it",
+				     fixed ? 75 : 74, AXIS_LETTERS[slot], index + 1, AXIS_LETTERS[slot]);
+		target.v[slot] = state_from_canonical(slot, place->value.v[slot]);
+	}
+	if (!motion_commands_go(interp, &target, &move) || !tool_length_resume(interp, column, &suspended))
+		return false;
+	sinumerik_frame_moved(interp);
+	return true;
+}
+
+/* -------------------------------------------------------------------- calls */
+
+/* CYCLE832(TOL, ...): the tolerance of the contour; without arguments it is taken back. */
+static void smooth(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_block none;
+	const bool on = sinumerik->argument_count > 0 && sinumerik->arguments[0] > 0;
+
+	sinumerik_block_clear(&none);
+	sinumerik->smoothing = on ? sinumerik->arguments[0] * interp->state.scale : 0;
+	/* Which of G64 and its like and which compressor it selects is set up by the machine's maker: it blends. */
+	sinumerik->path_code = SINUMERIK_G(642);
+	sinumerik->compresses = on;
+	sinumerik_move_set_path(interp, &none);
+}
+
+static bool set_modal(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_modal *modal = &sinumerik->modal;
+
+	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .depth = sinumerik->depth};
+	if (!modal->on)
+		return true;
+	modal->cycle = sinumerik_cycle_drills(block->call);
+	if (!modal->cycle && sinumerik_cycle_refused(block->call))
+		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
+			     sinumerik_cycle_refused(block->call));
+	strcpy(modal->name, block->call);
+	modal->argument_count = sinumerik->argument_count;
+	memcpy(modal->arguments, sinumerik->arguments, sizeof(modal->arguments));
+	for (size_t i = 0; i < sinumerik->argument_count; i++) {
+		if (!modal->cycle && (sinumerik->argument_is_text[i]))
+			return fault(&interp->at, block->call_column,
+				     "a modal call of a subprogram with text among its arguments is not supported yet");
+	}
+	return true;
+}
+
+static bool run_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const char *name = block->call;
+	const int column = block->call_column, index = 'P' - 'A';
+	int repeats = 1;
+
+	sinumerik->argument_count = 0;
+	if (block->call_has_arguments && !sinumerik_call_arguments(interp, lexer))
+		return false;
+	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
+		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
+	if (block->modal)
+		return set_modal(interp, block);
+	if (sinumerik_cycle_drills(name))
+		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
+	if (sinumerik_cycle_is_pattern(name))
+		return sinumerik_cycle_pattern(interp, name, column);
+	if (!strcmp(name, "CYCLE800"))
+		return sinumerik_swivel_run(interp, column);
+	if (!strcmp(name, "CYCLE832")) {
+		smooth(interp);
+		return true;
+	}
+	if (sinumerik_cycle_refused(name))
+		return fault(&interp->at, column, "%s: %s is not supported yet", name, sinumerik_cycle_refused(name));
+	if (sinumerik_block_has(block, 'P')) {
+		if (!(block->value[index] >= 1 && block->value[index] <= 9999) ||
+		    floor(block->value[index]) < block->value[index])
+			return fault(&interp->at, block->column[index], "P must be a whole number from 1 to 9999");
+		repeats = (int)block->value[index];
+	}
+	return sinumerik_call_run(interp, name, repeats, column);
+}
+
+/* After a move to a position: the cycle or the subprogram that MCALL has made modal. */
+static bool run_modal(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_modal *modal = &sinumerik->modal;
+
+	if (!modal->on || modal->depth != sinumerik->depth)
+		return true;
+	if (modal->cycle)
+		return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+	sinumerik->argument_count = modal->argument_count;
+	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
+	for (size_t i = 0; i < modal->argument_count; i++) {
+		sinumerik->argument_is_text[i] = false;
+		sinumerik->argument_variable[i] = -1;
+	}
+	return sinumerik_call_run(interp, modal->name, 1, 1);
+}
+
+/* --------------------------------------------------------------------- block */
+
+static bool check_swivelled(struct interp *interp, const struct sinumerik_block *block)
+{
+	for (int slot = SLOT_A; slot <= SLOT_C && interp->state.tcp == TCP_BY_PLANE; slot++) {
+		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) && block->code[SINUMERIK_FRAME] == CODE_NONE &&
+		    block->code[SINUMERIK_SUPPRESSION] == CODE_NONE)
+			return fault(&interp->at, block->column[AXIS_LETTERS[slot] - 'A'],
+				     "%c while CYCLE800 has swivelled: the tool would leave the direction of its plane; "
+				     "CYCLE800() first",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+static bool check_words(struct interp *interp, const struct sinumerik_block *block)
+{
+	const bool reference = block->code[SINUMERIK_ONCE] == SINUMERIK_G(74) ||
+			       block->code[SINUMERIK_ONCE] == SINUMERIK_G(75);
+
+	if (block->machine_axes && !reference)
+		return fault(&interp->at, sinumerik_block_axis_column(block),
+			     "names of the machine's axes (X1=) are supported with G74 and G75 only");
+	if (sinumerik_block_has_address(block, SINUMERIK_FP) && !reference)
+		return fault(&interp->at, block->address_column[SINUMERIK_FP], "FP belongs to G75");
+	if (sinumerik_block_has_address(block, SINUMERIK_RPL) && block->code[SINUMERIK_FRAME] == CODE_NONE)
+		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
+	if (sinumerik_block_has(block, 'P') && !block->call[0])
+		return fault(&interp->at, block->column['P' - 'A'], "P belongs to the call of a subprogram");
+	if (block->call[0] && (block->letters & AXIS_BITS))
+		return fault(&interp->at, block->call_column, "a call stands in a block without axis words");
+	if (block->modal && ((block->letters & AXIS_BITS) || sinumerik_block_has(block, 'P')))
+		return fault(&interp->at, block->modal_column, "MCALL stands in a block without axis words");
+	return check_swivelled(interp, block);
+}
+
+static bool run_once(struct interp *interp, const struct sinumerik_block *block, bool *done)
+{
+	*done = true;
+	if (block->code[SINUMERIK_FRAME] != CODE_NONE)
+		return run_frame(interp, block);
+	if (block->code[SINUMERIK_ONCE] == G4)
+		return run_dwell(interp, block);
+	if (block->code[SINUMERIK_ONCE] != CODE_NONE)
+		return run_reference(interp, block);
+	*done = false;
+	return true;
+}
+
+/*
+ * M30 in a subprogram goes back to its caller as M17 does (from memory of the manual, "End of program"): where a control
+ * ended the program there, less would move than is checked.
+ */
+static bool finish(struct interp *interp, const struct ending *ending)
+{
+	if ((ending->stops || ending->ends) && !ending->returns_only && !motion_commands_spindle_stops(interp))
+		return false;
+	if (!ending->ends)
+		return true;
+	if (sinumerik_call_is_inside(interp))
+		return sinumerik_call_return(interp, ending->column);
+	if (!ending->returns_only || motion_commands_spindle_stops(interp))
+		interp->ended = true;
+	return interp->ended;
+}
+
+bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+{
+	struct ending ending = {.stops = false};
+	bool done, moved = false;
+
+	if (!check_words(interp, block) || !set_feed(interp, block) || !set_speed(interp, block) ||
+	    !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) || !set_modes(interp, block) ||
+	    !sinumerik_orientation_select(interp, block) || !select_system(interp, block) ||
+	    !run_once(interp, block, &done))
+		return false;
+	if (!done && !sinumerik_move_run(interp, block, &moved))
+		return false;
+	if (block->call[0] ? !run_call(interp, lexer, block) : block->modal && !set_modal(interp, block))
+		return false;
+	if (moved && !run_modal(interp))
+		return false;
+	return finish(interp, &ending);
+}

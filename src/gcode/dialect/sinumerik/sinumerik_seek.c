@@ -1,0 +1,300 @@
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
+
+#include <string.h>
+
+#include "base/callbacks.h"
+#include "gcode/program.h"
+
+/* Lines between two questions whether to go on. */
+#define ASK_LINES 4096
+
+static size_t skip_blanks(const char *text, size_t at)
+{
+	while (text[at] == ' ' || text[at] == '\t')
+		at++;
+	return at;
+}
+
+/* Copies an upper-case name of digits, letters and '_'; too long a one is none. */
+static size_t copy_name(const char *text, size_t at, char name[SINUMERIK_NAME + 1])
+{
+	size_t length = 0;
+
+	for (; sinumerik_is_name(text[at]); at++) {
+		if (length == SINUMERIK_NAME) {
+			name[0] = '\0';
+			return at + strspn(text + at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
+		}
+		name[length++] = sinumerik_upper(text[at]);
+	}
+	name[length] = '\0';
+	return at;
+}
+
+struct sinumerik_head sinumerik_seek_head(const char *text)
+{
+	struct sinumerik_head head = {.rest = skip_blanks(text, 0)};
+	char name[SINUMERIK_NAME + 1];
+	size_t at;
+
+	if (text[head.rest] == '/') {
+		head.skipped = true;
+		head.rest = skip_blanks(text, head.rest + 1 + sinumerik_is_digit(text[head.rest + 1]));
+	}
+	if ((sinumerik_upper(text[head.rest]) == 'N' || text[head.rest] == ':') &&
+	    sinumerik_is_digit(text[head.rest + 1])) {
+		size_t length = 0;
+
+		for (at = head.rest; at == head.rest || sinumerik_is_digit(text[at]); at++) {
+			if (length < SINUMERIK_NAME)
+				head.number[length++] = text[at] == ':' ? ':' : sinumerik_upper(text[at]);
+		}
+		head.rest = skip_blanks(text, at);
+	}
+	if (!sinumerik_is_letter(text[head.rest]))
+		return head;
+	at = skip_blanks(text, copy_name(text, head.rest, name));
+	if (text[at] == ':' && text[at + 1] != '=' && name[0]) {
+		strcpy(head.label, name);
+		head.rest = skip_blanks(text, at + 1);
+	}
+	return head;
+}
+
+static bool is_word(const char *text, size_t at, const char *word)
+{
+	const size_t length = strlen(word);
+
+	for (size_t i = 0; i < length; i++) {
+		if (sinumerik_upper(text[at + i]) != word[i])
+			return false;
+	}
+	return !sinumerik_is_name(text[at + length]);
+}
+
+bool sinumerik_seek_has_jump(const char *words)
+{
+	static const char *const jumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
+	bool quoted = false;
+
+	for (size_t at = 0; words[at] && (quoted || words[at] != ';'); at++) {
+		quoted = quoted != (words[at] == '"');
+		if (quoted || (at > 0 && sinumerik_is_name(words[at - 1])))
+			continue;
+		for (size_t i = 0; i < sizeof(jumps) / sizeof(jumps[0]); i++) {
+			if (is_word(words, at, jumps[i]))
+				return true;
+		}
+	}
+	return false;
+}
+
+struct position sinumerik_seek_top(struct interp *interp)
+{
+	if (interp->program.source == interp->program.start.source)
+		return interp->program.start;
+	return (struct position){interp->program.source, 0, 1};
+}
+
+/* ------------------------------------------------------------------ memory */
+
+static struct sinumerik_jump *remembered(struct interp *interp, const char *target, long long from)
+{
+	unsigned long hash = (unsigned long)from * 31;
+
+	for (const char *at = target; *at; at++)
+		hash = hash * 31 + (unsigned char)*at;
+	return &sinumerik_of(interp)->jumps[hash % SINUMERIK_JUMPS];
+}
+
+static bool recall(struct interp *interp, const char *target, long long from, struct position *to)
+{
+	const struct sinumerik_jump *jump = remembered(interp, target, from);
+
+	if (jump->source != interp->program.source || jump->from != from || strcmp(jump->target, target) != 0)
+		return false;
+	*to = jump->to;
+	return true;
+}
+
+static void remember(struct interp *interp, const char *target, long long from, const struct position *to)
+{
+	struct sinumerik_jump *jump = remembered(interp, target, from);
+
+	*jump = (struct sinumerik_jump){.source = interp->program.source, .from = from, .to = *to};
+	strcpy(jump->target, target);
+}
+
+/* ------------------------------------------------------------------ search */
+
+/* Reading on overwrites the text of the line in hand, which messages and the lexer need. */
+static void keep_line(struct interp *interp)
+{
+	struct strbuf *line = &sinumerik_of(interp)->line;
+
+	if (interp->at.text == line->text)
+		return;
+	strbuf_clear(line);
+	strbuf_add(line, interp->at.text, strlen(interp->at.text));
+	interp->at.text = strbuf_text(line);
+}
+
+/* Goes back to the line behind the one in hand. */
+static bool come_back(struct interp *interp, const struct position *next, int column)
+{
+	return program_jump(&interp->program, next, &interp->at, column);
+}
+
+static bool cancelled(struct interp *interp, const struct reader *reader)
+{
+	return reader->line % ASK_LINES == 0 && cancel_asked(interp->config->read.cancel);
+}
+
+static bool label_matches(const struct sinumerik_head *head, const char *name)
+{
+	return !strcmp(head->label, name) || !strcmp(head->number, name);
+}
+
+/* From the reader's position up to the line `last` (0: all); the first match, or the last one. */
+static bool scan(struct interp *interp, const char *name, long last, bool first, struct position *to, bool *found)
+{
+	struct source *source = interp->program.source;
+	struct reader *reader = &source->reader;
+	const char *text;
+
+	while ((!last || reader->line < last) && reader_next(reader, &text) == READER_LINE) {
+		const struct sinumerik_head head = sinumerik_seek_head(text);
+
+		if (cancelled(interp, reader))
+			return false;
+		if (!label_matches(&head, name))
+			continue;
+		*to = source_here(source);
+		*found = true;
+		if (first)
+			return true;
+	}
+	return true;
+}
+
+static bool search_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
+			 struct position *to, bool *found)
+{
+	const struct position next = source_next(interp->program.source), top = sinumerik_seek_top(interp);
+	const long here = interp->at.line;
+
+	*found = false;
+	if (direction != SINUMERIK_BACKWARD && !scan(interp, name, 0, true, to, found))
+		return false;
+	if (!*found && direction != SINUMERIK_FORWARD) {
+		if (!program_jump(&interp->program, &top, &interp->at, column) ||
+		    !scan(interp, name, here, direction == SINUMERIK_ANYWHERE, to, found))
+			return false;
+	}
+	return come_back(interp, &next, column);
+}
+
+bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumerik_direction direction, int column,
+			  struct position *to, bool *found)
+{
+	const long long from = interp->program.source->reader.start;
+	char key[SINUMERIK_NAME + 1];
+	bool good;
+
+	key[0] = (char)('0' + direction);
+	strncpy(key + 1, name, SINUMERIK_NAME - 1);
+	key[SINUMERIK_NAME] = '\0';
+	*found = true;
+	if (recall(interp, key, from, to))
+		return true;
+	keep_line(interp);
+	good = search_label(interp, name, direction, column, to, found);
+	if (good && *found)
+		remember(interp, key, from, to);
+	return good;
+}
+
+/* -------------------------------------------------------------- structures */
+
+struct structure {
+	const char *open, *close;
+};
+
+static const struct structure structures[] = {
+	[SINUMERIK_ENDIF] = {"IF", "ENDIF"},	   [SINUMERIK_ELSE] = {"IF", "ENDIF"},
+	[SINUMERIK_ENDWHILE] = {"WHILE", "ENDWHILE"}, [SINUMERIK_ENDFOR] = {"FOR", "ENDFOR"},
+	[SINUMERIK_ENDLOOP] = {"LOOP", "ENDLOOP"},	   [SINUMERIK_UNTIL] = {"REPEAT", "UNTIL"},
+};
+
+/* REPEAT with a label repeats a part of the program, and IF with a jump is complete. */
+static bool opens(const char *words, const struct structure *structure)
+{
+	size_t at;
+
+	if (!is_word(words, 0, structure->open))
+		return false;
+	at = skip_blanks(words, strlen(structure->open));
+	if (structure == &structures[SINUMERIK_UNTIL])
+		return !sinumerik_is_letter(words[at]);
+	return structure->open[0] != 'I' || !sinumerik_seek_has_jump(words);
+}
+
+/* From the reader's position on, which is inside of the structure. */
+static bool scan_close(struct interp *interp, enum sinumerik_close close, struct position *behind, bool *found)
+{
+	struct source *source = interp->program.source;
+	const struct structure *structure = &structures[close];
+	const char *text;
+	int depth = 1;
+
+	*found = false;
+	while (reader_next(&source->reader, &text) == READER_LINE) {
+		const struct sinumerik_head head = sinumerik_seek_head(text);
+		const char *words = text + head.rest;
+
+		if (cancelled(interp, &source->reader))
+			return false;
+		if (opens(words, structure))
+			depth++;
+		else if (is_word(words, 0, structure->close))
+			depth--;
+		else if (!(close == SINUMERIK_ELSE && depth == 1 && is_word(words, 0, "ELSE")))
+			continue;
+		if (depth > 0 && !(close == SINUMERIK_ELSE && depth == 1 && is_word(words, 0, "ELSE")))
+			continue;
+		*behind = source_next(source);
+		*found = true;
+		return true;
+	}
+	return true;
+}
+
+bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, const struct position *start,
+			     int column, struct position *behind)
+{
+	const struct position next = source_next(interp->program.source);
+	const char *key = close == SINUMERIK_ELSE ? "ELSE" : structures[close].close, *text;
+	const long line = start->line;
+	bool found = true, good;
+
+	if (recall(interp, key, start->offset, behind))
+		return true;
+	keep_line(interp);
+	good = program_jump(&interp->program, start, &interp->at, column) &&
+	       reader_next(&interp->program.source->reader, &text) == READER_LINE &&
+	       scan_close(interp, close, behind, &found) && come_back(interp, &next, column);
+	if (!good)
+		return false;
+	if (!found)
+		return fault(&interp->at, column, "%s in line %ld has no %s", structures[close].open, line,
+			     structures[close].close);
+	remember(interp, key, start->offset, behind);
+	return true;
+}
+
+bool sinumerik_seek_close(struct interp *interp, enum sinumerik_close close, int column, struct position *behind)
+{
+	const struct position here = source_here(interp->program.source);
+
+	return sinumerik_seek_close_of(interp, close, &here, column, behind);
+}

@@ -1,0 +1,177 @@
+/* sinumerik_state.h - what the sinumerik dialect remembers of a program: variables, modes, loops and calls. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_STATE_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_STATE_H
+
+#include "base/strbuf.h"
+#include "gcode/state.h"
+
+/* Siemens 840D sl, NC programming: 32 bytes a name, strings of 200 bytes, arrays of three dimensions, 16 levels. */
+#define SINUMERIK_NAME 32
+#define SINUMERIK_TEXT 200
+#define SINUMERIK_DIMENSIONS 3
+#define SINUMERIK_LEVELS_MAX 16
+#define SINUMERIK_R_COUNT 1000
+/* Loops inside each other in one program: eight by the manual; a jump out of one may leave it behind. */
+#define SINUMERIK_LOOPS_MAX 64
+/* Parameters of a subprogram or of a cycle. */
+#define SINUMERIK_ARGUMENTS_MAX 40
+
+struct sinumerik_text {
+	char bytes[SINUMERIK_TEXT + 1];
+};
+
+enum sinumerik_type { SINUMERIK_INT, SINUMERIK_REAL, SINUMERIK_BOOL, SINUMERIK_CHAR, SINUMERIK_STRING, SINUMERIK_AXIS };
+
+/* Made by DEF or as a parameter of PROC. */
+struct sinumerik_variable {
+	char name[SINUMERIK_NAME + 1];	/* upper case */
+	enum sinumerik_type type;
+	int dimensions;	/* 0: one value */
+	int size[SINUMERIK_DIMENSIONS];
+	size_t count;
+	double *numbers;	/* owned; NULL: texts; AXIS: slots */
+	struct sinumerik_text *texts;	/* owned */
+	int refers_to;	/* a VAR parameter: the variable of the caller; or -1 */
+	int level;	/* of the call whose program has made it */
+};
+
+enum sinumerik_loop_kind { SINUMERIK_WHILE, SINUMERIK_FOR, SINUMERIK_LOOP, SINUMERIK_REPEAT };
+
+struct sinumerik_loop {
+	enum sinumerik_loop_kind kind;
+	struct position start;	/* of the line that begins it */
+	long end;	/* line of its end; 0: not looked for yet */
+	int level;
+	double last;	/* FOR: the value behind TO */
+	bool again;	/* its end has been reached, and the next round begins */
+};
+
+/*
+ * The programmable frame: program coordinates p become matrix p + shift, before the work offset. Rotary axes and U V W
+ * are shifted only.
+ */
+struct sinumerik_frame {
+	mat3 matrix;
+	slot_values shift;	/* X Y Z: translation behind the matrix */
+};
+
+/* What SAVE of PROC keeps for the return. */
+struct sinumerik_saved {
+	int motion, plane, system, path_code;
+	bool incremental, compresses;
+	enum feed_mode feed_mode;
+	enum tcp_source tcp;
+	double scale, feed_scale, smoothing, rounding;
+	struct sinumerik_frame frame;
+};
+
+/* REPEAT LABEL [LABEL] [P=n] that is being repeated, and calls. */
+struct sinumerik_call {
+	struct position back;	/* the line after the call */
+	struct position entry;	/* the first line of the subprogram, or of the repeated part */
+	long last_line;	/* of a repeated part: behind it, the next round starts or the call ends; 0: a subprogram */
+	int left;	/* rounds to come */
+	const char *file;	/* where the call stands */
+	long line;
+	int column;
+	char title[SINUMERIK_NAME + 1];
+	bool saves;	/* PROC ... SAVE: G-codes and frames come back with the return */
+	struct sinumerik_saved saved;
+	size_t loops;	/* that were open at the call */
+};
+
+/* A jump, or the way to the end of a structure, that has been looked for once: jumps of loops are quick. */
+struct sinumerik_jump {
+	const struct source *source;
+	long long from;
+	char target[SINUMERIK_NAME + 1];
+	struct position to;
+};
+
+#define SINUMERIK_JUMPS 256
+
+/* A modal call: MCALL CYCLE81(...) or MCALL NAME. */
+struct sinumerik_modal {
+	bool on;
+	bool cycle;	/* else a subprogram */
+	int depth;	/* of calls where it was given: it rests in deeper ones */
+	char name[SINUMERIK_NAME + 1];
+	size_t argument_count;
+	double arguments[SINUMERIK_ARGUMENTS_MAX];	/* NAN: left out */
+	long line;
+};
+
+/* How TRAORI turns the tool between two orientations. */
+enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERIK_ORI_VECTOR };
+
+struct sinumerik {
+	struct sinumerik_variable *variables;	/* owned */
+	size_t variable_count, variable_capacity;
+	size_t elements;	/* of all of them */
+	double r[SINUMERIK_R_COUNT];
+	struct sinumerik_loop loops[SINUMERIK_LOOPS_MAX];
+	size_t loop_count;
+	struct sinumerik_call calls[SINUMERIK_LEVELS_MAX];
+	int depth;	/* of calls */
+	int level;	/* calls of subprograms among them: where variables belong to; 0: the main program */
+	bool entering;	/* the next line may be the PROC of the subprogram that is called */
+	size_t argument_count;	/* of the call */
+	double arguments[SINUMERIK_ARGUMENTS_MAX];	/* NAN: left out */
+	struct sinumerik_text argument_texts[SINUMERIK_ARGUMENTS_MAX];
+	bool argument_is_text[SINUMERIK_ARGUMENTS_MAX];
+	int argument_variable[SINUMERIK_ARGUMENTS_MAX];	/* the caller's variable that stands alone as argument, or -1 */
+	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
+	struct sinumerik_modal modal;
+	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
+	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
+	bool swivelled;
+	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */
+	slot_values place;
+	bool placed;
+	bool increments_unsure[SLOT_COUNT];	/* an offset has changed since the axis was programmed last */
+	int unsure_column;
+	bool work_selected;	/* by the program: G500, G54 ... */
+	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
+	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
+	int edge;	/* D */
+	struct sinumerik_text *names;	/* of tools, without a setup; owned */
+	size_t name_count, name_capacity;
+	enum sinumerik_orientation orientation;
+	bool machine_orientation;	/* ORIMKS */
+	double feed_scale;	/* mm per unit of F */
+	double rounding;	/* mm: ADIS, for G641 */
+	int path_code;	/* G60, G64, G641 ... */
+	double smoothing;	/* mm: the tolerance of CYCLE832 or CTOL; 0: not known */
+	bool compresses;	/* COMPCAD and its like */
+	bool begun;	/* the first line has been read */
+	struct strbuf line;	/* the text of the line in hand while the file is searched */
+};
+
+static inline struct sinumerik *sinumerik_of(const struct interp *interp)
+{
+	return interp->dialect_state;
+}
+
+/* An upper-case letter; other bytes stay as they are. */
+static inline char sinumerik_upper(char byte)
+{
+	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+}
+
+static inline bool sinumerik_is_digit(char byte)
+{
+	return byte >= '0' && byte <= '9';
+}
+
+/* Letters and '_': what a name starts with. */
+static inline bool sinumerik_is_letter(char byte)
+{
+	return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_';
+}
+
+static inline bool sinumerik_is_name(char byte)
+{
+	return sinumerik_is_letter(byte) || sinumerik_is_digit(byte);
+}
+
+#endif

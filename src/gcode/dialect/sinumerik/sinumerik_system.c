@@ -1,0 +1,57 @@
+#include "gcode/dialect/sinumerik/sinumerik_system.h"
+
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/probed_axes.h"
+
+static double in_unit(const struct state *state, int slot, double value)
+{
+	return slot_is_rotary(slot) ? value : value / state->scale;
+}
+
+/* 840D sl, system variables: actual positions; the program is never ahead of the axes here. */
+static bool read_position(struct interp *interp, const char *name, int slot, int column, double *value)
+{
+	struct state *state = &interp->state;
+
+	if (!probed_axes_is_known(interp, slot, column))
+		return false;
+	if (!strcmp(name, "$AA_IM")) {
+		if (state->tcp != TCP_OFF && !slot_is_rotary(slot))
+			return fault(&interp->at, column, "$AA_IM of %c under TRAORI is not supported yet",
+				     AXIS_LETTERS[slot]);
+		*value = in_unit(state, slot, state->position.v[slot]);
+		return true;
+	}
+	*value = in_unit(state, slot, sinumerik_frame_place(interp)->v[slot]);
+	return true;
+}
+
+bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const bool position = !strcmp(name, "$AA_IW") || !strcmp(name, "$P_EP") || !strcmp(name, "$AA_IM");
+	/* A program is checked as it runs: no search for a block, no simulation, no dry run. */
+	static const char *const zero[] = {"$P_SEARCH", "$P_SIM", "$P_ISTEST", "$P_DRYRUN", "$P_SIMUL"};
+
+	for (size_t i = 0; i < sizeof(zero) / sizeof(zero[0]); i++) {
+		if (slot < 0 && !strcmp(name, zero[i])) {
+			*value = 0;
+			return true;
+		}
+	}
+	if (position && slot >= 0)
+		return read_position(interp, name, slot, column, value);
+	if (!strcmp(name, "$P_TOOLNO") && slot < 0) {
+		*value = interp->state.tool;
+		return true;
+	}
+	if (!strcmp(name, "$P_TOOL") && slot < 0 && !sinumerik->edge_unsure) {
+		*value = sinumerik->edge;
+		return true;
+	}
+	if (!strcmp(name, "$P_TOOLL") && slot < 0)
+		return fault(&interp->at, column, "%s needs an index, and is not supported yet", name);
+	return fault(&interp->at, column, "the value of %s is known to the control alone", name);
+}

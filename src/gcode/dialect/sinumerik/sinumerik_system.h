@@ -1,0 +1,13 @@
+/* sinumerik_system.h - system variables ($...) that a program may read. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SYSTEM_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SYSTEM_H
+
+#include "gcode/dialect/sinumerik/sinumerik_state.h"
+
+/*
+ * The value of the system variable with this upper-case name; slot: the axis in its brackets, or -1. False: it is not
+ * known before the program runs, which was reported at the column.
+ */
+bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value);
+
+#endif

@@ -1,0 +1,265 @@
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/endpoint.h"
+#include "geom/tolerance.h"
+
+#define LINEAR_BITS (letter_bit('X') | letter_bit('Y') | letter_bit('Z'))
+
+double sinumerik_target_length(const struct interp *interp, double value)
+{
+	return value * interp->state.scale;
+}
+
+static bool counts_from_here(const struct interp *interp, enum sinumerik_way way)
+{
+	return way == SINUMERIK_WAY_IC || (way == SINUMERIK_WAY_MODAL && interp->state.incremental);
+}
+
+double sinumerik_target_centre(const struct interp *interp, double value, enum sinumerik_way way, bool modal_absolute,
+			       double start)
+{
+	const bool absolute = way == SINUMERIK_WAY_AC || (way == SINUMERIK_WAY_MODAL && modal_absolute);
+
+	return sinumerik_target_length(interp, value) + (absolute ? 0 : start);
+}
+
+/* ---------------------------------------------------------------- questions */
+
+static bool asks(const struct interp *interp, enum g_group group)
+{
+	return interp->state.unknown_modes & 1U << group;
+}
+
+static bool has_modal_word(const struct sinumerik_block *block)
+{
+	for (const char *letter = AXIS_LETTERS; *letter; letter++) {
+		if (sinumerik_block_has(block, *letter) && block->way[*letter - 'A'] == SINUMERIK_WAY_MODAL)
+			return true;
+	}
+	return false;
+}
+
+/* MD20150 sets the modes at power-on; what G-codes the program gives itself needs no answer. */
+static bool check_modes(const struct interp *interp, const struct sinumerik_block *block, bool arc, int column)
+{
+	const bool lengths = arc || (block->letters & LINEAR_BITS);
+
+	if (lengths && asks(interp, G_UNITS))
+		return fault(&interp->at, column,
+			     "a parameter of the control decides whether lengths are mm or inches before any G70, G71, "
+			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
+	if (asks(interp, G_DISTANCE) && has_modal_word(block))
+		return fault(&interp->at, column,
+			     "a parameter of the control decides whether coordinates are absolute before any G90 or G91: "
+			     "power_on_distance=\"absolute\" or \"incremental\" of the machine's <controller> says it");
+	if (arc && asks(interp, G_PLANE))
+		return fault(&interp->at, column,
+			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
+			     "power_on_plane=\"xy\", \"zx\" or \"yz\" of the machine's <controller> says it");
+	return true;
+}
+
+/* 840D sl, MD20270: which edge is in force after M6. */
+static bool check_edge(const struct interp *interp, int column)
+{
+	if (!sinumerik_of(interp)->edge_unsure)
+		return true;
+	return fault(&interp->at, column,
+		     "a parameter of the control (MD20270) decides which D holds after M6: write D, or say "
+		     "edge_after_tool_change=\"first\" (D1), \"none\" (D0) or \"keeps\" in the machine's <controller>");
+}
+
+/* SD42940: in which direction the length acts in G18 and G19. */
+static bool check_length_axis(const struct interp *interp, int column)
+{
+	const struct state *state = &interp->state;
+
+	if (state->plane == G17 || state->tcp != TCP_OFF || same_double(state->length, 0) ||
+	    interp->config->controller.length_along_z == ANSWER_YES)
+		return true;
+	return fault(&interp->at, column,
+		     "in the plane of G%d a parameter of the control (SD42940) decides along which axis the tool's "
+		     "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
+		     "the other way is not supported",
+		     state->plane / 10);
+}
+
+/* A work offset of the setup may be in force at power-on, by a parameter. */
+static bool check_system(const struct interp *interp, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (sinumerik->frames_unsure)
+		return fault(&interp->at, column,
+			     "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
+			     "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
+			     "the machine's <controller>");
+	if (sinumerik->work_selected || !interp->config->work_offset_count)
+		return true;
+	return fault(&interp->at, column,
+		     "which work offset is in force at power-on is not known: select G54 or the like, or G500, first");
+}
+
+bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc)
+{
+	const int column = sinumerik_block_axis_column(block);
+	const bool linear = arc || (block->letters & LINEAR_BITS);
+
+	if (interp->state.unknown_modes && !check_modes(interp, block, arc, column))
+		return false;
+	if (linear && (!check_edge(interp, column) || !check_length_axis(interp, column)))
+		return false;
+	return machine || check_system(interp, column);
+}
+
+/* -------------------------------------------------------------- coordinates */
+
+/* Increments after a change of offsets: SD42440 and SD42442 decide whether they count from the place of before. */
+static bool check_increment(struct interp *interp, int slot, int column)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (!sinumerik->increments_unsure[slot])
+		return true;
+	return fault(&interp->at, column,
+		     "%c by an increment after a change of frames, offsets or the tool: settings of the control (SD42440, "
+		     "SD42442) decide whether the change is traversed, too; lead %c on by an absolute coordinate first",
+		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+}
+
+/* DC, ACP, ACN: modulo a turn, in degrees from where the axis is. */
+static bool way_of_turn(struct interp *interp, int slot, enum sinumerik_way sort, double from, double aim, int column,
+			double *way)
+{
+	const double shortest = remainder(aim - from, 360);
+	const int half_turn = interp->config->half_turn[slot];
+
+	if (sort == SINUMERIK_WAY_DC && fabs(shortest) >= 180 - SAME_DEGREES) {
+		if (!half_turn)
+			return fault(&interp->at, column,
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
+				     "this axis in the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
+		*way = half_turn * fabs(shortest);
+	} else if (fabs(shortest) <= SAME_DEGREES || sort == SINUMERIK_WAY_DC) {
+		*way = shortest;
+	} else if (sort == SINUMERIK_WAY_ACP) {
+		*way = shortest < 0 ? shortest + 360 : shortest;
+	} else {
+		*way = shortest > 0 ? shortest - 360 : shortest;
+	}
+	return true;
+}
+
+static bool find_turned(struct interp *interp, int slot, enum sinumerik_way way, double value, int column,
+			double *coordinate)
+{
+	double turn;
+
+	if (!slot_is_rotary(slot) || interp->config->wrap[slot] == WRAP_NONE)
+		return fault(&interp->at, column,
+			     "DC, ACP and ACN are for rotary axes that count modulo 360 degrees; wrap=\"shortest\" of "
+			     "this axis in the machine file says that %c is one",
+			     AXIS_LETTERS[slot]);
+	if (value < 0 || value > 360)
+		return fault(&interp->at, column, "DC, ACP and ACN take positions from 0 to 360 degrees, not %.15g",
+			     value);
+	if (!way_of_turn(interp, slot, way, *coordinate, value, column, &turn))
+		return false;
+	*coordinate += turn;
+	return true;
+}
+
+/* An absolute coordinate of a rotary axis that counts modulo 360. */
+static bool find_wrapped(struct interp *interp, int slot, double value, int column, double *coordinate)
+{
+	const double offset = interp->state.offset.v[slot];
+	double target;
+
+	if (interp->config->wrap[slot] == WRAP_SIGN)
+		return fault(&interp->at, column,
+			     "a parameter of the control (MD30455) decides which way %c turns to an absolute position: "
+			     "write DC, ACP or ACN, or say wrap=\"shortest\" or \"none\" of this axis in the machine file",
+			     AXIS_LETTERS[slot]);
+	if (!endpoint_absolute(interp, slot, value, offset, column, &target))
+		return false;
+	*coordinate = target - offset;
+	return true;
+}
+
+static bool find_coordinate(struct interp *interp, const struct sinumerik_block *block, int slot, double *coordinate)
+{
+	const int index = AXIS_LETTERS[slot] - 'A', column = block->column[index];
+	const enum sinumerik_way way = (enum sinumerik_way)block->way[index];
+	const double value = slot_is_rotary(slot) ? block->value[index] : block->value[index] * interp->state.scale;
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (way >= SINUMERIK_WAY_DC) {
+		sinumerik->increments_unsure[slot] = false;
+		return find_turned(interp, slot, way, value, column, coordinate);
+	}
+	if (counts_from_here(interp, way)) {
+		if (same_double(value, 0))
+			return true;
+		if (!check_increment(interp, slot, column))
+			return false;
+		*coordinate += value;
+		return true;
+	}
+	sinumerik->increments_unsure[slot] = false;
+	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
+		return find_wrapped(interp, slot, value, column, coordinate);
+	*coordinate = value;
+	return true;
+}
+
+bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+{
+	*target = *sinumerik_frame_place(interp);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
+		    !find_coordinate(interp, block, slot, &target->v[slot]))
+			return false;
+	}
+	return true;
+}
+
+bool sinumerik_target_find_machine(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+{
+	const struct state *state = &interp->state;
+
+	*target = state->position;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const int index = AXIS_LETTERS[slot] - 'A', column = block->column[index];
+		const enum sinumerik_way way = (enum sinumerik_way)block->way[index];
+		const double length = slot == SLOT_Z && state->tcp == TCP_OFF ? state->length : 0;
+		double value;
+
+		if (!sinumerik_block_has(block, AXIS_LETTERS[slot]))
+			continue;
+		value = block->value[index] * (slot_is_rotary(slot) ? 1 : state->scale);
+		if (way == SINUMERIK_WAY_IC || way == SINUMERIK_WAY_ACP || way == SINUMERIK_WAY_ACN ||
+		    (way == SINUMERIK_WAY_MODAL && state->incremental))
+			return fault(&interp->at, column,
+				     "positions of the machine's axes are absolute; an increment beside SUPA, G53 or G153 "
+				     "is not supported");
+		if (way == SINUMERIK_WAY_DC) {
+			if (!find_turned(interp, slot, way, value, column, &target->v[slot]))
+				return false;
+			continue;
+		}
+		if (slot_is_rotary(slot) && interp->config->wrap[slot] == WRAP_SIGN)
+			return fault(&interp->at, column,
+				     "a parameter of the control (MD30455) decides which way %c turns to an absolute "
+				     "position: write DC",
+				     AXIS_LETTERS[slot]);
+		if (!endpoint_absolute(interp, slot, value, length, column, &target->v[slot]))
+			return false;
+	}
+	return true;
+}

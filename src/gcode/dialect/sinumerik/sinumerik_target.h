@@ -1,0 +1,26 @@
+/* sinumerik_target.h - where the axis words of a block lead. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TARGET_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TARGET_H
+
+#include "gcode/dialect/sinumerik/sinumerik_block.h"
+
+/*
+ * Is everything known that the words need: units, G90 or G91, the plane, the work offset, the tool's edge, the frames?
+ * False: reported, with what says it.
+ */
+bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc);
+
+/* Program coordinates at the end of the block's motion, mm and degrees. Axes without a word stay. False: reported. */
+bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
+
+/* The same for SUPA, G53 and G153: positions of the machine's axes, for which the tool length still counts. */
+bool sinumerik_target_find_machine(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
+
+/* A length of the block in mm. */
+double sinumerik_target_length(const struct interp *interp, double value);
+
+/* A coordinate of a circle's centre or intermediate point, from `start` or absolute. */
+double sinumerik_target_centre(const struct interp *interp, double value, enum sinumerik_way way, bool modal_absolute,
+			       double start);
+
+#endif

@@ -1,0 +1,180 @@
+#include "gcode/dialect/sinumerik/sinumerik_tool.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/mem.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/tool_change.h"
+#include "gcode/execute/tool_length.h"
+
+/* Names of tools without any setup. */
+#define NAMES_MAX 10000
+
+/* Without a setup a name stands for a number of its own, in the order of the program. */
+static bool number_name(struct interp *interp, const char *name, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	size_t i = 0;
+
+	while (i < sinumerik->name_count && strcasecmp(sinumerik->names[i].bytes, name) != 0)
+		i++;
+	if (i >= NAMES_MAX)
+		return fault(&interp->at, column, "the program names more than %d tools", NAMES_MAX);
+	if (i == sinumerik->name_count) {
+		sinumerik->names = mem_grow(sinumerik->names, &sinumerik->name_capacity, i + 1, sizeof(*sinumerik->names));
+		strcpy(sinumerik->names[sinumerik->name_count++].bytes, name);
+	}
+	interp->state.selected = (int)i + 1;
+	return true;
+}
+
+static bool select_by_name(struct interp *interp, const char *name, int column)
+{
+	const struct tool_table *tools = &interp->tools;
+
+	if (name[0] == '\0' || !strcmp(name, "0")) {
+		interp->state.selected = 0;
+		return true;
+	}
+	for (size_t i = 0; i < tools->tool_count; i++) {
+		if (!strcasecmp(tools->tools[i].name, name)) {
+			interp->state.selected = tools->tools[i].number;
+			return true;
+		}
+	}
+	if (!interp->config->has_setup)
+		return number_name(interp, name, column);
+	return fault(&interp->at, column,
+		     "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what "
+		     "it is made of",
+		     name, name);
+}
+
+static bool select_tool(struct interp *interp, const struct sinumerik_block *block)
+{
+	const int index = 'T' - 'A', column = block->column[index];
+	const double value = block->value[index];
+
+	if (!sinumerik_block_has(block, 'T'))
+		return true;
+	if (block->names_tool)
+		return select_by_name(interp, block->tool_name.bytes, column);
+	if (!(value >= 0 && value <= INT_MAX) || floor(value) < value)
+		return fault(&interp->at, column, "T must be a whole number that is not negative, not %.15g", value);
+	interp->state.selected = (int)value;
+	return true;
+}
+
+/* ------------------------------------------------------------------- edges */
+
+static bool find_length(struct interp *interp, int edge, int column, double *length)
+{
+	const int number = interp->state.tool;
+	const struct tool *tool = tool_table_find(&interp->tools, number);
+
+	*length = 0;
+	if (edge == 0 || number == 0)
+		return true;
+	if (!tool && !interp->config->has_setup)
+		return fault(&interp->at, column,
+			     "D%d of the tool in the spindle: its length is not known without a setup", edge);
+	if (tool && edge == 1) {
+		*length = tool->length_offset;
+		return true;
+	}
+	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {
+		const struct tool_edge *found = &interp->config->edges[i];
+
+		if (found->tool == number && found->number == edge) {
+			*length = found->length + interp->config->length_change;
+			return true;
+		}
+	}
+	return fault(&interp->at, column,
+		     "the setup defines no edge D%d of tool T%d: add <edge number=\"%d\" length=\"\"/> to it", edge, number,
+		     edge);
+}
+
+static bool set_edge(struct interp *interp, int edge, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct state *state = &interp->state;
+	double length;
+
+	if (!find_length(interp, edge, column, &length))
+		return false;
+	sinumerik_frame_place(interp);
+	sinumerik->edge = edge;
+	sinumerik->edge_unsure = false;
+	state->length = length;
+	state_update_offset(state);
+	if (state->tcp != TCP_OFF && !tool_length_switch_tcp(interp, column, state->tcp))
+		return false;
+	return sinumerik_frame_changed(interp, column);
+}
+
+static bool set_programmed_edge(struct interp *interp, const struct sinumerik_block *block)
+{
+	const int index = 'D' - 'A';
+	const double value = block->value[index];
+
+	if (!sinumerik_block_has(block, 'D'))
+		return true;
+	if (!(value >= 0 && value <= 32000) || floor(value) < value)
+		return fault(&interp->at, block->column[index], "D must be a whole number from 0 to 32000, not %.15g", value);
+	return set_edge(interp, (int)value, block->column[index]);
+}
+
+/* MD20270: the edge that M6 puts in force. */
+static bool edge_of_change(struct interp *interp, const struct sinumerik_block *block, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (sinumerik_block_has(block, 'D'))
+		return true;
+	switch (interp->config->controller.edge_after_tool_change) {
+	case EDGE_AFTER_TOOL_CHANGE_FIRST:
+		return set_edge(interp, interp->state.tool == 0 ? 0 : 1, column);
+	case EDGE_AFTER_TOOL_CHANGE_NONE:
+		return set_edge(interp, 0, column);
+	case EDGE_AFTER_TOOL_CHANGE_KEEPS:
+		return set_edge(interp, sinumerik->edge, column);
+	default:
+		break;
+	}
+	if (interp->state.tool == 0)
+		return set_edge(interp, 0, column);
+	sinumerik->edge_unsure = true;
+	return true;
+}
+
+static bool change_tool(struct interp *interp, const struct sinumerik_block *block, int column)
+{
+	bool good;
+
+	if (sinumerik_of(interp)->swivelled)
+		sinumerik_frame_place(interp);
+	interp->block.m[M_TOOL] = 6;
+	interp->block.m_column[M_TOOL] = column;
+	interp->block.letters = 0;
+	good = tool_change_run(interp);
+	interp->block.m[M_TOOL] = CODE_NONE;
+	if (!good)
+		return false;
+	sinumerik_frame_moved(interp);
+	return edge_of_change(interp, block, column);
+}
+
+bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block)
+{
+	if (!select_tool(interp, block))
+		return false;
+	for (int i = 0; i < block->m_count; i++) {
+		if (block->m[i] == 6 && !change_tool(interp, block, block->m_column[i]))
+			return false;
+	}
+	return set_programmed_edge(interp, block);
+}

@@ -1,0 +1,10 @@
+/* sinumerik_tool.h - tools by number and by name, their edges (D), and M6. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TOOL_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_TOOL_H
+
+#include "gcode/dialect/sinumerik/sinumerik_block.h"
+
+/* Carries out the block's T, M6 and D, in this order. False: reported, or the sink wants no more. */
+bool sinumerik_tool_run(struct interp *interp, const struct sinumerik_block *block);
+
+#endif

@@ -1,0 +1,93 @@
+#include "gcode/dialect/sinumerik/sinumerik_variables.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+/* Storage of one program's variables; controls have less. */
+#define VARIABLES_MAX 10000
+#define ELEMENTS_MAX 1000000
+#define TEXTS_MAX 20000
+
+int sinumerik_variables_find_own(const struct sinumerik *sinumerik, const char *name)
+{
+	for (size_t i = sinumerik->variable_count; i-- > 0;) {
+		if (sinumerik->variables[i].level < sinumerik->level)
+			return -1;
+		if (!strcmp(sinumerik->variables[i].name, name))
+			return (int)i;
+	}
+	return -1;
+}
+
+int sinumerik_variables_find(const struct sinumerik *sinumerik, const char *name)
+{
+	int found = sinumerik_variables_find_own(sinumerik, name);
+
+	while (found >= 0 && sinumerik->variables[found].refers_to >= 0)
+		found = sinumerik->variables[found].refers_to;
+	return found;
+}
+
+struct sinumerik_variable *sinumerik_variables_add(struct interp *interp, const struct sinumerik_variable *made,
+						   int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const bool text = made->type == SINUMERIK_STRING;
+	struct sinumerik_variable *variable;
+	size_t count = 1;
+
+	for (int i = 0; i < made->dimensions; i++) {
+		if (made->size[i] < 1 || (size_t)made->size[i] > ELEMENTS_MAX / count) {
+			fault_report(&interp->at, column, "an array of this size cannot be made");
+			return NULL;
+		}
+		count *= (size_t)made->size[i];
+	}
+	if (sinumerik->variable_count >= VARIABLES_MAX || sinumerik->elements + count > ELEMENTS_MAX ||
+	    (text && count > TEXTS_MAX)) {
+		fault_report(&interp->at, column, "the variables of the program take more room than there is");
+		return NULL;
+	}
+	sinumerik->variables = mem_grow(sinumerik->variables, &sinumerik->variable_capacity,
+					sinumerik->variable_count + 1, sizeof(*sinumerik->variables));
+	variable = &sinumerik->variables[sinumerik->variable_count++];
+	*variable = *made;
+	variable->count = count;
+	variable->level = sinumerik->level;
+	variable->numbers = text ? NULL : mem_zalloc(count, sizeof(*variable->numbers));
+	variable->texts = text ? mem_zalloc(count, sizeof(*variable->texts)) : NULL;
+	sinumerik->elements += count;
+	return variable;
+}
+
+void sinumerik_variables_leave(struct sinumerik *sinumerik, int level)
+{
+	while (sinumerik->variable_count > 0) {
+		struct sinumerik_variable *last = &sinumerik->variables[sinumerik->variable_count - 1];
+
+		if (last->level <= level)
+			return;
+		sinumerik->elements -= last->count;
+		free(last->numbers);
+		free(last->texts);
+		sinumerik->variable_count--;
+	}
+}
+
+/* 840D sl, job planning, "Type conversions": REAL to INT rounds, from 0.5 on up; to BOOL, all but 0 is TRUE. */
+bool sinumerik_variables_set(struct interp *interp, struct sinumerik_variable *variable, size_t element, double value,
+			     int column)
+{
+	if (variable->type == SINUMERIK_BOOL)
+		value = fpclassify(value) == FP_ZERO ? 0 : 1;
+	if (variable->type == SINUMERIK_INT || variable->type == SINUMERIK_CHAR)
+		value = floor(value + 0.5);
+	if ((variable->type == SINUMERIK_INT && fabs(value) > 2147483647.0) ||
+	    (variable->type == SINUMERIK_CHAR && (value < 0 || value > 255)))
+		return fault(&interp->at, column, "%.15g does not fit into %s", value, variable->name);
+	variable->numbers[element] = value;
+	return true;
+}
