@@ -85,7 +85,7 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .choices = topic_names,
 	 .help = "print what a kind of finding, a verdict, a caution or\na code such as G43.4 means; codes: all codes"},
 	{KEY_DIALECT, "dialect", "NAME", WITH_PROGRAM | 1 << RUN_EXPLAIN, CHOICE(dialect, dialect_choice_names),
-	 .help = "%s; replaces\nthat of the machine file; auto: as the programs show\nfor certain"},
+	 .help = "%s;\nreplaces that of the machine file; auto: as the programs\nshow for certain"},
 	{KEY_DUPLICATES, "duplicates", "error|last", WITH_PROGRAM, CHOICE(duplicates, duplicates),
 	 .help = "a word that stands twice in a block is an error (the\ndefault), or the last one counts"},
 	{KEY_BLOCK_DELETE, "block-delete", NULL, WITH_PROGRAM, FLAG(check.read.block_delete),

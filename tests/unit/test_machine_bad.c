@@ -55,7 +55,7 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: location=\"0 0 1 2\" of <spindle> must be 3 numbers\n"
      "m.xml:2: error: direction=\"0 0 down\" of <spindle> must be 3 numbers\n"},
     {MACHINE("<controller dialect='heidenhain'/><base/>"),
-     "m.xml:2: error: dialect=\"heidenhain\" of <controller> must be linuxcnc, fanuc, haas or klartext\n"},
+     "m.xml:2: error: dialect=\"heidenhain\" of <controller> must be linuxcnc, fanuc, haas, sinumerik or klartext\n"},
     {MACHINE("<controller><mcode number='-5' action='on'/></controller><base/>"),
      "m.xml:2: error: number=\"-5\" of <mcode> must be a whole number, 0 or more\n"
      "m.xml:2: error: action=\"on\" of <mcode> must be tcp-on, tcp-off, ignore, spindle-on or spindle-off\n"},

@@ -9,6 +9,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 #include "gcode/program.h"
+#include "gcode/text/number.h"
 
 struct flow {
 	struct interp *interp;
@@ -305,6 +306,14 @@ static bool run_else(struct flow *flow)
 	       go(flow, &behind);
 }
 
+static bool read_constant(const struct flow *flow, double *value)
+{
+	bool point;
+
+	return number_read(flow->lexer->at->text, &flow->lexer->position, value, &point) == NUMBER_OK ||
+	       fault(flow->lexer->at, expr_column(flow->lexer), "a number is needed here");
+}
+
 /* CASE (value) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C */
 static bool run_case(struct flow *flow)
 {
@@ -318,7 +327,7 @@ static bool run_case(struct flow *flow)
 	while (lexer_peek(flow->lexer) != '\0' && lexer_peek(flow->lexer) != ';') {
 		const bool otherwise = sinumerik_expr_take(flow->lexer, "DEFAULT");
 
-		if (!otherwise && !expr_number(flow->lexer, &constant))
+		if (!otherwise && !read_constant(flow, &constant))
 			return false;
 		if (!read_jump(flow, &jump))
 			return false;
