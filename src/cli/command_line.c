@@ -171,6 +171,13 @@ static bool check_fail_on(const struct parser *parser)
 	return false;
 }
 
+static bool ends_in(const char *path, const char *ending)
+{
+	const size_t length = strlen(path), tail = strlen(ending);
+
+	return length > tail && !strcmp(path + length - tail, ending);
+}
+
 static bool check_combinations(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -200,6 +207,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-cap needs --clearance-report";
 	else if (o->report && !strcmp(o->report, "-"))
 		fault = "--report needs the name of a file: standard output gets the results";
+	else if (o->picture && !ends_in(o->picture, ".svg") && !ends_in(o->picture, ".png"))
+		fault = "--picture needs the name of a file that ends in .svg or .png";
 	else if (!o->report && (o->report_size > 0 || o->report_code == REPORT_CODE_NONE))
 		fault = "--report-size and --report-code need --report";
 	else if (options_want_sensitivity(o) && o->check.method != CHECK_CERTIFIED)
@@ -284,10 +293,10 @@ static bool apply_shard(const struct parser *parser)
 		    "may be accepted once");
 		return false;
 	}
-	if (o->shards > 1 && (o->clearance_report || o->timing || o->report || options_want_sensitivity(o))) {
+	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_visual(o) || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
 			   "--%s cannot be used with --shard of one program: it needs all blocks",
-			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : "sensitivity");
+			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : o->picture ? "picture" : "sensitivity");
 		return false;
 	}
 	return true;
@@ -325,7 +334,7 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	if (!(options->report_size > 0))
 		options->report_size = 5;
 	options->check.clearances_below_cap = !options->clearance_report;
-	options->check.block_clearances = options->clearance_report || (options->report && options->check.method == CHECK_CERTIFIED);
+	options->check.block_clearances = options->clearance_report || (options_want_visual(options) && options->check.method == CHECK_CERTIFIED);
 	options->check.times = options->timing;
 	options->check.read.includes = options->includes.items;
 	options->check.read.include_count = options->includes.count;

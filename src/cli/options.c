@@ -16,6 +16,11 @@ bool options_want_digests(const struct options *options)
 	return options->record || options->report || options->formats[FORMAT_NDJSON].wanted;
 }
 
+bool options_want_visual(const struct options *options)
+{
+	return options->report || options->picture;
+}
+
 void options_release(struct options *options)
 {
 	free(options->programs);

@@ -58,6 +58,7 @@ struct options {
 	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
 	const char *report;	/* or NULL */
+	const char *picture;	/* or NULL; ends in .svg or .png */
 	double report_size;	/* MB */
 	int report_code;	/* enum report_code */
 	const char *depfile;	/* or NULL */
@@ -80,6 +81,9 @@ bool options_want_sensitivity(const struct options *options);
 
 /* Does a report contain the digests of the files that are read? */
 bool options_want_digests(const struct options *options);
+
+/* Is a report or a picture to be drawn? */
+bool options_want_visual(const struct options *options);
 
 void options_release(struct options *options);
 

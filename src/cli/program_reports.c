@@ -1,5 +1,6 @@
 #include "cli/program_reports.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,15 +8,11 @@
 #include "report/html/html_report.h"
 #include "report/html/report_data.h"
 #include "report/output.h"
+#include "report/picture/picture.h"
 #include "report/verdict.h"
 
 /* Meshes get this share of a report's size. */
 #define MESH_SHARE 0.75
-
-bool program_reports_wanted(const struct options *options)
-{
-	return options->report != NULL;
-}
 
 /* ------------------------------------------------------------------- names */
 
@@ -87,12 +84,23 @@ static bool try_output(const char *path, struct diag *diag)
 	return true;
 }
 
+/* Builds the trees that the check does not need. False: reported. */
+static bool build_all(struct scene *scene, struct diag *diag)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < scene->body_count; i++)
+		good = scene_body_bvh(scene, (int)i, diag) && good;
+	return good;
+}
+
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
-	if (!try_output(options->report, diag) ||
-	    !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
+	if (!try_output(options->report, diag) || !try_output(options->picture, diag) || !build_all(scene, diag))
+		return false;
+	if (options->report && !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
 		return false;
 	if (reports->pack.left_out)
 		diag_note(diag, (struct srcloc){0},
@@ -157,6 +165,97 @@ static void keep_for_index(struct reported_program *it, const struct report_prog
 	strbuf_release(&text);
 }
 
+/* What the pictures of a program show: its first finding, else where bodies were nearest, else its start. */
+static struct stage stage_of(const struct program_reports *reports, struct recorder *recorder)
+{
+	const struct scene *scene = reports->scene;
+	const struct recorded_finding *first = recorder_first(recorder);
+	struct stage stage = {
+		.scene = scene, .axes = machine_home(scene->machine), .tool = scene->setup ? scene->setup->initial_tool : 0,
+		.a = -1, .b = -1,
+	};
+
+	if (first) {
+		stage.axes = first->axes;
+		stage.tool = first->tool;
+		stage.a = first->a;
+		stage.b = first->b;
+		stage.has_point = stage.alarming = first->a >= 0;
+		stage.point = first->point;
+		stage.triangles = first->a >= 0 ? first->triangles : NULL;
+	} else if (recorder->least < recorder->cap) {
+		stage.axes = recorder->least_at.axes;
+		stage.tool = recorder->least_at.tool;
+		stage.a = recorder_body(scene, scene->pairs[recorder->least_pair].a);
+		stage.b = recorder_body(scene, scene->pairs[recorder->least_pair].b);
+		stage.has_point = recorder_nearest_point(recorder, &stage.point);
+	}
+	return stage;
+}
+
+/* One line below the picture. */
+static void add_title(struct strbuf *out, const struct program_reports *reports, const struct recorder *recorder,
+		      const struct report_program *program)
+{
+	const struct recorded_finding *first = recorder_first(recorder);
+
+	if (first) {
+		strbuf_addf(out, "%s:%ld: %s", first->file, first->line, first->message);
+		return;
+	}
+	strbuf_addf(out, "%s: %s", program->name, verdict_word(program->verdict));
+	if (recorder->least < recorder->cap) {
+		const struct scene_pair *pair = &reports->scene->pairs[recorder->least_pair];
+
+		strbuf_addf(out, "; nearest, in line %ld: %s and %s, at least %.3f mm apart", recorder->least_at.line,
+			    reports->scene->bodies[pair->a].body->name, reports->scene->bodies[pair->b].body->name,
+			    floor(recorder->least * 1e3) / 1e3);
+	}
+}
+
+static bool write_text(const char *path, struct strbuf *text, struct diag *diag)
+{
+	struct output out;
+
+	if (!output_open(&out, path, diag))
+		return false;
+	output_text(&out, text);
+	return output_commit(&out, diag);
+}
+
+/* --picture. False: reported. */
+static bool write_picture(const struct stage *stage, const char *title, const char *path, struct diag *diag)
+{
+	const size_t length = strlen(path);
+	struct strbuf text = {0};
+	bool good;
+
+	if (length > 4 && !strcmp(path + length - 4, ".png"))
+		picture_add_png(&text, stage);
+	else
+		picture_add_svg(&text, stage, title, true);
+	good = write_text(path, &text, diag);
+	strbuf_release(&text);
+	return good;
+}
+
+/* --report. False: reported. */
+static bool write_html(const struct program_reports *reports, struct html_contents *report, const struct stage *stage,
+		       const char *title, const char *path, struct diag *diag)
+{
+	struct strbuf picture = {0};
+	struct report_file *files = files_of(reports, report->recorder, report->program->name, &report->file_count);
+	bool good;
+
+	picture_add_svg(&picture, stage, title, false);
+	report->picture = &picture;
+	report->files = files;
+	good = html_report_write(report, path, diag);
+	strbuf_release(&picture);
+	free(files);
+	return good;
+}
+
 bool program_reports_write(struct program_reports *reports, size_t index, struct recorder *recorder,
 			   const struct report_run *run, const struct report_program *program, struct diag *diag)
 {
@@ -170,19 +269,26 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 		.budget = (size_t)(1e6 * options->report_size),
 		.no_code = options->report_code == REPORT_CODE_NONE,
 	};
-	struct report_file *files = files_of(reports, recorder, program->name, &report.file_count);
-	struct strbuf path = {0};
-	bool good;
+	const struct stage stage = stage_of(reports, recorder);
+	struct strbuf title = {0}, path = {0};
+	bool good = true;
 	int error;
 
 	/* html_report_write names the fault of a temporary file. */
 	recorder_close(recorder, &error);
-	report.files = files;
-	add_path(&path, options->report, it->name);
-	good = html_report_write(&report, strbuf_text(&path), diag);
-	keep_for_index(it, program, good);
+	add_title(&title, reports, recorder, program);
+	if (options->report) {
+		add_path(&path, options->report, it->name);
+		good = write_html(reports, &report, &stage, strbuf_text(&title), strbuf_text(&path), diag);
+		keep_for_index(it, program, good);
+	}
+	strbuf_clear(&path);
+	if (options->picture) {
+		add_path(&path, options->picture, it->name);
+		good = write_picture(&stage, strbuf_text(&title), strbuf_text(&path), diag) && good;
+	}
+	strbuf_release(&title);
 	strbuf_release(&path);
-	free(files);
 	return good;
 }
 
@@ -193,7 +299,7 @@ bool program_reports_finish(struct program_reports *reports, struct diag *diag)
 	struct strbuf *links;
 	bool good;
 
-	if (options->program_count < 2)
+	if (options->program_count < 2 || !options->report)
 		return true;
 	rows = mem_zalloc(options->program_count, sizeof(*rows));
 	links = mem_zalloc(options->program_count, sizeof(*links));

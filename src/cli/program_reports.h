@@ -31,8 +31,6 @@ struct program_reports {
 	struct reported_program *programs;
 };
 
-bool program_reports_wanted(const struct options *options);
-
 /* Packs the meshes and looks whether the files can be written. False: reported. */
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag);

@@ -153,7 +153,7 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
 	if (tables)
 		threads = 1;
-	if (program_reports_wanted(options)) {
+	if (options_want_visual(options)) {
 		if (!program_reports_init(&reports, options, scene, inputs->items, inputs->count, &ui->diag))
 			return RUN_INCOMPLETE;
 		session.context.reports = &reports;

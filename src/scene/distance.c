@@ -167,7 +167,7 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 	return search.depth ? 0 : larger(search.proven - rounding, 0);
 }
 
-void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q,
+void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 			     struct nearest_triangles *nearest)
 {
 	struct body_pair bodies = *pair;
@@ -175,7 +175,7 @@ void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, 
 	xform pose;
 
 	bodies.coherence = &coherence;
-	sweep_distance(sweep, &bodies, q, 1, 0, 0);
+	sweep_distance(sweep, &bodies, q, share, 0, 0);
 	pose = body_pair_pose(pair, q);
 	nearest->a = tri_of(&pair->a->mesh, coherence.near_a);
 	nearest->b = tri_of(&pair->b->mesh, coherence.near_b);
@@ -187,7 +187,7 @@ void sweep_nearest(struct sweep *sweep, const struct body_pair *pair, struct con
 {
 	struct nearest_triangles nearest;
 
-	sweep_nearest_triangles(sweep, pair, &contact->q, &nearest);
+	sweep_nearest_triangles(sweep, pair, &contact->q, 1, &nearest);
 	if (nearest.distance < contact->distance) {
 		contact->distance = nearest.distance;
 		contact->point = vec3_lerp(nearest.on_a, nearest.on_b, 0.5);

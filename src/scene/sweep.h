@@ -83,8 +83,11 @@ struct nearest_triangles {
 	double distance;	/* mm */
 };
 
-/* The triangles of a pair that are nearest to each other at the axis positions q. */
-void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q,
+/*
+ * The triangles of a pair that are nearest to each other at the axis positions q. With a share below 1 they may be
+ * farther apart than the nearest: `share` of their distance is less than the least. That costs less.
+ */
+void sweep_nearest_triangles(struct sweep *sweep, const struct body_pair *pair, const axis_values *q, double share,
 			     struct nearest_triangles *nearest);
 
 /*

@@ -86,7 +86,7 @@ static size_t choose(struct code_file *file, const size_t *order, struct strbuf 
 		struct strbuf text = {0};
 
 		if (add_window(file, window, &text)) {
-			page_pack(&packed[window], &text);
+			page_pack(&packed[window], &text, DEFLATE_FAST);
 			used += packed[window].length;
 		}
 		strbuf_release(&text);

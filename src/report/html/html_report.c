@@ -7,7 +7,7 @@
 #include "report/format/format_units.h"
 #include "report/format/json.h"
 #include "report/html/code_windows.h"
-#include "report/html/html_text.h"
+#include "report/format/html_text.h"
 #include "report/html/pack_table.h"
 #include "report/html/page.h"
 #include "report/html/plain_html.h"
@@ -28,7 +28,7 @@ static int write_table(struct page *page, const int64_t *values, size_t rows, si
 	int blob;
 
 	pack_table_add(&bytes, values, rows, columns);
-	page_pack(&packed, &bytes);
+	page_pack(&packed, &bytes, DEFLATE_SMALL);
 	blob = page_blob(page, &packed);
 	strbuf_release(&bytes);
 	strbuf_release(&packed);
@@ -73,7 +73,7 @@ static bool choose_chunks(struct recorded_table *table, const struct recorder *r
 		struct strbuf bytes = {0}, *it = &packed[order[i]];
 
 		if (recorded_table_chunk(table, order[i], &bytes))
-			page_pack(it, &bytes);
+			page_pack(it, &bytes, DEFLATE_FAST);
 		strbuf_release(&bytes);
 		used += it->length;
 		if (used > budget || table->error) {
@@ -413,7 +413,7 @@ static bool write_page(struct page *page, const struct html_contents *report)
 	bool good;
 
 	strbuf_add(&source, script.bytes, script.count);
-	page_pack(&viewer, &source);
+	page_pack(&viewer, &source, DEFLATE_SMALL);
 	plain_html_add_head(&text, report->program->name, true);
 	plain_html_add_main(&text, report);
 	page_text(page, &text);

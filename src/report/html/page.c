@@ -1,7 +1,6 @@
 #include "report/html/page.h"
 
-#include "report/html/base64.h"
-#include "report/html/deflate.h"
+#include "report/format/base64.h"
 
 void page_text(struct page *page, struct strbuf *text)
 {
@@ -9,11 +8,11 @@ void page_text(struct page *page, struct strbuf *text)
 	output_text(&page->out, text);
 }
 
-void page_pack(struct strbuf *out, const struct strbuf *bytes)
+void page_pack(struct strbuf *out, const struct strbuf *bytes, enum deflate_level level)
 {
 	struct strbuf small = {0};
 
-	deflate_add(&small, strbuf_text(bytes), bytes->length);
+	deflate_add(&small, strbuf_text(bytes), bytes->length, level);
 	base64_add(out, (const unsigned char *)strbuf_text(&small), small.length);
 	strbuf_release(&small);
 }

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "base/strbuf.h"
+#include "report/format/deflate.h"
 #include "report/output.h"
 
 struct page {
@@ -18,7 +19,7 @@ struct page {
 void page_text(struct page *page, struct strbuf *text);
 
 /* The bytes, deflated, in base64. */
-void page_pack(struct strbuf *out, const struct strbuf *bytes);
+void page_pack(struct strbuf *out, const struct strbuf *bytes, enum deflate_level level);
 
 /* Appends a blob (report_data.h) that page_pack has packed. */
 void page_add_blob(struct strbuf *out, int number, const struct strbuf *packed);

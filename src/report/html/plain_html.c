@@ -4,8 +4,8 @@
 
 #include "report/format/format_units.h"
 #include "report/format/json.h"
-#include "report/html/base64.h"
-#include "report/html/html_text.h"
+#include "report/format/base64.h"
+#include "report/format/html_text.h"
 #include "report/html/viewer.h"
 #include "report/verdict.h"
 

@@ -13,7 +13,10 @@
 #include "report/writers/text.h"
 
 /* A block this near before a finding has its plane, however long the program is. */
-enum { BESIDE_FINDING = 24 };
+enum { BESIDE_FINDING = 16 };
+
+/* The triangles beside a plane are nearest to within this share: the exact ones cost several times as much. */
+#define PLANE_SHARE 0.8
 
 /* ------------------------------------------------------------------- path */
 
@@ -153,14 +156,14 @@ static xform mesh_pose(const struct scene *scene, int body, const axis_values *q
 
 /* False: there is nothing to be drawn. */
 static bool nearest_of(struct recorder *recorder, const struct scene_pair *pair, const axis_values *q,
-		       struct nearest_triangles *nearest)
+		       double share, struct nearest_triangles *nearest)
 {
 	struct diag unheard = {0};	/* the check has read the meshes already */
 	struct body_pair bodies;
 
 	if (!scene_pair_bodies(recorder->scene, pair, &bodies, &unheard))
 		return false;
-	sweep_nearest_triangles(&recorder->sweep, &bodies, q, nearest);
+	sweep_nearest_triangles(&recorder->sweep, &bodies, q, share, nearest);
 	return true;
 }
 
@@ -170,7 +173,7 @@ static void add_triangles(struct recorder *recorder, struct recorded_finding *fi
 	struct nearest_triangles nearest;
 	xform pose;
 
-	if (!pair || !nearest_of(recorder, pair, &finding->axes, &nearest))
+	if (!pair || !nearest_of(recorder, pair, &finding->axes, 1, &nearest))
 		return;
 	pose = mesh_pose(recorder->scene, pair->a, &finding->axes);
 	for (int k = 0; k < 3; k++) {
@@ -300,7 +303,7 @@ static void add_plane(struct recorder *recorder, const struct block_end *end, si
 	vec3 middle, normal;
 	int64_t *row;
 
-	if (!nearest_of(recorder, pair, &end->axes, &nearest) || !(nearest.distance > RECORD_NORMAL))
+	if (!nearest_of(recorder, pair, &end->axes, PLANE_SHARE, &nearest) || !(nearest.distance > RECORD_NORMAL))
 		return;
 	middle = xform_apply(&scene->bodies[pair->a].body->placement, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
 	normal = mat3_apply(&scene->bodies[pair->a].body->placement.rotation,
@@ -348,9 +351,28 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 	recorded_table_add(&recorder->clearance, row);
 	if (pair == recorder->scene->pair_count)
 		return;
+	if (least < recorder->least) {
+		recorder->least = least;
+		recorder->least_pair = pair;
+		recorder->least_at = *end;
+	}
 	beside = recorder->planes_forced < PLANES_MAX && is_beside_finding(recorder, block->number);
 	if (beside || block->number % recorder->plane_stride == 0)
 		add_plane(recorder, end, pair, beside);
+}
+
+bool recorder_nearest_point(struct recorder *recorder, vec3 *point)
+{
+	const struct scene_pair *pair = &recorder->scene->pairs[recorder->least_pair];
+	const axis_values *axes = &recorder->least_at.axes;
+	struct nearest_triangles nearest;
+	xform pose;
+
+	if (!(recorder->least < recorder->cap) || !nearest_of(recorder, pair, axes, 1, &nearest))
+		return false;
+	pose = mesh_pose(recorder->scene, pair->a, axes);
+	*point = xform_apply(&pose, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
+	return true;
 }
 
 /* -------------------------------------------------------------------- run */
@@ -361,6 +383,7 @@ void recorder_init(struct recorder *recorder, struct scene *scene, const char *p
 		.watch = {recorder, on_event},
 		.scene = scene,
 		.cap = cap,
+		.least = cap,
 		.position = machine_home(scene->machine),
 		.tool = scene->setup ? scene->setup->initial_tool : 0,
 		.ends = mem_zalloc(BLOCK_ENDS, sizeof(struct block_end)),

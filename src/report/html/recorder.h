@@ -28,7 +28,7 @@ enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLAN
 #define RECORD_NORMAL 1e-6
 
 /* At most so many planes are kept, and so many more beside findings. */
-enum { PLANES_MAX = 256 };
+enum { PLANES_MAX = 128 };
 
 /* A finding, with what is drawn of it. */
 struct recorded_finding {
@@ -83,6 +83,9 @@ struct recorder {
 	int tool;
 	double start;	/* s: of the first step */
 	double checked;	/* s: the end of the last block that was handed to recorder_block */
+	double least;	/* mm: the smallest clearance; the cap if none is smaller */
+	size_t least_pair;
+	struct block_end least_at;	/* the end of its block */
 	int64_t (*planes)[PLANE_COLUMNS];
 	size_t plane_count, plane_capacity, planes_forced;
 	bool *forced;	/* by plane: it stands beside a finding */
@@ -107,6 +110,9 @@ int recorder_body(const struct scene *scene, int body);
 
 /* The first finding that fails the run, else the first one; NULL: there is none. */
 const struct recorded_finding *recorder_first(const struct recorder *recorder);
+
+/* The point between the bodies that were nearest, in machine coordinates. False: there are none below the cap. */
+bool recorder_nearest_point(struct recorder *recorder, vec3 *point);
 
 /* What a one means in the column of this axis of the machine. */
 double recorder_axis_scale(const struct axis *axis);

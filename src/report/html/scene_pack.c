@@ -163,7 +163,7 @@ static void pack_body(struct packed_body *packed, const struct body *body, const
 	struct strbuf bytes = {0};
 
 	pack_mesh_add(&bytes, &bvh->mesh, &body->placement, &packed->mesh);
-	page_pack(&packed->blob, &bytes);
+	page_pack(&packed->blob, &bytes, DEFLATE_SMALL);
 	strbuf_release(&bytes);
 }
 

@@ -1,6 +1,6 @@
 /* base64.h - base64 (RFC 4648) without line breaks. */
-#ifndef FIVECHECK_REPORT_HTML_BASE64_H
-#define FIVECHECK_REPORT_HTML_BASE64_H
+#ifndef FIVECHECK_REPORT_FORMAT_BASE64_H
+#define FIVECHECK_REPORT_FORMAT_BASE64_H
 
 #include <stddef.h>
 

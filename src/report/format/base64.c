@@ -1,4 +1,4 @@
-#include "report/html/base64.h"
+#include "report/format/base64.h"
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /* html_text.h - text from anywhere as text of an HTML page. */
-#ifndef FIVECHECK_REPORT_HTML_HTML_TEXT_H
-#define FIVECHECK_REPORT_HTML_HTML_TEXT_H
+#ifndef FIVECHECK_REPORT_FORMAT_HTML_TEXT_H
+#define FIVECHECK_REPORT_FORMAT_HTML_TEXT_H
 
 #include <jansson.h>
 

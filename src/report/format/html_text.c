@@ -1,4 +1,4 @@
-#include "report/html/html_text.h"
+#include "report/format/html_text.h"
 
 #include <stdlib.h>
 #include <string.h>

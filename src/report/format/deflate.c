@@ -1,4 +1,4 @@
-#include "report/html/deflate.h"
+#include "report/format/deflate.h"
 
 #include <assert.h>
 #include <limits.h>
@@ -19,11 +19,11 @@ static void release(void *context, void *block)
 	free(block);
 }
 
-void deflate_add(struct strbuf *out, const void *bytes, size_t count)
+void deflate_add(struct strbuf *out, const void *bytes, size_t count, enum deflate_level level)
 {
 	z_stream stream = {.zalloc = allocate, .zfree = release};
 	unsigned char piece[16384];
-	int state = deflateInit(&stream, Z_BEST_COMPRESSION);
+	int state = deflateInit(&stream, (int)level);
 	const unsigned char *next = bytes;
 
 	/* The memory cannot run out, and the version is the one that was compiled against. */

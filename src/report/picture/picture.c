@@ -1,0 +1,151 @@
+#include "report/picture/picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "report/format/html_text.h"
+#include "report/picture/contours.h"
+#include "report/picture/png.h"
+
+enum { WIDTH = 960, HEIGHT = 640, RING = 34 };
+
+/* ------------------------------------------------------------------- SVG */
+
+static void add_areas(struct strbuf *out, const struct raster *raster, bool fine)
+{
+	for (int paint = PAINT_LEVELS; paint < PAINT_CLASSES * PAINT_LEVELS; paint++) {
+		struct strbuf outlines = {0};
+
+		contours_add(&outlines, raster, (uint8_t)paint, fine ? 0.9 : 1.2, fine ? 10 : 20);
+		if (outlines.length) {
+			const uint32_t colour = paint_colour((uint8_t)paint);
+
+			/* The stroke closes the gaps that outlines of neighbours leave. */
+			strbuf_addf(out, "<path fill=\"#%06x\" stroke=\"#%06x\" d=\"%s\"/>\n", (unsigned)colour, (unsigned)colour,
+				    outlines.text);
+		}
+		strbuf_release(&outlines);
+	}
+}
+
+static void add_ring(struct strbuf *out, const struct raster *raster, const struct camera *camera, vec3 point)
+{
+	const vec3 at = camera_project(camera, raster, point);
+
+	strbuf_addf(out, "<g fill=\"none\"><circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#fff\" stroke-width=\"9\"/>"
+			 "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#7a00c8\" stroke-width=\"4\"/></g>\n",
+		    at.x, at.y, RING, at.x, at.y, RING);
+}
+
+/* A small square of the body's colour and its name. */
+static void add_label(struct strbuf *out, const struct stage *stage, int body, enum paint_class class, int row)
+{
+	const int y = 22 + 24 * row;
+
+	strbuf_addf(out, "<rect x=\"14\" y=\"%d\" width=\"16\" height=\"16\" fill=\"#%06x\" stroke=\"none\"/>"
+			 "<text x=\"38\" y=\"%d\">",
+		    y - 13, (unsigned)paint_colour((uint8_t)(class * PAINT_LEVELS + PAINT_LEVELS - 3)), y + 1);
+	html_text_add(out, stage->scene->bodies[body].body->name);
+	strbuf_addf(out, "</text>\n");
+}
+
+void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine)
+{
+	const struct camera camera = stage_camera(stage);
+	struct raster raster;
+
+	raster_init(&raster, WIDTH, HEIGHT);
+	stage_draw(stage, &camera, &raster);
+	strbuf_addf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\">\n<title>",
+		    WIDTH, HEIGHT, WIDTH, HEIGHT);
+	html_text_add(out, title);
+	strbuf_addf(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06x\"/>\n<g fill-rule=\"evenodd\" "
+			 "stroke-width=\"1\" stroke-linejoin=\"round\">\n", WIDTH, HEIGHT, (unsigned)paint_colour(0));
+	add_areas(out, &raster, fine);
+	strbuf_addf(out, "</g>\n");
+	if (stage->has_point)
+		add_ring(out, &raster, &camera, stage->point);
+	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"17\" fill=\"#16202b\">\n");
+	if (stage->a >= 0 && stage->b >= 0) {
+		add_label(out, stage, stage->a, stage_class_a(stage), 0);
+		add_label(out, stage, stage->b, stage_class_b(stage), 1);
+	}
+	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"40\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
+			 "<text x=\"14\" y=\"%d\">", HEIGHT - 40, WIDTH, HEIGHT - 14);
+	html_text_add(out, title);
+	strbuf_addf(out, "</text></g>\n</svg>\n");
+	raster_release(&raster);
+}
+
+/* ------------------------------------------------------------------- PNG */
+
+/* Pixels of the raster to a pixel of the image, in both directions. */
+enum { SUPERSAMPLES = 3 };
+
+/* How much of a pixel at this distance from the ring's line is covered. */
+static double cover(double distance, double width)
+{
+	return fmin(fmax(width / 2 + 0.5 - fabs(distance), 0), 1);
+}
+
+static double blend(double below, double above, double share)
+{
+	return below + share * (above - below);
+}
+
+static void draw_ring(unsigned char *pixels, double x0, double y0)
+{
+	static const unsigned char violet[3] = {0x7a, 0x00, 0xc8};
+
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			const double off = hypot(x + 0.5 - x0, y + 0.5 - y0) - RING;
+			unsigned char *pixel = pixels + 3 * ((size_t)y * WIDTH + (size_t)x);
+
+			for (int k = 0; k < 3; k++) {
+				const double white = blend(pixel[k], 255, cover(off, 9));
+
+				pixel[k] = (unsigned char)lround(blend(white, violet[k], cover(off, 4)));
+			}
+		}
+	}
+}
+
+static void shrink(unsigned char *pixels, const struct raster *raster)
+{
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			uint32_t sums[3] = {0};
+
+			for (int i = 0; i < SUPERSAMPLES * SUPERSAMPLES; i++) {
+				const int row = SUPERSAMPLES * y + i / SUPERSAMPLES, column = SUPERSAMPLES * x + i % SUPERSAMPLES;
+				const uint32_t colour = paint_colour(raster->paints[row * raster->width + column]);
+
+				for (int k = 0; k < 3; k++)
+					sums[k] += colour >> (16 - 8 * k) & 255;
+			}
+			for (int k = 0; k < 3; k++)
+				*pixels++ = (unsigned char)(sums[k] / (SUPERSAMPLES * SUPERSAMPLES));
+		}
+	}
+}
+
+void picture_add_png(struct strbuf *out, const struct stage *stage)
+{
+	const struct camera camera = stage_camera(stage);
+	unsigned char *pixels = mem_alloc(3 * WIDTH * HEIGHT);
+	struct raster raster;
+
+	raster_init(&raster, SUPERSAMPLES * WIDTH, SUPERSAMPLES * HEIGHT);
+	stage_draw(stage, &camera, &raster);
+	shrink(pixels, &raster);
+	if (stage->has_point) {
+		const vec3 at = camera_project(&camera, &raster, stage->point);
+
+		draw_ring(pixels, at.x / SUPERSAMPLES, at.y / SUPERSAMPLES);
+	}
+	png_add(out, pixels, WIDTH, HEIGHT);
+	free(pixels);
+	raster_release(&raster);
+}

@@ -1,0 +1,22 @@
+/* raster.h - triangles drawn with a depth buffer; a pixel holds the number of a paint. */
+#ifndef FIVECHECK_REPORT_PICTURE_RASTER_H
+#define FIVECHECK_REPORT_PICTURE_RASTER_H
+
+#include <stdint.h>
+
+#include "geom/vec3.h"
+
+/* Rows from top to bottom. Paint 0 is the background. */
+struct raster {
+	int width, height;
+	uint8_t *paints;
+	float *depths;	/* greater is nearer */
+};
+
+void raster_init(struct raster *raster, int width, int height);
+void raster_release(struct raster *raster);
+
+/* Draws a triangle: x and y in pixels, z its depth. What lies outside is cut off. */
+void raster_triangle(struct raster *raster, const vec3 corners[3], uint8_t paint);
+
+#endif

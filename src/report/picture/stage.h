@@ -1,0 +1,52 @@
+/* stage.h - what a picture shows: the bodies as they stand, which of them matter, and where to look. */
+#ifndef FIVECHECK_REPORT_PICTURE_STAGE_H
+#define FIVECHECK_REPORT_PICTURE_STAGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/axes.h"
+#include "report/picture/raster.h"
+#include "scene/scene.h"
+
+/* Everything borrowed. The trees of all bodies have been built. */
+struct stage {
+	const struct scene *scene;
+	axis_values axes;
+	int tool;	/* in the spindle */
+	int a, b;	/* bodies that are shown in colour; -1: none */
+	bool alarming;	/* they meet: in red and orange; else in blue and green */
+	bool has_point;
+	vec3 point;	/* where they meet or are nearest, machine coordinates */
+	const vec3 (*triangles)[3];	/* of a and of b, that are shown in a colour of their own; or NULL */
+};
+
+/* Parallel projection: pixels = scale * (right, -up) . (p - centre), from the middle of the picture. */
+struct camera {
+	vec3 right, up, toward;	/* unit vectors; `toward` points from what is seen to the eye */
+	vec3 centre;
+	double scale;	/* pixels to a mm, of a picture of width 1 */
+};
+
+/* A camera that sees the contact as well as can be, or all bodies. */
+struct camera stage_camera(const struct stage *stage);
+
+/* Draws all bodies that are there with this tool. */
+void stage_draw(const struct stage *stage, const struct camera *camera, struct raster *raster);
+
+/* Where a point is in a raster of this size, pixels and depth. */
+vec3 camera_project(const struct camera *camera, const struct raster *raster, vec3 p);
+
+/* Paints: a class and how bright it is, 0 to PAINT_LEVELS - 1. */
+enum paint_class { PAINT_NONE, PAINT_BASE, PAINT_MOVING, PAINT_FIXTURE, PAINT_PART, PAINT_TOOL, PAINT_A, PAINT_B, PAINT_CONTACT_A,
+		   PAINT_CONTACT_B, PAINT_NEAR_A, PAINT_NEAR_B, PAINT_CLASSES };
+enum { PAINT_LEVELS = 8 };
+
+/* The class of bodies a and b. */
+enum paint_class stage_class_a(const struct stage *stage);
+enum paint_class stage_class_b(const struct stage *stage);
+
+/* Red, green and blue, 0 to 255 each, in the lower bytes: 0xRRGGBB. */
+uint32_t paint_colour(uint8_t paint);
+
+#endif
