@@ -47,15 +47,21 @@ export function viewButtons(stage) {
 		return element;
 	};
 	const {model} = stage;
-	return h('div.views', {role: 'toolbar', 'aria-label': 'View'},
+	const views = h('div.views', {role: 'toolbar', 'aria-label': 'View'},
 		model.findings.length ? button('Contact', 'Look at the contact (C)', () => stage.lookAtFocus()) : null,
 		button('Fit', 'Everything (F)', () => stage.fit()),
 		standardViews(stage),
+		// On a phone the rest comes when it is asked for.
+		h('button.more-views', {'aria-label': 'More', 'aria-expanded': 'false', onclick: (/** @type {MouseEvent} */ e) => {
+			const open = views.classList.toggle('open');
+			/** @type {HTMLElement} */ (e.currentTarget).setAttribute('aria-expanded', String(open));
+		}}, '\u22ef'),
 		toggle('Section', 'Cut the machine open (S)', () => !!stage.section, () => toggleSection(stage)),
 		toggle('Measure', 'Distance between two points: click both (M)', () => stage.measuring, () => toggleMeasure(stage)),
 		toggle('X-ray', 'Make faint what is in the way (X)', () => stage.xray, () => toggleXray(stage)),
 		toggle('Path', 'Show the way of the tool (T)', () => stage.trace, () => toggleTrace(stage)),
 		model.planes ? toggle('Proof', 'Show the separating plane (P)', () => stage.proof, () => toggleProof(stage)) : null);
+	return views;
 }
 
 /** @param {Stage} stage */
@@ -106,6 +112,7 @@ export function toggleProof(stage) {
 	if (!stage.model.planes) return;
 	stage.proof = !stage.proof;
 	told(stage);
+	stage.lookAtFocus();
 }
 
 /** What is selected or measured, the section's place, the proof's words. @param {Stage} stage */

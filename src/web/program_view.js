@@ -47,7 +47,11 @@ export class ProgramView {
 			e.stopPropagation();
 			this.state.step(by);
 		});
-		new ResizeObserver(() => this.draw()).observe(this.list);
+		new ResizeObserver(() => {
+			if (!this.list.clientHeight) return;
+			this.scrollTo(this.first);
+			this.follow();
+		}).observe(this.list);
 		this.state.watch((what) => {
 			if (what === 'time') this.follow();
 		});

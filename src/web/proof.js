@@ -1,7 +1,7 @@
 // @ts-check
 // proof.js - the proof made visible: the plane half-way between the nearest triangles of the nearest two bodies.
 
-import {cross, dot, multiply, place, scale, translation, turn, unit} from './vec.js';
+import {cross, multiply, place, scale, translation, turn, unit} from './vec.js';
 
 /** @typedef {import('./model.js').Model} Model */
 /** @typedef {import('./model.js').Vec3} Vec3 */
@@ -20,31 +20,28 @@ function rowAt({planes}, time) {
 }
 
 /**
- * The plane as a square at the nearest place.
+ * Where the plane stands now, and which bodies it keeps apart.
  *
  * @param {Model} model
  * @param {number} time
  * @param {PlacedBodies} placed
- * @param {Vec3} colour
- * @returns {import('./scene.js').Extra[]}
+ * @returns {{bodies: [number, number], point: Vec3, normal: Vec3, size: number}|null}
  */
-export function planeExtra(model, time, placed, colour) {
+export function planeAt(model, time, placed) {
 	const row = rowAt(model, time);
-	if (row < 0 || !model.planes) return [];
+	if (row < 0 || !model.planes) return null;
 	const {a, b} = model.pairs[model.planes.pair[row]];
 	const at = (/** @type {Float64Array[]} */ columns) => /** @type {Vec3} */ (columns.map((column) => column[row]));
-	const middle = place(placed.matrix(a), at(model.planes.point)), normal = unit(turn(placed.matrix(a), at(model.planes.normal)));
-	const size = Math.max(20, 0.8 * Math.min(placed.sphere(a).radius, placed.sphere(b).radius));
-	const u = scale(unit(cross(normal, Math.abs(normal[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])), size);
-	const square = multiply(translation(middle), [...u, 0, ...cross(normal, u), 0, ...normal, 0, 0, 0, 0, 1]);
-	const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
-	return [{positions: Float32Array.from(corners), matrix: square, colour, kind: 'plane'}];
+	const point = place(placed.matrix(a), at(model.planes.point)), normal = unit(turn(placed.matrix(a), at(model.planes.normal)));
+	return {bodies: [a, b], point, normal, size: Math.max(20, 1.5 * Math.min(placed.sphere(a).radius, placed.sphere(b).radius))};
 }
 
-/** The pair that the plane keeps apart. @param {Model} model @param {number} time */
-export function planePair(model, time) {
-	const row = rowAt(model, time);
-	return row < 0 || !model.planes ? null : model.pairs[model.planes.pair[row]];
+/** The plane as a square with a grid. @param {NonNullable<ReturnType<planeAt>>} plane @param {Vec3} colour @returns {import('./scene.js').Extra} */
+export function planeExtra({point, normal, size}, colour) {
+	const u = scale(unit(cross(normal, Math.abs(normal[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0])), size);
+	const square = multiply(translation(point), [...u, 0, ...cross(normal, u), 0, ...normal, 0, 0, 0, 0, 1]);
+	const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
+	return {positions: Float32Array.from(corners), matrix: square, colour, kind: 'plane'};
 }
 
 /** What the plane says, in words. @param {Model} model @param {number} time */

@@ -7,7 +7,7 @@ import {watchGestures} from './gestures.js';
 import {Overlay} from './overlay.js';
 import {PlacedBodies} from './placed_bodies.js';
 import {mix, sceneColour} from './palette.js';
-import {planeExtra} from './proof.js';
+import {planeAt, planeExtra} from './proof.js';
 import {Scene} from './scene.js';
 import {toolTrace} from './tool_path.js';
 import {add, dot, norm, place, placeBack, scale, sub, unit} from './vec.js';
@@ -153,8 +153,15 @@ export class Stage {
 		return model.findings.find((f) => Math.abs(f.time - time) < NEAR) || null;
 	}
 
+	/** The plane that is shown. */
+	plane() {
+		return this.proof ? planeAt(this.model, this.state.time, this.placed) : null;
+	}
+
 	/** The bodies that matter now, and where to look. @returns {{bodies: number[], point: Vec3, radius: number}} */
 	focus() {
+		const plane = this.plane();
+		if (plane) return {bodies: plane.bodies, point: plane.point, radius: Math.max(0.05 * this.size, 2 * plane.size)};
 		const finding = this.finding() || (this.state.stopAt < Infinity ? this.model.findings[this.state.lastFinding] : null);
 		if (finding && finding.point) {
 			const bodies = finding.bodies || [];
@@ -179,8 +186,9 @@ export class Stage {
 		const finding = this.finding();
 		const goal = copyOf(this.camera);
 		const {bodies, point, radius} = this.focus();
-		if (finding && finding.point && bodies.length === 2) {
-			goal.lookFrom(bestDirection(this.placed, point, bodies, normalOf(finding.triangles?.[0][0])));
+		const plane = this.plane();
+		if (plane || (finding?.point && bodies.length === 2)) {
+			goal.lookFrom(bestDirection(this.placed, point, bodies, plane ? plane.normal : normalOf(finding?.triangles?.[0][0])));
 			goal.fit(point, radius, this.aspect());
 		} else {
 			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
@@ -274,13 +282,15 @@ export class Stage {
 		return finding.kind === 'limit' && this.placed.bodies[body].link === axis + 1;
 	}
 
-	/** @param {number} body @param {import('./model.js').Finding|null} finding @returns {import('./scene.js').Item} */
-	item(body, finding) {
+	/** @param {number} body @param {import('./model.js').Finding|null} finding @param {[number, number]|undefined} apart by the plane @returns {import('./scene.js').Item} */
+	item(body, finding, apart) {
 		const {role, link} = this.placed.bodies[body];
 		const side = finding?.bodies ? ['a', 'b'][finding.bodies.indexOf(body)] : finding && this.carriedBy(finding, body) ? 'a' : null;
 		const known = ['part', 'fixture', 'holder', 'shank', 'cutter'].includes(role);
 		const colour = sceneColour(body === this.selected ? 'selected' : side ? `contact-${side}` : known ? role : link ? 'moving' : 'base');
-		const faint = finding && !side && body !== this.selected;
+		const proved = apart?.includes(body);
+		if (proved) return {body, matrix: this.placed.matrix(body), colour: sceneColour(apart?.[0] === body ? 'proof-a' : 'proof-b'), ghost: false};
+		const faint = (finding || apart) && !side && body !== this.selected;
 		return {body, matrix: this.placed.matrix(body), colour: faint ? mix(colour, sceneColour('faint'), 0.5) : colour, ghost: this.ghosts.has(body)};
 	}
 
@@ -289,11 +299,11 @@ export class Stage {
 		const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
 		if (!width || !height) return;
 		const finding = this.finding();
-		const focus = this.focus();
+		const focus = this.focus(), plane = this.plane();
 		this.ghosts = this.xray ? inTheWay(this.placed, this.camera.eye(), focus.point, focus.radius * 0.25, focus.bodies) : new Set();
 		this.ghosts.delete(this.selected);
-		const items = this.placed.all().map((body) => this.item(body, finding));
-		const extras = this.proof ? planeExtra(this.model, this.state.time, this.placed, sceneColour('plane')) : [];
+		const items = this.placed.all().map((body) => this.item(body, finding, plane?.bodies));
+		const extras = plane ? [planeExtra(plane, sceneColour('plane'))] : [];
 		if (this.trace) extras.push(...this.traceLines());
 		// The triangles stand where they are at the finding alone.
 		if (this.state.finding >= 0 && finding?.triangles) {
@@ -301,7 +311,12 @@ export class Stage {
 		}
 		this.scene.draw(this.camera, items, extras,
 			{edge: sceneColour('edge'), cut: this.cut(), size: this.size + norm(sub(this.camera.target, focus.point))});
-		this.annotate(finding, width, height);
+		this.annotate(plane ? null : finding, width, height);
+		if (plane) {
+			const [x, y] = this.camera.project(plane.point, width, height);
+			this.name(plane.bodies[0], 'proof-a', x, y);
+			this.name(plane.bodies[1], 'proof-b', x, y);
+		}
 	}
 
 	/** @returns {import('./scene.js').Extra[]} */
@@ -341,14 +356,14 @@ export class Stage {
 		}
 	}
 
-	/** The name of a body in contact, with a line to where the body is seen. @param {number} body @param {'a'|'b'} side @param {number} x of the ring @param {number} y */
+	/** The name of a body in contact, with a line to where the body is seen. @param {number} body @param {'a'|'b'|'proof-a'|'proof-b'} side @param {number} x of the ring @param {number} y */
 	name(body, side, x, y) {
 		const {width, height} = this.overlay;
 		const anchor = this.anchor(body, x, y, width, height);
 		if (!anchor) return;
 		const length = Math.hypot(anchor[0] - x, anchor[1] - y) || 1;
 		const out = Math.min(90, width * 0.17);
-		const right = anchor[0] > x || (anchor[0] === x && side === 'b');
+		const right = anchor[0] > x || (anchor[0] === x && side.endsWith('b'));
 		const to = [anchor[0] + (right ? out : -out), anchor[1] + (anchor[1] - y) / length * 30];
 		this.overlay.line(`leader leader-${side}`, anchor, to);
 		this.overlay.dot('anchor', anchor[0], anchor[1], 3.5);

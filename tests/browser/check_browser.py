@@ -269,6 +269,8 @@ def bodies_and_measure(bench):
     machine, setup, program = fixtures.boxes(bench.work)
     path, _ = bench.report("boxes", machine, setup, program, "--all")
     page = bench.open(path)
+    # What is made faint is not picked.
+    page.press("x")
     page.press("1")
     page.press("f")
     page.frames()
@@ -321,7 +323,9 @@ def poses(bench):
     }))(fivecheck.stage)""")
     accuracy = page.run("fivecheck.state.model.accuracy")
     true(f"accuracy {accuracy}", 0 < accuracy <= 0.05)
-    same("triangles", sum(body["triangles"] for body in found), len(wanted["triangles"]))
+    # Triangles that are thinner than the accuracy of the picture are not drawn.
+    triangles = sum(body["triangles"] for body in found)
+    true(f"{triangles} triangles of {len(wanted['triangles'])}", 0.999 * len(wanted["triangles"]) < triangles <= len(wanted["triangles"]))
     missed = fixtures.farthest([p for body in found for p in body["points"]], wanted["points"], accuracy + 1e-3)
     same("vertices of the picture that --pose has not", missed, 0)
     missed = fixtures.farthest(wanted["points"], [p for body in found for p in body["points"]], accuracy + 1e-3)
