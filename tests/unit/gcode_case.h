@@ -160,10 +160,34 @@ static inline bool case_table_point(void *context, struct srcloc loc, axis_value
 	return true;
 }
 
+/* The same of A for controls that choose themselves: C can stand anywhere only where the tool stands upright. */
+static inline bool case_orientations(void *context, struct srcloc loc, const struct kinematics_orientation *orientation,
+				     struct kinematics_solutions *solutions)
+{
+	struct kinematics_orientation copy = *orientation;
+
+	*solutions = (struct kinematics_solutions){.count = 1, .primary = SLOT_A};
+	if (!case_orient(context, loc, &copy))
+		return false;
+	solutions->items[0] = (struct kinematics_solution){.rotary = copy.rotary, .within_limits = true};
+	solutions->items[0].free[SLOT_C] = fabs(orientation->direction.y) < 1e-9;
+	return true;
+}
+
+/* Z is the tool's axis and ends at 500. */
+static inline bool case_retract(void *context, struct srcloc loc, struct kinematics_retract *retract)
+{
+	(void)context;
+	(void)loc;
+	retract->position.v[SLOT_Z] = retract->to_limit ? 500 : retract->position.v[SLOT_Z] + retract->distance;
+	return true;
+}
+
 static inline struct kinematics case_kinematics(struct gcode_case *c)
 {
 	return (struct kinematics){
-		.context = c, .tcp = case_tcp, .orient = case_orient, .table_point = case_table_point};
+		.context = c, .tcp = case_tcp, .orient = case_orient, .orientations = case_orientations,
+		.retract = case_retract, .table_point = case_table_point};
 }
 
 static inline bool case_event(void *context, const struct canon_event *event)

@@ -1,5 +1,6 @@
 #include "gcode/dialect/klartext/klartext_corner.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -21,7 +22,8 @@ static bool begins_corner(const char *text, size_t length)
 
 	while (at < length && (text[at] == ' ' || text[at] == '\t' || (text[at] >= '0' && text[at] <= '9')))
 		at++;
-	return length - at > 3 && (!strncmp(text + at, "RND", 3) || !strncmp(text + at, "CHF", 3));
+	return length - at >= 3 && (!strncmp(text + at, "RND", 3) || !strncmp(text + at, "CHF", 3)) &&
+	       (length - at == 3 || !isalpha((unsigned char)text[at + 3]));
 }
 
 bool klartext_corner_follows(struct interp *interp)

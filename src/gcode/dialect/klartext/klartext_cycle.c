@@ -331,7 +331,18 @@ bool klartext_cycle_call(struct interp *interp, int column)
 	return klartext->cycle.by_q ? by_q(&call) : by_parts(&call);
 }
 
-/* M89: behind every block that moves axes, until M99 or another definition. */
+bool klartext_cycle_start(struct interp *interp, double *height)
+{
+	const struct call call = {.interp = interp, .cycle = &klartext_of(interp)->cycle};
+	double clearance, surface;
+
+	if (!call.cycle->by_q || !find_word(&call, 200, &clearance) || !find_word(&call, 203, &surface))
+		return false;
+	*height = (clearance + surface) * interp->state.scale;
+	return true;
+}
+
+/* M89: behind its own block and every further one that moves axes, until M99 or another definition. */
 bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words)
 {
 	struct klartext *klartext = klartext_of(interp);

@@ -10,6 +10,9 @@
 /* Carries out the cycle that was defined last, where the tool stands. False: reported at the column, or the sink ... */
 bool klartext_cycle_call(struct interp *interp, int column);
 
+/* The height of the set-up clearance over the workpiece, mm; false: the cycle has none. */
+bool klartext_cycle_start(struct interp *interp, double *height);
+
 /* The same behind a move, if M89 is in force. */
 bool klartext_cycle_call_modal(struct interp *interp, const struct klartext_words *words);
 

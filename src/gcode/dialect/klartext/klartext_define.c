@@ -300,6 +300,7 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 		return fault(lexer->at, column, "CYCL DEF %d.%d, but no %d.0 has begun the cycle", number, part, number);
 	count = definition->count;
 	definition->part = part;
+	definition->line = lexer->at->line;
 	definition->column = column;
 	if (!read_words(lexer, definition))
 		return false;

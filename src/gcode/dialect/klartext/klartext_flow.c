@@ -196,10 +196,9 @@ static bool same_place(const struct position *a, const struct position *b)
 }
 
 /* CALL LBL n REP m: the section from the label on runs m times more. */
-static bool repeat(struct interp *interp, const struct label *label, int count, int column)
+static bool repeat(struct interp *interp, const struct position here, const struct label *label, int count, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const struct position here = source_here(interp->program.source);
 	struct klartext_repeat *item = NULL;
 
 	for (int i = 0; i < klartext->repeat_count; i++) {
@@ -224,6 +223,8 @@ static bool repeat(struct interp *interp, const struct label *label, int count, 
 static bool call_label(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
+	/* Before labels are searched for. */
+	const struct position here = source_here(interp->program.source);
 	int column = klartext_column(lexer), count = 0;
 	char name[KLARTEXT_NAME], title[KLARTEXT_NAME + 8];
 	const struct label *label;
@@ -247,7 +248,7 @@ static bool call_label(struct lexer *lexer)
 	if (!klartext_expect_end(lexer) || !(label = find_label(interp, name, column)))
 		return false;
 	if (repeats)
-		return repeat(interp, label, count, column);
+		return repeat(interp, here, label, count, column);
 	snprintf(title, sizeof(title), "LBL %s", name);
 	return enter(interp, KLARTEXT_LABEL, title, &label->body, column);
 }

@@ -298,9 +298,10 @@ bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *c
 	struct klartext *klartext = klartext_of(interp);
 	struct state *state = &interp->state;
 	const struct klartext_cycle_word *word = cycle->count ? &cycle->words[0] : NULL;
+	const struct line_place at = place_of(interp, cycle->line);
 
 	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
-		return fault(&interp->at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
+		return fault(&at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
 	if (!(word->value >= 1 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
 		return word_fault(interp, word, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup", EXTENDED_COUNT,
 			     EXTENDED_COUNT);

@@ -299,6 +299,21 @@ static bool check_begun(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "a Klartext program begins with BEGIN PGM, which says MM or INCH");
 }
 
+/* Between a corner and the straight line behind it there is nothing: its moves wait, and would be lost. */
+static bool may_follow_corner(const struct lexer *before)
+{
+	static const char *const words[] = {"RND", "CHF", "L", "LP", "C", "CR", "CT", "CP", "CTP"};
+	struct lexer lexer = *before;
+	char word[KLARTEXT_WORD];
+
+	klartext_word(&lexer, word);
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+		if (!strcmp(word, words[i]))
+			return true;
+	}
+	return false;
+}
+
 static bool take_line(struct lexer *lexer, bool *bare)
 {
 	struct interp *interp = lexer->context;
@@ -318,6 +333,8 @@ static bool take_line(struct lexer *lexer, bool *bare)
 		return true;
 	if (byte == '/')
 		lexer_take(lexer);
+	if (klartext_of(interp)->corner.waits && !may_follow_corner(lexer))
+		return klartext_corner_check_none(interp);
 	if (klartext_define_goes_on(lexer, numbered)) {
 		*bare = false;
 		return klartext_define_line(lexer);

@@ -220,7 +220,7 @@ static bool end(struct interp *interp, const struct klartext_m *m)
 		return klartext_cycle_call(interp, m->column);
 	case M_CALL_MODAL:
 		klartext_of(interp)->modal_call = true;
-		return true;
+		return klartext_cycle_call(interp, m->column);
 	case M_PLAIN:
 		klartext_of(interp)->shortest = false;
 		return true;

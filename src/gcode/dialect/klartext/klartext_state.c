@@ -10,6 +10,7 @@ void *klartext_state_new(void)
 
 	klartext->frame.turn = klartext->frame.tilt = mat3_identity();
 	klartext->frame.scale = klartext->frame.factor = (vec3){1, 1, 1};
+	klartext->across = SLOT_Z;
 	return klartext;
 }
 

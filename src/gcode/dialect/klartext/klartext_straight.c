@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_m.h"
@@ -89,6 +90,8 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 	struct canon_feed feed;
 	bool rapid;
 
+	if ((!words->axes || klartext_m_is_machine(words)) && !klartext_corner_check_none(interp))
+		return false;
 	if (!klartext_path_check_comp(interp, words) || !klartext_m_start(interp, words))
 		return false;
 	if (!words->axes) {
@@ -155,28 +158,31 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 }
 
 /*
- * "Calling a cycle with CYCL CALL POS": below the position the tool goes along its axis first, above it in the plane.
+ * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the rest. What it
+ * does from below, and with a Z that shifts the cycle, is refused.
  */
 bool klartext_straight_cycle_position(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
+	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y, all = plane | 1U << SLOT_Z;
 	const struct canon_feed none = {0};
-	struct klartext_target target, first;
+	struct klartext_target target;
 	struct klartext_words words;
-	vec3 here;
+	double start;
 
 	if (!klartext_words_read(lexer, &words) || !check_line_words(lexer, &words))
 		return false;
-	if (words.axes & ~(1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z))
-		return fault(lexer->at, words.first_column, "CYCL CALL POS has coordinates of X, Y and Z alone");
+	if (words.axes != all || words.increments)
+		return fault(lexer->at, words.first_column, "CYCL CALL POS needs absolute coordinates of X, Y and Z");
+	if (!same_double(words.value[SLOT_Z], 0))
+		return fault(lexer->at, words.column[SLOT_Z],
+			     "a Z other than 0 shifts the cycle: that is not supported yet; put it into Q203");
 	if (!klartext_m_start(interp, &words) || !klartext_move_target(interp, &words, &target) ||
 	    !klartext_move_check(interp, &target, words.first_column))
 		return false;
-	here = klartext_frame_point(interp);
-	first = target;
-	if (here.z < target.point.z)
-		first.point = (vec3){here.x, here.y, target.point.z};
-	else
-		first.point.z = here.z;
-	return klartext_move_line(interp, &first, true, &none) && klartext_move_line(interp, &target, true, &none);
+	target.point.z = klartext_frame_point(interp).z;
+	if (!klartext_cycle_start(interp, &start) || target.point.z < start)
+		return fault(lexer->at, words.first_column,
+			     "CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here");
+	return klartext_move_line(interp, &target, true, &none);
 }

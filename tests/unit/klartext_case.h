@@ -1,0 +1,45 @@
+/* klartext_case.h - Klartext programs for gcode_case.h: a control with tools, presets, and a tool change that stays. */
+#ifndef KLARTEXT_CASE_H
+#define KLARTEXT_CASE_H
+
+#include "gcode_case.h"
+
+static const struct tool klartext_tools[] = {
+	{.number = 1, .name = "MILL 10", .length = 100, .length_offset = 100, .diameter = 10},
+	{.number = 2, .name = "DRILL 5", .length = 40, .length_offset = 40, .diameter = 5},
+	{.number = 3, .name = "TWIN", .length = 10, .length_offset = 10},
+	{.number = 4, .name = "TWIN", .length = 20, .length_offset = 20},
+};
+static const struct work_offset klartext_presets[] = {
+	{.name = "G54.1 P1", .value = {{0}}},
+	{.name = "G54.1 P2", .value = {{10, 20, 30}}},
+};
+static const struct mcode klartext_mcodes[] = {{57, MCODE_IGNORE}, {60, MCODE_SPINDLE_ON}};
+
+static inline void klartext_case(struct gcode_case *c)
+{
+	case_init(c);
+	c->config.dialect = &dialect_klartext;
+	c->config.controller.tool_change.given = true;
+	c->config.controller.mcodes = klartext_mcodes;
+	c->config.controller.mcode_count = 2;
+	c->config.has_setup = true;
+	c->config.tools = klartext_tools;
+	c->config.tool_count = 4;
+	c->config.work_offsets = klartext_presets;
+	c->config.work_offset_count = 1;
+}
+
+/* The blocks between BEGIN PGM T MM and END PGM T MM; line 2 is the first of them. */
+static inline bool klartext_run(struct gcode_case *c, const char *blocks)
+{
+	struct strbuf text = {0};
+	bool good;
+
+	strbuf_addf(&text, "0 BEGIN PGM T MM\n%sEND PGM T MM\n", blocks);
+	good = case_run(c, strbuf_text(&text));
+	strbuf_release(&text);
+	return good;
+}
+
+#endif

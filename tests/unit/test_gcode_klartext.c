@@ -1,0 +1,352 @@
+/* test_gcode_klartext.c - Klartext: words, tools, Q parameters, program flow, against moves worked out by hand. */
+#include "klartext_case.h"
+
+struct program {
+	const char *blocks;
+	const char *moves;
+};
+
+/* Words, units, increments, tools, presets. */
+static const struct program lexis[] = {
+	{"L X+10 Y-3 R0 FMAX\n",
+	 "rapid 10 -3 0 0 0\n"},
+	{"12 L X+10,5 Y-3,25 R0 FMAX M3\n",
+	 "rapid 10.5 -3.25 0 0 0\n"},
+	{"L X10.5 Y.5 Z-,5 F MAX\n",
+	 "rapid 10.5 0.5 -0.5 0 0\n"},
+	{"L  X+1  Y+2 FMAX ; a comment L X+9\nL F100 Z+1\n",
+	 "rapid 1 2 0 0 0\nfeed 1 2 1 0 0\n"},
+	{"L X+1 FMAX\n; L X+5\n* - a section\n\n5 ; only a comment\nL X+2 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"l x+1 y+2 r0 fmax m3\n",
+	 "rapid 1 2 0 0 0\n"},
+	{"X+5 R0 FMAX\nY+3 F100\nIX-1\n",
+	 "rapid 5 0 0 0 0\nfeed 5 3 0 0 0\nfeed 4 3 0 0 0\n"},
+	{"L X+1 R F100 M\nL Y+1 R F M\n",
+	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\n"},
+	{"F250\nS1000 M3\nL X+1\n",
+	 "feed 1 0 0 0 0\n"},
+	{"M3\nM8 M9\nL M5\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"/L X+1 FMAX\nL X+2 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"BLK FORM 0.1 Z X+0 Y+0 Z-20\nBLK FORM 0.2 X+100 Y+100 Z+0\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"STOP M57\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"L X+1 FMAX M57\nM60\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"L X+99999.123456789012345 FMAX\n",
+	 "rapid 99999.1235 0 0 0 0\n"},
+	{"L X1 FMAX\nL X-1.5 F1,5\n",
+	 "rapid 1 0 0 0 0\nfeed -1.5 0 0 0 0\n"},
+	{"L X+10 Y+10 FMAX\nL IX+5 IY-3 F100\nL IZ-2\n",
+	 "rapid 10 10 0 0 0\nfeed 15 7 0 0 0\nfeed 15 7 -2 0 0\n"},
+	{"L IX+1 FMAX\nL IX+1 FMAX\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 1 0 0 0 0\n"},
+	{"L X+1 F100\nL Y+1\nL Z+1 FMAX\nL X+2\n",
+	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nrapid 1 1 1 0 0\nfeed 2 1 1 0 0\n"},
+	{"L C+90 FMAX\nL IC+45 FMAX\nL A-30 F500\n",
+	 "rapid 0 0 0 0 90\nrapid 0 0 0 0 135\nfeed 0 0 0 -30 135\n"},
+	{"L X+1 A+10 C+20 FMAX\n",
+	 "rapid 1 0 0 10 20\n"},
+	{"TOOL CALL 1 Z S1000\nL Z+50 FMAX\n",
+	 "tool 1\nrapid 0 0 150 0 0\n"},
+	{"TOOL CALL \"DRILL 5\" Z S500 F200\nL Z+0 F AUTO\n",
+	 "tool 2\nfeed 0 0 40 0 0\n"},
+	{"TOOL CALL 1 Z S1000 DL+0.5 DR-0.1\nL Z+0 FMAX\n",
+	 "tool 1\nrapid 0 0 100.5 0 0\n"},
+	{"TOOL CALL 1 Z\nL Z+0 FMAX\nTOOL CALL 2 Z\nL Z+0 FMAX\nTOOL CALL 0 Z\nL Z+0 FMAX\n",
+	 "tool 1\nrapid 0 0 100 0 0\ntool 2\nrapid 0 0 40 0 0\ntool 0\nrapid 0 0 0 0 0\n"},
+	{"TOOL DEF 2\nTOOL CALL 1 Z S100\nM6\nL X+1 FMAX\n",
+	 "tool 1\nrapid 1 0 0 0 0\n"},
+	{"TOOL DEF 1 L100 R5\nTOOL CALL 1 Z\n",
+	 "tool 1\n"},
+	{"TOOL CALL 1 Z S100\nTOOL CALL S200\nTOOL CALL Z S300\nL Z+0 F100\n",
+	 "tool 1\nfeed 0 0 100 0 0\n"},
+	{"TOOL CALL 'MILL 10' Z\nL X+0 FMAX\n",
+	 "tool 1\nrapid 0 0 0 0 0\n"},
+	{"L X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"CYCL DEF 247 DATUM SETTING ~\n Q339=+1 ;DATUM NUMBER\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"CYCL DEF 247 DATUM SETTING Q339=1\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+};
+
+/* Q parameters, FN 0 to 8 and 13, formulas. */
+static const struct program parameters[] = {
+	{"Q1 = 5\nL X+Q1 Y-Q1 FMAX\n",
+	 "rapid 5 -5 0 0 0\n"},
+	{"Q1=+2.5\n",
+	 ""},
+	{"FN 0: Q5 = +60\nFN 1: Q1 = -Q5 + +5\nFN 2: Q2 = +10 - +5\nFN 3: Q3 = +3 * +3\nFN 4: Q4 = +8 DIV +Q2\n"
+	 "L X+Q1 Y+Q2 Z+Q3 FMAX\nL X+Q4 FMAX\n",
+	 "rapid -55 5 9 0 0\nrapid 1.6 5 9 0 0\n"},
+	{"FN 5: Q20 = SQRT 4\nFN 6: Q21 = SIN 30\nFN 7: Q22 = COS 60\nFN 8: Q23 = +3 LEN +4\n"
+	 "FN 13: Q24 = +10 ANG +10\nL X+Q20 Y+Q21 Z+Q22 FMAX\nL X+Q23 Y+Q24 FMAX\n",
+	 "rapid 2 0.5 0.5 0 0\nrapid 5 45 0.5 0 0\n"},
+	{"FN0:Q1=4\nL X+Q1 FMAX\n",
+	 "rapid 4 0 0 0 0\n"},
+	{"Q1 = 5 * 3 + 2 * 10\nQ2 = SQ 10 - 3^3\nL X+Q1 Y+Q2 FMAX\n",
+	 "rapid 35 73 0 0 0\n"},
+	{"Q1 = ( 1 + 2 ) * 3 - 8 / 4\nQ2 = 2 ^ 3 * 2\nQ3 = 10 % 4\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 7 16 2 0 0\n"},
+	{"Q1 = SIN 30 + COS 60 + TAN 45\nQ2 = ASIN 0.5\nQ3 = ACOS (0,5)\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 2 30 60 0 0\n"},
+	{"Q1 = ATAN 1\nQ2 = SQRT 16\nQ3 = ABS -3\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 45 4 3 0 0\n"},
+	{"Q1 = NEG 2\nQ2 = INT 2.7\nQ3 = FRAC -2.25\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid -2 2 -0.25 0 0\n"},
+	{"Q1 = PI\nQ2 = COS (180 * PI / PI)\nL X+Q1 Y+Q2 FMAX\n",
+	 "rapid 3.14159265 -1 0 0 0\n"},
+	{"QL5 = 3\nQR7 = 4\nL X+QL5 Y+QR7 FMAX\n",
+	 "rapid 3 4 0 0 0\n"},
+	{"Q1 = -5\nL X-Q1 Y+Q1 FMAX\n",
+	 "rapid 5 -5 0 0 0\n"},
+	{"Q10 = 100\nL X+1 FQ10\nL X+2 F Q10\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\n"},
+	{"TOOL CALL 1 Z\nQ1 = Q108\nQ2 = Q114\nL X+Q1 Y+Q2 FMAX\n",
+	 "tool 1\nrapid 5 100 0 0 0\n"},
+	{"Q1 = 2\nQ1 = Q1 * Q1\nQ1 = Q1 * Q1\nL X+Q1 FMAX\n",
+	 "rapid 16 0 0 0 0\n"},
+	{"Q1=1\nL XQ1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+};
+
+/* Labels, subprograms, section repeats, jumps. */
+static const struct program flow[] = {
+	{"CALL LBL 1\nL X+9 FMAX\nM30\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
+	 "rapid 1 0 0 0 0\nrapid 9 0 0 0 0\n"},
+	{"CALL LBL 1\nCALL LBL 1\nL M2\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"LBL 1\nL IX+1 FMAX\nCALL LBL 1 REP 3\nL Y+1 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 4 0 0 0 0\nrapid 4 1 0 0 0\n"},
+	{"LBL 1\nL IX+1 FMAX\nCALL LBL 1 REP 2/2\nL Y+1 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 3 1 0 0 0\n"},
+	{"LBL 1\nLBL 2\nL IX+1 FMAX\nCALL LBL 2 REP 1\nL IY+1 FMAX\nCALL LBL 1 REP 1\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\nrapid 4 1 0 0 0\nrapid 4 2 0 0 0\n"},
+	{"CALL LBL \"UP\"\nM2\nLBL \"UP\"\nL IZ+5 FMAX\nLBL 0\n",
+	 "rapid 0 0 5 0 0\n"},
+	{"Q1=0\nLBL 5\nQ1 = Q1 + 1\nL X+Q1 FMAX\nFN 12: IF +Q1 LT +3 GOTO LBL 5\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
+	{"Q1=3\nFN 9: IF +Q1 EQU +3 GOTO LBL 7\nL X+1 FMAX\nLBL 7\nL X+2 FMAX\n",
+	 "rapid 2 0 0 0 0\n"},
+	{"FN 10: IF 1 NE 1 GOTO LBL 7\nL X+1 FMAX\nLBL 7\nL X+2 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"FN 11: IF 2 GT 1 GOTO LBL \"A B\"\nL X+1 FMAX\nLBL \"A B\"\nL X+2 FMAX\n",
+	 "rapid 2 0 0 0 0\n"},
+	{"CALL LBL 1\nM30\nLBL 1\nCALL LBL 2\nL IX+1 FMAX\nLBL 0\nLBL 2\nL IY+1 FMAX\nLBL 0\n",
+	 "rapid 0 1 0 0 0\nrapid 1 1 0 0 0\n"},
+	{"LBL 3\nL X+1 FMAX\nLBL 0\nL X+2 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"L X+5 FMAX\nM30\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
+	 "rapid 5 0 0 0 0\n"},
+	{"M30\nL X+1 FMAX\n",
+	 ""},
+	{"CALL LBL 01\nM2\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"Q5=2\nCALL LBL Q5\nM2\nLBL 2\nL IX+1 FMAX\nLBL 0\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"LBL 1\nL IX+1 FMAX\nCALL LBL 1 REP 0\nL Y+1 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 1 1 0 0 0\n"},
+	{"CALL LBL 9\nCALL LBL 9\nM2\nLBL 9\nLBL 8\nL IX+1 FMAX\nCALL LBL 8 REP 1\nLBL 0\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 4 0 0 0 0\n"},
+	{"FN 16: F-PRINT X.A / Y\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
+};
+
+static void expect(const struct program *program)
+{
+	struct gcode_case c;
+	bool good;
+
+	klartext_case(&c);
+	good = klartext_run(&c, program->blocks);
+	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.messages), "");
+	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
+		      strbuf_text(&c.moves), program->moves);
+	case_release(&c);
+}
+
+START_TEST(lexis_table)
+{
+	expect(&lexis[_i]);
+}
+END_TEST
+
+START_TEST(parameters_table)
+{
+	expect(&parameters[_i]);
+}
+END_TEST
+
+START_TEST(flow_table)
+{
+	expect(&flow[_i]);
+}
+END_TEST
+
+/* Inches, called programs, presets, no setup: what the tables' control does not show. */
+START_TEST(units)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.show_feed = true;
+	case_expect(&c, "BEGIN PGM T INCH\nL X+1 Y-.5 FMAX\nL X+2 C+90 F100\nL C+0\nEND PGM T INCH\n",
+		    "rapid 25.4 -12.7 0 0 0\nfeed 50.8 -12.7 0 0 90 at 4.23333333 1.66666667\n"
+		    "feed 50.8 -12.7 0 0 0 at 4.23333333 1.66666667\n");
+	klartext_case(&c);
+	c.show_feed = true;
+	case_expect(&c, "BEGIN PGM T MM\nTOOL CALL 1 Z S60 F300\nL X+1 F60\nL X+2 F AUTO\nEND PGM T MM\n",
+		    "tool 1 at 0 0\nfeed 1 0 0 0 0 at 1 1\nfeed 2 0 0 0 0 at 5 5\n");
+}
+END_TEST
+
+START_TEST(presets)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.work_offsets = &klartext_presets[1];
+	/* The only preset is in force. */
+	ck_assert(klartext_run(&c, "L X+1 Y+1 Z+1 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 11 21 31 0 0\n");
+	case_release(&c);
+	klartext_case(&c);
+	c.config.work_offset_count = 2;
+	ck_assert(klartext_run(&c, "CYCL DEF 247 Q339=2\nL X+1 FMAX\nCYCL DEF 247 Q339=1\nL X+1 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 11 0 0 0 0\nrapid 1 0 0 0 0\n");
+	case_release(&c);
+	klartext_case(&c);
+	c.config.work_offset_count = 2;
+	ck_assert(!klartext_run(&c, "L X+1 FMAX\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "the setup has 2 presets, and the program does not say"));
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(rotary_ways)
+{
+	struct gcode_case c;
+
+	/* M126 takes the shorter way where the display is reduced; without it the control goes the plain way. */
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+	ck_assert(klartext_run(&c, "M126\nL C+350 FMAX\nL C+10 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 0 0 -10\nrapid 0 0 0 0 10\n");
+	case_release(&c);
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SHORTEST;
+	ck_assert(!klartext_run(&c, "L C+90 FMAX\nL C+350 FMAX\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "M126 is not in force"));
+	case_release(&c);
+	klartext_case(&c);
+	ck_assert(klartext_run(&c, "M126\nL C+350 FMAX\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: M126 is in force, but C counts as a plain number"));
+	case_release(&c);
+	klartext_case(&c);
+	c.config.wrap[SLOT_C] = WRAP_SIGN;
+	ck_assert(!klartext_run(&c, "L C+350 FMAX\n"));
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(without_setup)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.has_setup = false;
+	c.config.tool_count = 0;
+	c.config.work_offset_count = 0;
+	ck_assert(klartext_run(&c, "TOOL CALL 0 Z\nL X+1 FMAX\n"));
+	case_release(&c);
+	klartext_case(&c);
+	c.config.has_setup = false;
+	c.config.tool_count = 0;
+	ck_assert(!klartext_run(&c, "TOOL CALL 1 Z\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "no setup was given that defines the tool's length"));
+	case_release(&c);
+	klartext_case(&c);
+	c.config.controller.tool_change.given = false;
+	ck_assert(!klartext_run(&c, "TOOL CALL 1 Z\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "<tool_change/> that it moves none"));
+	case_release(&c);
+}
+END_TEST
+
+/* Every block that is no label, jump or comment is told, with its moves and its text. */
+START_TEST(blocks)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	ck_assert(klartext_run(&c, "1 L X+1 F100\n2 RND R.2\n3 L Y+1\n; text\nLBL 1\n"));
+	ck_assert_str_eq(strbuf_text(&c.blocks), "2:1:1 L X+1 F100\n3:0:2 RND R.2\n4:2:3 L Y+1\n");
+	ck_assert_int_eq(c.lines, 7);
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(block_limit)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.read.max_blocks = 50;
+	ck_assert(!klartext_run(&c, "LBL 1\nL X+1 FMAX\nFN 9: IF 1 EQU 1 GOTO LBL 1\n"));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "50 blocks of loops and subprograms have been carried out"));
+	case_release(&c);
+}
+END_TEST
+
+/* The next line is outside of what the reader has buffered: RND is found all the same, and the line stays as it is. */
+START_TEST(long_program)
+{
+	struct strbuf text = {0}, moves = {0};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	for (int i = 1; i <= 40000; i++)
+		strbuf_addf(&text, "L X+%d F100 ; %020d\n", i, i);
+	strbuf_addf(&text, "L Y+5\nRND R1\nL IX+5\n");
+	ck_assert(klartext_run(&c, strbuf_text(&text)));
+	ck_assert_int_eq(c.count, 40003);
+	strbuf_addf(&moves, "feed 40000 4 0 0 0\narc 40001 5 0 0 0 centre 40001 4 0 normal 0 0 1 sweep -90\n"
+			    "feed 40005 5 0 0 0\n");
+	ck_assert_str_eq(strbuf_text(&c.moves) + c.moves.length - moves.length, strbuf_text(&moves));
+	case_release(&c);
+	strbuf_release(&text);
+	strbuf_release(&moves);
+}
+END_TEST
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_klartext");
+	TCase *tcase = tcase_create("gcode_klartext");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, lexis_table, 0, COUNT(lexis));
+	tcase_add_loop_test(tcase, parameters_table, 0, COUNT(parameters));
+	tcase_add_loop_test(tcase, flow_table, 0, COUNT(flow));
+	tcase_add_test(tcase, units);
+	tcase_add_test(tcase, presets);
+	tcase_add_test(tcase, rotary_ways);
+	tcase_add_test(tcase, without_setup);
+	tcase_add_test(tcase, blocks);
+	tcase_add_test(tcase, block_limit);
+	tcase_add_test(tcase, long_program);
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
