@@ -385,14 +385,15 @@ void program_check(const struct program_context *context, const char *path, stru
 	program.name = path;
 	if (context->run.waiving->file)
 		program.matched = mem_zalloc(context->run.waiving->file->count + 1, sizeof(*program.matched));
+	if (context->reports) {
+		recorder_init(&recorder, context->scene, strcmp(path, "-") != 0 ? path : "<stdin>",
+			      context->check.block_clearance_cap);
+		program.recorder = &recorder;
+	}
 	opened = program_open(&file, path, &output->diag);
 	if (opened && find_start(&program, &file, &start)) {
 		program.name = file.name;
 		program.stream = file.stream;
-		if (context->reports) {
-			recorder_init(&recorder, context->scene, file.name, context->check.block_clearance_cap);
-			program.recorder = &recorder;
-		}
 		if (!fstat(fileno(file.stream), &status) && S_ISREG(status.st_mode))
 			program.size = status.st_size;
 		run(&program, &file, path, start);

@@ -50,11 +50,13 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 	const int y0 = clamp(floor(fmin(p[0].y, fmin(p[1].y, p[2].y))), raster->height);
 	const int y1 = clamp(ceil(fmax(p[0].y, fmax(p[1].y, p[2].y))), raster->height);
 
-	/* How a and b, the shares of the first two corners, change from pixel to pixel. */
-	const double a_step = (p[1].y - p[2].y) / area, b_step = (p[2].y - p[0].y) / area;
+	double a_step, b_step;
 
 	if (!(fabs(area) > 0))
 		return;
+	/* How a and b, the shares of the first two corners, change from pixel to pixel. */
+	a_step = (p[1].y - p[2].y) / area;
+	b_step = (p[2].y - p[0].y) / area;
 	for (int y = y0; y < y1; y++) {
 		const vec3 at = {x0 + 0.5, y + 0.5, 0};
 		double a = area_of(p[1], p[2], at) / area, b = area_of(p[2], p[0], at) / area;

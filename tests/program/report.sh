@@ -1,0 +1,57 @@
+# A report against the other outputs of the same check, read by a decoder of its own (report_data.py).
+need python3
+check() {
+	python3 "$(dirname "$LIB")/report_data.py" "$@"
+}
+small_machine
+sphere knob 15 12
+sed -i 's|<body name="head" mesh="head.stl"/>|<body name="head" mesh="head.stl"/><body name="knob" mesh="knob.stl" location="30 5 110"/>|' m.xml
+program a.nc <<'NC'
+(a comment)
+G0 X10 C45
+G1 X-12.345 Z-30 F600
+G4 P2
+G1 X5 Z-92 C90
+G2 X15 Z-92 I5 K0 G18
+G1 Z-120 F600
+G0 Z0
+NC
+fivecheck -q m.xml a.nc >plain.txt
+fivecheck -q --report=a.html m.xml a.nc >with.txt
+cmp plain.txt with.txt
+cmp plain.txt - <<TEXT
+$(fivecheck -q --report=j.html -j 3 m.xml a.nc)
+TEXT
+cmp a.html j.html
+fivecheck -q -f ndjson=a.ndjson --pose=a.stl m.xml a.nc
+fivecheck --clearance-report=a.csv -q m.xml a.nc >/dev/null
+check a.html policy findings=a.ndjson pose=a.stl contact clearance=a.csv code=a.nc planes \
+	"text=knob (Z) meets table (C)"
+
+# Straight moves have one row each in --dump-path and here, whatever the tolerance.
+program b.nc <<'NC'
+G0 X10 C45
+G1 X-12.345 Z-30 F600
+G4 P2
+G1 X5 Z-92 C90
+M2
+NC
+status fivecheck -q --report=b.html m.xml b.nc
+fivecheck --dump-path m.xml b.nc >b.tsv
+check b.html policy path=b.tsv code=b.nc text=clear
+
+# Without the program's text.
+fivecheck -q --report=none.html --report-code=none m.xml b.nc >/dev/null
+check none.html code=b.nc
+grep -c 'G1 X-12.345' none.html
+
+# Several programs: an index beside one report each; names that are the same, or are no file names.
+mkdir p 'p/q & <b>'
+cp a.nc p/a.nc
+cp b.nc 'p/q & <b>/b b.nc'
+status fivecheck -q -j 2 --report=all.html m.xml a.nc p/a.nc 'p/q & <b>/b b.nc' | grep status
+ls all*.html
+grep -o 'href="[^"]*"' all.html
+grep -c '<b>/b' all.html
+check all-a-2.html policy "text=p/a.nc"
+check all-b_b.html policy "text=p/q & <b>/b b.nc"
