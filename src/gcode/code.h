@@ -128,7 +128,7 @@ enum g_group {
 	G_GROUPS
 };
 
-enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_TCP, M_GROUPS };
+enum m_group { M_STOP, M_TOOL, M_SPINDLE, M_COOLANT, M_OVERRIDE, M_OUTPUT, M_MODES, M_TCP, M_GROUPS };
 
 /* A code that is refused, or that changes nothing which is followed here: it may stand beside any other. */
 #define GROUP_NONE (-1)

@@ -124,6 +124,7 @@ struct state {
 	slot_values probe_low, probe_high;
 	bool settles[SLOT_COUNT];	/* the block gives the axis an absolute coordinate */
 	int tool;	/* in the spindle */
+	bool tool_by_m61;	/* M61 has said that it is there */
 	int selected;	/* by T, or -1 */
 	int length_number;	/* the H that was given last, or -1 */
 	bool blend;

@@ -87,7 +87,21 @@ static const struct bad codes[] = {
     {"M67 E-1 Q1\n", 1, 5, "the number of an output cannot be negative"},
     {"M48 P1\n", 1, 5, "no code in the block uses the word P"},
     {"M48 M52\n", 1, 5, "M52 and the M-code at column 1 are of one modal group; a block can have only one of them"},
-    {"M66 P0 L0\n", 1, 1, "M66: waiting for an input is not supported yet"},
+    {"M66 L0\n", 1, 1, "M66 needs the number of one input, in P or in E"},
+    {"M66 P1 E1\n", 1, 1, "M66 needs the number of one input, in P or in E"},
+    {"M66 P1 L3\n", 1, 8, "M66 with L3 waits for an input P, as long as Q says"},
+    {"M66 E1 L1 Q1\n", 1, 8, "M66 with L1 waits for an input P, as long as Q says"},
+    {"M66 P1 L5 Q1\n", 1, 8, "L5: a whole number from 0 to 4 is needed"},
+    {"M66 P1 L0\nG0 X#5399\n", 2, 5, "#5399 holds what M66 has read from an input, which is not known before the program "
+     "runs"},
+    {"M61 Q0\nG43\n", 2, 1, "after M61, which tool's length G43 takes is not the same everywhere: give H0"},
+    {"M61\n", 1, 1, "M61 needs Q, the number of the tool in the spindle"},
+    {"M61 Q-1\n", 1, 5, "Q-1: a whole number from 0 to 2147483647 is needed"},
+    {"M70 G91\n", 1, 1, "M70 stands alone in its block: which of the others come before it is not followed"},
+    {"M72\n", 1, 1, "M72 without an M70 or M73 of this subprogram before"},
+    {"M70\nM71\nM72\n", 3, 1, "M72 without an M70 or M73 of this subprogram before"},
+    {"M70\nG93\nM72\n", 3, 1, "M72 and M73 would take back the feed mode, which LinuxCNC does by halves: bring it back by "
+     "its own code first"},
     {"M19\n", 1, 1, "M19: spindle orientation is not supported yet"},
     {"M428\n", 1, 1,
      "M428 is not known; if it moves no axis, <mcode number=\"428\" action=\"ignore\"/> in the machine's <controller> "

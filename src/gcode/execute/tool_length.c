@@ -135,6 +135,10 @@ static bool find_spindle_length(struct interp *interp, int column, double *lengt
 	int number = interp->state.tool;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
 
+	/* LinuxCNC's own simulator takes the former tool's, the control the one that M61 names. */
+	if (interp->state.tool_by_m61)
+		return fault(&interp->at, column,
+			     "after M61, which tool's length G43 takes is not the same everywhere: give H%d", number);
 	if (number != 0 && !tool)
 		return fault(&interp->at, column,
 			     "the length of the tool in the spindle, T%d, is not known; a setup defines it", number);

@@ -253,10 +253,29 @@ static uint32_t override_letters(int code)
 	return code >= 50 ? letter_bit('P') : 0;
 }
 
-/* M62 to M65 switch the output P, M67 and M68 set E to Q. */
+/* M62 to M65 switch the output P, M67 and M68 set E to Q, M66 reads the input P or E in one of several ways. */
 static uint32_t output_letters(int code)
 {
+	if (code == 66)
+		return letter_bit('P') | letter_bit('E') | letter_bit('L') | letter_bit('Q');
 	return code == CODE_NONE ? 0 : code < 66 ? letter_bit('P') : letter_bit('E') | letter_bit('Q');
+}
+
+/* LinuxCNC's manual, "M66 Wait on Input". */
+static bool check_input(const struct block *block, const struct line_place *at)
+{
+	bool digital = block_has(block, 'P') && block_value(block, 'P') >= 0;
+	bool analog = block_has(block, 'E') && block_value(block, 'E') >= 0;
+	bool waits = block_has(block, 'Q') && block_value(block, 'Q') > 0;
+	int column = block->m_column[M_OUTPUT], way = 0;
+
+	if (digital == analog)
+		return fault(at, column, "M66 needs the number of one input, in P or in E");
+	if (block_has(block, 'L') && !block_integer(block, at, 'L', 0, 4, &way))
+		return false;
+	if (way > 0 && (analog || !waits))
+		return fault(at, block_column(block, 'L'), "M66 with L%d waits for an input P, as long as Q says", way);
+	return true;
 }
 
 static bool check_output(const struct block *block, const struct line_place *at)
@@ -266,6 +285,8 @@ static bool check_output(const struct block *block, const struct line_place *at)
 
 	if (code == CODE_NONE)
 		return true;
+	if (code == 66)
+		return check_input(block, at);
 	if (!block_has(block, letter))
 		return fault(at, column, "M%d needs %c, the number of the output", code, letter);
 	if (letter == 'E' && block_value(block, 'E') < 0)
@@ -311,6 +332,8 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= letter_bit('P');
 	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
+	if (block->m[M_TOOL] == 61)
+		used |= letter_bit('Q');
 	used |= traits->h_alone ? letter_bit('H') : 0;
 	used |= traits->d_alone == ANSWER_YES ? letter_bit('D') : 0;
 	if (block->g[G_PATH] == G64 && traits->g64_has_tolerance != ANSWER_NO)

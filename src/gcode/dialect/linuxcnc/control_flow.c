@@ -163,8 +163,14 @@ static bool start_anew(struct interp *interp)
 
 bool control_flow_after_block(struct interp *interp)
 {
-	int column = interp->block.m_column[M_STOP];
+	int column = interp->block.m_column[M_STOP], modes = interp->block.m[M_MODES];
 
+	if (modes != CODE_NONE && interp->block.words > 1)
+		return fault(&interp->at, interp->block.m_column[M_MODES],
+			     "M%d stands alone in its block: which of the others come before it is not followed", modes);
+	if (modes != CODE_NONE)
+		return modal_state_run(interp, &linuxcnc_call_in_hand(interp)->modal, modes,
+				       interp->block.m_column[M_MODES]);
 	if (interp->block.m[M_STOP] != 99)
 		return true;
 	if (linuxcnc_of(interp)->params.level > 0)

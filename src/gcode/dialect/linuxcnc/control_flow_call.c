@@ -132,6 +132,7 @@ static bool enter(struct interp *interp, const char *name, int column, bool by_m
 	call->column = column;
 	call->controls = linuxcnc_of(interp)->flow.control_count;
 	call->m98_left = 0;
+	call->modal.saved = call->modal.on_return = false;
 	memcpy(call->saved, &params->numbered[1], sizeof(call->saved));
 	if (go_to(interp, name, column))
 		return true;
@@ -218,6 +219,8 @@ static bool leave(struct interp *interp, int column)
 	struct params *params = &linuxcnc_of(interp)->params;
 	struct call *call = linuxcnc_call_in_hand(interp);
 
+	if (!modal_state_leave(interp, &call->modal, column))
+		return false;
 	if (!call->by_m98)
 		memcpy(&params->numbered[1], call->saved, sizeof(call->saved));
 	control_stack_close(&linuxcnc_of(interp)->flow, call->controls);

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "gcode/dialect/linuxcnc/modal_state.h"
 #include "gcode/dialect/linuxcnc/params.h"
 #include "gcode/text/label.h"
 
@@ -31,6 +32,7 @@ struct call {
 	int column;
 	double saved[PARAM_ARGUMENTS];
 	size_t controls;	/* open when it began */
+	struct modal_state modal;	/* of M70 and M73 */
 	int m98_left;	/* calls that the M98 under way at this level has left; 0: it is a new one */
 };
 

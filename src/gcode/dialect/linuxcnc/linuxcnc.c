@@ -8,6 +8,7 @@
 
 /* LinuxCNC's manual, "G-Codes", "M-Codes". */
 static const struct code g_codes[] = {
+	/* Splines are made of arcs between points of the curve: how many, and how far beside it, differs by version. */
 	{50, GROUP_NONE, CODE_REFUSED, "cubic spline"},
 	{51, GROUP_NONE, CODE_REFUSED, "quadratic spline"},
 	{52, GROUP_NONE, CODE_REFUSED, "NURBS block"},
@@ -67,18 +68,18 @@ static const struct code m_codes[] = {
 	{51, M_OVERRIDE, CODE_IGNORED, "spindle speed override control"},
 	{52, M_OVERRIDE, CODE_IGNORED, "adaptive feed control"},
 	{53, M_OVERRIDE, CODE_IGNORED, "feed stop control"},
-	{61, GROUP_NONE, CODE_REFUSED, "setting of the current tool number"},
+	{61, M_TOOL, CODE_READ, "setting of the current tool number"},
 	{62, M_OUTPUT, CODE_IGNORED, "digital output on, with the next motion"},
 	{63, M_OUTPUT, CODE_IGNORED, "digital output off, with the next motion"},
 	{64, M_OUTPUT, CODE_IGNORED, "digital output on"},
 	{65, M_OUTPUT, CODE_IGNORED, "digital output off"},
-	{66, GROUP_NONE, CODE_REFUSED, "waiting for an input"},
+	{66, M_OUTPUT, CODE_IGNORED, "waiting for an input; reading #5399 is an error"},
 	{67, M_OUTPUT, CODE_IGNORED, "analog output, with the next motion"},
 	{68, M_OUTPUT, CODE_IGNORED, "analog output"},
-	{70, GROUP_NONE, CODE_REFUSED, "saving of the modal state"},
-	{71, GROUP_NONE, CODE_REFUSED, "saving of the modal state"},
-	{72, GROUP_NONE, CODE_REFUSED, "restoring of the modal state"},
-	{73, GROUP_NONE, CODE_REFUSED, "saving of the modal state"},
+	{70, M_MODES, CODE_READ, "saving of the modal state"},
+	{71, M_MODES, CODE_READ, "the saved modal state is invalid"},
+	{72, M_MODES, CODE_READ, "restoring of the modal state"},
+	{73, M_MODES, CODE_READ, "saving of the modal state, restored at the end of the subprogram"},
 	/* The call of a subprogram by its number is read before the block is. */
 	{98, GROUP_STATEMENT, CODE_READ, "subprogram call"},
 };
