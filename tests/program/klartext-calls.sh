@@ -1,0 +1,33 @@
+# Klartext from files: CALL PGM finds programs beside the program and in --include, messages name the calls that led there,
+# a pipe is read as a file is, endless loops end, and what stands behind M30 is no second program.
+small_machine
+sed 's|<base|<controller dialect="klartext" path_tolerance="0.01"><tool_change/></controller><base|' m.xml >k.xml
+mkdir more
+printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0 F1000\n2 END PGM SUB MM\n' >sub.h
+printf '0 BEGIN PGM FAR MM\n1 CALL PGM sub.h\n2 L IZ+5\n3 END PGM FAR MM\n' >more/FAR.H
+program p.h <<'NC'
+0 BEGIN PGM P MM
+1 CALL PGM TNC:\NC\sub.h
+2 CALL PGM FAR
+3 CALL LBL 1
+4 L M30
+5 LBL 1
+6 L IZ+1
+7 LBL 0
+8 END PGM P MM
+NC
+fivecheck --dump-path --include=more k.xml p.h | cut -f 1,4-6
+status fivecheck --parse-only k.xml p.h
+fivecheck --dump-path --include=more --include=. k.xml - <p.h | cut -f 1,4-6 | tail -n 1
+
+# The fault stands two calls deep.
+printf '0 BEGIN PGM SUB MM\n1 L IX+1 RL\n2 END PGM SUB MM\n' >sub.h
+status fivecheck --parse-only --include=more k.xml p.h
+
+printf 'BEGIN PGM P MM\nLBL 1\nL X+0 FMAX\nCALL LBL 2\nFN 9: IF 1 EQU 1 GOTO LBL 1\nM2\nLBL 2\nLBL 0\nEND PGM P MM\n' >p.h
+status fivecheck --parse-only --max-blocks=1000 k.xml p.h
+
+# The sign of the other family, both ways.
+printf 'G0 X1\nM30\n' >g.nc
+status fivecheck --parse-only k.xml g.nc
+status fivecheck --parse-only m.xml p.h
