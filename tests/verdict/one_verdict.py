@@ -6,6 +6,7 @@ and runs it there plainly and in all the ways that only tell more or only save t
 is kept. Only Python's standard library is needed.
 
     one_verdict.py --fivecheck build/fivecheck --cases 4 --seed 1 --keep FOLDER [--only CASE] [--blocks MOST]
+        [--ways COUNT] [--patience SECONDS] [--progress]
 """
 
 import argparse
@@ -13,18 +14,33 @@ import json
 import math
 import os
 import random
+import re
+import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 
-# Halvings of the range in which the verdict turns, and the places next to the turn that are looked at, in mm.
-HALVINGS = 16
-BESIDE = (0.0, 0.0004, -0.0004)
+# The place at which the verdict turns is looked for at so many places at once, so many times.
+PLACES = 12
+ROUNDS = 5
+
+# Places from the turn on, towards clear, in mm, and in shares of e: near 0 the last place that is found and the first that is clear.
+BESIDE_MM = (-0.5, -0.05)
+BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
+
+# Seconds between two lines of progress.
+PROGRESS = 10
 
 
 class Fault(Exception):
+    pass
+
+
+class TooSlow(Exception):
     pass
 
 
@@ -53,6 +69,31 @@ def prism(radii, bottom, top):
     return out
 
 
+def flipped(triangles):
+    return [(a, c, b) for a, b, c in triangles]
+
+
+def shrunk(triangles):
+    """Half as large, about the middle."""
+    corners = [p for t in triangles for p in t]
+    middle = [0.5 * (min(p[k] for p in corners) + max(p[k] for p in corners)) for k in range(3)]
+    return [tuple(tuple(middle[k] + 0.5 * (p[k] - middle[k]) for k in range(3)) for p in t) for t in triangles]
+
+
+def drawn(r, triangles):
+    """The same surface as drawings have it: mostly once, facing outwards."""
+    how = r.choice(["plain"] * 5 + ["doubled", "inverted", "nested", "hollow", "open"])
+    if how == "doubled":
+        return triangles + flipped(triangles)
+    if how == "inverted":
+        return flipped(triangles)
+    if how == "nested":
+        return triangles + shrunk(triangles)
+    if how == "hollow":
+        return triangles + flipped(shrunk(triangles))
+    return triangles[:-1] if how == "open" else triangles
+
+
 def axis_xml(name, kind, direction, inside, location=None, extra=""):
     place = f' location="{location}"' if location else ""
     rate = 7200 if kind == "rotary" else 30000
@@ -62,13 +103,16 @@ def axis_xml(name, kind, direction, inside, location=None, extra=""):
 class Case:
     """A machine, its setup, and a program whose approach along one axis is `place` mm."""
 
+    prologue = ""
+    tip = False  # the program guides the tool's tip
+
     def __init__(self, seed, number, folder, most=5000):
         self.random = random.Random(f"{seed} {number}")
         self.folder = folder
         r = self.random
         self.tolerance_on_path = r.choice([0, 0.005, 0.02, 0.05, 0.2])
         self.by_program = bool(self.tolerance_on_path) and r.random() < 0.4
-        self.rapid = r.choice(["linear", "linear", "dogleg", "any"])
+        self.rapid = r.choice(["linear"] * 6 + ["dogleg"] * 3 + ["any"])
         self.wrap = r.choice(["none", "shortest", "sign"])
         self.clearance = r.choice([0, 0, 0, 0.5])
         self.e = r.choice([0.001, 0.001, 0.01, 0.1])
@@ -88,7 +132,7 @@ class Case:
                 f.write(setup)
 
     def mesh(self, name, triangles):
-        write_stl(os.path.join(self.folder, name + ".stl"), triangles)
+        write_stl(os.path.join(self.folder, name + ".stl"), drawn(self.random, triangles))
         return f'<body name="{name}" mesh="{name}.stl"/>'
 
     def gear(self, radius, bottom, top):
@@ -105,9 +149,8 @@ class Case:
         tree += axis_xml("C", "rotary", r.choice(["0 0 1", "0 0 -1"]), self.mesh("table", self.gear(60, -40, 0)),
                          "0 0 0", f'wrap="{self.wrap}"')
         self.save(tree)
-        self.approach, self.range = "X", (0.5, 40.0)
+        self.approach, self.range = "X", (-25.0, 40.0)
         self.wander = {"C": 2.0, "Z": 3.0}
-        self.prologue = ""
 
     def trunnion(self):
         """A tool, or the bare spindle nose, above a table that tilts and turns."""
@@ -121,16 +164,27 @@ class Case:
         c = axis_xml("C", "rotary", "0 0 -1", table, "0 0 0", f'wrap="{self.wrap}"')
         tree += axis_xml("A", "rotary", "-1 0 0", cradle + c, "0 0 -50", 'limit_min="-100" limit_max="100"')
         setup = None
-        self.prologue = ""
         reach = 0
         if tool:
             reach = r.choice([60, 110])
-            setup = ('<setup version="1"><tool number="1" length="%d"><holder><section length="%d" diameter="40"/></holder>'
-                     '<cutter tip="flat"><section length="30" diameter="12"/></cutter></tool></setup>\n' % (reach, reach - 30))
-            self.prologue = "T1 M6\n"
+            setup = (f'<setup version="1">{self.part()}<tool number="1" length="{reach}">'
+                     f'<holder><section length="{reach - 30}" diameter="40"/></holder>'
+                     f'<cutter tip="{r.choice(["flat", "ball"])}"><section length="30" diameter="12"/></cutter></tool></setup>\n')
+            self.prologue = "T1 M6\n" + r.choice(["", "M3 S1000\n"])
+            if r.random() < 0.4:
+                self.prologue += "G43.4 H1\n"
+                self.tip, reach = True, 0
         self.save(tree, setup=setup)
         self.approach, self.range = "Z", (-280.0 + reach - 140, -279.0 + reach + 160)
         self.wander = {"A": 1.0, "C": 2.0, "X": 3.0, "Y": 3.0}
+
+    def part(self):
+        """On the table, or nothing. A cutter may enter it while it cuts."""
+        r = self.random
+        if r.random() < 0.4:
+            return ""
+        write_stl(os.path.join(self.folder, "part.stl"), drawn(r, box((-50, -45, 0), (50, 45, r.uniform(10, 60)))))
+        return '<part name="blank" mesh="part.stl"%s/>' % r.choice(["", ' rapid_allowance="0.02"', ' gouge="0.5"'])
 
     def tilting_head(self):
         """A head that tilts by B and turns by C over blocks on the base."""
@@ -143,7 +197,6 @@ class Case:
         self.save(tree)
         self.approach, self.range = "Z", (-150.0, 60.0)
         self.wander = {"B": 1.5, "C": 4.0, "X": 4.0, "Y": 4.0}
-        self.prologue = ""
 
     def walk(self, count):
         """Lists what each block does to the wandering axes, and its retreat from the approach."""
@@ -170,50 +223,91 @@ class Case:
         for kind, retreat, at, winds in self.blocks:
             words = "".join(f" {axis}{value + (360 if winds and axis == 'C' and self.wrap == 'shortest' else 0):.5f}"
                             for axis, value in at.items())
+            # The way of a rapid that is not straight is not known where the tip is guided.
+            kind = "G1" if self.tip and self.rapid != "linear" else kind
             lines.append(f"{kind} {self.approach}{place + retreat:.6f}{words}")
         with open(os.path.join(self.folder, name), "w") as f:
             f.write("\n".join(lines) + "\nM2\n")
 
 
-class Asker:
-    def __init__(self, fivecheck, case):
-        self.fivecheck, self.case = fivecheck, case
-        self.runs = 0
+def seconds_used():
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
 
-    def run(self, program, *options, simd=None, statuses=(0, 1)):
-        out = os.path.join(self.case.folder, "out.ndjson")
-        command = [self.fivecheck, f"--tolerance={self.case.e}", f"--format=ndjson={out}", "--format=text", *options]
+
+class Asker:
+    def __init__(self, fivecheck, case, patience=None):
+        self.fivecheck, self.case, self.patience = fivecheck, case, patience
+        self.runs = 0
+        self.began = seconds_used()
+
+    def limit_time(self):
+        if self.patience:
+            resource.setrlimit(resource.RLIMIT_CPU, (self.patience, self.patience))
+
+    def call(self, words, environment=None, statuses=(0, 1)):
+        done = subprocess.run([self.fivecheck, *words], cwd=self.case.folder, env=environment, capture_output=True,
+                              text=True, preexec_fn=self.limit_time)
+        self.runs += 1
+        if self.patience and (done.returncode in (-signal.SIGXCPU, -signal.SIGKILL) or
+                              seconds_used() - self.began > self.patience):
+            raise TooSlow()
+        if done.returncode not in statuses:
+            raise Fault(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()}")
+        return done
+
+    def run(self, programs, *options, simd=None, statuses=(0, 1), out="out.ndjson"):
+        """The exit status, and for each program its verdict and its findings, one line each."""
+        words = [f"--tolerance={self.case.e}", f"--format=ndjson={out}", "--format=text", *options]
         if self.case.clearance:
-            command.append(f"--clearance={self.case.clearance}")
+            words.append(f"--clearance={self.case.clearance}")
         if self.case.setup:
-            command += ["-s", "setup.xml"]
+            words += ["-s", "setup.xml"]
         environment = dict(os.environ)
         environment.pop("FIVECHECK_SIMD", None)
         if simd:
             environment["FIVECHECK_SIMD"] = simd
-        done = subprocess.run(command + ["machine.xml", program], cwd=self.case.folder, env=environment,
-                              capture_output=True, text=True)
-        self.runs += 1
-        if done.returncode not in statuses:
-            raise Fault(f"{' '.join(options)} {program}: status {done.returncode}: {done.stderr.strip()}")
-        with open(out) as f:
+        done = self.call(words + ["machine.xml", *programs], environment, statuses)
+        return done.returncode, self.read(out)
+
+    def read(self, out):
+        """The verdict and the findings of each program of a run."""
+        with open(os.path.join(self.case.folder, out)) as f:
             lines = f.read().splitlines()
-        findings = [line for line in lines if json.loads(line).get("kind") not in ("header", "program", "summary")]
-        return done.returncode, findings[0] if findings else None, done.stderr
+        found = {}
+        for line in lines:
+            row = json.loads(line)
+            if row["kind"] == "program":
+                found.setdefault(row["file"], ["", []])[0] = row["verdict"]
+            elif row["kind"] not in ("header", "summary"):
+                found.setdefault(row["file"], ["", []])[1].append(line)
+        return found
 
+    def merge(self, names):
+        """The same of the shards that are joined."""
+        status = self.call(["merge", "-o", "joined.ndjson", *names]).returncode
+        return status, self.read("joined.ndjson")
 
-def first_of(findings):
-    found = [f for f in findings if f]
-    return min(found, key=lambda f: (json.loads(f)["time"], json.loads(f)["line"])) if found else None
+    def waivers(self, run, name, most=None):
+        """Writes waivers for the findings of a run, or for the first ones of each program."""
+        text = self.call(["waive", "--reason=known", "--until=9999-12-31", run]).stdout
+        head, *items = text.split("<waiver ")
+        end = items[-1][items[-1].index("</waivers>"):]
+        kept, counts = [head], {}
+        for item in items:
+            program = re.search('program="([^"]*)"', item)[1]
+            counts[program] = counts.get(program, 0) + 1
+            if most is None or counts[program] <= most:
+                kept.append(item.replace(end, ""))
+        with open(os.path.join(self.case.folder, name), "w") as f:
+            f.write("<waiver ".join(kept) + end)
 
 
 # Ways to ask that only tell more or only save time.
 def ways(levels):
-    yield "-a", ["-a"], None
     yield "-v", ["-v"], None
-    yield "-v -a", ["-v", "-a"], None
     yield "--timing", ["--timing=timing.csv"], None
     yield "--clearance-report", ["--clearance-report=near.csv"], None
+    yield "--clearance-cap", ["--clearance-report=near.csv", "--clearance-cap=0.01"], None
     yield "--waivers", ["--waivers=none.xml"], None
     for jobs in range(2, 6):
         yield f"-j{jobs}", [f"-j{jobs}"], None
@@ -221,44 +315,111 @@ def ways(levels):
         yield level, [], level
 
 
-def compare(asker, program, levels):
-    status, first, _ = asker.run(program)
-    for name, options, simd in ways(levels):
-        other_status, other, _ = asker.run(program, *options, simd=simd)
-        if (other_status, other) != (status, first):
-            raise Fault(f"{program}: plain: {status} {first}\n  {name}: {other_status} {other}")
-    for shards in (2, 3):
-        found = [asker.run(program, f"--shard={k}/{shards}") for k in range(1, shards + 1)]
-        joint = max(f[0] for f in found), first_of([f[1] for f in found])
-        if joint != (status, first):
-            raise Fault(f"{program}: plain: {status} {first}\n  {shards} shards: {joint[0]} {joint[1]}")
-    return status
+def expect(name, found, wanted):
+    if found == wanted:
+        return
+    if isinstance(wanted, dict):
+        for program in wanted:
+            if found.get(program) != wanted[program]:
+                raise Fault(f"{program}: plain: {wanted[program]}\n  {name}: {found.get(program)}")
+    raise Fault(f"plain: {wanted}\n  {name}: {found}")
 
 
-def check(fivecheck, seed, number, folder, levels, most):
+def firsts(runs):
+    """The first finding of each program."""
+    return {program: findings[:1] for program, (_, findings) in runs.items()}
+
+
+def compare_shards(asker, programs, first, every):
+    """Each shard of a program finds its share; joined they are the run. The same of shards of a list."""
+    count = asker.case.random.choice((2, 3, 5))
+    names = [f"shard-{k}.ndjson" for k in range(1, count + 1)]
+    program = asker.case.random.choice(programs)
+    for options, (verdict, wanted) in (([], first[program]), (["-a"], every[program])):
+        for k, name in enumerate(names, 1):
+            asker.run([program], f"--shard={k}/{count}", *options, out=name)
+        status, joined = asker.merge(names)
+        findings = joined[program][1]
+        if not options:
+            # Each shard stops at its own first finding.
+            findings = sorted(findings, key=lambda f: (json.loads(f)["time"], json.loads(f)["line"]))[:1]
+        expect(f"{program}: merge of {count} shards {options}", (status, findings), (int(verdict == "found"), wanted))
+    for k, name in enumerate(names, 1):
+        asker.run(programs, f"--shard={k}/{count}", out=name)
+    expect(f"merge of {count} shards of the list", asker.merge(names)[1], first)
+
+
+def compare_waived(asker, programs, every):
+    """With all findings waived the same ones are accepted; with the first waived the next one is the first that fails."""
+    def bare(line):
+        finding = json.loads(line)
+        for key in ("accepted", "reason", "expires"):
+            finding.pop(key, None)
+        return finding
+
+    asker.waivers("every.ndjson", "every.xml")
+    status, runs = asker.run(programs, "--waivers=every.xml")
+    expect("all waived", (status, {p: [bare(f) for f in runs[p][1]] for p in programs}),
+           (0, {p: [json.loads(f) for f in every[p][1]] for p in programs}))
+    asker.waivers("every.ndjson", "first.xml", 1)
+    status, runs = asker.run(programs, "--waivers=first.xml")
+    failing = {p: [f for f in runs[p][1] if "accepted" not in json.loads(f)] for p in programs}
+    expect("the first waived", failing, {p: every[p][1][1:2] for p in programs})
+
+
+def compare(asker, programs, levels, count):
+    """count: of how many ways, drawn by lot; None: of all. Returns how many programs are clear."""
+    r = asker.case.random
+    plain = asker.run(programs)
+    every = asker.run(programs, "-a", out="every.ndjson")
+    expect("-a", (every[0], firsts(every[1])), (plain[0], firsts(plain[1])))
+    asked = list(ways(levels))
+    for name, options, simd in asked if count is None else r.sample(asked, count):
+        # To measure takes long: it is asked for the two programs next to the turn.
+        some = programs[:2] if name.startswith("--clearance") else programs
+        for more, (_, wanted) in ([], plain), (["-a"], every):
+            expect(f"{name} {more}", asker.run(some, *options, *more, simd=simd)[1], {p: wanted[p] for p in some})
+    if r.random() < 0.1:
+        expect("--sensitivity", asker.run(programs[:2], "--sensitivity=0.01,0.01,0.01,0.01")[1],
+               {p: plain[1][p] for p in programs[:2]})
+    compare_shards(asker, programs, plain[1], every[1])
+    if 0 < sum(len(findings) for _, findings in every[1].values()) < 1000:
+        compare_waived(asker, programs, every[1])
+    return sum(verdict == "clear" for verdict, _ in plain[1].values())
+
+
+def find_turn(case, asker):
+    """The highest place at which something is found, and the next one, which is clear."""
+    near, far = case.range
+    for _ in range(ROUNDS):
+        places = [near + (far - near) * k / (PLACES + 1) for k in range(PLACES + 2)]
+        names = [f"turn-{k}.nc" for k in range(1, PLACES + 1)]
+        for place, name in zip(places[1:], names):
+            case.program(place, name)
+        runs = asker.run(names)[1]
+        last = max((k for k, name in enumerate(names, 1) if runs[name][0] == "found"), default=0)
+        near, far = places[last], places[last + 1]
+    return near, far
+
+
+def check(fivecheck, seed, number, folder, levels, most, count, patience):
     """Returns how many programs were clear and how many were not, and the number of runs."""
     case = Case(seed, number, folder, most)
-    asker = Asker(fivecheck, case)
-    near, far = case.range
-    counts = [0, 0]
+    asker = Asker(fivecheck, case, patience)
 
-    case.program(far, "clear.nc")
+    case.program(case.range[1], "clear.nc")
     with open(os.path.join(folder, "none.xml"), "w") as f:
         f.write('<waivers version="1"/>\n')
-    status, _, said = asker.run("clear.nc")
+    status, runs = asker.run(["clear.nc"])
     if status:
-        raise Fault(f"clear.nc is not clear: {said}")
-    for _ in range(HALVINGS):
-        middle = 0.5 * (near + far)
-        case.program(middle, "turn.nc")
-        if asker.run("turn.nc")[0]:
-            near = middle
-        else:
-            far = middle
-    for i, beside in enumerate(BESIDE):
-        case.program(far + beside * case.e / 0.001, f"p{i}.nc")
-        counts[compare(asker, f"p{i}.nc", levels)] += 1
-    return counts, asker.runs
+        raise Fault(f"clear.nc is not clear: {runs}")
+    near, far = find_turn(case, asker)
+    places = [near, far] + [near + m for m in BESIDE_MM] + [(near if s < 0 else far) + s * case.e for s in BESIDE_E]
+    programs = [f"p{i}.nc" for i in range(len(places))]
+    for place, program in zip(places, programs):
+        case.program(place, program)
+    clear = compare(asker, programs, levels, count)
+    return (clear, len(programs) - clear), asker.runs
 
 
 def levels_of(fivecheck, folder):
@@ -266,7 +427,7 @@ def levels_of(fivecheck, folder):
     case.program(case.range[1], "clear.nc")
     levels = []
     for level in ("scalar", "sse2", "avx2"):
-        if Asker(fivecheck, case).run("clear.nc", simd=level, statuses=(0, 1, 2))[0] != 2:
+        if Asker(fivecheck, case).run(["clear.nc"], simd=level, statuses=(0, 1, 2))[0] != 2:
             levels.append(level)
     return levels
 
@@ -278,27 +439,39 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=int, help="the number of one case")
     parser.add_argument("--blocks", type=int, default=5000, help="the most blocks to a program")
+    parser.add_argument("--ways", type=int, help="ask each program in so many ways, drawn by lot, instead of in all")
+    parser.add_argument("--patience", type=int, metavar="SECONDS",
+                        help="leave out, and count, cases that take more processor time")
+    parser.add_argument("--progress", action="store_true", help="say on standard error how far it is")
     parser.add_argument("--keep", default="build/verdicts", help="where cases that disagree are kept")
     arguments = parser.parse_args()
     fivecheck = os.path.abspath(arguments.fivecheck)
     numbers = [arguments.only] if arguments.only is not None else range(arguments.cases)
-    clear = found = runs = faults = 0
+    clear = found = runs = faults = slow = 0
+    told = time.monotonic()
 
     with tempfile.TemporaryDirectory() as folder:
         levels = levels_of(fivecheck, folder)
-    for number in numbers:
+    for done, number in enumerate(numbers, 1):
         with tempfile.TemporaryDirectory() as folder:
             try:
-                counts, done = check(fivecheck, arguments.seed, number, folder, levels, arguments.blocks)
-                clear, found, runs = clear + counts[0], found + counts[1], runs + done
+                counts, some = check(fivecheck, arguments.seed, number, folder, levels, arguments.blocks,
+                                     arguments.ways, arguments.patience)
+                clear, found, runs = clear + counts[0], found + counts[1], runs + some
+            except TooSlow:
+                slow += 1
             except Fault as fault:
                 kept = os.path.join(arguments.keep, f"{arguments.seed}-{number}")
                 shutil.rmtree(kept, ignore_errors=True)
                 shutil.copytree(folder, kept)
-                print(f"case {number} of seed {arguments.seed}, kept in {kept}:\n  {fault}")
+                print(f"case {number} of seed {arguments.seed}, kept in {kept}:\n  {fault}", flush=True)
                 faults += 1
+        if arguments.progress and (time.monotonic() - told > PROGRESS or done == len(numbers)):
+            told = time.monotonic()
+            print(f"one_verdict: {done} of {len(numbers)} cases, {clear + found} programs, {runs} runs, "
+                  f"{faults} disagreements", file=sys.stderr, flush=True)
     print(f"one_verdict: {clear + found} programs near the turn of their verdict, {clear} clear, {found} not, "
-          f"levels {' '.join(levels)}, {runs} runs, {faults} disagreements")
+          f"levels {' '.join(levels)}, {runs} runs, {slow} cases left out as too slow, {faults} disagreements")
     return 1 if faults else 0
 
 
