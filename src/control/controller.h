@@ -113,6 +113,7 @@ struct controller {
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */
 	enum answer length_along_z;	/* the tool's length acts along Z whatever the plane */
+	int power_on_work_offset;	/* 1: none (G500), 2: G54, 3: G55 and so on; 0: not known */
 	int swivel_axis;	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
 	const struct mcode *mcodes;
 	size_t mcode_count;

@@ -92,6 +92,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
 		{(int)described->length_along_z, "tool_length_axis"},
 		{described->swivel_axis, "swivel_axis"},
+		{described->power_on_work_offset, "power_on_work_offset"},
 	};
 
 	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]) && !row->has_frames; i++) {
@@ -185,6 +186,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->frames_outlive_traori = from->frames_outlive_traori;
 	to->length_along_z = from->length_along_z;
 	to->swivel_axis = from->swivel_axis;
+	to->power_on_work_offset = from->power_on_work_offset;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance",
 				  "path_tolerance of <controller> must be more than 0");

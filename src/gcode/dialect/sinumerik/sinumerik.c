@@ -23,6 +23,9 @@ static void begin(struct interp *interp)
 	/* Group 1: G1 is in force after power-on and reset. */
 	interp->state.motion = G1;
 	interp->state.system = SYSTEM_NONE;
+	if (interp->config->controller.power_on_work_offset > 1)
+		interp->state.system = interp->config->controller.power_on_work_offset - 2;
+	sinumerik->work_selected = interp->config->controller.power_on_work_offset > 0;
 	state_update_offset(&interp->state);
 	sinumerik->feed_scale = basic > 0 ? basic : 1;
 	sinumerik->path_code = SINUMERIK_G(64);

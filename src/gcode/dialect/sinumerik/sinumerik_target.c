@@ -89,8 +89,24 @@ static bool check_length_axis(const struct interp *interp, int column)
 		     state->plane / 10);
 }
 
+/* Does any work offset of the setup shift an axis of the block? X, Y and Z count as one: frames may turn them. */
+static bool is_shifted(const struct interp *interp, const struct sinumerik_block *block)
+{
+	const bool linear = block->letters & LINEAR_BITS;
+
+	for (size_t i = 0; i < interp->config->work_offset_count; i++) {
+		for (int slot = 0; slot < SLOT_COUNT; slot++) {
+			const bool moves = slot <= SLOT_Z ? linear : sinumerik_block_has(block, AXIS_LETTERS[slot]);
+
+			if (moves && !same_double(interp->config->work_offsets[i].value.v[slot], 0))
+				return true;
+		}
+	}
+	return false;
+}
+
 /* A work offset of the setup may be in force at power-on, by a parameter. */
-static bool check_system(const struct interp *interp, int column)
+static bool check_system(const struct interp *interp, const struct sinumerik_block *block, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
@@ -99,10 +115,11 @@ static bool check_system(const struct interp *interp, int column)
 			     "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
 			     "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
 			     "the machine's <controller>");
-	if (sinumerik->work_selected || !interp->config->work_offset_count)
+	if (sinumerik->work_selected || !is_shifted(interp, block))
 		return true;
 	return fault(&interp->at, column,
-		     "which work offset is in force at power-on is not known: select G54 or the like, or G500, first");
+		     "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
+		     "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
 }
 
 bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc)
@@ -114,7 +131,7 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 		return false;
 	if (linear && (!check_edge(interp, column) || !check_length_axis(interp, column)))
 		return false;
-	return machine || check_system(interp, column);
+	return machine || check_system(interp, block, column);
 }
 
 /* -------------------------------------------------------------- coordinates */
