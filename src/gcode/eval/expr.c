@@ -159,6 +159,18 @@ bool expr_sum(struct expr *expr, struct expr_operand *value)
 
 /* ----------------------------------------------------------------- values */
 
+/* Is there a blank between two bytes of the number? Those before and behind it do not count. */
+static bool has_blank(const char *text, size_t start, size_t end)
+{
+	while (end > start && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+		end--;
+	for (size_t at = start; at < end; at++) {
+		if (text[at] == ' ' || text[at] == '\t')
+			return true;
+	}
+	return false;
+}
+
 bool expr_number(struct expr *expr, double *value)
 {
 	struct lexer *lexer = expr->lexer;
@@ -168,6 +180,8 @@ bool expr_number(struct expr *expr, double *value)
 	switch (expr->rules->decimal_comma ? number_read_with_comma(lexer->at->text, &position, value)
 					   : number_read(lexer->at->text, &position, value, &point)) {
 	case NUMBER_OK:
+		if (expr->rules->whole_words && has_blank(lexer->at->text, lexer->position, position))
+			return fault(lexer->at, lexer_column(lexer), "a blank inside a number");
 		lexer->position = position;
 		return true;
 	case NUMBER_TOO_LONG:

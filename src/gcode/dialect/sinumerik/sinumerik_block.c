@@ -187,6 +187,20 @@ static bool take_word(struct reading *r, char letter, int column, double value, 
 	}
 }
 
+/* Blanks before and behind the number are none. */
+static bool has_blank(const char *text, size_t start, size_t end)
+{
+	while (start < end && (text[start] == ' ' || text[start] == '\t'))
+		start++;
+	while (end > start && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+		end--;
+	for (size_t at = start; at < end; at++) {
+		if (text[at] == ' ' || text[at] == '\t')
+			return true;
+	}
+	return false;
+}
+
 /* X10.5, G1, M3: a letter and a plain number. An integer with '=' behind it belongs to a name: R1=, A3=. */
 static bool read_plain(struct reading *r, char letter, int column, bool *done)
 {
@@ -206,6 +220,8 @@ static bool read_plain(struct reading *r, char letter, int column, bool *done)
 	case NUMBER_MISSING:
 		return true;
 	}
+	if (has_blank(text, start, position))
+		return fault(lexer->at, column, "a blank inside the number of %c; what a control makes of it differs", letter);
 	if (text[position] == '=' || (text[position] == '[' && letter == 'R') || letter == 'R')
 		return true;
 	*done = true;

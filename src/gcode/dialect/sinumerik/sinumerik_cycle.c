@@ -85,7 +85,8 @@ static bool dwell(struct drilling *d, size_t i)
 
 static bool programmed_feed(struct drilling *d)
 {
-	d->interp->block.motion = G1;
+	d->interp->block.motion = d->interp->block.g[G_MOTION] = G1;
+	d->interp->block.g_column[G_MOTION] = d->column;
 	d->interp->block.letters = 0;
 	return motion_commands_feed(d->interp, &d->feed);
 }

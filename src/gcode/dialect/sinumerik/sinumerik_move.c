@@ -74,7 +74,7 @@ bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool ra
 	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED};
 
 	if (!rapid) {
-		interp->block.motion = G1;
+		interp->block.motion = interp->block.g[G_MOTION] = G1;
 		if (!motion_commands_feed(interp, &move.feed))
 			return false;
 	}
@@ -168,7 +168,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 		state->motion = given;
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP;
 	axes = (block->letters & AXIS_BITS) || (block->addresses & VECTOR_BITS) ||
-	       (circle && (block->letters & CENTRE_BITS));
+	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	*moved = false;
 	if (!refuse_words(interp, block, circle))
 		return false;

@@ -1,0 +1,117 @@
+/* test_gcode_sinumerik_cycle.c - small programs of the sinumerik dialect: drilling cycles, CYCLE800, TRAORI. */
+#include "sinumerik_case.h"
+
+struct program {
+	const char *text, *moves;
+};
+
+static const struct program programs[] = {
+	{"G500 F6 G0 X0 Y0 Z50\nMCALL CYCLE81(10,0,2,-8)\nX10\nY5\nMCALL\nX0\n",
+	 "rapid 0 0 50 0 0\nrapid 10 0 50 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\n"
+	 "rapid 10 0 10 0 0\nrapid 10 5 10 0 0\nrapid 10 5 2 0 0\nfeed 10 5 -8 0 0\n"
+	 "rapid 10 5 10 0 0\nrapid 0 5 10 0 0\n"},
+	{"G500 F6 CYCLE81(10,0,2,,8)\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -8 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE82(10,1,1,-3,,1.5)\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -3 0 0\ndwell 1.5\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE83(10,0,1,-10,,-5,,2,0,0,1,1)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 1 0 0\nrapid 0 0 -4.4 0 0\nfeed 0 0 -8 0 0\n"
+	 "rapid 0 0 1 0 0\nrapid 0 0 -7.4 0 0\nfeed 0 0 -10 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE83(10,0,1,-4,,,2,,,,,0)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -2 0 0\nfeed 0 0 -1 0 0\nfeed 0 0 -4 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE83(100,0,1,-80,,-60,,0,0,0,1,1)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -60 0 0\nrapid 0 0 1 0 0\nrapid 0 0 -58.4 0 0\n"
+	 "feed 0 0 -80 0 0\nrapid 0 0 100 0 0\n"},
+	{"G500 S500 CYCLE84(10,0,2,-6,,0,3,,1.5,0,400,400)\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -6 0 0\nfeed 0 0 2 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 S500 CYCLE84(10,0,2,-6,,0,3,8,,0,400,400)\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -6 0 0\nfeed 0 0 2 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 S500 M3 CYCLE840(10,0,2,-6,,0,0,3,0,,1)\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -6 0 0\nfeed 0 0 2 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 CYCLE85(10,0,1,-5,,0.5,60,120)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\ndwell 0.5\nfeed 0 0 1 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE86(10,0,1,-5,,0,3,-1,0.5,0.2,0)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\nrapid -1 0.5 -4.8 0 0\nrapid -1 0.5 10 0 0\n"
+	 "rapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE87(10,0,1,-5,,3)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE88(10,0,1,-5,,1,4)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\ndwell 1\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE89(10,0,1,-5,,1)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\ndwell 1\nfeed 0 0 1 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-8)\nHOLES1(0,0,0,10,5,2)\nMCALL\n",
+	 "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\n"
+	 "rapid 10 0 10 0 0\nrapid 15 0 10 0 0\nrapid 15 0 2 0 0\nfeed 15 0 -8 0 0\n"
+	 "rapid 15 0 10 0 0\n"},
+	{"G500 F6 G0 X90 Z10\nMCALL CYCLE81(10,0,2,-8)\nHOLES1(0,0,90,10,5,2)\n"
+	 "HOLES2(0,0,10,45,0,2)\nMCALL\n",
+	 "rapid 90 0 10 0 0\nrapid 0 10 10 0 0\nrapid 0 10 2 0 0\nfeed 0 10 -8 0 0\n"
+	 "rapid 0 10 10 0 0\nrapid 0 15 10 0 0\nrapid 0 15 2 0 0\nfeed 0 15 -8 0 0\n"
+	 "rapid 0 15 10 0 0\nrapid 7.07106781 7.07106781 10 0 0\n"
+	 "rapid 7.07106781 7.07106781 2 0 0\nfeed 7.07106781 7.07106781 -8 0 0\n"
+	 "rapid 7.07106781 7.07106781 10 0 0\nrapid -7.07106781 -7.07106781 10 0 0\n"
+	 "rapid -7.07106781 -7.07106781 2 0 0\nfeed -7.07106781 -7.07106781 -8 0 0\n"
+	 "rapid -7.07106781 -7.07106781 10 0 0\n"},
+	{"G500 F6 G18 G0 Y20\nCYCLE81(10,0,2,-8)\n",
+	 "rapid 0 20 0 0 0\nrapid 0 2 0 0 0\nfeed 0 -8 0 0 0\nrapid 0 10 0 0 0\n"},
+	{"G500 F6 TRANS Z100\nAROT Z90\nCYCLE81(10,0,2,-8)\n",
+	 "rapid 0 0 102 0 0\nfeed 0 0 92 0 0\nrapid 0 0 110 0 0\n"},
+	{"G500 T1 D1 M6 G0 X1 Y2 Z3\nCYCLE800(0,\"TC1\",0,57,0,0,0,30,0,0,0,0,0,-1)\nG0 X1 Y2 Z3\n"
+	 "CYCLE800()\nX0 Y0 Z0\n",
+	 "tool 1\nrapid 1 2 103 0 0\norient 0 -0.5 0.866025404\nrapid 1 2 103 -30 0\n"
+	 "tcp on length 100 zero A0 C0\nrapid 1 0.232050808 3.59807621 -30 0 tcp\n"
+	 "tcp off length 100 zero A0 C0\nrapid 0 0 100 -30 0\n"},
+	{"G500 CYCLE800(0,\"\",0,57,10,20,30,30,0,0,1,2,3,-1)\nG0 X0 Y0 Z0\n"
+	 "CYCLE800(0,\"\",1,57,0,0,0,15,0,0,0,0,0,-1)\nG0 X0 Y0 Z0\nSUPA Z500\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 0 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 11 20.2320508 33.5980762 -30 0 tcp\ntcp off length 0 zero A0 C0\n"
+	 "orient 0 -0.707106781 0.707106781\nrapid 11 20.2320508 33.5980762 -45 0\n"
+	 "tcp on length 0 zero A0 C0\nrapid 11 20.2320508 33.5980762 -45 0 tcp\n"
+	 "tcp off length 0 zero A0 C0\nrapid 11 20.2320508 500 -45 0\ntcp on length 0 zero A0 C0\n"},
+	{"G500 CYCLE800(1,\"\",0,27,0,0,0,90,0,0,0,0,0,1)\nG0 X1 Y0 Z0\n",
+	 "orient 0 0 1\nrapid 0 0 400 0 0\nrapid 0 0 400 0 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 1 0 0 0 tcp\n"},
+	{"G500 CYCLE800(2,\"\",0,39,0,0,0,0,10,0,0,0,0,-1)\nCYCLE800(0,\"0\")\n",
+	 "orient 0 -0.173648178 0.984807753\nrapid 0 0 400 0 0\nrapid -7 -8 400 0 0\n"
+	 "rapid -7 -8 400 -10 0\ntcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\n"},
+	{"TRAORI\nG500 G0 X10 Y0 Z5\nC90\nX0\nTRAFOOF\nX1 Y1 Z1\n",
+	 "tcp on length 0 zero A0 C0\nrapid 10 0 5 0 0 tcp\nrapid 10 0 5 0 90 tcp\n"
+	 "rapid 0 0 5 0 90 tcp\ntcp off length 0 zero A0 C0\nrapid 1 1 1 0 90\n"},
+	{"T1 D1 M6\nTRAORI\nG54\nG1 F6 X1 C10\nD0 X2\nTRAFOOF\nX0 Y0 Z0\n",
+	 "tool 1\ntcp on length 100 zero A0 C0\nfeed 11 0 -100 0 10 tcp\n"
+	 "tcp on length 0 zero A0 C0\nfeed 12 0 0 0 10 tcp\ntcp off length 0 zero A0 C0\n"
+	 "feed 10 20 30 0 10\n"},
+	{"G500 G0 X1 Y2 Z3\nTRAORI(1)\nG1 F6 X2 A3=0 B3=1 C3=1\nROT Z180\n"
+	 "X1 Y1 Z1 A3=0 B3=1 C3=1\n",
+	 "rapid 1 2 3 0 0\ntcp on length 0 zero A0 C0\norient 0 0.707106781 0.707106781\n"
+	 "feed 2 2 3 45 0 tcp\norient 0 -0.707106781 0.707106781\nfeed -1 -1 1 -45 0 tcp\n"},
+	{"G500 TRAORI ORIWKS ORIAXES\nG93 F2 X1 A10\nG94 F6 X2 A20\n",
+	 "tcp on length 0 zero A0 C0\nfeed 1 0 0 10 0 tcp\nfeed 2 0 0 20 0 tcp\n"},
+};
+
+START_TEST(moves)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	ck_assert_msg(case_run(&c, programs[_i].text), "%s%s", programs[_i].text, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), programs[_i].moves);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_sinumerik_cycle");
+	TCase *tcase = tcase_create("programs");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

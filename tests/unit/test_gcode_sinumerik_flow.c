@@ -1,0 +1,97 @@
+/* test_gcode_sinumerik_flow.c - small programs of the sinumerik dialect: variables, conditions, loops, jumps, repeated parts. */
+#include "sinumerik_case.h"
+
+struct program {
+	const char *text, *moves;
+};
+
+static const struct program programs[] = {
+	{"G500 F6 R1=5 R2=R1*2\nR[R1]=7\nX=R1 Y=R2 Z=R5\n",
+	 "feed 5 10 7 0 0\n"},
+	{"DEF REAL A_1=2.5, BB[3]=SET(1,2,3), CC[2,2]=REP(7)\nF6 G500 X=A_1 Y=BB[1] Z=CC[1,1]\n"
+	 "BB[0]=SET(9,,8)\nX=BB[0] Y=BB[1] Z=BB[2]\n",
+	 "feed 2.5 2 7 0 0\nfeed 9 2 8 0 0\n"},
+	{"DEF REAL CC[2,3]\nCC[0,1]=4 cc[1,0]=5\nF6 G500 X=CC[0,1] Y=Cc[1,0] Z=CC[0,0]\n",
+	 "feed 4 5 0 0 0\n"},
+	{"DEF INT II=2.6, KK[2]=REP(3,1)\nDEF BOOL FLAG=5\nDEF CHAR CH=65\n"
+	 "F6 G500 X=II Y=FLAG Z=CH\nX=KK[0] Y=KK[1]\n",
+	 "feed 3 1 65 0 0\nfeed 3 0 65 0 0\n"},
+	{"DEF STRING[20] S1=\"AB\", S2\nDEF AXIS AX=Z\nF6 G500\nS2=S1<<\"C\"<<2\nIF S2==\"ABC2\"\n"
+	 "X1\nENDIF\nIF S1<>\"AB\" GOTOF NEVER\nX2\nIF \"a\"<\"b\" GOTOF NEVER\nX99\nNEVER: X3\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
+	{"F6 G500 R1=1\nIF R1==1\nX1\nIF R1==2\nX2\nELSE\nX3\nENDIF\nELSE\nX4\nENDIF\nX5\n",
+	 "feed 1 0 0 0 0\nfeed 3 0 0 0 0\nfeed 5 0 0 0 0\n"},
+	{"F6 G500 R1=2\nIF R1==1\nIF R1==2\nX1\nELSE\nX2\nENDIF\nELSE\nX3\nENDIF\n",
+	 "feed 3 0 0 0 0\n"},
+	{"F6 G500 R1=0\nWHILE R1<3\nR1=R1+1\nX=R1\nENDWHILE\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
+	{"F6 G500\nWHILE FALSE\nX1\nENDWHILE\nX2\n",
+	 "feed 2 0 0 0 0\n"},
+	{"F6 G500\nFOR R2=5 TO 7\nX=R2\nENDFOR\nX=R2\n",
+	 "feed 5 0 0 0 0\nfeed 6 0 0 0 0\nfeed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	{"F6 G500\nFOR R2=3 TO 1\nX99\nENDFOR\nX=R2\n",
+	 "feed 3 0 0 0 0\n"},
+	{"F6 G500\nDEF INT I1_, K1_\nFOR I1_=0 TO 1\nFOR K1_=0 TO 1\nX=10*I1_+K1_\nENDFOR\n"
+	 "ENDFOR\n",
+	 "feed 0 0 0 0 0\nfeed 1 0 0 0 0\nfeed 10 0 0 0 0\nfeed 11 0 0 0 0\n"},
+	{"F6 G500 R1=2\nREPEAT\nR1=R1-1\nX=R1\nUNTIL R1<=0\n",
+	 "feed 1 0 0 0 0\nfeed 0 0 0 0 0\n"},
+	{"F6 G500 R1=0\nLOOP\nR1=R1+1\nIF R1>2 GOTOF OUT\nX=R1\nENDLOOP\nOUT: X0\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 0 0 0 0 0\n"},
+	{"F6 G500 R1=0\nWHILE R1<2\nR1=R1+1\nWHILE TRUE\nIF R1==1 GOTOF NEXT\nX=R1\nGOTOF NEXT\n"
+	 "ENDWHILE\nNEXT: X=R1+10\nENDWHILE\n",
+	 "feed 11 0 0 0 0\nfeed 2 0 0 0 0\nfeed 12 0 0 0 0\n"},
+	{"F6 G500 R1=2\nAGAIN: X=R1\nR1=R1-1\nIF R1>0 GOTOB AGAIN\nX9\n",
+	 "feed 2 0 0 0 0\nfeed 1 0 0 0 0\nfeed 9 0 0 0 0\n"},
+	{"F6 G500\nGOTOF N50\nX99\nN50 X50\nGOTO FIN\nX98\nFIN:\nGOTOC NOWHERE\nX7\n"
+	 "GOTOF \"LAST\"\nX97\nLAST: X8\n",
+	 "feed 50 0 0 0 0\nfeed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	{"F6 G500 R1=2\nIF R1==1 GOTOF A_1 IF R1==2 GOTOF A_2\nX9\nA_1: X1\nA_2: X2\n",
+	 "feed 2 0 0 0 0\n"},
+	{"F6 G500 R1=2\nCASE R1 OF 1 GOTOF A_1 2 GOTOF A_2 DEFAULT GOTOF A_3\nA_1: X1\nA_2: X2\n"
+	 "A_3: X3\n",
+	 "feed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
+	{"F6 G500\nCASE(5) OF -1 GOTOB A_1 DEFAULT GOTOF A_3\nA_1: X1\nA_3: X3\n",
+	 "feed 3 0 0 0 0\n"},
+	{"F6 G500\nCASE 5 OF 1 GOTOF A_1 2 GOTOF A_1\nX2\nA_1: X1\n",
+	 "feed 2 0 0 0 0\nfeed 1 0 0 0 0\n"},
+	{"F6 G500 G91\nAA: X1\nX2\nREPEAT AA P=2\nX100\n",
+	 "feed 1 0 0 0 0\nfeed 3 0 0 0 0\nfeed 4 0 0 0 0\nfeed 6 0 0 0 0\nfeed 7 0 0 0 0\n"
+	 "feed 9 0 0 0 0\nfeed 109 0 0 0 0\n"},
+	{"F6 G500 G91\nAA: X1\nX2\nREPEATB AA P=3\nX100\n",
+	 "feed 1 0 0 0 0\nfeed 3 0 0 0 0\nfeed 4 0 0 0 0\nfeed 5 0 0 0 0\nfeed 6 0 0 0 0\n"
+	 "feed 106 0 0 0 0\n"},
+	{"F6 G500 G91\nAA: X1\nBB: X2\nX3\nREPEAT AA BB\nX100\n",
+	 "feed 1 0 0 0 0\nfeed 3 0 0 0 0\nfeed 6 0 0 0 0\nfeed 7 0 0 0 0\nfeed 9 0 0 0 0\n"
+	 "feed 109 0 0 0 0\n"},
+	{"F6 G500 G91\nAA: X1\nENDLABEL: X10\nX100\nREPEAT AA P=2\nX1000\n",
+	 "feed 1 0 0 0 0\nfeed 11 0 0 0 0\nfeed 111 0 0 0 0\nfeed 112 0 0 0 0\nfeed 122 0 0 0 0\n"
+	 "feed 123 0 0 0 0\nfeed 133 0 0 0 0\nfeed 1133 0 0 0 0\n"},
+};
+
+START_TEST(moves)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	ck_assert_msg(case_run(&c, programs[_i].text), "%s%s", programs[_i].text, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), programs[_i].moves);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_sinumerik_flow");
+	TCase *tcase = tcase_create("programs");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
