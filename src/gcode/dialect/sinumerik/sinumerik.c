@@ -189,7 +189,7 @@ const struct dialect dialect_sinumerik = {
 	.manual = "Siemens SINUMERIK 840D sl, programming manuals \"Fundamentals\", \"Job planning\", \"Cycles\"",
 	.g_codes = {&sinumerik_g_codes},
 	.m_codes = {&sinumerik_m_codes},
-	.words = {&sinumerik_word_set},
+	.words = {&sinumerik_word_set, &sinumerik_cycle_set},
 	.traits = {
 		/* MD20150 sets the other modes at power-on. G64 is the worst that it can be. */
 		.power_on = {.feed_mode = G94, .path = G64},

@@ -255,6 +255,32 @@ static const struct sinumerik_word words[] = {WORDS(AS_CODE)};
 
 const struct word_set sinumerik_word_set = {word_rows, sizeof(word_rows) / sizeof(word_rows[0])};
 
+/* sinumerik_cycle.h and sinumerik_swivel.h carry them out. */
+static const struct code_word cycle_rows[] = {
+	{"CYCLE81", CODE_READ, "drilling"},
+	{"CYCLE82", CODE_READ, "drilling with dwell"},
+	{"CYCLE83", CODE_READ, "deep hole drilling"},
+	{"CYCLE84", CODE_READ, "rigid tapping"},
+	{"CYCLE840", CODE_READ, "tapping with compensating chuck"},
+	{"CYCLE85", CODE_READ, "reaming"},
+	{"CYCLE86", CODE_READ, "boring with oriented spindle stop"},
+	{"CYCLE87", CODE_READ, "boring with stop"},
+	{"CYCLE88", CODE_READ, "boring with dwell and stop"},
+	{"CYCLE89", CODE_READ, "boring, feed out"},
+	{"HOLES1", CODE_READ, "row of holes"},
+	{"HOLES2", CODE_READ, "circle of holes"},
+	{"CYCLE800", CODE_READ, "swivelled plane, axis by axis"},
+	{"CYCLE832", CODE_READ, "tolerance of the contour"},
+	{"POCKET1 to POCKET4", CODE_REFUSED, "milling of a pocket"},
+	{"SLOT1, SLOT2, LONGHOLE", CODE_REFUSED, "milling of slots"},
+	{"CYCLE60 to CYCLE79", CODE_REFUSED, "milling of contours and faces"},
+	{"CYCLE90", CODE_REFUSED, "thread milling"},
+	{"CYCLE899", CODE_REFUSED, "milling of a slot"},
+	{"CYCLE9..", CODE_REFUSED, "turning or measuring"},
+};
+
+const struct word_set sinumerik_cycle_set = {cycle_rows, sizeof(cycle_rows) / sizeof(cycle_rows[0])};
+
 bool sinumerik_codes_word(const char *name, struct sinumerik_word *word)
 {
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
