@@ -15,7 +15,9 @@
 	ROW(fanuc, "Fanuc", .has_parameters = true) \
 	ROW(haas, "Haas", .has_parameters = true) \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true) \
-	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true)
+	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, \
+	    .unknown_path = "the control may leave the programmed path by an amount that is not known, and only that path " \
+			    "was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")
 
 /* What is known of a control before any program is read. */
 struct dialect_row {
@@ -35,6 +37,8 @@ struct dialect_row {
 	 * frames_outlive_traori, tool_length_axis, swivel_axis, power_on_work_offset.
 	 */
 	bool has_frames;
+	/* The caution where the control may leave the path by no known amount; NULL: G64 and its like may. */
+	const char *unknown_path;
 };
 
 /* In the order of the table. */

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "control/dialects.h"
 #include "report/doubt_text.h"
 #include "report/format/format_units.h"
 
@@ -218,8 +219,14 @@ static bool caution_unknown(struct strbuf *out, const struct verdict *v)
 
 static bool caution_blend(struct strbuf *out, const struct verdict *v)
 {
+	const char *own = dialect_rows[v->scene->machine->controller.dialect].unknown_path;
+
 	if (!v->stats->motion.blend_unbounded)
 		return false;
+	if (own) {
+		strbuf_addf(out, "%s", own);
+		return true;
+	}
 	strbuf_addf(out, "G64 (of the program or from power-on; or G5, G5.1, G8, G187) without a tolerance: the "
 			 "control may leave the programmed path, "
 			 "and only that path was checked; give P or <controller path_tolerance=\"\">");
