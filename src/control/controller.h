@@ -31,6 +31,7 @@ enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFER
  * Cutter compensation: how the first and the last block lead to the path and away from it, and how the tool goes round an
  * outside corner. Not known: every way is proved.
  */
+enum comp_d { COMP_D_UNKNOWN, COMP_D_RADIUS, COMP_D_DIAMETER };	/* what programs write into D's registers */
 enum comp_start { COMP_START_UNKNOWN, COMP_START_A, COMP_START_B };
 enum comp_corner_form { COMP_CORNER_UNKNOWN, COMP_CORNER_LINEAR, COMP_CORNER_CIRCULAR };
 
@@ -106,6 +107,7 @@ struct controller {
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
+	enum comp_d comp_d;
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
 	enum rotation_order rotation_order;

@@ -157,6 +157,7 @@ struct dialect_traits {
 	enum g10_l20 g10_l20;
 	enum g10_incremental g10_incremental;
 	enum answer g10_writes_tools;	/* L1, L10, L11, and L0 */
+	enum answer g10_writes_registers;	/* L10 and L11 write H and its wear, L12 and L13 D and its wear, from R */
 	enum answer one_shift;	/* G52 and G92 write the same shift; no: both at a time are refused */
 	enum answer shifts_ignore_g91;	/* no: G52 and G92 in G91 are refused */
 	/* Tool lengths. */

@@ -131,6 +131,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->overrun.given)
 		description_fault(file, described->at, "unidirectional_overrun",
 				  "unidirectional_overrun of <controller>: %s has no G60", row->title);
+	if (described->comp_d != COMP_D_UNKNOWN)
+		description_fault(file, described->at, "cutter_comp_d",
+				  "cutter_comp_d of <controller>: D of %s is the number of a tool", row->title);
 	if (described->comp_start != COMP_START_UNKNOWN)
 		description_fault(file, described->at, "cutter_comp_start",
 				  "cutter_comp_start of <controller>: %s always starts cutter compensation in one way",
@@ -174,6 +177,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->length_moves = from->length_moves;
 	to->g53_with_g91 = from->g53_with_g91;
 	to->overrun = from->overrun.value;
+	to->comp_d = from->comp_d;
 	to->comp_start = from->comp_start;
 	to->comp_corner = from->comp_corner;
 	to->length_after_reference = from->length_after_reference;

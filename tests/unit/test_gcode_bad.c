@@ -209,7 +209,7 @@ static const struct bad fanuc[] = {
     {"G0 G43 Z1.\n", 1, 4, "G43 needs H, of which none was given before"},
     /* "Programmable parameter input (G10 L50)", "Changing workpiece coordinate system": P0 is the external offset. */
     {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
-    {"G10 L10 P1 R1.\n", 1, 5, "G10 L10 is not supported yet"},
+    {"G10 L50 P1 R1.\n", 1, 5, "G10 L50 is not supported yet"},
     {"G10 L2 P0 X1.\n", 1, 8, "P0: a whole number from 1 to 6 is needed"},
     /* "Setting a workpiece coordinate system (G92)", "Local coordinate system (G52)". */
     {"G91 G92 X1.\n", 1, 5, "G92 in incremental distance mode (G91) is not supported yet"},

@@ -101,6 +101,18 @@ START_TEST(arc_without_centre)
 }
 END_TEST
 
+/* A unit holds for its whole block, whichever comes first in it. */
+START_TEST(unit_of_feed)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	c.show_feed = true;
+	case_expect(&c, "F60. G20 G1 X1.\nG21 F60. X1.\nM30\n",
+		    "feed 25.4 0 0 0 0 at 25.4 1\nfeed 1 0 0 0 0 at 1 1\n");
+}
+END_TEST
+
 /* G9 stops exactly for one block, whatever moves in it. */
 START_TEST(exact_stop)
 {
@@ -152,6 +164,23 @@ START_TEST(corners)
 }
 END_TEST
 
+/* Fanuc B-64484EN, "Entering Values from the Program (G10)", memory C; Haas, "G10 Set Offsets". */
+START_TEST(registers)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_haas);
+	c.config.controller.length_moves = ANSWER_NO;
+	c.config.controller.comp_d = COMP_D_DIAMETER;
+	ck_assert(case_run(&c, "F9 G10 L10 P7 R100.\nG10 L11 P7 R0.5\nG91 G10 L11 P7 R-0.1\nG10 L10 P7 R10.\nG90 G43 H7 G0 Z1.\n"
+			       "G10 L12 P9 R6.\nG10 L13 P9 R-1.\nG1 G41 D9 X9. Y0.\nX20.\nG40 Y9.\nM30\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 0 0 111.4 0 0\nfeed 9 2.5 111.4 0 0\nfeed 20 2.5 111.4 0 0\n"
+						"feed 20 9 111.4 0 0\n");
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "1:8: warning: the wear of H7 counts as 0 until the program writes it"));
+	case_release(&c);
+}
+END_TEST
+
 static const struct {
 	const struct dialect *dialect;
 	const char *program, *message;
@@ -170,6 +199,9 @@ static const struct {
 	{&dialect_haas, "F9 G1 X5. ,R1.\nG2 Y9. R9.\n", "beside an arc is not supported on this control"},
 	{&dialect_fanuc, "F9 G1 X5. ,R1.\n", "needs a move of G1, G2 or G3 in the plane"},
 	{&dialect_linuxcnc, "F9 G1 X5. ,R1.\n", "unexpected ','"},
+	{&dialect_fanuc, "G10 L12 P1 R5.\n", "cutter_comp_d=\"radius\" or \"diameter\""},
+	{&dialect_fanuc, "G10 L10 P1 Z5.\n", "G10 L10 needs its value in R, and has no axis words"},
+	{&dialect_fanuc, "G10 L10 P1 R5.\nG43 H1 G0 Z9.\nG10 L11 P1 R1.\n", "G10 changes H1 while it is in force"},
 	{&dialect_fanuc, "G51.1\n", "G51.1 needs the axes that it mirrors"},
 	{&dialect_fanuc, "G51.1 A0.\n", "a mirror image of A is not supported"},
 	{&dialect_fanuc, "G91 G51.1 X0.\n", "G51.1 in incremental distance mode (G91) is not supported"},
@@ -206,7 +238,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, exact_stop, pecks, corners, faults};
+	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, registers, unit_of_feed, exact_stop, pecks, corners, faults};
 
 	return RUN_TESTS("frames", tests);
 }

@@ -327,6 +327,9 @@ bool execute_block(struct interp *interp)
 	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
 	    !cutter_comp_start_block(interp))
 		return false;
+	/* Fanuc and Haas: the unit stands at the head of the program, and holds for its whole block. */
+	if (block->g[G_UNITS] != CODE_NONE && dialect->traits.known_order != ANSWER_YES)
+		state->scale = state_unit(block->g[G_UNITS]);
 	if (!execute_feed(interp) || !execute_speed(interp))
 		return false;
 	if (!tool_change_select(interp) || !tool_change_run(interp) || !tool_length_mcode(interp))

@@ -4,6 +4,7 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/dynamic_work_offset.h"
+#include "gcode/execute/g10_registers.h"
 #include "gcode/execute/g10_tool_table.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/tool_length.h"
@@ -166,6 +167,8 @@ bool offsets_set(struct interp *interp)
 		return fault(&interp->at, column, "G10 needs L and P");
 	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
 		return false;
+	if (traits->g10_writes_registers == ANSWER_YES && g10_registers_take(mode))
+		return g10_registers_write(interp, mode);
 	if (tools && g10_tool_table_takes(mode))
 		return g10_tool_table_write(interp, mode);
 	if (mode != 2 && mode != 20)

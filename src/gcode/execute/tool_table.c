@@ -13,13 +13,13 @@ void tool_table_init(struct tool_table *table, const struct gcode_config *config
 		table->tools[i].length_offset += config->length_change;
 	}
 	table->lengths = mem_zalloc(config->length_count, sizeof(*table->lengths));
-	table->length_count = config->length_count;
+	table->length_count = table->length_capacity = config->length_count;
 	for (size_t i = 0; i < config->length_count; i++) {
 		table->lengths[i] = config->lengths[i];
 		table->lengths[i].length += config->length_change;
 	}
 	table->radii = mem_zalloc(config->radius_count, sizeof(*table->radii));
-	table->radius_count = config->radius_count;
+	table->radius_count = table->radius_capacity = config->radius_count;
 	for (size_t i = 0; i < config->radius_count; i++)
 		table->radii[i] = config->radii[i];
 }
@@ -29,6 +29,7 @@ void tool_table_release(struct tool_table *table)
 	free(table->tools);
 	free(table->lengths);
 	free(table->radii);
+	free(table->wears);
 	*table = (struct tool_table){0};
 }
 
@@ -69,6 +70,39 @@ void tool_table_set_length(struct tool_table *table, int number, double length)
 		if (table->lengths[i].number == number)
 			table->lengths[i].length = length;
 	}
+}
+
+struct length_offset *tool_table_need_length(struct tool_table *table, int number)
+{
+	for (size_t i = 0; i < table->length_count; i++) {
+		if (table->lengths[i].number == number)
+			return &table->lengths[i];
+	}
+	table->lengths = mem_grow(table->lengths, &table->length_capacity, table->length_count + 1, sizeof(*table->lengths));
+	table->lengths[table->length_count] = (struct length_offset){.number = number};
+	return &table->lengths[table->length_count++];
+}
+
+struct radius_offset *tool_table_need_radius(struct tool_table *table, int number)
+{
+	for (size_t i = 0; i < table->radius_count; i++) {
+		if (table->radii[i].number == number)
+			return &table->radii[i];
+	}
+	table->radii = mem_grow(table->radii, &table->radius_capacity, table->radius_count + 1, sizeof(*table->radii));
+	table->radii[table->radius_count] = (struct radius_offset){.number = number};
+	return &table->radii[table->radius_count++];
+}
+
+struct offset_wear *tool_table_need_wear(struct tool_table *table, char letter, int number)
+{
+	for (size_t i = 0; i < table->wear_count; i++) {
+		if (table->wears[i].letter == letter && table->wears[i].number == number)
+			return &table->wears[i];
+	}
+	table->wears = mem_grow(table->wears, &table->wear_capacity, table->wear_count + 1, sizeof(*table->wears));
+	table->wears[table->wear_count] = (struct offset_wear){.letter = letter, .number = number};
+	return &table->wears[table->wear_count++];
 }
 
 void tool_table_set_diameter(struct tool_table *table, int number, double diameter)

@@ -4,14 +4,23 @@
 
 #include "gcode/config.h"
 
+/* What a program wrote as the wear of an H or D, which is a part of the whole. */
+struct offset_wear {
+	char letter;
+	int number;
+	double value;
+};
+
 /* In mm; a copy of the configuration's, which stays as it is. */
 struct tool_table {
 	struct tool *tools;
 	size_t tool_count;
 	struct length_offset *lengths;
-	size_t length_count;
+	size_t length_count, length_capacity;
 	struct radius_offset *radii;
-	size_t radius_count;
+	size_t radius_count, radius_capacity;
+	struct offset_wear *wears;
+	size_t wear_count, wear_capacity;
 };
 
 void tool_table_init(struct tool_table *table, const struct gcode_config *config);
@@ -26,6 +35,10 @@ const struct radius_offset *tool_table_radius(const struct tool_table *table, in
 
 /* These change nothing if the table has no such tool. The length is also that of H with the same number. */
 void tool_table_set_length(struct tool_table *table, int number, double length);
+/* The entries of H and D, and of the wear of one of them; made, with 0, if the table has none. Valid until the next of them is made. */
+struct length_offset *tool_table_need_length(struct tool_table *table, int number);
+struct radius_offset *tool_table_need_radius(struct tool_table *table, int number);
+struct offset_wear *tool_table_need_wear(struct tool_table *table, char letter, int number);
 void tool_table_set_diameter(struct tool_table *table, int number, double diameter);
 
 #endif

@@ -120,6 +120,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const units[] = {"mm", "inch", NULL};
 	static const char *const distances[] = {"absolute", "incremental", NULL};
 	static const char *const planes[] = {"xy", "zx", "yz", NULL};
+	static const char *const registers[] = {"radius", "diameter", NULL};
 	static const char *const starts[] = {"A", "B", NULL};
 	static const char *const corners[] = {"linear", "circular", NULL};
 	static const struct xml_child children[] = {{"mcode", read_mcode, false, false},
@@ -148,6 +149,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
 	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
+	controller->comp_d = (enum comp_d)(xml_choice(xml, node, "cutter_comp_d", registers, -1) + 1);
 	controller->comp_start = (enum comp_start)(xml_choice(xml, node, "cutter_comp_start", starts, -1) + 1);
 	controller->comp_corner = (enum comp_corner_form)(xml_choice(xml, node, "cutter_comp_corner", corners, -1) + 1);
 	read_frames(xml, node, controller);

@@ -176,6 +176,7 @@ const struct dialect dialect_linuxcnc = {
 		.g10_l20 = G10_L20_HERE,
 		.g10_incremental = G10_INCREMENTAL_WRITES,
 		.g10_writes_tools = ANSWER_YES,
+		.g10_writes_registers = ANSWER_NO,
 		.one_shift = ANSWER_YES,
 		.shifts_ignore_g91 = ANSWER_YES,
 		.h_missing = H_MISSING_SPINDLE,
