@@ -22,8 +22,9 @@ function fetchBlob(blob) {
 
 /** @returns {Promise<Model>} */
 export async function readReport() {
-	const head = JSON.parse(document.getElementById('fivecheck-head')?.textContent || 'null');
-	if (!head || head.report !== VERSION) throw new Error('this report is of another version');
+	const text = await inflate(document.getElementById('fivecheck-head')?.textContent || '');
+	const head = JSON.parse(new TextDecoder().decode(text));
+	if (head.report !== VERSION) throw new Error('this report is of another version');
 	const [bodies, path, clearance, planes, sources] = await Promise.all([
 		Promise.all(head.bodies.map(readBody)), readPath(head), readClearance(head.clearance), readPlanes(head.planes), readCode(head),
 	]);

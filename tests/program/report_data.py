@@ -43,7 +43,7 @@ class Report:
         with open(path, encoding="utf-8") as file:
             self.source = file.read()
         self.page = Page(self.source)
-        self.head = json.loads(self.page.scripts["fivecheck-head"])
+        self.head = json.loads(zlib.decompress(base64.b64decode(self.page.scripts["fivecheck-head"], validate=True)))
         assert self.head["report"] == 1
 
     def blob(self, number):

@@ -362,14 +362,25 @@ static size_t rest_of(const struct html_contents *report, const struct page *pag
 	return used < report->budget ? report->budget - used : 0;
 }
 
-/* Bytes of the text of a value. */
-static size_t length_of(const json_t *value)
+/* The text of a value, packed. */
+static void pack_json(struct strbuf *out, const json_t *value)
 {
+	struct strbuf text = {0};
+
+	html_text_add_json(&text, value);
+	page_pack(out, &text, DEFLATE_SMALL);
+	strbuf_release(&text);
+}
+
+/* Bytes that the head will need at most, besides those it has now: what it says of a chunk is about so long, packed. */
+static size_t length_of_head(const json_t *head, const struct recorder *recorder)
+{
+	enum { CHUNK_BYTES = 30 };
 	struct strbuf text = {0};
 	size_t length;
 
-	html_text_add_json(&text, value);
-	length = text.length;
+	pack_json(&text, head);
+	length = text.length + CHUNK_BYTES * (recorder->path.chunk_count + recorder->clearance.chunk_count);
 	strbuf_release(&text);
 	return length;
 }
@@ -421,9 +432,9 @@ static bool write_page(struct page *page, const struct html_contents *report)
 	page->written += report->scene->meshes.length;
 	output_write(&page->out, strbuf_text(&report->scene->meshes), report->scene->meshes.length);
 	page->blobs = report->scene->blobs;
-	good = write_levels(page, report, head, viewer.length + length_of(head));
-	strbuf_addf(&text, "<script type=\"application/json\" id=\"fivecheck-head\">");
-	html_text_add_json(&text, head);
+	good = write_levels(page, report, head, viewer.length + length_of_head(head, report->recorder));
+	strbuf_addf(&text, "<script type=\"text/plain\" id=\"fivecheck-head\">");
+	pack_json(&text, head);
 	strbuf_addf(&text, "</script>\n");
 	add_scripts(&text, &viewer);
 	page_text(page, &text);

@@ -3,7 +3,7 @@
  *
  * THE PAGE (src/web/README.md has its outline). Its parts, by their id:
  *   plain            a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it once it has started.
- *   fivecheck-head   <script type="application/json">: the JSON object below. Every < in it is written as \u003c.
+ *   fivecheck-head   <script type="text/plain">: the JSON object below, packed as a blob is.
  *   blob-N           <script type="text/plain">: base64 (RFC 4648, with padding; no line breaks) of a zlib stream
  *                    (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
  *   fivecheck-viewer <script type="text/plain">: the viewer's one script, packed as a blob; boot.js inflates and runs it.
