@@ -8,15 +8,13 @@ import os, signal, sys
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 os.execv(sys.argv[1], sys.argv[1:])
 PY
-# The reader has emptied the pipe and waits for more: it sleeps, several looks in a row.
+[ -e /proc/self/task ] || skip "there is no /proc"
+# The reader has emptied the pipe and waits for more: every thread sleeps, and none has run between two looks.
 wait_for_sleep() {
-	looks=0
-	while [ $looks -lt 5 ]; do
-		looks=$((looks + 1))
-		if [ -e "/proc/$1/status" ]; then
-			grep -q '^State:.S' "/proc/$1/status" || looks=0
-		fi
-		sleep 0.1
+	now=
+	until [ "$now" ] && [ "$now" = "$before" ] && ! echo "$now" | grep '^State' | grep -q -v '^State:.S'; do
+		before=$now
+		now=$(grep -h -e '^State' -e 'ctxt_switches' "/proc/$1/task/"*/status)
 	done
 }
 interrupt() {

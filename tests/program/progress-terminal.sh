@@ -1,12 +1,15 @@
 # What a terminal shows while programs run: a line that fits into it, with whole seconds, gone when results are printed.
 command -v script >/dev/null || skip "there is no script (bsdutils)"
-script -q -e -c true /dev/null >/dev/null 2>&1 </dev/null || skip "there is no pseudo-terminal"
+script -q -e -f -c true /dev/null >/dev/null 2>&1 </dev/null || skip "there is no pseudo-terminal"
 small_machine
 echo 'G0 X10' >a.nc
 cp a.nc b.nc
-many() { # enough for the check to look around, after a while
-	sleep 0.4
-	awk 'BEGIN { for (i = 0; i < 3000; i++) print "G0 X" i % 100 }'
+many() { # blocks until the terminal has shown a line; so many that a line must have come
+	chunks=0
+	until grep -q -e ': line ' -e ' programs, ' log || [ $chunks -ge 2000 ]; do
+		chunks=$((chunks + 1))
+		awk 'BEGIN { for (i = 0; i < 3000; i++) print "G0 X" i % 100 }'
+	done
 }
 cat >run <<'RUN'
 stty cols 60
@@ -17,7 +20,7 @@ shown() { # COLUMNS ROWS - what a terminal was sent, a line for each time the cu
 	tr -d '\n' <log | tr '\r' '\n' | sed 's/\x1b\[K//g' | grep -e '^\[' -e ': line '
 }
 awk '/^many\(\)/, /^}/' "$0" | cat - run >both
-script -q -e -c 'sh ./both' log >/dev/null </dev/null
+script -q -e -f -c 'sh ./both' log >/dev/null </dev/null
 shown >lines
 grep -c . lines | sed 's/^[1-9][0-9]*$/some/'
 awk 'length($0) > 59' lines
@@ -31,7 +34,7 @@ many >"$name" &
 "$FIVECHECK" --parse-only -o out m.xml "$name"
 RUN
 awk '/^many\(\)/, /^}/' "$0" | cat - run >both
-script -q -e -c 'sh ./both' log >/dev/null </dev/null
+script -q -e -f -c 'sh ./both' log >/dev/null </dev/null
 shown >lines
 awk 'length($0) > 29' lines
 sed 's/: line [0-9]*,.*/: line/' lines | sort -u
