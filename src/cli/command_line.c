@@ -207,6 +207,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--clearance-cap needs --clearance-report";
 	else if (o->report && !strcmp(o->report, "-"))
 		fault = "--report needs the name of a file: standard output gets the results";
+	else if (o->glb && !strcmp(o->glb, "-"))
+		fault = "--glb needs the name of a file: standard output gets the results";
 	else if (o->picture && !ends_in(o->picture, ".svg") && !ends_in(o->picture, ".png"))
 		fault = "--picture needs the name of a file that ends in .svg or .png";
 	else if (!o->report && (o->report_size > 0 || o->report_code == REPORT_CODE_NONE))
@@ -296,7 +298,7 @@ static bool apply_shard(const struct parser *parser)
 	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_visual(o) || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
 			   "--%s cannot be used with --shard of one program: it needs all blocks",
-			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : o->picture ? "picture" : "sensitivity");
+			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : o->glb ? "glb" : o->picture ? "picture" : "sensitivity");
 		return false;
 	}
 	return true;

@@ -23,7 +23,7 @@ enum {
 	KEY_MAX_BLOCKS, KEY_DEPFILE, KEY_FILES_FROM,
 	KEY_SHARD, KEY_PROGRESS, KEY_FAIL_ON, KEY_STATS, KEY_COLOR,
 	KEY_RECORD, KEY_WAIVERS, KEY_CLEARANCE_REPORT, KEY_CLEARANCE_CAP, KEY_TIMING, KEY_SENSITIVITY,
-	KEY_REPORT, KEY_REPORT_SIZE, KEY_REPORT_CODE, KEY_PICTURE
+	KEY_REPORT, KEY_REPORT_SIZE, KEY_REPORT_CODE, KEY_GLB, KEY_PICTURE
 };
 
 static const char *const methods[] = {
@@ -74,6 +74,8 @@ const struct option_row option_table[OPTION_COUNT] = {
 	 .help = "how large a report may become (5)"},
 	{KEY_REPORT_CODE, "report-code", "full|none", IN_CHECK, CHOICE(report_code, report_code),
 	 .help = "leave the text of the program out of the report: none"},
+	{KEY_GLB, "glb", "FILE.glb", IN_CHECK, TEXT(glb),
+	 .help = "write machine and motion before the first finding as glTF"},
 	{KEY_PICTURE, "picture", "FILE.svg|.png", IN_CHECK, TEXT(picture),
 	 .help = "draw the first finding"},
 	{KEY_PARSE_ONLY, "parse-only", NULL, MODE(RUN_PARSE_ONLY),

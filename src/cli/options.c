@@ -18,7 +18,7 @@ bool options_want_digests(const struct options *options)
 
 bool options_want_visual(const struct options *options)
 {
-	return options->report || options->picture;
+	return options->report || options->glb || options->picture;
 }
 
 void options_release(struct options *options)

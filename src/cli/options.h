@@ -58,6 +58,7 @@ struct options {
 	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
 	const char *report;	/* or NULL */
+	const char *glb;	/* or NULL */
 	const char *picture;	/* or NULL; ends in .svg or .png */
 	double report_size;	/* MB */
 	int report_code;	/* enum report_code */

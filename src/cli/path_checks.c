@@ -45,7 +45,7 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 7 };
+enum { WRITTEN_MAX = FORMAT_COUNT + 8 };
 
 static size_t list_written(struct written *list, const struct options *options)
 {
@@ -66,6 +66,8 @@ static size_t list_written(struct written *list, const struct options *options)
 		list[count++] = (struct written){"timing", options->timing};
 	if (options->report)
 		list[count++] = (struct written){"report", options->report};
+	if (options->glb)
+		list[count++] = (struct written){"glb", options->glb};
 	if (options->picture)
 		list[count++] = (struct written){"picture", options->picture};
 	if (options->pose)

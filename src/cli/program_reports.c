@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "report/glb/glb.h"
 #include "report/html/html_report.h"
 #include "report/html/report_data.h"
 #include "report/output.h"
@@ -98,7 +99,7 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
-	if (!try_output(options->report, diag) || !try_output(options->picture, diag) || !build_all(scene, diag))
+	if (!try_output(options->report, diag) || !try_output(options->glb, diag) || !try_output(options->picture, diag) || !build_all(scene, diag))
 		return false;
 	if (options->report && !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
 		return false;
@@ -256,6 +257,30 @@ static bool write_html(const struct program_reports *reports, struct html_conten
 	return good;
 }
 
+/* --glb. False: reported. */
+static bool write_glb(struct recorder *recorder, const struct stage *stage, const char *path, struct diag *diag)
+{
+	struct recorded_window window = recorder_window(recorder);
+	struct glb_scene scene = {stage->scene, stage->tool, stage->a, stage->b, NULL, window.count + 1};
+	struct glb_key *keys = mem_alloc((window.count + 1) * sizeof(*keys));
+	struct strbuf text = {0};
+	bool good;
+
+	for (size_t i = 0; i < window.count; i++)
+		keys[i] = (struct glb_key){window.rows[i].time, window.rows[i].axes};
+	keys[window.count] = (struct glb_key){0, stage->axes};
+	scene.keys = keys;
+	/* The pose of a finding ends its window; without one, the window is the whole program. */
+	if (window.count)
+		scene.key_count = window.count;
+	glb_add(&text, &scene);
+	good = write_text(path, &text, diag);
+	strbuf_release(&text);
+	free(keys);
+	free(window.rows);
+	return good;
+}
+
 bool program_reports_write(struct program_reports *reports, size_t index, struct recorder *recorder,
 			   const struct report_run *run, const struct report_program *program, struct diag *diag)
 {
@@ -286,6 +311,11 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 	if (options->picture) {
 		add_path(&path, options->picture, it->name);
 		good = write_picture(&stage, strbuf_text(&title), strbuf_text(&path), diag) && good;
+	}
+	strbuf_clear(&path);
+	if (options->glb) {
+		add_path(&path, options->glb, it->name);
+		good = write_glb(recorder, &stage, strbuf_text(&path), diag) && good;
 	}
 	strbuf_release(&title);
 	strbuf_release(&path);

@@ -73,3 +73,40 @@ void pack_table_add(struct strbuf *out, const int64_t *values, size_t rows, size
 	free(plane);
 	free(codes);
 }
+
+static int64_t unzigzag(uint64_t code)
+{
+	return code & 1 ? -(int64_t)(code >> 1) - 1 : (int64_t)(code >> 1);
+}
+
+static int64_t read_first(const char *head)
+{
+	uint64_t bits = 0;
+	double number;
+
+	for (int i = 0; i < 8; i++)
+		bits |= (uint64_t)(unsigned char)head[1 + i] << 8 * i;
+	memcpy(&number, &bits, sizeof(number));
+	return (int64_t)number;
+}
+
+void pack_table_read(int64_t *values, size_t rows, size_t columns, const char *bytes)
+{
+	const char *plane = bytes + 9 * columns;
+
+	for (size_t c = 0; c < columns; c++) {
+		const int planes = bytes[9 * c];
+		int64_t delta = 0;
+
+		values[c] = read_first(bytes + 9 * c);
+		for (size_t r = 1; r < rows; r++) {
+			uint64_t code = 0;
+
+			for (int p = 0; p < planes; p++)
+				code |= (uint64_t)(unsigned char)plane[(size_t)p * (rows - 1) + r - 1] << 8 * p;
+			delta += unzigzag(code);
+			values[r * columns + c] = values[(r - 1) * columns + c] + delta;
+		}
+		plane += (size_t)planes * (rows - 1);
+	}
+}

@@ -111,6 +111,25 @@ int recorder_body(const struct scene *scene, int body);
 /* The first finding that fails the run, else the first one; NULL: there is none. */
 const struct recorded_finding *recorder_first(const struct recorder *recorder);
 
+struct recorded_row {
+	double time;	/* s */
+	axis_values axes;
+};
+
+/* Times rise from row to row. The rows are owned. */
+struct recorded_window {
+	struct recorded_row *rows;
+	size_t count;
+};
+
+/*
+ * The path of the last WINDOW_SECONDS before the first finding, or as much of that as there are WINDOW_ROWS rows for; its last row is the finding.
+ * Without a finding the coarse level of the whole path. Empty if nothing moves. The recorder is closed.
+ */
+#define WINDOW_SECONDS 20.0
+enum { WINDOW_ROWS = 8192 };
+struct recorded_window recorder_window(struct recorder *recorder);
+
 /* The point between the bodies that were nearest, in machine coordinates. False: there are none below the cap. */
 bool recorder_nearest_point(struct recorder *recorder, vec3 *point);
 
