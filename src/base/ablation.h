@@ -29,6 +29,12 @@ enum { WITH_MERGED_STEPS = 0 };
 enum { WITH_MERGED_STEPS = 1 };	/* several steps are swept at once */
 #endif
 
+#ifdef FIVECHECK_WITHOUT_PLANES
+enum { WITH_PLANES = 0 };
+#else
+enum { WITH_PLANES = 1 };	/* planes that travel with a link keep parts of the bodies apart */
+#endif
+
 #ifdef FIVECHECK_WITHOUT_SIMD
 enum { WITH_SIMD = 0 };
 #else

@@ -51,6 +51,7 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 
 void pair_check_release(struct pair_check *check)
 {
+	strategy_release(&check->strategy);
 	sampler_release(&check->sampler);
 	free(check->results);
 	free(check->clearances);

@@ -238,3 +238,32 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
 		bound->reach[view] = later;
 	}
 }
+
+double box_path_displacement(const struct chain *chain, const struct chain_state *state, const axis_values *half,
+			     const axis_values *tolerance)
+{
+	double most[VIEWS] = {0, 0};
+
+	for (int view = 0; view < VIEWS; view++) {
+		struct stage stages[SLOT_COUNT];
+		size_t count = stages_of(chain, view, stages);
+		double later = 0;
+
+		/* The later joints alone change a point's distance to an axis. */
+		for (size_t n = count; n-- > 0;) {
+			size_t i = stages[n].first;
+			int slot = chain->joints[i].slot;
+
+			if (stages[n].rotary) {
+				double lever = state->rho[view][i] + later;
+
+				most[view] += tolerance->v[slot] * lever;
+				later += turn_of(half->v[slot], lever);
+			} else {
+				most[view] += linear_displacement(chain, i, stages[n].last, tolerance);
+				later += linear_displacement(chain, i, stages[n].last, half);
+			}
+		}
+	}
+	return fmin(most[0], most[1]);
+}

@@ -68,6 +68,13 @@ void box_bound_init(struct box_bound *bound, const struct chain *chain, const st
 		    const axis_values *half);
 
 /*
+ * mm: no point's path displacement (chord_bound) is larger at any position where each joint is within `half` of the
+ * state's, in the better view.
+ */
+double box_path_displacement(const struct chain *chain, const struct chain_state *state, const axis_values *half,
+			     const axis_values *tolerance);
+
+/*
  * mm: the farthest that the linear joints first..last-1 can move a point when each moves by at most amount[slot]. With
  * signs s, |sum s a d|^2 <= sum over pairs of a_i a_j |d_i . d_j|, which is the vector norm for orthogonal directions.
  */

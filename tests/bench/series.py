@@ -22,6 +22,7 @@ ABLATIONS = [
     ('nothing', '', ''),
     ('budget', 'BUDGET', ''),
     ('kept budgets', 'KEPT_BUDGETS', ''),
+    ('travelling planes', 'PLANES', ''),
     ('chunks', 'CHUNKS', ''),
     ('stretches', 'MERGED_STEPS', ''),
     ('cached axes', 'CACHED_AXES', ''),

@@ -132,6 +132,8 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 	span_init(&whole, &c->path);
 	span_walk_init(&walk, &whole, 16 * c->tolerance);
 	strategy_init(&strategy, &c->duo.pair, c->clearance, c->tolerance, number % 4 == 0);
+	/* As if many sweeps had gone before: planes are searched from the first step on. */
+	strategy.planes.credit = number % 2 ? 1e6 : 0;
 	while (span_walk_next(&walk, &step.span)) {
 		steps = mem_grow(steps, &capacity, count + 1, sizeof(*steps));
 		steps[count++] = (struct batch_step){.motion = step};
@@ -144,6 +146,7 @@ static int follow_curve(struct curve *c, struct sweep *sweep, long number)
 	if (answer != QUERY_CLEAR)
 		step = steps[next - 1].motion;
 	free(steps);
+	strategy_release(&strategy);
 	require(answer != QUERY_UNDECIDED, "case %ld: undecided", number);
 	if (answer == QUERY_CONTACT) {
 		xform pose;
@@ -265,6 +268,7 @@ START_TEST(arcs_with_a_path_tolerance)
 			continue;
 		needle_and_wall(&duo, &chain, normal, radius, gap);
 		strategy_init(&strategy, &duo.pair, 0, 1e-3, false);
+		strategy.planes.credit = 1e6;
 		span_init(&whole, &path);
 		span_walk_init(&walk, &whole, 16e-3);
 		for (int k = 0; k < SLOT_COUNT; k++)
@@ -273,6 +277,7 @@ START_TEST(arcs_with_a_path_tolerance)
 			answer = strategy_advance_step(&strategy, &sweep, &step, &contact);
 		require(answer == QUERY_CONTACT, "case %ld: a gap of %g is called clear, the control can cross %g",
 			n, gap, leap_along(normal));
+		strategy_release(&strategy);
 		duo_release(&duo);
 	}
 	sweep_release(&sweep);

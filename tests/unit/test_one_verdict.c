@@ -235,6 +235,8 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 		bool usable = near_program_init(&n, 1, number);
 
 		strategy_init(&strategy, &n.p.duo.pair, n.p.clearance, n.p.tolerance, number % 5 == 0);
+		/* As if many sweeps had gone before: planes are searched from the first step on. */
+		strategy.planes.credit = number % 2 ? 1e6 : 0;
 		for (int i = 0; usable && i < STEPS;) {
 			int passed = random_below(&n.p.random, 2) ? 0 : offer_chunk(&n, &strategy, i);
 
@@ -253,6 +255,7 @@ START_TEST(quick_ways_pass_only_what_the_sweep_does)
 			if (!random_below(&n.p.random, 10))
 				strategy_forget_position(&strategy);
 		}
+		strategy_release(&strategy);
 		duo_release(&n.p.duo);
 	}
 	sweep_release(&sweep);

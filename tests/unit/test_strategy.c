@@ -55,6 +55,8 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 		steps[i] = (struct batch_step){.motion = step_on(&paths[i])};
 	}
 	strategy_init(&strategy, &p->duo.pair, p->clearance, p->tolerance, measure);
+	/* As if many sweeps had gone before: planes are searched from the first step on. */
+	strategy.planes.credit = number % 2 ? 1e6 : 0;
 	for (int i = 0; i < STEPS; i++) {
 		const axis_values *q0 = &p->corners[i], *q1 = &p->corners[i + 1];
 		struct contact contact = {0};
@@ -77,13 +79,16 @@ static bool follow(struct program *p, struct sweep *sweep, bool measure, long nu
 		require(answer != QUERY_UNDECIDED, "case %ld, step %d: undecided", number, i);
 		oracle_judge(&p->duo, q0, q1, p->clearance, p->tolerance,
 			     answer == QUERY_CONTACT ? SWEEP_CONTACT : SWEEP_APART, &contact, "step", number);
-		if (answer == QUERY_CONTACT)
+		if (answer == QUERY_CONTACT) {
+			strategy_release(&strategy);
 			return true;
+		}
 		proven = strategy_proven(&strategy);
 		if (measure && proven > p->clearance)
 			require(!(oracle_first(&p->duo, q0, q1, proven * (1 - 1e-9), p->tolerance) < INFINITY),
 				"case %ld, step %d: clearance of %g measured, it is less", number, i, proven);
 	}
+	strategy_release(&strategy);
 	return false;
 }
 
@@ -125,6 +130,7 @@ START_TEST(standing_still_costs_nothing)
 			if (strategy_advance_step(&strategy, &sweep, &step, &contact) != QUERY_CLEAR)
 				break;
 		}
+		strategy_release(&strategy);
 		duo_release(&p.duo);
 	} while (!strategy.proof.clear_at_end);
 	ck_assert_int_eq(strategy.queries, 1);
@@ -158,6 +164,7 @@ START_TEST(clear_wherever_the_control_may_go)
 		for (size_t k = 0; k < p.duo.chain.count; k++)
 			tolerance.v[p.duo.chain.joints[k].slot] = allowed * (p.duo.chain.joints[k].rotary ? 0.017 : 1);
 		strategy_init(&strategy, &p.duo.pair, p.clearance, fmax(p.tolerance, 0.01), n % 3 == 0);
+		strategy.planes.credit = n % 2 ? 1e6 : 0;
 		for (int i = 0; i < STEPS; i++) {
 			const axis_values *q0 = &p.corners[i], *q1 = &p.corners[i + 1];
 			enum path_kind kind = random_below(&p.random, 3) ? PATH_STRAIGHT : PATH_BOX;
@@ -184,6 +191,7 @@ START_TEST(clear_wherever_the_control_may_go)
 				require(d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);
 			}
 		}
+		strategy_release(&strategy);
 		duo_release(&p.duo);
 	}
 	sweep_release(&sweep);
@@ -240,6 +248,7 @@ START_TEST(what_happened_before)
 	ck_assert_int_eq(go(&strategy, &sweep, 11, 0, 0, 0, PATH_STRAIGHT, 0), QUERY_CONTACT);
 	ck_assert_int_eq(go(&strategy, &sweep, 0, 0, 0, 5, PATH_STRAIGHT, 0), QUERY_CLEAR);
 	sweep_release(&sweep);
+	strategy_release(&strategy);
 	duo_release(&duo);
 }
 END_TEST
@@ -255,6 +264,7 @@ START_TEST(as_far_as_the_control_may_go)
 
 		stand_by_wall(&duo, side);
 		strategy_init(&strategy, &duo.pair, 0, 1e-3, k & 4);
+		strategy.planes.credit = 1e6;
 		/* Along the wall at 0.02 mm. */
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.5, 0, side * 9.98, 50, kind, 0), QUERY_CLEAR);
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 50, side * 9.98, 99, kind, 0.01), QUERY_CLEAR);
@@ -262,6 +272,7 @@ START_TEST(as_far_as_the_control_may_go)
 		strategy_forget_position(&strategy);
 		ck_assert_int_eq(go(&strategy, &sweep, side * 9.98, 99, side * 9.98, 99, kind, 0.03), QUERY_CONTACT);
 		sweep_release(&sweep);
+		strategy_release(&strategy);
 		duo_release(&duo);
 	}
 }

@@ -5,6 +5,8 @@
 
 #include "check/certified/merged_steps.h"
 #include "check/step.h"
+#include "geom/tolerance.h"
+#include "machine/motion_bound.h"
 
 /* A target beyond the clearance need not be decided exactly: an error of this share of the part beyond is fine. */
 #define MEASURE_GRAIN 0.1
@@ -18,12 +20,29 @@ void pair_proof_init(struct pair_proof *proof, const struct body_pair *bodies, d
 		.bodies = *bodies, .clearance = clearance, .target = clearance, .tolerance = tolerance};
 	proof->bodies.coherence = &proof->coherence;
 	kept_budgets_init(&proof->budgets, bodies->chain);
+	plane_cells_init(&proof->planes, &proof->bodies);
+}
+
+void pair_proof_release(struct pair_proof *proof)
+{
+	plane_cells_release(&proof->planes);
 }
 
 void pair_proof_copy(struct pair_proof *to, const struct pair_proof *from)
 {
 	*to = *from;
 	to->bodies.coherence = &to->coherence;
+	plane_cells_copy(&to->planes, &from->planes);
+	to->planes.bodies = &to->bodies;
+}
+
+void pair_proof_take(struct pair_proof *to, struct pair_proof *from)
+{
+	pair_proof_release(to);
+	*to = *from;
+	to->bodies.coherence = &to->coherence;
+	to->planes.bodies = &to->bodies;
+	plane_cells_init(&from->planes, &from->bodies);
 }
 
 double pair_proof_needed(const struct pair_proof *proof)
@@ -90,6 +109,62 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 	proof->position_known = kept_budgets_cover(&proof->budgets, &span->q0, &span->q1, errors);
 	proof->clear_at_end |= proof->position_known;
 	return proof->position_known;
+}
+
+/* mm: t + W + e, W at any position of the motion. */
+static double needed_over(const struct pair_proof *proof, const struct plane_motion *motion,
+			  const struct position_errors *errors)
+{
+	const struct body_pair *bodies = &proof->bodies;
+	struct chain_state state;
+	axis_values middle, half;
+
+	if (!errors->any)
+		return pair_proof_needed(proof);
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
+		half.v[i] = 0.5 * fabs(motion->q1.v[i] - motion->q0.v[i]) + motion->chord_error.v[i];
+	}
+	chain_state_init(&state, bodies->chain, &middle, &bodies->ball_a, &bodies->ball_b);
+	return pair_proof_needed(proof) + box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
+}
+
+/* The kept planes, else new ones at q. The axes have gone on past what the budget in use has counted. */
+static bool by_planes(struct pair_proof *proof, const struct plane_motion *motion, const struct position_errors *errors,
+		      const axis_values *q, bool search)
+{
+	double needed = needed_over(proof, motion, errors);
+
+	if (!(search ? plane_cells_search(&proof->planes, q, motion, needed)
+		     : plane_cells_cover(&proof->planes, motion, needed)))
+		return false;
+	proof->clear_at_end = true;
+	proof->position_known = false;
+	return true;
+}
+
+bool pair_proof_box_by_planes(struct pair_proof *proof, const axis_values *low, const axis_values *high,
+			      const struct position_errors *errors, bool search)
+{
+	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
+	axis_values middle;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		middle.v[i] = 0.5 * low->v[i] + 0.5 * high->v[i];
+	return by_planes(proof, &motion, errors, &middle, search);
+}
+
+bool pair_proof_step_by_planes(struct pair_proof *proof, const struct motion_step *step,
+			       const struct position_errors *errors, bool search)
+{
+	const struct plane_motion motion = {
+		.straight = !step_is_box(step),
+		.q0 = step->span.q0,
+		.q1 = step->span.q1,
+		.chord_error = errors->chord,
+	};
+
+	return by_planes(proof, &motion, errors, &step->span.q1, search);
 }
 
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step)

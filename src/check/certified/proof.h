@@ -7,6 +7,7 @@
 #include "check/batch.h"
 #include "check/certified/clearance_query.h"
 #include "check/certified/kept_budgets.h"
+#include "check/certified/plane_cells.h"
 #include "scene/coherence.h"
 
 /*
@@ -28,13 +29,19 @@ struct pair_proof {
 	double tolerance;	/* mm: e */
 	struct coherence coherence;
 	struct kept_budgets budgets;	/* regions of joint space, in each of which D > t + e at its chosen target */
+	struct plane_cells planes;	/* gaps that hold near the positions where they were measured */
 	bool clear_at_end;	/* proved where the last piece of motion ended: the pair is apart there */
 	bool position_known;	/* the budget in use has counted all motion up to where the next piece begins */
 };
 
-/* The proof must stay where it is from here on; pair_proof_copy copies one. */
+/*
+ * The proof must stay where it is from here on; pair_proof_copy copies one, and pair_proof_take moves one to a place
+ * where another was. Each is released in the end.
+ */
 void pair_proof_init(struct pair_proof *proof, const struct body_pair *bodies, double clearance, double tolerance);
+void pair_proof_release(struct pair_proof *proof);
 void pair_proof_copy(struct pair_proof *to, const struct pair_proof *from);
+void pair_proof_take(struct pair_proof *to, struct pair_proof *from);
 
 /* mm: t + e. */
 double pair_proof_needed(const struct pair_proof *proof);
@@ -69,6 +76,16 @@ bool pair_proof_box(struct pair_proof *proof, const axis_values *low, const axis
 /* Step: by a budget, D > t + W + e on all of it. */
 bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_step *step,
 			       const struct position_errors *errors);
+
+/*
+ * Box and step: by travelling planes. Every part of one body is more than t + W + e from every part of the other along
+ * a plane's normal. `search`: new planes are measured where the kept ones do not hold: at the middle of the box, or at
+ * the end of the step.
+ */
+bool pair_proof_box_by_planes(struct pair_proof *proof, const axis_values *low, const axis_values *high,
+			      const struct position_errors *errors, bool search);
+bool pair_proof_step_by_planes(struct pair_proof *proof, const struct motion_step *step,
+			       const struct position_errors *errors, bool search);
 
 /* Is the step within an earlier budget? Then that budget is used from here on. Proves nothing by itself. */
 bool pair_proof_recall(struct pair_proof *proof, const struct motion_step *step);

@@ -47,6 +47,7 @@ void strategy_init(struct strategy *strategy, const struct body_pair *bodies, do
 {
 	*strategy = (struct strategy){.measures = measure, .distance_pays = true};
 	pair_proof_init(&strategy->proof, bodies, clearance, tolerance);
+	plane_account_init(&strategy->planes, bodies->a->mesh.count + bodies->b->mesh.count);
 	if (measure)
 		strategy->proof.target = INFINITY;
 }
@@ -56,25 +57,28 @@ void strategy_cap(struct strategy *strategy, double most)
 	pair_proof_aim(&strategy->proof, most);
 }
 
-static void copy_state(struct strategy *to, const struct strategy *from)
+void strategy_release(struct strategy *strategy)
 {
-	*to = *from;
-	pair_proof_copy(&to->proof, &from->proof);
+	pair_proof_release(&strategy->proof);
 }
 
 void strategy_fork(const struct strategy *whole, struct strategy *part)
 {
-	copy_state(part, whole);
+	*part = *whole;
+	pair_proof_copy(&part->proof, &whole->proof);
 	part->covered_steps = part->queries = 0;
 	strategy_forget_position(part);
 }
 
-void strategy_join(struct strategy *whole, const struct strategy *part)
+void strategy_join(struct strategy *whole, struct strategy *part)
 {
+	struct pair_proof proof = whole->proof;
 	long covered_steps = whole->covered_steps + part->covered_steps, queries = whole->queries + part->queries;
 	double target = fmin(whole->proof.target, part->proof.target);
 
-	copy_state(whole, part);
+	*whole = *part;
+	whole->proof = proof;
+	pair_proof_take(&whole->proof, &part->proof);
 	whole->covered_steps = covered_steps;
 	whole->queries = queries;
 	pair_proof_aim(&whole->proof, target);
@@ -182,6 +186,45 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
+/* Are travelling planes of use? A target that is to be found out is proved otherwise. */
+static bool uses_planes(const struct strategy *strategy)
+{
+	return WITH_PLANES && !strategy->measures;
+}
+
+/* By the kept planes, else by new ones if a search for them may pay. */
+static bool covered_by_planes(struct strategy *strategy, const struct motion_step *step,
+			      const struct position_errors *errors)
+{
+	struct pair_proof *proof = &strategy->proof;
+	long before = proof->planes.visits;
+	bool held;
+
+	if (!uses_planes(strategy))
+		return false;
+	held = pair_proof_step_by_planes(proof, step, errors, false);
+	if (!held && plane_account_allows(&strategy->planes)) {
+		held = pair_proof_step_by_planes(proof, step, errors, true);
+		plane_account_add_search(&strategy->planes, proof->planes.visits - before);
+	}
+	if (held) {
+		plane_account_add_saved(&strategy->planes, 1);
+		strategy->covered_steps++;
+	}
+	return held;
+}
+
+static enum query_answer sweep_step(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
+				    struct contact *contact)
+{
+	long before = sweep->visits;
+	enum query_answer answer = pair_proof_step(&strategy->proof, sweep, step, contact);
+
+	strategy->sweep_visits += sweep->visits - before;
+	plane_account_add_sweep(&strategy->planes, sweep->visits - before);
+	return answer;
+}
+
 /* Tries to prove the step for the present target. */
 static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 				 struct contact *contact)
@@ -193,20 +236,21 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 	if (pair_proof_still(proof, step))
 		return QUERY_CLEAR;
 	errors = step_errors(proof->bodies.chain, step);
-	if (covered(strategy, step, &errors))
+	if (covered(strategy, step, &errors) || covered_by_planes(strategy, step, &errors))
 		return QUERY_CLEAR;
 	if (!WITH_BUDGET && !is_measuring_first(strategy)) {
 		/* This build has no budgets, so a distance is of no use. */
 	} else if (strategy->steps_to_next_query > 0 && !is_measuring_first(strategy)) {
 		strategy->steps_to_next_query--;
 	} else {
+		long before = sweep->visits;
+
 		renew(strategy, sweep, step, &errors);
+		plane_account_add_query(&strategy->planes, sweep->visits - before);
 		if (covered(strategy, step, &errors))
 			return QUERY_CLEAR;
 	}
-	strategy->sweep_visits -= sweep->visits;
-	answer = pair_proof_step(proof, sweep, step, contact);
-	strategy->sweep_visits += sweep->visits;
+	answer = sweep_step(strategy, sweep, step, contact);
 	strategy->distance_pays = false;
 	return answer;
 }
@@ -268,22 +312,28 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 			      size_t count)
 {
 	struct pair_proof *proof = &strategy->proof;
+	struct position_errors errors;
 	struct chord chord;
 	size_t merge_count;
 	bool proved;
+	long before;
 
 	if (!WITH_MERGED_STEPS || strategy->distance_pays || strategy->steps_to_next_query <= 0 ||
 	    is_measuring_first(strategy))
 		return 0;
 	if (pair_proof_recall(proof, &steps[0].motion))
 		return 0;
+	errors = step_errors(proof->bodies.chain, &steps[0].motion);
+	if (covered_by_planes(strategy, &steps[0].motion, &errors))
+		return 1;
 	merge_count = choose_merge(strategy, steps, count, &chord);
 	strategy->merge_count = merge_count;
 	if (merge_count < 2)
 		return 0;
-	strategy->sweep_visits -= sweep->visits;
+	before = sweep->visits;
 	proved = pair_proof_chord(proof, sweep, &chord);
-	strategy->sweep_visits += sweep->visits;
+	strategy->sweep_visits += sweep->visits - before;
+	plane_account_add_query(&strategy->planes, sweep->visits - before);
 	if (!proved) {
 		strategy->distance_pays = true;
 		return 0;
@@ -292,12 +342,34 @@ size_t strategy_advance_chord(struct strategy *strategy, struct sweep *sweep, co
 	return merge_count;
 }
 
+/* As covered_by_planes, for a box of steps. */
+static bool box_by_planes(struct strategy *strategy, const axis_values *low, const axis_values *high,
+			  const struct position_errors *errors)
+{
+	struct pair_proof *proof = &strategy->proof;
+	long before = proof->planes.visits;
+	bool held;
+
+	if (!uses_planes(strategy))
+		return false;
+	held = pair_proof_box_by_planes(proof, low, high, errors, false);
+	if (!held && plane_account_allows_chunk(&strategy->planes)) {
+		held = pair_proof_box_by_planes(proof, low, high, errors, true);
+		plane_account_add_search(&strategy->planes, proof->planes.visits - before);
+		plane_account_add_chunk(&strategy->planes, held);
+	}
+	return held;
+}
+
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
 			  const struct position_errors *errors, const axis_values *end, size_t steps)
 {
-	if (!pair_proof_box(&strategy->proof, low, high, errors, end))
+	if (pair_proof_box(&strategy->proof, low, high, errors, end))
+		strategy->distance_pays = true;
+	else if (box_by_planes(strategy, low, high, errors))
+		plane_account_add_saved(&strategy->planes, steps);
+	else
 		return false;
 	strategy->covered_steps += (long)steps;
-	strategy->distance_pays = true;
 	return true;
 }

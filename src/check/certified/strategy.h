@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "check/batch.h"
+#include "check/certified/plane_account.h"
 #include "check/certified/proof.h"
 #include "motion/motion.h"
 
@@ -16,6 +17,7 @@ struct strategy {
 	int backoff;	/* steps to wait after the next query that proves too little */
 	bool distance_pays;	/* false: the last step had to be swept */
 	size_t merge_count;	/* steps that were merged last time; 0: none yet */
+	struct plane_account planes;
 	long sweep_visits;	/* node pairs that sweeps looked at since the last sharp query (strategy.c) */
 	long covered_steps, queries;
 };
@@ -26,6 +28,7 @@ struct strategy {
  */
 void strategy_init(struct strategy *strategy, const struct body_pair *bodies, double clearance, double tolerance,
 		   bool measure);
+void strategy_release(struct strategy *strategy);
 
 /* A strategy that measures stops at `most` mm: it then counts `most` as proven. */
 void strategy_cap(struct strategy *strategy, double most);
@@ -33,10 +36,10 @@ void strategy_cap(struct strategy *strategy, double most);
 /*
  * A fork checks a part of the steps without knowing the steps before. Its findings count for the whole. strategy_join,
  * called for the parts in their order, brings back the rest: counters, the smallest clearance, and the state after the
- * last part.
+ * last part. It releases the part.
  */
 void strategy_fork(const struct strategy *whole, struct strategy *part);
-void strategy_join(struct strategy *whole, const struct strategy *part);
+void strategy_join(struct strategy *whole, struct strategy *part);
 
 /* mm: the smallest clearance proved so far; INFINITY: none was measured. */
 double strategy_proven(const struct strategy *strategy);

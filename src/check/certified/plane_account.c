@@ -1,0 +1,68 @@
+#include "check/certified/plane_account.h"
+
+#include "base/minmax.h"
+
+/* Prices are running means: this share of them is the last one. */
+#define LAST_SHARE 0.125
+
+/* So much credit is kept at most; more would be spent where planes are of use no longer. */
+#define CREDIT_MAX 1e5
+
+/* Node pairs: the least that a first search costs. */
+#define FIRST_PRICE 2000
+
+/* After searches in vain at most so many chunks are left out. */
+enum { CHUNK_BACKOFF_MAX = 64 };
+
+void plane_account_init(struct plane_account *account, size_t triangles)
+{
+	*account = (struct plane_account){.search_price = FIRST_PRICE + (double)triangles};
+}
+
+bool plane_account_allows(const struct plane_account *account)
+{
+	return account->credit > account->search_price;
+}
+
+bool plane_account_allows_chunk(struct plane_account *account)
+{
+	if (!plane_account_allows(account))
+		return false;
+	if (account->idle <= 0)
+		return true;
+	account->idle--;
+	return false;
+}
+
+static void add_credit(struct plane_account *account, double visits)
+{
+	account->credit = smaller(account->credit + visits, CREDIT_MAX);
+}
+
+void plane_account_add_query(struct plane_account *account, long visits)
+{
+	add_credit(account, (double)visits);
+}
+
+void plane_account_add_sweep(struct plane_account *account, long visits)
+{
+	add_credit(account, (double)visits);
+	account->sweep_price += LAST_SHARE * ((double)visits - account->sweep_price);
+}
+
+void plane_account_add_saved(struct plane_account *account, size_t steps)
+{
+	add_credit(account, account->sweep_price * (double)steps);
+}
+
+void plane_account_add_search(struct plane_account *account, long visits)
+{
+	account->credit -= (double)visits;
+	account->search_price += LAST_SHARE * ((double)visits - account->search_price);
+}
+
+void plane_account_add_chunk(struct plane_account *account, bool proved)
+{
+	account->backoff = proved ? 0 : account->backoff < CHUNK_BACKOFF_MAX ? 2 * account->backoff + 1 : CHUNK_BACKOFF_MAX;
+	account->idle = account->backoff;
+}

@@ -1,0 +1,356 @@
+#include "check/certified/plane_cells.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+enum { CELLS_MOST = 48, PLANES_KEPT = 4 };
+
+/* A plane that lasts for so many motions like the one at hand is good enough: no other shape of the parts is tried. */
+#define LIFE_ENOUGH 8
+
+/* The cell of the whole bodies is searched again after so many searches of the front at most. */
+enum { WHOLE_BACKOFF_MAX = 64 };
+
+struct plane_part {
+	int body;	/* 0: A, 1: B */
+	struct leaf leaf;
+	bool has_profile;
+	struct profile profile;	/* about the joint next to the body */
+	size_t first_child, child_count;	/* parts; 0: not divided yet */
+};
+
+struct plane_cell {
+	size_t part[2];
+	bool divided;	/* other cells stand for it */
+	int idle, backoff;	/* searches to leave out now, and after the next one without a plane */
+	int count, newest;
+	struct travelling_plane kept[PLANES_KEPT];
+};
+
+void plane_cells_init(struct plane_cells *cells, const struct body_pair *bodies)
+{
+	*cells = (struct plane_cells){.bodies = bodies};
+}
+
+void plane_cells_release(struct plane_cells *cells)
+{
+	free(cells->parts);
+	free(cells->cells);
+	*cells = (struct plane_cells){.bodies = cells->bodies};
+}
+
+void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from)
+{
+	*to = *from;
+	if (!from->cell_count)
+		return;
+	to->parts = mem_realloc(NULL, from->part_count, sizeof(*to->parts));
+	to->cells = mem_realloc(NULL, from->cell_count, sizeof(*to->cells));
+	to->part_capacity = from->part_count;
+	to->cell_capacity = from->cell_count;
+	memcpy(to->parts, from->parts, from->part_count * sizeof(*to->parts));
+	memcpy(to->cells, from->cells, from->cell_count * sizeof(*to->cells));
+}
+
+static const struct bvh *bvh_of(const struct plane_cells *cells, int body)
+{
+	return body ? cells->bodies->b : cells->bodies->a;
+}
+
+/* The joint next to a body. */
+static const struct joint *joint_next_to(const struct plane_cells *cells, int body)
+{
+	const struct chain *chain = cells->bodies->chain;
+
+	return &chain->joints[body ? chain->count - 1 : 0];
+}
+
+static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
+{
+	const struct joint *joint = joint_next_to(cells, body);
+	struct plane_part *part;
+
+	cells->parts =
+	    mem_grow(cells->parts, &cells->part_capacity, cells->part_count + 1, sizeof(*cells->parts));
+	part = &cells->parts[cells->part_count++];
+	*part = (struct plane_part){.body = body, .leaf = leaf, .has_profile = joint->rotary};
+	if (joint->rotary)
+		profile_init(&part->profile, bvh_of(cells, body), leaf,
+			     body ? &cells->bodies->place_b : &cells->bodies->place_a, joint->location,
+			     joint->direction);
+}
+
+static void add_cell(struct plane_cells *cells, size_t a, size_t b)
+{
+	cells->cells =
+	    mem_grow(cells->cells, &cells->cell_capacity, cells->cell_count + 1, sizeof(*cells->cells));
+	cells->cells[cells->cell_count++] = (struct plane_cell){.part = {a, b}};
+}
+
+static bool cell_covers(struct plane_cell *cell, const struct chain *chain, const struct plane_motion *motion,
+			double needed)
+{
+	for (int i = 0; i < cell->count; i++) {
+		int k = (cell->newest + i) % cell->count;
+
+		if (travelling_plane_rest(&cell->kept[k], chain, motion) > needed) {
+			cell->newest = k;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The cell that failed last is asked first next time. */
+static void move_to_front(struct plane_cells *cells, size_t i)
+{
+	struct plane_cell keep;
+
+	if (i <= 1)
+		return;
+	keep = cells->cells[1];
+	cells->cells[1] = cells->cells[i];
+	cells->cells[i] = keep;
+}
+
+bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed)
+{
+	const struct chain *chain = cells->bodies->chain;
+
+	if (!cells->cell_count)
+		return false;
+	if (cell_covers(&cells->cells[0], chain, motion, needed))
+		return true;
+	if (!cells->cells[0].divided)
+		return false;
+	for (size_t i = 1; i < cells->cell_count; i++) {
+		if (!cells->cells[i].divided && !cell_covers(&cells->cells[i], chain, motion, needed)) {
+			move_to_front(cells, i);
+			return false;
+		}
+	}
+	return true;
+}
+
+/* ------------------------------------------------------------------ search */
+
+struct search {
+	struct plane_cells *cells;
+	const struct plane_motion *motion;
+	double needed;
+	struct plane_pose pose;
+	xform places[2];	/* of both meshes, in the coordinates of A's link */
+	struct travelling_plane best;
+	double life;	/* of the best plane: how many motions like this one it lasts; below 0: there is none */
+};
+
+/* Tries the normal with every link that makes a difference. */
+static void try_normal(struct search *search, const struct convex *a, const struct convex *b, vec3 n)
+{
+	const struct chain *chain = search->cells->bodies->chain;
+	double gap = travelling_plane_gap(&search->pose, a, b, n, &search->cells->visits);
+
+	if (!(gap > search->needed))
+		return;
+	for (size_t link = 0; link <= chain->count; link++) {
+		struct travelling_plane plane;
+		double lost, life;
+
+		/* A link behind a linear joint is as good as the one before it. */
+		if (link && !chain->joints[link - 1].rotary)
+			continue;
+		if ((a->profile && link == 0) || (b->profile && link == chain->count))
+			continue;
+		travelling_plane_init(&plane, &search->pose, a, b, n, link, gap, &search->cells->visits);
+		lost = gap - travelling_plane_rest(&plane, chain, search->motion);
+		life = lost > 0 ? (gap - search->needed) / lost : INFINITY;
+		if (life > search->life || (isinf(life) && gap > search->best.gap)) {
+			search->life = life;
+			search->best = plane;
+		}
+	}
+}
+
+/* Tries the direction between the parts, and the joints' axes. */
+static void try_shapes(struct search *search, const struct convex *a, const struct convex *b)
+{
+	const struct chain *chain = search->cells->bodies->chain;
+	struct convex_search between;
+
+	if (convex_direction(a, b, &between, &search->cells->visits))
+		try_normal(search, a, b, between.direction);
+	for (size_t i = 0; i < chain->count; i++) {
+		vec3 d = search->pose.state.direction[i];
+		double most = INFINITY;
+
+		if (vec3_dot(d, vec3_sub(b->centre, a->centre)) < 0)
+			d = vec3_scale(-1, d);
+		for (int k = 0; k < between.count; k++)
+			most = fmin(most, vec3_dot(d, between.seen[k]));
+		if (most > search->needed)
+			try_normal(search, a, b, d);
+	}
+}
+
+static struct convex mesh_of(const struct search *search, const struct plane_part *part)
+{
+	return convex_of_mesh(bvh_of(search->cells, part->body), part->leaf, &search->places[part->body]);
+}
+
+static struct convex rings_of(const struct search *search, const struct plane_part *part)
+{
+	const struct chain_state *state = &search->pose.state;
+	size_t joint = part->body ? search->cells->bodies->chain->count - 1 : 0;
+
+	return convex_of_profile(&part->profile, state->location[joint], state->direction[joint]);
+}
+
+static void search_cell(struct search *search, const struct plane_cell *cell)
+{
+	const struct plane_part *of_a = &search->cells->parts[cell->part[0]];
+	const struct plane_part *of_b = &search->cells->parts[cell->part[1]];
+	struct convex mesh_a = mesh_of(search, of_a), mesh_b = mesh_of(search, of_b), rings_a, rings_b;
+
+	search->life = -1;
+	search->best.gap = 0;
+	if (of_a->has_profile) {
+		rings_a = rings_of(search, of_a);
+		try_shapes(search, &rings_a, &mesh_b);
+	}
+	if (of_b->has_profile && !(search->life > LIFE_ENOUGH)) {
+		rings_b = rings_of(search, of_b);
+		try_shapes(search, &mesh_a, &rings_b);
+		if (of_a->has_profile && search->cells->bodies->chain->count > 1)
+			try_shapes(search, &rings_a, &rings_b);
+	}
+	if (!(search->life > 1))
+		try_shapes(search, &mesh_a, &mesh_b);
+}
+
+static void keep_plane(struct plane_cell *cell, const struct travelling_plane *plane)
+{
+	if (cell->count < PLANES_KEPT)
+		cell->newest = cell->count++;
+	else
+		cell->newest = (cell->newest + PLANES_KEPT - 1) % PLANES_KEPT;
+	cell->kept[cell->newest] = *plane;
+}
+
+/* Gives the part's children parts of their own; false: it has none. */
+static bool divide_part(struct plane_cells *cells, size_t at)
+{
+	const struct plane_part part = cells->parts[at];
+	const struct bvh_node *node;
+
+	if (part.leaf.count || part.child_count)
+		return part.child_count > 0;
+	node = &bvh_of(cells, part.body)->nodes[part.leaf.first];
+	if (node->used < 2)
+		return false;
+	cells->parts[at].first_child = cells->part_count;
+	cells->parts[at].child_count = node->used;
+	for (int i = 0; i < node->used; i++)
+		add_part(cells, part.body, (struct leaf){node->first[i], node->count[i]});
+	return true;
+}
+
+static double radius_of(const struct search *search, size_t part)
+{
+	return mesh_of(search, &search->cells->parts[part]).radius;
+}
+
+/* Divides the larger part of the cell. */
+static bool divide_cell(struct search *search, size_t at)
+{
+	struct plane_cells *cells = search->cells;
+	const size_t part[2] = {cells->cells[at].part[0], cells->cells[at].part[1]};
+	int body = radius_of(search, part[1]) > radius_of(search, part[0]);
+	size_t first, count;
+
+	if (!divide_part(cells, part[body])) {
+		body = !body;
+		if (!divide_part(cells, part[body]))
+			return false;
+	}
+	first = cells->parts[part[body]].first_child;
+	count = cells->parts[part[body]].child_count;
+	if (cells->cell_count + count > CELLS_MOST)
+		return false;
+	for (size_t i = 0; i < count; i++)
+		add_cell(cells, body ? part[0] : first + i, body ? first + i : part[1]);
+	cells->cells[at].divided = true;
+	return true;
+}
+
+/* Finds a plane for the cell or divides it; false: neither helps over the motion. */
+static bool renew_cell(struct search *search, size_t at)
+{
+	struct plane_cells *cells = search->cells;
+
+	search_cell(search, &cells->cells[at]);
+	if (search->life >= 0) {
+		keep_plane(&cells->cells[at], &search->best);
+		return search->life > 1;
+	}
+	return divide_cell(search, at);
+}
+
+/* The cell of the whole bodies: false also if the front has to be looked at. */
+static bool renew_whole(struct search *search)
+{
+	struct plane_cell *whole = &search->cells->cells[0];
+
+	if (whole->divided && whole->idle > 0) {
+		whole->idle--;
+		return false;
+	}
+	search_cell(search, whole);
+	if (search->life >= 0) {
+		keep_plane(whole, &search->best);
+		whole->backoff = 0;
+	}
+	if (search->life > 1)
+		return true;
+	if (search->life < 0 && !whole->divided)
+		divide_cell(search, 0);
+	whole = &search->cells->cells[0];
+	whole->backoff = whole->backoff < WHOLE_BACKOFF_MAX ? 2 * whole->backoff + 1 : WHOLE_BACKOFF_MAX;
+	whole->idle = whole->backoff;
+	return false;
+}
+
+bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			double needed)
+{
+	struct search search = {.cells = cells, .motion = motion, .needed = needed};
+	const struct body_pair *bodies = cells->bodies;
+
+	if (chain_is_rigid(bodies->chain))
+		return false;
+	if (!cells->cell_count) {
+		add_part(cells, 0, (struct leaf){0, 0});
+		add_part(cells, 1, (struct leaf){0, 0});
+		add_cell(cells, 0, 1);
+	}
+	plane_pose_init(&search.pose, bodies, q);
+	search.places[0] = bodies->place_a;
+	search.places[1] = xform_mul(&search.pose.state.pose, &bodies->place_b);
+	if (renew_whole(&search))
+		return true;
+	if (!cells->cells[0].divided)
+		return false;
+	for (size_t i = 1; i < cells->cell_count; i++) {
+		struct plane_cell *cell = &cells->cells[i];
+
+		if (cell->divided || cell_covers(cell, bodies->chain, motion, needed))
+			continue;
+		if (!renew_cell(&search, i)) {
+			move_to_front(cells, i);
+			return false;
+		}
+	}
+	return true;
+}

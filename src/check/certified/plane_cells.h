@@ -1,0 +1,40 @@
+/* plane_cells.h - travelling planes that together keep two bodies apart: each between a part of one and of the other. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_PLANE_CELLS_H
+#define FIVECHECK_CHECK_CERTIFIED_PLANE_CELLS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "check/certified/travelling_plane.h"
+
+struct plane_part;
+struct plane_cell;
+
+/*
+ * Every pair of a triangle of one body and one of the other lies in a cell of the front; the cell of both whole bodies
+ * holds all. Each cell keeps the last planes that were of use.
+ */
+struct plane_cells {
+	const struct body_pair *bodies;
+	struct plane_part *parts;	/* owned: parts of both bodies */
+	size_t part_count, part_capacity;
+	struct plane_cell *cells;	/* owned; the first one is that of the whole bodies */
+	size_t cell_count, cell_capacity;
+	long visits;	/* node pairs that all searches were worth */
+};
+
+/* Keeps no memory until the first search. */
+void plane_cells_init(struct plane_cells *cells, const struct body_pair *bodies);
+void plane_cells_release(struct plane_cells *cells);
+
+/* A copy for another check of the same bodies, which the caller releases. */
+void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from);
+
+/* Do kept planes leave gaps of more than `needed` mm throughout the motion? */
+bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed);
+
+/* The same; measures new planes at q in the cells where no kept plane does. */
+bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
+			double needed);
+
+#endif

@@ -1,0 +1,121 @@
+#include "check/certified/travelling_plane.h"
+
+#include <math.h>
+
+#include "base/minmax.h"
+#include "geom/tolerance.h"
+
+void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q)
+{
+	double turned = 0;
+
+	pose->bodies = bodies;
+	pose->q = *q;
+	chain_state_init(&pose->state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
+	/* As in body_pair_rounding. */
+	for (size_t i = 0; i < bodies->chain->count; i++)
+		turned += bodies->chain->joints[i].rotary ? fabs(q->v[bodies->chain->joints[i].slot]) : 0;
+	pose->slack = POSE_ROUNDING * (1 + turned / 64);
+	pose->rounding = body_pair_rounding(bodies, q, body_pair_pose(bodies, q).translation);
+}
+
+double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
+			    long *visits)
+{
+	vec3 at;
+
+	return -convex_support(b, vec3_scale(-1, n), &at, visits) - convex_support(a, n, &at, visits) - pose->rounding;
+}
+
+/* What a rotary joint does to the part of the body that it carries. */
+static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part, size_t i,
+		       vec3 n, long *visits)
+{
+	vec3 axis = pose->state.direction[i], location = pose->state.location[i], at;
+	vec3 lever = vec3_cross(n, axis);
+	double from = vec3_dot(lever, location);
+
+	plane->high[i] = convex_support(part, lever, &at, visits) - from + pose->rounding;
+	plane->low[i] = -convex_support(part, vec3_scale(-1, lever), &at, visits) - from - pose->rounding;
+	plane->turn[i] = vec3_norm(lever) + pose->slack;
+	plane->lever[i] =
+	    vec3_norm(vec3_cross(axis, vec3_sub(part->centre, location))) + part->radius + pose->rounding;
+}
+
+void travelling_plane_init(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *a,
+			   const struct convex *b, vec3 n, size_t link, double gap, long *visits)
+{
+	const struct chain *chain = pose->bodies->chain;
+
+	plane->gap = gap;
+	plane->link = link;
+	for (size_t i = 0; i < chain->count; i++) {
+		const struct convex *part = i < link ? a : b;
+		bool next = part == a ? i == 0 : i + 1 == chain->count;
+
+		plane->at[i] = pose->q.v[chain->joints[i].slot];
+		plane->low[i] = plane->high[i] = plane->turn[i] = plane->lever[i] = 0;
+		if (!chain->joints[i].rotary) {
+			double along = vec3_dot(n, pose->state.direction[i]);
+
+			plane->low[i] = along - pose->slack;
+			plane->high[i] = along + pose->slack;
+		} else if (!part->profile || !next) {
+			add_rotary(plane, pose, part, i, n, visits);
+		}
+	}
+}
+
+/* mm: how much smaller joint i makes the gap, to first order; below 0: larger. */
+static double first_order(const struct travelling_plane *plane, size_t i, double dq)
+{
+	return -smaller(dq * plane->low[i], dq * plane->high[i]);
+}
+
+/* The sum of one body's joints, outward from the link. */
+struct second_order {
+	double turned;	/* how far n may have turned as the next joint sees it */
+	double lost;	/* mm */
+};
+
+/* Joint i moves by at most `way`. */
+static void add_joint(struct second_order *sum, const struct travelling_plane *plane, size_t i, bool rotary, double way)
+{
+	if (!rotary) {
+		sum->lost += sum->turned * way;
+		return;
+	}
+	sum->lost += plane->lever[i] * way * (sum->turned + plane->turn[i] * way * (0.5 + way / 6));
+	sum->turned += plane->turn[i] * way;
+}
+
+double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,
+			     const struct plane_motion *motion)
+{
+	struct second_order of_a = {0, 0}, of_b = {0, 0};
+	double way[SLOT_COUNT], lost[2] = {0, 0}, separate = 0, off = 0, size = 0;
+
+	for (size_t i = 0; i < chain->count; i++) {
+		int slot = chain->joints[i].slot;
+		double dq0 = motion->q0.v[slot] - plane->at[i], dq1 = motion->q1.v[slot] - plane->at[i];
+		double lost0 = first_order(plane, i, dq0), lost1 = first_order(plane, i, dq1);
+		double rate = larger(fabs(plane->low[i]), fabs(plane->high[i]));
+
+		lost[0] += lost0;
+		lost[1] += lost1;
+		separate += larger(lost0, lost1);
+		way[i] = larger(fabs(dq0), fabs(dq1)) + motion->chord_error.v[slot];
+		off += rate * motion->chord_error.v[slot];
+		size += rate * way[i];
+	}
+	for (size_t i = plane->link; i-- > 0;)
+		add_joint(&of_a, plane, i, chain->joints[i].rotary, way[i]);
+	for (size_t i = plane->link; i < chain->count; i++)
+		add_joint(&of_b, plane, i, chain->joints[i].rotary, way[i]);
+	/*
+	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums above
+	 * are good to some dozen units in the last place of the numbers in them.
+	 */
+	return plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate) -
+	       (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;
+}

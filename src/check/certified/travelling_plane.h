@@ -1,0 +1,82 @@
+/* travelling_plane.h - a plane between two bodies that travels with a link of the machine: the gap that it leaves. */
+#ifndef FIVECHECK_CHECK_CERTIFIED_TRAVELLING_PLANE_H
+#define FIVECHECK_CHECK_CERTIFIED_TRAVELLING_PLANE_H
+
+#include <stddef.h>
+
+#include "base/axes.h"
+#include "scene/convex.h"
+#include "scene/motion_interval.h"
+
+/*
+ * A unit vector n is fixed in the frame of link k: the first k joints of the chain lie between it and body A, the others
+ * between it and body B. Seen from the link, the gap is g(q) = min n.b - max n.a over the points a of A and b of B; the
+ * bodies are at least g apart. At the position `at` the gap is measured. Elsewhere only motion along n can make
+ * it smaller, and with dq = q - at
+ *
+ *	g(q) >= g(at) + sum over the joints of min(dq low, dq high) - second(|dq|).
+ *
+ * Proof. Number the joints of one body outward from the link, F_1 to F_m. A point p of the body moves by
+ *
+ *	F_1(q)...F_m(q) p - F_1(at)...F_m(at) p = sum over j of F_1(q)...F_(j-1)(q) [F_j(q) - F_j(at)] F_(j+1)(at)...F_m(at) p.
+ *
+ * Along n, term j is n'.[F_j(q) - F_j(at)] z, where n' is n as seen behind the first j-1 joints at q. It differs from
+ * the same at `at`, n_j, by at most the sum over the rotary joints i < j of |n_i x a_i| |dq_i|, since a turn by dq about
+ * the unit vector a moves a vector v by at most |dq| |v x a|.
+ *   Linear joint along d: n_j.d dq, exactly, and for the difference of n' and n_j at most that sum times |dq|.
+ *   Rotary joint about a through o, with w = F_j(at) z - o: n_j.[sin dq a x w - (1 - cos dq) w'], where w' is w without
+ *   its part along a. This is dq (n_j x a).w, up to |n_j x a| |w'| (dq^2/2 + |dq|^3/6); with n' - n_j, at most that sum
+ *   times |w'| |dq|.
+ * (n_j x a).w lies between its least and its greatest value over the body: these are `low` and `high`, and the greatest
+ * |w'| is `lever`. A's joints turn the other way about, and A counts with the other sign: the formulas are the same. []
+ *
+ * All of n_j, a and w are taken at `at`, so they can be computed in any one frame there.
+ *
+ * Revolution. If the joint next to a body is rotary, the body may be replaced by all places that the joint can turn it
+ * to (struct profile). They hold the body at every position of this joint, which drops out of the sum.
+ */
+struct travelling_plane {
+	double gap;	/* mm at `at`, rounding taken off */
+	double at[SLOT_COUNT];	/* mm, radians; by joint of the chain, as all that follow */
+	double low[SLOT_COUNT], high[SLOT_COUNT];	/* mm per mm or radian */
+	double turn[SLOT_COUNT];	/* |n x a|; 0: linear, or dropped out */
+	double lever[SLOT_COUNT];	/* mm; 0: linear, or dropped out */
+	size_t link;	/* k */
+};
+
+/* Where planes are measured. */
+struct plane_pose {
+	const struct body_pair *bodies;
+	axis_values q;
+	struct chain_state state;
+	double rounding;	/* mm: of a gap or a lever at q, meshes included */
+	double slack;	/* of a product of unit vectors at q */
+};
+
+void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q);
+
+/*
+ * Parts a and b of both bodies at the pose, in the coordinates of A's link. A part with a profile is turned by the
+ * joint next to its body, which must be on the body's side of the link.
+ */
+void travelling_plane_init(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *a,
+			   const struct convex *b, vec3 n, size_t link, double gap, long *visits);
+
+/* mm: the gap along n at the pose, rounding taken off. */
+double travelling_plane_gap(const struct plane_pose *pose, const struct convex *a, const struct convex *b, vec3 n,
+			    long *visits);
+
+/*
+ * Motion of the chain's joints. `straight`: from q0 to q1, all joints together. Else each may be anywhere between them.
+ * In either case each may be off by its chord error besides.
+ */
+struct plane_motion {
+	bool straight;
+	axis_values q0, q1, chord_error;
+};
+
+/* mm: the gap is larger than this, at every position of the motion. */
+double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,
+			     const struct plane_motion *motion);
+
+#endif

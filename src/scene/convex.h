@@ -1,0 +1,69 @@
+/*
+ * convex.h - how far a part of a body reaches in a direction: the support function of its convex hull, or of the convex
+ * hull of all places to which a rotary joint can turn it.
+ */
+#ifndef FIVECHECK_SCENE_CONVEX_H
+#define FIVECHECK_SCENE_CONVEX_H
+
+#include <stdbool.h>
+
+#include "geom/bvh.h"
+#include "geom/xform.h"
+#include "scene/bvh_pair.h"
+
+/* Measured: 16 are as good; the rings of a round table need three. */
+enum { PROFILE_RINGS = 32 };
+
+/*
+ * Rings about an axis whose convex hull holds a part of a body wherever a turn about the axis takes it. Ring i is
+ * a piece of a cylinder: rho[i] mm from the axis, from low[i] to high[i] mm along it.
+ */
+struct profile {
+	int count;
+	double low[PROFILE_RINGS], high[PROFILE_RINGS], rho[PROFILE_RINGS];
+};
+
+/* The triangles below `leaf` of the tree, at `place`, about the axis through `location` along the unit vector `axis`. */
+void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
+		  vec3 axis);
+
+/*
+ * Part of a body at one pose. Borrows everything. With a profile it is the hull of the rings about the axis; the
+ * ball is then around these.
+ */
+struct convex {
+	const struct bvh *bvh;
+	struct leaf leaf;	/* the triangles below it */
+	const xform *place;	/* mesh coordinates -> those of the pose */
+	const struct profile *profile;	/* or NULL */
+	vec3 location, axis;	/* of the profile, at the pose */
+	vec3 centre;	/* of the ball, at the pose */
+	double radius;	/* mm */
+};
+
+/* The part of a mesh at `place`, without or with a profile. */
+struct convex convex_of_mesh(const struct bvh *bvh, struct leaf leaf, const xform *place);
+struct convex convex_of_profile(const struct profile *profile, vec3 location, vec3 axis);
+
+/*
+ * At least the greatest m.p over the points p, in double, and at most |m| times two millionths of the body's size more;
+ * m is any vector. *at is a point that reaches about so far. Adds the node pairs that this is worth to *visits.
+ */
+double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits);
+
+enum { CONVEX_STEPS = 24 };
+
+/* What a search for a direction finds. */
+struct convex_search {
+	vec3 direction;	/* unit, from a to b */
+	vec3 seen[CONVEX_STEPS];	/* each from a point of a to one of b: no gap along n is larger than n.seen */
+	int count;
+};
+
+/*
+ * Searches a direction along which the parts are nearly as far apart as they are (Gilbert, Johnson and Keerthi, 1988).
+ * False: none was found. The direction is a guess: the supports tell what it is worth.
+ */
+bool convex_direction(const struct convex *a, const struct convex *b, struct convex_search *search, long *visits);
+
+#endif

@@ -1,0 +1,305 @@
+#include "check/certified/travelling_plane.h"
+
+#include <stdlib.h>
+
+#include "check/certified/plane_cells.h"
+#include "solids.h"
+
+enum { SAMPLES = 12 };
+
+/* Two solids on a random chain, which stand at `at`. */
+struct scene_of_two {
+	struct random random;
+	struct duo duo;
+	axis_values at;
+	double size;
+};
+
+static void scene_init(struct scene_of_two *s, uint64_t test, long number)
+{
+	struct random *random = &s->random;
+	struct chain chain;
+	struct mesh a, b;
+	xform place_a, place_b;
+	axis_values other;
+
+	s->random = random_case(test, number);
+	chain = random_chain(random, 1 + random_below(random, 6), 200);
+	random_move(random, &chain, 0.001, &s->at, &other);
+	/* Some machines wind on without end. */
+	if (!random_below(random, 4))
+		for (size_t i = 0; i < chain.count; i++)
+			s->at.v[chain.joints[i].slot] += chain.joints[i].rotary ? random_in(random, -400, 400) : 0;
+	s->size = random_size(random, 2, 60);
+	a = random_solid(random, s->size);
+	b = random_solid(random, s->size);
+	place_a = random_place(random, 200);
+	place_b = place_near(random, &chain, &s->at, &place_a,
+			     vec3_scale(s->size * random_in(random, 1, 4), random_unit(random)));
+	duo_init(&s->duo, &chain, &a, &b, &place_a, &place_b);
+}
+
+/* Straight or a box, with chord errors or without; long or short. */
+static struct plane_motion random_motion(struct scene_of_two *s)
+{
+	struct random *random = &s->random;
+	struct plane_motion motion = {.straight = random_below(random, 2), .q0 = s->at, .q1 = s->at};
+	double step = random_size(random, 1e-3, 100);
+	bool strays = !random_below(random, 3), ordered = !motion.straight;
+
+	for (size_t i = 0; i < s->duo.chain.count; i++) {
+		const struct joint *joint = &s->duo.chain.joints[i];
+		double unit = step * (joint->rotary ? 0.01 : 1);
+		double *q0 = &motion.q0.v[joint->slot], *q1 = &motion.q1.v[joint->slot];
+
+		*q0 += random_below(random, 3) ? unit * random_in(random, -1, 1) : 0;
+		*q1 += random_below(random, 3) ? unit * random_in(random, -1, 1) : 0;
+		if (ordered && *q0 > *q1) {
+			double keep = *q0;
+
+			*q0 = *q1;
+			*q1 = keep;
+		}
+		if (strays)
+			motion.chord_error.v[joint->slot] = random_size(random, 1e-4, 0.1) * unit;
+	}
+	return motion;
+}
+
+/* A position of the motion, often at its edge. */
+static axis_values random_position(struct scene_of_two *s, const struct plane_motion *motion)
+{
+	struct random *random = &s->random;
+	double along = random_below(random, 2) ? random_below(random, 2) : random_in(random, 0, 1);
+	axis_values q;
+
+	for (int k = 0; k < SLOT_COUNT; k++) {
+		double share = motion->straight		 ? along
+			       : random_below(random, 2) ? random_below(random, 2)
+							 : random_in(random, 0, 1);
+		double off = random_below(random, 2) ? random_sign(random) : random_in(random, -1, 1);
+
+		q.v[k] = (1 - share) * motion->q0.v[k] + share * motion->q1.v[k] + off * motion->chord_error.v[k];
+	}
+	return q;
+}
+
+/* The least n.p over the mesh's corners at the pose. */
+static real least_along(const struct bvh *bvh, const xform *place, const struct turned *pose, real3 n)
+{
+	real least = INFINITY;
+
+	for (size_t i = 0; i < bvh->mesh.count; i++) {
+		for (int k = 0; k < 3; k++) {
+			vec3 corner = mesh_corner(&bvh->mesh.triangles[i], k);
+			real3 p = real3_of(place->translation);
+
+			p = real3_add(p, real3_scale(corner.x, real3_of(place->rotation.x)));
+			p = real3_add(p, real3_scale(corner.y, real3_of(place->rotation.y)));
+			p = real3_add(p, real3_scale(corner.z, real3_of(place->rotation.z)));
+			least = fminl(least, real3_dot(n, turned_apply(pose, p)));
+		}
+	}
+	return least;
+}
+
+/* mm: the gap at q along the normal that travels with the link; n is the normal at `at`. */
+static double true_gap(const struct scene_of_two *s, size_t link, vec3 n, const axis_values *q)
+{
+	const struct duo *duo = &s->duo;
+	struct turned still = turned_identity(), pose = true_pose(&duo->chain, q, q, 0, NULL), then, now, back;
+	struct chain inner = duo->chain;
+	real3 normal;
+
+	inner.count = link;
+	then = true_pose(&inner, &s->at, &s->at, 0, NULL);
+	now = true_pose(&inner, q, q, 0, NULL);
+	back = (struct turned){then.w, real3_scale(-1, then.v), {0, 0, 0}};
+	normal = turned_direction(&now, turned_direction(&back, real3_of(n)));
+	return (double)(least_along(duo->b, &duo->pair.place_b, &pose, normal) +
+			least_along(duo->a, &duo->pair.place_a, &still, real3_scale(-1, normal)));
+}
+
+/* A plane with a random normal and link, of bodies as they are or as their joints can turn them. */
+struct made {
+	struct travelling_plane plane;
+	vec3 n;
+	bool rings;
+};
+
+static struct made make_plane(struct scene_of_two *s)
+{
+	const struct chain *chain = &s->duo.chain;
+	const struct body_pair *pair = &s->duo.pair;
+	struct random *random = &s->random;
+	size_t link = (size_t)random_below(random, (int)chain->count + 1), last = chain->count - 1;
+	struct made made = {.n = random_unit(random)};
+	const struct leaf root = {0, 0};
+	struct profile profiles[2];
+	struct plane_pose pose;
+	struct convex a, b;
+	xform places[2];
+	double gap;
+	long visits = 0;
+
+	plane_pose_init(&pose, pair, &s->at);
+	places[0] = pair->place_a;
+	places[1] = xform_mul(&pose.state.pose, &pair->place_b);
+	a = convex_of_mesh(pair->a, root, &places[0]);
+	b = convex_of_mesh(pair->b, root, &places[1]);
+	if (link > 0 && chain->joints[0].rotary && random_below(random, 2)) {
+		profile_init(&profiles[0], pair->a, root, &pair->place_a, chain->joints[0].location,
+			     chain->joints[0].direction);
+		a = convex_of_profile(&profiles[0], pose.state.location[0], pose.state.direction[0]);
+		made.rings = true;
+	}
+	if (link <= last && chain->joints[last].rotary && random_below(random, 2)) {
+		profile_init(&profiles[1], pair->b, root, &pair->place_b, chain->joints[last].location,
+			     chain->joints[last].direction);
+		b = convex_of_profile(&profiles[1], pose.state.location[last], pose.state.direction[last]);
+		made.rings = true;
+	}
+	if (random_below(random, 3) == 0)
+		made.n = pose.state.direction[random_below(random, (int)chain->count)];
+	gap = travelling_plane_gap(&pose, &a, &b, made.n, &visits);
+	travelling_plane_init(&made.plane, &pose, &a, &b, made.n, link, gap, &visits);
+	return made;
+}
+
+/* A bound may be off by what long double itself is, and no more. */
+START_TEST(the_gap_is_never_smaller_than_the_bound)
+{
+	double tightest = 0;
+	long rings = 0;
+
+	for (long n = 0; n < random_cases(1500); n++) {
+		struct scene_of_two s;
+		struct made made;
+
+		scene_init(&s, 1, n);
+		made = make_plane(&s);
+		rings += made.rings;
+		for (int m = 0; m < 3; m++) {
+			struct plane_motion motion = random_motion(&s);
+			double rest = travelling_plane_rest(&made.plane, &s.duo.chain, &motion);
+			double start = true_gap(&s, made.plane.link, made.n, &s.at), most = 0;
+
+			for (int i = 0; i < SAMPLES; i++) {
+				axis_values q = random_position(&s, &motion);
+				double gap = true_gap(&s, made.plane.link, made.n, &q);
+
+				require(gap >= rest - 1e-12, "case %ld: gap %.15g, bound %.15g", n, gap, rest);
+				most = fmax(most, start - gap);
+			}
+			if (!made.rings && start - rest > 1e-2)
+				tightest = fmax(tightest, most / (start - rest));
+		}
+		duo_release(&s.duo);
+	}
+	require(tightest > 0.99, "slack: %g", tightest);
+	require(rings > random_cases(1500) / 10, "rings were used in %ld cases only", rings);
+}
+END_TEST
+
+/* What the planes of cells prove holds at every position, against the distance of all pairs of triangles. */
+START_TEST(what_cells_cover_is_apart)
+{
+	long covered = 0, divided = 0, copies = 0, cases = random_cases(80);
+
+	for (long n = 0; n < cases; n++) {
+		struct scene_of_two s;
+		struct plane_cells cells, copy;
+		double needed;
+
+		scene_init(&s, 2, n);
+		needed = random_below(&s.random, 2) ? 1e-3 : random_size(&s.random, 1e-3, 5);
+		plane_cells_init(&cells, &s.duo.pair);
+		for (int m = 0; m < 12; m++) {
+			struct plane_motion motion = random_motion(&s);
+			axis_values q = random_position(&s, &motion);
+
+			if (!plane_cells_cover(&cells, &motion, needed) &&
+			    !plane_cells_search(&cells, &q, &motion, needed))
+				continue;
+			covered++;
+			divided += cells.cell_count > 1;
+			for (int i = 0; i < SAMPLES; i++) {
+				axis_values at = random_position(&s, &motion);
+				xform pose = duo_pose(&s.duo, &at, &at, 0, NULL);
+				double d = brute_distance(s.duo.a, s.duo.b, &pose, needed + 1);
+
+				require(d > needed - 1e-12, "case %ld: %.15g proved, %.15g is", n, needed, d);
+			}
+			plane_cells_copy(&copy, &cells);
+			copies += plane_cells_cover(&copy, &motion, needed);
+			plane_cells_release(&copy);
+		}
+		plane_cells_release(&cells);
+		duo_release(&s.duo);
+	}
+	require(copies == covered, "%ld motions covered, %ld by copies", covered, copies);
+	require(covered > 2 * cases && divided > 0, "covered %ld, divided %ld", covered, divided);
+}
+END_TEST
+
+/* Up and down over a face costs nothing of the gap sideways, and neither does a turn about the normal. */
+START_TEST(motion_across_the_normal_is_free)
+{
+	const struct chain chain = {
+		.count = 3,
+		.joints = {{SLOT_C, true, {0, 0, 1}, {0, 0, 0}},
+			   {SLOT_X, false, {1, 0, 0}, {0, 0, 0}},
+			   {SLOT_Z, false, {0, 0, 1}, {0, 0, 0}}}};
+	const struct leaf root = {0, 0};
+	xform places[2] = {xform_identity(), xform_identity()};
+	struct mesh meshes[2] = {{0}, {0}};
+	struct travelling_plane plane;
+	struct plane_motion motion = {.straight = true};
+	struct plane_pose pose;
+	struct convex a, b;
+	axis_values at = {{0}};
+	struct duo duo;
+	long visits = 0;
+
+	solid_box(&meshes[0], (vec3){50, 40, 10});
+	solid_box(&meshes[1], (vec3){5, 5, 10});
+	duo_init(&duo, &chain, &meshes[0], &meshes[1], &places[0], &places[1]);
+	at.v[SLOT_Z] = 21;
+	plane_pose_init(&pose, &duo.pair, &at);
+	places[1] = pose.state.pose;
+	a = convex_of_mesh(duo.a, root, &places[0]);
+	b = convex_of_mesh(duo.b, root, &places[1]);
+	travelling_plane_init(&plane, &pose, &a, &b, (vec3){0, 0, 1}, 1,
+			      travelling_plane_gap(&pose, &a, &b, (vec3){0, 0, 1}, &visits), &visits);
+	motion.q0 = motion.q1 = at;
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	motion.q1.v[SLOT_C] = 2;
+	motion.q1.v[SLOT_X] = 30;
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	motion.q1.v[SLOT_Z] = 22.5;
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 1, 1e-3);
+	motion.q1.v[SLOT_Z] = 20.25;
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 0.25, 1e-3);
+	motion.q0.v[SLOT_Z] = 30;
+	motion.q1.v[SLOT_Z] = 20.5;
+	ck_assert_double_eq_tol(travelling_plane_rest(&plane, &chain, &motion), 0.5, 1e-3);
+	duo_release(&duo);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("travelling_plane");
+	TCase *tcase = tcase_create("planes");
+	SRunner *check = srunner_create(suite);
+	int failed;
+
+	tcase_add_test(tcase, the_gap_is_never_smaller_than_the_bound);
+	tcase_add_test(tcase, what_cells_cover_is_apart);
+	tcase_add_test(tcase, motion_across_the_normal_is_free);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(check, CK_NORMAL);
+	failed = srunner_ntests_failed(check);
+	srunner_free(check);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
