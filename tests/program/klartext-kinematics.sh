@@ -102,6 +102,15 @@ L X+10 Y+20 Z+5 R0 FMAX"
 	program "L X+10 Y+20 Z+5 R0 FMAX
 PLANE SPATIAL SPA+30 SPB+20 SPC+40 MOVE DIST20 F5000 SEQ+ COORD ROT"
 	echo "$name, before: $(tip $name 6); after: $(tip $name 7)"
+	# M140: away from the workpiece along the tool, with and without the plane; MAX up to the limit of an axis at 5 m.
+	program "L X+10 Y+20 Z+5 R0 FMAX
+PLANE SPATIAL SPA+30 SPB+20 SPC+40 TURN F5000 SEQ+ COORD ROT
+L X+10 Y+20 Z+5 R0 FMAX
+M140 MB50
+M140 MB MAX
+PLANE RESET STAY"
+	echo "$name, M140: $(tip $name 9), $("$FIVECHECK" -q --dump-path -s s.xml $name.xml p.h |
+		awk '$1 == 10 { for (i = 4; i <= 6; i++) if ($i > 4999.999 || $i < -4999.999) far++ } END { print far + 0, "axis at its limit" }')"
 	# M128: the tip goes where the words say, whatever the rotary axes do.
 	first=$(sed -n '1s/^[a-z]* \(.\).*/\1/p' $name.axes)
 	second=$(sed -n '2s/^[a-z]* \(.\).*/\1/p' $name.axes)

@@ -488,6 +488,15 @@ static const struct {
 	 "p.nc:4:1: error: the set-up clearance of CYCL DEF 1 cannot be negative"},
 	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.2 DEPTH 2\nM99\n",
 	 "p.nc:4:1: error: the depth of CYCL DEF 1 is above the surface"},
+	{"Q1=0\nLBL 2\nQ1=Q1+1\nLBL 1\nFN 9: IF +Q1 EQU +2 GOTO LBL 2\nFN 9: IF +Q1 EQU +1 GOTO LBL 4\nLBL 4\n"
+	 "Q1=Q1+0.5\nCALL LBL 1 REP 2\nL X+1 FMAX\nLBL 3\nL X+1 FMAX\n",
+	 "p.nc:10:10: error: a jump has left this program section before its repeats were done: whether they are "
+	 "counted anew is not known here"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL C+360 FMAX\n",
+	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first, or M128"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL M128\nL A+10 FMAX\nM129\nL X+1 FMAX\n",
+	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
+	 "to Q122) is not supported"},
 };
 
 START_TEST(fault_table)

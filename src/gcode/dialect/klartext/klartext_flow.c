@@ -209,8 +209,13 @@ static bool repeat(struct interp *interp, const struct position here, const stru
 		return fault(&interp->at, column, "more than %d program section repeats at a time", KLARTEXT_REPEATS_MAX);
 	if (!item) {
 		item = &klartext->repeats[klartext->repeat_count++];
-		*item = (struct klartext_repeat){here, klartext->level, count};
+		*item = (struct klartext_repeat){.at = here, .level = klartext->level, .left = count,
+						 .start = label->at.offset};
 	}
+	if (item->left_by_jump)
+		return fault(&interp->at, column,
+			     "a jump has left this program section before its repeats were done: whether they are counted anew is "
+			     "not known here");
 	if (item->left == 0) {
 		*item = klartext->repeats[--klartext->repeat_count];
 		return true;
@@ -300,6 +305,18 @@ bool klartext_flow_call(struct lexer *lexer)
 
 /* ------------------------------------------------------------------- jumps */
 
+/* Notes which program section repeats the jump leaves unfinished. */
+static void leave_sections(struct klartext *klartext, const struct position *to)
+{
+	for (int i = 0; i < klartext->repeat_count; i++) {
+		struct klartext_repeat *item = &klartext->repeats[i];
+		bool inside = to->source == item->at.source && to->offset >= item->start && to->offset <= item->at.offset;
+
+		if (item->level == klartext->level && !inside)
+			item->left_by_jump = true;
+	}
+}
+
 bool klartext_flow_jump(struct lexer *lexer, int number)
 {
 	static const char *const names[] = {"EQU", "NE", "GT", "LT"};
@@ -333,6 +350,7 @@ bool klartext_flow_jump(struct lexer *lexer, int number)
 	if (!label)
 		return false;
 	klartext_of(interp)->jumped = true;
+	leave_sections(klartext_of(interp), &label->at);
 	return program_jump(&interp->program, &label->body, &interp->at, column);
 }
 

@@ -312,7 +312,7 @@ bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *c
 	if (state->tcp == TCP_BY_MCODE)
 		return word_fault(interp, word, "a preset while M128 is in force is not supported; M129 first");
 	state->system = SYSTEM_COUNT - 1 + (int)word->value;
-	klartext->cautioned_preset = true;
+	klartext->preset_settled = true;
 	klartext->preset_in_plane = klartext->frame.tilted;
 	return work_offset_use_require(interp, state->system, word->column) &&
 	       tool_length_offsets_changed(interp, word->column);
@@ -332,7 +332,7 @@ bool klartext_frame_check_preset(struct interp *interp, int column)
 	struct state *state = &interp->state;
 	int known = 0, only = 0;
 
-	if (klartext->cautioned_preset)
+	if (klartext->preset_settled)
 		return true;
 	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
 		known += state->work_known[system];
@@ -342,7 +342,7 @@ bool klartext_frame_check_preset(struct interp *interp, int column)
 		return fault(&interp->at, column,
 			     "the setup has %d presets, and the program does not say which one is in force: select it by "
 			     "CYCL DEF 247", known);
-	klartext->cautioned_preset = true;
+	klartext->preset_settled = true;
 	state->system = known ? only : 0;
 	if (!known)
 		work_offset_use_note(interp, 0, column);

@@ -4,6 +4,7 @@
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/tool_length.h"
 
@@ -53,15 +54,13 @@ bool klartext_function_run(struct lexer *lexer)
 
 static bool switch_tcpm(struct interp *interp, bool on, int column)
 {
-	const struct klartext *klartext = klartext_of(interp);
-	enum tcp_source off = klartext->frame.tilted ? TCP_BY_PLANE : TCP_OFF;
-
-	if (klartext->waits)
+	if (klartext_of(interp)->waits)
 		return fault(&interp->at, column, "TCPM before the rotary axes stand where PLANE ... STAY needs them");
 	if (on == (interp->state.tcp == TCP_BY_MCODE))
 		return true;
-	return klartext_frame_check_preset(interp, column) &&
-	       tool_length_switch_tcp(interp, column, on ? TCP_BY_MCODE : off);
+	if (!on)
+		return klartext_move_end_tcp(interp, column);
+	return klartext_frame_check_preset(interp, column) && tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
 }
 
 /*

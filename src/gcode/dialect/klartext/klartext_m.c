@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_move.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -184,9 +185,7 @@ static bool stand(struct interp *interp)
 
 static bool stop_tcp(struct interp *interp, const struct klartext_m *m)
 {
-	enum tcp_source back = klartext_of(interp)->frame.tilted ? TCP_BY_PLANE : TCP_OFF;
-
-	return interp->state.tcp != TCP_BY_MCODE || tool_length_switch_tcp(interp, m->column, back);
+	return interp->state.tcp != TCP_BY_MCODE || klartext_move_end_tcp(interp, m->column);
 }
 
 /* "M2", "M30": subprograms may stand behind them, up to END PGM. */

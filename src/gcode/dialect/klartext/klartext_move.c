@@ -7,7 +7,11 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
+
+/* Degrees: what Q120 to Q122 can be off by where a post writes them with three decimals. */
+#define ROUNDED_ANGLE 0.00051
 
 /* ----------------------------------------------------------------- targets */
 
@@ -117,8 +121,7 @@ bool klartext_move_in_plane(const struct interp *interp, const slot_values *othe
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		double off = remainder(others->v[slot] - state_from_canonical(slot, klartext->rotary.v[slot]), 360);
 
-		/* Q120 to Q122 are written with three decimals by some posts. */
-		if (klartext->rotary_needed[slot] && fabs(off) > 0.001)
+		if (klartext->rotary_needed[slot] && fabs(off) > ROUNDED_ANGLE)
 			return false;
 	}
 	return true;
@@ -127,16 +130,27 @@ bool klartext_move_in_plane(const struct interp *interp, const slot_values *othe
 bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column)
 {
 	const struct klartext *klartext = klartext_of(interp);
-	bool tilted = interp->state.tcp == TCP_BY_PLANE;
+	bool tilted = interp->state.tcp == TCP_BY_PLANE, leaves = false;
 
 	if (!target->turns && klartext->waits)
 		return fault(&interp->at, column,
 			     "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
 			     "is not supported");
-	if (target->turns && tilted && !klartext_move_in_plane(interp, &target->others))
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		leaves = leaves || fabs(target->others.v[slot] - interp->state.position.v[slot]) > SAME_DEGREES;
+	if (tilted && leaves)
 		return fault(&interp->at, column,
 			     "a rotary axis leaves the tilted plane: write PLANE RESET first, or M128");
 	return true;
+}
+
+bool klartext_move_end_tcp(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+	bool tilted = klartext->frame.tilted;
+
+	klartext->waits = tilted && !klartext_move_in_plane(interp, &interp->state.position);
+	return tool_length_switch_tcp(interp, column, tilted && !klartext->waits ? TCP_BY_PLANE : TCP_OFF);
 }
 
 static bool go(struct interp *interp, const struct klartext_target *target, struct canon_move *move)

@@ -25,6 +25,12 @@ bool klartext_move_check(struct interp *interp, const struct klartext_target *ta
 /* Do the rotary axes stand where the tilted plane needs them? Whole turns do not matter. */
 bool klartext_move_in_plane(const struct interp *interp, const slot_values *others);
 
+/*
+ * Switches M128 off. In a tilted plane the coordinates are those of the plane again, but if the rotary axes have left it
+ * linear axes wait until they are back. False: reported at the column.
+ */
+bool klartext_move_end_tcp(struct interp *interp, int column);
+
 /* Sends a straight move to the target. False: the sink wants no more, or reported. */
 bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
 			const struct canon_feed *feed);

@@ -44,6 +44,8 @@ struct klartext_repeat {
 	struct position at;	/* of its line */
 	int level;	/* of calls */
 	int left;
+	long long start;	/* offset of its label */
+	bool left_by_jump;	/* out of the section: whether the count begins anew is not known */
 };
 
 /* A line of an older cycle: its letters, bare ones included, and their values. */
@@ -134,7 +136,7 @@ struct klartext {
 	struct klartext_path last;	/* the move before, for CT and corners */
 	struct klartext_corner corner;
 	bool shortest;	/* M126 */
-	bool cautioned_wrap, cautioned_preset;
+	bool cautioned_wrap, preset_settled;
 	struct klartext_frame frame;
 	bool preset_in_plane;	/* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */
 	/* PLANE ... STAY: linear axes wait until the rotary axes stand where the plane needs them. */

@@ -187,6 +187,12 @@ static bool change(struct interp *interp, const struct request *request)
 		return fault(&interp->at, request->column,
 			     "where TOOL CALL takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
 			     "machine file says it, and <tool_change/> that it moves none");
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (klartext->frame.tilted && interp->config->controller.tool_change.has[slot])
+			return fault(&interp->at, request->column,
+				     "TOOL CALL in a tilted plane, and <tool_change> turns %c away from it; PLANE RESET first",
+				     AXIS_LETTERS[slot]);
+	}
 	interp->block.m_column[M_TOOL] = request->column;
 	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
 		return false;
