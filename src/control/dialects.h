@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+#include "control/control_presets.h"
+
 /*
  * ROW(name, title, ...): the name stands in the machine file and after
  * --dialect, and src/gcode/dialect/NAME/ defines dialect_NAME; the title stands
@@ -12,8 +14,8 @@
  */
 #define DIALECTS(ROW) \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true) \
-	ROW(fanuc, "Fanuc", .has_parameters = true) \
-	ROW(haas, "Haas", .has_parameters = true) \
+	ROW(fanuc, "Fanuc", .has_parameters = true, .presets = presets_of_parameters) \
+	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings) \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true) \
 	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, \
 	    .unknown_path = "the control may leave the programmed path by an amount that is not known, and only that path " \
@@ -39,6 +41,7 @@ struct dialect_row {
 	bool has_frames;
 	/* The caution where the control may leave the path by no known amount; NULL: G64 and its like may. */
 	const char *unknown_path;
+	const struct control_preset *presets;	/* its generations; NULL: none are known */
 };
 
 /* In the order of the table. */

@@ -158,6 +158,30 @@ static void check_dialect(struct description_file *file, const struct controller
 	}
 }
 
+/* What the file does not say, the manual of the control's generation may. */
+static void apply_preset(struct description_file *file, const struct controller_description *described,
+			 struct controller *controller)
+{
+	const struct dialect_row *row = &dialect_rows[described->dialect];
+	const struct control_preset *preset;
+	char names[128];
+
+	if (!described->preset)
+		return;
+	preset = control_preset_find(row->presets, described->preset);
+	if (preset) {
+		control_preset_apply(preset, controller);
+		return;
+	}
+	if (!row->presets) {
+		description_fault(file, described->at, "preset", "preset of <controller>: %s has none", row->title);
+		return;
+	}
+	control_preset_names(row->presets, names, sizeof(names));
+	description_fault(file, described->at, "preset", "preset=\"%s\" of <controller>: those of %s are %s",
+			  description_quote(file, described->at, "preset").text, row->title, names);
+}
+
 void controller_build(struct machine_description *described, struct machine *machine)
 {
 	const struct controller_description *from = &described->controller;
@@ -202,6 +226,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 				  "least_input=\"%s\" of <controller> is not between 1e-6 and 1",
 				  description_quote(file, from->at, "least_input").text);
 	check_dialect(file, from);
+	apply_preset(file, from, to);
 	mcodes = arena_alloc(&machine->arena, from->mcode_count * sizeof(*mcodes));
 	for (size_t i = 0; i < from->mcode_count; i++)
 		build_mcode(file, &from->mcodes[i], mcodes, &to->mcode_count);

@@ -93,6 +93,7 @@ struct controller_description {
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
 	struct optional_number overrun;	/* of G60 */
+	const char *preset;	/* or NULL */
 	enum comp_d comp_d;
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;

@@ -255,6 +255,36 @@ START_TEST(setup_inside)
 }
 END_TEST
 
+/* Every preset of every control is read, and answers what the file leaves out. */
+START_TEST(presets)
+{
+	int count = 0;
+
+	for (int row = 0; dialect_names[row]; row++) {
+		const struct control_preset *preset = dialect_rows[row].presets;
+
+		for (; preset && preset->name; preset++, count++) {
+			struct machine *m;
+			char text[512];
+
+			ck_assert_ptr_nonnull(preset->source);
+			snprintf(text, sizeof(text),
+				 MACHINE("<controller dialect='%s' preset='%s' power_on_plane='yz'/><base><axis name='X' "
+					 "type='linear' direction='1 0 0' rate_max='6000'/></base>"),
+				 dialect_names[row], preset->name);
+			write_text("m.xml", text);
+			m = load_good("m.xml");
+			ck_assert_int_eq(m->controller.g53_with_g91, preset->g53_with_g91);
+			ck_assert_int_eq(m->controller.comp_corner, preset->comp_corner);
+			ck_assert_int_eq(m->controller.power_on_distance, preset->power_on_distance);
+			ck_assert_int_eq(m->controller.power_on_plane, POWER_ON_YZ);
+			machine_free(m);
+		}
+	}
+	ck_assert_int_eq(count, 7);
+}
+END_TEST
+
 START_TEST(limits_have_a_tolerance)
 {
 	struct machine *m;
@@ -298,6 +328,7 @@ int main(void)
 	tcase_add_test(tcase, mesh_beside_its_file);
 	tcase_add_test(tcase, setup_inside);
 	tcase_add_test(tcase, reads_other_encodings);
+	tcase_add_test(tcase, presets);
 	tcase_add_test(tcase, limits_have_a_tolerance);
 	return run_in_folders(suite_create("machine"), tcase);
 }

@@ -129,6 +129,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 						    {"tool_change", read_tool_change, false, false},
 						    {"swivel_retract", read_swivel_retract, false, false},
 						    {.name = NULL}};
+	const char *preset;
 	struct machine_description *described = context;
 	struct controller_description *controller = &described->controller;
 	const size_t places =
@@ -149,6 +150,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
 	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
+	preset = xml_attribute(xml, node, "preset");
+	controller->preset = preset ? arena_strdup(&described->arena, preset) : NULL;
 	controller->comp_d = (enum comp_d)(xml_choice(xml, node, "cutter_comp_d", registers, -1) + 1);
 	controller->comp_start = (enum comp_start)(xml_choice(xml, node, "cutter_comp_start", starts, -1) + 1);
 	controller->comp_corner = (enum comp_corner_form)(xml_choice(xml, node, "cutter_comp_corner", corners, -1) + 1);
