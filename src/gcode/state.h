@@ -95,6 +95,7 @@ struct state {
 	double feed_angular;	/* degrees per minute or revolution */
 	double speed;	/* revolutions per minute */
 	bool speed_is_zero;	/* by S0: the spindle stands after M3, too. Without any S the control has a speed of its own */
+	bool speed_missed;	/* M3 or M4 came before any S, which was said */
 	enum spindle_turn spindle;
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;

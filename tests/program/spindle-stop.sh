@@ -67,3 +67,8 @@ for shard in 1 2 3; do
 	findings -a --shard $shard/3 -s s.xml m.xml p.nc
 done | sort -n -k 2 | grep -v '^status' >shards
 grep -v '^status' one | sort -n -k 2 | cmp - shards
+
+# What speed the control has without any S is not known, and may be none.
+printf '%s\n' 'G21 G90 G94 T1 M6' 'G0 X-60' 'G43 H1 Z60' M3 'G0 X0 Z21' 'G1 Z5 F100' M4 'G1 Z60' M30 >p.nc
+fivecheck -q -s s.xml m.xml p.nc
+fivecheck -s s.xml m.xml p.nc 2>&1 | grep M[34]

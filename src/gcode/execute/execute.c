@@ -115,6 +115,19 @@ static bool execute_speed(struct interp *interp)
 	return true;
 }
 
+/* The speed that the control kept from before may be 0. Then the cutter would stand in the part unseen. */
+static void miss_speed(struct interp *interp, int code)
+{
+	struct state *state = &interp->state;
+
+	if (state->speed > 0 || state->speed_is_zero || state->speed_missed)
+		return;
+	state->speed_missed = true;
+	caution(&interp->at, interp->block.m_column[M_SPINDLE],
+		"M%d without a spindle speed (S) so far: the spindle is taken to turn, but the control may have kept a speed of 0",
+		code);
+}
+
 /* Canned cycles may depend on which way the spindle turns, and a cutter in the part on whether it does. */
 static bool execute_spindle(struct interp *interp)
 {
@@ -126,6 +139,8 @@ static bool execute_spindle(struct interp *interp)
 		interp->state.spindle = code == 3   ? SPINDLE_CLOCKWISE
 					: code == 4 ? SPINDLE_COUNTERCLOCKWISE
 						    : SPINDLE_STOPPED;
+	if (interp->state.spindle != SPINDLE_STOPPED && code != CODE_NONE)
+		miss_speed(interp, code);
 	return true;
 }
 
