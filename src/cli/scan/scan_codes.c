@@ -8,6 +8,7 @@
 #include "base/mem.h"
 #include "gcode/code_list.h"
 #include "gcode/text/line_shape.h"
+#include "gcode/text/number.h"
 #include "gcode/text/reader.h"
 
 /* M-codes have up to five digits; more is no code. */
@@ -42,15 +43,17 @@ static void count_codes(struct scan_codes *codes, const char *block)
 {
 	for (const char *at = block; *at; at++) {
 		bool inside = at > block && (isalpha((unsigned char)at[-1]) || at[-1] == '_' || at[-1] == '<');
+		size_t length = 0;
 		double number;
-		char *end;
+		bool point;
 
 		if ((*at != 'G' && *at != 'M') || inside || !isdigit((unsigned char)at[1]))
 			continue;
-		number = strtod(at + 1, &end);
-		if (number <= NUMBER_MAX && *end != '=')
+		if (number_read(at + 1, &length, &number, &point) != NUMBER_OK)
+			continue;
+		if (number <= NUMBER_MAX && at[1 + length] != '=')
 			count(codes, *at, (int)lround(*at == 'G' ? number * 10 : number), NULL);
-		at = end - 1;
+		at += length;
 	}
 }
 

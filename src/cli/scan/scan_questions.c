@@ -223,7 +223,7 @@ static bool take_answer(struct scan_questions *questions, const struct first_err
 	for (size_t i = 0; i < sizeof(questions_table) / sizeof(questions_table[0]); i++) {
 		const struct question *question = &questions_table[i];
 		const char *found = strstr(strbuf_text(&error->text), question->key);
-		int number = found && question->numbered ? atoi(found + strlen(question->key)) : 0;
+		int number = found && question->numbered ? (int)strtol(found + strlen(question->key), NULL, 10) : 0;
 		struct strbuf line = {0}, place = {0};
 		bool fresh;
 
