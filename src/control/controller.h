@@ -53,6 +53,9 @@ enum edge_after_tool_change {
 	EDGE_AFTER_TOOL_CHANGE_KEEPS
 };
 
+/* An increment after a change of offsets: it traverses the change, too, or counts from where the axis stands. */
+enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
+
 /* Modes that the control has when it is switched on, if a parameter of the control decides. */
 enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
@@ -115,6 +118,7 @@ struct controller {
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */
 	enum answer length_along_z;	/* the tool's length acts along Z whatever the plane */
+	enum increments_after_shift increments_after_shift;
 	int power_on_work_offset;	/* 1: none (G500), 2: G54, 3: G55 and so on; 0: not known */
 	int swivel_axis;	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
 	const struct mcode *mcodes;

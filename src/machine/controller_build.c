@@ -93,6 +93,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{(int)described->length_along_z, "tool_length_axis"},
 		{described->swivel_axis, "swivel_axis"},
 		{described->power_on_work_offset, "power_on_work_offset"},
+		{(int)described->increments_after_shift, "increments_after_shift"},
 	};
 
 	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]) && !row->has_frames; i++) {
@@ -214,6 +215,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->frames_outlive_traori = from->frames_outlive_traori;
 	to->length_along_z = from->length_along_z;
 	to->swivel_axis = from->swivel_axis;
+	to->increments_after_shift = from->increments_after_shift;
 	to->power_on_work_offset = from->power_on_work_offset;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance",

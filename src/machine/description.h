@@ -102,6 +102,7 @@ struct controller_description {
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;
 	enum answer length_along_z;
+	enum increments_after_shift increments_after_shift;
 	int power_on_work_offset;	/* 1: G500, 2: G54 and so on; 0: not given */
 	int swivel_axis;	/* a slot; 0: not given */
 	struct mcode_description *mcodes;

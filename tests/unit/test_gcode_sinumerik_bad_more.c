@@ -206,8 +206,8 @@ static const struct bad programs[] = {
 	 "SUPA, G53 and G153 need G0 or G1, not a circle"},
 	{"G500 G0 X1\nTRANS X5\nX=IC(1)\n", 3, 1,
 	 "X by an increment after a change of frames, offsets or the tool: settings of the control "
-	 "(SD42440, SD42442) decide whether the change is traversed, too; lead X on by an absolute "
-	 "coordinate first"},
+	 "(SD42440, SD42442) decide whether the change is traversed, too: "
+	 "increments_after_shift=\"traverse\" or \"stay\" of the machine's <controller> says it"},
 	{"G500 G0 X1\n%_N_B_MPF\n", 2, 1,
 	 "a second program begins here: give it a file of its own, beside this one, and it can be called"},
 	{"SETAL(65000\n", 1, 6,

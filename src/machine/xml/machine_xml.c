@@ -91,6 +91,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	static const char *const answers[] = {"yes", "no", NULL};
 	static const char *const length_axes[] = {"z", NULL};
 	static const char *const rotary[] = {"A", "B", "C", NULL};
+	static const char *const increments[] = {"traverse", "stay", NULL};
 	static const char *const systems[] = {"G500", "G54", "G55", "G56", "G57", NULL};
 	const int swivel = xml_choice(xml, node, "swivel_axis", rotary, -1);
 
@@ -102,6 +103,8 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	controller->frames_outlive_traori =
 	    (enum answer)(xml_choice(xml, node, "frames_outlive_traori", answers, -1) + 1);
 	controller->length_along_z = (enum answer)(xml_choice(xml, node, "tool_length_axis", length_axes, -1) + 1);
+	controller->increments_after_shift =
+	    (enum increments_after_shift)(xml_choice(xml, node, "increments_after_shift", increments, -1) + 1);
 	controller->power_on_work_offset = xml_choice(xml, node, "power_on_work_offset", systems, -1) + 1;
 	controller->swivel_axis = swivel < 0 ? 0 : SLOT_A + swivel;
 }

@@ -118,8 +118,12 @@ bool sinumerik_frame_changed(struct interp *interp, int column)
 		return false;
 	sinumerik->placed = false;
 	sinumerik_frame_place(interp);
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		sinumerik->increments_unsure[slot] |= !same_double(before.v[slot], sinumerik->place.v[slot]);
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (sinumerik->shifted[slot] || same_double(before.v[slot], sinumerik->place.v[slot]))
+			continue;
+		sinumerik->shifted[slot] = true;
+		sinumerik->programmed.v[slot] = before.v[slot];
+	}
 	return true;
 }
 

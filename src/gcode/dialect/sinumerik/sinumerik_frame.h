@@ -20,8 +20,8 @@ slot_values sinumerik_frame_straight(const struct interp *interp, const slot_val
 void sinumerik_frame_moved(struct interp *interp);
 
 /*
- * Call after a change of frames, offsets or lengths: whatever the program coordinates are now, an increment may count
- * from those before. False: reported at the column.
+ * Call after a change of frames, offsets or lengths, with sinumerik_frame_place before it: an increment may count from
+ * the program coordinates of before. False: reported at the column.
  */
 bool sinumerik_frame_changed(struct interp *interp, int column);
 

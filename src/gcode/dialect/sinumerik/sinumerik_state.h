@@ -128,8 +128,9 @@ struct sinumerik {
 	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */
 	slot_values place;
 	bool placed;
-	bool increments_unsure[SLOT_COUNT];	/* an offset has changed since the axis was programmed last */
-	int unsure_column;
+	/* An offset has changed since the axis was programmed last: its program coordinate then. */
+	bool shifted[SLOT_COUNT];
+	slot_values programmed;
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */

@@ -136,17 +136,28 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 
 /* -------------------------------------------------------------- coordinates */
 
-/* Increments after a change of offsets: SD42440 and SD42442 decide whether they count from the place of before. */
-static bool check_increment(struct interp *interp, int slot, int column)
+/* SD42440 and SD42442: does an increment after a change of offsets count from the program coordinate of before? */
+static bool start_increment(struct interp *interp, int slot, int column, double *coordinate)
 {
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik *sinumerik = sinumerik_of(interp);
 
-	if (!sinumerik->increments_unsure[slot])
+	if (!sinumerik->shifted[slot])
 		return true;
-	return fault(&interp->at, column,
-		     "%c by an increment after a change of frames, offsets or the tool: settings of the control (SD42440, "
-		     "SD42442) decide whether the change is traversed, too; lead %c on by an absolute coordinate first",
-		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+	switch (interp->config->controller.increments_after_shift) {
+	case INCREMENTS_TRAVERSE_SHIFT:
+		*coordinate = sinumerik->programmed.v[slot];
+		break;
+	case INCREMENTS_FROM_POSITION:
+		break;
+	default:
+		return fault(&interp->at, column,
+			     "%c by an increment after a change of frames, offsets or the tool: settings of the control "
+			     "(SD42440, SD42442) decide whether the change is traversed, too: increments_after_shift=\"traverse\" "
+			     "or \"stay\" of the machine's <controller> says it",
+			     AXIS_LETTERS[slot]);
+	}
+	sinumerik->shifted[slot] = false;
+	return true;
 }
 
 /* DC, ACP, ACN: modulo a turn, in degrees from where the axis is. */
@@ -217,18 +228,16 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	if (way >= SINUMERIK_WAY_DC) {
-		sinumerik->increments_unsure[slot] = false;
+		sinumerik->shifted[slot] = false;
 		return find_turned(interp, slot, way, value, column, coordinate);
 	}
 	if (counts_from_here(interp, way)) {
-		if (same_double(value, 0))
-			return true;
-		if (!check_increment(interp, slot, column))
+		if (!start_increment(interp, slot, column, coordinate))
 			return false;
 		*coordinate += value;
 		return true;
 	}
-	sinumerik->increments_unsure[slot] = false;
+	sinumerik->shifted[slot] = false;
 	if (slot_is_rotary(slot) && interp->config->wrap[slot] != WRAP_NONE)
 		return find_wrapped(interp, slot, value, column, coordinate);
 	*coordinate = value;
