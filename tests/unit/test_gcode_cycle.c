@@ -134,7 +134,7 @@ END_TEST
 /* LinuxCNC: interp_cycles.cc, convert_cycle_g87. */
 START_TEST(back_boring)
 {
-	run(&dialect_linuxcnc, "F9 G0 Z5 M3\nG98 G87 X10 Z-8 R2 I1 J2 K-3\nM2\n",
+	run(&dialect_linuxcnc, "F9 G0 Z5 M3 S1\nG98 G87 X10 Z-8 R2 I1 J2 K-3\nM2\n",
 	    "rapid 0 0 5 0 0\n"
 	    "rapid 10 0 5 0 0\nrapid 10 0 2 0 0\nrapid 11 2 2 0 0\nrapid 11 2 -8 0 0\nrapid 10 0 -8 0 0\n"
 	    "feed 10 0 -3 0 0\nfeed 10 0 -8 0 0\nrapid 11 2 -8 0 0\nrapid 11 2 5 0 0\nrapid 10 0 5 0 0\n");
@@ -325,12 +325,12 @@ static const struct bad bads[] = {
     {&dialect_linuxcnc, "G83 X1 Z9999999 R9999999.0005 Q.0000000009", 31,
      "Q9e-10 of G83 is too small to be told from 0 at this height"},
     {&dialect_linuxcnc, "G84 X1 Z-1 R1", 1, "G84 while the spindle stands"},
-    {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1", 4, "G84 while the spindle turns counter-clockwise"},
-    {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1", 4, "G74 while the spindle turns clockwise"},
-    {&dialect_linuxcnc, "M3 G18 G84 X1 Z1 Y-1 R1", 8,
+    {&dialect_linuxcnc, "M4 G84 X1 Z-1 R1 S1", 4, "G84 while the spindle turns counter-clockwise"},
+    {&dialect_linuxcnc, "M3 G74 X1 Z-1 R1 S1", 4, "G74 while the spindle turns clockwise"},
+    {&dialect_linuxcnc, "M3 G18 G84 X1 Z1 Y-1 R1 S1", 8,
      "G84 in the plane of G18: this control confuses the axes and goes elsewhere; use G33.1"},
     {&dialect_linuxcnc, "G86 X1 Z-1 R1 P1", 1, "G86 while the spindle stands"},
-    {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1", 4, "G87 needs K"},
+    {&dialect_linuxcnc, "M3 G87 X1 Z-1 R1 I1 J1 S1", 4, "G87 needs K"},
     {&dialect_linuxcnc, "G88 X1 Z-1 R1 P1", 1,
      "G88: boring cycle in which the operator retracts the tool by hand is not supported yet"},
     {&dialect_linuxcnc, "G76 Z-1 P1 I1 J1 K1", 1, "G76: multi-pass threading cycle is not supported yet"},

@@ -192,7 +192,7 @@ static bool note_turning(void *context, const struct canon_event *event)
 /* Haas mill operator's manual, "M19 Orient Spindle": the spindle stands in its orientation; P and R are its angle. */
 START_TEST(oriented_stop)
 {
-	static const char program[] = "G0 X1. M3\nX2.\nM19\nX3.\nM4\nX4.\nM19 R90\nX5.\nM3\nX6.\nM19 P45.\nX7.\nM30\n";
+	static const char program[] = "G0 X1. M3 S1\nX2.\nM19\nX3.\nM4\nX4.\nM19 R90\nX5.\nM3\nX6.\nM19 P45.\nX7.\nM30\n";
 
 	for (int i = 0; i < 2; i++) {
 		struct strbuf turns = {0};
