@@ -1,5 +1,6 @@
 #include "cli/scan/scan_questions.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,7 +67,9 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect)
 	questions->config.controller.macros = questions->macros;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		questions->config.has_axis[slot] = true;
-	fill_tables(questions);
+	/* Controls that know no H have tools by name, edges and presets: there, no setup is better than a strange one. */
+	if (dialect->traits.h_missing != H_MISSING_UNKNOWN)
+		fill_tables(questions);
 	return questions;
 }
 
@@ -81,61 +84,7 @@ void scan_questions_free(struct scan_questions *questions)
 	free(questions);
 }
 
-/* The answers that are taken; `number` stands in the message behind `key`. Which answer it is matters little. */
-static void answer_least_input(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.least_input = 1;
-}
-
-static void answer_units(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.power_on_units = POWER_ON_MM;
-}
-
-static void answer_distance(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.power_on_distance = POWER_ON_ABSOLUTE;
-}
-
-static void answer_plane(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.power_on_plane = POWER_ON_XY;
-}
-
-static void answer_length_moves(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.length_moves = ANSWER_NO;
-}
-
-static void answer_length_after(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.length_after_reference = LENGTH_AFTER_REFERENCE_KEPT;
-}
-
-static void answer_g53(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.g53_with_g91 = G53_WITH_G91_ABSOLUTE;
-}
-
-static void answer_comp_start(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.comp_start = COMP_START_A;
-}
-
-static void answer_comp_corner(struct scan_questions *q, int number)
-{
-	(void)number;
-	q->config.controller.comp_corner = COMP_CORNER_CIRCULAR;
-}
-
+/* The answers that need more than a field of the controller; `number` stands in the message behind `key`. */
 static void answer_half_turn(struct scan_questions *q, int number)
 {
 	(void)number;
@@ -165,28 +114,60 @@ static void answer_macro(struct scan_questions *q, int number)
 	q->macros[q->config.controller.macro_count++] = (struct builder_macro){.program = number, .action = MACRO_NONE};
 }
 
-/* How a message asks, and the line of the machine file. */
+/* A field of the controller that is one of the enumerations, or a number. */
+#define CHOICE(member, answer) .field = offsetof(struct controller, member), .choice = (answer)
+#define NUMBER(member, answer) .field = offsetof(struct controller, member), .number = (answer)
+
+/* How a message asks, the line of the machine file, and an answer: which one it is matters little. */
 static const struct question {
 	const char *key;	/* in the message; a number may follow */
-	bool numbered;
-	const char *line;	/* %d: the number */
-	void (*take)(struct scan_questions *questions, int number);
+	const char *line;	/* with %d: the number */
+	void (*take)(struct scan_questions *questions, int number);	/* NULL: the field gets the choice or the number */
+	size_t field;
+	int choice;
+	double number;
 } questions_table[] = {
-	{"<mcode number=\"", true, "<mcode number=\"%d\" action=\"\"/>", answer_mcode},
-	{"<macro program=\"", true, "<macro program=\"%d\" action=\"\"/>", answer_macro},
-	{"<reference number=\"", true, "<reference number=\"%d\" X=\"\" Y=\"\" Z=\"\"/>", answer_reference},
-	{"<tool_change Z=\"", false, "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", answer_tool_change},
-	{"half_turn=\"", false, "half_turn=\"positive\" or \"negative\" of the rotary axis", answer_half_turn},
-	{"least_input=\"", false, "least_input=\"1\" (whole units) or \"0.001\"", answer_least_input},
-	{"power_on_units=\"", false, "power_on_units=\"mm\" or \"inch\"", answer_units},
-	{"power_on_distance=\"", false, "power_on_distance=\"absolute\" or \"incremental\"", answer_distance},
-	{"power_on_plane=\"", false, "power_on_plane=\"xy\", \"zx\" or \"yz\"", answer_plane},
-	{"length_offset_moves=\"", false, "length_offset_moves=\"yes\" or \"no\"", answer_length_moves},
-	{"length_after_reference=\"", false, "length_after_reference=\"keeps\" or \"cancels\"", answer_length_after},
-	{"g53_with_g91=\"", false, "g53_with_g91=\"absolute\" or \"incremental\"", answer_g53},
-	{"cutter_comp_start=\"", false, "cutter_comp_start=\"A\" or \"B\"", answer_comp_start},
-	{"cutter_comp_corner=\"", false, "cutter_comp_corner=\"linear\" or \"circular\"", answer_comp_corner},
+	{"<mcode number=\"", "<mcode number=\"%d\" action=\"\"/>", .take = answer_mcode},
+	{"<macro program=\"", "<macro program=\"%d\" action=\"\"/>", .take = answer_macro},
+	{"<reference number=\"", "<reference number=\"%d\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
+	{"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
+	{"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
+	{"least_input=\"", "least_input=\"1\" (whole units) or \"0.001\"", NUMBER(least_input, 1)},
+	{"power_on_units=\"", "power_on_units=\"mm\" or \"inch\"", CHOICE(power_on_units, POWER_ON_MM)},
+	{"power_on_distance=\"", "power_on_distance=\"absolute\" or \"incremental\"",
+	 CHOICE(power_on_distance, POWER_ON_ABSOLUTE)},
+	{"power_on_plane=\"", "power_on_plane=\"xy\", \"zx\" or \"yz\"", CHOICE(power_on_plane, POWER_ON_XY)},
+	{"power_on_work_offset=\"", "power_on_work_offset=\"G500\", \"G54\" and so on", CHOICE(power_on_work_offset, 1)},
+	{"length_offset_moves=\"", "length_offset_moves=\"yes\" or \"no\"", CHOICE(length_moves, ANSWER_NO)},
+	{"length_after_reference=\"", "length_after_reference=\"keeps\" or \"cancels\"",
+	 CHOICE(length_after_reference, LENGTH_AFTER_REFERENCE_KEPT)},
+	{"g53_with_g91=\"", "g53_with_g91=\"absolute\" or \"incremental\"", CHOICE(g53_with_g91, G53_WITH_G91_ABSOLUTE)},
+	{"unidirectional_overrun=\"", "unidirectional_overrun=\"\"", NUMBER(overrun, 1)},
+	{"cutter_comp_d=\"", "cutter_comp_d=\"radius\" or \"diameter\"", CHOICE(comp_d, COMP_D_RADIUS)},
+	{"cutter_comp_start=\"", "cutter_comp_start=\"A\" or \"B\"", CHOICE(comp_start, COMP_START_A)},
+	{"cutter_comp_corner=\"", "cutter_comp_corner=\"linear\" or \"circular\"",
+	 CHOICE(comp_corner, COMP_CORNER_CIRCULAR)},
+	{"rotation_order=\"", "rotation_order=\"rpy\" or \"euler\"", CHOICE(rotation_order, ROTATION_ORDER_RPY)},
+	{"orientation_interpolation=\"", "orientation_interpolation=\"axes\" or \"vector\"",
+	 CHOICE(orientation_interpolation, ORIENTATION_INTERPOLATION_AXES)},
+	{"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
+	 CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
+	{"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
+	{"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
+	{"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };
+
+static void take(struct scan_questions *questions, const struct question *question, int number)
+{
+	char *field = (char *)&questions->config.controller + question->field;
+
+	if (question->take)
+		question->take(questions, number);
+	else if (question->number > 0)
+		memcpy(field, &question->number, sizeof(question->number));
+	else
+		memcpy(field, &question->choice, sizeof(question->choice));
+}
 
 /* The first error of one reading. */
 struct first_error {
@@ -217,29 +198,38 @@ static bool is_asked(const struct scan_questions *questions, const char *text)
 	return false;
 }
 
+/* The line with the number in place of its %d. */
+static void add_line(struct strbuf *out, const char *line, int number)
+{
+	const char *mark = strstr(line, "%d");
+
+	if (mark)
+		strbuf_addf(out, "%.*s%d%s", (int)(mark - line), line, number, mark + 2);
+	else
+		strbuf_addf(out, "%s", line);
+}
+
 /* Takes an answer to the question that the message asks. False: it asks none, or one that has been answered. */
 static bool take_answer(struct scan_questions *questions, const struct first_error *error)
 {
 	for (size_t i = 0; i < sizeof(questions_table) / sizeof(questions_table[0]); i++) {
 		const struct question *question = &questions_table[i];
 		const char *found = strstr(strbuf_text(&error->text), question->key);
-		int number = found && question->numbered ? (int)strtol(found + strlen(question->key), NULL, 10) : 0;
+		bool numbered = strchr(question->line, '%') != NULL;
+		int number = found && numbered ? (int)strtol(found + strlen(question->key), NULL, 10) : 0;
 		struct strbuf line = {0}, place = {0};
 		bool fresh;
 
 		if (!found)
 			continue;
-		if (question->numbered)
-			strbuf_addf(&line, question->line, number);
-		else
-			strbuf_addf(&line, "%s", question->line);
+		add_line(&line, question->line, number);
 		fresh = questions->count < QUESTIONS_MAX && !is_asked(questions, strbuf_text(&line));
 		if (fresh) {
 			strbuf_addf(&place, "%s:%ld", strbuf_text(&error->file), error->line);
 			questions->asked[questions->count++] =
 				(struct asked){mem_strndup(strbuf_text(&line), line.length),
 					       mem_strndup(strbuf_text(&place), place.length)};
-			question->take(questions, number);
+			take(questions, question, number);
 		}
 		strbuf_release(&line);
 		strbuf_release(&place);
