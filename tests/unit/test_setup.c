@@ -182,6 +182,7 @@ START_TEST(inches)
 {
 	struct setup *s = load_good("<setup version='1' units='inch'><work_offset name='G54' X='1' C='180'/>"
 				    "<part name='p' mesh='p.stl' location='1 0 0'/><offset number='9' length='2'/>"
+				    "<offset number='21' radius='0.5'/><offset number='22' length='1' radius='-1'/>"
 				    "<tool number='1' length='2'><cutter tip='bull' corner='0.1'><section length='2' "
 				    "diameter='0.5'/></cutter></tool></setup>");
 	vec3 least, greatest;
@@ -191,6 +192,13 @@ START_TEST(inches)
 	ck_assert_double_eq(s->bodies[0].scale, 25.4);
 	assert_vec3(s->bodies[0].placement.translation, 5, 25.4, 40);
 	ck_assert_double_eq_tol(s->lengths[0].length, 50.8, 1e-12);
+	/* D21 is no H; D22 is one, too. */
+	ck_assert_uint_eq(s->length_count, 3);
+	ck_assert_uint_eq(s->radius_count, 2);
+	ck_assert_int_eq(s->radii[0].number, 21);
+	ck_assert_double_eq_tol(s->radii[0].radius, 12.7, 1e-12);
+	ck_assert_int_eq(s->lengths[1].number, 22);
+	ck_assert_double_eq_tol(s->radii[1].radius, -25.4, 1e-12);
 	ck_assert_double_eq_tol(setup_tool(s, 1)->length, 50.8, 1e-12);
 	ck_assert_double_eq_tol(setup_tool(s, 1)->diameter, 12.7, 1e-12);
 	mesh_bounds(s->bodies[1].solid, &least, &greatest);
