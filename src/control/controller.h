@@ -56,6 +56,9 @@ enum edge_after_tool_change {
 /* An increment after a change of offsets: it traverses the change, too, or counts from where the axis stands. */
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
+/* What the angles of Heidenhain's cycle 19 are: spatial angles, or positions of the rotary axes. */
+enum cycle_19_angles { CYCLE_19_ANGLES_UNKNOWN, CYCLE_19_ANGLES_SPATIAL, CYCLE_19_ANGLES_AXES };
+
 /* Modes that the control has when it is switched on, if a parameter of the control decides. */
 enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
@@ -114,6 +117,7 @@ struct controller {
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;
 	enum rotation_order rotation_order;
+	enum cycle_19_angles cycle_19_angles;
 	enum orientation_interpolation orientation_interpolation;
 	enum edge_after_tool_change edge_after_tool_change;
 	enum answer frames_outlive_traori;	/* and work offsets, where guided motion begins or ends */

@@ -109,6 +109,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	const struct dialect_row *row = &dialect_rows[described->dialect];
 
 	check_frames(file, described);
+	if (described->cycle_19_angles && !row->has_cycle_19)
+		description_fault(file, described->at, "cycle_19_angles",
+				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
 	if (row->has_parameters)
 		return;
 	if (described->macro_count > 0)
@@ -210,6 +213,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->power_on_distance = from->power_on_distance;
 	to->power_on_plane = from->power_on_plane;
 	to->rotation_order = from->rotation_order;
+	to->cycle_19_angles = from->cycle_19_angles;
 	to->orientation_interpolation = from->orientation_interpolation;
 	to->edge_after_tool_change = from->edge_after_tool_change;
 	to->frames_outlive_traori = from->frames_outlive_traori;

@@ -23,6 +23,7 @@ static inline void klartext_case(struct gcode_case *c)
 	c->config.controller.tool_change.given = true;
 	c->config.controller.mcodes = klartext_mcodes;
 	c->config.controller.mcode_count = 2;
+	c->config.controller.cycle_19_angles = CYCLE_19_ANGLES_SPATIAL;
 	c->config.has_setup = true;
 	c->config.tools = klartext_tools;
 	c->config.tool_count = 4;

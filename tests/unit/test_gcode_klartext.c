@@ -254,6 +254,25 @@ START_TEST(rotary_ways)
 }
 END_TEST
 
+/* A parameter says what the angles of cycle 19 are. */
+START_TEST(cycle_19)
+{
+	static const char program[] = "CYCL DEF 19.0\nCYCL DEF 19.1 A-45\n";
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.cycle_19_angles = CYCLE_19_ANGLES_UNKNOWN;
+	ck_assert(!klartext_run(&c, program));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "cycle_19_angles=\"spatial\" or \"axes\""));
+	case_release(&c);
+	klartext_case(&c);
+	c.config.controller.cycle_19_angles = CYCLE_19_ANGLES_AXES;
+	ck_assert(!klartext_run(&c, program));
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "by positions of the rotary axes is not supported yet"));
+	case_release(&c);
+}
+END_TEST
+
 START_TEST(without_setup)
 {
 	struct gcode_case c;
@@ -339,6 +358,7 @@ int main(void)
 	tcase_add_test(tcase, units);
 	tcase_add_test(tcase, presets);
 	tcase_add_test(tcase, rotary_ways);
+	tcase_add_test(tcase, cycle_19);
 	tcase_add_test(tcase, without_setup);
 	tcase_add_test(tcase, blocks);
 	tcase_add_test(tcase, block_limit);

@@ -126,7 +126,7 @@ static const struct code_word words[] = {
 	{"CYCL DEF 11", CODE_REFUSED, "scaling; CYCL DEF 26 is read"},
 	{"CYCL DEF 13", CODE_IGNORED, "spindle orientation"},
 	{"CYCL DEF 17", CODE_READ, "rigid tapping"},
-	{"CYCL DEF 19", CODE_REFUSED, "working plane; its reset is read"},
+	{"CYCL DEF 19", CODE_READ, "working plane, by spatial angles"},
 	{"CYCL DEF 26", CODE_READ, "axis-specific scaling"},
 	{"CYCL DEF 32", CODE_READ, "path tolerance"},
 	{"CYCL DEF 200", CODE_READ, "drilling"},

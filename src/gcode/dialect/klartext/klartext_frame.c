@@ -1,6 +1,8 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -101,10 +103,19 @@ static struct line_place place_of(const struct interp *interp, long line)
 	return at;
 }
 
-#define word_fault(interp, word, ...) \
-	(fault_report(&(struct line_place){(interp)->at.diag, (interp)->at.file, (word)->line, \
-					   (word)->line == (interp)->at.line ? (interp)->at.text : ""}, \
-		      (word)->column, __VA_ARGS__), false)
+/* Reports what is wrong with a word of the definition, whose line may be another one; false. */
+__attribute__((format(printf, 3, 4))) static bool
+word_fault(const struct interp *interp, const struct klartext_cycle_word *word, const char *format, ...)
+{
+	const struct line_place at = place_of(interp, word->line);
+	char text[320];
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(text, sizeof(text), format, args);
+	va_end(args);
+	return fault(&at, word->column, "%s", text);
+}
 
 /* The linear axis of a word named X, IX, Y ...; -1: it is none. */
 static int axis_of(const char *name, bool *increment)

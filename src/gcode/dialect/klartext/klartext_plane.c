@@ -363,20 +363,49 @@ bool klartext_plane_run(struct lexer *lexer)
 	return is_reset ? reset(interp, &request) : tilt_plane(interp, &request, &tilt);
 }
 
-/*
- * "WORKING PLANE (Cycle 19)": a machine parameter says whether its angles are spatial angles or positions of the
- * rotary axes. Without angles, or with 0 alone, it takes the tilting back, and no axis moves.
- */
-bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
+/* The angles of cycle 19, and whether any of them is not 0. False: reported. */
+static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle, double angle[3], bool *any)
 {
+	*any = false;
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		int slot = word->name[1] == '\0' ? slot_of_letter(word->name[0]) : -1;
 
-		if (slot >= SLOT_A && slot <= SLOT_C && word->given && !same_double(word->value, 0))
-			return fault(&interp->at, cycle->column,
-				     "a machine parameter says what the angles of CYCL DEF 19 are: spatial angles, or positions of the "
-				     "rotary axes; write PLANE SPATIAL");
+		if (slot >= SLOT_A && slot <= SLOT_C && word->given) {
+			angle[slot - SLOT_A] = word->value;
+			*any = *any || !same_double(word->value, 0);
+		} else if (word->given) {
+			return fault(&interp->at, word->column,
+				     "F and a clearance of CYCL DEF 19 let the control turn the rotary axes itself: that is not "
+				     "supported yet; turn them by Q120 to Q122");
+		}
 	}
-	return check(interp, cycle->column) && leave_plane(interp, cycle->column);
+	return true;
+}
+
+/*
+ * "WORKING PLANE (Cycle 19)": a machine parameter says whether its angles are spatial angles or positions of the
+ * rotary axes. Without angles, or with 0 alone, it takes the tilting back. No axis moves: the program turns the rotary
+ * axes to Q120 to Q122.
+ */
+bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	const struct request request = {.positioning = POSITION_STAY, .coord_rot = true, .column = cycle->column};
+	double angle[3] = {0, 0, 0};
+	mat3 tilt;
+	bool any;
+
+	if (!read_cycle(interp, cycle, angle, &any) || !check(interp, cycle->column))
+		return false;
+	if (!any)
+		return leave_plane(interp, cycle->column);
+	if (interp->config->controller.cycle_19_angles == CYCLE_19_ANGLES_AXES)
+		return fault(&interp->at, cycle->column,
+			     "CYCL DEF 19 by positions of the rotary axes is not supported yet; write PLANE SPATIAL");
+	if (interp->config->controller.cycle_19_angles == CYCLE_19_ANGLES_UNKNOWN)
+		return fault(&interp->at, cycle->column,
+			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" or \"axes\" of "
+			     "the machine's <controller> says it, or write PLANE SPATIAL");
+	tilt = klartext_tilt_spatial(angle);
+	return klartext_frame_check_preset(interp, cycle->column) && tilt_plane(interp, &request, &tilt);
 }

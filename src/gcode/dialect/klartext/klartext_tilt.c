@@ -23,19 +23,21 @@ static mat3 turned(vec3 axis, double angle)
 	return mat3_turn(axis, radians(angle));
 }
 
-/* "PLANE SPATIAL": about the machine's X by SPA, then Y by SPB, then Z by SPC. */
+mat3 klartext_tilt_spatial(const double angle[3])
+{
+	mat3 x = turned(unit_x, angle[0]), y = turned(unit_y, angle[1]), z = turned(unit_z, angle[2]);
+
+	y = mat3_mul(&y, &x);
+	return mat3_mul(&z, &y);
+}
+
 static bool read_spatial(struct lexer *lexer, mat3 *tilt)
 {
-	double a, b, c;
-	mat3 x, y, z;
+	double angle[3];
 
-	if (!need(lexer, "SPA", &a) || !need(lexer, "SPB", &b) || !need(lexer, "SPC", &c))
+	if (!need(lexer, "SPA", &angle[0]) || !need(lexer, "SPB", &angle[1]) || !need(lexer, "SPC", &angle[2]))
 		return false;
-	x = turned(unit_x, a);
-	y = turned(unit_y, b);
-	z = turned(unit_z, c);
-	y = mat3_mul(&y, &x);
-	*tilt = mat3_mul(&z, &y);
+	*tilt = klartext_tilt_spatial(angle);
 	return true;
 }
 

@@ -13,4 +13,7 @@
  */
 bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, mat3 *tilt, bool *reset);
 
+/* "PLANE SPATIAL": about the machine's X by the first angle, then Y by the second, then Z by the third; degrees. */
+mat3 klartext_tilt_spatial(const double angle[3]);
+
 #endif
