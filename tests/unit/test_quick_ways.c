@@ -93,6 +93,38 @@ static bool by_chord(struct faces *f, struct sweep *sweep, double gap)
 	return pair_proof_chord(&f->proof, sweep, &chord);
 }
 
+static bool by_planes(struct faces *f, struct sweep *sweep, double gap)
+{
+	const struct motion_step *step = &f->steps[0].motion;
+	struct position_errors errors = step_errors(&f->duo.chain, step);
+
+	(void)sweep;
+	(void)gap;
+	return pair_proof_step_by_planes(&f->proof, step, &errors, true);
+}
+
+static bool box_by_planes(struct faces *f, struct sweep *sweep, double gap)
+{
+	const axis_values *q0 = &f->steps[0].motion.span.q0, *q1 = &f->steps[0].motion.span.q1;
+	const axis_values *low = q0->v[0] < q1->v[0] ? q0 : q1, *high = low == q0 ? q1 : q0;
+	struct position_errors errors = step_errors(&f->duo.chain, &f->steps[0].motion);
+
+	(void)sweep;
+	(void)gap;
+	return pair_proof_box_by_planes(&f->proof, low, high, &errors, true);
+}
+
+/* The planes were measured for the second step. */
+static bool by_kept_planes(struct faces *f, struct sweep *sweep, double gap)
+{
+	struct position_errors errors = step_errors(&f->duo.chain, &f->steps[0].motion);
+
+	(void)sweep;
+	(void)gap;
+	pair_proof_step_by_planes(&f->proof, &f->steps[1].motion, &errors, true);
+	return pair_proof_step_by_planes(&f->proof, &f->steps[0].motion, &errors, false);
+}
+
 static bool passes(quick_way *way, double clearance, double off, double gap, double move)
 {
 	struct sweep sweep = {0};
@@ -102,6 +134,7 @@ static bool passes(quick_way *way, double clearance, double off, double gap, dou
 	faces_init(&f, clearance, off, gap, move);
 	passed = way(&f, &sweep, gap);
 	sweep_release(&sweep);
+	pair_proof_release(&f.proof);
 	duo_release(&f.duo);
 	return passed;
 }
@@ -129,6 +162,9 @@ START_TEST(no_quick_way_passes_what_the_sweep_may_report)
 	look_at(by_box, "box of a budget");
 	look_at(by_earlier_budget, "earlier budget");
 	look_at(by_chord, "chord");
+	look_at(by_planes, "planes");
+	look_at(box_by_planes, "box by planes");
+	look_at(by_kept_planes, "kept planes");
 }
 END_TEST
 
@@ -146,6 +182,7 @@ START_TEST(the_sweep_reports_within_the_tolerance)
 		ck_assert_int_eq(pair_proof_step(&f.proof, &sweep, &f.steps[0].motion, &contact),
 				 i ? QUERY_CLEAR : QUERY_CONTACT);
 		sweep_release(&sweep);
+		pair_proof_release(&f.proof);
 		duo_release(&f.duo);
 	}
 }
