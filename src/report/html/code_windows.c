@@ -1,5 +1,6 @@
 #include "report/html/code_windows.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,8 +122,11 @@ static void write_windows(struct page *page, const struct code_file *file, const
 static FILE *open_again(const char *path)
 {
 	struct stat status;
+	FILE *stream = !stat(path, &status) && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
 
-	return !stat(path, &status) && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
+	if (!stream && errno == ENOMEM)
+		mem_exhausted();
+	return stream;
 }
 
 size_t code_windows_write(struct page *page, const char *path, const long *marks, size_t mark_count, size_t budget,

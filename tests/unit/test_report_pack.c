@@ -1,0 +1,282 @@
+/* test_report_pack.c - what the data of a report is packed with: tables, meshes, base64, the choice of pieces. */
+#include <check.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "base/mem.h"
+#include "geom/mesh.h"
+#include "report/format/base64.h"
+#include "report/format/deflate.h"
+#include "report/html/pack_mesh.h"
+#include "report/html/pack_table.h"
+#include "report/html/recorded_table.h"
+#include "report/html/report_data.h"
+#include "report/html/selection.h"
+
+#include "random.h"
+
+START_TEST(base64_is_that_of_the_rfc)
+{
+	static const char *const cases[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+		struct strbuf out = {0};
+
+		base64_add(&out, (const unsigned char *)cases[i][0], strlen(cases[i][0]));
+		ck_assert_str_eq(strbuf_text(&out), cases[i][1]);
+		ck_assert_uint_eq(out.length, base64_length(strlen(cases[i][0])));
+		strbuf_release(&out);
+	}
+}
+END_TEST
+
+START_TEST(zlib_reads_what_was_deflated)
+{
+	enum { COUNT = 100000 };
+	char *bytes = mem_alloc(COUNT), *back = mem_alloc(COUNT);
+	struct strbuf out = {0};
+	uLongf length = COUNT;
+
+	for (int i = 0; i < COUNT; i++)
+		bytes[i] = (char)(i * i % 251);
+	deflate_add(&out, bytes, COUNT, DEFLATE_FAST);
+	ck_assert_int_eq(uncompress((Bytef *)back, &length, (const Bytef *)out.text, out.length), Z_OK);
+	ck_assert_uint_eq(length, COUNT);
+	ck_assert(!memcmp(bytes, back, COUNT));
+	strbuf_release(&out);
+	free(bytes);
+	free(back);
+}
+END_TEST
+
+START_TEST(a_table_comes_back)
+{
+	enum { ROWS = 300, COLUMNS = 3 };
+	int64_t values[ROWS * COLUMNS], back[ROWS * COLUMNS];
+	struct random random = random_case(1, 0);
+
+	for (size_t rows = 1; rows <= ROWS; rows += 23) {
+		struct strbuf out = {0};
+
+		for (size_t i = 0; i < rows * COLUMNS; i++)
+			values[i] = (int64_t)(random_bits(&random) >> (14 + 20 * (i % COLUMNS))) - 5;
+		pack_table_add(&out, values, rows, COLUMNS);
+		pack_table_read(back, rows, COLUMNS, strbuf_text(&out));
+		ck_assert(!memcmp(values, back, rows * COLUMNS * sizeof(*values)));
+		strbuf_release(&out);
+	}
+}
+END_TEST
+
+/* A table, by hand from the text in report_data.h: 3 5 9 8 has the second differences 2 2 -5, as codes 4 4 9. */
+START_TEST(a_table_is_packed_as_described)
+{
+	static const int64_t values[] = {3, 5, 9, 8};
+	static const unsigned char wanted[] = {1, 0, 0, 0, 0, 0, 0, 0x08, 0x40, 4, 4, 9};
+	struct strbuf out = {0};
+
+	pack_table_add(&out, values, 4, 1);
+	ck_assert_uint_eq(out.length, sizeof(wanted));
+	ck_assert(!memcmp(out.text, wanted, sizeof(wanted)));
+	strbuf_release(&out);
+}
+END_TEST
+
+static void keep_least(int64_t *row, const int64_t *next, size_t columns)
+{
+	ck_assert_uint_eq(columns, 2);
+	row[0] = next[0];
+	row[1] = next[1] < row[1] ? next[1] : row[1];
+}
+
+START_TEST(a_long_table_has_all_rows_in_chunks_and_the_least_in_its_coarse_level)
+{
+	enum { ROWS = 3 * CHUNK_ROWS + 1234 };
+	int64_t least = INT64_MAX, coarse_least = INT64_MAX, *back = mem_alloc(2 * CHUNK_ROWS * sizeof(*back));
+	struct recorded_table table;
+	long row = 0;
+
+	recorded_table_init(&table, 2, keep_least);
+	for (int64_t i = 0; i < ROWS; i++) {
+		const int64_t values[2] = {2 * i, 1000000 - (i * 7919) % 99991};
+
+		least = values[1] < least ? values[1] : least;
+		recorded_table_add(&table, values);
+	}
+	ck_assert(recorded_table_close(&table));
+	ck_assert_int_eq(table.rows, ROWS);
+	ck_assert_uint_le(table.coarse_rows, COARSE_ROWS);
+	ck_assert_uint_ge(table.coarse_rows, COARSE_ROWS / 2);
+	ck_assert_int_eq(table.coarse[2 * (table.coarse_rows - 1)], 2 * (ROWS - 1));
+	for (size_t i = 0; i < table.coarse_rows; i++) {
+		ck_assert(!i || table.coarse[2 * i] > table.coarse[2 * i - 2]);
+		coarse_least = table.coarse[2 * i + 1] < coarse_least ? table.coarse[2 * i + 1] : coarse_least;
+	}
+	ck_assert_int_eq(coarse_least, least);
+	for (size_t i = 0; i < table.chunk_count; i++) {
+		struct strbuf bytes = {0};
+
+		ck_assert(recorded_table_chunk(&table, i, &bytes));
+		ck_assert_int_eq(table.chunks[i].first, row);
+		pack_table_read(back, table.chunks[i].rows, 2, strbuf_text(&bytes));
+		for (size_t r = 0; r < table.chunks[i].rows; r++, row++) {
+			ck_assert_int_eq(back[2 * r], 2 * row);
+			ck_assert_int_eq(back[2 * r + 1], 1000000 - ((int64_t)row * 7919) % 99991);
+		}
+		strbuf_release(&bytes);
+	}
+	ck_assert_int_eq(row, ROWS);
+	recorded_table_release(&table);
+	free(back);
+}
+END_TEST
+
+START_TEST(pieces_near_marks_come_first)
+{
+	static const size_t marks[] = {5}, wanted[] = {5, 4, 6, 3, 7, 2, 1, 0};
+	size_t order[8];
+
+	selection_order(order, 8, marks, 1);
+	ck_assert(!memcmp(order, wanted, sizeof(wanted)));
+	selection_order(order, 8, NULL, 0);
+	for (size_t i = 0; i < 8; i++)
+		ck_assert_uint_eq(order[i], i);
+}
+END_TEST
+
+/* A grid of squares on a wavy surface, as separate triangles. */
+static struct mesh wavy(size_t n)
+{
+	struct mesh mesh = {.triangles = mem_alloc(2 * n * n * sizeof(mesh_triangle)), .count = 2 * n * n};
+
+	for (size_t i = 0; i < 2 * n * n; i++) {
+		static const int corners[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
+
+		for (int k = 0; k < 3; k++) {
+			const double x = (double)(i / 2 % n) + corners[i % 2][k][0], y = (double)(i / 2 / n) + corners[i % 2][k][1];
+
+			mesh.triangles[i].v[k][0] = (float)(3 * x);
+			mesh.triangles[i].v[k][1] = (float)(2 * y);
+			mesh.triangles[i].v[k][2] = (float)(5 * sin(x) * cos(y));
+		}
+	}
+	return mesh;
+}
+
+/* Reads the mesh back as report_data.h says. */
+static vec3 *read_back(const struct strbuf *bytes, const struct packed_mesh *packed)
+{
+	const unsigned char *in = (const unsigned char *)bytes->text;
+	const size_t n = packed->vertices, count = 3 * packed->triangles;
+	vec3 *vertices = mem_alloc(n * sizeof(*vertices)), *out = mem_alloc(count * sizeof(*out));
+	uint16_t q[3] = {0};
+	uint32_t seen = 0;
+
+	for (size_t i = 0; i < n; i++) {
+		for (size_t k = 0; k < 3; k++) {
+			const int code = in[2 * k * n + i] | in[(2 * k + 1) * n + i] << 8;
+
+			q[k] = (uint16_t)(q[k] + (code % 2 ? -(code + 1) / 2 : code / 2));
+		}
+		vertices[i] = vec3_add(packed->origin, vec3_scale(packed->step, (vec3){q[0], q[1], q[2]}));
+	}
+	for (size_t i = 0; i < count; i++) {
+		uint32_t code = 0;
+
+		for (int p = 0; p < packed->index_bytes; p++)
+			code |= (uint32_t)in[6 * n + (size_t)p * count + i] << 8 * p;
+		ck_assert(code <= seen && seen - code < n);
+		out[i] = vertices[seen - code];
+		seen += !code;
+	}
+	ck_assert_uint_eq(seen, n);
+	ck_assert_uint_eq(bytes->length, 6 * n + (size_t)packed->index_bytes * count);
+	free(vertices);
+	return out;
+}
+
+/* How far the nearest turn of any packed triangle is from this one, at its worst corner. */
+static double nearest(const vec3 *corners, size_t triangles, const vec3 p[3])
+{
+	double best = INFINITY;
+
+	for (size_t t = 0; t < triangles; t++) {
+		for (size_t turn = 0; turn < 3; turn++) {
+			double worst = 0;
+
+			for (size_t k = 0; k < 3; k++)
+				worst = fmax(worst, vec3_norm(vec3_sub(corners[3 * t + (k + turn) % 3], p[k])));
+			best = fmin(best, worst);
+		}
+	}
+	return best;
+}
+
+START_TEST(every_triangle_of_a_mesh_is_packed_with_its_sense)
+{
+	const xform place = xform_turn((vec3){1, 2, 3}, (vec3){0, 0.6, 0.8}, 0.7);
+	struct mesh mesh = wavy(12);
+	struct packed_mesh packed;
+	struct strbuf bytes = {0};
+	vec3 *corners;
+
+	pack_mesh_add(&bytes, &mesh, &place, &packed);
+	ck_assert_uint_eq(packed.triangles, mesh.count);
+	ck_assert_uint_eq(packed.vertices, 13 * 13);
+	corners = read_back(&bytes, &packed);
+	for (size_t i = 0; i < mesh.count; i++) {
+		vec3 p[3];
+
+		for (int k = 0; k < 3; k++)
+			p[k] = xform_apply(&place, mesh_corner(&mesh.triangles[i], k));
+		ck_assert_double_le(nearest(corners, packed.triangles, p), PACK_MESH_ERROR * packed.step);
+	}
+	free(corners);
+	strbuf_release(&bytes);
+	mesh_release(&mesh);
+}
+END_TEST
+
+/* The figure that reports are held to: bytes for a triangle, deflated. */
+START_TEST(a_mesh_needs_less_than_two_bytes_a_triangle)
+{
+	const xform place = xform_identity();
+	struct mesh mesh = wavy(60);
+	struct packed_mesh packed;
+	struct strbuf bytes = {0}, small = {0};
+
+	pack_mesh_add(&bytes, &mesh, &place, &packed);
+	deflate_add(&small, bytes.text, bytes.length, DEFLATE_SMALL);
+	ck_assert_uint_lt(small.length, 2 * mesh.count);
+	strbuf_release(&bytes);
+	strbuf_release(&small);
+	mesh_release(&mesh);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("report_pack");
+	TCase *tcase = tcase_create("report_pack");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(tcase, base64_is_that_of_the_rfc);
+	tcase_add_test(tcase, zlib_reads_what_was_deflated);
+	tcase_add_test(tcase, a_table_comes_back);
+	tcase_add_test(tcase, a_table_is_packed_as_described);
+	tcase_add_test(tcase, a_long_table_has_all_rows_in_chunks_and_the_least_in_its_coarse_level);
+	tcase_add_test(tcase, pieces_near_marks_come_first);
+	tcase_add_test(tcase, every_triangle_of_a_mesh_is_packed_with_its_sense);
+	tcase_add_test(tcase, a_mesh_needs_less_than_two_bytes_a_triangle);
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
