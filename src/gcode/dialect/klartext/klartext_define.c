@@ -224,7 +224,8 @@ static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 
 static bool is_q_word(struct lexer *lexer)
 {
-	const char byte = lexer_peek(lexer), *text = lexer->at->text + lexer->position;
+	const char byte = lexer_peek(lexer);
+	const char *text = lexer->at->text + lexer->position;
 
 	return (byte == 'Q' || byte == 'q') && text[1] >= '0' && text[1] <= '9';
 }

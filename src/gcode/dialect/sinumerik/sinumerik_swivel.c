@@ -61,7 +61,7 @@ static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
 	*turn = mat3_identity();
 	for (int i = 0; i < 3; i++) {
 		const long axis = mode >> 2 * i & 3;
-		const double angle = value(s, (size_t)(A + i));
+		const double angle = value(s, A + (size_t)i);
 		mat3 one;
 
 		if (axis == 0 && !same_double(angle, 0))
@@ -209,17 +209,32 @@ static bool refuse(const struct swivel *s, const char *what)
 }
 
 /* What of ST, DIR and the state of the program is not supported. */
+static bool same_vec3(vec3 a, vec3 b)
+{
+	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
+}
+
+static bool is_none(const struct sinumerik_frame *frame)
+{
+	const struct sinumerik_frame none = sinumerik_frame_none();
+	bool same = same_vec3(frame->matrix.x, none.matrix.x) && same_vec3(frame->matrix.y, none.matrix.y) &&
+		    same_vec3(frame->matrix.z, none.matrix.z);
+
+	for (size_t slot = 0; slot < sizeof(none.shift.v) / sizeof(none.shift.v[0]); slot++)
+		same = same && same_double(frame->shift.v[slot], none.shift.v[slot]);
+	return same;
+}
+
 static bool check(const struct swivel *s, long status, long direction)
 {
 	const struct state *state = &s->interp->state;
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
-	const struct sinumerik_frame none = sinumerik_frame_none();
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
 	if (sinumerik->edge_unsure)
 		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
-	if (memcmp(&sinumerik->frame, &none, sizeof(none)) != 0)
+	if (!is_none(&sinumerik->frame))
 		return refuse(s, "CYCLE800 while TRANS, ROT, SCALE or MIRROR is in force is not supported yet; give the shift "
 				 "in X0 Y0 Z0 or behind it");
 	if (status < 0 || status % 10 > 1)
