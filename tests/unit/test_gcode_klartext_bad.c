@@ -500,6 +500,21 @@ static const struct {
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL M128\nL A+10 FMAX\nM129\nL X+1 FMAX\n",
 	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
 	 "to Q122) is not supported"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	{"M140 MB50\nL IZ-1 FMAX\n",
+	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give Z as an absolute coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC IX+5 IY+0\n",
+	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC\n",
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nLP IPR+5 PA+0 FMAX\n",
+	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not programmed in "
+	 "them: from where the control counts is not known here; give Y as an absolute coordinate first"},
 };
 
 START_TEST(fault_table)

@@ -101,8 +101,9 @@ static const struct program frames[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2 Z2\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 20 0 0 0 0\narc 0 20 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
-	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nL IX+1 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL IX+1 FMAX\n",
-	 "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 12 0 0 0 0\n"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nL IX+1 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL X+2 IY+1 FMAX\n"
+	 "L IX+1 FMAX\n",
+	 "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\n"},
 	{"CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 V.ZEIT 1.5\n",
 	 "dwell 1.5\n"},
 	{"CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 DWELL 2\n",
@@ -161,9 +162,9 @@ static const struct program planes[] = {
 	 "rapid 1 0 0 90 0 tcp\ntcp on length 0 zero A0 C0\nrapid 2 0 0 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX SEQ+\nL X+1 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 0 0 90 0 tcp\n"},
-	{"TOOL CALL 1 Z\nL C+90 FMAX\nL M128\nL X+5 Y+0 Z+0 FMAX\nM129\nL IX+1 FMAX\n",
+	{"TOOL CALL 1 Z\nL C+90 FMAX\nL M128\nL X+5 Y+0 Z+0 FMAX\nM129\nL X+1 FMAX\nL IX+1 FMAX\n",
 	 "tool 1\nrapid 0 0 0 0 90\ntcp on length 100 zero A0 C0\nrapid 5 0 0 0 90 tcp\n"
-	 "tcp off length 100 zero A0 C0\nrapid 1 5 100 0 90\n"},
+	 "tcp off length 100 zero A0 C0\nrapid 1 5 100 0 90\nrapid 2 5 100 0 90\n"},
 	{"L M128 F1000\nL X+10 C+90 F500\nL M129\n",
 	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
 	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+10 C+90 F500\nFUNCTION RESET TCPM\nL X+0 FMAX\n",

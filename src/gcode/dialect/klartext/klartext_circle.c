@@ -114,14 +114,20 @@ bool klartext_circle_pole(struct lexer *lexer)
 		return fault(lexer->at, words.first_column,
 			     "CC with X, Y and Z: two of them say in which plane the circle lies; leave the third out");
 	if (!words.axes) {
+		if (!klartext_frame_check_increment(interp, SLOT_X, words.first_column) ||
+		    !klartext_frame_check_increment(interp, SLOT_Y, words.first_column))
+			return false;
 		klartext->pole = here;
 		klartext->across = SLOT_Z;
 		klartext->has_pole[SLOT_X] = klartext->has_pole[SLOT_Y] = true;
 		return true;
 	}
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		double from = words.increments & 1U << slot ? coordinate(here, slot) : 0;
+		bool increment = words.increments & 1U << slot;
+		double from = increment ? coordinate(here, slot) : 0;
 
+		if (increment && !klartext_frame_check_increment(interp, slot, words.column[slot]))
+			return false;
 		if (klartext_words_has(&words, slot)) {
 			set_coordinate(&klartext->pole, slot, words.value[slot] + from);
 			klartext->has_pole[slot] = true;
@@ -257,12 +263,17 @@ static bool polar_point(struct interp *interp, const struct klartext_words *word
 	int across = klartext_of(interp)->across, a, b;
 	struct plane_point pole, here;
 	double radius, angle;
+	bool relative;
 
 	plane_axes(across, &a, &b);
 	if (klartext_words_has(words, a) || klartext_words_has(words, b))
 		return fault(&interp->at, words->column[klartext_words_has(words, a) ? a : b],
 			     "polar coordinates and %c in one block", AXIS_LETTERS[klartext_words_has(words, a) ? a : b]);
 	if (!find_pole(interp, words->first_column, &pole))
+		return false;
+	relative = !words->has_radius || words->radius_increment || !words->has_angle || words->angle_increment;
+	if (relative && (!klartext_frame_check_increment(interp, a, words->first_column) ||
+			 !klartext_frame_check_increment(interp, b, words->first_column)))
 		return false;
 	here = in_plane(path->start, across);
 	radius = hypot(here.a - pole.a, here.b - pole.b);

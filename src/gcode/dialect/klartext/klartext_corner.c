@@ -76,6 +76,7 @@ bool klartext_corner_hold(struct interp *interp, const struct klartext_target *t
 	state_set_position(&interp->state, SLOT_Y, end.y);
 	state_set_position(&interp->state, SLOT_Z, end.z);
 	klartext->moved = true;
+	klartext->programmed = target->point;
 	klartext->corner = (struct klartext_corner){.waits = true, .line = interp->at.line, .column = 1};
 	return true;
 }

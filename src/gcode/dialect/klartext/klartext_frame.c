@@ -10,6 +10,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
+#include "geom/tolerance.h"
 
 /* --------------------------------------------------------------- the frame */
 
@@ -81,6 +82,18 @@ vec3 klartext_frame_point(const struct interp *interp)
 		return point;
 	point = mat3_apply_transposed(&frame->turn, vec3_sub(point, frame->origin));
 	return (vec3){point.x / frame->scale.x, point.y / frame->scale.y, point.z / frame->scale.z};
+}
+
+bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
+{
+	const vec3 off = vec3_sub(klartext_frame_point(interp), klartext_of(interp)->programmed);
+	const double by = slot == SLOT_X ? off.x : slot == SLOT_Y ? off.y : off.z;
+
+	return fabs(by) <= SAME_COORDINATE ||
+	       fault(&interp->at, column,
+		     "an increment of %c after a change of coordinates or a move that was not programmed in them: from where the "
+		     "control counts is not known here; give %c as an absolute coordinate first",
+		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 }
 
 vec3 klartext_frame_direction(const struct interp *interp, vec3 direction)

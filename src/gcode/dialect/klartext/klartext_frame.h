@@ -13,6 +13,12 @@ void klartext_frame_update(struct klartext_frame *frame);
 vec3 klartext_frame_position(const struct interp *interp, vec3 point);
 vec3 klartext_frame_point(const struct interp *interp);
 
+/*
+ * Increments count from the position that was programmed last. Where coordinates have changed since, or the control has
+ * moved the axis by itself, it is not known what that means. False: so it is for this axis, which was reported.
+ */
+bool klartext_frame_check_increment(struct interp *interp, int slot, int column);
+
 /* A direction of programmed coordinates as one of positions; no scaling. */
 vec3 klartext_frame_direction(const struct interp *interp, vec3 direction);
 

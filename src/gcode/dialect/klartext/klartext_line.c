@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_define.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_function.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
@@ -66,6 +67,8 @@ static bool begin(struct lexer *lexer)
 	}
 	klartext->begun = true;
 	interp->state.scale = klartext->inch ? state_unit(G20) : state_unit(G21);
+	if (klartext->programs == 0)
+		klartext->programmed = klartext_frame_point(interp);
 	return true;
 }
 

@@ -80,7 +80,11 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 			if (!find_other(interp, words, slot, &target->others))
 				return false;
 		} else {
-			point[slot] = words->value[slot] + (words->increments & 1U << slot ? point[slot] : 0);
+			bool increment = words->increments & 1U << slot;
+
+			if (increment && !klartext_frame_check_increment(interp, slot, words->column[slot]))
+				return false;
+			point[slot] = words->value[slot] + (increment ? point[slot] : 0);
 		}
 	}
 	target->point = (vec3){point[0], point[1], point[2]};
@@ -160,6 +164,7 @@ static bool go(struct interp *interp, const struct klartext_target *target, stru
 	struct klartext *klartext = klartext_of(interp);
 
 	klartext->moved = true;
+	klartext->programmed = klartext->waits ? klartext->programmed : target->point;
 	if (klartext->waits) {
 		/* Only the rotary axes move. */
 		position.v[SLOT_X] = interp->state.position.v[SLOT_X];

@@ -130,6 +130,7 @@ struct klartext {
 	bool oversize;	/* TOOL CALL has given DL, DR or DR2 */
 	double call_feed, call_feed_bare;	/* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
 	/* Path. */
+	vec3 programmed;	/* where the last move has led, in the coordinates of then, mm: increments count from there */
 	vec3 pole;
 	bool has_pole[3];
 	int across;	/* slot of the axis across the plane of CC: Z, or X or Y */
