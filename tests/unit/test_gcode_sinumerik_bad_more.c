@@ -242,6 +242,8 @@ static const struct bad programs[] = {
 	 "G without a number"},
 	{"M\n", 1, 1,
 	 "M without a number"},
+	{"G500 G2 X5 R5 F6\n", 1, 12,
+	 "R5 needs '=' and a value; the radius of a circle is CR="},
 };
 
 /* The message is the only one, and the caret stands below the column of the line that it names. */

@@ -18,11 +18,7 @@ struct reading {
 
 void sinumerik_block_clear(struct sinumerik_block *block)
 {
-	block->any = block->machine_axes = block->names_tool = block->spindle_stands = block->modal = false;
-	block->call_has_arguments = false;
-	block->letters = block->addresses = 0;
-	block->m_count = 0;
-	block->call[0] = '\0';
+	*block = (struct sinumerik_block){.any = false};
 	for (int group = 0; group < SINUMERIK_GROUPS; group++)
 		block->code[group] = CODE_NONE;
 }
@@ -373,6 +369,8 @@ static bool read_named(struct reading *r)
 		return sinumerik_assign(r->interp, r->lexer, name, column);
 	if (name[1] == '\0' && name[0] == 'F' && lexer_peek(r->lexer) == '(')
 		return fault(r->lexer->at, column, "F needs '=' before an expression");
+	if (name[0] == 'R' && sinumerik_is_digit(name[1]))
+		return fault(r->lexer->at, column, "%s needs '=' and a value; the radius of a circle is CR=", name);
 	if (name[1] == '\0' || !sinumerik_is_letter(name[1]))
 		return fault(r->lexer->at, column, "%c without a number", name[0]);
 	return set_call(r, name, column);

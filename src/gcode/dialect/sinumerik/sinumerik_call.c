@@ -372,6 +372,11 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 			   sinumerik->loops[sinumerik->loop_count - 1].start.line);
 		return false;
 	}
+	if (sinumerik->depth && top_call(sinumerik)->last_line) {
+		diag_error(interp->diag, loc, "the file ends with the part that line %ld repeats; end the program with M30",
+			   top_call(sinumerik)->line);
+		return false;
+	}
 	if (!sinumerik_call_is_inside(interp))
 		return true;
 	diag_error(interp->diag, loc, "the subprogram ends without M17 or RET");

@@ -8,14 +8,25 @@
 /* A direction shorter than this has no direction. */
 #define LEAST_VECTOR 1e-9
 
+static bool has_programmable_frame(const struct interp *interp)
+{
+	if (interp->state.frame.on)
+		return true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(interp->state.shift.v[slot], 0))
+			return true;
+	}
+	return false;
+}
+
 static bool has_frames(const struct interp *interp)
 {
 	const struct state *state = &interp->state;
 
-	if (state->frame.on)
+	if (has_programmable_frame(interp))
 		return true;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
-		if (!same_double(state->shift.v[slot], 0) || !same_double(state->work[state->system].v[slot], 0))
+		if (!same_double(state->work[state->system].v[slot], 0))
 			return true;
 	}
 	return false;
@@ -29,6 +40,11 @@ static bool outlive(struct interp *interp, int column)
 
 	if (!has_frames(interp) || answer == ANSWER_YES)
 		return true;
+	if (answer == ANSWER_UNKNOWN && has_programmable_frame(interp))
+		return fault(&interp->at, column,
+			     "a parameter of the control (MD10602) decides whether TRANS, ROT and the like outlive TRAORI and "
+			     "TRAFOOF: write them behind it, or say frames_outlive_traori=\"yes\" or \"no\" in the machine's "
+			     "<controller>");
 	if (answer == ANSWER_UNKNOWN) {
 		sinumerik->frames_unsure = true;
 		return true;
