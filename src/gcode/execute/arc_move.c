@@ -137,7 +137,8 @@ static bool go_straight(struct interp *interp)
 		return true;
 	if (!interp->cautioned_line)
 		caution(&interp->at, block_motion_column(&interp->block),
-			"an arc without a centre (I, J, K) and without a radius (R): this control goes straight to its end, or "
+			"an arc without a centre (I, J, K) and without a radius (R): this control goes straight to its "
+			"end, or "
 			"stops with an alarm; here and further on");
 	interp->cautioned_line = true;
 	if (!motion_commands_feed(interp, &move.feed) || !endpoint_find(interp, false, &target))
@@ -163,7 +164,8 @@ bool arc_move_run(struct interp *interp)
 	if (is_line(interp))
 		return go_straight(interp);
 	if (state->polar.on)
-		return fault(&interp->at, block_motion_column(block), "an arc in polar coordinates (G16) is not supported; G15 first");
+		return fault(&interp->at, block_motion_column(block),
+			     "an arc in polar coordinates (G16) is not supported; G15 first");
 	if (!has_axis[plane->a] || !has_axis[plane->b])
 		return fault(&interp->at, block_motion_column(block),
 			     "the machine has no %c axis, which an arc in the plane of G%d needs",
@@ -176,8 +178,10 @@ bool arc_move_run(struct interp *interp)
 	/* LinuxCNC gives P to the arc and to a G64 of the block. */
 	if (block_has(block, 'P') && !find_turns(interp, &turns))
 		return false;
-	if ((state->probe_bounded[plane->a] && !probed_axes_is_known(interp, (int)plane->a, block_motion_column(block))) ||
-	    (state->probe_bounded[plane->b] && !probed_axes_is_known(interp, (int)plane->b, block_motion_column(block))))
+	if ((state->probe_bounded[plane->a] &&
+	     !probed_axes_is_known(interp, (int)plane->a, block_motion_column(block))) ||
+	    (state->probe_bounded[plane->b] &&
+	     !probed_axes_is_known(interp, (int)plane->b, block_motion_column(block))))
 		return false;
 	start = (struct plane_point){here.v[plane->a], here.v[plane->b]};
 	end = (struct plane_point){target.v[plane->a], target.v[plane->b]};

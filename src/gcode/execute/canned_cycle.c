@@ -6,6 +6,7 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/cycle_hole.h"
+#include "gcode/execute/cycle_words.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/polar_coordinates.h"
@@ -18,22 +19,6 @@
 #define COUNT_MAX 1000000
 
 /* ------------------------------------------------------------------ words */
-
-/* The word of the block; without one and if words are kept, that of an earlier block of the cycle. */
-static bool cycle_word(struct canned_cycle *cycle, char letter, bool kept, double *value)
-{
-	struct interp *interp = cycle->interp;
-	struct cycle_memory *memory = &interp->state.cycle;
-	bool given = block_has(&interp->block, letter);
-
-	if (!given && !(kept && (memory->known & letter_bit(letter))))
-		return fault(&interp->at, block_motion_column(&interp->block), "G%d needs %c", cycle->code / 10,
-			     letter);
-	*value = given ? block_value(&interp->block, letter) : memory->word[letter - 'A'];
-	memory->known |= letter_bit(letter);
-	memory->word[letter - 'A'] = *value;
-	return true;
-}
 
 /* Does the cycle take words from the one before? */
 static bool keeps_words(const struct canned_cycle *cycle)
@@ -118,7 +103,7 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
 	bool back = cycle_hole_bores_back(cycle);
 
-	if (!cycle_word(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
+	if (!cycle_words_take(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
 		return false;
 	if (!state->cycle.has_level) {
 		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
@@ -166,12 +151,7 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 		return fault(&interp->at, block_column(&interp->block, 'P'), "a dwell cannot be negative");
 	if (given && !motion_commands_seconds(interp, 'P', &interp->block.value['P' - 'A']))
 		return false;
-	return cycle_word(cycle, 'P', kept, &cycle->dwell);
-}
-
-static bool is_known(const struct canned_cycle *cycle, char letter, bool kept)
-{
-	return block_has(&cycle->interp->block, letter) || (kept && (cycle->interp->state.cycle.known & letter_bit(letter)));
+	return cycle_words_take(cycle, 'P', kept, &cycle->dwell);
 }
 
 /* Haas, "G73", "G83": the first peck is I, each one is less by J, and none is less than K. */
@@ -180,8 +160,8 @@ static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
 	struct interp *interp = cycle->interp;
 	double first = 0, less = 0, least = 0, scale = interp->state.scale;
 
-	if (!cycle_word(cycle, 'I', kept, &first) || !cycle_word(cycle, 'J', kept, &less) ||
-	    !cycle_word(cycle, 'K', kept, &least))
+	if (!cycle_words_take(cycle, 'I', kept, &first) || !cycle_words_take(cycle, 'J', kept, &less) ||
+	    !cycle_words_take(cycle, 'K', kept, &least))
 		return false;
 	cycle->peck = fabs(first) * scale;
 	cycle->peck_less = fabs(less) * scale;
@@ -221,13 +201,14 @@ static bool find_peck(struct canned_cycle *cycle, bool kept)
 
 	if (cycle->code != G73 && cycle->code != G83)
 		return true;
-	if (cycle->traits->pecks_fall == ANSWER_YES && !block_has(&interp->block, 'Q') && is_known(cycle, 'I', kept))
+	if (cycle->traits->pecks_fall == ANSWER_YES && !block_has(&interp->block, 'Q') &&
+	    cycle_words_know(cycle, 'I', kept))
 		return find_falling_peck(cycle, kept) && check_pecks(cycle, column, cycle->peck);
-	if (cycle->traits->q_has_sign == ANSWER_NO && !is_known(cycle, 'Q', kept)) {
+	if (cycle->traits->q_has_sign == ANSWER_NO && !cycle_words_know(cycle, 'Q', kept)) {
 		drill_in_one_stroke(cycle);
 		return true;
 	}
-	if (!cycle_word(cycle, 'Q', kept, &q))
+	if (!cycle_words_take(cycle, 'Q', kept, &q))
 		return false;
 	if (cycle->traits->q_has_sign == ANSWER_NO && same_double(q, 0)) {
 		drill_in_one_stroke(cycle);
@@ -248,23 +229,14 @@ static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 	if (cycle->code != G87 || cycle->traits->g87 != G87_BACK_BY_IJK)
 		return true;
 	/* I, J and K belong to X, Y and Z. */
-	if (!cycle_word(cycle, "IJK"[cycle->a], kept, &a) || !cycle_word(cycle, "IJK"[cycle->b], kept, &b) ||
-	    !cycle_word(cycle, "IJK"[cycle->depth], kept, &top))
+	if (!cycle_words_take(cycle, "IJK"[cycle->a], kept, &a) ||
+	    !cycle_words_take(cycle, "IJK"[cycle->b], kept, &b) ||
+	    !cycle_words_take(cycle, "IJK"[cycle->depth], kept, &top))
 		return false;
 	cycle->shift_a = a * state->scale;
 	cycle->shift_b = b * state->scale;
 	cycle->top = top * state->scale + (state->incremental ? cycle->bottom : state->offset.v[cycle->depth]);
 	return true;
-}
-
-/* The word of the block, or else of an earlier block of the cycle, or else 0. */
-static double shift_word(struct canned_cycle *cycle, char letter, bool kept)
-{
-	double value = 0;
-
-	if (is_known(cycle, letter, kept))
-		cycle_word(cycle, letter, kept, &value);
-	return value;
 }
 
 /* I and J say how far aside and where to; the block's Q, or else the one of an earlier block, comes before them. */
@@ -296,18 +268,18 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		if (state->plane != G17)
 			return fault(&interp->at, column, "G%d with I and J in another plane than that of G17; give Q",
 				     code);
-		cycle->shift_a = shift_word(cycle, 'I', kept) * state->scale;
-		cycle->shift_b = shift_word(cycle, 'J', kept) * state->scale;
+		cycle->shift_a = cycle_words_or_zero(cycle, 'I', kept) * state->scale;
+		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
 		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
 		cycle->spread = back ? hypot(cycle->shift_a, cycle->shift_b) : 0;
-	} else if (!back && !is_known(cycle, 'Q', kept)) {
+	} else if (!back && !cycle_words_know(cycle, 'Q', kept)) {
 		/* The tool is drawn up where it has bored. */
 		if (!interp->cautioned_no_shift)
-			caution(&interp->at, column, "G%d without Q: the tool leaves the bore without a shift, here and further on",
-				code);
+			caution(&interp->at, column,
+				"G%d without Q: the tool leaves the bore without a shift, here and further on", code);
 		interp->cautioned_no_shift = true;
 		return true;
-	} else if (!cycle_word(cycle, 'Q', kept, &q)) {
+	} else if (!cycle_words_take(cycle, 'Q', kept, &q)) {
 		return false;
 	} else {
 		cycle->spread = fabs(q) * state->scale;

@@ -53,8 +53,9 @@ bool corner_insert_start_block(struct interp *interp)
 	for (int group = 0; group < G_GROUPS; group++)
 		more = more || (group != G_MOTION && group != G_DISTANCE && block->g[group] != CODE_NONE);
 	if (interp->corner.on && more) {
-		fault_report(&interp->at, 1,
-			     "the block behind a chamfer or rounding (,C or ,R) has a move in the plane and no other code");
+		fault_report(
+		    &interp->at, 1,
+		    "the block behind a chamfer or rounding (,C or ,R) has a move in the plane and no other code");
 		return drop(interp);
 	}
 	if (block->corner == '\0')
@@ -64,8 +65,8 @@ bool corner_insert_start_block(struct interp *interp)
 	if (block->motion < G1 || block->motion > G3 || block->g[G_NONMODAL] != CODE_NONE)
 		return fault(&interp->at, block->corner_column, ",%c needs a block with G1, G2 or G3", block->corner);
 	if (more && block->m_count > 0)
-		return fault(&interp->at, block->corner_column, ",%c beside an M-code is not supported; write two blocks",
-			     block->corner);
+		return fault(&interp->at, block->corner_column,
+			     ",%c beside an M-code is not supported; write two blocks", block->corner);
 	if (!(block->corner_value > 0))
 		return fault(&interp->at, block->corner_column, ",%c must be greater than 0", block->corner);
 	return true;
@@ -109,20 +110,22 @@ static struct plane_point touch(const struct comp_way *way, struct plane_point a
 }
 
 /* Does the point lie on the way from one point of it to another? */
-static bool lies_between(const struct comp_way *way, struct plane_point from, struct plane_point to, struct plane_point point)
+static bool lies_between(const struct comp_way *way, struct plane_point from, struct plane_point to,
+			 struct plane_point point)
 {
 	struct plane_point whole = along(to, -1, from);
 
 	if (!way->is_arc)
-		return dot(along(point, -1, from), whole) >= 0 && dot(along(point, -1, from), whole) <= dot(whole, whole);
+		return dot(along(point, -1, from), whole) >= 0 &&
+		       dot(along(point, -1, from), whole) <= dot(whole, whole);
 	return fabs(arc_sweep(from, point, way->centre, way->clockwise, 1, 0)) <=
 	       fabs(arc_sweep(from, to, way->centre, way->clockwise, 1, SAME_POINT));
 }
 
 /* The corner between the block that waits and the next one. */
 struct insertion {
-	struct plane_point first, last;	/* where it starts and ends */
-	struct plane_point centre;	/* of a rounding */
+	struct plane_point first, last; /* where it starts and ends */
+	struct plane_point centre; /* of a rounding */
 	bool clockwise;
 };
 
@@ -132,7 +135,8 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	struct plane_point at = comp_here(interp), to = comp_point_of(interp, next->target);
 	struct plane_point from = comp_point_of(interp, &corner->start);
 	struct comp_way before = corner->way;
-	struct comp_way after = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = interp->block.motion == G2};
+	struct comp_way after = {
+	    .is_arc = next->is_arc, .centre = next->centre, .clockwise = interp->block.motion == G2};
 	struct plane_point ahead, onward = direction_at(&after, at, to);
 	double angle;
 
@@ -140,28 +144,37 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	angle = atan2(cross(ahead, onward), dot(ahead, onward));
 	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the path of the chamfer or rounding (,C or ,R) of line %ld has no corner there", corner->at.line);
+			     "the path of the chamfer or rounding (,C or ,R) of line %ld has no corner there",
+			     corner->at.line);
 	insertion->clockwise = angle < 0;
 	if (corner->letter == 'C' && (before.is_arc || after.is_arc))
-		return fault(&interp->at, block_motion_column(&interp->block), "a chamfer (,C) beside an arc is not supported");
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "a chamfer (,C) beside an arc is not supported");
 	if (corner->letter == 'C') {
 		insertion->first = along(at, -corner->size, ahead);
 		insertion->last = along(at, corner->size, onward);
 	} else {
-		struct comp_corner_shape shape = {.before = &before, .after = &after, .at = at, .ahead = ahead,
-						  .onward = onward, .radius = corner->size, .side = angle > 0 ? 1 : -1};
+		struct comp_corner_shape shape = {.before = &before,
+						  .after = &after,
+						  .at = at,
+						  .ahead = ahead,
+						  .onward = onward,
+						  .radius = corner->size,
+						  .side = angle > 0 ? 1 : -1};
 
 		before.inside = (shape.side > 0) != before.clockwise;
 		after.inside = (shape.side > 0) != after.clockwise;
 		if (!comp_turn_crossing(&shape, &insertion->centre))
 			return fault(&interp->at, block_motion_column(&interp->block),
-				     "the rounding (,R) of line %ld does not touch both of its blocks", corner->at.line);
+				     "the rounding (,R) of line %ld does not touch both of its blocks",
+				     corner->at.line);
 		insertion->first = touch(&before, at, ahead, insertion->centre);
 		insertion->last = touch(&after, at, onward, insertion->centre);
 	}
 	if (!lies_between(&before, from, at, insertion->first) || !lies_between(&after, at, to, insertion->last))
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the chamfer or rounding (,C or ,R) of line %ld is longer than one of its blocks", corner->at.line);
+			     "the chamfer or rounding (,C or ,R) of line %ld is longer than one of its blocks",
+			     corner->at.line);
 	return true;
 }
 
@@ -175,7 +188,8 @@ static bool go(struct interp *interp, struct plane_point to, bool is_arc, struct
 	target.v[comp_slot_a(interp)] = to.a;
 	target.v[comp_slot_b(interp)] = to.b;
 	if (cutter_comp_is_on(interp))
-		return is_arc ? cutter_comp_arc(interp, &target, centre, 1, &move) : cutter_comp_line(interp, &target, &move);
+		return is_arc ? cutter_comp_arc(interp, &target, centre, 1, &move)
+			      : cutter_comp_line(interp, &target, &move);
 	if (is_arc) {
 		xyz[comp_slot_a(interp)] = centre.a;
 		xyz[comp_slot_b(interp)] = centre.b;
@@ -231,7 +245,8 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 	*waits = false;
 	if (leaves_plane(interp, next->target) || block->motion < G1)
 		return fault(&interp->at, block_motion_column(block),
-			     "the blocks on both sides of a chamfer or rounding (,C or ,R) need a move of G1, G2 or G3 in the plane, "
+			     "the blocks on both sides of a chamfer or rounding (,C or ,R) need a move of G1, G2 or G3 "
+			     "in the plane, "
 			     "and in the plane only");
 	if (next->is_arc && !arcs)
 		return fault(&interp->at, block_motion_column(block),
@@ -240,15 +255,16 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 		return drop(interp);
 	if (block->corner == '\0')
 		return true;
-	*corner = (struct pending_corner){.on = true,
-					  .letter = block->corner,
-					  .size = block->corner_value * interp->state.scale,
-					  .block = *block,
-					  .at = interp->at,
-					  .move = *next->move,
-					  .start = rotated_frame_straight(&interp->state),
-					  .way = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = block->motion == G2},
-					  .text = mem_strndup(interp->at.text, strlen(interp->at.text))};
+	*corner = (struct pending_corner){
+	    .on = true,
+	    .letter = block->corner,
+	    .size = block->corner_value * interp->state.scale,
+	    .block = *block,
+	    .at = interp->at,
+	    .move = *next->move,
+	    .start = rotated_frame_straight(&interp->state),
+	    .way = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = block->motion == G2},
+	    .text = mem_strndup(interp->at.text, strlen(interp->at.text))};
 	corner->at.text = corner->text;
 	corner->fresh = true;
 	put_at(interp, next->target);
@@ -271,6 +287,7 @@ bool corner_insert_end_block(struct interp *interp)
 		corner->fresh = false;
 		return true;
 	}
-	fault_report(&interp->at, 1, "the block behind a chamfer or rounding (,C or ,R) needs a move of G1, G2 or G3 in the plane");
+	fault_report(&interp->at, 1,
+		     "the block behind a chamfer or rounding (,C or ,R) needs a move of G1, G2 or G3 in the plane");
 	return drop(interp);
 }

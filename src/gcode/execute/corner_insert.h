@@ -17,8 +17,8 @@ bool corner_insert_start_block(struct interp *interp);
 
 /* A move in the plane that is ready to be made, from where the program is. */
 struct corner_move {
-	const slot_values *target;	/* straight */
-	const struct canon_move *move;	/* its kind and feed */
+	const slot_values *target; /* straight */
+	const struct canon_move *move; /* its kind and feed */
 	bool is_arc;
 	struct plane_point centre;
 };

@@ -124,7 +124,8 @@ static void miss_speed(struct interp *interp, int code)
 		return;
 	state->speed_missed = true;
 	caution(&interp->at, interp->block.m_column[M_SPINDLE],
-		"M%d without a spindle speed (S) so far: the spindle is taken to turn, but the control may have kept a speed of 0",
+		"M%d without a spindle speed (S) so far: the spindle is taken to turn, but the control may have kept a "
+		"speed of 0",
 		code);
 }
 
@@ -198,7 +199,8 @@ static bool is_count(const struct block *block, const struct dialect_traits *tra
 		return true;
 	if (block->m[M_SPINDLE] == 19 && letter == 'R')
 		return true;
-	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE && code_is_cycle(block->motion);
+	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE &&
+	       code_is_cycle(block->motion);
 }
 
 /*
@@ -216,7 +218,8 @@ static bool execute_increments(struct interp *interp)
 
 	if (block->corner && !block->corner_point && whole == WHOLE_NUMBERS_INCREMENTS) {
 		if (!(increment > 0))
-			return dialect_refuse_whole_number(&interp->at, block->corner_column, block->corner, block->corner_value);
+			return dialect_refuse_whole_number(&interp->at, block->corner_column, block->corner,
+							   block->corner_value);
 		block->corner_value *= linear;
 	}
 	if (whole == WHOLE_NUMBERS_UNITS || block->g[G_NONMODAL] == G4)
@@ -224,8 +227,8 @@ static bool execute_increments(struct interp *interp)
 	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
 		int slot = slot_of_letter(*letter);
 
-		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) || is_count(block, traits_of(interp), *letter) ||
-		    same_double(block_value(block, *letter), 0))
+		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) ||
+		    is_count(block, traits_of(interp), *letter) || same_double(block_value(block, *letter), 0))
 			continue;
 		if (!is_answered(interp, block_column(block, *letter), whole,
 				 "what a number without a decimal point means"))
@@ -363,7 +366,8 @@ bool execute_block(struct interp *interp)
 	    !execute_path(interp) || !path_control_select(interp))
 		return false;
 	execute_modes(interp);
-	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !coordinate_rotation_turn(interp) || !dynamic_work_offset_switch(interp))
+	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !coordinate_rotation_turn(interp) ||
+	    !dynamic_work_offset_switch(interp))
 		return false;
 	if (!execute_nonmodal(interp) || !execute_motion(interp) || !execute_stop(interp))
 		return false;

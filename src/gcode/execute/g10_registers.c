@@ -22,9 +22,11 @@ static bool check_in_use(struct interp *interp, char letter, int number)
 	bool used = letter == 'H' ? state->length_number == number && state->length_code != G49
 				  : interp->comp.side != 0 && interp->comp.number == number;
 
-	return !used || fault(&interp->at, interp->block.g_column[G_NONMODAL],
-			      "G10 changes %c%d while it is in force: from which block on the change holds depends on the "
-			      "control; write it before", letter, number);
+	return !used ||
+	       fault(&interp->at, interp->block.g_column[G_NONMODAL],
+		     "G10 changes %c%d while it is in force: from which block on the change holds depends on the "
+		     "control; write it before",
+		     letter, number);
 }
 
 /* A diameter counts half. */
@@ -33,10 +35,10 @@ static bool find_factor(struct interp *interp, double *factor)
 	enum comp_d form = interp->config->controller.comp_d;
 
 	*factor = form == COMP_D_DIAMETER ? 0.5 : 1;
-	return form != COMP_D_UNKNOWN ||
-	       fault(&interp->at, block_column(&interp->block, 'R'),
-		     "a parameter of the control decides whether D counts a radius or a diameter: cutter_comp_d=\"radius\" or "
-		     "\"diameter\" of the machine's <controller> says it");
+	return form != COMP_D_UNKNOWN || fault(&interp->at, block_column(&interp->block, 'R'),
+					       "a parameter of the control decides whether D counts a radius or a "
+					       "diameter: cutter_comp_d=\"radius\" or "
+					       "\"diameter\" of the machine's <controller> says it");
 }
 
 bool g10_registers_write(struct interp *interp, int mode)
@@ -48,7 +50,8 @@ bool g10_registers_write(struct interp *interp, int mode)
 	int number;
 
 	if (!block_has(block, 'R') || (block->letters & AXIS_BITS))
-		return fault(&interp->at, block->g_column[G_NONMODAL], "G10 L%d needs its value in R, and has no axis words", mode);
+		return fault(&interp->at, block->g_column[G_NONMODAL],
+			     "G10 L%d needs its value in R, and has no axis words", mode);
 	if (!block_integer(block, &interp->at, 'P', 1, NUMBER_MAX, &number) || !check_in_use(interp, letter, number))
 		return false;
 	if (!is_length && !find_factor(interp, &factor))

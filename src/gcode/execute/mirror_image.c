@@ -5,7 +5,8 @@
 
 static bool refuse(struct interp *interp, int column, const char *what)
 {
-	return fault(&interp->at, column, "%s while a mirror image is in force is not supported; cancel it first", what);
+	return fault(&interp->at, column, "%s while a mirror image is in force is not supported; cancel it first",
+		     what);
 }
 
 static bool is_mirrored(const struct state *state, int slot)
@@ -82,10 +83,12 @@ static bool add_mirrors(struct interp *interp, double sign[3], double at[3])
 		if (!block_has(block, letter))
 			continue;
 		if (slot > SLOT_Z)
-			return fault(&interp->at, block_column(block, letter), "a mirror image of %c is not supported", letter);
+			return fault(&interp->at, block_column(block, letter), "a mirror image of %c is not supported",
+				     letter);
 		/* Haas mirrors at the zero of the work offset; what another figure does its manual does not say. */
 		if (code == G101 && !same_double(block_value(block, letter), 0))
-			return fault(&interp->at, block_column(block, letter), "G101 with another figure than 0 is not supported");
+			return fault(&interp->at, block_column(block, letter),
+				     "G101 with another figure than 0 is not supported");
 		any = true;
 		sign[slot] = -1;
 		at[slot] = block_value(block, letter) * state->scale;
@@ -99,15 +102,17 @@ bool mirror_image_switch(struct interp *interp)
 	const struct block *block = &interp->block;
 	const mat3 *turn = &state->frame.turn;
 	const vec3 *origin = &state->frame.origin;
-	bool was_on = state->frame.on && state->frame.distorts, ends = block->g[G_MIRROR] == G50_1 || block->g[G_MIRROR] == G100;
+	bool was_on = state->frame.on && state->frame.distorts,
+	     ends = block->g[G_MIRROR] == G50_1 || block->g[G_MIRROR] == G100;
 	double sign[3] = {1, 1, 1}, at[3] = {0};
 	slot_values before = rotated_frame_straight(state);
 
 	if (block->g[G_MIRROR] == CODE_NONE || (ends && !was_on))
 		return true;
 	if ((state->frame.on && !was_on) || state->tcp != TCP_OFF)
-		return fault(&interp->at, block->g_column[G_MIRROR],
-			     "a mirror image of turned coordinates, or under tool centre point control, is not supported");
+		return fault(
+		    &interp->at, block->g_column[G_MIRROR],
+		    "a mirror image of turned coordinates, or under tool centre point control, is not supported");
 	if (was_on) {
 		sign[0] = turn->x.x, sign[1] = turn->y.y, sign[2] = turn->z.z;
 		at[0] = origin->x / 2, at[1] = origin->y / 2, at[2] = origin->z / 2;

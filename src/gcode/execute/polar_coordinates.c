@@ -40,8 +40,8 @@ bool polar_coordinates_is_angle(const struct interp *interp, char letter)
 	int code = interp->block.g[G_POLAR];
 	bool on = code == G16 || (interp->state.polar.on && code == CODE_NONE);
 
-	return on && interp->block.g[G_NONMODAL] == CODE_NONE &&
-	       interp->block.g[G_ROTATION] == CODE_NONE && letter == AXIS_LETTERS[slot_of_angle(&interp->state)];
+	return on && interp->block.g[G_NONMODAL] == CODE_NONE && interp->block.g[G_ROTATION] == CODE_NONE &&
+	       letter == AXIS_LETTERS[slot_of_angle(&interp->state)];
 }
 
 /* An absolute radius counts from the zero of the work offset; by an increment it would move the pole to the tool. */
@@ -54,8 +54,10 @@ static bool take_words(struct interp *interp, char radius, char angle)
 	if (block_has(block, radius)) {
 		if (state->incremental && !same_double(block_value(block, radius), 0))
 			return fault(&interp->at, block_column(block, radius),
-				     "%c by an increment (G91) in polar coordinates (G16) is not supported: it moves the pole to "
-				     "where the tool is", radius);
+				     "%c by an increment (G91) in polar coordinates (G16) is not supported: it moves "
+				     "the pole to "
+				     "where the tool is",
+				     radius);
 		if (!state->incremental) {
 			polar->radius = block_value(block, radius) * state->scale;
 			polar->has_radius = true;
@@ -64,7 +66,8 @@ static bool take_words(struct interp *interp, char radius, char angle)
 	if (block_has(block, angle)) {
 		if (state->incremental && !polar->has_angle)
 			return fault(&interp->at, block_column(block, angle),
-				     "%c by an increment (G91) before any angle of these polar coordinates (G16)", angle);
+				     "%c by an increment (G91) before any angle of these polar coordinates (G16)",
+				     angle);
 		polar->angle = block_value(block, angle) + (state->incremental ? polar->angle : 0);
 		polar->has_angle = true;
 	}
@@ -83,13 +86,15 @@ bool polar_coordinates_find(struct interp *interp, slot_values *target)
 	if (!take_words(interp, radius, angle))
 		return false;
 	if (!polar->has_radius || !polar->has_angle)
-		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the first move in polar coordinates (G16) needs both its radius in %c and its angle in %c", radius,
-			     angle);
+		return fault(
+		    &interp->at, block_motion_column(&interp->block),
+		    "the first move in polar coordinates (G16) needs both its radius in %c and its angle in %c", radius,
+		    angle);
 	target->v[a] = state->offset.v[a] + polar->radius * cos(radians(polar->angle));
 	target->v[b] = state->offset.v[b] + polar->radius * sin(radians(polar->angle));
 	state->settles[a] = state->settles[b] = true;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		state->probed[slot] = state->probed[slot] && (state->probe_bounded[slot] || !polar_coordinates_take(interp, slot));
+		state->probed[slot] =
+		    state->probed[slot] && (state->probe_bounded[slot] || !polar_coordinates_take(interp, slot));
 	return true;
 }

@@ -15,7 +15,8 @@ static bool go_in_program(struct interp *interp, struct canon_move *move)
 	if (corner_insert_concerns(interp)) {
 		bool waits = false;
 
-		if (!corner_insert_pass(interp, &(struct corner_move){.target = &target, .move = move}, &waits) || waits)
+		if (!corner_insert_pass(interp, &(struct corner_move){.target = &target, .move = move}, &waits) ||
+		    waits)
 			return waits;
 	}
 	return cutter_comp_is_on(interp) ? cutter_comp_line(interp, &target, move)
@@ -49,8 +50,8 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 }
 
 /*
- * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, and goes past its end by
- * an overrun before if it must. Haas, "G60": the same, setting 35. The box of all overruns is proved.
+ * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, and goes past its
+ * end by an overrun before if it must. Haas, "G60": the same, setting 35. The box of all overruns is proved.
  */
 static bool approach(struct interp *interp)
 {
@@ -65,9 +66,10 @@ static bool approach(struct interp *interp)
 		return fault(&interp->at, column,
 			     "G60 under compensation or in changed coordinates is not supported; cancel these first");
 	if (!(overrun > 0))
-		return fault(&interp->at, column,
-			     "G60 goes past its end by an overrun, which a parameter of the control gives: "
-			     "unidirectional_overrun=\"\" of the machine's <controller> says it, in the unit of the file");
+		return fault(
+		    &interp->at, column,
+		    "G60 goes past its end by an overrun, which a parameter of the control gives: "
+		    "unidirectional_overrun=\"\" of the machine's <controller> says it, in the unit of the file");
 	if (!endpoint_find(interp, false, &target))
 		return false;
 	for (int sign = 1; sign >= -1; sign--) {

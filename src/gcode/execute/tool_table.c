@@ -78,7 +78,8 @@ struct length_offset *tool_table_need_length(struct tool_table *table, int numbe
 		if (table->lengths[i].number == number)
 			return &table->lengths[i];
 	}
-	table->lengths = mem_grow(table->lengths, &table->length_capacity, table->length_count + 1, sizeof(*table->lengths));
+	table->lengths =
+	    mem_grow(table->lengths, &table->length_capacity, table->length_count + 1, sizeof(*table->lengths));
 	table->lengths[table->length_count] = (struct length_offset){.number = number};
 	return &table->lengths[table->length_count++];
 }

@@ -52,13 +52,14 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 	if (block->g[G_MIRROR] != CODE_NONE && axes) {
 		block->motion = CODE_NONE;
 		return (given == CODE_NONE && other == CODE_NONE) ||
-		       fault(at, block->g_column[G_MIRROR], "G%g with axis words needs a block without motion or offsets",
-			     block->g[G_MIRROR] / 10.0);
+		       fault(at, block->g_column[G_MIRROR],
+			     "G%g with axis words needs a block without motion or offsets", block->g[G_MIRROR] / 10.0);
 	}
 	if (block->g[G_APPROACH] != CODE_NONE && axes) {
 		block->motion = G0;
 		return ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
-		       fault(at, block->g_column[G_APPROACH], "G60 positions its axes by itself; it needs a block without "
+		       fault(at, block->g_column[G_APPROACH],
+			     "G60 positions its axes by itself; it needs a block without "
 			     "another motion or offset");
 	}
 	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2) {
@@ -170,9 +171,10 @@ static bool check_machine_coordinates(struct block *block, const struct line_pla
 	if (answer == G53_WITH_G91_INCREMENTAL)
 		block->g[G_NONMODAL] = CODE_NONE;
 	else if (dialect->traits.g53_asks_g91 == ANSWER_YES)
-		return fault(at, block->g_column[G_NONMODAL],
-			     "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
-			     "\"incremental\" in the <controller> of the machine file says what it does");
+		return fault(
+		    at, block->g_column[G_NONMODAL],
+		    "G53 in incremental distance mode (G91) depends on the control: g53_with_g91=\"absolute\" or "
+		    "\"incremental\" in the <controller> of the machine file says what it does");
 	else
 		return fault(at, block->g_column[G_NONMODAL], "G53 in incremental distance mode (G91); G90 first");
 	return true;

@@ -75,10 +75,11 @@ static bool check_axes(struct interp *interp, const slot_values *target)
 				     "%c under cutter compensation is not supported; G40 first", AXIS_LETTERS[slot]);
 	}
 	if (interp->comp.idle_blocks > IDLE_BLOCKS_MAX)
-		return fault(&interp->at, column_of(interp),
-			     "%d blocks without a move in the plane of cutter compensation before this one: how far the "
-			     "control looks ahead over them decides where the tool goes; let at most %d stand there",
-			     interp->comp.idle_blocks, IDLE_BLOCKS_MAX);
+		return fault(
+		    &interp->at, column_of(interp),
+		    "%d blocks without a move in the plane of cutter compensation before this one: how far the "
+		    "control looks ahead over them decides where the tool goes; let at most %d stand there",
+		    interp->comp.idle_blocks, IDLE_BLOCKS_MAX);
 	return true;
 }
 
@@ -113,10 +114,8 @@ static bool go_round(struct interp *interp, const struct comp_turn *turn, double
 	bool good = true;
 
 	for (int i = 1; i < turn->count && good; i++) {
-		struct comp_item item = {.centre = turn->corner,
-					 .end = turn->points[i],
-					 .clockwise = interp->comp.side > 0,
-					 .turns = 1};
+		struct comp_item item = {
+		    .centre = turn->corner, .end = turn->points[i], .clockwise = interp->comp.side > 0, .turns = 1};
 		struct canon_move round = *move;
 
 		round.kind = move->kind == CANON_ARC ? CANON_FEED : move->kind;
@@ -139,7 +138,8 @@ static bool go_round(struct interp *interp, const struct comp_turn *turn, double
  * Ends the block that waits, goes round the corner, and makes the next move start behind it. `after` is the programmed
  * way of the next block.
  */
-static bool pass_corner(struct interp *interp, const struct comp_way *after, double next_across, struct canon_move *move)
+static bool pass_corner(struct interp *interp, const struct comp_way *after, double next_across,
+			struct canon_move *move)
 {
 	struct cutter_comp *comp = &interp->comp;
 	struct comp_turn turn;
@@ -228,7 +228,8 @@ bool comp_lookahead_line(struct interp *interp, const slot_values *target, struc
 	ahead = way.direction = direction_of(from, to);
 	if (!pass_corner(interp, &way, across, move))
 		return false;
-	aside = (struct plane_point){to.a - comp->side * comp->radius * ahead.b, to.b + comp->side * comp->radius * ahead.a};
+	aside = (struct plane_point){to.a - comp->side * comp->radius * ahead.b,
+				     to.b + comp->side * comp->radius * ahead.a};
 	comp->starting = false;
 	if (!comp_add_line(interp, target, move, ahead, aside))
 		return false;
@@ -244,7 +245,8 @@ bool comp_lookahead_arc(struct interp *interp, const slot_values *target, struct
 	bool clockwise = interp->block.motion == G2, inside = (comp->side > 0) != clockwise;
 	double radius = distance(to, centre), across = way_across(interp, target);
 	struct comp_item item = {.centre = centre, .clockwise = clockwise, .turns = turns};
-	struct comp_way way = {.is_arc = true, .point = from, .centre = centre, .clockwise = clockwise, .inside = inside};
+	struct comp_way way = {
+	    .is_arc = true, .point = from, .centre = centre, .clockwise = clockwise, .inside = inside};
 
 	if (!comp->entered || comp->leaving)
 		return fault(&interp->at, column_of(interp),
@@ -298,7 +300,8 @@ bool comp_lookahead_stop(struct interp *interp)
 			     "G40 behind the first block of cutter compensation is not supported");
 	move = (struct canon_move){.kind = CANON_RAPID};
 	if (comp->queue.count > 0)
-		move = (struct canon_move){.kind = comp->queue.items[0].move.kind, .feed = comp->queue.items[0].move.feed};
+		move =
+		    (struct canon_move){.kind = comp->queue.items[0].move.kind, .feed = comp->queue.items[0].move.feed};
 	if (move.kind == CANON_ARC)
 		move.kind = CANON_FEED;
 	if (!comp_send_to(interp, comp->current))

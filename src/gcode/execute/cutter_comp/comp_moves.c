@@ -139,7 +139,7 @@ void comp_arrive(struct interp *interp, const slot_values *target, struct plane_
 }
 
 bool comp_add_line(struct interp *interp, const slot_values *target, const struct canon_move *move,
-		     struct plane_point direction, struct plane_point end)
+		   struct plane_point direction, struct plane_point end)
 {
 	struct comp_item item = {
 	    .kind = COMP_LINE, .move = comp_complete(interp, move, target), .direction = direction, .end = end};
@@ -163,7 +163,7 @@ static struct canon_arc space_arc(const struct interp *interp, struct plane_poin
 }
 
 bool comp_add_arc(struct interp *interp, const slot_values *target, const struct canon_move *move,
-		    struct comp_item *item)
+		  struct comp_item *item)
 {
 	item->kind = COMP_ARC;
 	item->move = comp_complete(interp, move, target);

@@ -70,7 +70,8 @@ static void add_drawn(struct comp_turn *turn, const struct comp_corner_shape *c)
 /* ------------------------------------------------------- inside corners */
 
 /* Keeps the crossing that lies nearer to the two feet. */
-static void consider(const struct comp_corner_shape *c, struct plane_point crossing, double *nearest, struct plane_point *found)
+static void consider(const struct comp_corner_shape *c, struct plane_point crossing, double *nearest,
+		     struct plane_point *found)
 {
 	struct plane_point middle = {(c->foot.a + c->next_foot.a) / 2, (c->foot.b + c->next_foot.b) / 2};
 	double far = distance(crossing, middle);
@@ -116,8 +117,8 @@ static bool cross_arcs(const struct comp_corner_shape *c, struct plane_point *fo
 	for (int sign = -1; sign <= 1; sign += 2) {
 		struct plane_point on_line = along(c->before->centre, foot / apart, between);
 
-		consider(c, along(on_line, sign * sqrt(half) / apart, (struct plane_point){-between.b, between.a}), &nearest,
-			 found);
+		consider(c, along(on_line, sign * sqrt(half) / apart, (struct plane_point){-between.b, between.a}),
+			 &nearest, found);
 	}
 	return true;
 }
@@ -203,8 +204,8 @@ static double farthest(const struct comp_corner_shape *c, const struct comp_turn
  * To the point beside the start of the next block, or away from the one beside the end of the last: type A and inside
  * corners go there straight, type B goes round an outside corner.
  */
-static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type, enum comp_corner_form form, bool starting,
-			struct comp_turn *turn)
+static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type, enum comp_corner_form form,
+			bool starting, struct comp_turn *turn)
 {
 	struct comp_turn drawn = {.count = 0};
 
@@ -242,21 +243,22 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 	const struct cutter_comp *comp = &interp->comp;
 	const struct controller *controller = &interp->config->controller;
 	struct comp_corner_shape c = {.before = &comp->waiting,
-			   .after = after,
-			   .at = comp_here(interp),
-			   .ahead = comp->ahead,
-			   .onward = after->direction,
-			   .radius = comp->radius,
-			   .side = comp->side};
+				      .after = after,
+				      .at = comp_here(interp),
+				      .ahead = comp->ahead,
+				      .onward = after->direction,
+				      .radius = comp->radius,
+				      .side = comp->side};
 
 	c.foot = foot_of(&c, c.ahead);
 	c.next_foot = foot_of(&c, c.onward);
 	c.angle = c.side * atan2(cross(c.onward, c.ahead), dot(c.onward, c.ahead));
 	*turn = (struct comp_turn){.corner = c.at};
 	if (fabs(c.angle) > PI - REVERSAL)
-		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the path turns back on itself under cutter compensation: which side of the corner is the inside "
-			     "depends on the control");
+		return fault(
+		    &interp->at, block_motion_column(&interp->block),
+		    "the path turns back on itself under cutter compensation: which side of the corner is the inside "
+		    "depends on the control");
 	if (comp->starting || comp->leaving) {
 		turn_at_end(&c, controller->comp_start, controller->comp_corner, comp->starting, turn);
 		return true;

@@ -11,21 +11,22 @@
 
 /* Lengths in mm. */
 struct comp_turn {
-	struct plane_point corner;	/* of the programmed path */
-	struct plane_point points[COMP_TURN_POINTS];	/* the block before ends at the first, the next starts at the last */
+	struct plane_point corner; /* of the programmed path */
+	struct plane_point
+	    points[COMP_TURN_POINTS]; /* the block before ends at the first, the next starts at the last */
 	int count;
-	bool on_arc;	/* from the first point to the second on an arc about the corner, else on lines */
-	double spread;	/* how far the path between the points may be beside them */
-	double spread_before, spread_after;	/* and the whole path of the block before, and of the next one */
+	bool on_arc; /* from the first point to the second on an arc about the corner, else on lines */
+	double spread; /* how far the path between the points may be beside them */
+	double spread_before, spread_after; /* and the whole path of the block before, and of the next one */
 };
 
 /* A corner and what leads to it and away from it. Directions are units. */
 struct comp_corner_shape {
 	const struct comp_way *before, *after;
-	struct plane_point at, ahead, onward;	/* the corner; the programmed directions before and behind it */
-	struct plane_point foot, next_foot;	/* the points beside it, across these directions */
+	struct plane_point at, ahead, onward; /* the corner; the programmed directions before and behind it */
+	struct plane_point foot, next_foot; /* the points beside it, across these directions */
 	double radius, side;
-	double angle;	/* radians by which the path turns, positive where the tool goes round the outside */
+	double angle; /* radians by which the path turns, positive where the tool goes round the outside */
 };
 
 /*

@@ -219,8 +219,9 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 		good = meet(interp, from, &after);
 		break;
 	case CORNER_OUTSIDE:
-		good = comp_send_all(interp, comp->current) &&
-		       go_round(interp, from, comp_beside(from, comp->radius, inside ? start + PI : start), target, move);
+		good =
+		    comp_send_all(interp, comp->current) &&
+		    go_round(interp, from, comp_beside(from, comp->radius, inside ? start + PI : start), target, move);
 		break;
 	case CORNER_STRAIGHT_ON:
 		good = comp_send_all(interp, comp->current);
@@ -267,7 +268,8 @@ static void tighten(struct interp *interp)
 	const struct block *block = &interp->block;
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (block_has(block, AXIS_LETTERS[slot]) && (block->motion != CODE_NONE || block->g[G_NONMODAL] != CODE_NONE))
+		if (block_has(block, AXIS_LETTERS[slot]) &&
+		    (block->motion != CODE_NONE || block->g[G_NONMODAL] != CODE_NONE))
 			interp->comp.loose[slot] = 0;
 	}
 }
@@ -303,6 +305,7 @@ bool cutter_comp_stop(struct interp *interp)
 		return true;
 	if (comp->looks_ahead && (comp->starting || code == 0 || code == 1))
 		return fault(&interp->at, code == CODE_NONE ? 1 : interp->block.m_column[M_STOP],
-			     "the program stops under cutter compensation: where the tool waits depends on the control; G40 first");
+			     "the program stops under cutter compensation: where the tool waits depends on the "
+			     "control; G40 first");
 	return comp_send_to(interp, comp->current);
 }

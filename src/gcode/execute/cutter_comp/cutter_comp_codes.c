@@ -30,8 +30,8 @@ static bool find_radius(struct interp *interp, double *radius)
 }
 
 /*
- * Fanuc B-64484EN, "Cutter compensation": D is the number of an offset, 0 is none, and D is modal. Haas, "D Code": the same.
- * Whether the table holds the whole radius of a tool or its wear alone is known of the setup only.
+ * Fanuc B-64484EN, "Cutter compensation": D is the number of an offset, 0 is none, and D is modal. Haas,
+ * "D Code": the same. Whether the table holds the whole radius of a tool or its wear alone is known of the setup only.
  */
 static bool find_radius_in_table(struct interp *interp, double *radius)
 {
@@ -47,10 +47,12 @@ static bool find_radius_in_table(struct interp *interp, double *radius)
 		return true;
 	offset = tool_table_radius(&interp->tools, number);
 	if (!offset)
-		return fault(&interp->at, column,
-			     "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the tool's whole "
-			     "radius if the program has the part's contour, its wear (or 0) if it has the path of the tool's "
-			     "centre", number, number);
+		return fault(
+		    &interp->at, column,
+		    "D%d: the setup has no such radius; add <offset number=\"%d\" radius=\"\"/>: the tool's whole "
+		    "radius if the program has the part's contour, its wear (or 0) if it has the path of the tool's "
+		    "centre",
+		    number, number);
 	*radius = offset->radius;
 	return true;
 }
@@ -74,15 +76,19 @@ static bool switch_on_ahead(struct interp *interp)
 	if (comp->side == side && same_double(comp->radius, fabs(radius)))
 		return true;
 	if (comp->side != 0)
-		return fault(&interp->at, column, "another side or radius of cutter compensation while it is on; G40 first");
+		return fault(&interp->at, column,
+			     "another side or radius of cutter compensation while it is on; G40 first");
 	if (state->tcp != TCP_OFF)
-		return fault(&interp->at, column, "cutter compensation under tool centre point control is not supported");
+		return fault(&interp->at, column,
+			     "cutter compensation under tool centre point control is not supported");
 	if (!moves && traits_of(interp)->comp_waits != ANSWER_YES &&
 	    interp->config->controller.comp_start == COMP_START_UNKNOWN)
-		return fault(&interp->at, column,
-			     "G%d in a block that does not move in the plane: whether the tool goes aside at once depends on a "
-			     "parameter of the control; cutter_comp_start=\"A\" or \"B\" of the machine's <controller> says "
-			     "that it waits for the next move", block->g[G_CUTTER] / 10);
+		return fault(
+		    &interp->at, column,
+		    "G%d in a block that does not move in the plane: whether the tool goes aside at once depends on a "
+		    "parameter of the control; cutter_comp_start=\"A\" or \"B\" of the machine's <controller> says "
+		    "that it waits for the next move",
+		    block->g[G_CUTTER] / 10);
 	comp->side = side;
 	comp->radius = fabs(radius);
 	comp->entered = comp->starting = comp->leaving = comp->moved = false;
@@ -103,7 +109,8 @@ bool cutter_comp_take_number(struct interp *interp)
 	if (!block_integer(block, &interp->at, 'D', 0, 1000000, &number))
 		return false;
 	if (comp->side != 0 && number != comp->number)
-		return fault(&interp->at, block_column(block, 'D'), "another D while cutter compensation is on; G40 first");
+		return fault(&interp->at, block_column(block, 'D'),
+			     "another D while cutter compensation is on; G40 first");
 	comp->number = number;
 	return true;
 }
@@ -173,9 +180,10 @@ static bool check_loose(struct interp *interp)
 
 	for (int slot = SLOT_X; slot <= SLOT_Z && block->g[G_NONMODAL] == G92; slot++) {
 		if (interp->comp.loose[slot] > 0)
-			return fault(&interp->at, block->g_column[G_NONMODAL],
-				     "G92 after G40 and before %c has moved: where the axis stands depends on the control",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, block->g_column[G_NONMODAL],
+			    "G92 after G40 and before %c has moved: where the axis stands depends on the control",
+			    AXIS_LETTERS[slot]);
 	}
 	return true;
 }
