@@ -41,7 +41,7 @@ export function duration(seconds) {
 	if (round < 60) return `${fixed(round, 3)} s`;
 	const minutes = Math.floor(round / 60);
 	if (minutes < 60) return `${minutes} min ${fixed(round - 60 * minutes, 1)} s`;
-	return `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+	return `${Math.floor(minutes / 60)} h ${minutes % 60} min ${Math.floor(round - 60 * minutes)} s`;
 }
 
 /** 1,234,567. @param {number} n */

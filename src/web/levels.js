@@ -42,6 +42,7 @@ export class Levels {
 		this.head = head;
 		this.fetchBlob = fetchBlob;
 		this.coarse = coarse;
+		this.ends = Float64Array.from(head.chunks, (chunk) => chunk.to);
 		/** In the order of use. @type {Map<number, Columns>} */
 		this.ready = new Map();
 		/** @type {Map<number, Promise<Columns>>} */
@@ -61,7 +62,7 @@ export class Levels {
 	/** The chunks with a row at or around a time: none, one or two neighbours. @param {number} time */
 	around(time) {
 		const {chunks} = this.head;
-		const next = lowerBound(Float64Array.from(chunks, (chunk) => chunk.to), time);
+		const next = lowerBound(this.ends, time);
 		const chunk = chunks[next];
 		if (!chunk) return [];
 		if (time > chunk.from) return [next];

@@ -20,7 +20,12 @@ export class ProgramView {
 		this.list = h('div.code', {tabindex: 0, role: 'group', 'aria-label': 'Lines of the program; arrow keys go from block to block'}, this.space, this.rows);
 		this.files = /** @type {HTMLSelectElement} */ (h('select', {'aria-label': 'File', onchange: () => this.open(this.files.selectedIndex)}));
 		this.note = h('p.note', {role: 'status'});
-		this.element = h('div.program', {}, h('div.program-head', {}, this.files, this.note), this.list);
+		const picker = /** @type {HTMLInputElement} */ (h('input', {type: 'file', hidden: true, onchange: () => {
+			if (picker.files?.[0]) this.take(picker.files[0]);
+			picker.value = '';
+		}}));
+		this.opener = h('button', {hidden: true, onclick: () => picker.click()}, 'Open the program file');
+		this.element = h('div.program', {}, h('div.program-head', {}, this.files, this.note, this.opener, picker), this.list);
 		this.first = 0;
 		/** Findings of a line. @type {Map<number, number>} */
 		this.found = new Map();
@@ -92,7 +97,9 @@ export class ProgramView {
 		const source = this.source();
 		const known = source ? source.windows.reduce((sum, window) => sum + window.lines.length, 0) : 0;
 		const why = known ? 'This report has the lines around the findings.' : 'This report has no program text.';
-		this.note.textContent = source && known < source.lines ? `${why} Drop the program file on this page to read all of it: its SHA-256 is compared.` : '';
+		const missing = source && (known < source.lines || !known);
+		this.note.textContent = missing ? `${why} Open the program file, or drop it on this page, to read all of it: its SHA-256 is compared.` : '';
+		this.opener.hidden = !missing;
 	}
 
 	/** @param {number} line @returns {string|null} null: not at hand */

@@ -128,7 +128,7 @@ export class Timeline {
 		const time = this.time(x);
 		const {clearance, pairs, bodies} = this.model;
 		let text = duration(Math.max(0, time));
-		if (clearance) {
+		if (clearance && time <= clearance.times[clearance.times.length - 1]) {
 			const i = leastOf(clearance, time);
 			if (i >= 0) {
 				const pair = pairs[clearance.pair[i]];
@@ -218,7 +218,8 @@ export class Timeline {
 		}
 		pen.stroke();
 		pen.fillStyle = cssColour('muted');
-		pen.fillText('not checked: the check ended at the first finding', left + 8, tall / 2);
+		const text = 'not checked: the check ended at the first finding';
+		pen.fillText(right - left > pen.measureText(text).width + 12 ? text : 'not checked', left + 8, tall / 2);
 		pen.restore();
 	}
 
@@ -230,7 +231,8 @@ export class Timeline {
 			pen.fillText('clearance not measured', 6, (top + bottom) / 2);
 			return;
 		}
-		const w = this.width();
+		// What was not checked has no clearance.
+		const w = Math.min(this.width(), this.x(clearance.times[clearance.times.length - 1]));
 		const y = (/** @type {number} */ mm) => bottom - (bottom - top) * Math.min(1, mm / clearance.cap);
 		pen.fillStyle = cssColour('clearance-fill');
 		pen.strokeStyle = cssColour('clearance');
