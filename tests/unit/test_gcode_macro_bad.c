@@ -27,7 +27,12 @@ static const struct {
 	{BOTH, "#1=TAB[1]\n", "p.nc:1:4: error: a value is needed here\n    #1=TAB[1]\n       ^\n"},
 	{BOTH, "#1=SIN 30\n", "p.nc:1:8: error: SIN needs a value in brackets, [...]\n    #1=SIN 30\n           ^\n"},
 	{BOTH, "##1=1\n", "p.nc:1:1: error: ## is not allowed; write #[#...]\n    ##1=1\n    ^\n"},
-	{BOTH, "#<a>=1\n", "p.nc:1:1: error: variables with names are not supported yet\n    #<a>=1\n    ^\n"},
+	{F, "#<a>=1\n",
+	 "p.nc:1: warning: this looks like a program for LinuxCNC (#<name>), but it is read in the fanuc dialect\n"
+	 "p.nc:1:1: error: variables with names are not supported yet\n    #<a>=1\n    ^\n"},
+	{H, "#<a>=1\n",
+	 "p.nc:1: warning: this looks like a program for LinuxCNC (#<name>), but it is read in the haas dialect\n"
+	 "p.nc:1:1: error: variables with names are not supported yet\n    #<a>=1\n    ^\n"},
 	{BOTH, "#1.5=1\n",
 	 "p.nc:1:1: error: # needs the number of a variable, or an expression in brackets\n    #1.5=1\n    ^\n"},
 	{BOTH, "#[1.5]=1\n", "p.nc:1:1: error: # needs a whole number that is not negative\n    #[1.5]=1\n    ^\n"},
