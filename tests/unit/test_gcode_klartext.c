@@ -80,8 +80,8 @@ static const struct program parameters[] = {
 	 "rapid 5 -5 0 0 0\n"},
 	{"Q1=+2.5\n",
 	 ""},
-	{"FN 0: Q5 = +60\nFN 1: Q1 = -Q5 + +5\nFN 2: Q2 = +10 - +5\nFN 3: Q3 = +3 * +3\nFN 4: Q4 = +8 DIV +Q2\n"
-	 "L X+Q1 Y+Q2 Z+Q3 FMAX\nL X+Q4 FMAX\n",
+	{"FN 0: Q5 = +60\nFN 1: Q1 = -Q5 + +5\nFN 2: Q2 = +10 - +5\nFN 3: Q3 = +3 * +3\n"
+	 "FN 4: Q4 = +8 DIV +Q2\nL X+Q1 Y+Q2 Z+Q3 FMAX\nL X+Q4 FMAX\n",
 	 "rapid -55 5 9 0 0\nrapid 1.6 5 9 0 0\n"},
 	{"FN 5: Q20 = SQRT 4\nFN 6: Q21 = SIN 30\nFN 7: Q22 = COS 60\nFN 8: Q23 = +3 LEN +4\n"
 	 "FN 13: Q24 = +10 ANG +10\nL X+Q20 Y+Q21 Z+Q22 FMAX\nL X+Q23 Y+Q24 FMAX\n",
@@ -125,7 +125,8 @@ static const struct program flow[] = {
 	{"LBL 1\nL IX+1 FMAX\nCALL LBL 1 REP 2/2\nL Y+1 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 3 1 0 0 0\n"},
 	{"LBL 1\nLBL 2\nL IX+1 FMAX\nCALL LBL 2 REP 1\nL IY+1 FMAX\nCALL LBL 1 REP 1\n",
-	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\nrapid 4 1 0 0 0\nrapid 4 2 0 0 0\n"},
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\nrapid 4 1 0 0 0\n"
+	 "rapid 4 2 0 0 0\n"},
 	{"CALL LBL \"UP\"\nM2\nLBL \"UP\"\nL IZ+5 FMAX\nLBL 0\n",
 	 "rapid 0 0 5 0 0\n"},
 	{"Q1=0\nLBL 5\nQ1 = Q1 + 1\nL X+Q1 FMAX\nFN 12: IF +Q1 LT +3 GOTO LBL 5\n",
@@ -223,7 +224,8 @@ START_TEST(presets)
 	klartext_case(&c);
 	c.config.work_offset_count = 2;
 	ck_assert(!klartext_run(&c, "L X+1 FMAX\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "the setup has 2 presets, and the program does not say"));
+	ck_assert_ptr_nonnull(
+	    strstr(strbuf_text(&c.messages), "the setup has 2 presets, and the program does not say"));
 	case_release(&c);
 }
 END_TEST
@@ -245,7 +247,8 @@ START_TEST(rotary_ways)
 	case_release(&c);
 	klartext_case(&c);
 	ck_assert(klartext_run(&c, "M126\nL C+350 FMAX\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: M126 is in force, but C counts as a plain number"));
+	ck_assert_ptr_nonnull(
+	    strstr(strbuf_text(&c.messages), "warning: M126 is in force, but C counts as a plain number"));
 	case_release(&c);
 	klartext_case(&c);
 	c.config.wrap[SLOT_C] = WRAP_SIGN;
@@ -317,12 +320,13 @@ START_TEST(block_limit)
 	klartext_case(&c);
 	c.config.read.max_blocks = 50;
 	ck_assert(!klartext_run(&c, "LBL 1\nL X+1 FMAX\nFN 9: IF 1 EQU 1 GOTO LBL 1\n"));
-	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "50 blocks of loops and subprograms have been carried out"));
+	ck_assert_ptr_nonnull(
+	    strstr(strbuf_text(&c.messages), "50 blocks of loops and subprograms have been carried out"));
 	case_release(&c);
 }
 END_TEST
 
-/* The next line is outside of what the reader has buffered: RND is found all the same, and the line stays as it is. */
+/* The next line is not in the reader's buffer: RND is found all the same, and the line in hand stays as it is. */
 START_TEST(long_program)
 {
 	struct strbuf text = {0}, moves = {0};

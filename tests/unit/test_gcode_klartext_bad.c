@@ -20,16 +20,18 @@ static const struct {
 	{"L Q5 FMAX\n",
 	 "p.nc:2:3: error: this is no word of a positioning block"},
 	{"L X+Q5 FMAX\n",
-	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one, and what the control still holds from "
-	 "before is not known"},
+	 "p.nc:2:5: error: Q5 has no value: the program has not assigned one, and what the control "
+	 "still holds from before is not known"},
 	{"L X+Q2000 FMAX\n",
 	 "p.nc:2:5: error: Q parameters go from Q0 to Q1999"},
 	{"L X+QL500 FMAX\n",
 	 "p.nc:2:5: error: Q parameters go from QL0 to QL499"},
 	{"L X+1 RL FMAX\n",
-	 "p.nc:2:7: error: RL: radius compensation is not supported yet; post the path of the tool's centre with R0"},
+	 "p.nc:2:7: error: RL: radius compensation is not supported yet; post the path of the tool's "
+	 "centre with R0"},
 	{"L X+1 RR F100\n",
-	 "p.nc:2:7: error: RR: radius compensation is not supported yet; post the path of the tool's centre with R0"},
+	 "p.nc:2:7: error: RR: radius compensation is not supported yet; post the path of the tool's "
+	 "centre with R0"},
 	{"L X+1 R+ F100\n",
 	 "p.nc:2:7: error: R+: the radius compensation of a single axis is not supported yet"},
 	{"L X+1 FMAX F100\n",
@@ -45,10 +47,11 @@ static const struct {
 	{"L X+1 FMAX M1 M3 M8 M9 M5 M13 M14 M4 M57\n",
 	 "p.nc:2:38: error: a block can have at most 8 M-functions"},
 	{"L X+1 FMAX M58\n",
-	 "p.nc:2:12: error: M58 is not known; if it moves no axis, <mcode number=\"58\" action=\"ignore\"/> in the "
-	 "machine's <controller> says so"},
+	 "p.nc:2:12: error: M58 is not known; if it moves no axis, <mcode number=\"58\" "
+	 "action=\"ignore\"/> in the machine's <controller> says so"},
 	{"L X+1 FMAX M92\n",
-	 "p.nc:2:12: error: M92: coordinates from a point that the builder of the machine has set is not supported yet"},
+	 "p.nc:2:12: error: M92: coordinates from a point that the builder of the machine has set is "
+	 "not supported yet"},
 	{"L X+1 FMAX M101\n",
 	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet"},
 	{"L X+1 FU0.1\n",
@@ -140,8 +143,8 @@ static const struct {
 	{"QS1 = \"A\"\n",
 	 "p.nc:2:1: error: strings (QS) are not supported yet"},
 	{"Q1 = Q2\n",
-	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one, and what the control still holds from "
-	 "before is not known"},
+	 "p.nc:2:6: error: Q2 has no value: the program has not assigned one, and what the control "
+	 "still holds from before is not known"},
 	{"Q1 = -8 ^ 0.5\n",
 	 "p.nc:2:9: error: a negative number to a power that is not whole"},
 	{"Q1 = -5 % 3\n",
@@ -161,7 +164,8 @@ static const struct {
 	{"FN 14: ERROR = 1000\n",
 	 "p.nc:2:4: error: FN 14 stops the program here with an error of its own"},
 	{"FN 18: SYSREAD Q1 = ID50\n",
-	 "p.nc:2:4: error: FN 18 reads data of the control, which is not known here; give the value by FN 0"},
+	 "p.nc:2:4: error: FN 18 reads data of the control, which is not known here; give the value by "
+	 "FN 0"},
 	{"FN 20: WAIT FOR I5==1\n",
 	 "p.nc:2:4: error: FN 20: what the machine's PLC does is not known here"},
 	{"FN 26: TABOPEN X\n",
@@ -169,10 +173,11 @@ static const struct {
 	{"FN 99: Q1 = 1\n",
 	 "p.nc:2:4: error: FN 99 is not supported yet"},
 	{"TOOL CALL 9 Z\n",
-	 "p.nc:2:11: error: the setup defines no tool T9: add <tool number=\"9\" length=\"\"/> with what it is made of"},
+	 "p.nc:2:11: error: the setup defines no tool T9: add <tool number=\"9\" length=\"\"/> with "
+	 "what it is made of"},
 	{"TOOL CALL \"NONE\" Z\n",
-	 "p.nc:2:11: error: the setup defines no tool named \"NONE\": add <tool number=\"\" name=\"NONE\" "
-	 "length=\"\"/> with what it is made of"},
+	 "p.nc:2:11: error: the setup defines no tool named \"NONE\": add <tool number=\"\" "
+	 "name=\"NONE\" length=\"\"/> with what it is made of"},
 	{"TOOL CALL \"TWIN\" Z\n",
 	 "p.nc:2:11: error: the setup has two tools named \"TWIN\", T3 and T4"},
 	{"TOOL CALL 1 Y\n",
@@ -182,8 +187,8 @@ static const struct {
 	{"TOOL CALL 1 Z Q\n",
 	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, DL, DR and DR2"},
 	{"TOOL DEF 1 L50\n",
-	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them the control "
-	 "takes depends on whether its tool table is active; make them agree, or leave L out"},
+	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them "
+	 "the control takes depends on whether its tool table is active; make them agree, or leave L out"},
 	{"TOOL DEF 1 X50\n",
 	 "p.nc:2:12: error: TOOL DEF has a number, L and R"},
 	{"TOOL FOO\n",
@@ -191,8 +196,8 @@ static const struct {
 	{"M6\n",
 	 "p.nc:2:1: error: M6, but no TOOL CALL has named a tool"},
 	{"TOOL CALL 1 Z\nL X+1 FMAX\nM6\n",
-	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: which of them changes the tool, and which tool "
-	 "has moved, is not known; write M6 behind TOOL CALL"},
+	 "p.nc:4:1: error: axes have moved between TOOL CALL and M6: which of them changes the tool, "
+	 "and which tool has moved, is not known; write M6 behind TOOL CALL"},
 	{"L M128\nTOOL CALL 1 Z\n",
 	 "p.nc:3:11: error: TOOL CALL while M128 is in force: the manual wants M129 first"},
 	{"F100\nC X+1 Y+1 DR+\n",
@@ -208,7 +213,8 @@ static const struct {
 	{"L X+5 F100\nCC X+0 Y+0\nC X+0 Y+5 DR+ FMAX\n",
 	 "p.nc:4:15: error: a circle cannot be moved at FMAX; it needs F"},
 	{"CC X+0 Y+0 Z+0\n",
-	 "p.nc:2:4: error: CC with X, Y and Z: two of them say in which plane the circle lies; leave the third out"},
+	 "p.nc:2:4: error: CC with X, Y and Z: two of them say in which plane the circle lies; leave "
+	 "the third out"},
 	{"CC X+0 F100\n",
 	 "p.nc:2:4: error: CC has coordinates of X, Y and Z alone"},
 	{"F100\nCR X+10 Y+0 R4 DR+\n",
@@ -218,7 +224,8 @@ static const struct {
 	{"F100\nCR X+1 Y+0 DR+\n",
 	 "p.nc:3:4: error: CR needs its radius in R"},
 	{"F100\nCT X+5\n",
-	 "p.nc:3:4: error: CT needs a path block before it that moves in the plane, to start in its direction"},
+	 "p.nc:3:4: error: CT needs a path block before it that moves in the plane, to start in its "
+	 "direction"},
 	{"L X+5 F100\nCT X-5 Y+0\n",
 	 "p.nc:3:4: error: the end of CT lies behind its start: no circle leads there"},
 	{"LP PR+5 PA+0 FMAX\n",
@@ -252,7 +259,8 @@ static const struct {
 	{"F100\nL X+10\nRND\nL Y+10\n",
 	 "p.nc:4:4: error: RND needs its radius in R"},
 	{"F100\nL X+10\nRND R20\nL Y+10\n",
-	 "p.nc:5:1: error: the rounding of 20 mm does not fit between these lines, which are 10 and 10 mm long"},
+	 "p.nc:5:1: error: the rounding of 20 mm does not fit between these lines, which are 10 and 10 "
+	 "mm long"},
 	{"F100\nL X+10\nRND R2\nL X+0\n",
 	 "p.nc:5:1: error: the path goes back the way it has come: there is no corner to cut off"},
 	{"F100\nL X+10\nRND R2\nM30\n",
@@ -274,11 +282,11 @@ static const struct {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 B+5\n",
 	 "p.nc:3:14: error: the machine has no B axis"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\n",
-	 "p.nc:5:14: error: a datum shift while a mirror image, a rotation or a scaling is in force: whether it is "
-	 "turned with them is not known here; shift the datum first"},
+	 "p.nc:5:14: error: a datum shift while a mirror image, a rotation or a scaling is in force: "
+	 "whether it is turned with them is not known here; shift the datum first"},
 	{"CYCL DEF 8.0\nCYCL DEF 8.1 X\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n",
-	 "p.nc:5:10: error: a mirror image and a rotation at a time: their order is not known here; cancel one of "
-	 "them first"},
+	 "p.nc:5:10: error: a mirror image and a rotation at a time: their order is not known here; "
+	 "cancel one of them first"},
 	{"CYCL DEF 8.0\nCYCL DEF 8.1 C\n",
 	 "p.nc:3:14: error: a mirror image of C is not supported yet"},
 	{"CYCL DEF 8.0\nCYCL DEF 8.1 X+5\n",
@@ -286,8 +294,8 @@ static const struct {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 X+5\n",
 	 "p.nc:3:15: error: ROTATION needs ROT and an angle here"},
 	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0.5\n",
-	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too; give the factors of X, Y and Z "
-	 "by CYCL DEF 26"},
+	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too; give the factors "
+	 "of X, Y and Z by CYCL DEF 26"},
 	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0\n",
 	 "p.nc:3:15: error: a scaling factor must be more than 0 and less than 100"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 A2\n",
@@ -295,17 +303,17 @@ static const struct {
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2\nF100\nL X+5\nCC X+0 Y+0\nC X+0 Y+5 DR+\n",
 	 "p.nc:7:3: error: a circle while the factors of its plane's axes differ would be an ellipse"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n",
-	 "p.nc:5:10: error: a rotation and factors that differ in X and Y at a time: their order is not known here; "
-	 "cancel one of them first"},
+	 "p.nc:5:10: error: a rotation and factors that differ in X and Y at a time: their order is not "
+	 "known here; cancel one of them first"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 F1000 ABST50\n",
-	 "p.nc:3:20: error: F and a clearance of CYCL DEF 19 let the control turn the rotary axes itself: that is "
-	 "not supported yet; turn them by Q120 to Q122"},
+	 "p.nc:3:20: error: F and a clearance of CYCL DEF 19 let the control turn the rotary axes "
+	 "itself: that is not supported yet; turn them by Q120 to Q122"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45\nL X+1 FMAX\n",
-	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
-	 "to Q122) is not supported"},
+	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
 	{"CYCL DEF 247 Q339=5\n",
-	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 P5\" X=\"\" "
-	 "Y=\"\" Z=\"\"/> with its values"},
+	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 "
+	 "P5\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
 	{"CYCL DEF 247 Q339=0\n",
 	 "p.nc:2:14: error: presets from 1 to 99 are supported, as G54.1 P1 to P99 of the setup"},
 	{"CYCL DEF 247 Q338=1\n",
@@ -313,8 +321,8 @@ static const struct {
 	{"CYCL DEF 247\nL X+1 FMAX\n",
 	 "p.nc:2:10: error: DATUM SETTING needs Q339, the number of the preset"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 247 Q339=1\n",
-	 "p.nc:4:14: error: a preset while a datum shift, a mirror image, a rotation or a scaling is in force: "
-	 "which of them it cancels is not known here; cancel them first"},
+	 "p.nc:4:14: error: a preset while a datum shift, a mirror image, a rotation or a scaling is in "
+	 "force: which of them it cancels is not known here; cancel them first"},
 	{"CYCL DEF 32.0\nCYCL DEF 32.1 T-1\n",
 	 "p.nc:3:10: error: a path tolerance cannot be negative"},
 	{"CYCL DEF 9.0\nCYCL DEF 9.1 DWELL -1\n",
@@ -334,8 +342,8 @@ static const struct {
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN FMAX HELLO\n",
 	 "p.nc:2:43: error: this is no word of PLANE"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX SEQ-\n",
-	 "p.nc:2:7: error: no position of the rotary axes within their limits has the tool stand on this plane with "
-	 "this SEQ"},
+	 "p.nc:2:7: error: no position of the rotary axes within their limits has the tool stand on "
+	 "this plane with this SEQ"},
 	{"PLANE PROJECTED PROPR+5 PROMIN+5 ROT+0 TURN FMAX\n",
 	 "p.nc:2:7: error: PLANE PROJECTED is not supported yet: write the plane as PLANE SPATIAL"},
 	{"PLANE AXIAL A+5 STAY\n",
@@ -345,18 +353,20 @@ static const struct {
 	{"PLANE VECTOR BX+0 BY+0 BZ+0 NX+0 NY+0 NZ+1 TURN FMAX\n",
 	 "p.nc:2:14: error: a vector of length 0 has no direction"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\n",
-	 "p.nc:2:7: error: any angle of C suits this plane: write COORD ROT, which turns the coordinates alone"},
+	 "p.nc:2:7: error: any angle of C suits this plane: write COORD ROT, which turns the "
+	 "coordinates alone"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX TABLE ROT\n",
-	 "p.nc:2:7: error: TABLE ROT where any angle of C suits the plane is not supported yet; write COORD ROT"},
+	 "p.nc:2:7: error: TABLE ROT where any angle of C suits the plane is not supported yet; write "
+	 "COORD ROT"},
 	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",
-	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control leaves it there "
-	 "is not known here; turn C to 0 in a block before"},
+	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control "
+	 "leaves it there is not known here; turn C to 0 in a block before"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL X+1 FMAX\n",
-	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
-	 "to Q122) is not supported"},
+	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL A+30 X+1 FMAX\n",
-	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
-	 "to Q122) is not supported"},
+	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL M128\n",
 	 "p.nc:3:3: error: M128 before the rotary axes stand where PLANE ... STAY needs them"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL A+5 FMAX\n",
@@ -365,17 +375,18 @@ static const struct {
 	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first"},
 	{"L M128\nPLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\n",
 	 "p.nc:3:7: error: PLANE while M128 is in force is not supported; M129 first"},
-	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nPLANE RESET STAY\n",
-	 "p.nc:5:7: error: PLANE while a mirror image, a rotation, a scaling or a shift of tilted coordinates is in "
-	 "force: cancel it first, the last one first"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n"
+	 "PLANE RESET STAY\n",
+	 "p.nc:5:7: error: PLANE while a mirror image, a rotation, a scaling or a shift of tilted "
+	 "coordinates is in force: cancel it first, the last one first"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 247 Q339=1\nL X+1 FMAX\n",
-	 "p.nc:4:3: error: CYCL DEF 247 has selected a preset in a tilted plane: whether the plane stays tilted is "
-	 "not known here; write PLANE RESET first"},
+	 "p.nc:4:3: error: CYCL DEF 247 has selected a preset in a tilted plane: whether the plane "
+	 "stays tilted is not known here; write PLANE RESET first"},
 	{"PLANE RELATIVE A+5 TURN FMAX\n",
 	 "p.nc:2:16: error: PLANE RELATIVE needs SPA, SPB or SPC"},
 	{"L C+270 FMAX\nPLANE RESET TURN FMAX\n",
-	 "p.nc:3:7: error: whether PLANE RESET turns C to 0 or to a whole turn is not known here; turn it in a "
-	 "block before"},
+	 "p.nc:3:7: error: whether PLANE RESET turns C to 0 or to a whole turn is not known here; turn "
+	 "it in a block before"},
 	{"M128\nL X+1 FMAX M91\n",
 	 "p.nc:3:12: error: M91 while M128 is in force: the manual wants M129 first"},
 	{"M140\n",
@@ -405,11 +416,11 @@ static const struct {
 	{"FUNCTION TCPM F FOO\n",
 	 "p.nc:2:15: error: F of TCPM is TCP or CONT"},
 	{"LN X+1 NX+0 NY+0 NZ+1 TX+0 TY+0 TZ+1 F100\n",
-	 "p.nc:2:4: error: TX, TY, TZ: a direction of the tool is not supported yet; post the positions of the "
-	 "rotary axes"},
+	 "p.nc:2:4: error: TX, TY, TZ: a direction of the tool is not supported yet; post the positions "
+	 "of the rotary axes"},
 	{"TOOL CALL 1 Z DL+1\nLN X+1 NX+0 NY+0 NZ+1 F100\n",
-	 "p.nc:3:4: error: LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional "
-	 "compensation is not supported yet"},
+	 "p.nc:3:4: error: LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): "
+	 "three-dimensional compensation is not supported yet"},
 	{"LN X+1 NQ+0 F100\n",
 	 "p.nc:2:8: error: NX, NY or NZ is needed here"},
 	{"M99\n",
@@ -441,20 +452,21 @@ static const struct {
 	{"CYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 207 without a spindle speed (S)"},
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
-	 "p.nc:3:1: error: Q343=1: a centring by its diameter needs the point angle of the tool; give its depth in "
-	 "Q201"},
+	 "p.nc:3:1: error: Q343=1: a centring by its diameter needs the point angle of the tool; give "
+	 "its depth in Q201"},
 	{"CYCL DEF 208 BORE MILLING\n",
 	 "p.nc:2:10: error: CYCL DEF 208: bore milling is not supported yet"},
 	{"CYCL DEF 220 POLAR PATTERN\n",
 	 "p.nc:2:10: error: CYCL DEF 220: a pattern of holes on a circle is not supported yet"},
 	{"CYCL DEF 251 RECTANGULAR POCKET\n",
-	 "p.nc:2:10: error: CYCL DEF 251 is not known: it may be a cycle of the machine's builder, whose moves a "
-	 "checker cannot know"},
+	 "p.nc:2:10: error: CYCL DEF 251 is not known: it may be a cycle of the machine's builder, "
+	 "whose moves a checker cannot know"},
 	{"CYCL DEF 413 DATUM\n",
-	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the program runs"},
+	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the "
+	 "program runs"},
 	{"CYCL DEF 385 OEM\n",
-	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder, whose moves a "
-	 "checker cannot know"},
+	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder, "
+	 "whose moves a checker cannot know"},
 	{"CYCL DEF X\n",
 	 "p.nc:2:10: error: CYCL DEF needs the number of a cycle"},
 	{"CYCL FOO\n",
@@ -491,30 +503,35 @@ static const struct {
 	 "p.nc:4:1: error: the set-up clearance of CYCL DEF 1 cannot be negative"},
 	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.2 DEPTH 2\nM99\n",
 	 "p.nc:4:1: error: the depth of CYCL DEF 1 is above the surface"},
-	{"Q1=0\nLBL 2\nQ1=Q1+1\nLBL 1\nFN 9: IF +Q1 EQU +2 GOTO LBL 2\nFN 9: IF +Q1 EQU +1 GOTO LBL 4\nLBL 4\n"
-	 "Q1=Q1+0.5\nCALL LBL 1 REP 2\nL X+1 FMAX\nLBL 3\nL X+1 FMAX\n",
-	 "p.nc:10:10: error: a jump has left this program section before its repeats were done: whether they are "
-	 "counted anew is not known here"},
+	{"Q1=0\nLBL 2\nQ1=Q1+1\nLBL 1\nFN 9: IF +Q1 EQU +2 GOTO LBL 2\nFN 9: IF +Q1 EQU +1 GOTO LBL 4\n"
+	 "LBL 4\nQ1=Q1+0.5\nCALL LBL 1 REP 2\nL X+1 FMAX\nLBL 3\nL X+1 FMAX\n",
+	 "p.nc:10:10: error: a jump has left this program section before its repeats were done: whether "
+	 "they are counted anew is not known here"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL C+360 FMAX\n",
 	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first, or M128"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL M128\nL A+10 FMAX\nM129\nL X+1 FMAX\n",
-	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 "
-	 "to Q122) is not supported"},
+	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
-	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
-	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
 	{"M140 MB50\nL IZ-1 FMAX\n",
-	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not programmed in "
-	 "them: from where the control counts is not known here; give Z as an absolute coordinate first"},
+	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give Z as an absolute "
+	 "coordinate first"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC IX+5 IY+0\n",
-	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not programmed in "
-	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC\n",
-	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not programmed in "
-	 "them: from where the control counts is not known here; give X as an absolute coordinate first"},
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
 	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nLP IPR+5 PA+0 FMAX\n",
-	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not programmed in "
-	 "them: from where the control counts is not known here; give Y as an absolute coordinate first"},
+	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
+	 "coordinate first"},
 };
 
 START_TEST(fault_table)
@@ -526,7 +543,8 @@ START_TEST(fault_table)
 	klartext_case(&c);
 	ck_assert_msg(!klartext_run(&c, faults[_i].blocks), "%s passes", faults[_i].blocks);
 	said = strbuf_text(&c.messages);
-	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks, said);
+	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks,
+		      said);
 	ck_assert_uint_eq(c.diag.errors, 1);
 	case_release(&c);
 }

@@ -1,4 +1,4 @@
-/* test_gcode_klartext_path.c - Klartext: circles, corners, coordinates, tilted planes, cycles, by hand and closed forms. */
+/* test_gcode_klartext_path.c - Klartext: circles, corners, coordinates, planes, cycles, by hand and closed forms. */
 #include "klartext_case.h"
 
 struct program {
@@ -60,7 +60,8 @@ static const struct program circles[] = {
 	{"F100\nL X+10\nRND R2\nL Y+10\n",
 	 "feed 8 0 0 0 0\narc 10 2 0 0 0 centre 8 2 0 normal 0 0 1 sweep 90\nfeed 10 10 0 0 0\n"},
 	{"F100\nL X+10\nRND R2 F50\nL Y-10\nL X+0\n",
-	 "feed 8 0 0 0 0\narc 10 -2 0 0 0 centre 8 -2 0 normal 0 0 1 sweep -90\nfeed 10 -10 0 0 0\nfeed 0 -10 0 0 0\n"},
+	 "feed 8 0 0 0 0\narc 10 -2 0 0 0 centre 8 -2 0 normal 0 0 1 sweep -90\nfeed 10 -10 0 0 0\n"
+	 "feed 0 -10 0 0 0\n"},
 	{"F100\nL X+10\nCHF 2\nL Y+10\n",
 	 "feed 8 0 0 0 0\nfeed 10 2 0 0 0\nfeed 10 10 0 0 0\n"},
 	{"F100\nL X+10\n5 RND R2\nL Y+10\nRND R3\nL X+0\n",
@@ -72,24 +73,26 @@ static const struct program circles[] = {
 
 /* CYCL DEF 7, 8, 9, 10, 11, 13, 19, 26, 32. */
 static const struct program frames[] = {
-	{"CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20\nCYCL DEF 7.3 Z-5\nL X+1 Y+1 Z+1 FMAX\n",
+	{"CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20\nCYCL DEF 7.3 Z-5\n"
+	 "L X+1 Y+1 Z+1 FMAX\n",
 	 "rapid 11 21 -4 0 0\n"},
-	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 IX+5\nL X+0 FMAX\nCYCL DEF 7.0\n"
-	 "CYCL DEF 7.1 X+0\nL X+0 FMAX\n",
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 IX+5\nL X+0 FMAX\n"
+	 "CYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL X+0 FMAX\n",
 	 "rapid 10 0 0 0 0\nrapid 15 0 0 0 0\nrapid 0 0 0 0 0\n"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+30\nL C+10 FMAX\n",
 	 "rapid 0 0 0 0 40\n"},
-	{"CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 X\nL X+1 Y+2 FMAX\nCYCL DEF 8.0\nCYCL DEF 8.1\nL X+1 Y+2 FMAX\n",
+	{"CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 X\nL X+1 Y+2 FMAX\nCYCL DEF 8.0\nCYCL DEF 8.1\n"
+	 "L X+1 Y+2 FMAX\n",
 	 "rapid -1 2 0 0 0\nrapid 1 2 0 0 0\n"},
 	{"CYCL DEF 8.0\nCYCL DEF 8.1 X Y\nL X+1 Y+2 FMAX\n",
 	 "rapid -1 -2 0 0 0\n"},
 	{"CYCL DEF 8.0\nCYCL DEF 8.1 X\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed -10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep -90\n"},
-	{"CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+1 Y+2 FMAX\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+0\n"
-	 "L X+1 Y+2 FMAX\n",
+	{"CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+1 Y+2 FMAX\nCYCL DEF 10.0\n"
+	 "CYCL DEF 10.1 ROT+0\nL X+1 Y+2 FMAX\n",
 	 "rapid -2 1 0 0 0\nrapid 1 2 0 0 0\n"},
-	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+1 Y+2 FMAX\nCYCL DEF 10.0\n"
-	 "CYCL DEF 10.1 IROT+90\nL X+1 Y+2 FMAX\n",
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+1 Y+2 FMAX\n"
+	 "CYCL DEF 10.0\nCYCL DEF 10.1 IROT+90\nL X+1 Y+2 FMAX\n",
 	 "rapid 8 1 0 0 0\nrapid 9 -2 0 0 0\n"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 0 10 0 0 0\narc -10 0 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
@@ -101,8 +104,8 @@ static const struct program frames[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2 Z2\nL X+10 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 20 0 0 0 0\narc 0 20 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
-	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nL IX+1 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\nL X+2 IY+1 FMAX\n"
-	 "L IX+1 FMAX\n",
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nL IX+1 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
+	 "L X+2 IY+1 FMAX\nL IX+1 FMAX\n",
 	 "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\n"},
 	{"CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 V.ZEIT 1.5\n",
 	 "dwell 1.5\n"},
@@ -116,17 +119,20 @@ static const struct program frames[] = {
 static const struct program planes[] = {
 	{"Q1 = SGN -4 + SGN 0\nQ2 = LOG 1000\nQ3 = LN EXP 2\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
 	 "rapid -1 3 2 0 0\n"},
-	{"CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA0.5\nL X+1 FMAX\nCYCL DEF 32.0\n"
-	 "CYCL DEF 32.1\nL X+2 FMAX\n",
+	{"CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA0.5\nL X+1 FMAX\n"
+	 "CYCL DEF 32.0\nCYCL DEF 32.1\nL X+2 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
-	{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\nL X+1 FMAX\n",
+	{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\n"
+	 "L X+1 FMAX\n",
 	 "rapid 1 0 0 0 0\n"},
-	{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A-90 B+0 C+0\nL A+Q120 C+Q122 FMAX\nL X+1 Y+2 Z+3 FMAX\n"
-	 "CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\nL Z+9 FMAX\n",
+	{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A-90 B+0 C+0\nL A+Q120 C+Q122 FMAX\n"
+	 "L X+1 Y+2 Z+3 FMAX\nCYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+0\nCYCL DEF 19.0\nCYCL DEF 19.1\n"
+	 "L Z+9 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"
 	 "tcp off length 0 zero A0 C0\nrapid 1 3 9 90 0\n"},
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
-	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
+	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 8.66025404 -5 30 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 STAY\nL A+Q120 C+Q122 FMAX\nL X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN F1000\nL X+1 Y+2 Z+3 FMAX\nPLANE RESET STAY\nL Z+9 FMAX\n"
@@ -137,9 +143,11 @@ static const struct program planes[] = {
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 0 0 -5 90 0 tcp\n"},
 	{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+0 NY+1 NZ+0 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"},
-	{"PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+10 P2Y+0 P2Z+0 P3X+0 P3Y+0 P3Z-10 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",
+	{"PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+10 P2Y+0 P2Z+0 P3X+0 P3Y+0 P3Z-10 TURN FMAX\n"
+	 "L X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"},
-	{"PLANE SPATIAL SPA-45 SPB+0 SPC+0 TURN FMAX\nPLANE RELATIVE SPA-45 TURN FMAX\nL X+1 Y+2 Z+3 FMAX\n",
+	{"PLANE SPATIAL SPA-45 SPB+0 SPC+0 TURN FMAX\nPLANE RELATIVE SPA-45 TURN FMAX\n"
+	 "L X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 0.707106781 0.707106781\nrapid 0 0 0 45 0\ntcp on length 0 zero A0 C0\n"
 	 "tcp off length 0 zero A0 C0\norient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 1 3 -2 90 0 tcp\n"},
@@ -153,10 +161,11 @@ static const struct program planes[] = {
 	 "arc 0 0 -10 90 0 centre 0 0 0 normal 0 1 0 sweep 90 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nL Z+5 FMAX\nL Z+1 FMAX M91\nL Z+5 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 0 5 0 90 0 tcp\n"
-	 "tcp off length 0 zero A0 C0\nrapid 0 5 1 90 0\ntcp on length 0 zero A0 C0\nrapid 0 5 1 90 0 tcp\n"},
+	 "tcp off length 0 zero A0 C0\nrapid 0 5 1 90 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 5 1 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 MOVE DIST10 FMAX\nL Z+5 FMAX\n",
-	 "orient 0 1 0\ntcp on length 10 zero A0 C0\nrapid 0 0 -10 90 0 tcp\ntcp off length 10 zero A0 C0\n"
-	 "tcp on length 0 zero A0 C0\nrapid 0 5 0 90 0 tcp\n"},
+	 "orient 0 1 0\ntcp on length 10 zero A0 C0\nrapid 0 0 -10 90 0 tcp\n"
+	 "tcp off length 10 zero A0 C0\ntcp on length 0 zero A0 C0\nrapid 0 5 0 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\nL M128\nL X+1 FMAX\nM129\nL X+2 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 1 0 0 90 0 tcp\ntcp on length 0 zero A0 C0\nrapid 2 0 0 90 0 tcp\n"},
@@ -168,10 +177,11 @@ static const struct program planes[] = {
 	{"L M128 F1000\nL X+10 C+90 F500\nL M129\n",
 	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
 	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+10 C+90 F500\nFUNCTION RESET TCPM\nL X+0 FMAX\n",
-	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\nrapid 0 10 0 0 90\n"},
+	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"
+	 "rapid 0 10 0 0 90\n"},
 	{"L X+1 C+10 FMAX M128\nL X+2 FMAX M129\nL X+3 FMAX\n",
-	 "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 10 tcp\nrapid 2 0 0 0 10 tcp\ntcp off length 0 zero A0 C0\n"
-	 "rapid 3 0.347296355 0 0 10\n"},
+	 "tcp on length 0 zero A0 C0\nrapid 1 0 0 0 10 tcp\nrapid 2 0 0 0 10 tcp\n"
+	 "tcp off length 0 zero A0 C0\nrapid 3 0.347296355 0 0 10\n"},
 	{"M126\nL C+170 FMAX\nM127\nL C+10 FMAX\n",
 	 "rapid 0 0 0 0 170\nrapid 0 0 0 0 10\n"},
 	{"M138 A C\nL X+1 FMAX\n",
@@ -194,8 +204,8 @@ static const struct program planes[] = {
 
 /* CYCL DEF 1, 2, 17, 200 to 207, 240, 241, with their calls. */
 static const struct program cycles[] = {
-	{"CYCL DEF 200 DRILLING ~\n Q200=2 ;SET-UP ~\n Q201=-10 ~\n Q206=150 ~\n Q202=5 ~\n Q210=0 ~\n Q203=+0 ~\n"
-	 " Q204=50 ~\n Q211=0.5\nL X+10 Y+20 R0 FMAX M99\n",
+	{"CYCL DEF 200 DRILLING ~\n Q200=2 ;SET-UP ~\n Q201=-10 ~\n Q206=150 ~\n Q202=5 ~\n Q210=0 ~\n"
+	 " Q203=+0 ~\n Q204=50 ~\n Q211=0.5\nL X+10 Y+20 R0 FMAX M99\n",
 	 "rapid 10 20 0 0 0\nrapid 10 20 2 0 0\nfeed 10 20 -5 0 0\nrapid 10 20 2 0 0\nrapid 10 20 -3 0 0\n"
 	 "feed 10 20 -10 0 0\ndwell 0.5\nrapid 10 20 2 0 0\nrapid 10 20 50 0 0\n"},
 	{"CYCL DEF 200 DRILLING\nQ200=2\nQ201=-10\nQ206=150\nQ202=10\nQ210=0\nQ203=+5\nQ204=20\nQ211=0\n"
@@ -204,61 +214,81 @@ static const struct program cycles[] = {
 	 "rapid 20 0 25 0 0\nrapid 20 0 7 0 0\nfeed 20 0 -5 0 0\nrapid 20 0 7 0 0\nrapid 20 0 25 0 0\n"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=1\nL X+1 FMAX\nCYCL CALL M3\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\n"},
-	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M89\nL X+2 FMAX\n"
-	 "L X+3 FMAX M99\nL X+4 FMAX\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\nrapid 1 0 9 0 0\nrapid 2 0 9 0 0\n"
-	 "rapid 2 0 2 0 0\nfeed 2 0 -4 0 0\nrapid 2 0 2 0 0\nrapid 2 0 9 0 0\nrapid 3 0 9 0 0\nrapid 3 0 2 0 0\n"
-	 "feed 3 0 -4 0 0\nrapid 3 0 2 0 0\nrapid 3 0 9 0 0\nrapid 4 0 9 0 0\n"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M89\n"
+	 "L X+2 FMAX\nL X+3 FMAX M99\nL X+4 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\nrapid 1 0 9 0 0\n"
+	 "rapid 2 0 9 0 0\nrapid 2 0 2 0 0\nfeed 2 0 -4 0 0\nrapid 2 0 2 0 0\nrapid 2 0 9 0 0\n"
+	 "rapid 3 0 9 0 0\nrapid 3 0 2 0 0\nfeed 3 0 -4 0 0\nrapid 3 0 2 0 0\nrapid 3 0 9 0 0\n"
+	 "rapid 4 0 9 0 0\n"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=0 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\n"},
-	{"CYCL DEF 201 REAMING Q200=2 Q201=-10 Q206=100 Q211=0.5 Q208=250 Q203=+0 Q204=20\nL X+1 FMAX M99\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -10 0 0\ndwell 0.5\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q211=0 Q208=0 Q203=+0 Q204=20 Q214=1 Q336=0\nL X+1 FMAX M99\n",
+	{"CYCL DEF 201 REAMING Q200=2 Q201=-10 Q206=100 Q211=0.5 Q208=250 Q203=+0 Q204=20\n"
+	 "L X+1 FMAX M99\n",
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -10 0 0\ndwell 0.5\nfeed 1 0 2 0 0\n"
+	 "rapid 1 0 20 0 0\n"},
+	{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q211=0 Q208=0 Q203=+0 Q204=20 Q214=1 Q336=0\n"
+	 "L X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -10 0 0\nrapid 0.8 0 -10 0 0\nfeed 0.8 0 2 0 0\n"
 	 "rapid 0.8 0 20 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q211=0 Q208=0 Q203=+0 Q204=20 Q214=0 Q336=0\nL X+1 FMAX M99\n",
+	{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q211=0 Q208=0 Q203=+0 Q204=20 Q214=0 Q336=0\n"
+	 "L X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -10 0 0\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 203 UNIVERSAL DRILLING Q200=2 Q201=-9 Q206=100 Q202=3 Q210=0 Q203=+0 Q204=20 Q212=0 Q213=2 "
-	 "Q205=0 Q211=0 Q208=500 Q256=0.2\nL X+1 FMAX M99\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 -2.8 0 0\nfeed 1 0 -6 0 0\nrapid 1 0 -5.8 0 0\n"
-	 "feed 1 0 -9 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 205 PECKING Q200=2 Q201=-9 Q206=100 Q202=4 Q203=+0 Q204=20 Q212=1 Q205=2 Q258=0.2 Q259=0.2 "
-	 "Q257=0 Q256=0.2 Q211=0 Q379=0 Q253=750\nL X+1 FMAX M99\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\nrapid 1 0 -2 0 0\nfeed 1 0 -7 0 0\n"
-	 "rapid 1 0 2 0 0\nrapid 1 0 -5 0 0\nfeed 1 0 -9 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
+	{"CYCL DEF 203 UNIVERSAL DRILLING Q200=2 Q201=-9 Q206=100 Q202=3 Q210=0 Q203=+0 Q204=20 Q212=0 "
+	 "Q213=2 Q205=0 Q211=0 Q208=500 Q256=0.2\nL X+1 FMAX M99\n",
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 -2.8 0 0\nfeed 1 0 -6 0 0\n"
+	 "rapid 1 0 -5.8 0 0\nfeed 1 0 -9 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
+	{"CYCL DEF 205 PECKING Q200=2 Q201=-9 Q206=100 Q202=4 Q203=+0 Q204=20 Q212=1 Q205=2 Q258=0.2 "
+	 "Q259=0.2 Q257=0 Q256=0.2 Q211=0 Q379=0 Q253=750\nL X+1 FMAX M99\n",
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nrapid 1 0 2 0 0\nrapid 1 0 -2 0 0\n"
+	 "feed 1 0 -7 0 0\nrapid 1 0 2 0 0\nrapid 1 0 -5 0 0\nfeed 1 0 -9 0 0\nrapid 1 0 2 0 0\n"
+	 "rapid 1 0 20 0 0\n"},
 	{"CYCL DEF 206 TAPPING Q200=2 Q201=-9 Q206=100 Q211=0.25 Q203=+0 Q204=20\nL X+1 FMAX M99\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -9 0 0\ndwell 0.25\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -9 0 0\ndwell 0.25\nfeed 1 0 2 0 0\n"
+	 "rapid 1 0 20 0 0\n"},
 	{"S600\nCYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=20\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -9 0 0\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 240 CENTERING Q200=2 Q343=0 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nL X+1 FMAX M99\n",
-	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -2 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
-	{"CYCL DEF 241 SINGLE-LIP Q200=2 Q201=-20 Q206=100 Q211=0 Q203=+0 Q204=20 Q379=0 Q253=750 Q208=1000\n"
+	{"CYCL DEF 240 CENTERING Q200=2 Q343=0 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\n"
 	 "L X+1 FMAX M99\n",
+	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -2 0 0\nrapid 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
+	{"CYCL DEF 241 SINGLE-LIP Q200=2 Q201=-20 Q206=100 Q211=0 Q203=+0 Q204=20 Q379=0 Q253=750 "
+	 "Q208=1000\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -20 0 0\nfeed 1 0 2 0 0\nrapid 1 0 20 0 0\n"},
 	{"CYCL DEF 204 BACK BORING Q200=2 Q249=0 Q250=20\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\n"},
-	{"L Z+2 FMAX\nCYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 2\nCYCL DEF 1.2 DEPTH -10\nCYCL DEF 1.3 PECKG 6\n"
-	 "CYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F100\nL X+5 FMAX M99\n",
-	 "rapid 0 0 2 0 0\nrapid 5 0 2 0 0\nrapid 5 0 2 0 0\nfeed 5 0 -6 0 0\nrapid 5 0 2 0 0\nrapid 5 0 -4 0 0\n"
-	 "feed 5 0 -10 0 0\nrapid 5 0 2 0 0\n"},
-	{"L Z+2 FMAX\nCYCL DEF 2.0 TAPPING\nCYCL DEF 2.1 SET UP 2\nCYCL DEF 2.2 DEPTH -10\nCYCL DEF 2.3 DWELL 0\n"
-	 "CYCL DEF 2.4 F100\nX+5 R0 FMAX M99\n",
+	{"L Z+2 FMAX\nCYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 2\nCYCL DEF 1.2 DEPTH -10\n"
+	 "CYCL DEF 1.3 PECKG 6\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F100\nL X+5 FMAX M99\n",
+	 "rapid 0 0 2 0 0\nrapid 5 0 2 0 0\nrapid 5 0 2 0 0\nfeed 5 0 -6 0 0\nrapid 5 0 2 0 0\n"
+	 "rapid 5 0 -4 0 0\nfeed 5 0 -10 0 0\nrapid 5 0 2 0 0\n"},
+	{"L Z+2 FMAX\nCYCL DEF 2.0 TAPPING\nCYCL DEF 2.1 SET UP 2\nCYCL DEF 2.2 DEPTH -10\n"
+	 "CYCL DEF 2.3 DWELL 0\nCYCL DEF 2.4 F100\nX+5 R0 FMAX M99\n",
 	 "rapid 0 0 2 0 0\nrapid 5 0 2 0 0\nrapid 5 0 2 0 0\nfeed 5 0 -10 0 0\nfeed 5 0 2 0 0\n"},
-	{"S1000\nL Z+2 FMAX\nCYCL DEF 17.0 RIGID TAPPING\nCYCL DEF 17.1 SET UP 2\nCYCL DEF 17.2 DEPTH -10\n"
-	 "CYCL DEF 17.3 PITCH 1.5\nL X+5 FMAX M99\n",
+	{"S1000\nL Z+2 FMAX\nCYCL DEF 17.0 RIGID TAPPING\nCYCL DEF 17.1 SET UP 2\n"
+	 "CYCL DEF 17.2 DEPTH -10\nCYCL DEF 17.3 PITCH 1.5\nL X+5 FMAX M99\n",
 	 "rapid 0 0 2 0 0\nrapid 5 0 2 0 0\nrapid 5 0 2 0 0\nfeed 5 0 -10 0 0\nfeed 5 0 2 0 0\n"},
 	{"L Z+20 FMAX\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\n"
 	 "CYCL CALL POS X+3 Y+4 Z+0\nCYCL CALL POS X+5 Y+4 Z+0 M3\n",
-	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 2 0 0\nfeed 3 4 -4 0 0\nrapid 3 4 2 0 0\nrapid 3 4 9 0 0\n"
-	 "rapid 5 4 9 0 0\nrapid 5 4 2 0 0\nfeed 5 4 -4 0 0\nrapid 5 4 2 0 0\nrapid 5 4 9 0 0\n"},
+	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 2 0 0\nfeed 3 4 -4 0 0\nrapid 3 4 2 0 0\n"
+	 "rapid 3 4 9 0 0\nrapid 5 4 9 0 0\nrapid 5 4 2 0 0\nfeed 5 4 -4 0 0\nrapid 5 4 2 0 0\n"
+	 "rapid 5 4 9 0 0\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\n"
 	 "CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 Y+2 FMAX M99\n",
-	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 0 -2 90 0 tcp\nrapid 1 2 -2 90 0 tcp\n"
-	 "feed 1 -4 -2 90 0 tcp\nrapid 1 2 -2 90 0 tcp\nrapid 1 9 -2 90 0 tcp\n"},
-	{"TOOL CALL 1 Z F120\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=FAUTO Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M99\n",
-	 "tool 1\nrapid 1 0 0 0 0\nrapid 1 0 102 0 0\nfeed 1 0 96 0 0\nrapid 1 0 102 0 0\nrapid 1 0 109 0 0\n"},
+	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 0 -2 90 0 tcp\n"
+	 "rapid 1 2 -2 90 0 tcp\nfeed 1 -4 -2 90 0 tcp\nrapid 1 2 -2 90 0 tcp\nrapid 1 9 -2 90 0 tcp\n"},
+	{"TOOL CALL 1 Z F120\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=FAUTO Q202=4 Q203=+0 Q204=9\n"
+	 "L X+1 FMAX M99\n",
+	 "tool 1\nrapid 1 0 0 0 0\nrapid 1 0 102 0 0\nfeed 1 0 96 0 0\nrapid 1 0 102 0 0\n"
+	 "rapid 1 0 109 0 0\n"},
 	{"Q8=-3\nCYCL DEF 200 DRILLING Q200=2 Q201=Q8 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 FMAX M99\n",
 	 "rapid 1 0 0 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 2 0 0\nrapid 1 0 9 0 0\n"},
+	{"17 CYCL DEF 240 CENTERING ~\n    Q200=+2  ;SET-UP CLEARANCE\n    Q343=+0      ;SELECT\n"
+	 "    Q201=-3   ;DEPTH\n    Q206=12.5 \n    Q203=+1\n    Q204=+9\n18 L X+4 FMAX M99\n",
+	 "rapid 4 0 0 0 0\nrapid 4 0 3 0 0\nfeed 4 0 -2 0 0\nrapid 4 0 3 0 0\nrapid 4 0 10 0 0\n"},
+	{"CYCL DEF 200 DRILLING ~\nQ200=2\nQ201=-4\nQ206=150\nQ202=4\nQ203=+0\nQ204=9\nQ1=7\n"
+	 "L X+Q1 FMAX M99\n",
+	 "rapid 7 0 0 0 0\nrapid 7 0 2 0 0\nfeed 7 0 -4 0 0\nrapid 7 0 2 0 0\nrapid 7 0 9 0 0\n"},
+	{"CYCL DEF 200 DRILLING ~\nQ200=2 ~\nQ201=-4 ~\nQ206=150 ~\nQ202=4 ~\nQ203=+0 ~\nQ204=9\nQ300=7\n"
+	 "L X+Q300 FMAX M99\n",
+	 "rapid 7 0 0 0 0\nrapid 7 0 2 0 0\nfeed 7 0 -4 0 0\nrapid 7 0 2 0 0\nrapid 7 0 9 0 0\n"},
 };
 
 static void expect(const struct program *program)

@@ -18,23 +18,24 @@ static void after_machine_move(struct interp *interp, int code, const bool moved
  * needed that the engines ask for on behalf of any dialect; all that belongs to G-codes stays unanswered.
  */
 const struct dialect dialect_klartext = {
-	.name = "klartext",
-	.manual = "Heidenhain iTNC 530 and TNC 640 user's manuals, Klartext programming",
-	.m_codes = {&klartext_m_codes},
-	.words = {&klartext_word_set},
-	.traits = {
-		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94, .path = G64},
-		.whole_numbers = WHOLE_NUMBERS_UNITS,
-		.known_order = ANSWER_YES,
-		.text_before_percent = ANSWER_NO,
-		.wrap_below_turn = ANSWER_NO,
-		.tool_change_stays = ANSWER_NO,
-		.length_never_moves = ANSWER_YES,
+    .name = "klartext",
+    .manual = "Heidenhain iTNC 530 and TNC 640 user's manuals, Klartext programming",
+    .m_codes = {&klartext_m_codes},
+    .words = {&klartext_word_set},
+    .traits =
+	{
+	    .power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94, .path = G64},
+	    .whole_numbers = WHOLE_NUMBERS_UNITS,
+	    .known_order = ANSWER_YES,
+	    .text_before_percent = ANSWER_NO,
+	    .wrap_below_turn = ANSWER_NO,
+	    .tool_change_stays = ANSWER_NO,
+	    .length_never_moves = ANSWER_YES,
 	},
-	.after_machine_move = after_machine_move,
-	.state_new = klartext_state_new,
-	.state_free = klartext_state_free,
-	.statement = klartext_line_run,
-	.end_of_file = klartext_flow_end_of_file,
-	.note_callers = klartext_flow_note_callers,
+    .after_machine_move = after_machine_move,
+    .state_new = klartext_state_new,
+    .state_free = klartext_state_free,
+    .statement = klartext_line_run,
+    .end_of_file = klartext_flow_end_of_file,
+    .note_callers = klartext_flow_note_callers,
 };

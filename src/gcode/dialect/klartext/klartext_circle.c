@@ -75,7 +75,8 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 	if (!klartext_words_has(words, across))
 		return true;
 	return fault(&interp->at, words->column[across],
-		     "%c does not belong to the plane of this %s; a helix is written as CP", AXIS_LETTERS[across], what);
+		     "%c does not belong to the plane of this %s; a helix is written as CP", AXIS_LETTERS[across],
+		     what);
 }
 
 static bool find_pole(struct interp *interp, int column, struct plane_point *pole)
@@ -134,8 +135,9 @@ bool klartext_circle_pole(struct lexer *lexer)
 		}
 	}
 	if (klartext_words_has(&words, SLOT_Z))
-		klartext->across = klartext_words_has(&words, SLOT_X) ? SLOT_Y : klartext_words_has(&words, SLOT_Y) ? SLOT_X
-											    : klartext->across;
+		klartext->across = klartext_words_has(&words, SLOT_X)	? SLOT_Y
+				   : klartext_words_has(&words, SLOT_Y) ? SLOT_X
+									: klartext->across;
 	else if (klartext_words_has(&words, SLOT_X) && klartext_words_has(&words, SLOT_Y))
 		klartext->across = SLOT_Z;
 	return true;
@@ -151,9 +153,11 @@ static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end
 	double r1 = hypot(end_point.a - centre.a, end_point.b - centre.b);
 
 	if (r0 < RADIUS_LEAST || r1 < RADIUS_LEAST)
-		return fault(&interp->at, column, "a circle of radius 0: %.6g mm at its start, %.6g mm at its end", r0, r1);
+		return fault(&interp->at, column, "a circle of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
+			     r1);
 	if (fabs(r0 - r1) > RADIUS_TOLERANCE)
-		return fault(&interp->at, column, "the radius of the circle is %.6g mm at its start and %.6g mm at its end", r0, r1);
+		return fault(&interp->at, column,
+			     "the radius of the circle is %.6g mm at its start and %.6g mm at its end", r0, r1);
 	path->arc = true;
 	path->centre = path->start;
 	from_plane(&path->centre, across, centre);
@@ -192,10 +196,12 @@ static bool shape_by_radius(struct interp *interp, const struct klartext_words *
 	switch (arc_find_centre(in_plane(path->start, SLOT_Z), in_plane(target->point, SLOT_Z), words->size,
 				words->direction < 0, &tolerance, &centre)) {
 	case ARC_NO_CHORD:
-		return fault(&interp->at, words->first_column, "a circle by its radius cannot end where it starts; use CC and C");
+		return fault(&interp->at, words->first_column,
+			     "a circle by its radius cannot end where it starts; use CC and C");
 	case ARC_RADIUS_TOO_SMALL:
 		return fault(&interp->at, words->size_column,
-			     "a radius of %.6g mm does not reach from the start of the circle to its end", fabs(words->size));
+			     "a radius of %.6g mm does not reach from the start of the circle to its end",
+			     fabs(words->size));
 	default:
 		return fill_arc(interp, path, target->point, centre, SLOT_Z, words->direction, words->first_column);
 	}
@@ -232,7 +238,8 @@ static bool fill_tangential(struct interp *interp, const struct klartext_words *
 	if (fabs(side) <= SAME_POINT && vec3_dot(direction, way) > 0)
 		return true;
 	if (fabs(side) <= SAME_POINT)
-		return fault(&interp->at, words->first_column, "the end of CT lies behind its start: no circle leads there");
+		return fault(&interp->at, words->first_column,
+			     "the end of CT lies behind its start: no circle leads there");
 	across = vec3_scale(vec3_norm2(way) / (2 * side), across);
 	centre = (struct plane_point){path->start.x + across.x, path->start.y + across.y};
 	return fill_arc(interp, path, target->point, centre, SLOT_Z, side > 0 ? 1 : -1, words->first_column);
@@ -268,7 +275,8 @@ static bool polar_point(struct interp *interp, const struct klartext_words *word
 	plane_axes(across, &a, &b);
 	if (klartext_words_has(words, a) || klartext_words_has(words, b))
 		return fault(&interp->at, words->column[klartext_words_has(words, a) ? a : b],
-			     "polar coordinates and %c in one block", AXIS_LETTERS[klartext_words_has(words, a) ? a : b]);
+			     "polar coordinates and %c in one block",
+			     AXIS_LETTERS[klartext_words_has(words, a) ? a : b]);
 	if (!find_pole(interp, words->first_column, &pole))
 		return false;
 	relative = !words->has_radius || words->radius_increment || !words->has_angle || words->angle_increment;
@@ -301,8 +309,8 @@ bool klartext_circle_polar_line(struct lexer *lexer)
 }
 
 /*
- * "Circular path CP around pole CC", "Helical interpolation": PA is where the circle ends, IPA how far it turns, which may
- * be more than a turn; IZ is the height of a helix. The sign of IPA is that of DR.
+ * "Circular path CP around pole CC", "Helical interpolation": PA is where the circle ends, IPA how far it turns,
+ * which may be more than a turn; IZ is the height of a helix. The sign of IPA is that of DR.
  */
 static bool shape_polar(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			struct klartext_path *path)
@@ -313,7 +321,8 @@ static bool shape_polar(struct interp *interp, const struct klartext_words *word
 	if (!check_direction(interp, words, "CP") || !find_pole(interp, words->first_column, &centre))
 		return false;
 	if (words->has_radius)
-		return fault(&interp->at, words->radius_column, "CP keeps the distance from the pole; PR does not belong to it");
+		return fault(&interp->at, words->radius_column,
+			     "CP keeps the distance from the pole; PR does not belong to it");
 	if (!words->has_angle)
 		return fault(&interp->at, words->first_column, "CP needs PA or IPA");
 	if (words->angle_increment && words->angle * words->direction < 0)

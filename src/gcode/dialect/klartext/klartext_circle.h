@@ -8,11 +8,11 @@
 
 /* Each reads and carries out what stands behind its word. False: reported, or the sink wants no more. */
 bool klartext_circle_pole(struct lexer *lexer);
-bool klartext_circle_about_pole(struct lexer *lexer);	/* C */
-bool klartext_circle_by_radius(struct lexer *lexer);	/* CR */
-bool klartext_circle_tangential(struct lexer *lexer);	/* CT */
-bool klartext_circle_polar(struct lexer *lexer);	/* CP */
-bool klartext_circle_tangential_polar(struct lexer *lexer);	/* CTP */
-bool klartext_circle_polar_line(struct lexer *lexer);	/* LP */
+bool klartext_circle_about_pole(struct lexer *lexer); /* C */
+bool klartext_circle_by_radius(struct lexer *lexer); /* CR */
+bool klartext_circle_tangential(struct lexer *lexer); /* CT */
+bool klartext_circle_polar(struct lexer *lexer); /* CP */
+bool klartext_circle_tangential_polar(struct lexer *lexer); /* CTP */
+bool klartext_circle_polar_line(struct lexer *lexer); /* LP */
 
 #endif

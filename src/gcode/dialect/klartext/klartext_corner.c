@@ -54,17 +54,20 @@ bool klartext_corner_check_none(struct interp *interp)
 	const struct klartext_corner *corner = &klartext_of(interp)->corner;
 	const struct line_place at = {interp->at.diag, interp->at.file, corner->line, ""};
 
-	return !corner->waits || fault(&at, corner->column, "RND and CHF need a straight line in the plane behind them");
+	return !corner->waits ||
+	       fault(&at, corner->column, "RND and CHF need a straight line in the plane behind them");
 }
 
 bool klartext_corner_hold(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
 {
 	struct klartext *klartext = klartext_of(interp);
-	struct comp_item item = {.kind = COMP_PAUSE, .move = {.kind = path->rapid ? CANON_RAPID : CANON_FEED, .feed = path->feed}};
+	struct comp_item item = {.kind = COMP_PAUSE,
+				 .move = {.kind = path->rapid ? CANON_RAPID : CANON_FEED, .feed = path->feed}};
 	vec3 end = klartext_frame_position(interp, target->point);
 
 	if (path->arc || target->turns)
-		return fault(&interp->at, 1, "RND and CHF behind a circle or a move of a rotary axis are not supported yet");
+		return fault(&interp->at, 1,
+			     "RND and CHF behind a circle or a move of a rotary axis are not supported yet");
 	motion_commands_fill(interp, &item.move);
 	item.move.end = interp->state.canonical;
 	item.move.end.v[SLOT_X] = end.x;
@@ -121,7 +124,8 @@ static bool release(struct interp *interp, vec3 end)
 		const struct canon_move *move = &item->move;
 
 		if (item->kind == COMP_BLOCK) {
-			good = canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
+			good = canon_tell_block(
+			    interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
 			continue;
 		}
 		if (i == 0) {
@@ -152,7 +156,8 @@ static bool find_legs(struct interp *interp, const struct klartext_path *before,
 
 	if (after->arc)
 		return fault(&interp->at, 1, "RND and CHF in front of a circle are not supported yet");
-	if (!(lengths[0] > SAME_POINT) || !(lengths[1] > SAME_POINT) || fabs(ways[0].z) > SAME_POINT || fabs(ways[1].z) > SAME_POINT)
+	if (!(lengths[0] > SAME_POINT) || !(lengths[1] > SAME_POINT) || fabs(ways[0].z) > SAME_POINT ||
+	    fabs(ways[1].z) > SAME_POINT)
 		return fault(&interp->at, 1, "RND and CHF need two straight lines in the plane of X and Y");
 	*in = vec3_scale(1 / lengths[0], ways[0]);
 	*out = vec3_scale(1 / lengths[1], ways[1]);
@@ -161,7 +166,8 @@ static bool find_legs(struct interp *interp, const struct klartext_path *before,
 		return fault(&interp->at, 1, "the path goes back the way it has come: there is no corner to cut off");
 	*leg = corner->chamfer ? corner->size : corner->size * tan(fabs(*turn) / 2);
 	if (*leg > fmin(lengths[0], lengths[1]) + SAME_POINT)
-		return fault(&interp->at, 1, "the %s of %.6g mm does not fit between these lines, which are %.6g and %.6g mm long",
+		return fault(&interp->at, 1,
+			     "the %s of %.6g mm does not fit between these lines, which are %.6g and %.6g mm long",
 			     corner->chamfer ? "chamfer" : "rounding", corner->size, lengths[0], lengths[1]);
 	return true;
 }
@@ -176,8 +182,8 @@ static bool cut_off(struct interp *interp, const struct klartext_path *arc, vec3
 }
 
 /*
- * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the chamfer's side length,
- * which is taken for what is cut off from each line.
+ * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the chamfer's side
+ * length, which is taken for what is cut off from each line.
  */
 bool klartext_corner_make(struct interp *interp, struct klartext_path *path)
 {

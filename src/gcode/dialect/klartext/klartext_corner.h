@@ -10,12 +10,16 @@
 bool klartext_corner_follows(struct interp *interp);
 
 /* Keeps back the move up to the corner, and what follows it. False: reported. */
-bool klartext_corner_hold(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
+bool klartext_corner_hold(struct interp *interp, const struct klartext_target *target,
+			  const struct klartext_path *path);
 
 /* RND or CHF; the words come next. False: reported. */
 bool klartext_corner_read(struct lexer *lexer, bool chamfer);
 
-/* Makes the corner in front of the path, whose start becomes the corner's end. False: reported, or the sink wants no more. */
+/*
+ * Makes the corner in front of the path, whose start becomes the corner's end. False: reported, or the sink wants no
+ * more.
+ */
 bool klartext_corner_make(struct interp *interp, struct klartext_path *path);
 
 /* No corner may wait here. False: reported. */

@@ -16,7 +16,7 @@
 struct call {
 	struct interp *interp;
 	const struct klartext_cycle *cycle;
-	int column;	/* of what calls it */
+	int column; /* of what calls it */
 };
 
 /* ------------------------------------------------------------------- words */
@@ -80,7 +80,10 @@ static double per_second(const struct call *call, double feed)
 
 /* ------------------------------------------------------------------- feeds */
 
-/* Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time finite. */
+/*
+ * Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time
+ * finite.
+ */
 static bool find_feed(const struct call *call, int q, double *feed)
 {
 	double value;
@@ -100,7 +103,8 @@ static bool find_tap_feed(const struct call *call, double pitch, double *feed)
 	const struct state *state = &call->interp->state;
 
 	if (!(state->speed > 0))
-		return fault(&call->interp->at, call->column, "CYCL DEF %d without a spindle speed (S)", call->cycle->number);
+		return fault(&call->interp->at, call->column, "CYCL DEF %d without a spindle speed (S)",
+			     call->cycle->number);
 	*feed = fabs(pitch) * state->scale * state->speed / SECONDS_PER_MINUTE;
 	return true;
 }
@@ -108,15 +112,15 @@ static bool find_tap_feed(const struct call *call, double pitch, double *feed)
 /* ------------------------------------------------------------------ heights */
 
 /*
- * iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's surface, Q200 the set-up clearance above it,
- * Q204 the second one, Q201 the depth below the surface.
+ * iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's surface, Q200 the set-up clearance
+ * above it, Q204 the second one, Q201 the depth below the surface.
  */
 static bool find_heights(const struct call *call, struct klartext_hole *hole)
 {
 	double clearance, surface, depth, second;
 
-	if (!need_length(call, 200, &clearance) || !need_length(call, 201, &depth) || !need_length(call, 203, &surface) ||
-	    !need_length(call, 204, &second))
+	if (!need_length(call, 200, &clearance) || !need_length(call, 201, &depth) ||
+	    !need_length(call, 203, &surface) || !need_length(call, 204, &second))
 		return false;
 	if (clearance < 0 || second < 0)
 		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
@@ -170,7 +174,8 @@ static bool drill(const struct call *call, struct klartext_hole *hole)
 	if (number == 240) {
 		if (!same_double(word_or(call, 343, 0), 0))
 			return fault(&call->interp->at, call->column,
-				     "Q343=1: a centring by its diameter needs the point angle of the tool; give its depth in Q201");
+				     "Q343=1: a centring by its diameter needs the point angle of the tool; give its "
+				     "depth in Q201");
 		return true;
 	}
 	if (!find_pecks(call, hole))
@@ -273,9 +278,9 @@ static double part_of(const struct call *call, int part)
 }
 
 /*
- * TNC 415/425 user's manual, "PECKING (Cycle 1)", "TAPPING (Cycle 2)", "RIGID TAPPING (Cycle 17)": the tool stands at the
- * set-up clearance over the surface where the cycle is called, and comes back there. 1: set-up, depth, peck, dwell, F;
- * 2: set-up, depth, dwell, F; 17: set-up, depth, pitch.
+ * TNC 415/425 user's manual, "PECKING (Cycle 1)", "TAPPING (Cycle 2)", "RIGID TAPPING (Cycle 17)": the tool stands
+ * at the set-up clearance over the surface where the cycle is called, and comes back there. 1: set-up, depth,
+ * peck, dwell, F; 2: set-up, depth, dwell, F; 17: set-up, depth, pitch.
  */
 static bool by_parts(const struct call *call)
 {
@@ -285,7 +290,8 @@ static bool by_parts(const struct call *call)
 	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = set_up};
 
 	if (set_up < 0)
-		return fault(&interp->at, call->column, "the set-up clearance of CYCL DEF %d cannot be negative", number);
+		return fault(&interp->at, call->column, "the set-up clearance of CYCL DEF %d cannot be negative",
+			     number);
 	if (depth > 0)
 		return fault(&interp->at, call->column, "the depth of CYCL DEF %d is above the surface", number);
 	hole.clear = hole.start;
@@ -321,7 +327,8 @@ bool klartext_cycle_call(struct interp *interp, int column)
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column, "a cycle while M128 is in force is not supported yet");
 	if (klartext->waits)
-		return fault(&interp->at, column, "a cycle before the rotary axes stand where PLANE ... STAY needs them");
+		return fault(&interp->at, column,
+			     "a cycle before the rotary axes stand where PLANE ... STAY needs them");
 	if (!klartext_frame_check_plane(interp, column))
 		return false;
 	if (klartext->corner.waits)

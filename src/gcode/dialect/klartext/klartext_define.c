@@ -15,30 +15,31 @@
 
 /* What a cycle is to this control. */
 enum cycle_use {
-	USE_CALLED,	/* by CYCL CALL, M99, M89 */
-	USE_DEFINED,	/* takes effect where it is defined */
-	USE_IGNORED,	/* moves no axis */
+	USE_CALLED, /* by CYCL CALL, M99, M89 */
+	USE_DEFINED, /* takes effect where it is defined */
+	USE_IGNORED, /* moves no axis */
 	USE_REFUSED
 };
 
 struct cycle_row {
 	short number;
 	enum cycle_use use;
-	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle);	/* DEFINED */
-	const char *what;	/* REFUSED */
+	bool (*run)(struct interp *interp, const struct klartext_cycle *cycle); /* DEFINED */
+	const char *what; /* REFUSED */
 };
 
 static bool dwell(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	double seconds = cycle->count ? cycle->words[cycle->count - 1].value : 0;
 
-	return seconds >= 0 ? motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds})
-			    : fault(&interp->at, cycle->column, "a dwell cannot be negative");
+	return seconds >= 0
+		   ? motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds})
+		   : fault(&interp->at, cycle->column, "a dwell cannot be negative");
 }
 
 /*
- * "TOLERANCE (Cycle 32)": T is how far the control may leave the path to smooth it, TA the same in degrees of rotary axes;
- * without T the machine's own value counts again.
+ * "TOLERANCE (Cycle 32)": T is how far the control may leave the path to smooth it, TA the same in degrees of
+ * rotary axes; without T the machine's own value counts again.
  */
 static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
 {
@@ -62,40 +63,40 @@ static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
 
 /* iTNC 530 and TNC 640 user's manuals, cycle programming. Sorted by number. */
 static const struct cycle_row rows[] = {
-	{1, USE_CALLED, NULL, NULL},
-	{2, USE_CALLED, NULL, NULL},
-	{3, USE_REFUSED, NULL, "slot milling"},
-	{4, USE_REFUSED, NULL, "pocket milling"},
-	{5, USE_REFUSED, NULL, "circular pocket milling"},
-	{7, USE_DEFINED, klartext_frame_shift, NULL},
-	{8, USE_DEFINED, klartext_frame_mirror, NULL},
-	{9, USE_DEFINED, dwell, NULL},
-	{10, USE_DEFINED, klartext_frame_rotate, NULL},
-	{11, USE_DEFINED, klartext_frame_scale, NULL},
-	{12, USE_REFUSED, NULL, "a program as a cycle"},
-	{13, USE_IGNORED, NULL, NULL},	/* orients the spindle */
-	{14, USE_REFUSED, NULL, "contours of subprograms"},
-	{17, USE_CALLED, NULL, NULL},
-	{18, USE_REFUSED, NULL, "thread cutting"},
-	{19, USE_DEFINED, klartext_plane_cycle, NULL},
-	{26, USE_DEFINED, klartext_frame_scale_axes, NULL},
-	{32, USE_DEFINED, tolerate, NULL},
-	{200, USE_CALLED, NULL, NULL},
-	{201, USE_CALLED, NULL, NULL},
-	{202, USE_CALLED, NULL, NULL},
-	{203, USE_CALLED, NULL, NULL},
-	{204, USE_CALLED, NULL, NULL},
-	{205, USE_CALLED, NULL, NULL},
-	{206, USE_CALLED, NULL, NULL},
-	{207, USE_CALLED, NULL, NULL},
-	{208, USE_REFUSED, NULL, "bore milling"},
-	{209, USE_CALLED, NULL, NULL},
-	{220, USE_REFUSED, NULL, "a pattern of holes on a circle"},
-	{221, USE_REFUSED, NULL, "a pattern of holes on lines"},
-	{240, USE_CALLED, NULL, NULL},
-	{241, USE_CALLED, NULL, NULL},
-	{247, USE_DEFINED, klartext_frame_preset, NULL},
-	{262, USE_REFUSED, NULL, "thread milling"},
+    {1, USE_CALLED, NULL, NULL},
+    {2, USE_CALLED, NULL, NULL},
+    {3, USE_REFUSED, NULL, "slot milling"},
+    {4, USE_REFUSED, NULL, "pocket milling"},
+    {5, USE_REFUSED, NULL, "circular pocket milling"},
+    {7, USE_DEFINED, klartext_frame_shift, NULL},
+    {8, USE_DEFINED, klartext_frame_mirror, NULL},
+    {9, USE_DEFINED, dwell, NULL},
+    {10, USE_DEFINED, klartext_frame_rotate, NULL},
+    {11, USE_DEFINED, klartext_frame_scale, NULL},
+    {12, USE_REFUSED, NULL, "a program as a cycle"},
+    {13, USE_IGNORED, NULL, NULL}, /* orients the spindle */
+    {14, USE_REFUSED, NULL, "contours of subprograms"},
+    {17, USE_CALLED, NULL, NULL},
+    {18, USE_REFUSED, NULL, "thread cutting"},
+    {19, USE_DEFINED, klartext_plane_cycle, NULL},
+    {26, USE_DEFINED, klartext_frame_scale_axes, NULL},
+    {32, USE_DEFINED, tolerate, NULL},
+    {200, USE_CALLED, NULL, NULL},
+    {201, USE_CALLED, NULL, NULL},
+    {202, USE_CALLED, NULL, NULL},
+    {203, USE_CALLED, NULL, NULL},
+    {204, USE_CALLED, NULL, NULL},
+    {205, USE_CALLED, NULL, NULL},
+    {206, USE_CALLED, NULL, NULL},
+    {207, USE_CALLED, NULL, NULL},
+    {208, USE_REFUSED, NULL, "bore milling"},
+    {209, USE_CALLED, NULL, NULL},
+    {220, USE_REFUSED, NULL, "a pattern of holes on a circle"},
+    {221, USE_REFUSED, NULL, "a pattern of holes on lines"},
+    {240, USE_CALLED, NULL, NULL},
+    {241, USE_CALLED, NULL, NULL},
+    {247, USE_DEFINED, klartext_frame_preset, NULL},
+    {262, USE_REFUSED, NULL, "thread milling"},
 };
 
 static const struct cycle_row *find_row(int number)
@@ -204,13 +205,15 @@ static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 	} else if (klartext_word(lexer, text)) {
 		snprintf(word->name, sizeof(word->name), "%.11s", text);
 		/* Names of several words: SET UP, V.TIME. A letter that is an axis stands alone, as in 8.1 X Y. */
-		while (text[1] != '\0' && !klartext_ends(lexer) && !klartext_value_follows(lexer) && klartext_word(lexer, more))
+		while (text[1] != '\0' && !klartext_ends(lexer) && !klartext_value_follows(lexer) &&
+		       klartext_word(lexer, more))
 			;
 	} else if (!klartext_value_follows(lexer)) {
 		return fault(lexer->at, column, "this is no word of a cycle");
 	}
 	/* V.ZEIT, HSC-MODE:1 */
-	while ((lexer_peek(lexer) == '.' || lexer_peek(lexer) == '-') && is_letter(lexer->at->text[lexer->position + 1])) {
+	while ((lexer_peek(lexer) == '.' || lexer_peek(lexer) == '-') &&
+	       is_letter(lexer->at->text[lexer->position + 1])) {
 		lexer_take(lexer);
 		klartext_word(lexer, more);
 	}
@@ -246,7 +249,9 @@ bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 	const struct interp *interp = lexer->context;
 	const struct klartext_cycle *definition = &klartext_of(interp)->definition;
 
-	return definition->open && definition->by_q && !numbered && is_q_word(lexer);
+	/* In a program without block numbers, Q200 and on are the cycle's. */
+	return definition->open && definition->by_q && !numbered && is_q_word(lexer) &&
+	       (definition->numbered || lexer->at->text[lexer->position + 1] >= '2');
 }
 
 bool klartext_define_line(struct lexer *lexer)
@@ -269,16 +274,22 @@ static bool begin(struct lexer *lexer, int number, int column)
 	const struct cycle_row *row = find_row(number);
 
 	if (!row && number >= 400 && number <= 499)
-		return fault(lexer->at, column, "touch probe cycle %d: where the probe stops is not known before the program runs",
+		return fault(lexer->at, column,
+			     "touch probe cycle %d: where the probe stops is not known before the program runs",
 			     number);
 	if (!row)
 		return fault(lexer->at, column,
-			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder, whose moves a checker cannot know",
+			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder, whose moves a "
+			     "checker cannot know",
 			     number);
 	if (row->use == USE_REFUSED)
 		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
-	klartext_of(interp)->definition = (struct klartext_cycle){
-	    .number = number, .open = true, .by_q = number >= 200, .line = lexer->at->line, .column = column};
+	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
+								  .number = number,
+								  .open = true,
+								  .by_q = number >= 200,
+								  .line = lexer->at->line,
+								  .column = column};
 	return true;
 }
 
@@ -296,7 +307,8 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 		return true;
 	}
 	if (!definition->open || definition->number != number || definition->by_q)
-		return fault(lexer->at, column, "CYCL DEF %d.%d, but no %d.0 has begun the cycle", number, part, number);
+		return fault(lexer->at, column, "CYCL DEF %d.%d, but no %d.0 has begun the cycle", number, part,
+			     number);
 	count = definition->count;
 	definition->part = part;
 	definition->line = lexer->at->line;
@@ -335,7 +347,8 @@ bool klartext_define_read(struct lexer *lexer)
 	if (!klartext_define_end(interp) || !begin(lexer, number, column))
 		return false;
 	if (!klartext_of(interp)->definition.by_q)
-		return fault(lexer->at, column, "CYCL DEF %d is written in lines %d.0, %d.1 and on", number, number, number);
+		return fault(lexer->at, column, "CYCL DEF %d is written in lines %d.0, %d.1 and on", number, number,
+			     number);
 	skip_name(lexer);
 	return read_words(lexer, &klartext_of(interp)->definition);
 }

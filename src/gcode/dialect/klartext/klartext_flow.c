@@ -56,7 +56,8 @@ static bool label_of_line(struct interp *interp, const char *text, char name[KLA
 	lexer.at = &at;
 	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
 		lexer_take(&lexer);
-	return klartext_take(&lexer, "LBL") && lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) && strcmp(name, "0") != 0;
+	return klartext_take(&lexer, "LBL") && lexer_peek(&lexer) != 'Q' && read_label(&lexer, name) &&
+	       strcmp(name, "0") != 0;
 }
 
 static bool add_label(struct interp *interp, const char *name)
@@ -108,7 +109,8 @@ static bool scan_labels(struct interp *interp, int column)
 		return true;
 	keep_line(interp);
 	if (!reader_seek(reader, source == interp->program.start.source ? interp->program.start.offset : 0, 1))
-		return fault(&interp->at, column, "labels are looked for in the whole program, which a pipe can no longer deliver; "
+		return fault(&interp->at, column,
+			     "labels are looked for in the whole program, which a pipe can no longer deliver; "
 			     "give the program as a file");
 	while (good && reader_next(reader, &text) == READER_LINE) {
 		if (label_of_line(interp, text, name))
@@ -206,15 +208,17 @@ static bool repeat(struct interp *interp, const struct position here, const stru
 			item = &klartext->repeats[i];
 	}
 	if (!item && klartext->repeat_count == KLARTEXT_REPEATS_MAX)
-		return fault(&interp->at, column, "more than %d program section repeats at a time", KLARTEXT_REPEATS_MAX);
+		return fault(&interp->at, column, "more than %d program section repeats at a time",
+			     KLARTEXT_REPEATS_MAX);
 	if (!item) {
 		item = &klartext->repeats[klartext->repeat_count++];
-		*item = (struct klartext_repeat){.at = here, .level = klartext->level, .left = count,
-						 .start = label->at.offset};
+		*item = (struct klartext_repeat){
+		    .at = here, .level = klartext->level, .left = count, .start = label->at.offset};
 	}
 	if (item->left_by_jump)
 		return fault(&interp->at, column,
-			     "a jump has left this program section before its repeats were done: whether they are counted anew is "
+			     "a jump has left this program section before its repeats were done: whether they are "
+			     "counted anew is "
 			     "not known here");
 	if (item->left == 0) {
 		*item = klartext->repeats[--klartext->repeat_count];
@@ -310,7 +314,8 @@ static void leave_sections(struct klartext *klartext, const struct position *to)
 {
 	for (int i = 0; i < klartext->repeat_count; i++) {
 		struct klartext_repeat *item = &klartext->repeats[i];
-		bool inside = to->source == item->at.source && to->offset >= item->start && to->offset <= item->at.offset;
+		bool inside =
+		    to->source == item->at.source && to->offset >= item->start && to->offset <= item->at.offset;
 
 		if (item->level == klartext->level && !inside)
 			item->left_by_jump = true;
@@ -342,7 +347,8 @@ bool klartext_flow_jump(struct lexer *lexer, int number)
 		return false;
 	/* The control rounds in a way of its own: so near it might find them equal, or not. */
 	if (!same_double(a, b) && fabs(a - b) < SAME_NUMBER * fmax(1, fmax(fabs(a), fabs(b))))
-		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal", a, b, a - b);
+		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal",
+			     a, b, a - b);
 	holds = number == 9 ? same_double(a, b) : number == 10 ? !same_double(a, b) : number == 11 ? a > b : a < b;
 	if (!holds)
 		return true;
@@ -367,7 +373,8 @@ bool klartext_flow_end(struct lexer *lexer)
 		return motion_commands_spindle_stops(interp);
 	}
 	if (call->kind == KLARTEXT_LABEL)
-		return fault(lexer->at, 1, "the program ends inside of the subprogram %s: its LBL 0 is missing", call->title);
+		return fault(lexer->at, 1, "the program ends inside of the subprogram %s: its LBL 0 is missing",
+			     call->title);
 	return leave(interp, 1);
 }
 
@@ -393,6 +400,7 @@ void klartext_flow_note_callers(struct interp *interp)
 	for (int level = klartext->level; level > 0; level--) {
 		const struct klartext_call *call = &klartext->calls[level];
 
-		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here", call->title);
+		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
+			  call->title);
 	}
 }

@@ -15,21 +15,21 @@
 
 /* iTNC 530 user's manual, "Entering formulas directly": brackets, then powers, then * / %, then + -. */
 static const struct expr_operator operators[] = {
-	{"+", EXPR_PLUS, 1, false},   {"-", EXPR_MINUS, 1, false}, {"*", EXPR_TIMES, 2, false},
-	{"/", EXPR_DIVIDE, 2, false}, {"%", EXPR_MODULO, 2, false}, {"^", EXPR_POWER, 3, false},
+    {"+", EXPR_PLUS, 1, false},	  {"-", EXPR_MINUS, 1, false},	{"*", EXPR_TIMES, 2, false},
+    {"/", EXPR_DIVIDE, 2, false}, {"%", EXPR_MODULO, 2, false}, {"^", EXPR_POWER, 3, false},
 };
 
 /* A name comes before every name that it starts with. */
 static const struct function_name functions[] = {
-	{"sqrt", "SQRT", FUNCTION_SQRT, false}, {"sq", "SQ", FUNCTION_SQUARE, false},
-	{"sin", "SIN", FUNCTION_SIN, false},	{"sgn", "SGN", FUNCTION_SIGN, false},
-	{"cos", "COS", FUNCTION_COS, false},	{"tan", "TAN", FUNCTION_TAN, false},
-	{"asin", "ASIN", FUNCTION_ASIN, false}, {"acos", "ACOS", FUNCTION_ACOS, false},
-	{"atan", "ATAN", FUNCTION_ATAN, false}, {"abs", "ABS", FUNCTION_ABS, false},
-	{"log", "LOG", FUNCTION_LOG10, false},	{"ln", "LN", FUNCTION_LN, false},
-	{"exp", "EXP", FUNCTION_EXP, false},	{"neg", "NEG", FUNCTION_NEGATE, false},
-	{"int", "INT", FUNCTION_FIX, false},	{"frac", "FRAC", FUNCTION_FRACTION, false},
-	{"pi", "PI", FUNCTION_PI, false},
+    {"sqrt", "SQRT", FUNCTION_SQRT, false}, {"sq", "SQ", FUNCTION_SQUARE, false},
+    {"sin", "SIN", FUNCTION_SIN, false},    {"sgn", "SGN", FUNCTION_SIGN, false},
+    {"cos", "COS", FUNCTION_COS, false},    {"tan", "TAN", FUNCTION_TAN, false},
+    {"asin", "ASIN", FUNCTION_ASIN, false}, {"acos", "ACOS", FUNCTION_ACOS, false},
+    {"atan", "ATAN", FUNCTION_ATAN, false}, {"abs", "ABS", FUNCTION_ABS, false},
+    {"log", "LOG", FUNCTION_LOG10, false},  {"ln", "LN", FUNCTION_LN, false},
+    {"exp", "EXP", FUNCTION_EXP, false},    {"neg", "NEG", FUNCTION_NEGATE, false},
+    {"int", "INT", FUNCTION_FIX, false},    {"frac", "FRAC", FUNCTION_FRACTION, false},
+    {"pi", "PI", FUNCTION_PI, false},
 };
 
 static bool is_zero(double value)
@@ -37,7 +37,7 @@ static bool is_zero(double value)
 	return fpclassify(value) == FP_ZERO;
 }
 
-static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,
+static bool apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand * left,
 		  struct expr_operand *right)
 {
 	const struct line_place *at = expr->lexer->at;
@@ -45,9 +45,9 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 
 	if ((operator->operation == EXPR_DIVIDE || operator->operation == EXPR_MODULO) && is_zero(by))
 		return fault(at, column, "division by zero");
-	if (operator->operation == EXPR_POWER && *value < 0 && !same_double(floor(by), by))
+	if (operator->operation == EXPR_POWER && * value<0 && !same_double(floor(by), by))
 		return fault(at, column, "a negative number to a power that is not whole");
-	if (operator->operation == EXPR_MODULO && (*value < 0 || by < 0))
+	if (operator->operation == EXPR_MODULO &&(*value < 0 || by < 0))
 		return fault(at, column, "%% of a negative number: which sign the control gives it is not known here");
 	switch (operator->operation) {
 	case EXPR_PLUS:
@@ -121,19 +121,19 @@ static bool variable(struct expr *expr, struct expr_operand *value)
 }
 
 static const struct expr_rules rules = {
-	.open = '(',
-	.close = ')',
-	.variable_starts = "Qq",
-	.operators = operators,
-	.operator_count = sizeof(operators) / sizeof(operators[0]),
-	.functions = functions,
-	.function_count = sizeof(functions) / sizeof(functions[0]),
-	.decimal_comma = true,
-	.depth_max = DEPTH_MAX,
-	.nested = "brackets and functions",
-	.apply = apply,
-	.function = compute,
-	.variable = variable,
+    .open = '(',
+    .close = ')',
+    .variable_starts = "Qq",
+    .operators = operators,
+    .operator_count = sizeof(operators) / sizeof(operators[0]),
+    .functions = functions,
+    .function_count = sizeof(functions) / sizeof(functions[0]),
+    .decimal_comma = true,
+    .depth_max = DEPTH_MAX,
+    .nested = "brackets and functions",
+    .apply = apply,
+    .function = compute,
+    .variable = variable,
 };
 
 static bool assign(struct lexer *lexer, struct klartext_q *q, int number, int column, double value)
@@ -161,8 +161,7 @@ bool klartext_formula_assign(struct lexer *lexer)
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);
-	return expr_sum(&expr, &value) && klartext_expect_end(lexer) &&
-	       assign(lexer, q, number, column, value.number);
+	return expr_sum(&expr, &value) && klartext_expect_end(lexer) && assign(lexer, q, number, column, value.number);
 }
 
 /* ---------------------------------------------------------- FN 0 to FN 13 */

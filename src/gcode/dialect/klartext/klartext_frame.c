@@ -53,7 +53,8 @@ void klartext_frame_update(struct klartext_frame *frame)
 bool klartext_frame_is_inner(const struct klartext_frame *frame)
 {
 	return frame->mirror[0] || frame->mirror[1] || frame->mirror[2] || !same_double(frame->rotation, 0) ||
-	       !is_one(frame->factor.x) || !is_one(frame->factor.y) || !is_one(frame->factor.z) || !is_zero(frame->inner);
+	       !is_one(frame->factor.x) || !is_one(frame->factor.y) || !is_one(frame->factor.z) ||
+	       !is_zero(frame->inner);
 }
 
 static vec3 offset_of(const struct interp *interp)
@@ -91,7 +92,8 @@ bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
 
 	return fabs(by) <= SAME_COORDINATE ||
 	       fault(&interp->at, column,
-		     "an increment of %c after a change of coordinates or a move that was not programmed in them: from where the "
+		     "an increment of %c after a change of coordinates or a move that was not programmed in them: from "
+		     "where the "
 		     "control counts is not known here; give %c as an absolute coordinate first",
 		     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 }
@@ -166,22 +168,25 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 		int slot = axis_of(word->name, &increment);
 
 		if (word->name[0] == '#')
-			return word_fault(interp, word, "a datum from a table is not supported yet: give its values in X, Y and Z");
+			return word_fault(interp, word,
+					  "a datum from a table is not supported yet: give its values in X, Y and Z");
 		if (slot < 0 || !word->given)
 			return word_fault(interp, word, "DATUM SHIFT needs an axis and a value here");
 		if (!interp->config->has_axis[slot])
 			return word_fault(interp, word, "the machine has no %c axis", AXIS_LETTERS[slot]);
 		if (slot_is_rotary(slot) && frame->tilted && !same_double(word->value, 0))
-			return word_fault(interp, word, "a shift of a rotary axis in a tilted plane is not supported yet");
+			return word_fault(interp, word,
+					  "a shift of a rotary axis in a tilted plane is not supported yet");
 		if (slot_is_rotary(slot) || slot > SLOT_Z)
 			shift.v[slot] = word->value * (slot_is_rotary(slot) ? 1 : interp->state.scale) +
 					(increment ? shift.v[slot] : 0);
 		else
 			values[slot] = word->value * interp->state.scale + (increment ? values[slot] : 0);
 		if (slot <= SLOT_Z && has_turned(frame) && !(same_double(word->value, 0) && !increment))
-			return word_fault(interp, word,
-				     "a datum shift while a mirror image, a rotation or a scaling is in force: whether it is "
-				     "turned with them is not known here; shift the datum first");
+			return word_fault(
+			    interp, word,
+			    "a datum shift while a mirror image, a rotation or a scaling is in force: whether it is "
+			    "turned with them is not known here; shift the datum first");
 	}
 	*linear = (vec3){values[0], values[1], values[2]};
 	interp->state.shift = shift;
@@ -198,10 +203,12 @@ static bool check_order(struct interp *interp, const struct klartext_cycle *cycl
 	bool unequal = !same_double(frame->factor.x, frame->factor.y);
 
 	if (mirrored && rotated)
-		return fault(&at, cycle->column, "a mirror image and a rotation at a time: their order is not known here; "
+		return fault(&at, cycle->column,
+			     "a mirror image and a rotation at a time: their order is not known here; "
 			     "cancel one of them first");
 	if (unequal && rotated)
-		return fault(&at, cycle->column, "a rotation and factors that differ in X and Y at a time: their order is not "
+		return fault(&at, cycle->column,
+			     "a rotation and factors that differ in X and Y at a time: their order is not "
 			     "known here; cancel one of them first");
 	return true;
 }
@@ -229,7 +236,8 @@ bool klartext_frame_mirror(struct interp *interp, const struct klartext_cycle *c
 		if (slot < 0 || word->given || increment)
 			return word_fault(interp, word, "MIRROR IMAGE needs axes without values here");
 		if (slot > SLOT_Z)
-			return word_fault(interp, word, "a mirror image of %c is not supported yet", AXIS_LETTERS[slot]);
+			return word_fault(interp, word, "a mirror image of %c is not supported yet",
+					  AXIS_LETTERS[slot]);
 		frame.mirror[slot] = true;
 	}
 	return put(interp, cycle, &frame);
@@ -257,7 +265,10 @@ static bool check_factor(struct interp *interp, const struct klartext_cycle_word
 	       word_fault(interp, word, "a scaling factor must be more than 0 and less than 100");
 }
 
-/* "SCALING FACTOR (Cycle 11)": of all three axes, from the datum; in the plane alone on some controls, by a parameter. */
+/*
+ * "SCALING FACTOR (Cycle 11)": of all three axes, from the datum; in the plane alone on some controls, by a
+ * parameter.
+ */
 bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	struct klartext_frame frame = klartext_of(interp)->frame;
@@ -271,8 +282,9 @@ bool klartext_frame_scale(struct interp *interp, const struct klartext_cycle *cy
 			return false;
 		if (!is_one(word->value))
 			return word_fault(interp, word,
-				     "a machine parameter says whether SCALING changes Z, too; give the factors of X, Y and Z by "
-				     "CYCL DEF 26");
+					  "a machine parameter says whether SCALING changes Z, too; give the factors "
+					  "of X, Y and Z by "
+					  "CYCL DEF 26");
 		frame.factor = (vec3){word->value, word->value, word->value};
 		frame.centre = (vec3){0, 0, 0};
 	}
@@ -291,7 +303,8 @@ bool klartext_frame_scale_axes(struct interp *interp, const struct klartext_cycl
 		int slot = slot_of_letter(word->name[is_centre ? 2 : 0]);
 
 		if (slot < SLOT_X || slot > SLOT_Z || !word->given || word->name[is_centre ? 3 : 1] != '\0')
-			return word_fault(interp, word, "AXIS-SPECIFIC SCALING needs X, Y, Z or CCX, CCY, CCZ with a value here");
+			return word_fault(interp, word,
+					  "AXIS-SPECIFIC SCALING needs X, Y, Z or CCX, CCY, CCZ with a value here");
 		if (!is_centre && !check_factor(interp, word))
 			return false;
 		if (is_centre)
@@ -327,12 +340,13 @@ bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *c
 	if (!word || strcmp(word->name, "Q339") != 0 || !word->given)
 		return fault(&at, cycle->column, "DATUM SETTING needs Q339, the number of the preset");
 	if (!(word->value >= 1 && word->value <= EXTENDED_COUNT) || !same_double(floor(word->value), word->value))
-		return word_fault(interp, word, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup", EXTENDED_COUNT,
-			     EXTENDED_COUNT);
+		return word_fault(interp, word, "presets from 1 to %d are supported, as G54.1 P1 to P%d of the setup",
+				  EXTENDED_COUNT, EXTENDED_COUNT);
 	if (klartext_frame_is_inner(&klartext->frame) || !is_zero(klartext->frame.shift) || shifts_others(interp))
-		return word_fault(interp, word,
-				  "a preset while a datum shift, a mirror image, a rotation or a scaling is in force: which of them "
-				  "it cancels is not known here; cancel them first");
+		return word_fault(
+		    interp, word,
+		    "a preset while a datum shift, a mirror image, a rotation or a scaling is in force: which of them "
+		    "it cancels is not known here; cancel them first");
 	if (state->tcp == TCP_BY_MCODE)
 		return word_fault(interp, word, "a preset while M128 is in force is not supported; M129 first");
 	state->system = SYSTEM_COUNT - 1 + (int)word->value;
@@ -344,10 +358,10 @@ bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *c
 
 bool klartext_frame_check_plane(struct interp *interp, int column)
 {
-	return !klartext_of(interp)->preset_in_plane ||
-	       fault(&interp->at, column,
-		     "CYCL DEF 247 has selected a preset in a tilted plane: whether the plane stays tilted is not known here; write "
-		     "PLANE RESET first");
+	return !klartext_of(interp)->preset_in_plane || fault(&interp->at, column,
+							      "CYCL DEF 247 has selected a preset in a tilted plane: "
+							      "whether the plane stays tilted is not known here; write "
+							      "PLANE RESET first");
 }
 
 bool klartext_frame_check_preset(struct interp *interp, int column)
@@ -363,9 +377,11 @@ bool klartext_frame_check_preset(struct interp *interp, int column)
 		only = state->work_known[system] ? system : only;
 	}
 	if (known > 1)
-		return fault(&interp->at, column,
-			     "the setup has %d presets, and the program does not say which one is in force: select it by "
-			     "CYCL DEF 247", known);
+		return fault(
+		    &interp->at, column,
+		    "the setup has %d presets, and the program does not say which one is in force: select it by "
+		    "CYCL DEF 247",
+		    known);
 	klartext->preset_settled = true;
 	state->system = known ? only : 0;
 	if (!known)

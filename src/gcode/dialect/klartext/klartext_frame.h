@@ -36,7 +36,10 @@ bool klartext_frame_preset(struct interp *interp, const struct klartext_cycle *c
 /* Is anything of the inner coordinates in force: mirror, rotation, scaling, a shift behind the tilting? */
 bool klartext_frame_is_inner(const struct klartext_frame *frame);
 
-/* Which preset is in force at the start is known only if the setup has no other. Asked at each axis word. False: reported. */
+/*
+ * Which preset is in force at the start is known only if the setup has no other. Asked at each axis word. False:
+ * reported.
+ */
 bool klartext_frame_check_preset(struct interp *interp, int column);
 
 /* Has a preset in a tilted plane left open whether it is still tilted? False: it has, which was reported. */

@@ -16,12 +16,13 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	switch (number) {
 	case 14:
 		return fault(lexer->at, column, "FN 14 stops the program here with an error of its own");
-	case 16:	/* prints */
-	case 29:	/* tells the PLC */
-	case 38:	/* sends */
+	case 16: /* prints */
+	case 29: /* tells the PLC */
+	case 38: /* sends */
 		return true;
 	case 18:
-		return fault(lexer->at, column, "FN 18 reads data of the control, which is not known here; give the value by FN 0");
+		return fault(lexer->at, column,
+			     "FN 18 reads data of the control, which is not known here; give the value by FN 0");
 	case 19:
 	case 20:
 		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);
@@ -64,8 +65,9 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 }
 
 /*
- * "FUNCTION TCPM": F TCP or F CONT is what the feed counts; AXIS POS: rotary words are positions of the axes, AXIS SPAT:
- * spatial angles; PATHCTRL AXIS: the axes go linearly, PATHCTRL VECTOR: the tool in the plane between its directions.
+ * "FUNCTION TCPM": F TCP or F CONT is what the feed counts; AXIS POS: rotary words are positions of the axes, AXIS
+ * SPAT: spatial angles; PATHCTRL AXIS: the axes go linearly, PATHCTRL VECTOR: the tool in the plane between its
+ * directions.
  */
 static bool read_tcpm(struct lexer *lexer)
 {
@@ -81,7 +83,8 @@ static bool read_tcpm(struct lexer *lexer)
 				return fault(lexer->at, word, "F of TCPM is TCP or CONT");
 		} else if (klartext_take(lexer, "AXIS")) {
 			if (klartext_take(lexer, "SPAT"))
-				return fault(lexer->at, word, "AXIS SPAT: rotary words as spatial angles are not supported yet");
+				return fault(lexer->at, word,
+					     "AXIS SPAT: rotary words as spatial angles are not supported yet");
 			positions = klartext_take(lexer, "POS");
 			if (!positions)
 				return fault(lexer->at, word, "AXIS of TCPM is POS or SPAT");

@@ -9,15 +9,15 @@
 struct drill {
 	struct interp *interp;
 	const struct klartext_hole *hole;
-	vec3 at;	/* programmed */
-	double feed;	/* of a way without one, so that its time is finite */
+	vec3 at; /* programmed */
+	double feed; /* of a way without one, so that its time is finite */
 };
 
 static bool go(struct drill *drill, double feed)
 {
 	const vec3 position = klartext_frame_position(drill->interp, drill->at);
-	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .spindle_turns = drill->hole->turns,
-				  .feed.linear = feed};
+	struct canon_move move = {
+	    .kind = feed > 0 ? CANON_FEED : CANON_RAPID, .spindle_turns = drill->hole->turns, .feed.linear = feed};
 	slot_values target = drill->interp->state.position;
 
 	target.v[SLOT_X] = position.x;
@@ -41,10 +41,14 @@ static bool feed_to(struct drill *drill, double height, double feed)
 static bool rest(struct drill *drill)
 {
 	return !(drill->hole->dwell > 0) ||
-	       motion_commands_emit(drill->interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = drill->hole->dwell});
+	       motion_commands_emit(drill->interp,
+				    &(struct canon_move){.kind = CANON_DWELL, .seconds = drill->hole->dwell});
 }
 
-/* Peck after peck: chips are broken, or the tool goes up to the set-up clearance and down to just over the last depth. */
+/*
+ * Peck after peck: chips are broken, or the tool goes up to the set-up clearance and down to just over the last
+ * depth.
+ */
 static bool peck(struct drill *drill)
 {
 	const struct klartext_hole *hole = drill->hole;
@@ -57,8 +61,9 @@ static bool peck(struct drill *drill)
 		if (!feed_to(drill, depth, hole->feed))
 			return false;
 		breaks = only_break ? breaks + 1 : 0;
-		if (only_break ? !rapid(drill, fmin(hole->start, depth + hole->break_way))
-			       : !rapid(drill, hole->start) || !rapid(drill, fmin(hole->start, depth + hole->clearance)))
+		if (only_break
+			? !rapid(drill, fmin(hole->start, depth + hole->break_way))
+			: !rapid(drill, hole->start) || !rapid(drill, fmin(hole->start, depth + hole->clearance)))
 			return false;
 		size = fmax(size - hole->less, fmin(hole->least, size));
 		depth -= size;

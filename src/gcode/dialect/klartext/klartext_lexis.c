@@ -85,7 +85,8 @@ bool klartext_name(struct lexer *lexer, const char *what, char *name, size_t siz
 		const char *close = strchr(++start, *text);
 
 		if (!close)
-			return fault(lexer->at, column, "this name is not closed: the second quotation mark is missing");
+			return fault(lexer->at, column,
+				     "this name is not closed: the second quotation mark is missing");
 		length = (size_t)(close - start);
 		lexer->position += length + 2;
 	} else {

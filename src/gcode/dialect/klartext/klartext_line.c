@@ -56,14 +56,17 @@ static bool begin(struct lexer *lexer)
 		return fault(lexer->at, column, "a second BEGIN PGM before END PGM");
 	if (length == 2 && !strncmp(unit, "MM", 2)) {
 		if (klartext->programs && klartext->inch)
-			return fault(lexer->at, column, "a program in mm that one in inches calls is not supported yet");
+			return fault(lexer->at, column,
+				     "a program in mm that one in inches calls is not supported yet");
 		klartext->inch = false;
 	} else if ((length == 4 && !strncmp(unit, "INCH", 4)) || (length == 2 && !strncmp(unit, "IN", 2))) {
 		if (klartext->programs && !klartext->inch)
-			return fault(lexer->at, column, "a program in inches that one in mm calls is not supported yet");
+			return fault(lexer->at, column,
+				     "a program in inches that one in mm calls is not supported yet");
 		klartext->inch = true;
 	} else {
-		return fault(lexer->at, (int)(unit - text) + 1, "BEGIN PGM ends with the unit of the program, MM or INCH");
+		return fault(lexer->at, (int)(unit - text) + 1,
+			     "BEGIN PGM ends with the unit of the program, MM or INCH");
 	}
 	klartext->begun = true;
 	interp->state.scale = klartext->inch ? state_unit(G20) : state_unit(G21);
@@ -109,7 +112,8 @@ static bool call_cycle(struct lexer *lexer)
 		return false;
 	if (words.axes)
 		return fault(lexer->at, words.first_column, "CYCL CALL with coordinates is written as CYCL CALL POS");
-	return klartext_m_start(interp, &words) && klartext_cycle_call(interp, column) && klartext_m_end(interp, &words);
+	return klartext_m_start(interp, &words) && klartext_cycle_call(interp, column) &&
+	       klartext_m_end(interp, &words);
 }
 
 static bool cycle(struct lexer *lexer)
@@ -167,39 +171,39 @@ static const struct statement {
 	bool (*run)(struct lexer *lexer);
 	bool bare;
 } statements[] = {
-	{"L", run_line, false},
-	{"CC", klartext_circle_pole, false},
-	{"C", klartext_circle_about_pole, false},
-	{"CR", klartext_circle_by_radius, false},
-	{"CT", klartext_circle_tangential, false},
-	{"LN", klartext_straight_run_normal, false},
-	{"LP", klartext_circle_polar_line, false},
-	{"CP", klartext_circle_polar, false},
-	{"CTP", klartext_circle_tangential_polar, false},
-	{"RND", round_corner, false},
-	{"CHF", chamfer_corner, false},
-	{"CYCL", cycle, false},
-	{"LBL", klartext_flow_label, true},
-	{"CALL", klartext_flow_call, true},
-	{"FN", klartext_function_run, true},
-	{"TOOL", tool, false},
-	{"PLANE", klartext_plane_run, false},
-	{"FUNCTION", klartext_function_mode, false},
-	{"STOP", run_line, false},
-	{"BEGIN", begin, true},
-	{"END", end, true},
-	{"BLK", ignore, true},
-	{"APPR", approach, false},
-	{"DEP", depart, false},
-	{"TCH", probe, false},
-	{"PATTERN", pattern, false},
-	{"SEL", select_file, false},
-	{"TRANS", transform, false},
-	{"FL", free_contour, false},
-	{"FLT", free_contour, false},
-	{"FC", free_contour, false},
-	{"FCT", free_contour, false},
-	{"FPOL", free_contour, false},
+    {"L", run_line, false},
+    {"CC", klartext_circle_pole, false},
+    {"C", klartext_circle_about_pole, false},
+    {"CR", klartext_circle_by_radius, false},
+    {"CT", klartext_circle_tangential, false},
+    {"LN", klartext_straight_run_normal, false},
+    {"LP", klartext_circle_polar_line, false},
+    {"CP", klartext_circle_polar, false},
+    {"CTP", klartext_circle_tangential_polar, false},
+    {"RND", round_corner, false},
+    {"CHF", chamfer_corner, false},
+    {"CYCL", cycle, false},
+    {"LBL", klartext_flow_label, true},
+    {"CALL", klartext_flow_call, true},
+    {"FN", klartext_function_run, true},
+    {"TOOL", tool, false},
+    {"PLANE", klartext_plane_run, false},
+    {"FUNCTION", klartext_function_mode, false},
+    {"STOP", run_line, false},
+    {"BEGIN", begin, true},
+    {"END", end, true},
+    {"BLK", ignore, true},
+    {"APPR", approach, false},
+    {"DEP", depart, false},
+    {"TCH", probe, false},
+    {"PATTERN", pattern, false},
+    {"SEL", select_file, false},
+    {"TRANS", transform, false},
+    {"FL", free_contour, false},
+    {"FLT", free_contour, false},
+    {"FC", free_contour, false},
+    {"FCT", free_contour, false},
+    {"FPOL", free_contour, false},
 };
 
 static const struct statement *find_statement(const char *word)
@@ -299,7 +303,8 @@ static bool check_begun(struct lexer *lexer)
 		return true;
 	if (byte == '%')
 		return refuse_iso(lexer);
-	return fault(lexer->at, klartext_column(lexer), "a Klartext program begins with BEGIN PGM, which says MM or INCH");
+	return fault(lexer->at, klartext_column(lexer),
+		     "a Klartext program begins with BEGIN PGM, which says MM or INCH");
 }
 
 /* Between a corner and the straight line behind it there is nothing: its moves wait, and would be lost. */
@@ -324,6 +329,7 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	const size_t start = lexer->position;
 	char byte = lexer_peek(lexer);
 
+	klartext_of(interp)->numbered = numbered;
 	*bare = true;
 	if (byte == '\0' || byte == ';' || byte == '*')
 		return true;
@@ -372,7 +378,7 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	interp->moves = 0;
 	if (!end_definition(interp, &lexer) || !take_line(&lexer, &bare))
 		return false;
-	definition->continued |= definition->open && klartext_continues(interp->at.text);
+	definition->continued |= definition->open && definition->count > 0 && klartext_continues(interp->at.text);
 	/* A definition in one line, or the last line of one with '~'. */
 	if (definition->open && definition->by_q && !klartext_continues(interp->at.text) &&
 	    (definition->continued || (definition->count > 0 && definition->line == interp->at.line)) &&

@@ -12,8 +12,22 @@
 #include "gcode/execute/tool_length.h"
 
 enum m_action {
-	M_HARMLESS, M_HALT, M_END, M_TURN_RIGHT, M_TURN_LEFT, M_STAND, M_CHANGE, M_CALL, M_CALL_MODAL, M_SHORTEST,
-	M_PLAIN, M_TCP_START, M_TCP_STOP, M_RETRACT, M_TILT_AXES, M_REDUCE
+	M_HARMLESS,
+	M_HALT,
+	M_END,
+	M_TURN_RIGHT,
+	M_TURN_LEFT,
+	M_STAND,
+	M_CHANGE,
+	M_CALL,
+	M_CALL_MODAL,
+	M_SHORTEST,
+	M_PLAIN,
+	M_TCP_START,
+	M_TCP_STOP,
+	M_RETRACT,
+	M_TILT_AXES,
+	M_REDUCE
 };
 
 /* What those do that are read; the others are refused or ignored (klartext_codes.c). */
@@ -23,10 +37,10 @@ static enum m_action action_of(int number)
 		short number;
 		short action;
 	} actions[] = {
-		{0, M_HALT},	 {1, M_HALT},	   {2, M_END},	       {3, M_TURN_RIGHT},   {4, M_TURN_LEFT},
-		{5, M_STAND},	 {6, M_CHANGE},	   {13, M_TURN_RIGHT}, {14, M_TURN_LEFT},   {30, M_END},
-		{89, M_CALL_MODAL}, {94, M_REDUCE}, {99, M_CALL},      {126, M_SHORTEST},   {127, M_PLAIN},
-		{128, M_TCP_START}, {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},
+	    {0, M_HALT},	{1, M_HALT},	   {2, M_END},	       {3, M_TURN_RIGHT}, {4, M_TURN_LEFT},
+	    {5, M_STAND},	{6, M_CHANGE},	   {13, M_TURN_RIGHT}, {14, M_TURN_LEFT}, {30, M_END},
+	    {89, M_CALL_MODAL}, {94, M_REDUCE},	   {99, M_CALL},       {126, M_SHORTEST}, {127, M_PLAIN},
+	    {128, M_TCP_START}, {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},
 	};
 
 	for (size_t i = 0; i < sizeof(actions) / sizeof(actions[0]); i++) {
@@ -40,8 +54,8 @@ static enum m_action action_of(int number)
 static bool find_action(struct interp *interp, const struct klartext_m *m, enum m_action *action)
 {
 	static const enum m_action actions[] = {
-		[MCODE_TCP_ON] = M_TCP_START, [MCODE_TCP_OFF] = M_TCP_STOP, [MCODE_IGNORE] = M_HARMLESS,
-		[MCODE_SPINDLE_ON] = M_TURN_RIGHT, [MCODE_SPINDLE_OFF] = M_STAND,
+	    [MCODE_TCP_ON] = M_TCP_START,      [MCODE_TCP_OFF] = M_TCP_STOP,  [MCODE_IGNORE] = M_HARMLESS,
+	    [MCODE_SPINDLE_ON] = M_TURN_RIGHT, [MCODE_SPINDLE_OFF] = M_STAND,
 	};
 	const struct controller *controller = &interp->config->controller;
 	const struct code *found;
@@ -74,7 +88,8 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
 	if (klartext->waits)
-		return fault(&interp->at, m->column, "M128 before the rotary axes stand where PLANE ... STAY needs them");
+		return fault(&interp->at, m->column,
+			     "M128 before the rotary axes stand where PLANE ... STAY needs them");
 	return klartext_frame_check_preset(interp, m->column) &&
 	       tool_length_switch_tcp(interp, m->column, TCP_BY_MCODE);
 }
@@ -86,7 +101,8 @@ static bool reduce(struct interp *interp, const struct klartext_m *m)
 		if (!interp->config->has_axis[slot] || (m->way > 0 && !((unsigned)m->way & 1U << slot)))
 			continue;
 		if (fabs(interp->state.position.v[slot] - interp->state.offset.v[slot]) >= 360)
-			return fault(&interp->at, m->column, "M94 where %c stands a turn or more away from 0 is not supported yet",
+			return fault(&interp->at, m->column,
+				     "M94 where %c stands a turn or more away from 0 is not supported yet",
 				     AXIS_LETTERS[slot]);
 	}
 	return true;
@@ -99,7 +115,8 @@ static bool select_axes(struct interp *interp, const struct klartext_m *m)
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot] && named && !(named & 1U << slot))
-			return fault(&interp->at, m->column, "M138 that leaves %c out is not supported yet", AXIS_LETTERS[slot]);
+			return fault(&interp->at, m->column, "M138 that leaves %c out is not supported yet",
+				     AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -117,7 +134,8 @@ static bool retract(struct interp *interp, const struct klartext_words *words, c
 	if (m->way < 0)
 		return fault(&interp->at, m->column, "the way of M140 cannot be negative");
 	if (words->axes)
-		return fault(&interp->at, m->column, "M140 beside axis words: which comes first is not known here; write two blocks");
+		return fault(&interp->at, m->column,
+			     "M140 beside axis words: which comes first is not known here; write two blocks");
 	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, m->column), &way))
 		return false;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
@@ -194,7 +212,8 @@ static bool end_program(struct interp *interp, const struct klartext_m *m)
 	struct klartext *klartext = klartext_of(interp);
 
 	if (klartext->programs > 0)
-		return fault(&interp->at, m->column, "M%d in a program that CALL PGM has called: a called program ends with END PGM",
+		return fault(&interp->at, m->column,
+			     "M%d in a program that CALL PGM has called: a called program ends with END PGM",
 			     m->number);
 	klartext->behind_end = true;
 	return motion_commands_spindle_stops(interp);

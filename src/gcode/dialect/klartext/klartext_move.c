@@ -29,18 +29,21 @@ static bool check_way(struct interp *interp, int slot, double plain, double targ
 		klartext->cautioned_wrap = true;
 		caution(&interp->at, column,
 			"M126 is in force, but %c counts as a plain number: if its display is reduced to 360 degrees, "
-			"wrap=\"shortest\" of the axis in the machine file says so", AXIS_LETTERS[slot]);
+			"wrap=\"shortest\" of the axis in the machine file says so",
+			AXIS_LETTERS[slot]);
 	}
 	if (wrap == WRAP_SIGN)
-		return fault(&interp->at, column,
-			     "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
-			     AXIS_LETTERS[slot]);
+		return fault(
+		    &interp->at, column,
+		    "wrap=\"sign\" of %c: this control takes the shorter way (wrap=\"shortest\") or a plain number",
+		    AXIS_LETTERS[slot]);
 	if (klartext->shortest || wrap == WRAP_NONE || fabs(plain - target) < SAME_DEGREES)
 		return true;
-	return fault(&interp->at, column,
-		     "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
-		     "without it the control goes the plain way; write M126, or wrap=\"none\"",
-		     AXIS_LETTERS[slot]);
+	return fault(
+	    &interp->at, column,
+	    "%c would go the shorter way, as wrap=\"shortest\" of the machine file says, but M126 is not in force: "
+	    "without it the control goes the plain way; write M126, or wrap=\"none\"",
+	    AXIS_LETTERS[slot]);
 }
 
 static bool find_other(struct interp *interp, const struct klartext_words *words, int slot, slot_values *others)
@@ -137,9 +140,10 @@ bool klartext_move_check(struct interp *interp, const struct klartext_target *ta
 	bool tilted = interp->state.tcp == TCP_BY_PLANE, leaves = false;
 
 	if (!target->turns && klartext->waits)
-		return fault(&interp->at, column,
-			     "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
-			     "is not supported");
+		return fault(
+		    &interp->at, column,
+		    "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) "
+		    "is not supported");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		leaves = leaves || fabs(target->others.v[slot] - interp->state.position.v[slot]) > SAME_DEGREES;
 	if (tilted && leaves)
@@ -197,7 +201,8 @@ bool klartext_move_check_arc(struct interp *interp, const struct klartext_path *
 		if (same_double(fabs(normal[i]), 1))
 			continue;
 		if (first > 0 && !same_double(first, factor[i]))
-			return fault(&interp->at, column, "a circle while the factors of its plane's axes differ would be an ellipse");
+			return fault(&interp->at, column,
+				     "a circle while the factors of its plane's axes differ would be an ellipse");
 		first = factor[i];
 	}
 	return true;

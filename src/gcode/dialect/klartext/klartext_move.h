@@ -9,15 +9,16 @@
 /* Where a block leads: the programmed point in mm, and positions of the other axes. */
 struct klartext_target {
 	vec3 point;
-	slot_values others;	/* of all slots but X, Y and Z */
-	bool turns;	/* a rotary axis is named */
+	slot_values others; /* of all slots but X, Y and Z */
+	bool turns; /* a rotary axis is named */
 };
 
 /* The target of the block's axis words. False: reported. */
 bool klartext_move_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target);
 
 /* The feed of the block's move; a rapid where *rapid comes back true. False: reported. */
-bool klartext_move_feed(struct interp *interp, const struct klartext_words *words, bool *rapid, struct canon_feed *feed);
+bool klartext_move_feed(struct interp *interp, const struct klartext_words *words, bool *rapid,
+			struct canon_feed *feed);
 
 /* May linear axes move now? Not between PLANE ... STAY and its rotary axes. False: reported. */
 bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column);
@@ -26,8 +27,8 @@ bool klartext_move_check(struct interp *interp, const struct klartext_target *ta
 bool klartext_move_in_plane(const struct interp *interp, const slot_values *others);
 
 /*
- * Switches M128 off. In a tilted plane the coordinates are those of the plane again, but if the rotary axes have left it
- * linear axes wait until they are back. False: reported at the column.
+ * Switches M128 off. In a tilted plane the coordinates are those of the plane again, but if the rotary axes have
+ * left it linear axes wait until they are back. False: reported at the column.
  */
 bool klartext_move_end_tcp(struct interp *interp, int column);
 

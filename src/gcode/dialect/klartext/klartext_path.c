@@ -57,8 +57,8 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 		return false;
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (klartext_words_has(words, slot))
-			return fault(&interp->at, words->column[slot], "%c in a circle or in polar coordinates is not supported yet",
-				     AXIS_LETTERS[slot]);
+			return fault(&interp->at, words->column[slot],
+				     "%c in a circle or in polar coordinates is not supported yet", AXIS_LETTERS[slot]);
 	}
 	if (words->has_length || words->has_centre_angle)
 		return fault(&interp->at, words->first_column, "LEN and CCA belong to APPR and DEP");
@@ -75,7 +75,8 @@ bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape)
 	struct klartext_words words;
 
 	if (!klartext_words_read(lexer, &words) || !check_words(interp, &words) || !klartext_m_start(interp, &words) ||
-	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) || !klartext_move_target(interp, &words, &target))
+	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) ||
+	    !klartext_move_target(interp, &words, &target))
 		return false;
 	if (!klartext_move_check(interp, &target, words.first_column))
 		return false;

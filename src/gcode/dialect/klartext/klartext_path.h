@@ -1,4 +1,4 @@
-/* klartext_path.h - what every path block has in common: its words, its M-functions, corners, the direction it ends in. */
+/* klartext_path.h - what path blocks have in common: words, M-functions, corners, the direction at the end. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_PATH_H
 

@@ -18,10 +18,10 @@ enum positioning { POSITION_UNKNOWN, POSITION_MOVE, POSITION_TURN, POSITION_STAY
 /* The words behind the plane itself. */
 struct request {
 	enum positioning positioning;
-	double distance;	/* DIST of MOVE, mm */
+	double distance; /* DIST of MOVE, mm */
 	bool rapid;
-	double feed;	/* bare; 0: that in force */
-	int sign;	/* SEQ+ 1, SEQ- -1, 0: none */
+	double feed; /* bare; 0: that in force */
+	int sign; /* SEQ+ 1, SEQ- -1, 0: none */
 	bool table_rot, coord_rot;
 	int column;
 };
@@ -95,8 +95,8 @@ static void write_axes(const struct interp *interp, const struct kinematics_solu
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (!interp->config->has_axis[slot])
 			continue;
-		length += (size_t)snprintf(text + length, size - length, "%s%c%.6g", length ? " " : "", AXIS_LETTERS[slot],
-					   degrees(solution->rotary.v[slot]) + 0.0);
+		length += (size_t)snprintf(text + length, size - length, "%s%c%.6g", length ? " " : "",
+					   AXIS_LETTERS[slot], degrees(solution->rotary.v[slot]) + 0.0);
 		if (length >= size)
 			return;
 	}
@@ -129,8 +129,8 @@ static bool is_no_farther(const struct interp *interp, const struct kinematics_s
 }
 
 /*
- * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of those
- * within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
+ * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
+ * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
  */
 static bool choose(struct interp *interp, const struct request *request, const struct kinematics_solutions *solutions,
 		   const struct kinematics_solution **chosen)
@@ -143,26 +143,32 @@ static bool choose(struct interp *interp, const struct request *request, const s
 			fitting[count++] = i;
 	}
 	if (count == 0)
-		return fault(&interp->at, request->column,
-			     solutions->count == 0 ? "the rotary axes of this machine cannot stand the tool on this plane"
-			     : request->sign	   ? "no position of the rotary axes within their limits has the tool stand on "
-						     "this plane with this SEQ"
-						   : "within the limits of their travel, the rotary axes cannot stand the tool on "
-						     "this plane");
+		return fault(
+		    &interp->at, request->column,
+		    solutions->count == 0 ? "the rotary axes of this machine cannot stand the tool on this plane"
+		    : request->sign	  ? "no position of the rotary axes within their limits has the tool stand on "
+					    "this plane with this SEQ"
+				    : "within the limits of their travel, the rotary axes cannot stand the tool on "
+				      "this plane");
 	*chosen = &solutions->items[fitting[0]];
 	if (count == 1)
 		return true;
 	if (is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
 	    is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
-		*chosen = &solutions->items[is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]])
-						? fitting[0] : fitting[1]];
+		*chosen =
+		    &solutions
+			 ->items[is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]])
+				     ? fitting[0]
+				     : fitting[1]];
 		return true;
 	}
 	write_axes(interp, &solutions->items[0], texts[0], sizeof(texts[0]));
 	write_axes(interp, &solutions->items[1], texts[1], sizeof(texts[1]));
 	return fault(&interp->at, request->column,
-		     "PLANE could turn to %s or to %s: which one the control takes is not known here; write SEQ+ or SEQ-, or turn "
-		     "the rotary axes towards the one that is meant before", texts[0], texts[1]);
+		     "PLANE could turn to %s or to %s: which one the control takes is not known here; write SEQ+ or "
+		     "SEQ-, or turn "
+		     "the rotary axes towards the one that is meant before",
+		     texts[0], texts[1]);
 }
 
 /*
@@ -178,26 +184,34 @@ static bool check_free(struct interp *interp, const struct request *request, con
 
 		if (chosen->free[slot] && fabs(remainder(here, 360)) > SAME_DEGREES)
 			return fault(&interp->at, request->column,
-				     "any angle of %c suits this plane, and it stands at %.6g: whether the control leaves it there is "
-				     "not known here; turn %c to 0 in a block before", AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
+				     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
+				     "leaves it there is "
+				     "not known here; turn %c to 0 in a block before",
+				     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
 		if (chosen->free[slot] && request->table_rot && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
-			return fault(&interp->at, request->column,
-				     "TABLE ROT where any angle of %c suits the plane is not supported yet; write COORD ROT",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, request->column,
+			    "TABLE ROT where any angle of %c suits the plane is not supported yet; write COORD ROT",
+			    AXIS_LETTERS[slot]);
 		if (chosen->free[slot] && !request->coord_rot && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
-			return fault(&interp->at, request->column,
-				     "any angle of %c suits this plane: write COORD ROT, which turns the coordinates alone",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, request->column,
+			    "any angle of %c suits this plane: write COORD ROT, which turns the coordinates alone",
+			    AXIS_LETTERS[slot]);
 		if (chosen->tie[slot])
 			return fault(&interp->at, request->column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of this axis in "
-				     "the machine file says which one the control takes", AXIS_LETTERS[slot]);
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
+				     "\"negative\" of this axis in "
+				     "the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
 		if (interp->config->wrap[slot] == WRAP_NONE && !chosen->free[slot] &&
 		    fabs(to - interp->state.offset.v[slot]) > 180 + SAME_DEGREES)
-			return fault(&interp->at, request->column,
-				     "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not known "
-				     "here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine file",
-				     AXIS_LETTERS[slot], to, AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, request->column,
+			    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is "
+			    "not known "
+			    "here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine file",
+			    AXIS_LETTERS[slot], to, AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -212,8 +226,8 @@ static bool find_rotary(struct interp *interp, const struct request *request, co
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
 
-	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column), &orientation,
-					      &solutions) ||
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column),
+					      &orientation, &solutions) ||
 	    !choose(interp, request, &solutions, &chosen) || !check_free(interp, request, chosen, tilt))
 		return false;
 	*rotary = interp->state.position;
@@ -311,7 +325,8 @@ static bool reset(struct interp *interp, const struct request *request)
 			rotary.v[slot] = interp->state.offset.v[slot];
 		if (fabs(rotary.v[slot] - interp->state.position.v[slot]) > 180 + SAME_DEGREES)
 			return fault(&interp->at, request->column,
-				     "whether PLANE RESET turns %c to 0 or to a whole turn is not known here; turn it in a block before",
+				     "whether PLANE RESET turns %c to 0 or to a whole turn is not known here; turn it "
+				     "in a block before",
 				     AXIS_LETTERS[slot]);
 	}
 	return move_rotary(interp, request, &rotary);
@@ -344,7 +359,8 @@ static bool check(struct interp *interp, int column)
 		return fault(&interp->at, column, "PLANE while M128 is in force is not supported; M129 first");
 	if (klartext_frame_is_inner(&klartext->frame))
 		return fault(&interp->at, column,
-			     "PLANE while a mirror image, a rotation, a scaling or a shift of tilted coordinates is in force: cancel "
+			     "PLANE while a mirror image, a rotation, a scaling or a shift of tilted coordinates is in "
+			     "force: cancel "
 			     "it first, the last one first");
 	return true;
 }
@@ -375,9 +391,10 @@ static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle
 			angle[slot - SLOT_A] = word->value;
 			*any = *any || !same_double(word->value, 0);
 		} else if (word->given) {
-			return fault(&interp->at, word->column,
-				     "F and a clearance of CYCL DEF 19 let the control turn the rotary axes itself: that is not "
-				     "supported yet; turn them by Q120 to Q122");
+			return fault(
+			    &interp->at, word->column,
+			    "F and a clearance of CYCL DEF 19 let the control turn the rotary axes itself: that is not "
+			    "supported yet; turn them by Q120 to Q122");
 		}
 	}
 	return true;
@@ -404,7 +421,8 @@ bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cy
 			     "CYCL DEF 19 by positions of the rotary axes is not supported yet; write PLANE SPATIAL");
 	if (interp->config->controller.cycle_19_angles == CYCLE_19_ANGLES_UNKNOWN)
 		return fault(&interp->at, cycle->column,
-			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" or \"axes\" of "
+			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "
+			     "or \"axes\" of "
 			     "the machine's <controller> says it, or write PLANE SPATIAL");
 	tilt = klartext_tilt_spatial(angle);
 	return klartext_frame_check_preset(interp, cycle->column) && tilt_plane(interp, &request, &tilt);

@@ -24,7 +24,7 @@
 /* One of Q, QL and QR. */
 struct klartext_q {
 	double value;
-	bool given;	/* by this program, or by the control */
+	bool given; /* by this program, or by the control */
 };
 
 enum klartext_call_kind { KLARTEXT_MAIN, KLARTEXT_LABEL, KLARTEXT_PROGRAM };
@@ -32,39 +32,40 @@ enum klartext_call_kind { KLARTEXT_MAIN, KLARTEXT_LABEL, KLARTEXT_PROGRAM };
 /* A subprogram under way; the first one is the program itself. */
 struct klartext_call {
 	enum klartext_call_kind kind;
-	char title[KLARTEXT_NAME];	/* "LBL 5", "sub.h" */
+	char title[KLARTEXT_NAME]; /* "LBL 5", "sub.h" */
 	struct position back;
-	const char *file;	/* of the call */
+	const char *file; /* of the call */
 	long line;
 	int column;
 };
 
 /* CALL LBL ... REP, under way. */
 struct klartext_repeat {
-	struct position at;	/* of its line */
-	int level;	/* of calls */
+	struct position at; /* of its line */
+	int level; /* of calls */
 	int left;
-	long long start;	/* offset of its label */
-	bool left_by_jump;	/* out of the section: whether the count begins anew is not known */
+	long long start; /* offset of its label */
+	bool left_by_jump; /* out of the section: whether the count begins anew is not known */
 };
 
 /* A line of an older cycle: its letters, bare ones included, and their values. */
 struct klartext_cycle_word {
-	char name[12];	/* "Q200", "X", "DEPTH" */
-	int part;	/* of an older cycle: the digit behind the point of its line */
+	char name[12]; /* "Q200", "X", "DEPTH" */
+	int part; /* of an older cycle: the digit behind the point of its line */
 	double value;
-	bool given;	/* a value stood behind the name */
+	bool given; /* a value stood behind the name */
 	int column;
 	long line;
 };
 
 struct klartext_cycle {
-	int number;	/* 200, 7, ...; 0: none */
-	int part;	/* the digit behind the point of an older cycle's line, the last one */
-	bool open;	/* further lines may follow */
-	bool by_q;	/* its words are Q parameters */
-	bool continued;	/* by '~': the first line without it is the last one */
-	long line;	/* of CYCL DEF */
+	int number; /* 200, 7, ...; 0: none */
+	int part; /* the digit behind the point of an older cycle's line, the last one */
+	bool open; /* further lines may follow */
+	bool by_q; /* its words are Q parameters */
+	bool continued; /* by '~' behind parameters: the first line without it is the last one */
+	bool numbered; /* CYCL DEF has a block number: lines without one go on */
+	long line; /* of CYCL DEF */
 	int column;
 	struct klartext_cycle_word words[KLARTEXT_CYCLE_WORDS];
 	int count;
@@ -75,17 +76,17 @@ struct klartext_cycle {
  * of: mirror, rotation, scaling and a shift of the tilted coordinates inside; the tilted plane; a datum shift outside.
  */
 struct klartext_frame {
-	vec3 shift;	/* CYCL DEF 7, in coordinates that are not tilted, mm */
+	vec3 shift; /* CYCL DEF 7, in coordinates that are not tilted, mm */
 	bool tilted;
 	mat3 tilt;
-	vec3 inner;	/* CYCL DEF 7 in tilted coordinates, mm */
+	vec3 inner; /* CYCL DEF 7 in tilted coordinates, mm */
 	bool mirror[3];
-	double rotation;	/* degrees about Z */
-	vec3 factor;	/* of CYCL DEF 11 and 26 */
-	vec3 centre;	/* of CYCL DEF 26, mm */
+	double rotation; /* degrees about Z */
+	vec3 factor; /* of CYCL DEF 11 and 26 */
+	vec3 centre; /* of CYCL DEF 26, mm */
 	/* Derived: */
 	bool any;
-	mat3 turn;	/* orthogonal; its determinant is -1 while mirrored */
+	mat3 turn; /* orthogonal; its determinant is -1 while mirrored */
 	vec3 scale, origin;
 };
 
@@ -93,10 +94,10 @@ enum klartext_comp { KLARTEXT_R_NONE, KLARTEXT_R0, KLARTEXT_RL, KLARTEXT_RR };
 
 /* RND or CHF, which waits for the next straight line or circle. */
 struct klartext_corner {
-	bool waits;	/* a move of `item` and what follows it is in the queue */
+	bool waits; /* a move of `item` and what follows it is in the queue */
 	bool chamfer;
-	double size;	/* mm; 0: not given yet */
-	double feed;	/* mm/s of the corner alone; 0: that of the block before */
+	double size; /* mm; 0: not given yet */
+	double feed; /* mm/s of the corner alone; 0: that of the block before */
 	int column;
 	long line;
 };
@@ -107,46 +108,47 @@ struct klartext_path {
 	bool arc;
 	vec3 start, end;
 	vec3 centre, normal;
-	double sweep;	/* radians about the normal */
+	double sweep; /* radians about the normal */
 	bool rapid;
 	struct canon_feed feed;
 };
 
 struct klartext {
-	bool begun;	/* BEGIN PGM has been met */
-	bool behind_end;	/* M2 or M30 has been met: only END PGM counts */
+	bool begun; /* BEGIN PGM has been met */
+	bool numbered; /* the line in hand has a block number */
+	bool behind_end; /* M2 or M30 has been met: only END PGM counts */
 	bool inch;
-	bool jumped;	/* blocks are counted from the first jump on */
+	bool jumped; /* blocks are counted from the first jump on */
 	struct klartext_q q[KLARTEXT_Q_COUNT], qr[KLARTEXT_QL_COUNT], ql[KLARTEXT_CALLS_MAX + 1][KLARTEXT_QL_COUNT];
 	struct klartext_call calls[KLARTEXT_CALLS_MAX + 1];
-	int level, programs;	/* calls inside each other; of these, of programs */
+	int level, programs; /* calls inside each other; of these, of programs */
 	struct klartext_repeat repeats[KLARTEXT_REPEATS_MAX];
 	int repeat_count;
-	struct labels labels;	/* of every source that was searched */
-	struct strbuf line;	/* the line in hand, while others are read */
+	struct labels labels; /* of every source that was searched */
+	struct strbuf line; /* the line in hand, while others are read */
 	/* Tools. */
-	bool change_pending;	/* TOOL CALL was the last block: M6 belongs to it */
-	bool moved;	/* axes have moved since TOOL CALL */
-	bool oversize;	/* TOOL CALL has given DL, DR or DR2 */
-	double call_feed, call_feed_bare;	/* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
+	bool change_pending; /* TOOL CALL was the last block: M6 belongs to it */
+	bool moved; /* axes have moved since TOOL CALL */
+	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
+	double call_feed, call_feed_bare; /* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
 	/* Path. */
-	vec3 programmed;	/* where the last move has led, in the coordinates of then, mm: increments count from there */
+	vec3 programmed; /* where the last move has led, in the coordinates of then, mm: increments count from there */
 	vec3 pole;
 	bool has_pole[3];
-	int across;	/* slot of the axis across the plane of CC: Z, or X or Y */
-	struct klartext_path last;	/* the move before, for CT and corners */
+	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
+	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
-	bool shortest;	/* M126 */
+	bool shortest; /* M126 */
 	bool cautioned_wrap, preset_settled;
 	struct klartext_frame frame;
-	bool preset_in_plane;	/* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */
+	bool preset_in_plane; /* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */
 	/* PLANE ... STAY: linear axes wait until the rotary axes stand where the plane needs them. */
 	bool waits;
 	bool rotary_needed[SLOT_COUNT];
-	axis_values rotary;	/* radians */
-	struct klartext_cycle definition;	/* under way */
-	struct klartext_cycle cycle;	/* that M99 and CYCL CALL carry out */
-	bool modal_call;	/* M89 */
+	axis_values rotary; /* radians */
+	struct klartext_cycle definition; /* under way */
+	struct klartext_cycle cycle; /* that M99 and CYCL CALL carry out */
+	bool modal_call; /* M89 */
 };
 
 static inline struct klartext *klartext_of(const struct interp *interp)

@@ -15,8 +15,8 @@
 /* --------------------------------------------------------------------- L */
 
 /*
- * M91: coordinates of the machine's axes; work offsets, the frame and the tool's length do not count ("M91", "M92" in the
- * iTNC 530 user's manual). That the plane stays tilted meanwhile is from memory.
+ * M91: coordinates of the machine's axes; work offsets, the frame and the tool's length do not count ("M91", "M92"
+ * in the iTNC 530 user's manual). That the plane stays tilted meanwhile is from memory.
  */
 static bool run_in_machine(struct interp *interp, const struct klartext_words *words, bool rapid,
 			   const struct canon_feed *feed)
@@ -29,7 +29,8 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column, "M91 while M128 is in force: the manual wants M129 first");
 	if (klartext_of(interp)->waits)
-		return fault(&interp->at, column, "M91 between PLANE ... STAY and the rotary axes' way to the plane is not supported");
+		return fault(&interp->at, column,
+			     "M91 between PLANE ... STAY and the rotary axes' way to the plane is not supported");
 	if (!tool_length_suspend(interp, column, &suspended))
 		return false;
 	target = interp->state.position;
@@ -37,7 +38,8 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 		if (!klartext_words_has(words, slot))
 			continue;
 		if (suspended.tcp == TCP_BY_PLANE && slot_is_rotary(slot))
-			return fault(&interp->at, words->column[slot], "a rotary axis leaves the tilted plane: write PLANE RESET first");
+			return fault(&interp->at, words->column[slot],
+				     "a rotary axis leaves the tilted plane: write PLANE RESET first");
 		if (words->increments & 1U << slot)
 			target.v[slot] += words->value[slot];
 		else if (!endpoint_absolute(interp, slot, words->value[slot], 0, words->column[slot], &target.v[slot]))
@@ -66,12 +68,14 @@ static bool check_waiting(struct interp *interp, const struct klartext_words *wo
 {
 	if (!klartext_of(interp)->waits || !(words->axes & (1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z)))
 		return true;
-	return fault(&interp->at, words->first_column,
-		     "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) is not "
-		     "supported");
+	return fault(
+	    &interp->at, words->first_column,
+	    "a move of linear axes between PLANE ... STAY and the rotary axes' way to the plane (Q120 to Q122) is not "
+	    "supported");
 }
 
-static bool make_path(struct interp *interp, const struct klartext_words *words, bool rapid, const struct canon_feed *feed)
+static bool make_path(struct interp *interp, const struct klartext_words *words, bool rapid,
+		      const struct canon_feed *feed)
 {
 	struct klartext_target target;
 	struct klartext_path path = {.rapid = rapid, .feed = *feed};
@@ -148,18 +152,20 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 	if (!klartext_words_read(lexer, &words))
 		return false;
 	if (klartext_of(interp)->oversize)
-		return fault(lexer->at, words.first_column,
-			     "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "
-			     "supported yet");
+		return fault(
+		    lexer->at, words.first_column,
+		    "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "
+		    "supported yet");
 	if (words.has_tool)
-		return fault(lexer->at, words.first_column,
-			     "TX, TY, TZ: a direction of the tool is not supported yet; post the positions of the rotary axes");
+		return fault(
+		    lexer->at, words.first_column,
+		    "TX, TY, TZ: a direction of the tool is not supported yet; post the positions of the rotary axes");
 	return run(lexer, &words);
 }
 
 /*
- * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the rest. What it
- * does from below, and with a Z that shifts the cycle, is refused.
+ * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the
+ * rest. What it does from below, and with a Z that shifts the cycle, is refused.
  */
 bool klartext_straight_cycle_position(struct lexer *lexer)
 {
@@ -182,7 +188,8 @@ bool klartext_straight_cycle_position(struct lexer *lexer)
 		return false;
 	target.point.z = klartext_frame_point(interp).z;
 	if (!klartext_cycle_start(interp, &start) || target.point.z < start)
-		return fault(lexer->at, words.first_column,
-			     "CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here");
+		return fault(
+		    lexer->at, words.first_column,
+		    "CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here");
 	return klartext_move_line(interp, &target, true, &none);
 }

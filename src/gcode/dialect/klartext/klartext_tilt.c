@@ -80,8 +80,9 @@ static bool read_vector(struct lexer *lexer, mat3 *tilt)
 	int column = klartext_column(lexer);
 	vec3 b, n;
 
-	return need(lexer, "BX", &b.x) && need(lexer, "BY", &b.y) && need(lexer, "BZ", &b.z) && need(lexer, "NX", &n.x) &&
-	       need(lexer, "NY", &n.y) && need(lexer, "NZ", &n.z) && from_vectors(lexer, b, n, column, tilt);
+	return need(lexer, "BX", &b.x) && need(lexer, "BY", &b.y) && need(lexer, "BZ", &b.z) &&
+	       need(lexer, "NX", &n.x) && need(lexer, "NY", &n.y) && need(lexer, "NZ", &n.z) &&
+	       from_vectors(lexer, b, n, column, tilt);
 }
 
 static bool read_point(struct lexer *lexer, char number, vec3 *point)
@@ -150,7 +151,7 @@ bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, mat3 *tilt, boo
 	if (!strcmp(kind, "RELATIVE") || !strcmp(kind, "RELATIV"))
 		return read_relative(lexer, before, tilt);
 	if (!strcmp(kind, "PROJECTED") || !strcmp(kind, "AXIAL"))
-		return fault(lexer->at, column, "PLANE %s is not supported yet: write the plane as PLANE SPATIAL", kind);
-	return fault(lexer->at, column,
-		     "PLANE needs SPATIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
+		return fault(lexer->at, column, "PLANE %s is not supported yet: write the plane as PLANE SPATIAL",
+			     kind);
+	return fault(lexer->at, column, "PLANE needs SPATIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
 }

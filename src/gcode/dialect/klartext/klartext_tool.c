@@ -18,7 +18,7 @@ struct request {
 	int column;
 	bool has_speed, has_feed;
 	double speed, feed;
-	double longer;	/* DL, mm */
+	double longer; /* DL, mm */
 	bool oversize;
 };
 
@@ -35,14 +35,16 @@ static bool find_by_name(struct lexer *lexer, const char *name, int column, int 
 		if (!tool->name || strcmp(tool->name, name) != 0)
 			continue;
 		if (found)
-			return fault(lexer->at, column, "the setup has two tools named \"%s\", T%d and T%d", name, found->number,
-				     tool->number);
+			return fault(lexer->at, column, "the setup has two tools named \"%s\", T%d and T%d", name,
+				     found->number, tool->number);
 		found = tool;
 	}
 	if (!found)
 		return fault(lexer->at, column,
-			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what it "
-			     "is made of", name, name);
+			     "the setup defines no tool named \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> "
+			     "with what it "
+			     "is made of",
+			     name, name);
 	*number = found->number;
 	return true;
 }
@@ -54,7 +56,8 @@ static bool read_tool(struct lexer *lexer, int *number, int *column)
 
 	*column = klartext_column(lexer);
 	if (byte == '"' || byte == '\'')
-		return klartext_name(lexer, "a tool's name", name, sizeof(name)) && find_by_name(lexer, name, *column, number);
+		return klartext_name(lexer, "a tool's name", name, sizeof(name)) &&
+		       find_by_name(lexer, name, *column, number);
 	return klartext_integer(lexer, "a tool's number", 0, 32767, number);
 }
 
@@ -67,10 +70,11 @@ static bool check_length(struct lexer *lexer, int number, double length, int col
 
 	if (!tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE)
 		return true;
-	return fault(lexer->at, column,
-		     "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes depends on "
-		     "whether its tool table is active; make them agree, or leave L out",
-		     number, length, tool->length_offset);
+	return fault(
+	    lexer->at, column,
+	    "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes depends on "
+	    "whether its tool table is active; make them agree, or leave L out",
+	    number, length, tool->length_offset);
 }
 
 bool klartext_tool_define(struct lexer *lexer)
@@ -84,7 +88,8 @@ bool klartext_tool_define(struct lexer *lexer)
 	while (!klartext_ends(lexer)) {
 		column = klartext_column(lexer);
 		if (klartext_take(lexer, "L")) {
-			if (!klartext_value(lexer, &value) || !check_length(lexer, number, value * interp->state.scale, column))
+			if (!klartext_value(lexer, &value) ||
+			    !check_length(lexer, number, value * interp->state.scale, column))
 				return false;
 		} else if (klartext_take(lexer, "R")) {
 			if (!klartext_value(lexer, &value))
@@ -106,8 +111,8 @@ static bool read_word(struct lexer *lexer, struct request *request)
 
 	if (klartext_take(lexer, "Z"))
 		return true;
-	if (klartext_take(lexer, "X") || klartext_take(lexer, "Y") || klartext_take(lexer, "U") || klartext_take(lexer, "V") ||
-	    klartext_take(lexer, "W"))
+	if (klartext_take(lexer, "X") || klartext_take(lexer, "Y") || klartext_take(lexer, "U") ||
+	    klartext_take(lexer, "V") || klartext_take(lexer, "W"))
 		return fault(lexer->at, column, "another tool axis than Z is not supported yet");
 	if (klartext_take(lexer, "S"))
 		return request->has_speed = true, klartext_value(lexer, &request->speed);
@@ -157,11 +162,13 @@ static bool find_length(struct interp *interp, const struct request *request, do
 	if (request->number == 0)
 		return true;
 	if (!interp->config->has_setup)
-		return fault(&interp->at, request->column, "T%d: no setup was given that defines the tool's length", request->number);
+		return fault(&interp->at, request->column, "T%d: no setup was given that defines the tool's length",
+			     request->number);
 	if (!tool)
-		return fault(&interp->at, request->column,
-			     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
-			     request->number, request->number);
+		return fault(
+		    &interp->at, request->column,
+		    "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
+		    request->number, request->number);
 	*length += tool->length_offset;
 	return true;
 }
@@ -178,20 +185,23 @@ static bool change(struct interp *interp, const struct request *request)
 	double length;
 
 	if (tcp == TCP_BY_MCODE)
-		return fault(&interp->at, request->column, "TOOL CALL while M128 is in force: the manual wants M129 first");
+		return fault(&interp->at, request->column,
+			     "TOOL CALL while M128 is in force: the manual wants M129 first");
 	if (klartext->corner.waits)
 		return fault(&interp->at, request->column, "RND and CHF need a straight line behind them");
 	if (!find_length(interp, request, &length))
 		return false;
 	if (!interp->config->controller.tool_change.given)
-		return fault(&interp->at, request->column,
-			     "where TOOL CALL takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
-			     "machine file says it, and <tool_change/> that it moves none");
+		return fault(
+		    &interp->at, request->column,
+		    "where TOOL CALL takes the axes is not known: <tool_change Z=\"\" .../> in the <controller> of the "
+		    "machine file says it, and <tool_change/> that it moves none");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (klartext->frame.tilted && interp->config->controller.tool_change.has[slot])
-			return fault(&interp->at, request->column,
-				     "TOOL CALL in a tilted plane, and <tool_change> turns %c away from it; PLANE RESET first",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, request->column,
+			    "TOOL CALL in a tilted plane, and <tool_change> turns %c away from it; PLANE RESET first",
+			    AXIS_LETTERS[slot]);
 	}
 	interp->block.m_column[M_TOOL] = request->column;
 	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
@@ -240,7 +250,8 @@ bool klartext_tool_m6(struct interp *interp, int column)
 		return fault(&interp->at, column, "M6, but no TOOL CALL has named a tool");
 	if (klartext->moved)
 		return fault(&interp->at, column,
-			     "axes have moved between TOOL CALL and M6: which of them changes the tool, and which tool has moved, is "
+			     "axes have moved between TOOL CALL and M6: which of them changes the tool, and which tool "
+			     "has moved, is "
 			     "not known; write M6 behind TOOL CALL");
 	klartext->change_pending = false;
 	return true;

@@ -32,8 +32,10 @@ static void preassign(struct interp *interp, int number)
 	else if (number == 109)
 		klartext_q_set(klartext, 109, 2);
 	else if (number == 110)
-		klartext_q_set(klartext, 110, state->spindle == SPINDLE_CLOCKWISE ? 0
-					      : state->spindle == SPINDLE_COUNTERCLOCKWISE ? 1 : -1);
+		klartext_q_set(klartext, 110,
+			       state->spindle == SPINDLE_CLOCKWISE	    ? 0
+			       : state->spindle == SPINDLE_COUNTERCLOCKWISE ? 1
+									    : -1);
 	else if (number == 113)
 		klartext_q_set(klartext, 113, klartext->inch);
 	else if (number == 114)
@@ -64,8 +66,14 @@ struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
 	for (*number = 0; text[lexer->position] >= '0' && text[lexer->position] <= '9'; lexer_take(lexer)) {
 		*number = 10 * *number + (text[lexer->position] - '0');
 		if (*number >= count) {
-			fault_report(lexer->at, column, "Q parameters go from %s0 to %s%d", kind == 'Q' ? "Q" : kind == 'L' ? "QL" : "QR",
-				     kind == 'Q' ? "Q" : kind == 'L' ? "QL" : "QR", count - 1);
+			fault_report(lexer->at, column, "Q parameters go from %s0 to %s%d",
+				     kind == 'Q'   ? "Q"
+				     : kind == 'L' ? "QL"
+						   : "QR",
+				     kind == 'Q'   ? "Q"
+				     : kind == 'L' ? "QL"
+						   : "QR",
+				     count - 1);
 			return NULL;
 		}
 	}
@@ -84,9 +92,11 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 	if (!q)
 		return false;
 	if (!q->given)
-		return fault(lexer->at, column,
-			     "%.*s has no value: the program has not assigned one, and what the control still holds from "
-			     "before is not known", length, name);
+		return fault(
+		    lexer->at, column,
+		    "%.*s has no value: the program has not assigned one, and what the control still holds from "
+		    "before is not known",
+		    length, name);
 	*value = q->value;
 	return true;
 }

@@ -102,8 +102,8 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 	} else if (klartext_take(lexer, "AUTO")) {
 		feed = KLARTEXT_FEED_AUTO;
 	} else if (next_byte(lexer) == 'Z' || next_byte(lexer) == 'U') {
-		return fault(lexer->at, column, "F%c: a feed per %s is not supported yet; give F in mm/min", next_byte(lexer),
-			     next_byte(lexer) == 'Z' ? "tooth" : "revolution");
+		return fault(lexer->at, column, "F%c: a feed per %s is not supported yet; give F in mm/min",
+			     next_byte(lexer), next_byte(lexer) == 'Z' ? "tooth" : "revolution");
 	} else if (!klartext_value_follows(lexer)) {
 		/* An answer left out in the editor: the feed in force. */
 		return true;
@@ -159,7 +159,8 @@ static bool read_r(struct lexer *lexer, struct klartext_words *words, int column
 	if (byte == ' ' || byte == '\t' || byte == '\0' || byte == ';')
 		return true;
 	if ((byte == '+' || byte == '-') && (behind == ' ' || behind == '\0'))
-		return fault(lexer->at, column, "R%c: the radius compensation of a single axis is not supported yet", byte);
+		return fault(lexer->at, column, "R%c: the radius compensation of a single axis is not supported yet",
+			     byte);
 	if (words->has_size)
 		return refuse_twice(lexer, column, "R");
 	if (!klartext_value(lexer, &words->size))
@@ -208,7 +209,8 @@ static bool read_m(struct lexer *lexer, struct klartext_words *words, int column
 		return fault(lexer->at, column, "M%d stands twice in the block", number);
 	words->m[words->m_count++] = (struct klartext_m){.number = number, .column = column};
 	/* Which axes M138 and M94 mean is read with the function. */
-	while (words->m_count && (number == 138 || number == 94) && strchr("ABCUVW", next_byte(lexer)) && !klartext_ends(lexer)) {
+	while (words->m_count && (number == 138 || number == 94) && strchr("ABCUVW", next_byte(lexer)) &&
+	       !klartext_ends(lexer)) {
 		struct interp *interp = lexer->context;
 		int slot = slot_of_letter(next_byte(lexer));
 

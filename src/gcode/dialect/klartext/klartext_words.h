@@ -17,37 +17,37 @@ struct klartext_m {
 	int column;
 	/* M140 */
 	bool has_way, to_limit;
-	double way;	/* mm */
+	double way; /* mm */
 };
 
 /* Values are in mm and degrees. */
 struct klartext_words {
-	unsigned axes, increments;	/* bits 1 << slot: a word was given; it was given as I */
+	unsigned axes, increments; /* bits 1 << slot: a word was given; it was given as I */
 	double value[SLOT_COUNT];
 	int column[SLOT_COUNT];
-	bool has_radius, has_angle;	/* PR, PA */
+	bool has_radius, has_angle; /* PR, PA */
 	bool radius_increment, angle_increment;
 	double radius, angle;
 	int radius_column, angle_column;
-	bool has_size;	/* R with a number: CR, RND, CT of APPR; or CHF's */
+	bool has_size; /* R with a number: CR, RND, CT of APPR; or CHF's */
 	double size;
 	int size_column;
-	int direction;	/* DR+ 1, DR- -1, 0: none */
+	int direction; /* DR+ 1, DR- -1, 0: none */
 	enum klartext_comp comp;
 	int comp_column;
 	enum klartext_feed feed;
-	double feed_value;	/* mm/min, degrees/min */
-	double feed_bare;	/* the number itself */
+	double feed_value; /* mm/min, degrees/min */
+	double feed_bare; /* the number itself */
 	int feed_column;
 	bool has_speed;
 	double speed;
-	bool has_normal, has_tool;	/* LN */
+	bool has_normal, has_tool; /* LN */
 	double normal[3], tool[3];
 	struct klartext_m m[KLARTEXT_M_MAX];
 	int m_count;
-	bool has_length, has_centre_angle;	/* LEN and CCA of APPR and DEP */
+	bool has_length, has_centre_angle; /* LEN and CCA of APPR and DEP */
 	double length, centre_angle;
-	int first_column;	/* of the first word */
+	int first_column; /* of the first word */
 };
 
 /* Reads words up to the end of the block. False: reported. */
