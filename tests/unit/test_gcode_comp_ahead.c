@@ -109,6 +109,10 @@ START_TEST(cancel_alone)
 	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY20\nG40\nZ50\nX0\nZ60\nY0\nZ70\nM30\n",
 	    "feed 8 0 0 0 0\nfeed 8 20 0 0 0\nfeed 10 20 0 0 0 spread 2 2 0\nfeed 10 20 50 0 0 spread 2 2 0\n"
 	    "feed 0 20 50 0 0 spread 2 2 0\nfeed 0 20 60 0 0 spread 0 2 0\nfeed 0 0 60 0 0 spread 0 2 0\nfeed 0 0 70 0 0\n");
+	/* X of a dwell moves nothing. */
+	run(A, LINEAR, "G94 F9 G1 G41 D1 X10 Y0\nY20\nG40\nG4 X1.\nZ50\nM30\n",
+	    "feed 8 0 0 0 0\nfeed 8 20 0 0 0\nfeed 10 20 0 0 0 spread 2 2 0\ndwell 1 spread 2 2 0\n"
+	    "feed 10 20 50 0 0 spread 2 2 0\n");
 }
 END_TEST
 

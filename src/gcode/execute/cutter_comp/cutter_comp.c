@@ -262,15 +262,19 @@ bool cutter_comp_select(struct interp *interp)
 	return true;
 }
 
-/* Axes that the block has commanded are no longer aside. */
+/* Axes that the block has moved are no longer aside; in turned coordinates it must have moved all of them. */
 static void tighten(struct interp *interp)
 {
 	const struct block *block = &interp->block;
+	double *loose = interp->comp.loose;
+	int code = block->g[G_NONMODAL];
+	bool moves = block->motion != CODE_NONE || code == G28 || code == G30;
 
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (block_has(block, AXIS_LETTERS[slot]) &&
-		    (block->motion != CODE_NONE || block->g[G_NONMODAL] != CODE_NONE))
-			interp->comp.loose[slot] = 0;
+	for (int slot = SLOT_X; slot <= SLOT_Z && interp->state.frame.on; slot++)
+		moves = moves && (!(loose[slot] > 0) || block_has(block, AXIS_LETTERS[slot]));
+	for (int slot = SLOT_X; slot <= SLOT_Z && moves; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			loose[slot] = 0;
 	}
 }
 
