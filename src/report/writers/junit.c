@@ -164,7 +164,7 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
  * place, the text has all of them.
  *
  * There is no published standard. The form is that of the schema of Jenkins' xUnit plugin (junit-10.xsd) with one attribute
- * more, "file", by which GitLab and others link to the program; Jenkins itself takes it. The schema that Ant's users know
+ * more, "file", by which GitLab links to the program. The schema that Ant's users know
  * wants the computer's name and a time of day, which reports of the same input must not differ by.
  */
 const struct report_writer junit_writer = {
