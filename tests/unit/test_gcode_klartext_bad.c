@@ -532,6 +532,9 @@ static const struct {
 	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
 	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
 	 "coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+10\nL IC+5 FMAX\n",
+	 "p.nc:4:3: error: an increment of C after its datum was shifted: from where the control counts "
+	 "is not known here; give C as an absolute coordinate first"},
 };
 
 START_TEST(fault_table)
@@ -543,8 +546,7 @@ START_TEST(fault_table)
 	klartext_case(&c);
 	ck_assert_msg(!klartext_run(&c, faults[_i].blocks), "%s passes", faults[_i].blocks);
 	said = strbuf_text(&c.messages);
-	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks,
-		      said);
+	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks, said);
 	ck_assert_uint_eq(c.diag.errors, 1);
 	case_release(&c);
 }

@@ -119,6 +119,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: power_on_plane of <controller>: LinuxCNC always starts with G21, G90 and G17\n"},
     {MACHINE("<controller dialect='fanuc' power_on_units='inches'/><base/>"),
      "m.xml:2: error: power_on_units=\"inches\" of <controller> must be mm or inch\n"},
+    {MACHINE("<controller dialect='haas' cycle_19_angles='axes'/><base/>"),
+     "m.xml:2: error: cycle_19_angles of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='fanuc' least_input='2'/><base/>"),
      "m.xml:2: error: least_input=\"2\" of <controller> is not between 1e-6 and 1\n"},
     {MACHINE("<controller><tool_change X='1'/></controller><base/>"),

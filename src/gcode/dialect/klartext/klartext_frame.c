@@ -188,6 +188,8 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 			    "a datum shift while a mirror image, a rotation or a scaling is in force: whether it is "
 			    "turned with them is not known here; shift the datum first");
 	}
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++)
+		klartext_of(interp)->shifted[slot] |= !same_double(shift.v[slot], interp->state.shift.v[slot]);
 	*linear = (vec3){values[0], values[1], values[2]};
 	interp->state.shift = shift;
 	klartext_frame_update(frame);
@@ -364,19 +366,32 @@ bool klartext_frame_check_plane(struct interp *interp, int column)
 							      "PLANE RESET first");
 }
 
+static bool same_values(const slot_values *a, const slot_values *b)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!same_double(a->v[slot], b->v[slot]))
+			return false;
+	}
+	return true;
+}
+
 bool klartext_frame_check_preset(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 	struct state *state = &interp->state;
-	int known = 0, only = 0;
+	int known = 0, only = 0, others = 0;
 
 	if (klartext->preset_settled)
 		return true;
 	for (int system = 0; system < SYSTEM_COUNT + EXTENDED_COUNT; system++) {
-		known += state->work_known[system];
-		only = state->work_known[system] ? system : only;
+		if (!state->work_known[system])
+			continue;
+		others += known > 0 && !same_values(&state->work[system], &state->work[only]);
+		known++;
+		only = system;
 	}
-	if (known > 1)
+	/* Presets that are alike leave nothing open. */
+	if (others > 0)
 		return fault(
 		    &interp->at, column,
 		    "the setup has %d presets, and the program does not say which one is in force: select it by "

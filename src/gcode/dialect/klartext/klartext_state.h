@@ -129,6 +129,7 @@ struct klartext {
 	/* Tools. */
 	bool change_pending; /* TOOL CALL was the last block: M6 belongs to it */
 	bool moved; /* axes have moved since TOOL CALL */
+	bool shifted[SLOT_COUNT]; /* CYCL DEF 7 has shifted this rotary axis, and no absolute word came since */
 	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
 	double call_feed, call_feed_bare; /* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
 	/* Path. */
