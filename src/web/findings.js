@@ -10,7 +10,7 @@ import {duration, fixed, grouped, h} from './elements.js';
 /** @type {Object<string, string>} */
 const KINDS = {
 	collision: 'Collision', clearance: 'Too little clearance', limit: 'Axis limit', 'start-overlap': 'Overlap at the start',
-	'rapid-contact': 'Rapid into the part', gouge: 'Gouge',
+	'rapid-contact': 'Contact while not cutting', gouge: 'Gouge',
 };
 /** Cards that are made at once; the rest when asked for. */
 const FIRST_CARDS = 50;
@@ -36,7 +36,8 @@ async function movesOf(model, finding) {
 	const start = await path.blockEnd(finding.time, -1), end = await path.blockEnd(finding.time, 1);
 	await Promise.all([path.load(start), path.load(end)]);
 	const from = path.pose(start).values, to = path.pose(end).values;
-	return axes.map((axis, i) => ({axis, from: from[i], to: to[i]})).filter((move) => Math.abs(move.to - move.from) > 0.0015);
+	const all = model.readOut.map((letter) => axes.findIndex((axis) => axis.letter === letter)).map((i) => ({axis: axes[i], from: from[i], to: to[i]}));
+	return all.filter((move) => Math.abs(move.to - move.from) > 0.0015);
 }
 
 /** What is worth a try; no proof stands behind it. @param {Model} model @param {Finding} finding @param {{axis: import('./model.js').Axis}[]} moves */

@@ -157,6 +157,22 @@ def other_examples(bench):
 
 
 @test
+def limit(bench):
+    """An axis that leaves its travel: what it carries is red, and the words say how far."""
+    machine, setup, _ = fixtures.boxes(bench.work)
+    program = os.path.join(bench.work, "limit.nc")
+    with open(program, "w", encoding="utf-8") as file:
+        file.write("G21 G90\nT1 M6\nG54 G43 H1\nG0 Z150\nZ350\nM2\n")
+    path, findings = bench.report("limit", machine, setup, program, "--all")
+    same("kinds", {finding["kind"] for finding in findings}, {"limit"})
+    page = bench.open(path)
+    text = page.run("document.querySelector('.card').textContent")
+    true(text, text.startswith("Z leaves its travel") and "its limit is 0.000: 110.000 too far" in text and "Z -90.000 \u2192 " in text)
+    true("red pixels", page.run(RED) > 2000)
+    bench.done(page, "limit")
+
+
+@test
 def phone(bench):
     """No sideways scroll at 390 px, on no tab; one finger turns, two zoom."""
     path, _ = bench.example("ac-trunnion", "collision", "--all")
