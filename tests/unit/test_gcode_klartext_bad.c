@@ -546,7 +546,8 @@ START_TEST(fault_table)
 	klartext_case(&c);
 	ck_assert_msg(!klartext_run(&c, faults[_i].blocks), "%s passes", faults[_i].blocks);
 	said = strbuf_text(&c.messages);
-	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks, said);
+	ck_assert_msg(!strncmp(said, faults[_i].message, length) && said[length] == '\n', "%s: %s", faults[_i].blocks,
+		      said);
 	ck_assert_uint_eq(c.diag.errors, 1);
 	case_release(&c);
 }

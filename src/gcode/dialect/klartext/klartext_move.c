@@ -53,10 +53,11 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 
 	if (words->increments & 1U << slot) {
 		if (klartext_of(interp)->shifted[slot])
-			return fault(&interp->at, words->column[slot],
-				     "an increment of %c after its datum was shifted: from where the control counts is not "
-				     "known here; give %c as an absolute coordinate first",
-				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, words->column[slot],
+			    "an increment of %c after its datum was shifted: from where the control counts is not "
+			    "known here; give %c as an absolute coordinate first",
+			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		others->v[slot] += value;
 		return true;
 	}
