@@ -57,7 +57,10 @@ bool line_shape_is_block(const char *block)
 
 bool line_shape_is_program_number(const char *block)
 {
-	size_t digits = strspn(block + 1, "0123456789");
+	size_t digits;
 
-	return (*block == 'O' || *block == ':') && digits > 0 && block[1 + digits] == '\0';
+	if (*block != 'O' && *block != ':')
+		return false;
+	digits = strspn(block + 1, "0123456789");
+	return digits > 0 && block[1 + digits] == '\0';
 }
