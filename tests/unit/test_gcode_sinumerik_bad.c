@@ -232,6 +232,8 @@ static const struct bad programs[] = {
 	 "REPEAT stands at the start of its block"},
 	{"ELSE\n", 1, 1,
 	 "IF in line 1 has no ENDIF"},
+	{"RET\n", 1, 1,
+	 "this returns, but no subprogram is being carried out"},
 };
 
 /* The message is the only one, and the caret stands below the column of the line that it names. */

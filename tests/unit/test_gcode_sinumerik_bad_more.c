@@ -8,8 +8,6 @@ struct bad {
 };
 
 static const struct bad programs[] = {
-	{"RET\n", 1, 1,
-	 "this returns, but no subprogram is being carried out"},
 	{"PROC\n", 1, 5,
 	 "PROC needs the name of its subprogram"},
 	{"CALL\n", 1, 5,
@@ -27,8 +25,9 @@ static const struct bad programs[] = {
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
 	 "in upper or lower case) lies beside the program or in a folder of --include"},
 	{"L100 P2\n", 1, 1,
-	 "L100 is neither a word that is known nor a subprogram: no file L100.SPF (or .spf, .MPF, .mpf, in "
-	 "upper or lower case) lies beside the program or in a folder of --include"},
+	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in "
+	 "a folder of --include; if L100 is the builder's and moves no axis, <macro program=\"100\" "
+	 "action=\"none\"/> in the machine's <controller> says so"},
 	{"L\n", 1, 1,
 	 "L without a number"},
 	{"X1 NOSUCH\n", 1, 4,
@@ -232,6 +231,8 @@ static const struct bad programs[] = {
 	 "TOROT: frame in the direction of the tool is not supported yet"},
 	{"x(5)\n", 1, 1,
 	 "X without a number"},
+	{"G500 G43 X1\n", 1, 6,
+	 "G43 is not known; it is a code of ISO mode (G291), the language of Fanuc, which is not read here"},
 	{"5\n", 1, 1,
 	 "unexpected '5'"},
 	{"!\n", 1, 1,

@@ -106,6 +106,19 @@ static bool add_letter(struct reading *r, char letter, int column, double value,
 	return true;
 }
 
+/* Codes that programs in ISO mode have, and the control's own language has not. */
+static bool is_iso(double value)
+{
+	static const double codes[] = {20, 21, 27, 28, 30, 43, 44, 49, 50, 51, 52, 65, 66, 67, 68, 69,
+				       73, 76, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 92, 98, 99};
+
+	for (size_t i = 0; i < sizeof(codes) / sizeof(codes[0]); i++) {
+		if (!(value < codes[i] || value > codes[i]))
+			return true;
+	}
+	return false;
+}
+
 static bool read_g(struct reading *r, double value, int column)
 {
 	const double tenths = value * 10;
@@ -116,6 +129,10 @@ static bool read_g(struct reading *r, double value, int column)
 	if (value >= 505 && value <= 599)
 		return set_code(r, SINUMERIK_SYSTEM, (int)tenths, column);
 	code = code_find(r->interp->config->dialect->g_codes, (int)tenths);
+	if (!code && is_iso(value))
+		return fault(r->lexer->at, column,
+			     "G%g is not known; it is a code of ISO mode (G291), the language of Fanuc, which is not read here",
+			     value);
 	if (!code)
 		return fault(r->lexer->at, column, "G%g is not known", value);
 	if (code->state == CODE_REFUSED)

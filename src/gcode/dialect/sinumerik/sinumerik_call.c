@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
@@ -104,6 +105,24 @@ bool sinumerik_call_name(struct interp *interp, const char *path, int column, ch
 	return true;
 }
 
+/* L9810: subprograms of the machine's builder have such names. */
+static bool is_numbered(const char *name)
+{
+	return name[0] == 'L' && name[1] && name[1 + strspn(name + 1, "0123456789")] == '\0';
+}
+
+/* Of a subprogram of the builder the machine file may say what it does; NULL: it says nothing. */
+static const struct builder_macro *find_macro(const struct interp *interp, const char *name)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (size_t i = 0; i < controller->macro_count && is_numbered(name); i++) {
+		if (controller->macros[i].program == strtol(name + 1, NULL, 10))
+			return &controller->macros[i];
+	}
+	return NULL;
+}
+
 /* Controls keep names in upper case; files on other computers have them in either. */
 static bool find_file(struct interp *interp, const char *name, int column, struct source **source)
 {
@@ -120,6 +139,12 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
 			return false;
 	}
+	if (!*source && is_numbered(name))
+		return fault(&interp->at, column,
+			     "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
+			     "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%s\" "
+			     "action=\"none\"/> in the machine's <controller> says so",
+			     name, name, name + 1);
 	return *source ||
 	       fault(&interp->at, column,
 		     "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
@@ -148,8 +173,14 @@ static bool enter(struct interp *interp, const struct position *entry, long last
 bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct builder_macro *macro = find_macro(interp, name);
 	struct position entry = {.line = 1};
 
+	if (macro && macro->action == MACRO_NONE)
+		return true;
+	if (macro)
+		return fault(&interp->at, column,
+			     "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
 	if (!find_file(interp, name, column, &entry.source) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
 	sinumerik->level++;
