@@ -78,7 +78,7 @@ static bool from_vectors(struct lexer *lexer, vec3 base, vec3 normal, int column
 static bool read_vector(struct lexer *lexer, mat3 *tilt)
 {
 	int column = klartext_column(lexer);
-	vec3 b, n;
+	vec3 b = {0, 0, 0}, n = {0, 0, 0};
 
 	return need(lexer, "BX", &b.x) && need(lexer, "BY", &b.y) && need(lexer, "BZ", &b.z) &&
 	       need(lexer, "NX", &n.x) && need(lexer, "NY", &n.y) && need(lexer, "NZ", &n.z) &&
