@@ -11,7 +11,6 @@
 #include "geom/xform.h"
 #include "scene/bvh_pair.h"
 
-/* Measured: 16 are as good; the rings of a round table need three. */
 enum { PROFILE_RINGS = 32 };
 
 /*

@@ -242,6 +242,43 @@ START_TEST(what_cells_cover_is_apart)
 }
 END_TEST
 
+/* No position of a box has a larger path displacement than the bound for all of them. */
+START_TEST(the_path_displacement_is_bounded_over_a_box)
+{
+	double tightest = 0;
+
+	for (long n = 0; n < random_cases(400); n++) {
+		axis_values tolerance = {{0}}, half = {{0}};
+		struct chain_state state;
+		struct scene_of_two s;
+		double most;
+
+		scene_init(&s, 3, n);
+		for (size_t i = 0; i < s.duo.chain.count; i++) {
+			const struct joint *joint = &s.duo.chain.joints[i];
+			double unit = joint->rotary ? 0.01 : 1;
+
+			tolerance.v[joint->slot] = random_below(&s.random, 3) ? unit * random_size(&s.random, 1e-3, 1) : 0;
+			half.v[joint->slot] = random_below(&s.random, 3) ? unit * random_size(&s.random, 1e-3, 50) : 0;
+		}
+		chain_state_init(&state, &s.duo.chain, &s.at, &s.duo.pair.ball_a, &s.duo.pair.ball_b);
+		most = box_path_displacement(&s.duo.chain, &state, &half, &tolerance);
+		for (int i = 0; i < SAMPLES; i++) {
+			axis_values q = s.at;
+			double w;
+
+			for (int k = 0; k < SLOT_COUNT; k++)
+				q.v[k] += half.v[k] * (random_below(&s.random, 2) ? random_sign(&s.random) : random_in(&s.random, -1, 1));
+			w = body_pair_path_displacement(&s.duo.pair, &q, &tolerance);
+			require(w <= most * (1 + 1e-12), "case %ld: displacement %.15g, bound %.15g", n, w, most);
+			tightest = most > 0 ? fmax(tightest, w / most) : tightest;
+		}
+		duo_release(&s.duo);
+	}
+	require(tightest > 0.99, "slack: %g", tightest);
+}
+END_TEST
+
 /* Up and down over a face costs nothing of the gap sideways, and neither does a turn about the normal. */
 START_TEST(motion_across_the_normal_is_free)
 {
@@ -296,6 +333,7 @@ int main(void)
 
 	tcase_add_test(tcase, the_gap_is_never_smaller_than_the_bound);
 	tcase_add_test(tcase, what_cells_cover_is_apart);
+	tcase_add_test(tcase, the_path_displacement_is_bounded_over_a_box);
 	tcase_add_test(tcase, motion_across_the_normal_is_free);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(check, CK_NORMAL);
