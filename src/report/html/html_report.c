@@ -39,13 +39,14 @@ static int write_table(struct page *page, const int64_t *values, size_t rows, si
 static json_t *write_coarse(struct page *page, const struct recorded_table *table, bool start)
 {
 	const size_t n = table->columns, extra = start && memcmp(table->first, table->coarse, n * sizeof(int64_t)) != 0;
-	int64_t *values = mem_alloc((table->coarse_rows + 1) * n * sizeof(*values));
+	const size_t rows = table->coarse_rows + extra;
+	int64_t *values = mem_alloc((rows + 1) * n * sizeof(*values));
 	json_t *object = json_object();
 
 	memcpy(values, table->first, n * sizeof(*values));
 	memcpy(values + extra * n, table->coarse, table->coarse_rows * n * sizeof(*values));
-	json_put(object, "blob", json_integer(write_table(page, values, table->coarse_rows + extra, n)));
-	json_put(object, "rows", json_integer((json_int_t)(table->coarse_rows + extra)));
+	json_put(object, "blob", json_integer(write_table(page, values, rows, n)));
+	json_put(object, "rows", json_integer((json_int_t)rows));
 	free(values);
 	return object;
 }

@@ -95,7 +95,7 @@ void pack_table_read(int64_t *values, size_t rows, size_t columns, const char *b
 	const char *plane = bytes + 9 * columns;
 
 	for (size_t c = 0; c < columns; c++) {
-		const int planes = bytes[9 * c];
+		const int planes = (unsigned char)bytes[9 * c];
 		int64_t delta = 0;
 
 		values[c] = read_first(bytes + 9 * c);

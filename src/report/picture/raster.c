@@ -59,9 +59,11 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 	b_step = (p[2].y - p[0].y) / area;
 	for (int y = y0; y < y1; y++) {
 		const vec3 at = {x0 + 0.5, y + 0.5, 0};
-		double a = area_of(p[1], p[2], at) / area, b = area_of(p[2], p[0], at) / area;
+		const double a0 = area_of(p[1], p[2], at) / area, b0 = area_of(p[2], p[0], at) / area;
 
-		for (int x = x0; x < x1; x++, a += a_step, b += b_step) {
+		for (int x = x0; x < x1; x++) {
+			const double a = a0 + (x - x0) * a_step, b = b0 + (x - x0) * b_step;
+
 			if (a >= 0 && b >= 0 && a + b <= 1)
 				draw_pixel(raster, x, y, (float)(a * p[0].z + b * p[1].z + (1 - a - b) * p[2].z), paint);
 		}
