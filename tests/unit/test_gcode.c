@@ -252,7 +252,7 @@ START_TEST(path_control)
 	case_init(&c);
 	c.show_blend = true;
 	case_expect(&c, "G0 X1\nG64 X2\nG64 P.1 Q.2 X3\nG20 G64 P.1 X0\nG61 X1\nG64\nX2\nG61.1 X3\nM2\n",
-		    "rapid 1 0 0 0 0 exact\nrapid 2 0 0 0 0 blend 0\nrapid 3 0 0 0 0 blend 0.1\n"
+		    "rapid 1 0 0 0 0 blend 0\nrapid 2 0 0 0 0 blend 0\nrapid 3 0 0 0 0 blend 0.1\n"
 		    "rapid 0 0 0 0 0 blend 2.54\nrapid 25.4 0 0 0 0 exact\nrapid 50.8 0 0 0 0 blend 0\n"
 		    "rapid 76.2 0 0 0 0 exact\n");
 }

@@ -141,7 +141,7 @@ const struct dialect dialect_linuxcnc = {
 	.traits = {
 		.last_of_group = ANSWER_NO,
 		/* "G-code defaults". */
-		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94},
+		.power_on = {.units = G21, .distance = G90, .plane = G17, .feed_mode = G94, .path = G64},
 		.whole_numbers = WHOLE_NUMBERS_UNITS,
 		/* "Order of Execution". */
 		.known_order = ANSWER_YES,
