@@ -240,18 +240,19 @@ static bool write_picture(const struct stage *stage, const char *title, const ch
 	return good;
 }
 
-/* --report. False: reported. */
-static bool write_html(const struct program_reports *reports, struct html_contents *report, const struct stage *stage,
-		       const char *title, const char *path, struct diag *diag)
+/* --report, with a picture and the files that were read beside what is known. False: reported. */
+static bool write_html(const struct program_reports *reports, const struct html_contents *known,
+		       const struct stage *stage, const char *title, const char *path, struct diag *diag)
 {
 	struct strbuf picture = {0};
-	struct report_file *files = files_of(reports, report->recorder, report->program->name, &report->file_count);
+	struct html_contents report = *known;
+	struct report_file *files = files_of(reports, known->recorder, known->program->name, &report.file_count);
 	bool good;
 
 	picture_add_svg(&picture, stage, title, false);
-	report->picture = &picture;
-	report->files = files;
-	good = html_report_write(report, path, diag);
+	report.picture = &picture;
+	report.files = files;
+	good = html_report_write(&report, path, diag);
 	strbuf_release(&picture);
 	free(files);
 	return good;
