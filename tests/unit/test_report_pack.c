@@ -42,7 +42,7 @@ START_TEST(zlib_reads_what_was_deflated)
 	uLongf length = COUNT;
 
 	for (int i = 0; i < COUNT; i++)
-		bytes[i] = (char)(i * i % 251);
+		bytes[i] = (char)((long)i * i % 251);
 	deflate_add(&out, bytes, COUNT, DEFLATE_FAST);
 	ck_assert_int_eq(uncompress((Bytef *)back, &length, (const Bytef *)out.text, out.length), Z_OK);
 	ck_assert_uint_eq(length, COUNT);

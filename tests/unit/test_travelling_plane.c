@@ -238,7 +238,8 @@ START_TEST(what_cells_cover_is_apart)
 		duo_release(&s.duo);
 	}
 	require(copies == covered, "%ld motions covered, %ld by copies", covered, copies);
-	require(covered > 2 * cases && divided > 0, "covered %ld, divided %ld", covered, divided);
+	/* Few cases divide: a tenth of the usual number need not have one. */
+	require(covered > 2 * cases && (divided > 0 || cases < 80), "covered %ld, divided %ld", covered, divided);
 }
 END_TEST
 
