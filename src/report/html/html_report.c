@@ -282,7 +282,7 @@ static json_t *read_out_json(const struct machine *machine)
 	return array;
 }
 
-/* Everything but path, clearance, planes and code. */
+/* Everything but path, clearance, planes and code. Copies: threads that write reports at a time share the scene. */
 static json_t *head_json(const struct html_contents *report)
 {
 	const struct report_run *run = report->run;
@@ -297,13 +297,13 @@ static json_t *head_json(const struct html_contents *report)
 	json_put(object, "files", ndjson_files(report->files, report->file_count));
 	json_put(object, "options", options_json(run));
 	json_put(object, "shard", json_shard(run->shard, run->shards, run->options->shards > 0));
-	json_put(object, "machine", json_incref(scene->machine));
+	json_put(object, "machine", json_deep_copy(scene->machine));
 	json_put(object, "read_out", read_out_json(run->scene->machine));
-	json_put(object, "bodies", json_incref(scene->bodies));
+	json_put(object, "bodies", json_deep_copy(scene->bodies));
 	json_put(object, "accuracy", json_real(scene->accuracy));
-	json_put(object, "tools", json_incref(scene->tools));
-	json_put(object, "offsets", json_incref(scene->offsets));
-	json_put(object, "pairs", json_incref(scene->pairs));
+	json_put(object, "tools", json_deep_copy(scene->tools));
+	json_put(object, "offsets", json_deep_copy(scene->offsets));
+	json_put(object, "pairs", json_deep_copy(scene->pairs));
 	json_put(object, "findings", findings_json(report->recorder));
 	json_put(object, "findings_left_out", json_integer(report->recorder->findings_left_out));
 	json_put(object, "statistics", plain_html_statistics(report));
