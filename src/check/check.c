@@ -32,6 +32,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 			.bound = limit->bound,
 			.target = limit->target,
 			.excess = limit->excess,
+			.path_tolerance = limit->path_tolerance,
 			.work_offset = limit->work_offset,
 			.work = limit->work,
 			.shift = limit->shift,

@@ -34,12 +34,16 @@ struct finding {
 	double time;	/* s since the start of the program */
 	axis_values axes;	/* machine axis positions, mm and radians */
 	int tool;	/* in the spindle; 0: none */
-	/* Of all kinds but LIMIT: */
+	/* Of all kinds but LIMIT, which has a path tolerance only: */
 	const char *a, *b;	/* names of the bodies */
 	const char *link_a, *link_b;	/* and of their links */
 	vec3 point;	/* machine coordinates, mm */
 	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
-	double path_tolerance;	/* mm: the path tolerance can take so much of it; 0: nothing, or not known */
+	/*
+	 * mm: the path tolerance can take so much of it; 0: nothing, or not known. Of LIMIT, mm or radians: the axis may
+	 * be so far beside its path, which stays inside the limit; 0: the path passes it.
+	 */
+	double path_tolerance;
 	double required;	/* c */
 	/* RAPID_CONTACT, GOUGE: */
 	bool b_is_cutter;	/* else a is */
@@ -49,7 +53,7 @@ struct finding {
 	int slot;
 	double bound;	/* mm or radians */
 	double target;	/* where the block leads the axis */
-	double excess;	/* how far past the limit, at the farthest */
+	double excess;	/* how far past the limit the axis goes or may go, at the farthest */
 	const char *work_offset;	/* in force: "G54"; NULL: machine coordinates were commanded */
 	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
 	bool length_acts;	/* the tool's length moves this axis */

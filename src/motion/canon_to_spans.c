@@ -3,12 +3,11 @@
 #include <assert.h>
 #include <math.h>
 
-#include "base/same_double.h"
 #include "base/units.h"
-#include "geom/tolerance.h"
 #include "motion/blend.h"
 #include "motion/dogleg.h"
 #include "motion/limits.h"
+#include "motion/move_path.h"
 #include "motion/orient.h"
 #include "motion/retract.h"
 #include "motion/table_point.h"
@@ -74,99 +73,6 @@ static bool is_bearable(const struct canon_to_spans *converter, const struct can
 	return false;
 }
 
-/* ------------------------------------------------------------------ paths */
-
-/* Removes rounding dust from the slots at and after `first`. */
-static void clean(axis_values *end, const axis_values *start, int first)
-{
-	for (int slot = first; slot < SLOT_COUNT; slot++)
-		if (fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST)
-			end->v[slot] = start->v[slot];
-}
-
-/* The end of the move without rounding dust. An arc keeps its X Y Z, which belong to its centre and sweep. */
-static axis_values clean_end(const struct canon_move *move, const axis_values *start)
-{
-	axis_values end = move->end;
-
-	clean(&end, start, move->kind == CANON_ARC ? SLOT_A : SLOT_X);
-	return end;
-}
-
-static int moving_axes(const struct path *path)
-{
-	int count = 0;
-
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
-		if (!same_double(path->start.v[slot], path->end.v[slot]))
-			count++;
-	return count;
-}
-
-/*
- * Under TCP a rapid keeps the tip on a line only where rapids are linear. Elsewhere the axes go
- * their own ways to the same end, and nobody knows what the tip does on the way.
- */
-static bool goes_as_axes(const struct canon_to_spans *converter, const struct canon_move *move)
-{
-	return move->tcp && move->kind == CANON_RAPID && converter->machine->controller.rapid != RAPID_LINEAR;
-}
-
-static bool turns(const struct path *path)
-{
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
-		if (!same_double(path->start.v[slot], path->end.v[slot]))
-			return true;
-	return false;
-}
-
-static enum path_kind kind_of(const struct canon_to_spans *converter, const struct canon_move *move,
-			      const struct path *path)
-{
-	if (goes_as_axes(converter, move) && turns(path))
-		return PATH_BOX;
-	if (move->tcp && !goes_as_axes(converter, move))
-		return PATH_TCP;
-	if (move->kind == CANON_ARC)
-		return PATH_ARC;
-	if (move->kind == CANON_RAPID && converter->machine->controller.rapid == RAPID_ANY && moving_axes(path) > 1)
-		return PATH_BOX;
-	return PATH_STRAIGHT;
-}
-
-/*
- * Fills a path's every field but `seconds`, and `arc` only of an arc: a block's cost counts. Where the axes go their
- * own ways under TCP, *guided receives start and end as the controller means them.
- */
-static void set_path(struct path *path, const struct canon_to_spans *converter, const struct canon_move *move,
-		     struct path *guided)
-{
-	path->circular = move->kind == CANON_ARC;
-	if (!move->tcp)
-		path->start = converter->position;
-	else if (converter->controller_guided)
-		path->start = converter->controller;
-	else
-		path->start = tcp_from_machine(&converter->tcp, &converter->position);
-	path->end = clean_end(move, &path->start);
-	if (path->circular)
-		path->arc = move->arc;
-	if (goes_as_axes(converter, move)) {
-		*guided = *path;
-		path->start = converter->position;
-		path->end = tcp_to_machine(&converter->tcp, &path->end);
-		clean(&path->end, &path->start, SLOT_X);
-	}
-	path->kind = kind_of(converter, move, path);
-	path->tcp = path->kind == PATH_TCP ? &converter->tcp : NULL;
-}
-
-/* A path of a move, and the span that is the whole of it. */
-struct leg {
-	struct path path;
-	struct span span;
-};
-
 /* -------------------------------------------------------------- one move */
 
 /* The values that are the same for all steps of a move. */
@@ -174,7 +80,11 @@ struct run {
 	struct canon_to_spans *converter;
 	const struct canon_move *move;
 	axis_values tolerance;
+	axis_values room;	/* how far the axes may be beside the path, where that counts for the limits */
+	bool has_room;	/* some of it is not 0 */
 	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
+	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
+	bool swings;	/* it is such a rapid */
 	bool outside;
 	size_t count;	/* of legs; 0: nothing moves */
 	struct leg legs[SLOT_COUNT];
@@ -199,19 +109,20 @@ static bool is_countable(const struct canon_to_spans *converter, const struct ca
  * By how much each axis leaves the box between start and end if the control keeps the tip on a line all the same:
  * linear axes swing out while rotary ones turn. False: too long to say, which was reported.
  */
-static bool swing_out(const struct run *run, struct path *guided, const struct path *box, axis_values *most)
+static bool swing_out(struct run *run, const struct path *box)
 {
 	const struct canon_to_spans *converter = run->converter;
-	struct span whole, piece;
+	struct path *guided = &run->guided.path;
+	struct span piece;
 	struct span_walk walk;
 
-	*most = (axis_values){{0}};
+	run->swings = true;
 	guided->kind = PATH_TCP;
 	guided->tcp = &converter->tcp;
-	span_init(&whole, guided);
-	if (!span_is_flat(&whole, CURVED) && !is_countable(converter, run->move, guided))
+	span_init(&run->guided.span, guided);
+	if (!span_is_flat(&run->guided.span, CURVED) && !is_countable(converter, run->move, guided))
 		return false;
-	span_walk_init(&walk, &whole, converter->flatness);
+	span_walk_init(&walk, &run->guided.span, converter->flatness);
 	while (span_walk_next(&walk, &piece)) {
 		for (int slot = 0; slot < SLOT_COUNT; slot++) {
 			const double low = fmin(piece.q0.v[slot], piece.q1.v[slot]) - piece.chord_error.v[slot];
@@ -219,9 +130,40 @@ static bool swing_out(const struct run *run, struct path *guided, const struct p
 			const double below = fmin(box->start.v[slot], box->end.v[slot]) - low;
 			const double above = high - fmax(box->start.v[slot], box->end.v[slot]);
 
-			most->v[slot] = fmax(most->v[slot], fmax(below, above));
+			run->swing.v[slot] = fmax(run->swing.v[slot], fmax(below, above));
 		}
 	}
+	return true;
+}
+
+/* How far the axes may be beside the path of the move because it is known only as a set of paths. */
+static void add_spread(struct run *run)
+{
+	const struct machine *machine = run->converter->machine;
+	const struct canon_move *move = run->move;
+
+	for (size_t i = 0; i < machine->axis_count; i++) {
+		const int slot = machine->axes[i].slot;
+
+		if (slot > SLOT_Z || !(move->spread[slot] > 0))
+			continue;
+		run->tolerance.v[slot] += move->spread[slot];
+		if (move->between[slot] && move->kind != CANON_ARC && !move->tcp)
+			continue;
+		run->room.v[slot] = move->spread[slot];
+		run->has_room = true;
+	}
+}
+
+/* The path goes nowhere, but the axes may: a leg of no time. */
+static bool stand(struct run *run)
+{
+	struct leg *leg = &run->legs[0];
+	const axis_values here = run->converter->position;
+
+	leg->path = (struct path){.kind = PATH_STRAIGHT, .start = here, .end = here};
+	span_init(&leg->span, &leg->path);
+	run->count = 1;
 	return true;
 }
 
@@ -231,13 +173,16 @@ static bool set_legs(struct run *run)
 	const struct machine *machine = converter->machine;
 	const struct canon_move *move = run->move;
 	struct leg *leg = &run->legs[0];
-	struct path *path = &leg->path, guided;
+	struct path *path = &leg->path;
+	const struct move_start start = {
+	    machine, &converter->tcp, &converter->position,
+	    converter->controller_guided ? &converter->controller : NULL};
 	double seconds = 0;
 
 	run->count = 0;
-	set_path(path, converter, move, &guided);
-	if (!moving_axes(path) && !(path->circular && path_length(path) > 0))
-		return true;
+	move_path_set(path, &start, move, &run->guided.path);
+	if (!move_path_moving_axes(path) && !(path->circular && path_length(path) > 0))
+		return !run->has_room || stand(run);
 	if (path->kind == PATH_STRAIGHT && move->kind == CANON_RAPID && machine->controller.rapid == RAPID_DOGLEG) {
 		struct path parts[SLOT_COUNT];
 
@@ -248,7 +193,7 @@ static bool set_legs(struct run *run)
 		}
 		return true;
 	}
-	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, &guided, path, &run->swing))
+	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, path))
 		return false;
 	span_init(&leg->span, &leg->path);
 	/* Under TCP the same position was computed a second time from the controller's position: keep the first. */
@@ -262,60 +207,61 @@ static bool set_legs(struct run *run)
 	return is_bearable(converter, move, leg->path.seconds);
 }
 
-/* How far the whole move takes the axis past the limit. */
-static double farthest_past(const struct run *run, const struct limit_crossing *crossing)
-{
-	double most = 0;
-
-	for (size_t i = 0; i < run->count; i++)
-		most = fmax(most, limits_excess(crossing, &run->legs[i].span));
-	return most;
-}
-
 static bool report_crossing(struct run *run, const struct path *path, double before,
 			    const struct limit_crossing *crossing)
 {
 	struct canon_to_spans *converter = run->converter;
-	double since = before + crossing->u * path->seconds;
 	const struct canon_move *move = run->move;
+	const double since = before + crossing->u * path->seconds;
 	const int slot = crossing->slot;
-	const struct motion_limit limit = {.slot = slot, .bound = crossing->bound,
-				     .target = run->legs[run->count - 1].span.q1.v[slot],
-				     .excess = farthest_past(run, crossing),
-				     .work_offset = move->machine_coordinates ? NULL : move->origin.work_offset,
-				     .work = move->origin.work.v[slot], .shift = move->origin.shift.v[slot],
-				     .length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
-				     .length = move->origin.length,
-				     .position = path_position(path, crossing->u), .time = converter->time + since,
-				     .block_time = converter->block_time + since, .file = move->file,
-				     .line = move->line, .move = move->number,
-				     .tool = converter->tool};
 
+	converter->event.of.limit = (struct motion_limit){
+	    .slot = slot, .bound = crossing->bound, .target = run->legs[run->count - 1].span.q1.v[slot],
+	    .excess = crossing->excess, .path_tolerance = crossing->room,
+	    .work_offset = move->machine_coordinates ? NULL : move->origin.work_offset,
+	    .work = move->origin.work.v[slot], .shift = move->origin.shift.v[slot],
+	    .length_acts = slot == SLOT_Z || (move->tcp && !slot_is_rotary(slot)),
+	    .length = move->origin.length,
+	    .position = path_position(path, crossing->u), .time = converter->time + since,
+	    .block_time = converter->block_time + since, .file = move->file,
+	    .line = move->line, .move = move->number, .tool = converter->tool};
 	run->outside = true;
-	converter->event.of.limit = limit;
 	return tell(converter, MOTION_LIMIT);
+}
+
+/* What a rapid passes if the control keeps the tip on a line, of the axes that have not been reported. */
+static bool report_swing(struct run *run, const bool reported[SLOT_COUNT])
+{
+	struct limit_crossing crossings[SLOT_COUNT];
+	size_t count;
+
+	run->guided.path.seconds = run->legs[0].path.seconds;
+	count = limits_crossed(run->converter->machine, &run->guided, 1, NULL, crossings);
+	for (size_t i = 0; i < count; i++) {
+		crossings[i].room = run->swing.v[crossings[i].slot];
+		if (!reported[crossings[i].slot] && !report_crossing(run, &run->guided.path, 0, &crossings[i]))
+			return false;
+	}
+	return true;
 }
 
 static bool report_limits(struct run *run)
 {
+	struct limit_crossing crossings[SLOT_COUNT];
+	size_t count = limits_crossed(run->converter->machine, run->legs, run->count,
+				      run->has_room ? &run->room : NULL, crossings);
 	bool reported[SLOT_COUNT] = {false};
-	double before = 0;
 
-	for (size_t i = 0; i < run->count; i++) {
-		const struct leg *leg = &run->legs[i];
-		struct limit_crossing crossings[SLOT_COUNT];
-		size_t count = limits_crossed(run->converter->machine, &leg->span, crossings);
+	for (size_t i = 0; i < count; i++) {
+		double before = 0;
 
-		for (size_t k = 0; k < count; k++) {
-			if (reported[crossings[k].slot])
-				continue;
-			reported[crossings[k].slot] = true;
-			if (!report_crossing(run, &leg->path, before, &crossings[k]))
-				return false;
-		}
-		before += leg->path.seconds;
+		for (size_t k = 0; k < crossings[i].leg; k++)
+			before += run->legs[k].path.seconds;
+		reported[crossings[i].slot] = true;
+		if (!report_crossing(run, &run->legs[crossings[i].leg].path, before, &crossings[i]))
+			return false;
 	}
-	return true;
+	return !run->swings || report_swing(run, reported);
 }
 
 /* Sends the steps of the leg, then moves the clock and the axes to its end. */
@@ -360,22 +306,16 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	assert(!move->tcp || converter->tcp.state.on);
 	run.converter = converter;
 	run.move = move;
-	run.outside = false;
-	run.swing = (axis_values){{0}};
+	run.outside = run.has_room = run.swings = false;
+	run.room = run.swing = (axis_values){{0}};
+	run.tolerance = blend_path_tolerance(converter->machine, move);
+	add_spread(&run);
 	if (!is_in_reach(converter, move) || !set_legs(&run))
 		return false;
 	if (!run.count)
 		return true;
-	run.tolerance = blend_path_tolerance(converter->machine, move);
-	if (run.legs[0].path.kind == PATH_BOX && move->tcp)
-		for (int slot = 0; slot < SLOT_COUNT; slot++)
-			run.tolerance.v[slot] += run.swing.v[slot];
-	for (size_t i = 0; i < converter->machine->axis_count; i++) {
-		int slot = converter->machine->axes[i].slot;
-
-		if (slot <= SLOT_Z)
-			run.tolerance.v[slot] += move->spread[slot];
-	}
+	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
+		run.tolerance.v[slot] += run.swing.v[slot];
 	if (blend_is_unbounded(converter->machine, move))
 		converter->event.summary.blend_unbounded = true;
 	converter->event.summary.moves++;

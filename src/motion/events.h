@@ -24,12 +24,13 @@ struct motion_step {
 	enum step_class step_class;
 };
 
-/* An axis leaves its travel: the first instant of that in a move. Sent before the steps of the move. */
+/* An axis leaves, or may leave, its travel: the first instant of that in a move. Sent before the steps of the move. */
 struct motion_limit {
 	int slot;
 	double bound;	/* the limit, mm or radians */
 	double target;	/* where the move leads the axis */
-	double excess;	/* how far past the limit the move takes the axis, at the farthest */
+	double excess;	/* how far past the limit the move takes, or may take, the axis, at the farthest */
+	double path_tolerance;	/* mm, radians: the axis may be so far beside its path, which is inside; 0: it is outside */
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: the block commands machine coordinates */
 	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
 	bool length_acts;	/* the tool's length moves this axis: Z, and all linear ones under TCP */

@@ -66,7 +66,8 @@ static bool first_past(const struct side *side, const struct span *whole, double
 	return false;
 }
 
-static bool axis_crosses(const struct axis *axis, const struct span *whole, struct limit_crossing *crossing)
+static bool axis_crosses(const struct axis *axis, const struct span *whole, double room,
+			 struct limit_crossing *crossing)
 {
 	double tolerance = axis->rotary ? radians(LIMIT_TOLERANCE) : LIMIT_TOLERANCE;
 	/* Near the rounding error halving no longer helps, and the chord must be used. */
@@ -76,25 +77,23 @@ static bool axis_crosses(const struct axis *axis, const struct span *whole, stru
 
 	for (int i = 0; i < 2; i++) {
 		double limit = i ? axis->limit_max : axis->limit_min, sign = i ? 1 : -1;
-		struct side side = {axis->slot, sign, sign * limit, tolerance, believed};
+		struct side side = {axis->slot, sign, sign * limit - room, tolerance, believed};
 
 		if (!first_past(&side, whole, &u) || (found && crossing->u <= u))
 			continue;
-		*crossing = (struct limit_crossing){axis->slot, limit, !i, u};
+		*crossing = (struct limit_crossing){
+		    .slot = axis->slot, .bound = limit, .below = !i, .room = room, .u = u};
 		found = true;
 	}
 	return found;
 }
 
-static bool comes_before(const struct limit_crossing *a, const struct limit_crossing *b)
-{
-	return a->u < b->u || (a->u <= b->u && a->slot < b->slot);
-}
-
-double limits_excess(const struct limit_crossing *crossing, const struct span *whole)
+/* How far past the crossing's limit the leg takes the axis; negative: it stays so far inside. */
+static double excess_of(const struct limit_crossing *crossing, const struct span *whole)
 {
 	const double sign = crossing->below ? -1 : 1;
-	const struct side side = {.slot = crossing->slot, .sign = sign, .bound = sign * crossing->bound};
+	const struct side side = {
+	    .slot = crossing->slot, .sign = sign, .bound = sign * crossing->bound - crossing->room};
 	const double rounding = path_chord_error(whole->path, 0, 0).v[side.slot];
 	const double exact = larger(slot_is_rotary(side.slot) ? radians(EXCESS_EXACT) : EXCESS_EXACT, 2 * rounding);
 	double most = larger(height(&side, &whole->q0), height(&side, &whole->q1));
@@ -118,23 +117,50 @@ double limits_excess(const struct limit_crossing *crossing, const struct span *w
 }
 
 /* Nearly every move is inside the limits as a whole; then no side needs a search. */
-static bool is_inside(const struct axis *axis, const struct span *whole)
+static bool is_inside(const struct axis *axis, const struct span *whole, double room)
 {
-	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot], d = whole->chord_error.v[axis->slot];
+	double a = whole->q0.v[axis->slot], b = whole->q1.v[axis->slot];
+	double beside = whole->chord_error.v[axis->slot] + room;
 
-	return smaller(a, b) - d >= axis->limit_min && larger(a, b) + d <= axis->limit_max;
+	return smaller(a, b) - beside >= axis->limit_min && larger(a, b) + beside <= axis->limit_max;
 }
 
-size_t limits_crossed(const struct machine *machine, const struct span *whole,
-		      struct limit_crossing crossings[SLOT_COUNT])
+/* The axis' first crossing in the move. */
+static bool find(const struct axis *axis, const struct leg *legs, size_t leg_count, double room,
+		 struct limit_crossing *crossing)
+{
+	bool found = false;
+
+	for (size_t i = 0; i < leg_count && !found; i++) {
+		found = !is_inside(axis, &legs[i].span, room) && axis_crosses(axis, &legs[i].span, room, crossing);
+		crossing->leg = i;
+	}
+	for (size_t i = 0; i < leg_count && found; i++)
+		crossing->excess = larger(crossing->excess, excess_of(crossing, &legs[i].span));
+	return found;
+}
+
+static bool comes_before(const struct limit_crossing *a, const struct limit_crossing *b)
+{
+	if ((a->room > 0) != (b->room > 0))
+		return b->room > 0;
+	if (a->leg != b->leg)
+		return a->leg < b->leg;
+	return a->u < b->u || (a->u <= b->u && a->slot < b->slot);
+}
+
+size_t limits_crossed(const struct machine *machine, const struct leg *legs, size_t leg_count,
+		      const axis_values *room, struct limit_crossing crossings[SLOT_COUNT])
 {
 	size_t count = 0;
 
 	for (size_t i = 0; i < machine->axis_count; i++) {
+		const struct axis *axis = &machine->axes[i];
 		struct limit_crossing crossing;
 		size_t at = count;
 
-		if (is_inside(&machine->axes[i], whole) || !axis_crosses(&machine->axes[i], whole, &crossing))
+		if (!find(axis, legs, leg_count, 0, &crossing) &&
+		    !(room && find(axis, legs, leg_count, room->v[axis->slot], &crossing)))
 			continue;
 		for (; at > 0 && comes_before(&crossing, &crossings[at - 1]); at--)
 			crossings[at] = crossings[at - 1];

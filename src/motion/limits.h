@@ -1,4 +1,4 @@
-/* limits.h - finds where a path leaves the travel of the machine's axes. */
+/* limits.h - finds where a move leaves, or may leave, the travel of the machine's axes. */
 #ifndef FIVECHECK_MOTION_LIMITS_H
 #define FIVECHECK_MOTION_LIMITS_H
 
@@ -16,17 +16,18 @@ struct limit_crossing {
 	int slot;
 	double bound;	/* the limit, mm or radians */
 	bool below;	/* it is the lower one */
-	double u;	/* the first instant in the path; 0: the path starts outside */
+	double room;	/* mm, radians: how far the axis may be beside its path; 0: the path itself passes the limit */
+	size_t leg;
+	double u;	/* the first instant in the leg's path; 0: it starts outside */
+	double excess;	/* how far past the limit the move takes the axis at the farthest, to 1e-4 mm or degrees */
 };
 
-/* Finds at most one crossing for each axis, in the order of time, then of slots; returns how many. */
-size_t limits_crossed(const struct machine *machine, const struct span *whole,
-		      struct limit_crossing crossings[SLOT_COUNT]);
-
 /*
- * How far past the crossing's limit the path takes its axis at the farthest, mm or radians, to 1e-4 mm or degrees.
- * Negative: it stays so far inside.
+ * Finds at most one crossing for each axis, in the order of time, then of slots, and returns how many. First come axes
+ * whose path passes a limit, then those that may pass one because they may be so far beside their path: room, mm and
+ * radians (NULL: none).
  */
-double limits_excess(const struct limit_crossing *crossing, const struct span *whole);
+size_t limits_crossed(const struct machine *machine, const struct leg *legs, size_t leg_count,
+		      const axis_values *room, struct limit_crossing crossings[SLOT_COUNT]);
 
 #endif

@@ -19,6 +19,12 @@ struct span {
 	double u0, u1;	/* where in the path, 0 to 1 */
 };
 
+/* A straight or curved part of a move: its path, and the span that is the whole of it. */
+struct leg {
+	struct path path;
+	struct span span;
+};
+
 /* The whole path as one span. */
 void span_init(struct span *whole, const struct path *path);
 

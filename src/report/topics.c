@@ -41,7 +41,9 @@ const struct topic topics[TOPIC_COUNT] = {
 		"Change the program or the setup, or require less for this pair."},
 	[FINDING_LIMIT] = {"AxisLimit", "An axis leaves its travel.",
 		"The block moves an axis past limit_min or limit_max of the machine file. The control would stop with an "
-		"alarm, or refuse the program.",
+		"alarm, or refuse the program. Where a motion is known only as a set of paths (the overrun of G60, "
+		"compensation whose form is not given, a probe), the finding says that the axis may leave its travel, "
+		"and by how much.",
 		"Move the part on the table, choose another solution of the rotary axes, or change the program. The report "
 		"names the work offset and the tool length that led there."},
 	[FINDING_START_OVERLAP] = {"StartOverlap", "Two bodies overlap before the block moves.",

@@ -17,7 +17,7 @@ const FIRST_CARDS = 50;
 
 /** @param {Finding} finding what meets what, in a few words */
 export function findingTitle(finding) {
-	if (finding.kind === 'limit') return `${finding.axis} leaves its travel`;
+	if (finding.kind === 'limit') return `${finding.axis} ${finding.path_tolerance ? 'may leave' : 'leaves'} its travel`;
 	const verb = finding.kind === 'clearance' ? 'comes too near to' : finding.kind === 'gouge' ? 'cuts into' : finding.kind === 'start-overlap' ? 'overlaps' : 'meets';
 	return `${finding.a} ${verb} ${finding.b}`;
 }
@@ -122,7 +122,7 @@ export class FindingsView {
 	/** @param {Finding} finding */
 	remarks(finding) {
 		const text = [];
-		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${axisValue(finding.excess ?? 0)} too far.`);
+		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
 		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
 		return text.map((line) => h('p', {}, line));

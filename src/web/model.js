@@ -48,6 +48,7 @@
  * @property {number} [bound]
  * @property {number} [target]
  * @property {number} [excess]
+ * @property {number} [path_tolerance]	of a limit: the axis may be so far beside its path, which stays inside
  * @property {[number, number]|null} bodies	indices
  * @property {number} [tool]
  * @property {[number[][], number[][]]|null} [triangles]	of a and of b, nine numbers each, as they stand at the finding

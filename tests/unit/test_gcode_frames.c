@@ -84,7 +84,7 @@ START_TEST(single_direction)
 	init(&c, &dialect_fanuc);
 	c.config.controller.overrun = 0.5;
 	case_expect(&c, "F9 G1 X1.\nG60 X10. Y5.\nX11.\nM30\n",
-		    "feed 1 0 0 0 0\nrapid 10.5 5.5 0 0 0 spread 0.5 0.5 0\nrapid 9.5 4.5 0 0 0 spread 0.5 0.5 0\n"
+		    "feed 1 0 0 0 0\nrapid 10 5 0 0 0 spread 0.5 0.5 0\n"
 		    "rapid 10 5 0 0 0 spread 0.5 0.5 0\nfeed 11 5 0 0 0\n");
 	init(&c, &dialect_haas);
 	ck_assert(!case_run(&c, "G60 X10.\n"));

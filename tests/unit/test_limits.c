@@ -158,6 +158,142 @@ START_TEST(limits_agree_with_samples)
 }
 END_TEST
 
+/* A move that is known only to within its spread may leave the travel, and the report says what is known of it. */
+START_TEST(the_whole_set_is_held_to_the_limits)
+{
+	struct machine machine = rig_three_axes();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{199, 10, 0}});
+	struct record record;
+
+	rig_find(&machine, SLOT_X)->limit_max = 200;
+	rig_find(&machine, SLOT_Y)->limit_min = -2;
+	start(&record, &machine);
+	move.spread[0] = 1;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 0);
+	ck_assert(!record.steps[0].outside);
+	/* 199 and 1.5 is 0.5 too far; passed at 198.5. Y begins at 0 with 3 beside it: below -2 from the start. */
+	start(&record, &machine);
+	move.spread[0] = 1.5;
+	move.spread[1] = 3;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 2);
+	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
+	ck_assert_double_eq_tol(record.limits[0].excess, 1, 1e-9);
+	ck_assert_double_eq(record.limits[0].bound, -2);
+	ck_assert_double_eq(record.limits[0].time, 0);
+	ck_assert_int_eq(record.limits[1].slot, SLOT_X);
+	ck_assert_double_eq(record.limits[1].bound, 200);
+	ck_assert_double_eq_tol(record.limits[1].excess, 0.5, 1e-9);
+	ck_assert_double_eq(record.limits[1].path_tolerance, 1.5);
+	ck_assert_double_eq_tol(record.limits[1].position.v[SLOT_X], 198.5, 1e-6);
+	ck_assert_double_eq_tol(record.limits[1].time, 198.5 / 199 * record.travelled, 1e-6);
+	ck_assert(record.steps[0].outside);
+	/* The path itself passes the limit: that is what is said, without the spread. */
+	start(&record, &machine);
+	move.end.v[SLOT_X] = 210;
+	move.spread[1] = 0;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_double_eq(record.limits[0].path_tolerance, 0);
+	ck_assert_double_eq_tol(record.limits[0].excess, 10, 1e-9);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_X], 200, 1e-6);
+}
+END_TEST
+
+/* Between places that other moves cover an axis is not farther out than these; an arc bulges all the same. */
+START_TEST(spread_between_covered_places)
+{
+	struct machine machine = rig_three_axes();
+	struct canon_move move = move_to(CANON_RAPID, (axis_values){{199, 0, 0}});
+	struct record record;
+
+	rig_find(&machine, SLOT_X)->limit_max = 200;
+	start(&record, &machine);
+	move.spread[0] = 5;
+	move.between[0] = true;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 0);
+	ck_assert_double_eq(record.steps[0].tolerance.v[SLOT_X], 5);
+	move = move_to(CANON_ARC, (axis_values){{199, 20, 0}});
+	move.arc = (struct canon_arc){{199, 10, 0}, {0, 0, 1}, -PI};
+	move.spread[0] = 5;
+	move.between[0] = true;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_double_eq_tol(record.limits[0].excess, 4, 1e-9);
+}
+END_TEST
+
+/* A move whose path goes nowhere is a step all the same if the axes may be beside it, of no time. */
+START_TEST(a_spread_at_one_place)
+{
+	struct machine machine = rig_three_axes();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{0, 0, 0}});
+	struct record record;
+
+	rig_find(&machine, SLOT_Z)->limit_max = 0.5;
+	start(&record, &machine);
+	go(&record, move);
+	ck_assert_int_eq(record.step_count, 0);
+	move.spread[2] = 2;
+	move.feed.linear = 0;
+	go(&record, move);
+	ck_assert_int_eq(record.step_count, 1);
+	ck_assert_double_eq(record.steps[0].seconds, 0);
+	ck_assert_double_eq(record.steps[0].tolerance.v[SLOT_Z], 2);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_double_eq_tol(record.limits[0].excess, 1.5, 1e-9);
+	ck_assert_double_eq(record.limits[0].target, 0);
+}
+END_TEST
+
+/*
+ * A rapid under TCP whose way is not known: C turns by half with the tip at radius 100. If the tip keeps the line, Y
+ * swings to 100; the box of both ends is Y 0. Nothing swings past the ends of X.
+ */
+START_TEST(a_rapid_under_tcp_may_swing_past_a_limit)
+{
+	struct machine machine = rig_trunnion();
+	struct record record;
+	struct canon_move move = move_to(CANON_RAPID, (axis_values){{100, 0, 0, 0, 0, -PI}});
+
+	machine.controller.rapid = RAPID_ANY;
+	rig_find(&machine, SLOT_X)->limit_max = 100;
+	rig_find(&machine, SLOT_X)->limit_min = -100;
+	rig_find(&machine, SLOT_Y)->limit_max = 70;
+	start(&record, &machine);
+	go(&record, move_to(CANON_RAPID, (axis_values){{100, 0, 0}}));
+	guide(&record, 50);
+	move.tcp = true;
+	go(&record, move);
+	ck_assert_int_eq(record.limit_count, 1);
+	ck_assert_int_eq(record.limits[0].slot, SLOT_Y);
+	ck_assert_double_eq_tol(record.limits[0].excess, 30, 1e-3);
+	ck_assert_double_eq_tol(record.limits[0].path_tolerance, 100, 0.1);
+	ck_assert_double_eq_tol(record.limits[0].position.v[SLOT_Y], 70, 1e-5);
+	ck_assert(record.steps[record.step_count - 1].outside);
+}
+END_TEST
+
+/* A control that rounds a corner stays on its inner side: the path tolerance takes no axis past its limit. */
+START_TEST(path_tolerance_is_not_held_to_the_limits)
+{
+	struct machine machine = rig_three_axes();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{200, 0, 0}});
+	struct record record;
+
+	machine.controller.path_tolerance = 0.05;
+	rig_find(&machine, SLOT_X)->limit_max = 200;
+	start(&record, &machine);
+	move.blend = true;
+	go(&record, move);
+	go(&record, move_to(CANON_FEED, (axis_values){{0, 0, 0}}));
+	ck_assert_int_eq(record.limit_count, 0);
+	ck_assert_double_eq(record.steps[0].tolerance.v[SLOT_X], 0.05);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("limits");
@@ -170,6 +306,11 @@ int main(void)
 	tcase_add_test(tests, a_guided_move_bulges_past_a_limit);
 	tcase_add_test(tests, a_dogleg_reports_an_axis_once);
 	tcase_add_test(tests, limits_agree_with_samples);
+	tcase_add_test(tests, the_whole_set_is_held_to_the_limits);
+	tcase_add_test(tests, spread_between_covered_places);
+	tcase_add_test(tests, a_spread_at_one_place);
+	tcase_add_test(tests, a_rapid_under_tcp_may_swing_past_a_limit);
+	tcase_add_test(tests, path_tolerance_is_not_held_to_the_limits);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

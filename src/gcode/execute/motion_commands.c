@@ -23,8 +23,11 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		/* The move that ended the compensation has been everywhere that the axis may be. */
+		move->between[slot] |= interp->comp.loose[slot] > 0 && !(move->spread[slot] > 0);
 		move->spread[slot] += interp->comp.loose[slot];
+	}
 	move->origin = state->origin;
 	move->origin.length = state->length;
 }
@@ -76,12 +79,16 @@ static bool go_probed(struct interp *interp, const slot_values *position, struct
 	move->arc.centre.x += state->position.v[SLOT_X] - start.v[SLOT_X];
 	move->arc.centre.y += state->position.v[SLOT_Y] - start.v[SLOT_Y];
 	move->arc.centre.z += state->position.v[SLOT_Z] - start.v[SLOT_Z];
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		move->between[slot] = state->settles[slot] && !(move->spread[slot] > 0);
 		move->spread[slot] += plan.spread[slot];
+	}
 	if (!go_to(interp, &plan.end, move))
 		return false;
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		move->spread[slot] -= plan.spread[slot];
+		move->between[slot] = false;
+	}
 	probed_axes_arrive(state, &plan);
 	return true;
 }

@@ -51,13 +51,15 @@ static bool go_in_machine(struct interp *interp, struct canon_move *move)
 
 /*
  * Fanuc B-64484EN, "Single Direction Positioning (G60)": every axis arrives from the same side, and goes past its
- * end by an overrun before if it must. Haas, "G60": the same, setting 35. The box of all overruns is proved.
+ * end by an overrun before if it must. Haas, "G60": the same, setting 35. The sides are not known: the way there is
+ * proved with every overrun, and so is the box of all of them at its end.
  */
 static bool approach(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	double overrun = interp->config->controller.overrun;
 	int column = block->g_column[G_APPROACH];
+	struct canon_move move = {.kind = CANON_RAPID};
 	slot_values target;
 
 	if (block->g[G_MOTION] == G0)
@@ -72,23 +74,20 @@ static bool approach(struct interp *interp)
 		    "unidirectional_overrun=\"\" of the machine's <controller> says it, in the unit of the file");
 	if (!endpoint_find(interp, false, &target))
 		return false;
-	for (int sign = 1; sign >= -1; sign--) {
-		struct canon_move move = {.kind = CANON_RAPID};
-		slot_values past = target;
-
-		for (int slot = 0; slot < SLOT_COUNT; slot++) {
-			if (!block_has(block, AXIS_LETTERS[slot]))
-				continue;
-			if (slot > SLOT_Z)
-				return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
-					     "%c with G60 is not supported", AXIS_LETTERS[slot]);
-			past.v[slot] += sign == 1 ? overrun : sign == 0 ? -overrun : 0;
-			move.spread[slot] = overrun;
-		}
-		if (!motion_commands_go(interp, &past, &move))
-			return false;
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (!block_has(block, AXIS_LETTERS[slot]))
+			continue;
+		if (slot > SLOT_Z)
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]), "%c with G60 is not supported",
+				     AXIS_LETTERS[slot]);
+		move.spread[slot] = overrun;
+		move.between[slot] = true;
 	}
-	return true;
+	if (!motion_commands_go(interp, &target, &move))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		move.between[slot] = false;
+	return motion_commands_go(interp, &target, &move);
 }
 
 bool straight_move_run(struct interp *interp)

@@ -37,6 +37,9 @@ static double greatest_deviation(const struct span *span)
 
 static bool dump_step(struct dump *dump, const struct motion_step *step)
 {
+	/* Where a move goes nowhere, but the axes may be beside it. */
+	if (!(step->seconds > 0))
+		return true;
 	strbuf_addf(&dump->row, "%ld\t%d\t%d", step->line, step->move, step->tool);
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (machine_axis(dump->machine, slot))
@@ -50,9 +53,9 @@ static void dump_limit(struct dump *dump, const struct motion_limit *limit)
 {
 	if (!dump->past_limit)
 		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
-			     "axis %c leaves its travel at the limit of %.10g %s; "
+			     "axis %c %s its travel at the limit of %.10g %s; "
 			     "--parse-only --all lists every such place",
-			     AXIS_LETTERS[limit->slot], format_units_value(limit->slot, limit->bound),
+			     AXIS_LETTERS[limit->slot], limit->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(limit->slot, limit->bound),
 			     format_units_unit(limit->slot));
 	dump->past_limit = true;
 }

@@ -90,6 +90,8 @@ void ndjson_put_limit(json_t *object, const struct finding *f)
 	json_put(object, "bound", json_real(format_units_value(f->slot, f->bound)));
 	json_put(object, "target", json_real(format_units_value(f->slot, f->target)));
 	json_put(object, "excess", json_real(format_units_value(f->slot, f->excess)));
+	if (f->path_tolerance > 0)
+		json_put(object, "path_tolerance", json_real(format_units_value(f->slot, f->path_tolerance)));
 	json_put(object, "work_offset", json_text(f->work_offset));
 	json_put(object, "work", f->work_offset ? json_real(format_units_value(f->slot, f->work)) : json_null());
 	json_put(object, "shift", f->work_offset ? json_real(format_units_value(f->slot, f->shift)) : json_null());

@@ -61,8 +61,8 @@ void text_message(struct strbuf *out, const struct finding *f)
 		add_entry(out, f);
 		break;
 	case FINDING_LIMIT:
-		strbuf_addf(out, "axis %c leaves its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
-			    format_units_value(f->slot, f->bound), format_units_unit(f->slot));
+		strbuf_addf(out, "axis %c %s its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
+			    f->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(f->slot, f->bound), format_units_unit(f->slot));
 		break;
 	}
 }
@@ -77,9 +77,17 @@ static void add_target(struct strbuf *out, const struct finding *f)
 {
 	strbuf_addf(out, "%c ", AXIS_LETTERS[f->slot]);
 	add_value(out, f->slot, f->target);
-	strbuf_addf(out, "; the axis goes up to ");
+	strbuf_addf(out, "; the axis %s up to ", f->path_tolerance > 0 ? "may go" : "goes");
 	add_value(out, f->slot, f->excess);
 	strbuf_addf(out, " past the limit");
+}
+
+/* "inside the limit as programmed; the axis may be up to 1.5 mm beside that path" */
+static void add_way(struct strbuf *out, const struct finding *f)
+{
+	strbuf_addf(out, "inside the limit as programmed; the axis may be up to ");
+	add_value(out, f->slot, f->path_tolerance);
+	strbuf_addf(out, " beside that path");
 }
 
 /* "G54 X 50 mm, G52 or G92 adds 10 mm, tool length 60 mm" */
@@ -108,6 +116,10 @@ void text_sentence(struct strbuf *out, const struct finding *f)
 		return;
 	strbuf_addf(out, "; commanded: ");
 	add_target(out, f);
+	if (f->path_tolerance > 0) {
+		strbuf_addf(out, "; ");
+		add_way(out, f);
+	}
 	strbuf_addf(out, "; offset in force: ");
 	add_origin(out, f);
 }
@@ -116,6 +128,10 @@ static void add_limit(struct strbuf *out, const struct finding *f)
 {
 	strbuf_addf(out, "    target   ");
 	add_target(out, f);
+	if (f->path_tolerance > 0) {
+		strbuf_addf(out, "\n    path     ");
+		add_way(out, f);
+	}
 	strbuf_addf(out, "\n    offset   ");
 	add_origin(out, f);
 	strbuf_addf(out, "\n");

@@ -1,0 +1,87 @@
+#include "motion/move_path.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "geom/tolerance.h"
+
+/* Removes rounding dust from the slots at and after `first`. */
+static void clean(axis_values *end, const axis_values *start, int first)
+{
+	for (int slot = first; slot < SLOT_COUNT; slot++)
+		if (fabs(end->v[slot] - start->v[slot]) <= OFFSET_DUST)
+			end->v[slot] = start->v[slot];
+}
+
+/* The end of the move without rounding dust. An arc keeps its X Y Z, which belong to its centre and sweep. */
+static axis_values clean_end(const struct canon_move *move, const axis_values *start)
+{
+	axis_values end = move->end;
+
+	clean(&end, start, move->kind == CANON_ARC ? SLOT_A : SLOT_X);
+	return end;
+}
+
+int move_path_moving_axes(const struct path *path)
+{
+	int count = 0;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (!same_double(path->start.v[slot], path->end.v[slot]))
+			count++;
+	return count;
+}
+
+/*
+ * Under TCP a rapid keeps the tip on a line only where rapids are linear. Elsewhere the axes go
+ * their own ways to the same end, and nobody knows what the tip does on the way.
+ */
+static bool goes_as_axes(const struct move_start *from, const struct canon_move *move)
+{
+	return move->tcp && move->kind == CANON_RAPID && from->machine->controller.rapid != RAPID_LINEAR;
+}
+
+static bool turns(const struct path *path)
+{
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		if (!same_double(path->start.v[slot], path->end.v[slot]))
+			return true;
+	return false;
+}
+
+static enum path_kind kind_of(const struct move_start *from, const struct canon_move *move,
+			      const struct path *path)
+{
+	if (goes_as_axes(from, move) && turns(path))
+		return PATH_BOX;
+	if (move->tcp && !goes_as_axes(from, move))
+		return PATH_TCP;
+	if (move->kind == CANON_ARC)
+		return PATH_ARC;
+	if (move->kind == CANON_RAPID && from->machine->controller.rapid == RAPID_ANY && move_path_moving_axes(path) > 1)
+		return PATH_BOX;
+	return PATH_STRAIGHT;
+}
+
+void move_path_set(struct path *path, const struct move_start *from, const struct canon_move *move,
+		   struct path *guided)
+{
+	path->circular = move->kind == CANON_ARC;
+	if (!move->tcp)
+		path->start = *from->position;
+	else if (from->controller)
+		path->start = *from->controller;
+	else
+		path->start = tcp_from_machine(from->tcp, from->position);
+	path->end = clean_end(move, &path->start);
+	if (path->circular)
+		path->arc = move->arc;
+	if (goes_as_axes(from, move)) {
+		*guided = *path;
+		path->start = *from->position;
+		path->end = tcp_to_machine(from->tcp, &path->end);
+		clean(&path->end, &path->start, SLOT_X);
+	}
+	path->kind = kind_of(from, move, path);
+	path->tcp = path->kind == PATH_TCP ? from->tcp : NULL;
+}
