@@ -33,7 +33,12 @@ enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFER
  */
 enum comp_d { COMP_D_UNKNOWN, COMP_D_RADIUS, COMP_D_DIAMETER };	/* what programs write into D's registers */
 enum comp_start { COMP_START_UNKNOWN, COMP_START_A, COMP_START_B };
-enum comp_corner_form { COMP_CORNER_UNKNOWN, COMP_CORNER_LINEAR, COMP_CORNER_CIRCULAR };
+enum comp_corner_form {
+	COMP_CORNER_UNKNOWN,
+	COMP_CORNER_LINEAR,
+	COMP_CORNER_CIRCULAR,
+	COMP_CORNER_CROSSING	/* both ways are drawn out to where they cross, however sharp it is */
+};
 
 /* In which order several angles of one block turn the program's coordinates. */
 enum rotation_order { ROTATION_ORDER_UNKNOWN, ROTATION_ORDER_RPY, ROTATION_ORDER_EULER };

@@ -144,6 +144,8 @@ struct cutter_comp {
 	struct comp_queue queue;
 	/* Of controls that look ahead: cutter_comp/comp_lookahead.h. */
 	bool looks_ahead;
+	enum comp_start start_type;	/* while it is on */
+	enum comp_corner_form corner_form;
 	int number;	/* the D that was given last, or -1 */
 	bool starting, leaving;	/* the first move waits; the block has G40 and moves out */
 	struct comp_way waiting;	/* the programmed way of the move that waits */

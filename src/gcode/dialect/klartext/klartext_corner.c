@@ -5,14 +5,21 @@
 #include <string.h>
 
 #include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_path.h"
 #include "gcode/dialect/klartext/klartext_value.h"
-#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/arc.h"
+#include "gcode/execute/cutter_comp/comp_turn.h"
 #include "geom/tolerance.h"
 
 /* Bytes that are enough for a block number and a word. */
 #define LOOK_AHEAD 32
+
+/* Radians: a path that turns less has no corner to cut off. */
+#define FLAT_CORNER 1e-9
 
 /* ------------------------------------------------------------- looking ahead */
 
@@ -47,6 +54,13 @@ bool klartext_corner_follows(struct interp *interp)
 	return corner;
 }
 
+static void put_position(struct interp *interp, vec3 at)
+{
+	state_set_position(&interp->state, SLOT_X, at.x);
+	state_set_position(&interp->state, SLOT_Y, at.y);
+	state_set_position(&interp->state, SLOT_Z, at.z);
+}
+
 /* -------------------------------------------------------------------- corners */
 
 bool klartext_corner_check_none(struct interp *interp)
@@ -55,33 +69,46 @@ bool klartext_corner_check_none(struct interp *interp)
 	const struct line_place at = {interp->at.diag, interp->at.file, corner->line, ""};
 
 	return !corner->waits ||
-	       fault(&at, corner->column, "RND and CHF need a straight line in the plane behind them");
+	       fault(&at, corner->column, "RND and CHF need a line or a circle in the plane behind them");
 }
 
-bool klartext_corner_hold(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
+bool klartext_corner_hold(struct interp *interp, const struct klartext_words *words,
+			  const struct klartext_target *target, const struct klartext_path *path)
 {
 	struct klartext *klartext = klartext_of(interp);
-	struct comp_item item = {.kind = COMP_PAUSE,
-				 .move = {.kind = path->rapid ? CANON_RAPID : CANON_FEED, .feed = path->feed}};
-	vec3 end = klartext_frame_position(interp, target->point);
+	struct klartext_corner *corner = &klartext->corner;
 
-	if (path->arc || target->turns)
-		return fault(&interp->at, 1,
-			     "RND and CHF behind a circle or a move of a rotary axis are not supported yet");
-	motion_commands_fill(interp, &item.move);
-	item.move.end = interp->state.canonical;
-	item.move.end.v[SLOT_X] = end.x;
-	item.move.end.v[SLOT_Y] = end.y;
-	item.move.end.v[SLOT_Z] = end.z;
-	if (!motion_commands_enqueue(interp, &item))
+	if (target->turns || words->axes >> SLOT_A)
+		return fault(&interp->at, words->first_column,
+			     "RND and CHF behind a move of other axes than X, Y and Z are not supported");
+	if (words->comp == KLARTEXT_RL || words->comp == KLARTEXT_RR)
+		return fault(&interp->at, words->comp_column,
+			     "RND and CHF right behind the block that starts radius compensation are not supported");
+	if (!klartext_m_check_harmless(interp, words))
 		return false;
-	state_set_position(&interp->state, SLOT_X, end.x);
-	state_set_position(&interp->state, SLOT_Y, end.y);
-	state_set_position(&interp->state, SLOT_Z, end.z);
+	corner->waits = true;
+	corner->size = corner->feed = 0;
+	corner->path = *path;
+	corner->path_line = corner->line = interp->at.line;
+	corner->column = 1;
+	corner->spindle = interp->state.spindle;
+	corner->speed_is_zero = interp->state.speed_is_zero;
+	put_position(interp, klartext_frame_position(interp, target->point));
 	klartext->moved = true;
 	klartext->programmed = target->point;
-	klartext->corner = (struct klartext_corner){.waits = true, .line = interp->at.line, .column = 1};
 	return true;
+}
+
+void klartext_corner_keep_line(struct interp *interp)
+{
+	struct klartext_corner *corner = &klartext_of(interp)->corner;
+	struct strbuf *text = corner->size > 0 ? &corner->text : &corner->path_text;
+
+	/* Of CC between the corner and its circle there is nothing to be told. */
+	if (interp->at.line != corner->line)
+		return;
+	strbuf_clear(text);
+	strbuf_addf(text, "%s", interp->at.text);
 }
 
 bool klartext_corner_read(struct lexer *lexer, bool chamfer)
@@ -92,7 +119,7 @@ bool klartext_corner_read(struct lexer *lexer, bool chamfer)
 	double feed = 0;
 
 	if (!corner->waits || corner->size > 0)
-		return fault(lexer->at, column, "%s needs a straight line right before it", chamfer ? "CHF" : "RND");
+		return fault(lexer->at, column, "%s needs a line or a circle right before it", chamfer ? "CHF" : "RND");
 	if (!chamfer && !klartext_take(lexer, "R"))
 		return fault(lexer->at, column, "RND needs its radius in R");
 	if (!klartext_value(lexer, &corner->size))
@@ -113,104 +140,204 @@ bool klartext_corner_read(struct lexer *lexer, bool chamfer)
 	return klartext_expect_end(lexer);
 }
 
-/* Sends what was kept back, its first move ending at the corner's start. */
-static bool release(struct interp *interp, vec3 end)
+/* -------------------------------------------------------------------- shape */
+
+/* Between the block kept back and the next one, in the plane of X and Y of programmed coordinates. */
+struct shape {
+	vec3 first, last; /* where it starts and ends */
+	vec3 centre; /* of a rounding */
+	double turn; /* radians about Z */
+};
+
+static struct plane_point flat(vec3 v)
 {
-	struct comp_queue *queue = &interp->comp.queue;
-	bool good = true;
-
-	for (size_t i = 0; i < queue->count && good; i++) {
-		struct comp_item *item = &queue->items[i];
-		const struct canon_move *move = &item->move;
-
-		if (item->kind == COMP_BLOCK) {
-			good = canon_tell_block(
-			    interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
-			continue;
-		}
-		if (i == 0) {
-			item->move.end.v[SLOT_X] = end.x;
-			item->move.end.v[SLOT_Y] = end.y;
-			item->move.end.v[SLOT_Z] = end.z;
-		}
-		good = canon_tell_move(interp->sink, &item->move);
-	}
-	comp_queue_release(queue);
-	return good;
+	return (struct plane_point){v.x, v.y};
 }
 
-static void put_position(struct interp *interp, vec3 at)
+static struct comp_way way_of(const struct klartext_path *path, double side)
 {
-	state_set_position(&interp->state, SLOT_X, at.x);
-	state_set_position(&interp->state, SLOT_Y, at.y);
-	state_set_position(&interp->state, SLOT_Z, at.z);
+	struct comp_way way = {.is_arc = path->arc, .point = flat(path->start)};
+
+	if (!path->arc)
+		return way;
+	way.centre = flat(path->centre);
+	way.clockwise = path->sweep < 0;
+	way.inside = (side > 0) != way.clockwise;
+	return way;
 }
 
-/* Directions into the corner and out of it, and how far they are cut off. False: reported. */
-static bool find_legs(struct interp *interp, const struct klartext_path *before, const struct klartext_path *after,
-		      vec3 *in, vec3 *out, double *leg, double *turn)
+/* The point of a path next to the centre of the rounding. */
+static vec3 touch(const struct klartext_path *path, vec3 corner, vec3 direction, vec3 centre)
 {
-	const struct klartext_corner *corner = &klartext_of(interp)->corner;
-	vec3 ways[2] = {vec3_sub(before->end, before->start), vec3_sub(after->end, after->start)};
-	double lengths[2] = {vec3_norm(ways[0]), vec3_norm(ways[1])};
+	if (!path->arc)
+		return vec3_mad(corner, vec3_dot(vec3_sub(centre, corner), direction), direction);
+	return vec3_mad(path->centre, vec3_norm(vec3_sub(corner, path->centre)),
+			vec3_unit(vec3_sub(centre, path->centre)));
+}
 
-	if (after->arc)
-		return fault(&interp->at, 1, "RND and CHF in front of a circle are not supported yet");
-	if (!(lengths[0] > SAME_POINT) || !(lengths[1] > SAME_POINT) || fabs(ways[0].z) > SAME_POINT ||
-	    fabs(ways[1].z) > SAME_POINT)
-		return fault(&interp->at, 1, "RND and CHF need two straight lines in the plane of X and Y");
-	*in = vec3_scale(1 / lengths[0], ways[0]);
-	*out = vec3_scale(1 / lengths[1], ways[1]);
-	*turn = atan2(in->x * out->y - in->y * out->x, vec3_dot(*in, *out));
-	if (fabs(*turn) > radians(179.999))
-		return fault(&interp->at, 1, "the path goes back the way it has come: there is no corner to cut off");
-	*leg = corner->chamfer ? corner->size : corner->size * tan(fabs(*turn) / 2);
-	if (*leg > fmin(lengths[0], lengths[1]) + SAME_POINT)
-		return fault(&interp->at, 1,
-			     "the %s of %.6g mm does not fit between these lines, which are %.6g and %.6g mm long",
-			     corner->chamfer ? "chamfer" : "rounding", corner->size, lengths[0], lengths[1]);
+static double sweep_between(const struct klartext_path *path, vec3 from, vec3 to)
+{
+	return arc_sweep(flat(from), flat(to), flat(path->centre), path->sweep < 0, 1, 0);
+}
+
+/* Does the point lie on the path? Its end is where the corner was. */
+static bool reaches(const struct klartext_path *path, vec3 point)
+{
+	const vec3 way = vec3_sub(path->end, path->start);
+	const double share = vec3_dot(vec3_sub(point, path->start), way) / vec3_norm2(way);
+	const double slack = SAME_POINT / vec3_norm(way);
+
+	if (!path->arc)
+		return share >= -slack && share <= 1 + slack;
+	return fabs(sweep_between(path, path->start, point)) <= fabs(path->sweep) &&
+	       fabs(path->sweep) <= 2 * PI;
+}
+
+static bool is_flat(const struct klartext_path *path)
+{
+	return fabs(path->end.z - path->start.z) <= SAME_POINT && (!path->arc || path->normal.z > 0.5) &&
+	       vec3_norm(vec3_sub(path->arc ? path->centre : path->end, path->start)) > SAME_POINT;
+}
+
+static bool find_rounding(const struct klartext_path *before, const struct klartext_path *after, vec3 in, vec3 out,
+			  double radius, struct shape *shape)
+{
+	const double side = shape->turn > 0 ? 1 : -1;
+	const struct comp_way ways[2] = {way_of(before, side), way_of(after, side)};
+	const struct comp_corner_shape corner = {.before = &ways[0],
+						 .after = &ways[1],
+						 .at = flat(after->start),
+						 .ahead = flat(in),
+						 .onward = flat(out),
+						 .radius = radius,
+						 .side = side};
+	struct plane_point centre;
+
+	if (!comp_turn_crossing(&corner, &centre))
+		return false;
+	shape->centre = (vec3){centre.a, centre.b, after->start.z};
+	shape->first = touch(before, after->start, in, shape->centre);
+	shape->last = touch(after, after->start, out, shape->centre);
 	return true;
 }
 
-/* An arc, or a straight line, from the present position to the other end of the corner. */
-static bool cut_off(struct interp *interp, const struct klartext_path *arc, vec3 end)
+/* False: reported. */
+static bool find_shape(struct interp *interp, const struct klartext_path *after, struct shape *shape)
 {
-	struct klartext_target target = {.point = end, .others = interp->state.position};
+	const struct klartext_corner *corner = &klartext_of(interp)->corner;
+	const struct klartext_path *before = &corner->path;
+	const char *what = corner->chamfer ? "chamfer" : "rounding";
+	vec3 in, out;
 
-	return klartext_of(interp)->corner.chamfer ? klartext_move_line(interp, &target, false, &arc->feed)
-						   : klartext_move_arc(interp, &target, arc);
+	if (!is_flat(before) || !is_flat(after) || !klartext_path_end_direction(before, &in) ||
+	    !klartext_path_start_direction(after, &out))
+		return fault(&interp->at, after->column,
+			     "RND and CHF need lines or circles in the plane of X and Y on both sides");
+	if (corner->chamfer && (before->arc || after->arc))
+		return fault(&interp->at, after->column, "CHF needs straight lines on both sides");
+	shape->turn = atan2(in.x * out.y - in.y * out.x, vec3_dot(in, out));
+	if (fabs(shape->turn) > radians(179.999))
+		return fault(&interp->at, after->column,
+			     "the path goes back the way it has come: there is no corner to cut off");
+	shape->first = shape->last = shape->centre = after->start;
+	if (corner->chamfer) {
+		shape->first = vec3_mad(after->start, -corner->size, in);
+		shape->last = vec3_mad(after->start, corner->size, out);
+	} else if (fabs(shape->turn) > FLAT_CORNER &&
+		   !find_rounding(before, after, in, out, corner->size, shape)) {
+		return fault(&interp->at, after->column, "the rounding of %.6g mm does not touch both paths",
+			     corner->size);
+	}
+	if (!corner->chamfer && !(fabs(shape->turn) > FLAT_CORNER))
+		return true;
+	return (reaches(before, shape->first) && reaches(after, shape->last)) ||
+	       fault(&interp->at, after->column, "the %s of %.6g mm is longer than one of the paths beside it", what,
+		     corner->size);
+}
+
+/* --------------------------------------------------------------------- moves */
+
+/* Carries out the block that was kept back, up to this point, as if it were in hand, and tells the end of both lines. */
+static bool release(struct interp *interp, vec3 end)
+{
+	const struct line_place at = interp->at;
+	const enum spindle_turn spindle = interp->state.spindle;
+	const bool speed_is_zero = interp->state.speed_is_zero;
+	struct klartext_corner *corner = &klartext_of(interp)->corner;
+	struct klartext_path path = corner->path;
+	struct klartext_target target = {.point = end};
+	bool good;
+
+	put_position(interp, klartext_frame_position(interp, path.start));
+	target.others = interp->state.position;
+	path.end = end;
+	if (path.arc)
+		path.sweep = sweep_between(&path, path.start, end);
+	interp->at.line = corner->path_line;
+	interp->at.text = strbuf_text(&corner->path_text);
+	interp->state.spindle = corner->spindle;
+	interp->state.speed_is_zero = corner->speed_is_zero;
+	good = klartext_path_move(interp, &target, &path) && cutter_comp_end_block(interp);
+	interp->moves = 0;
+	interp->at.line = corner->line;
+	interp->at.text = strbuf_text(&corner->text);
+	interp->comp.moved = true;
+	good = good && cutter_comp_end_block(interp);
+	interp->at = at;
+	interp->state.spindle = spindle;
+	interp->state.speed_is_zero = speed_is_zero;
+	return good;
+}
+
+/* An arc, or a straight line, from the present position to the other end of the corner. */
+static bool cut_off(struct interp *interp, const struct shape *shape, const struct klartext_path *after)
+{
+	const struct klartext_corner *corner = &klartext_of(interp)->corner;
+	const struct klartext_target target = {.point = shape->last, .others = interp->state.position};
+	struct klartext_path path = {.known = true,
+				     .arc = !corner->chamfer,
+				     .start = shape->first,
+				     .end = shape->last,
+				     .centre = shape->centre,
+				     .normal = {0, 0, 1},
+				     .sweep = shape->turn,
+				     .feed = corner->path.feed,
+				     .column = after->column};
+
+	if (!(fabs(shape->turn) > FLAT_CORNER))
+		return true;
+	if (path.arc)
+		path.sweep = arc_sweep(flat(path.start), flat(path.end), flat(path.centre), shape->turn < 0, 1, 0);
+	path.feed.linear = corner->feed > 0 ? corner->feed : path.feed.linear;
+	return (!path.arc || klartext_move_check_arc(interp, &path, after->column)) &&
+	       klartext_path_move(interp, &target, &path);
 }
 
 /*
  * iTNC 530 user's manual, "Corner rounding RND": a tangential arc; "Inserting a chamfer CHF": the chamfer's side
  * length, which is taken for what is cut off from each line.
  */
-bool klartext_corner_make(struct interp *interp, struct klartext_path *path)
+bool klartext_corner_make(struct interp *interp, const struct klartext_words *words, struct klartext_path *path)
 {
-	struct klartext *klartext = klartext_of(interp);
-	struct klartext_corner *corner = &klartext->corner;
-	struct klartext_path arc = {.known = true, .arc = true, .normal = {0, 0, 1}, .feed = klartext->last.feed};
-	vec3 in, out, first, second;
-	double leg, turn;
+	struct klartext_corner *corner = &klartext_of(interp)->corner;
+	struct shape shape = {.turn = 0};
 
 	if (!(corner->size > 0))
 		return klartext_corner_check_none(interp);
-	if (klartext->last.rapid || path->rapid)
-		return fault(&interp->at, 1, "RND and CHF beside a move at FMAX are not supported");
-	if (!find_legs(interp, &klartext->last, path, &in, &out, &leg, &turn) ||
-	    !klartext_move_check_arc(interp, &arc, 1))
+	if (corner->path.rapid || path->rapid)
+		return fault(&interp->at, path->column, "RND and CHF beside a move at FMAX are not supported");
+	if (words->comp != KLARTEXT_R_NONE && klartext_comp_is_selected(interp) != (words->comp != KLARTEXT_R0))
+		return fault(&interp->at, words->comp_column,
+			     "RND and CHF right before the block that starts or ends radius compensation are not "
+			     "supported");
+	if (!find_shape(interp, path, &shape))
 		return false;
 	corner->waits = false;
-	first = vec3_mad(klartext->last.end, -leg, in);
-	second = vec3_mad(klartext->last.end, leg, out);
-	put_position(interp, klartext_frame_position(interp, first));
-	if (!release(interp, klartext_frame_position(interp, first)))
+	if (!release(interp, shape.first) || !cut_off(interp, &shape, path))
 		return false;
-	path->start = second;
-	if (!(fabs(turn) > 0))
-		return true;
-	arc.centre = vec3_mad(first, corner->size * (turn > 0 ? 1 : -1), vec3_cross((vec3){0, 0, 1}, in));
-	arc.sweep = turn;
-	arc.feed.linear = corner->feed > 0 ? corner->feed : arc.feed.linear;
-	return cut_off(interp, &arc, second);
+	path->start = shape.last;
+	if (path->arc)
+		path->sweep = fabs(path->sweep) >= 2 * PI ? path->sweep
+							  : sweep_between(path, path->start, path->end);
+	return true;
 }

@@ -5,6 +5,7 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -324,6 +325,8 @@ bool klartext_cycle_call(struct interp *interp, int column)
 
 	if (klartext->cycle.number == 0)
 		return fault(&interp->at, column, "no cycle has been defined that could be called");
+	if (klartext_comp_is_selected(interp))
+		return fault(&interp->at, column, "a cycle under radius compensation is not supported; R0 comes first");
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column, "a cycle while M128 is in force is not supported yet");
 	if (klartext->waits)

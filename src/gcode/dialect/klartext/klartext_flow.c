@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
@@ -291,6 +292,8 @@ static bool call_program(struct lexer *lexer)
 	struct source *source;
 	struct position start = {.line = 1};
 
+	if (klartext_comp_is_selected(interp))
+		return fault(lexer->at, column, "CALL PGM under radius compensation is not supported; R0 comes first");
 	if (!klartext_name(lexer, "a program's name", name, sizeof(name)) || !klartext_expect_end(lexer) ||
 	    !find_program(interp, name, column, &source))
 		return false;
@@ -370,7 +373,7 @@ bool klartext_flow_end(struct lexer *lexer)
 
 	if (klartext->behind_end || klartext->level == 0) {
 		interp->ended = true;
-		return motion_commands_spindle_stops(interp);
+		return klartext_comp_end(interp, 1) && motion_commands_spindle_stops(interp);
 	}
 	if (call->kind == KLARTEXT_LABEL)
 		return fault(lexer->at, 1, "the program ends inside of the subprogram %s: its LBL 0 is missing",

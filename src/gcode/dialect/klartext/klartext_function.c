@@ -1,5 +1,6 @@
 #include "gcode/dialect/klartext/klartext_function.h"
 
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -55,6 +56,8 @@ bool klartext_function_run(struct lexer *lexer)
 
 static bool switch_tcpm(struct interp *interp, bool on, int column)
 {
+	if (on && !klartext_comp_check_known(interp, column, "TCPM"))
+		return false;
 	if (klartext_of(interp)->waits)
 		return fault(&interp->at, column, "TCPM before the rotary axes stand where PLANE ... STAY needs them");
 	if (on == (interp->state.tcp == TCP_BY_MCODE))

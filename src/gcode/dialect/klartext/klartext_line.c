@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "gcode/dialect/klartext/klartext_circle.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_define.h"
@@ -170,40 +171,41 @@ static const struct statement {
 	const char *word;
 	bool (*run)(struct lexer *lexer);
 	bool bare;
+	bool compensated; /* may stand under radius compensation */
 } statements[] = {
-    {"L", run_line, false},
-    {"CC", klartext_circle_pole, false},
-    {"C", klartext_circle_about_pole, false},
-    {"CR", klartext_circle_by_radius, false},
-    {"CT", klartext_circle_tangential, false},
-    {"LN", klartext_straight_run_normal, false},
-    {"LP", klartext_circle_polar_line, false},
-    {"CP", klartext_circle_polar, false},
-    {"CTP", klartext_circle_tangential_polar, false},
-    {"RND", round_corner, false},
-    {"CHF", chamfer_corner, false},
-    {"CYCL", cycle, false},
-    {"LBL", klartext_flow_label, true},
-    {"CALL", klartext_flow_call, true},
-    {"FN", klartext_function_run, true},
-    {"TOOL", tool, false},
-    {"PLANE", klartext_plane_run, false},
-    {"FUNCTION", klartext_function_mode, false},
-    {"STOP", run_line, false},
-    {"BEGIN", begin, true},
-    {"END", end, true},
-    {"BLK", ignore, true},
-    {"APPR", approach, false},
-    {"DEP", depart, false},
-    {"TCH", probe, false},
-    {"PATTERN", pattern, false},
-    {"SEL", select_file, false},
-    {"TRANS", transform, false},
-    {"FL", free_contour, false},
-    {"FLT", free_contour, false},
-    {"FC", free_contour, false},
-    {"FCT", free_contour, false},
-    {"FPOL", free_contour, false},
+    {"L", run_line, false, true},
+    {"CC", klartext_circle_pole, false, true},
+    {"C", klartext_circle_about_pole, false, true},
+    {"CR", klartext_circle_by_radius, false, true},
+    {"CT", klartext_circle_tangential, false, true},
+    {"LN", klartext_straight_run_normal, false, false},
+    {"LP", klartext_circle_polar_line, false, true},
+    {"CP", klartext_circle_polar, false, true},
+    {"CTP", klartext_circle_tangential_polar, false, true},
+    {"RND", round_corner, false, true},
+    {"CHF", chamfer_corner, false, true},
+    {"CYCL", cycle, false, false},
+    {"LBL", klartext_flow_label, true, true},
+    {"CALL", klartext_flow_call, true, true},
+    {"FN", klartext_function_run, true, true},
+    {"TOOL", tool, false, false},
+    {"PLANE", klartext_plane_run, false, false},
+    {"FUNCTION", klartext_function_mode, false, false},
+    {"STOP", run_line, false, false},
+    {"BEGIN", begin, true, true},
+    {"END", end, true, true},
+    {"BLK", ignore, true, true},
+    {"APPR", approach, false, false},
+    {"DEP", depart, false, false},
+    {"TCH", probe, false, false},
+    {"PATTERN", pattern, false, false},
+    {"SEL", select_file, false, false},
+    {"TRANS", transform, false, false},
+    {"FL", free_contour, false, false},
+    {"FLT", free_contour, false, false},
+    {"FC", free_contour, false, false},
+    {"FCT", free_contour, false, false},
+    {"FPOL", free_contour, false, false},
 };
 
 static const struct statement *find_statement(const char *word)
@@ -213,6 +215,14 @@ static const struct statement *find_statement(const char *word)
 			return &statements[i];
 	}
 	return NULL;
+}
+
+/* Under radius compensation the next corner says where a block ends: nothing may come between that depends on it. */
+static bool check_comp(struct lexer *lexer, const struct statement *statement)
+{
+	return statement->compensated || !klartext_comp_is_selected(lexer->context) ||
+	       fault(lexer->at, lexer_column(lexer),
+		     "%s under radius compensation is not supported; a block with R0 comes first", statement->word);
 }
 
 /* ------------------------------------------------------------------- lines */
@@ -249,7 +259,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	*bare = statement && statement->bare;
 	/* C+45 is an axis, C X+5 a circle; so is L. */
 	if (statement && !(word[1] == '\0' && word[0] == 'C' && starts_word(word, behind)))
-		return statement->run(lexer);
+		return check_comp(lexer, statement) && statement->run(lexer);
 	lexer->position = start;
 	if (word[0] == 'Q') {
 		*bare = true;
@@ -310,7 +320,7 @@ static bool check_begun(struct lexer *lexer)
 /* Between a corner and the straight line behind it there is nothing: its moves wait, and would be lost. */
 static bool may_follow_corner(const struct lexer *before)
 {
-	static const char *const words[] = {"RND", "CHF", "L", "LP", "C", "CR", "CT", "CP", "CTP"};
+	static const char *const words[] = {"RND", "CHF", "CC", "L", "LP", "C", "CR", "CT", "CP", "CTP"};
 	struct lexer lexer = *before;
 	char word[KLARTEXT_WORD];
 
@@ -384,5 +394,11 @@ bool klartext_line_run(struct interp *interp, bool *done)
 	    (definition->continued || (definition->count > 0 && definition->line == interp->at.line)) &&
 	    !klartext_define_end(interp))
 		return false;
+	if (klartext_of(interp)->corner.waits && !bare) {
+		klartext_corner_keep_line(interp);
+		return true;
+	}
+	/* Only blocks with moves count as those that do not move in the plane. */
+	interp->comp.moved |= interp->moves == 0;
 	return bare || cutter_comp_end_block(interp);
 }

@@ -4,6 +4,8 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_move.h"
@@ -78,6 +80,45 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 	return true;
 }
 
+/* Under radius compensation moves wait, and some functions change which way they go. */
+static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m_action action)
+{
+	if (!klartext_comp_is_selected(interp))
+		return true;
+	switch (action) {
+	case M_HARMLESS:
+		if (m->number == 98 || m->number == 120)
+			break;
+		return true;
+	case M_TURN_RIGHT:
+	case M_TURN_LEFT:
+	case M_STAND:
+	case M_SHORTEST:
+	case M_PLAIN:
+	case M_END:
+		return true;
+	default:
+		break;
+	}
+	return fault(&interp->at, m->column, "M%d under radius compensation is not supported; R0 comes first",
+		     m->number);
+}
+
+bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words)
+{
+	for (int i = 0; i < words->m_count; i++) {
+		enum m_action action;
+
+		if (!find_action(interp, &words->m[i], &action))
+			return false;
+		if (action != M_HARMLESS && action != M_TURN_RIGHT && action != M_TURN_LEFT && action != M_SHORTEST)
+			return fault(&interp->at, words->m[i].column,
+				     "M%d in the block before RND or CHF is not supported: write it into a block of its own",
+				     words->m[i].number);
+	}
+	return true;
+}
+
 /* ------------------------------------------------------------------- start */
 
 /* "M128": reset it before positioning with M91, and before TOOL CALL. */
@@ -87,6 +128,10 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
+	if (klartext->corner.waits)
+		return klartext_corner_check_none(interp);
+	if (!klartext_comp_check_known(interp, m->column, "M128"))
+		return false;
 	if (klartext->waits)
 		return fault(&interp->at, m->column,
 			     "M128 before the rotary axes stand where PLANE ... STAY needs them");
@@ -155,7 +200,7 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 {
 	enum m_action action;
 
-	if (!find_action(interp, m, &action))
+	if (!find_action(interp, m, &action) || !check_comp(interp, m, action))
 		return false;
 	switch (action) {
 	case M_TURN_RIGHT:
@@ -216,14 +261,14 @@ static bool end_program(struct interp *interp, const struct klartext_m *m)
 			     "M%d in a program that CALL PGM has called: a called program ends with END PGM",
 			     m->number);
 	klartext->behind_end = true;
-	return motion_commands_spindle_stops(interp);
+	return klartext_comp_end(interp, m->column) && motion_commands_spindle_stops(interp);
 }
 
 static bool end(struct interp *interp, const struct klartext_m *m)
 {
 	enum m_action action;
 
-	if (!find_action(interp, m, &action))
+	if (!find_action(interp, m, &action) || !check_comp(interp, m, action))
 		return false;
 	switch (action) {
 	case M_HALT:

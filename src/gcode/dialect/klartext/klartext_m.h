@@ -12,6 +12,9 @@ bool klartext_m_start(struct interp *interp, const struct klartext_words *words)
 /* What takes effect at the end of the block, cycle calls included. False: the same. */
 bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
 
+/* Does no M-function of the block act at its end, or move an axis? False: reported. */
+bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words);
+
 /* Are the coordinates of the block those of the machine (M91)? */
 static inline bool klartext_m_is_machine(const struct klartext_words *words)
 {

@@ -3,13 +3,14 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "geom/tolerance.h"
 
-bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction)
+static bool direction_at(const struct klartext_path *path, vec3 at, vec3 *direction)
 {
 	vec3 way = vec3_sub(path->end, path->start), radius;
 
@@ -18,7 +19,7 @@ bool klartext_path_end_direction(const struct klartext_path *path, vec3 *directi
 	if (!path->arc) {
 		*direction = way;
 	} else {
-		radius = vec3_sub(path->end, path->centre);
+		radius = vec3_sub(at, path->centre);
 		radius = vec3_mad(radius, -vec3_dot(radius, path->normal), path->normal);
 		*direction = vec3_scale(path->sweep > 0 ? 1 : -1, vec3_cross(path->normal, radius));
 	}
@@ -28,33 +29,49 @@ bool klartext_path_end_direction(const struct klartext_path *path, vec3 *directi
 	return true;
 }
 
-bool klartext_path_make(struct interp *interp, const struct klartext_target *target, struct klartext_path *path)
+bool klartext_path_start_direction(const struct klartext_path *path, vec3 *direction)
 {
-	struct klartext *klartext = klartext_of(interp);
+	return direction_at(path, path->start, direction);
+}
 
-	if (klartext->corner.waits && !klartext_corner_make(interp, path))
-		return false;
-	klartext->last = *path;
-	if (klartext_corner_follows(interp))
-		return klartext_corner_hold(interp, target, path);
+bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction)
+{
+	return direction_at(path, path->end, direction);
+}
+
+bool klartext_path_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
+{
+	if (cutter_comp_is_on(interp))
+		return klartext_comp_move(interp, target, path);
 	return path->arc ? klartext_move_arc(interp, target, path)
 			 : klartext_move_line(interp, target, path->rapid, &path->feed);
 }
 
-bool klartext_path_check_comp(struct interp *interp, const struct klartext_words *words)
+bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
+			struct klartext_path *path)
 {
-	if (words->comp != KLARTEXT_RL && words->comp != KLARTEXT_RR)
-		return true;
-	return fault(&interp->at, words->comp_column,
-		     "%s: radius compensation is not supported yet; post the path of the tool's centre with R0",
-		     words->comp == KLARTEXT_RL ? "RL" : "RR");
+	struct klartext *klartext = klartext_of(interp);
+
+	path->crossing = words->m_count && klartext_words_m(words, 97);
+	path->column = words->first_column;
+	if (path->arc && !klartext_comp_check_known(interp, words->first_column, "a circle"))
+		return false;
+	if (klartext->corner.waits && !klartext_corner_make(interp, words, path))
+		return false;
+	if (!klartext_comp_switch(interp, words, path))
+		return false;
+	klartext->last = *path;
+	if (klartext_corner_follows(interp))
+		return klartext_corner_hold(interp, words, target, path);
+	if (!klartext_path_move(interp, target, path))
+		return false;
+	klartext_comp_settle(interp, words);
+	return true;
 }
 
 /* Words that no circle and no polar line has. */
 static bool check_words(struct interp *interp, const struct klartext_words *words)
 {
-	if (!klartext_path_check_comp(interp, words))
-		return false;
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (klartext_words_has(words, slot))
 			return fault(&interp->at, words->column[slot],
@@ -88,6 +105,6 @@ bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape)
 		return fault(&interp->at, words.feed_column, "a circle cannot be moved at FMAX; it needs F");
 	if (path.arc && !klartext_move_check_arc(interp, &path, words.first_column))
 		return false;
-	return klartext_path_make(interp, &target, &path) && klartext_cycle_call_modal(interp, &words) &&
+	return klartext_path_make(interp, &words, &target, &path) && klartext_cycle_call_modal(interp, &words) &&
 	       klartext_m_end(interp, &words);
 }

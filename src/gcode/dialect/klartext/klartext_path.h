@@ -16,13 +16,15 @@ typedef bool (*klartext_path_shape)(struct interp *interp, const struct klartext
 /* False: reported, or the sink wants no more. */
 bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape);
 
-/* RL and RR are refused. False: reported. */
-bool klartext_path_check_comp(struct interp *interp, const struct klartext_words *words);
-
 /* Makes the move of a path in programmed coordinates, now or when the corner behind it is known. False: the same. */
-bool klartext_path_make(struct interp *interp, const struct klartext_target *target, struct klartext_path *path);
+bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
+			struct klartext_path *path);
 
-/* The direction at the end of a path, unit; false: it has none. */
+/* Makes the move at once. */
+bool klartext_path_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
+
+/* The direction at the start and at the end of a path, unit; false: it has none. */
+bool klartext_path_start_direction(const struct klartext_path *path, vec3 *direction);
 bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction);
 
 #endif

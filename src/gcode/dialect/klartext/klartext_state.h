@@ -92,16 +92,6 @@ struct klartext_frame {
 
 enum klartext_comp { KLARTEXT_R_NONE, KLARTEXT_R0, KLARTEXT_RL, KLARTEXT_RR };
 
-/* RND or CHF, which waits for the next straight line or circle. */
-struct klartext_corner {
-	bool waits; /* a move of `item` and what follows it is in the queue */
-	bool chamfer;
-	double size; /* mm; 0: not given yet */
-	double feed; /* mm/s of the corner alone; 0: that of the block before */
-	int column;
-	long line;
-};
-
 /* A straight line or a circle in program coordinates, mm. */
 struct klartext_path {
 	bool known;
@@ -111,6 +101,23 @@ struct klartext_path {
 	double sweep; /* radians about the normal */
 	bool rapid;
 	struct canon_feed feed;
+	bool crossing; /* M97: under radius compensation it is drawn out to where it crosses the next one */
+	int column; /* of its words */
+};
+
+/* A path block that is kept back until RND or CHF and the block behind it say where it ends. */
+struct klartext_corner {
+	bool waits;
+	bool chamfer;
+	double size; /* mm; 0: RND or CHF has not been read yet */
+	double feed; /* mm/s of the corner alone; 0: that of the block before */
+	int column;
+	long line;
+	struct klartext_path path; /* of the block kept back */
+	long path_line;
+	enum spindle_turn spindle; /* while it moves */
+	bool speed_is_zero;
+	struct strbuf path_text, text; /* of both lines */
 };
 
 struct klartext {
@@ -131,6 +138,9 @@ struct klartext {
 	bool moved; /* axes have moved since TOOL CALL */
 	bool shifted[SLOT_COUNT]; /* CYCL DEF 7 has shifted this rotary axis, and no absolute word came since */
 	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
+	double wider; /* mm: DR of TOOL CALL */
+	int defined_tool; /* TOOL DEF has given this tool a radius; 0: none */
+	double defined_radius; /* mm */
 	double call_feed, call_feed_bare; /* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
 	/* Path. */
 	vec3 programmed; /* where the last move has led, in the coordinates of then, mm: increments count from there */
@@ -139,6 +149,7 @@ struct klartext {
 	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
 	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
+	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */
 	bool cautioned_wrap, preset_settled;
 	struct klartext_frame frame;

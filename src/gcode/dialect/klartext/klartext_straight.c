@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -26,6 +27,8 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 	struct suspended suspended;
 	slot_values target;
 
+	if (klartext_comp_is_selected(interp))
+		return fault(&interp->at, column, "M91 under radius compensation is not supported: R0 comes first");
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column, "M91 while M128 is in force: the manual wants M129 first");
 	if (klartext_of(interp)->waits)
@@ -47,7 +50,12 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 	}
 	klartext_of(interp)->last.known = false;
 	klartext_of(interp)->moved = true;
-	return motion_commands_go(interp, &target, &move) && tool_length_resume(interp, column, &suspended);
+	if (!motion_commands_go(interp, &target, &move) || !tool_length_resume(interp, column, &suspended))
+		return false;
+	/* In a tilted plane, X and Y of the machine alone do not say where the tool stands in it. */
+	if (suspended.tcp == TCP_OFF)
+		klartext_comp_settle(interp, words);
+	return true;
 }
 
 /* The rotary axes have reached the plane of PLANE ... STAY: from here on coordinates are tilted. */
@@ -80,13 +88,16 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 	struct klartext_target target;
 	struct klartext_path path = {.rapid = rapid, .feed = *feed};
 
+	if (klartext_comp_is_selected(interp) && words->axes >> SLOT_A)
+		return fault(&interp->at, words->first_column,
+			     "axes other than X, Y and Z under radius compensation are not supported");
 	if (!check_waiting(interp, words) || !klartext_move_target(interp, words, &target) ||
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
 	path.start = klartext_frame_point(interp);
 	path.end = target.point;
-	return klartext_path_make(interp, &target, &path) && settle_plane(interp, &target, words->first_column);
+	return klartext_path_make(interp, words, &target, &path) && settle_plane(interp, &target, words->first_column);
 }
 
 static bool run_words(struct interp *interp, const struct klartext_words *words)
@@ -96,7 +107,9 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 
 	if ((!words->axes || klartext_m_is_machine(words)) && !klartext_corner_check_none(interp))
 		return false;
-	if (!klartext_path_check_comp(interp, words) || !klartext_m_start(interp, words))
+	if (!klartext_m_start(interp, words))
+		return false;
+	if (!words->axes && !klartext_comp_switch_standing(interp, words))
 		return false;
 	if (!words->axes) {
 		/* F alone counts for what comes next. */

@@ -18,7 +18,7 @@ struct request {
 	int column;
 	bool has_speed, has_feed;
 	double speed, feed;
-	double longer; /* DL, mm */
+	double longer, wider; /* DL, DR, mm */
 	bool oversize;
 };
 
@@ -94,6 +94,8 @@ bool klartext_tool_define(struct lexer *lexer)
 		} else if (klartext_take(lexer, "R")) {
 			if (!klartext_value(lexer, &value))
 				return false;
+			klartext_of(interp)->defined_tool = number;
+			klartext_of(interp)->defined_radius = value * interp->state.scale;
 		} else {
 			return fault(lexer->at, column, "TOOL DEF has a number, L and R");
 		}
@@ -125,10 +127,16 @@ static bool read_word(struct lexer *lexer, struct request *request)
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
-	/* Oversizes of the radius count for compensation alone. */
-	if (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2") || klartext_take(lexer, "DR")) {
+	if (klartext_take(lexer, "DR2:") || klartext_take(lexer, "DR2")) {
 		if (!klartext_value(lexer, &value))
 			return false;
+		request->oversize |= fabs(value) > 0;
+		return true;
+	}
+	if (klartext_take(lexer, "DR")) {
+		if (!klartext_value(lexer, &value))
+			return false;
+		request->wider = value * interp->state.scale;
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
@@ -211,6 +219,7 @@ static bool change(struct interp *interp, const struct request *request)
 	state->spindle = SPINDLE_STOPPED;
 	state->length = length;
 	klartext->oversize = request->oversize;
+	klartext->wider = request->wider;
 	klartext->change_pending = true;
 	klartext->moved = false;
 	if (!motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}))

@@ -173,6 +173,16 @@ static void wait_for_next(struct interp *interp, const struct comp_way *way, str
 
 /* ------------------------------------------------------------------ moves */
 
+void comp_lookahead_begin(struct cutter_comp *comp, int side, double radius)
+{
+	comp->looks_ahead = true;
+	comp->side = side;
+	comp->radius = radius;
+	comp->entered = comp->starting = comp->leaving = comp->moved = false;
+	comp->idle_blocks = 0;
+	comp->idle_across = 0;
+}
+
 /* The first block: where it ends is found at the next one. */
 static bool start(struct interp *interp, const slot_values *target, struct canon_move *move)
 {

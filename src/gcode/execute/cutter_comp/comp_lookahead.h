@@ -15,7 +15,15 @@
  * the path turns by at most 90 degrees, else by the radius on both sides; or
  * rounded. Where the machine file does not say which, canon_move.spread covers
  * all of these ways.
- *
+ */
+
+/*
+ * Switches compensation on: the next move in the plane is the first. The caller sets comp.start_type and
+ * comp.corner_form.
+ */
+void comp_lookahead_begin(struct cutter_comp *comp, int side, double radius);
+
+/*
  * Each is called in place of what its name says of cutter_comp.h, while
  * comp.looks_ahead.
  */

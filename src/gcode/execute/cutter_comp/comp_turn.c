@@ -152,7 +152,7 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 		add(turn, crossing);
 		return true;
 	}
-	if (c->angle < -MEANT_TANGENT)
+	if (fabs(c->angle) > MEANT_TANGENT)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "an inside corner that the tool (radius %.6g mm) cannot reach without gouging", c->radius);
 	/* Wherever the control ends the block before, it is between the two feet. */
@@ -241,7 +241,6 @@ static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type,
 bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct comp_turn *turn)
 {
 	const struct cutter_comp *comp = &interp->comp;
-	const struct controller *controller = &interp->config->controller;
 	struct comp_corner_shape c = {.before = &comp->waiting,
 				      .after = after,
 				      .at = comp_here(interp),
@@ -260,11 +259,11 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 		    "the path turns back on itself under cutter compensation: which side of the corner is the inside "
 		    "depends on the control");
 	if (comp->starting || comp->leaving) {
-		turn_at_end(&c, controller->comp_start, controller->comp_corner, comp->starting, turn);
+		turn_at_end(&c, comp->start_type, comp->corner_form, comp->starting, turn);
 		return true;
 	}
-	if (c.angle <= 0)
+	if (c.angle <= 0 || comp->corner_form == COMP_CORNER_CROSSING)
 		return turn_inside(interp, &c, turn);
-	turn_outside(&c, controller->comp_corner, turn);
+	turn_outside(&c, comp->corner_form, turn);
 	return true;
 }

@@ -89,11 +89,9 @@ static bool switch_on_ahead(struct interp *interp)
 		    "parameter of the control; cutter_comp_start=\"A\" or \"B\" of the machine's <controller> says "
 		    "that it waits for the next move",
 		    block->g[G_CUTTER] / 10);
-	comp->side = side;
-	comp->radius = fabs(radius);
-	comp->entered = comp->starting = comp->leaving = comp->moved = false;
-	comp->idle_blocks = 0;
-	comp->idle_across = 0;
+	comp_lookahead_begin(comp, side, fabs(radius));
+	comp->start_type = interp->config->controller.comp_start;
+	comp->corner_form = interp->config->controller.comp_corner;
 	return true;
 }
 

@@ -1,0 +1,34 @@
+/* klartext_comp.h - radius compensation: RL, RR, R0, M97. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_COMP_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_COMP_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_move.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+
+/* Has RL or RR been programmed, and no R0 since? */
+static inline bool klartext_comp_is_selected(const struct interp *interp)
+{
+	return interp->comp.side != 0;
+}
+
+/* RL, RR or R0 of a path block, before its move. False: reported, or the sink wants no more. */
+bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path);
+
+/* The same of a block that does not move. */
+bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words);
+
+/* Makes the move of a path beside it. False: the same. */
+bool klartext_comp_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
+
+/* A block has moved the axes named: where the tool stands in the plane may be known again behind R0. */
+void klartext_comp_settle(struct interp *interp, const struct klartext_words *words);
+
+/* No path may be counted from where the tool stands behind R0 without a move. False: reported. */
+bool klartext_comp_check_known(struct interp *interp, int column, const char *what);
+
+/* The program ends here: what waits ends where it is. False: reported, or the sink wants no more. */
+bool klartext_comp_end(struct interp *interp, int column);
+
+#endif
