@@ -2,7 +2,9 @@
 import math
 import os
 import re
+import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 
@@ -11,8 +13,8 @@ LINEAR = [True] * 3 + [False] * 3
 INCH = 25.4
 # rs274 prints four decimals, of the unit in force.
 HALF_DIGIT = 5.01e-5
-# A program that takes longer is endless.
-SECONDS = 2
+# A program that takes more processor time is endless.
+SECONDS = 5
 
 # What rs274 keeps from run to run: all offsets and reference points 0, G54 in force.
 VARIABLES = ([n + i for n in (5161, 5181) for i in range(9)] + list(range(5210, 5221)) +
@@ -89,6 +91,18 @@ class Canon:
             self.arc(numbers(text))
 
 
+class Endless(Exception):
+    """A program was stopped after SECONDS of processor time."""
+
+
+def run(command, folder=None):
+    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors='replace', preexec_fn=limit)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise Endless(' '.join(command))
+    return done
+
+
 class Programs:
     """The two programs, and a folder to run them in."""
 
@@ -106,23 +120,20 @@ class Programs:
         with open(variables, 'w') as out:
             out.write(self.variables)
         tools = os.path.join(HERE, 'tools.tbl')
-        run = subprocess.run([self.rs274, '-g', '-v', variables, '-t', tools, os.path.basename(path)],
-                             cwd=os.path.dirname(path), capture_output=True, text=True, errors='replace',
-                             timeout=SECONDS)
+        done = run([self.rs274, '-g', '-v', variables, '-t', tools, os.path.basename(path)], os.path.dirname(path))
         canon = Canon()
-        for line in run.stdout.splitlines():
+        for line in done.stdout.splitlines():
             call = re.match(r' *\d+ +N\S* +([A-Z_0-9]+)\((.*)\)$', line)
             if call:
                 canon.call(call.group(1), call.group(2))
-        return run.returncode == 0, canon.moves, run.stderr
+        return done.returncode == 0, canon.moves, done.stderr
 
     def run_ours(self, path):
         """Accepted or not, the ends of the spans, messages."""
-        run = subprocess.run([self.fivecheck, '--dump-path', '--tolerance=0.01', '--max-blocks=100000',
-                              '--setup', os.path.join(HERE, 'setup.xml'), os.path.join(HERE, 'machine.xml'), path],
-                             capture_output=True, text=True, errors='replace', timeout=SECONDS)
-        rows = [[float(x) for x in line.split('\t')[3:9]] for line in run.stdout.splitlines()[1:]]
-        return run.returncode == 0, rows, run.stderr
+        done = run([self.fivecheck, '--dump-path', '--tolerance=0.01', '--max-blocks=100000',
+                    '--setup', os.path.join(HERE, 'setup.xml'), os.path.join(HERE, 'machine.xml'), path])
+        rows = [[float(x) for x in line.split('\t')[3:9]] for line in done.stdout.splitlines()[1:]]
+        return done.returncode == 0, rows, done.stderr
 
 
 def is_at(position, move):
@@ -162,10 +173,12 @@ def follow_arc(position, move, rows):
     return f'an arc to {move.end} with a sweep of {math.degrees(expected):.3f}: swept {math.degrees(swept):.3f}'
 
 
-def difference(moves, rows):
-    """The first move that the rows do not make, or None."""
+def difference(moves, rows, to_the_end=True):
+    """The first move that the rows do not make, or None. Rows that stop early are compared as far as they go."""
     last, rows = Move([0.0] * 6, [0.0] * 6), list(rows)
     for i, move in enumerate(moves):
+        if not rows and not to_the_end:
+            return None
         if move.arc:
             wrong = follow_arc(last.end, move, rows)
             if wrong:
@@ -183,10 +196,22 @@ def difference(moves, rows):
     return f'{len(left)} more moves, the first to {left[0]}' if left else None
 
 
+# LinuxCNC 2.9 compares exactly, later versions take nearly equal numbers for equal: fivecheck refuses these comparisons.
+VERSIONS_DISAGREE = re.compile(r': error: (EQ|NE|LE|GE) of numbers that differ by \S+ only: versions of LinuxCNC disagree')
+
+
+def stops_where_versions_disagree(programs, path):
+    """Does fivecheck stop, by its own words, at a comparison that versions of LinuxCNC answer differently?"""
+    accepted, _, messages = programs.run_ours(path)
+    return not accepted and VERSIONS_DISAGREE.search(messages) is not None
+
+
 def compare(programs, path):
-    """None when both agree, else how they differ."""
+    """None when both agree, as far as fivecheck goes where versions of LinuxCNC disagree; else how they differ."""
     accepted, moves, complaint = programs.run_reference(path)
     ours, rows, messages = programs.run_ours(path)
+    if accepted and not ours and VERSIONS_DISAGREE.search(messages):
+        return difference(moves, rows, to_the_end=False)
     if accepted != ours:
         if accepted:
             return f'rs274 accepts it, fivecheck says: {messages.strip()}'
