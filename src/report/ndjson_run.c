@@ -36,6 +36,7 @@ struct reading {
 	struct diag *diag;
 	size_t programs;	/* lines of this kind */
 	size_t pending;	/* findings whose program has not come yet */
+	size_t findings;	/* those whose program has come */
 };
 
 static bool refuse(const struct reading *reading, const char *why)
@@ -51,6 +52,27 @@ static bool take_header(struct reading *reading, json_t *object)
 	if (json_integer_value(json_object_get(object, "format")) != NDJSON_FORMAT)
 		return refuse(reading, "its format has another number: run this version of fivecheck again");
 	reading->run->header = json_incref(object);
+	return true;
+}
+
+/* The line of a program says how many lines of findings stand before it. */
+static bool take_program(struct reading *reading, const json_t *object)
+{
+	json_int_t findings = json_integer_value(json_object_get(object, "findings"));
+
+	if (!ndjson_run_text(object, "file"))
+		return refuse(reading, "a program without a name");
+	if (findings != (json_int_t)reading->pending) {
+		diag_error(reading->diag, reading->at,
+			   "'%s' has %lld %s, but %zu stand in this file: lines were taken out or added; use the file as "
+			   "the run wrote it",
+			   ndjson_run_text(object, "file"), (long long)findings, findings == 1 ? "finding" : "findings",
+			   reading->pending);
+		return false;
+	}
+	reading->findings += reading->pending;
+	reading->programs++;
+	reading->pending = 0;
 	return true;
 }
 
@@ -70,10 +92,9 @@ static bool take_line(struct reading *reading, json_t *object)
 		run->summary = json_incref(object);
 		return true;
 	}
-	if (ndjson_run_is_program(object) && !ndjson_run_text(object, "file"))
-		return refuse(reading, "a program without a name");
-	reading->programs += ndjson_run_is_program(object);
-	reading->pending = ndjson_run_is_program(object) ? 0 : reading->pending + 1;
+	if (ndjson_run_is_program(object) && !take_program(reading, object))
+		return false;
+	reading->pending += !ndjson_run_is_program(object);
 	run->lines = mem_grow(run->lines, &run->capacity, run->count + 1, sizeof(json_t *));
 	run->lines[run->count++] = json_incref(object);
 	return true;
@@ -121,8 +142,10 @@ static bool is_whole(const struct reading *reading)
 {
 	const struct ndjson_run *run = reading->run;
 	json_int_t programs = json_integer_value(json_object_get(run->header, "programs"));
+	json_int_t findings = json_integer_value(json_object_get(run->summary, "findings"));
 
-	if (!run->summary || reading->pending || (json_int_t)reading->programs != programs)
+	if (!run->summary || reading->pending || (json_int_t)reading->programs != programs ||
+	    (json_int_t)reading->findings != findings)
 		return refuse(reading, "it was cut short");
 	return true;
 }
