@@ -113,6 +113,7 @@ static bool check_table_formats(const struct parser *parser)
 			   parser->mode->name);
 		return false;
 	}
+	o->output_of_format = path != NULL;
 	o->output = path ? path : o->output;
 	json->path = text->path = NULL;
 	return true;

@@ -55,6 +55,7 @@ struct options {
 	struct format_choice formats[FORMAT_COUNT];
 	struct text_list includes;	/* folders; `check` refers to them */
 	const char *output;	/* NULL: standard output */
+	bool output_of_format;	/* it was given as the file of --format, for a table */
 	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
 	const char *report;	/* or NULL */

@@ -52,7 +52,7 @@ static size_t list_written(struct written *list, const struct options *options)
 	size_t count = 0;
 
 	if (options->output)
-		list[count++] = (struct written){"output", options->output};
+		list[count++] = (struct written){options->output_of_format ? "format" : "output", options->output};
 	for (int i = 0; i < FORMAT_COUNT; i++) {
 		if (options->formats[i].path)
 			list[count++] =

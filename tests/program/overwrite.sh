@@ -23,6 +23,8 @@ for arguments in '-o head.stl' '-o ./same.stl' '-o vise.stl' '--pose table.stl' 
 	status fivecheck -q $arguments -s s.xml m.xml a.nc
 done
 status fivecheck -q -o head.stl --check-machine m.xml
+status fivecheck -q -f json=head.stl --check-machine m.xml
+status fivecheck -q -f json=m.xml --list-pairs m.xml
 cmp head.stl before.stl
 for file in *.new*; do
 	[ ! -e "$file" ] || echo "left: $file"
