@@ -41,10 +41,8 @@ control=$!
 slurmd -D -N "$here" >slurmd.out 2>&1 &
 node=$!
 trap 'kill $node $control 2>/dev/null; wait' EXIT
-for _ in $(seq 100); do
-	sinfo -h -o %t 2>/dev/null | grep -q idle && break
-	sleep 0.2
-done
+# The job waits until both daemons have found each other, and runs on the node when it is idle.
+timeout 300 srun -Q -N 1 true >srun.out 2>&1
 if ! sinfo -h -o %t 2>/dev/null | grep -q idle; then
 	tail -n 3 slurmctld.out slurmd.out slurmctld.log slurmd.log >&2
 	skip "Slurm does not start here"
