@@ -27,6 +27,13 @@ enum g53_with_g91 { G53_WITH_G91_UNKNOWN, G53_WITH_G91_ABSOLUTE, G53_WITH_G91_IN
 /* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
 enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
 
+/* M6 in a block that moves axes: the tool is changed behind the move, or before it. */
+enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
+
+/* What ';' does in a line, and what ':' with a number at its head is. */
+enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLOCK };
+enum colon { COLON_UNKNOWN, COLON_PROGRAM, COLON_BLOCK };
+
 /*
  * Cutter compensation: how the first and the last block lead to the path and away from it, and how the tool goes round an
  * outside corner. Not known: every way is proved.
@@ -118,6 +125,10 @@ struct controller {
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
+	double arc_radius_tolerance;	/* mm: arcs whose radii differ by no more are spirals; 0: not known */
+	enum m6_with_move m6_with_move;
+	enum semicolon semicolon;
+	enum colon colon;
 	enum comp_d comp_d;
 	enum comp_start comp_start;
 	enum comp_corner_form comp_corner;

@@ -41,6 +41,9 @@ enum arc_centre { ARC_CENTRE_UNKNOWN, ARC_CENTRE_INCREMENTAL, ARC_CENTRE_ABSOLUT
 /* An arc with neither a centre nor a radius: an error; or a straight line, unless the control stops there. */
 enum arc_without_centre { ARC_WITHOUT_CENTRE_UNKNOWN, ARC_WITHOUT_CENTRE_REFUSED, ARC_WITHOUT_CENTRE_LINE };
 
+/* A feed move before any F: an error; or it goes on at a feed that the control kept, unless that stops. */
+enum feed_missing { FEED_MISSING_UNKNOWN, FEED_MISSING_REFUSED, FEED_MISSING_KEPT };
+
 /* ",C" and ",R": none, or a chamfer and a rounding between lines, or between lines and arcs. */
 enum corner_words { CORNER_WORDS_UNKNOWN, CORNER_WORDS_WITH_LINES, CORNER_WORDS_WITH_ARCS };
 
@@ -99,6 +102,9 @@ struct cycle_traits {
 	enum answer feeds_to_clear;	/* taps and G89 leave the hole at the feed; no: they do up to R */
 	enum answer rises_first;	/* to R, before it goes over the first hole */
 	enum answer exact_path;	/* whatever path mode is in force */
+	enum answer any_order;	/* R and Z may lie the wrong way round: the tool goes there, or it is an error */
+	enum answer taps_peck;	/* taps may have Q: their pecks lie on the same way */
+	enum answer taps_retract_by_j;	/* taps may have J, how fast they retract */
 	enum g87 g87;
 	enum answer pecks_fall;	/* pecks may have I, J and K in place of Q */
 	enum answer shift_by_ij;	/* I and J may stand for the Q of bores, and then say in which direction */
@@ -130,10 +136,14 @@ struct dialect_traits {
 	/* Motion and feed. */
 	enum feed_forgotten feed_forgotten;
 	enum empty_feed_move empty_feed_move;
+	enum feed_missing feed_missing;	/* not known: as refused */
 	enum answer g64_has_tolerance;	/* in P */
 	enum arc_centre arc_centre;
 	enum arc_without_centre arc_without_centre;
 	enum answer arcs_have_turns;	/* in P */
+	enum answer arc_radius_wins;	/* an arc with R and a centre takes R; not known, or no: that is an error */
+	enum answer arc_idle_zero;	/* I, J or K of the axis across the plane may be 0; not known, or no: an error */
+	enum answer arc_spirals;	/* a parameter says up to which difference of their radii arcs are spirals */
 	enum corner_words corner_words;
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */

@@ -184,6 +184,7 @@ struct interp {
 	struct cutter_comp comp;
 	struct pending_corner corner;
 	struct block_cautions cautions;
+	bool cautioned_feed, cautioned_order;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */

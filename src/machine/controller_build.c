@@ -103,6 +103,26 @@ static void check_frames(struct description_file *file, const struct controller_
 	}
 }
 
+static void check_lexis(struct description_file *file, const struct controller_description *described,
+			const char *title)
+{
+	const struct {
+		int given;
+		const char *name, *why;
+	} answers[] = {
+		{described->arc_radius_tolerance.given, "arc_radius_tolerance", "has no such parameter"},
+		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
+		{described->semicolon, "semicolon", "has comments behind ';'"},
+		{described->colon, "colon", "has no program numbers behind ':'"},
+	};
+
+	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]); i++) {
+		if (answers[i].given)
+			description_fault(file, described->at, answers[i].name, "%s of <controller>: %s %s",
+					  answers[i].name, title, answers[i].why);
+	}
+}
+
 /* Refuses settings for which, by the dialect's row, the control has no parameter. */
 static void check_dialect(struct description_file *file, const struct controller_description *described)
 {
@@ -135,6 +155,7 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->overrun.given)
 		description_fault(file, described->at, "unidirectional_overrun",
 				  "unidirectional_overrun of <controller>: %s has no G60", row->title);
+	check_lexis(file, described, row->title);
 	if (described->comp_d != COMP_D_UNKNOWN)
 		description_fault(file, described->at, "cutter_comp_d",
 				  "cutter_comp_d of <controller>: D of %s is the number of a tool", row->title);
@@ -205,6 +226,10 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->length_moves = from->length_moves;
 	to->g53_with_g91 = from->g53_with_g91;
 	to->overrun = from->overrun.value;
+	to->arc_radius_tolerance = from->arc_radius_tolerance.value;
+	to->m6_with_move = from->m6_with_move;
+	to->semicolon = from->semicolon;
+	to->colon = from->colon;
 	to->comp_d = from->comp_d;
 	to->comp_start = from->comp_start;
 	to->comp_corner = from->comp_corner;
@@ -224,6 +249,9 @@ void controller_build(struct machine_description *described, struct machine *mac
 	if (from->path_tolerance.given && to->path_tolerance <= 0)
 		description_fault(file, from->at, "path_tolerance",
 				  "path_tolerance of <controller> must be more than 0");
+	if (from->arc_radius_tolerance.given && !(to->arc_radius_tolerance > 0))
+		description_fault(file, from->at, "arc_radius_tolerance",
+				  "arc_radius_tolerance of <controller> must be more than 0");
 	if (from->overrun.given && !(to->overrun > 0))
 		description_fault(file, from->at, "unidirectional_overrun",
 				  "unidirectional_overrun of <controller> must be more than 0");

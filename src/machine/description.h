@@ -93,6 +93,10 @@ struct controller_description {
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;
 	struct optional_number overrun;	/* of G60 */
+	struct optional_number arc_radius_tolerance;
+	enum m6_with_move m6_with_move;
+	enum semicolon semicolon;
+	enum colon colon;
 	const char *preset;	/* or NULL */
 	enum comp_d comp_d;
 	enum comp_start comp_start;

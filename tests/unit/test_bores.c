@@ -121,6 +121,9 @@ static void choose(struct bore *bore, uint64_t *random, bool back)
 	bore->over[1] = round(rig_random(random, -40, 40) * 1e3) / 1e3;
 	bore->r = round(rig_random(random, -20, 20) * 1e3) / 1e3;
 	bore->z = bore->r + (back ? 1 : -1) * round(rig_random(random, 1, 20) * 1e3) / 1e3;
+	/* At times R and Z lie the wrong way round. */
+	if (rig_pick(random, 4) == 0)
+		bore->z = 2 * bore->r - bore->z;
 	bore->q = round(rig_random(random, 0.05, 5) * 1e3) / 1e3;
 	bore->turn = rig_pick(random, 2) && bore->plane == 17 ? round(rig_random(random, 5, 355)) : 0;
 	/* Mostly along an axis and as far as Q says. */

@@ -199,7 +199,8 @@ static const struct bad fanuc[] = {
     {":X1\n", 1, 1, "':' without a number"},
     {"G0 O1\n", 1, 4, "O stands at the start of a block only"},
     {"G0 X1. ; X5.\n", 1, 8,
-     "';' ends a block on this control; write what follows on a line of its own, or in parentheses if it is a comment"},
+     "';' ends a block on this control; write what follows on a line of its own, or in parentheses if it is a comment; "
+     "if a parameter has ';' start comments, semicolon=\"comment\" in the machine's <controller> says so"},
     /* The same, "Additional workpiece coordinate systems": P goes with G54 and G54.1 only. */
     {"G55 P3\n", 1, 5, "no code in the block uses the word P"},
     {"G59.1\n", 1, 1, "G59.1 is no G-code that is known in the fanuc dialect"},

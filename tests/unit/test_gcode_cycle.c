@@ -298,9 +298,9 @@ struct bad {
 	const char *message;
 };
 
-#define ORDER(what)                                                                                                   \
-	what " in a block that moves: whether it comes before or after the move depends on the control; write two "  \
-	     "blocks"
+#define ORDER_OF_M6                                                                                                   \
+	"M6 in a block that moves: the builder of the machine decides whether it comes before or after the move; "    \
+	"m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two blocks"
 
 static const struct mcode mcodes[] = {{428, MCODE_TCP_ON}};
 
@@ -352,11 +352,7 @@ static const struct bad bads[] = {
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
     {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
     {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
-    {&dialect_fanuc, "G87 X1. Z-1. R-2.", 1, "G87 needs Q"},
-    {&dialect_fanuc, "G87 X1. Z-1. R1. Q1.", 1,
-     "R of G87, 1 mm, lies above Z, -1 mm: a back boring cycle goes down to R and bores upwards to Z"},
     {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "G76 whose retract does not rise from the bottom"},
-    {&dialect_haas, "G77 X1. Z-1. R-2.", 1, "G77 needs Q"},
     {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J in another plane than that of G17; give Q"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): P2 to P4. */
     {&dialect_fanuc, "G30 P3 X0.", 5,
@@ -364,10 +360,11 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G30 P5 X0.", 5, "P5: a whole number from 2 to 4 is needed"},
     {&dialect_fanuc, "G28 P2 X0.", 5, "no code in the block uses the word P"},
     /* Which comes first, the tool or the move? */
-    {&dialect_haas, "G1 X5. T2 M6", 11, ORDER("M6")},
-    {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER("M6")},
-    {&dialect_haas, "T2 M6 G28", 4, ORDER("M6")},
-    {&dialect_fanuc, "G0 X5. M428", 8, ORDER("an M-code that switches TCP")},
+    {&dialect_haas, "G1 X5. T2 M6", 11, ORDER_OF_M6},
+    {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER_OF_M6},
+    {&dialect_haas, "T2 M6 G28", 4, ORDER_OF_M6},
+    {&dialect_fanuc, "G0 X5. M428", 8, "an M-code that switches TCP in a block that moves: whether it comes before or after the move depends on the "
+     "control; write two blocks"},
 };
 
 START_TEST(refused)

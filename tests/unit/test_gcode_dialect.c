@@ -177,7 +177,8 @@ static const struct refusal usual_refusals[] = {
     {"M428\nG53 G0 X1\n", 1, UNKNOWN("what machine coordinates are while an M-code has TCP on")},
     {"G68 R5 X0 Y0\nG0 X1 Y1\nG28 Z1\n", 1, UNKNOWN("where G28, G30 and G53 lead while G68 is in force")},
     {"T1 M6 G0 X1\n", 4,
-     "M6 in a block that moves: whether it comes before or after the move depends on the control; write two blocks"},
+     "M6 in a block that moves: the builder of the machine decides whether it comes before or after the move; "
+     "m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two blocks"},
     {"G54.1 P1\n", 1, UNKNOWN("how many additional work offsets there are")},
     {"G54 P1\n", 5, UNKNOWN("whether G54 with P selects an additional work offset")},
     {"G10 L2 P1 X5\n", 5, UNKNOWN("which work offsets G10 writes")},

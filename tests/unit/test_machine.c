@@ -94,6 +94,10 @@ static void check_places(const struct controller *controller)
 	ck_assert_int_eq(controller->power_on_units, POWER_ON_INCH);
 	ck_assert_int_eq(controller->power_on_distance, POWER_ON_INCREMENTAL);
 	ck_assert_int_eq(controller->power_on_plane, POWER_ON_YZ);
+	ck_assert_int_eq(controller->m6_with_move, M6_BEFORE_MOVE);
+	ck_assert_int_eq(controller->semicolon, SEMICOLON_STARTS_COMMENT);
+	ck_assert_int_eq(controller->colon, COLON_BLOCK);
+	ck_assert_double_eq(controller->arc_radius_tolerance, 0.5);
 	ck_assert(change->given && change->has[SLOT_X] && change->has[SLOT_Y] && change->has[SLOT_C]);
 	ck_assert(!change->has[SLOT_Z] && !change->has[SLOT_A]);
 	ck_assert_double_eq(change->value.v[SLOT_Y], -10);

@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/same_double.h"
 #include "gcode/execute/arc.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -46,6 +47,37 @@ static bool centre_word(struct interp *interp, char letter, enum axis_slot slot,
 	return true;
 }
 
+/*
+ * Fanuc B-63324EN and B-64484EN, "Circular Interpolation": where the end does not lie on the arc, the radius changes
+ * linearly with the angle, up to a difference that parameter 3410 gives.
+ */
+static bool check_spiral(struct interp *interp, double r0, double r1)
+{
+	double most = interp->config->controller.arc_radius_tolerance;
+	int column = block_motion_column(&interp->block);
+
+	if (traits_of(interp)->arc_spirals != ANSWER_YES)
+		return fault(&interp->at, column,
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end", r0, r1);
+	if (!(most > 0))
+		return fault(&interp->at, column,
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end; if this control "
+			     "makes a spiral of it, arc_radius_tolerance=\"\" of the machine's <controller> says up to "
+			     "which difference",
+			     r0, r1);
+	if (fabs(r0 - r1) > most)
+		return fault(&interp->at, column,
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end, which is more than "
+			     "arc_radius_tolerance of the machine file allows",
+			     r0, r1);
+	if (cutter_comp_is_on(interp) || corner_insert_concerns(interp))
+		return fault(&interp->at, column,
+			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end: such a spiral "
+			     "is not supported under cutter compensation or beside a corner of ,C or ,R",
+			     r0, r1);
+	return true;
+}
+
 static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *plane, struct plane_point start,
 			       struct plane_point end, struct plane_point *centre)
 {
@@ -54,7 +86,8 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 	int column = block_motion_column(&interp->block);
 	double r0, r1;
 
-	if (block_has(&interp->block, plane->not_used))
+	if (block_has(&interp->block, plane->not_used) &&
+	    !(traits_of(interp)->arc_idle_zero == ANSWER_YES && same_double(block_value(&interp->block, plane->not_used), 0)))
 		return fault(&interp->at, block_column(&interp->block, plane->not_used),
 			     "%c does not belong to the centre of an arc in the plane of G%d", plane->not_used,
 			     plane->code / 10);
@@ -66,8 +99,7 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 		return fault(&interp->at, column, "an arc of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
 			     r1);
 	case ARC_RADII_DIFFER:
-		return fault(&interp->at, column,
-			     "the radius of the arc is %.6g mm at its start and %.6g mm at its end", r0, r1);
+		return check_spiral(interp, r0, r1);
 	default:
 		return true;
 	}
@@ -82,7 +114,8 @@ static bool find_arc_by_radius(struct interp *interp, const struct arc_plane *pl
 	int column = block_column(block, 'R');
 	char a = AXIS_LETTERS[plane->a], b = AXIS_LETTERS[plane->b];
 
-	if (block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
+	if ((block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))) &&
+	    traits_of(interp)->arc_radius_wins != ANSWER_YES)
 		return fault(&interp->at, column, "an arc has a radius (R) or a centre (I, J, K), not both");
 	if (!block_has(block, a) && !block_has(block, b))
 		return fault(&interp->at, column, "an arc by its radius needs %c or %c", a, b);

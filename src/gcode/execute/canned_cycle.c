@@ -95,6 +95,35 @@ static bool check_level(const struct canned_cycle *cycle, double level)
 		     "with them depends on the control; G80 first");
 }
 
+/*
+ * The wrong way round. No manual forbids it: the control moves to R and to Z wherever these lie, or stops with an alarm
+ * before. A first peck may go down from R all the same.
+ */
+static bool cross_over(struct canned_cycle *cycle, double offset)
+{
+	struct interp *interp = cycle->interp;
+	int column = block_motion_column(&interp->block), code = cycle->code / 10;
+	double r = cycle->r - offset, z = cycle->bottom - offset;
+	bool back = cycle_hole_bores_back(cycle);
+	bool by_ij = cycle->code == G87 && cycle->traits->g87 == G87_BACK_BY_IJK;
+
+	if (cycle->traits->any_order == ANSWER_YES && !by_ij) {
+		if (!interp->cautioned_order)
+			caution(&interp->at, column,
+				"R of G%d, %.6g mm, lies %s Z, %.6g mm: the control goes to R and then to Z all the "
+				"same, or stops with an alarm; both are covered, here and further on",
+				code, r, back ? "above" : "below", z);
+		interp->cautioned_order = true;
+		return true;
+	}
+	if (back)
+		return fault(&interp->at, column,
+			     "R of G%d, %.6g mm, lies above Z, %.6g mm: a back boring cycle goes down to R and bores "
+			     "upwards to Z",
+			     code, r, z);
+	return fault(&interp->at, column, "R of G%d, %.6g mm, lies below the depth, %.6g mm", code, r, z);
+}
+
 /* The heights of R, of the bottom and of the retract, from the level before the first of the cycles. */
 static bool find_heights(struct canned_cycle *cycle, bool kept)
 {
@@ -117,15 +146,9 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 		return false;
 	cycle->r = r * scale + (state->incremental ? level : offset);
 	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
-	if (back && cycle->r > cycle->bottom)
-		return fault(&interp->at, block_motion_column(&interp->block),
-			     "R of G%d, %.6g mm, lies above Z, %.6g mm: a back boring cycle goes down to R and bores "
-			     "upwards to Z",
-			     cycle->code / 10, cycle->r - offset, cycle->bottom - offset);
-	if (!back && cycle->r < cycle->bottom)
-		return fault(&interp->at, block_motion_column(&interp->block),
-			     "R of G%d, %.6g mm, lies below the depth, %.6g mm", cycle->code / 10, cycle->r - offset,
-			     cycle->bottom - offset);
+	cycle->crosses = back ? cycle->r > cycle->bottom : cycle->r < cycle->bottom;
+	if (cycle->crosses && !cross_over(cycle, offset))
+		return false;
 	cycle->clear = back ? level : find_clear(cycle, level);
 	return true;
 }
@@ -175,13 +198,15 @@ static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
 /* Whatever the pecks are, they lie on the way between R and the bottom. */
 static void drill_in_one_stroke(struct canned_cycle *cycle)
 {
-	cycle->peck = cycle->peck_least = cycle->r - cycle->bottom + 1;
+	cycle->peck = cycle->peck_least = cycle->crosses ? 0 : cycle->r - cycle->bottom + 1;
 }
 
 static bool check_pecks(struct canned_cycle *cycle, int column, double q)
 {
 	struct interp *interp = cycle->interp;
 
+	if (cycle->crosses)
+		return true;
 	if ((cycle->r - cycle->bottom) / cycle->peck_least > COUNT_MAX)
 		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
 			     COUNT_MAX);
@@ -199,6 +224,9 @@ static bool find_peck(struct canned_cycle *cycle, bool kept)
 	    block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q') : block_motion_column(&interp->block);
 	double q = 0;
 
+	/* Fanuc B-64484EN, "Peck Rigid Tapping Cycle": Q is kept; the pecks and their retracts lie on the same way. */
+	if (cycle->code == G74 || cycle->code == G84)
+		return !block_has(&interp->block, 'Q') || cycle_words_take(cycle, 'Q', kept, &q);
 	if (cycle->code != G73 && cycle->code != G83)
 		return true;
 	if (cycle->traits->pecks_fall == ANSWER_YES && !block_has(&interp->block, 'Q') &&
@@ -272,11 +300,12 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
 		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
 		cycle->spread = back ? hypot(cycle->shift_a, cycle->shift_b) : 0;
-	} else if (!back && !cycle_words_know(cycle, 'Q', kept)) {
-		/* The tool is drawn up where it has bored. */
+	} else if ((!back || cycle->traits->any_order == ANSWER_YES) && !cycle_words_know(cycle, 'Q', kept)) {
+		/* The tool goes in and out where it bores. */
 		if (!interp->cautioned_no_shift)
 			caution(&interp->at, column,
-				"G%d without Q: the tool leaves the bore without a shift, here and further on", code);
+				"G%d without Q: the tool %s without a shift, here and further on", code,
+				back ? "enters and leaves the bore" : "leaves the bore");
 		interp->cautioned_no_shift = true;
 		return true;
 	} else if (!cycle_words_take(cycle, 'Q', kept, &q)) {
@@ -291,7 +320,7 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 			     "G%d while the tool centre point is controlled: where its shift goes is not followed yet",
 			     code);
 	/* The disc is proved along the way up; no way, no proof. */
-	if (!(cycle->clear > (back ? cycle->r : cycle->bottom)))
+	if (!cycle->crosses && !(cycle->clear > (back ? cycle->r : cycle->bottom)))
 		return fault(&interp->at, column, "G%d whose retract does not rise from the bottom", code);
 	return true;
 }

@@ -131,8 +131,22 @@ bool cycle_hole_bores_back(const struct canned_cycle *cycle)
 	return cycle->code == G77 || (cycle->code == G87 && cycle->traits->g87 == G87_BACK_BY_Q);
 }
 
+/* R and Z lie the wrong way round: to R, by one peck down, to Z and out again, beside the axis as bores shift. */
+static bool cross_over(struct canned_cycle *cycle)
+{
+	cycle->aside = cycle->spread > 0;
+	return cycle_hole_rapid(cycle, cycle->r) && (!(cycle->peck > 0) || feed(cycle, cycle->r - cycle->peck)) &&
+	       feed(cycle, cycle->bottom) && rest(cycle) && cycle_hole_rapid(cycle, cycle->clear);
+}
+
 bool cycle_hole_make(struct canned_cycle *cycle)
 {
+	if (cycle->crosses) {
+		bool good = cross_over(cycle);
+
+		cycle->aside = false;
+		return good;
+	}
 	switch (cycle->code) {
 	case G73:
 	case G83:

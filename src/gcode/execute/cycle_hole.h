@@ -20,6 +20,7 @@ struct canned_cycle {
 	bool dwells;
 	double peck, peck_less, peck_least;	/* mm: the first; by how much each is less; none is less than that */
 	double shift_a, shift_b;	/* aside, where the direction is known */
+	bool crosses;	/* R and Z lie the wrong way round */
 	double top;	/* straight position of the top of LinuxCNC's counterbore */
 	double spread;	/* mm: aside, in a direction of the plane that is not known */
 	bool aside;	/* the tool stands so, or on its way there or back */

@@ -336,6 +336,8 @@ bool execute_block(struct interp *interp)
 	const struct dialect *dialect = interp->config->dialect;
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
+	/* B-64484EN, "Auxiliary Function": M-codes are carried out with the move or behind it, as the builder has it. */
+	bool changes_late = block->m[M_TOOL] == 6 && interp->config->controller.m6_with_move == M6_AFTER_MOVE;
 
 	if (state->unknown_modes && !check_modes(interp))
 		return false;
@@ -350,7 +352,7 @@ bool execute_block(struct interp *interp)
 		state->scale = state_unit(block->g[G_UNITS]);
 	if (!execute_feed(interp) || !execute_speed(interp))
 		return false;
-	if (!tool_change_select(interp) || !tool_change_run(interp) || !tool_length_mcode(interp))
+	if (!tool_change_select(interp) || (!changes_late && !tool_change_run(interp)) || !tool_length_mcode(interp))
 		return false;
 	if (!execute_spindle(interp))
 		return false;
@@ -369,7 +371,8 @@ bool execute_block(struct interp *interp)
 	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !coordinate_rotation_turn(interp) ||
 	    !dynamic_work_offset_switch(interp))
 		return false;
-	if (!execute_nonmodal(interp) || !execute_motion(interp) || !execute_stop(interp))
+	if (!execute_nonmodal(interp) || !execute_motion(interp) || (changes_late && !tool_change_run(interp)) ||
+	    !execute_stop(interp))
 		return false;
 	if (block->m[M_STOP] >= 97 && !is_answered(interp, block->m_column[M_STOP], dialect->after_block != NULL,
 						   "what the calls of subprograms (M97 to M99) do"))

@@ -171,6 +171,30 @@ bool motion_commands_dwell(struct interp *interp)
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_DWELL, .seconds = seconds});
 }
 
+/* More than any axis reaches: moves at this feed are held to the axes' rates. */
+#define FASTEST_FEED 1e6
+
+/*
+ * Before any F: Fanuc B-64484EN and Haas call it an alarm; a program that is a part of a job finds the F of the part
+ * before. The path is the same.
+ */
+static bool keep_feed(struct interp *interp, struct canon_feed *feed)
+{
+	int column = block_motion_column(&interp->block), code = interp->block.motion / 10;
+
+	if (traits_of(interp)->feed_missing != FEED_MISSING_KEPT)
+		return fault(&interp->at, column, "G%d without a feed rate (F)", code);
+	if (!interp->cautioned_feed)
+		caution(&interp->at, column,
+			"G%d without a feed rate (F): the control goes on at one that it has kept, or stops with an "
+			"alarm; the path is followed, at the rates of the axes; here and further on",
+			code);
+	interp->cautioned_feed = true;
+	feed->linear = FASTEST_FEED;
+	feed->angular = FASTEST_FEED;
+	return true;
+}
+
 /* LinuxCNC's manual, "Feed Rate" and "G93, G94, G95". */
 bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 {
@@ -191,7 +215,7 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 		return true;
 	}
 	if (!(state->feed_linear > 0))
-		return fault(&interp->at, column, "G%d without a feed rate (F)", code);
+		return keep_feed(interp, feed);
 	if (state->feed_mode == FEED_PER_REVOLUTION) {
 		if (!(state->speed > 0))
 			return fault(&interp->at, column,

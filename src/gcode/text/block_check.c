@@ -217,6 +217,9 @@ static uint32_t cycle_letters(int code, const struct dialect *dialect)
 	if (code == G74 || code == G82 || code == G84 || code == G86 || code == G89 ||
 	    traits->p_is_needed != ANSWER_YES)
 		used |= letter_bit('P');
+	if (code == G74 || code == G84)
+		used |= (traits->taps_peck == ANSWER_YES ? letter_bit('Q') : 0) |
+			(traits->taps_retract_by_j == ANSWER_YES ? letter_bit('J') : 0);
 	if (code == G87 && traits->g87 == G87_BACK_BY_IJK)
 		used |= letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (code == G76 || code == G77 || (code == G87 && traits->g87 == G87_BACK_BY_Q))
@@ -383,10 +386,15 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 
 	if (config->dialect->traits.known_order == ANSWER_YES || block->m[group] == CODE_NONE || !moves)
 		return true;
-	return fault(at, block->m_column[group],
-		     "%s in a block that moves: whether it comes before or after the move depends on the control; "
-		     "write two blocks",
-		     group == M_TOOL ? "M6" : "an M-code that switches TCP");
+	if (group == M_TCP)
+		return fault(at, block->m_column[group],
+			     "an M-code that switches TCP in a block that moves: whether it comes before or after the "
+			     "move depends on the control; write two blocks");
+	return config->controller.m6_with_move != M6_WITH_MOVE_UNKNOWN ||
+	       fault(at, block->m_column[group],
+		     "M6 in a block that moves: the builder of the machine decides whether it comes before or after the "
+		     "move; m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two "
+		     "blocks");
 }
 
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,

@@ -83,7 +83,8 @@ static bool skip_rest(struct lexer *lexer)
 	if (lexer->rules->semicolon == SEMICOLON_ENDS_BLOCK && may_be_blocks(rest))
 		return fault(lexer->at, lexer_column(lexer),
 			     "';' ends a block on this control; write what follows on a line of its own, "
-			     "or in parentheses if it is a comment");
+			     "or in parentheses if it is a comment; if a parameter has ';' start comments, "
+			     "semicolon=\"comment\" in the machine's <controller> says so");
 	if (!check_comment(lexer, rest))
 		return false;
 	lexer->position += strlen(rest) + 1;

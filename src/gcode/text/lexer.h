@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "control/controller.h"
 #include "gcode/text/fault.h"
 
 struct lexer;
@@ -26,16 +27,13 @@ struct lexer_refusal {
 	const char *message;
 };
 
-/* What ';' does; where that is not known, it is a fault. */
-enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLOCK };
-
 /*
  * How a dialect writes its lines. Constant data. The lexer itself reads plain
  * numbers only: the hooks read and compute whatever else a dialect has. A hook
  * that is NULL: the dialect has no such thing. False from a hook: the fault was reported.
  */
 struct lexer_rules {
-	enum semicolon semicolon;
+	enum semicolon semicolon;	/* not known: it is a fault */
 	bool comma_words;	/* a comma may stand before a word, which then means something else */
 	bool comments_nest;	/* a comment inside of one that ends the line is text; no: a fault everywhere */
 	/*

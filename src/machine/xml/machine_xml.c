@@ -125,6 +125,9 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const units[] = {"mm", "inch", NULL};
 	static const char *const distances[] = {"absolute", "incremental", NULL};
 	static const char *const planes[] = {"xy", "zx", "yz", NULL};
+	static const char *const orders[] = {"after", "before", NULL};
+	static const char *const semicolons[] = {"comment", "block-end", NULL};
+	static const char *const colons[] = {"program", "block", NULL};
 	static const char *const registers[] = {"radius", "diameter", NULL};
 	static const char *const starts[] = {"A", "B", NULL};
 	static const char *const corners[] = {"linear", "circular", NULL};
@@ -155,6 +158,10 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
 	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
+	controller->arc_radius_tolerance = xml_optional_length(xml, node, "arc_radius_tolerance");
+	controller->m6_with_move = (enum m6_with_move)(xml_choice(xml, node, "m6_with_move", orders, -1) + 1);
+	controller->semicolon = (enum semicolon)(xml_choice(xml, node, "semicolon", semicolons, -1) + 1);
+	controller->colon = (enum colon)(xml_choice(xml, node, "colon", colons, -1) + 1);
 	preset = xml_attribute(xml, node, "preset");
 	controller->preset = preset ? arena_strdup(&described->arena, preset) : NULL;
 	controller->comp_d = (enum comp_d)(xml_choice(xml, node, "cutter_comp_d", registers, -1) + 1);

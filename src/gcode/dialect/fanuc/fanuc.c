@@ -101,6 +101,8 @@ static const struct cycle_traits cycles = {
 	.feeds_to_clear = ANSWER_NO,
 	.rises_first = ANSWER_NO,
 	.g87 = G87_BACK_BY_Q,
+	.any_order = ANSWER_YES,
+	.taps_peck = ANSWER_YES,
 	.pecks_fall = ANSWER_NO,
 	.shift_by_ij = ANSWER_NO,
 	.exact_path = ANSWER_NO,
@@ -143,10 +145,15 @@ const struct dialect dialect_fanuc = {
 		.text_before_percent = ANSWER_YES,
 		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
 		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
+		.feed_missing = FEED_MISSING_KEPT,
 		.g64_has_tolerance = ANSWER_NO,
 		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		/* Parameter 3403#5 (CIR): a line, or alarm PS0022. */
 		.arc_without_centre = ARC_WITHOUT_CENTRE_LINE,
+		/* "Circular Interpolation (G02, G03)": R takes precedence; the end need not lie on the arc. */
+		.arc_radius_wins = ANSWER_YES,
+		.arc_spirals = ANSWER_YES,
+		.arc_idle_zero = ANSWER_YES,
 		.arcs_have_turns = ANSWER_NO,
 		/* "Optional Chamfering and Corner R". */
 		.corner_words = CORNER_WORDS_WITH_ARCS,

@@ -209,7 +209,10 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 	if (same_place(&call->program, &here))
 		return true;
 	if (macro_b_of(interp)->level == 0)
-		return fault(lexer->at, lexer_column(lexer), "another program begins here, before M2, M30 or M99");
+		return fault(lexer->at, lexer_column(lexer), "another program begins here, before M2, M30 or M99%s",
+			     lexer_peek(lexer) != ':' ? ""
+						      : "; if ':' stands for N on this control, colon=\"block\" in the "
+							"machine's <controller> says so");
 	return fault(lexer->at, lexer_column(lexer), "another program begins here, inside of %s: its M99 is missing",
 		     macro_b_call_title(call, title));
 }
@@ -230,7 +233,7 @@ static bool take_name(struct interp *interp, bool *done)
 		return true;
 	line_shape_squeeze(text, squeezed);
 	if (*text == '<' && text[length] == '>') {
-		lexer_init(&lexer, &interp->at, &macro_b_word_rules, interp);
+		lexer_init(&lexer, &interp->at, macro_b_word_rules(interp), interp);
 		lexer.position = (size_t)(text - interp->at.text) + length + 1;
 		if (!end_statement(&lexer))
 			return false;
@@ -291,7 +294,9 @@ static bool skip_start(struct interp *interp, struct lexer *lexer, bool *skipped
 		return false;
 	byte = lexer_peek(lexer);
 	if (byte == 'O' || byte == 'o' || byte == ':') {
-		if (!check_program_number(interp, lexer))
+		bool block = byte == ':' && interp->config->controller.colon == COLON_BLOCK;
+
+		if (!block && !check_program_number(interp, lexer))
 			return false;
 		take_number(lexer, &value);
 	}
@@ -413,7 +418,7 @@ bool macro_b_line(struct interp *interp, bool *done)
 		return do_percent(interp, done);
 	if (!take_name(interp, done) || *done)
 		return *done;
-	lexer_init(&lexer, &interp->at, &macro_b_word_rules, interp);
+	lexer_init(&lexer, &interp->at, macro_b_word_rules(interp), interp);
 	if (!skip_start(interp, &lexer, &skipped))
 		return false;
 	if (skipped)
@@ -424,8 +429,8 @@ bool macro_b_line(struct interp *interp, bool *done)
 
 bool macro_b_read_block(struct interp *interp)
 {
-	static const struct block_rules rules = {
-		.lexer = &macro_b_word_rules, .program_numbers = true, .numbered_switches = true};
+	const struct block_rules rules = {
+		.lexer = macro_b_word_rules(interp), .program_numbers = true, .numbered_switches = true};
 
 	if (macro_b_of(interp)->builder.macro) {
 		builder_macro_begin(interp);

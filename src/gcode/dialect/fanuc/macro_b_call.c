@@ -153,7 +153,7 @@ static bool read_request(struct interp *interp, struct lexer *lexer, int column,
 	*request = (struct request){.number = number, .repeats = 1};
 	for (int i = 0; i <= MACRO_B_LOCALS; i++)
 		request->arguments[i] = macro_b_vacant();
-	lexer->rules = &macro_b_argument_rules;
+	lexer->rules = macro_b_argument_rules(interp);
 	while ((result = lexer_next(lexer, &word)) == LEXER_WORD) {
 		if (word.letter == 'P' && number == 0 ? !read_count(interp, &word, 99999999, &request->number)
 		    : word.letter == 'L'

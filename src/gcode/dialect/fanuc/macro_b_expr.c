@@ -282,10 +282,30 @@ static const struct lexer_refusal refusals[] = {
 
 #define REFUSALS .refusals = refusals, .refusal_count = sizeof(refusals) / sizeof(*refusals)
 
-const struct lexer_rules macro_b_word_rules = {
-	.semicolon = SEMICOLON_ENDS_BLOCK, .comments_nest = true, .comma_words = true, .value = read_block_word, REFUSALS};
-const struct lexer_rules macro_b_argument_rules = {
-	.semicolon = SEMICOLON_ENDS_BLOCK, .comments_nest = true, .value = read_argument, REFUSALS};
+#define WORD_RULES(does) \
+	{.semicolon = (does), .comments_nest = true, .comma_words = true, .value = read_block_word, REFUSALS}
+#define ARGUMENT_RULES(does) {.semicolon = (does), .comments_nest = true, .value = read_argument, REFUSALS}
+
+static bool has_comments(const struct interp *interp)
+{
+	return interp->config->controller.semicolon == SEMICOLON_STARTS_COMMENT;
+}
+
+const struct lexer_rules *macro_b_word_rules(const struct interp *interp)
+{
+	static const struct lexer_rules ends = WORD_RULES(SEMICOLON_ENDS_BLOCK);
+	static const struct lexer_rules comments = WORD_RULES(SEMICOLON_STARTS_COMMENT);
+
+	return has_comments(interp) ? &comments : &ends;
+}
+
+const struct lexer_rules *macro_b_argument_rules(const struct interp *interp)
+{
+	static const struct lexer_rules ends = ARGUMENT_RULES(SEMICOLON_ENDS_BLOCK);
+	static const struct lexer_rules comments = ARGUMENT_RULES(SEMICOLON_STARTS_COMMENT);
+
+	return has_comments(interp) ? &comments : &ends;
+}
 
 /* -------------------------------------------------------------- statements */
 

@@ -19,11 +19,14 @@
  * was reported. The context of the lexer is the struct interp.
  */
 
+struct interp;
+
 /*
  * Of a block's words: their values are rounded to the increment of the address,
  * and a vacant variable makes its word vacant. And of a call's arguments, which are not rounded.
  */
-extern const struct lexer_rules macro_b_word_rules, macro_b_argument_rules;
+const struct lexer_rules *macro_b_word_rules(const struct interp *interp);
+const struct lexer_rules *macro_b_argument_rules(const struct interp *interp);
 
 /* The hooks of the expressions of all controls that have macros. */
 bool macro_b_expr_apply(struct expr *expr, int column, const struct expr_operator *operator, struct expr_operand *left,

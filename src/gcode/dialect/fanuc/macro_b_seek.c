@@ -58,7 +58,7 @@ static void condense(const char *text, char *out)
 	out[length] = '\0';
 }
 
-static void read_gist(const char *text, struct gist *gist)
+static void read_gist(const char *text, enum colon colon, struct gist *gist)
 {
 	char buffer[GIST_MAX] = "";
 	const char *at = buffer;
@@ -67,12 +67,12 @@ static void read_gist(const char *text, struct gist *gist)
 	*gist = (struct gist){.percent = *at == '%'};
 	if (*at == '/')
 		at += isdigit((unsigned char)at[1]) ? 2 : 1;
-	if ((*at == 'O' || *at == ':') && isdigit((unsigned char)at[1])) {
+	if ((*at == 'O' || (*at == ':' && colon != COLON_BLOCK)) && isdigit((unsigned char)at[1])) {
 		at++;
 		gist->has_program = true;
 		gist->program = take_digits(&at);
 	}
-	if (*at == 'N' && isdigit((unsigned char)at[1])) {
+	if ((*at == 'N' || *at == ':') && isdigit((unsigned char)at[1])) {
 		at++;
 		gist->has_block = true;
 		gist->block = take_digits(&at);
@@ -140,7 +140,7 @@ static bool meets(struct interp *interp, struct search *search, const char *text
 	*over = false;
 	if (!may_matter(text))
 		return false;
-	read_gist(text, &gist);
+	read_gist(text, interp->config->controller.colon, &gist);
 	if (search->aim == AIM_PROGRAM || search->aim == AIM_ANY_PROGRAM)
 		return gist.has_program && (search->aim == AIM_ANY_PROGRAM || gist.program == search->number);
 	*over = gist.percent || gist.has_program;

@@ -118,6 +118,9 @@ static const struct cycle_traits cycles = {
 	.feeds_to_clear = ANSWER_NO,
 	.rises_first = ANSWER_NO,
 	.g87 = G87_BY_HAND,
+	.any_order = ANSWER_YES,
+	/* "G84 Tapping Canned Cycle". */
+	.taps_retract_by_j = ANSWER_YES,
 	.pecks_fall = ANSWER_YES,
 	.shift_by_ij = ANSWER_YES,
 	.exact_path = ANSWER_NO,
@@ -168,9 +171,11 @@ const struct dialect dialect_haas = {
 		.text_before_percent = ANSWER_YES,
 		.feed_forgotten = FEED_FORGOTTEN_BY_CHANGE,
 		.empty_feed_move = EMPTY_FEED_MOVE_IGNORED,
+		.feed_missing = FEED_MISSING_KEPT,
 		.g64_has_tolerance = ANSWER_NO,
 		.arc_centre = ARC_CENTRE_INCREMENTAL,
 		.arc_without_centre = ARC_WITHOUT_CENTRE_REFUSED,
+		.arc_idle_zero = ANSWER_YES,
 		.arcs_have_turns = ANSWER_NO,
 		/* "Corner Rounding and Chamfering". */
 		.corner_words = CORNER_WORDS_WITH_LINES,

@@ -1,0 +1,208 @@
+/*
+ * test_gcode_posted.c - what posts write and manuals leave to a parameter, to the builder, or to an alarm: feeds that are
+ * missing, arcs whose radii differ, R and Z of a cycle the wrong way round, M6 beside a move, ';' and ':'.
+ */
+#include "gcode_case.h"
+
+static void init(struct gcode_case *c, const struct dialect *dialect)
+{
+	case_init(c);
+	c->config.dialect = dialect;
+	c->show_spread = true;
+}
+
+static void run(const struct dialect *dialect, const char *program, const char *moves)
+{
+	struct gcode_case c;
+
+	init(&c, dialect);
+	case_expect(&c, program, moves);
+}
+
+/* The program runs to its end, makes these moves, and has this caution. */
+static void expect_caution(struct gcode_case *c, const char *program, const char *moves, const char *caution)
+{
+	bool good = case_run(c, program);
+
+	ck_assert_msg(good, "%s", strbuf_text(&c->messages));
+	ck_assert_str_eq(strbuf_text(&c->moves), moves);
+	ck_assert_msg(strstr(strbuf_text(&c->messages), caution), "%s", strbuf_text(&c->messages));
+	ck_assert_ptr_null(strstr(strbuf_text(&c->messages), "error"));
+	case_release(c);
+}
+
+static void expect_fault(struct gcode_case *c, const char *program, const char *message)
+{
+	ck_assert(!case_run(c, program));
+	ck_assert_msg(strstr(strbuf_text(&c->messages), message), "%s", strbuf_text(&c->messages));
+	case_release(c);
+}
+
+/*
+ * Fanuc B-64484EN, "Cutting Feed", alarm PS0011; Haas, feed in G01: without any F an alarm, or the F of a program that ran
+ * before. The path is the same; LinuxCNC refuses it.
+ */
+START_TEST(feed_missing)
+{
+	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
+	struct gcode_case c;
+
+	for (size_t i = 0; i < sizeof(dialects) / sizeof(*dialects); i++) {
+		init(&c, dialects[i]);
+		expect_caution(&c, "G1 X5.\nG2 X6. I.5\nM30\n",
+			       "feed 5 0 0 0 0\narc 6 0 0 0 0 centre 5.5 0 0 normal 0 0 1 sweep -180\n",
+			       "p.nc:1:1: warning: G1 without a feed rate (F): the control goes on at one that it has kept, or "
+			       "stops with an alarm; the path is followed, at the rates of the axes; here and further on");
+	}
+	init(&c, &dialect_linuxcnc);
+	expect_fault(&c, "G1 X5\nM30\n", "p.nc:1:1: error: G1 without a feed rate (F)");
+	/* Inverse time has an F in each block. */
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "G93 G1 X5.\nM30\n", "p.nc:1:5: error: G1 without F in inverse time mode (G93)");
+}
+END_TEST
+
+/*
+ * Fanuc B-63324EN and B-64484EN, "Circular Interpolation": the radius changes linearly with the angle where the end does
+ * not lie on the arc, up to the difference of parameter 3410; R takes precedence over I, J and K.
+ */
+START_TEST(arcs)
+{
+	struct gcode_case c;
+	static const char spiral[] = "F9 G0 X10. Y0.\nG3 X0. Y12. I-10. J0.\nM30\n";
+
+	init(&c, &dialect_fanuc);
+	c.config.controller.arc_radius_tolerance = 2;
+	case_expect(&c, spiral, "rapid 10 0 0 0 0\narc 0 12 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.arc_radius_tolerance = 1.9;
+	expect_fault(&c, spiral,
+		     "p.nc:2:1: error: the radius of the arc is 10 mm at its start and 12 mm at its end, which is more than "
+		     "arc_radius_tolerance of the machine file allows");
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, spiral, "arc_radius_tolerance=\"\" of the machine's <controller> says up to which difference");
+	init(&c, &dialect_haas);
+	c.config.controller.arc_radius_tolerance = 2;
+	expect_fault(&c, spiral, "the radius of the arc is 10 mm at its start and 12 mm at its end\n");
+	/* Beside a spiral the engine of cutter compensation knows no point. */
+	init(&c, &dialect_fanuc);
+	c.config.controller.arc_radius_tolerance = 2;
+	c.config.radii = &(struct radius_offset){1, 2};
+	c.config.radius_count = 1;
+	expect_fault(&c, "F9 G0 X20. Y0.\nG1 G41 D1 X10.\nG3 X0. Y12. I-10. J0.\nM30\n",
+		     "such a spiral is not supported under cutter compensation");
+	run(&dialect_fanuc, "F9 G0 X10. Y0.\nG3 X0. Y10. R10. I-3. J2.\nM30\n",
+	    "rapid 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n");
+	init(&c, &dialect_haas);
+	expect_fault(&c, "F9 G2 X5. R5. I3.\n", "an arc has a radius (R) or a centre (I, J, K), not both");
+	/* A centre of 0 across the plane says nothing. */
+	run(&dialect_haas, "F9 G0 X10. Y0.\nG3 X0. Y10. I-10. K0.\nM30\n",
+	    "rapid 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n");
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "F9 G3 X0. Y10. I-10. K1.\n", "K does not belong to the centre of an arc in the plane of G17");
+	init(&c, &dialect_linuxcnc);
+	expect_fault(&c, "F9 G3 X0 Y10 I-10 K0\n", "K does not belong to the centre of an arc in the plane of G17");
+}
+END_TEST
+
+/* B-64484EN, "Canned Cycle for Drilling", Haas, "Canned Cycles": neither says that R lies above Z. */
+START_TEST(wrong_way_round)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	expect_caution(&c, "F9 G0 Z5.\nG99 G81 X1. Z8. R2.\nG80\nM30\n",
+		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nrapid 1 0 2 0 0\nfeed 1 0 8 0 0\nrapid 1 0 2 0 0\n",
+		       "p.nc:2:5: warning: R of G81, 2 mm, lies below Z, 8 mm: the control goes to R and then to Z all the same, "
+		       "or stops with an alarm; both are covered, here and further on");
+	/* A peck may go down from R. */
+	init(&c, &dialect_haas);
+	expect_caution(&c, "F9 G0 Z5.\nG98 G83 X1. Z8. R2. Q3.\nG80\nM30\n",
+		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -1 0 0\nfeed 1 0 8 0 0\n"
+		       "rapid 1 0 5 0 0\n",
+		       "R of G83, 2 mm, lies below Z, 8 mm");
+	init(&c, &dialect_fanuc);
+	expect_caution(&c, "F9 G0 Z5.\nG99 G87 X1. Z-3. R2. Q.5\nG80\nM30\n",
+		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0 spread 0.5 0.5 0\nfeed 1 0 -3 0 0 spread 0.5 0.5 0\n"
+		       "rapid 1 0 5 0 0 spread 0.5 0.5 0\n",
+		       "R of G87, 2 mm, lies above Z, -3 mm");
+	init(&c, &dialect_haas);
+	expect_caution(&c, "F9 G0 Z5.\nG77 X1. Z-3. R-6.\nG80\nM30\n",
+		       "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 -6 0 0\nfeed 1 0 -3 0 0\nrapid 1 0 5 0 0\n",
+		       "p.nc:2:1: warning: G77 without Q: the tool enters and leaves the bore without a shift");
+}
+END_TEST
+
+/* B-64484EN, "Peck Rigid Tapping Cycle (G84 or G74)"; Haas, "G84 Tapping Canned Cycle": J. */
+START_TEST(taps)
+{
+	static const char moves[] = "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -4 0 0\nfeed 1 0 2 0 0\n"
+				    "rapid 1 0 5 0 0\n";
+	struct gcode_case c;
+
+	run(&dialect_fanuc, "F9 G0 Z5.\nM29 S100\nG98 G84 X1. Z-4. R2. Q1.\nG80\nM30\n", moves);
+	run(&dialect_haas, "F9 G0 Z5.\nG98 G84 X1. Z-4. R2. J2.\nG80\nM30\n", moves);
+	init(&c, &dialect_haas);
+	expect_fault(&c, "F9 G84 X1. Z-4. R2. Q1.\n", "no code in the block uses the word Q");
+}
+END_TEST
+
+/* B-64484EN, "Auxiliary Function (M Function)": with the move, or behind it, as the builder of the machine has it. */
+START_TEST(tool_change_beside_move)
+{
+	static const char program[] = "G0 X1.\nT2 M6 X5.\nM30\n";
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	c.config.controller.tool_change.given = true;
+	c.config.controller.m6_with_move = M6_AFTER_MOVE;
+	case_expect(&c, program, "rapid 1 0 0 0 0\nrapid 5 0 0 0 0\ntool 2\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.tool_change.given = true;
+	c.config.controller.m6_with_move = M6_BEFORE_MOVE;
+	case_expect(&c, program, "rapid 1 0 0 0 0\ntool 2\nrapid 5 0 0 0 0\n");
+	/* One of the commonest lines of all. */
+	init(&c, &dialect_fanuc);
+	c.config.controller.tool_change.given = true;
+	c.config.controller.m6_with_move = M6_AFTER_MOVE;
+	case_expect(&c, "G0 Z-9.\nT3\nG91 G28 Z0 M6\nT4 M1\nM30\n",
+		    "rapid 0 0 -9 0 0\nrapid 0 0 -9 0 0\nrapid 0 0 0 0 0\ntool 3\n");
+}
+END_TEST
+
+/* A ';' ends a block, unless the machine file says that comments start with it. */
+START_TEST(semicolon)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "G0 X1.; X2.\nM30\n", "semicolon=\"comment\" in the machine's <controller> says so");
+	init(&c, &dialect_fanuc);
+	c.config.controller.semicolon = SEMICOLON_STARTS_COMMENT;
+	case_expect(&c, "G0 X1.; X2. to here\n#1=3.; of three\nG0 X#1; [\nG65 P100 A1.; too\nM30\nO100\nG0 X[#1+9.];\nM99\n",
+		    "rapid 1 0 0 0 0\nrapid 3 0 0 0 0\nrapid 10 0 0 0 0\n");
+}
+END_TEST
+
+/* B-64484EN, "Program Number": ':' stands for O; ISO 6983-1 has it as a block to align to, in place of N. */
+START_TEST(colon)
+{
+	static const char program[] = "O1\nG0 X1.\n:20 X2.\nIF [#1 EQ 5] GOTO 40\n#1=5\nGOTO 20\n:40 X4.\nM30\n";
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, program,
+		     "p.nc:3:1: error: another program begins here, before M2, M30 or M99; if ':' stands for N on this control, "
+		     "colon=\"block\" in the machine's <controller> says so");
+	init(&c, &dialect_fanuc);
+	c.config.controller.colon = COLON_BLOCK;
+	case_expect(&c, program, "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 0 0 0\nrapid 4 0 0 0 0\n");
+}
+END_TEST
+
+int main(void)
+{
+	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, tool_change_beside_move, semicolon, colon};
+
+	return RUN_TESTS("gcode_posted", tests);
+}
