@@ -68,6 +68,9 @@ enum edge_after_tool_change {
 /* An increment after a change of offsets: it traverses the change, too, or counts from where the axis stands. */
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
+/* Where a swivelled plane leaves a rotary axis free, it goes to 0 or keeps its position. */
+enum swivel_pole { SWIVEL_POLE_UNKNOWN, SWIVEL_POLE_ZERO, SWIVEL_POLE_STAYS };
+
 /* What the angles of Heidenhain's cycle 19 are: spatial angles, or positions of the rotary axes. */
 enum cycle_19_angles { CYCLE_19_ANGLES_UNKNOWN, CYCLE_19_ANGLES_SPATIAL, CYCLE_19_ANGLES_AXES };
 
@@ -141,6 +144,7 @@ struct controller {
 	enum increments_after_shift increments_after_shift;
 	int power_on_work_offset;	/* 1: none (G500), 2: G54, 3: G55 and so on; 0: not known */
 	int swivel_axis;	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
+	enum swivel_pole swivel_pole;
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	const struct builder_macro *macros;

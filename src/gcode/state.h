@@ -130,6 +130,7 @@ struct state {
 	int length_number;	/* the H that was given last, or -1 */
 	bool blend;
 	double blend_tolerance;
+	double blend_turn;	/* as in canon_move */
 	bool blend_before;	/* and what G5.1 Q0, G8 P0 restore */
 	bool contour;	/* G5.1 Q1, G8 P1 */
 };

@@ -9,6 +9,8 @@ axis_values blend_path_tolerance(const struct machine *machine, const struct can
 	double linear = programmed > 0 ? programmed : own, rotary = radians(own > 0 ? own : programmed);
 	axis_values tolerance = {{0}};
 
+	if (move->blend && move->blend_turn > 0)
+		rotary = move->blend_turn;
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
 

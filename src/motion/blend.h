@@ -10,7 +10,8 @@
 /*
  * The path tolerance of each axis of the machine, mm and radians. The P of G64 counts if it is given. Otherwise the
  * machine file's path_tolerance counts, with or without G64, because controls blend from power-on until G61. P is a
- * length: rotary axes take the machine file's degrees or, without these, P as degrees.
+ * length: rotary axes take the program's own tolerance of turns (canon_move.blend_turn), or else the machine file's
+ * degrees or, without these, P as degrees.
  */
 axis_values blend_path_tolerance(const struct machine *machine, const struct canon_move *move);
 

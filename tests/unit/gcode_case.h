@@ -92,6 +92,8 @@ static inline bool case_move(struct gcode_case *c, const struct canon_move *move
 		strbuf_addf(&c->moves, " at %.9g %.9g", move->feed.linear, degrees(move->feed.angular));
 	if (c->show_blend)
 		strbuf_addf(&c->moves, move->blend ? " blend %.9g" : " exact", move->blend_tolerance);
+	if (c->show_blend && move->blend_turn > 0)
+		strbuf_addf(&c->moves, " turn %.9g", degrees(move->blend_turn));
 	if (c->show_spread && move->spread[0] + move->spread[1] + move->spread[2] > 0)
 		strbuf_addf(&c->moves, " spread %.9g %.9g %.9g", move->spread[0], move->spread[1], move->spread[2]);
 	strbuf_addf(&c->moves, "%s\n", move->tcp ? " tcp" : "");

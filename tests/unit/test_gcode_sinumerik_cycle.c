@@ -74,6 +74,16 @@ static const struct program programs[] = {
 	{"G500 CYCLE800(2,\"\",0,39,0,0,0,0,10,0,0,0,0,-1)\nCYCLE800(0,\"0\")\n",
 	 "orient 0 -0.173648178 0.984807753\nrapid 0 0 400 0 0\nrapid -7 -8 400 0 0\n"
 	 "rapid -7 -8 400 -10 0\ntcp on length 0 zero A0 C0\ntcp off length 0 zero A0 C0\n"},
+	/* Solid angles: about Z, and then about the new Y; A90 B-30 tilts towards -Y. */
+	{"G500 CYCLE800(4,\"\",200000,64,0,0,0,90,-30,0,0,0,0,-1)\nG500 G0 X1 Y0 Z0\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 500 0 0\nrapid 0 0 500 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
+	{"G500 CYCLE800(5,\"\",110000,57,0,0,0,30,0,0,0,0,0,-1,25)\nG500 G0 X0 Y1 Z0\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 25 0 0\nrapid 0 0 25 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
+	{"G500 G0 A-30\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,0)\nG0 X0 Y1 Z0\n",
+	 "rapid 0 0 0 -30 0\norient 0 -0.5 0.866025404\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 0.866025404 0.5 -30 0 tcp\n"},
 	{"TRAORI\nG500 G0 X10 Y0 Z5\nC90\nX0\nTRAFOOF\nX1 Y1 Z1\n",
 	 "tcp on length 0 zero A0 C0\nrapid 10 0 5 0 0 tcp\nrapid 10 0 5 0 90 tcp\n"
 	 "rapid 0 0 5 0 90 tcp\ntcp off length 0 zero A0 C0\nrapid 1 1 1 0 90\n"},

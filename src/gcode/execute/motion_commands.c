@@ -22,6 +22,7 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->plane = state->tcp == TCP_BY_PLANE;
 	move->blend = state->blend;
 	move->blend_tolerance = state->blend_tolerance;
+	move->blend_turn = state->blend_turn;
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		/* The move that ended the compensation has been everywhere that the axis may be. */

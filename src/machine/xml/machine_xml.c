@@ -94,6 +94,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	static const char *const increments[] = {"traverse", "stay", NULL};
 	static const char *const systems[] = {"G500", "G54", "G55", "G56", "G57", NULL};
 	static const char *const angles[] = {"spatial", "axes", NULL};
+	static const char *const poles[] = {"zero", "stays", NULL};
 	const int swivel = xml_choice(xml, node, "swivel_axis", rotary, -1);
 
 	controller->rotation_order = (enum rotation_order)(xml_choice(xml, node, "rotation_order", orders, -1) + 1);
@@ -109,6 +110,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	    (enum increments_after_shift)(xml_choice(xml, node, "increments_after_shift", increments, -1) + 1);
 	controller->power_on_work_offset = xml_choice(xml, node, "power_on_work_offset", systems, -1) + 1;
 	controller->swivel_axis = swivel < 0 ? 0 : SLOT_A + swivel;
+	controller->swivel_pole = (enum swivel_pole)(xml_choice(xml, node, "swivel_pole", poles, -1) + 1);
 }
 
 static void read_controller(struct xml_reader *xml, const xmlNode *node, void *context)

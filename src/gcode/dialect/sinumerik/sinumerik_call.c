@@ -198,7 +198,9 @@ static void save_modes(const struct interp *interp, struct sinumerik_saved *save
 		.path_code = sinumerik->path_code, .incremental = state->incremental,
 		.compresses = sinumerik->compresses, .feed_mode = state->feed_mode, .tcp = state->tcp,
 		.scale = state->scale, .feed_scale = sinumerik->feed_scale, .smoothing = sinumerik->smoothing,
-		.rounding = sinumerik->rounding, .frame = sinumerik->frame,
+		.rounding = sinumerik->rounding, .rapid_rounding = sinumerik->rapid_rounding,
+		.rapid_factor = sinumerik->rapid_factor, .orientation_tolerance = sinumerik->orientation_tolerance,
+		.frame = sinumerik->frame,
 	};
 }
 
@@ -222,6 +224,9 @@ static bool restore_modes(struct interp *interp, const struct sinumerik_saved *s
 	sinumerik->feed_scale = saved->feed_scale;
 	sinumerik->smoothing = saved->smoothing;
 	sinumerik->rounding = saved->rounding;
+	sinumerik->rapid_rounding = saved->rapid_rounding;
+	sinumerik->rapid_factor = saved->rapid_factor;
+	sinumerik->orientation_tolerance = saved->orientation_tolerance;
 	sinumerik->frame = saved->frame;
 	return sinumerik_frame_changed(interp, column);
 }

@@ -117,7 +117,8 @@
 	ADDRESS_ROW(ROW, "ADIS", ADIS, "rounding distance of G641") \
 	ADDRESS_ROW(ROW, "ADISPOS", ADISPOS, "rounding distance of rapids") \
 	ADDRESS_ROW(ROW, "CTOL", CTOL, "tolerance of the contour") \
-	PLAIN_ROW(ROW, "OTOL", IGNORED_VALUE, "tolerance of the orientation") \
+	ADDRESS_ROW(ROW, "OTOL", OTOL, "tolerance of the orientation") \
+	ADDRESS_ROW(ROW, "STOLF", STOLF, "how much larger tolerances are in rapids") \
 	PLAIN_ROW(ROW, "ATOL", IGNORED_VALUE, "tolerance of an axis") \
 	CODE_ROW(ROW, "COMPOF", COMPRESSOR, SINUMERIK_COMPOF, "no compressor") \
 	CODE_ROW(ROW, "COMPON", COMPRESSOR, SINUMERIK_COMPON, "compressor, within the control's tolerance") \

@@ -271,10 +271,8 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 		value->number = variable->numbers[element];
 		return true;
 	}
-	if (!strcmp(name, "TRUE") || !strcmp(name, "FALSE")) {
-		value->number = name[0] == 'T';
+	if (sinumerik_system_constant(name, &value->number))
 		return true;
-	}
 	if (!strcmp(name, "PI") || !strcmp(name, "$PI")) {
 		value->number = acos(-1);
 		return true;

@@ -168,7 +168,8 @@ static bool run_closing(struct flow *flow, const struct closing *closing)
 	if (!at_end(flow))
 		return false;
 	loop->again = true;
-	if (!ends)
+	/* Behind a fault every block is read once: what a condition would be is not known. */
+	if (!ends && !flow->interp->faulty)
 		return go(flow, &loop->start);
 	flow->sinumerik->loop_count--;
 	return true;
@@ -256,6 +257,8 @@ static bool make_jump(const struct flow *flow, const struct jump *jump)
 	if (!sinumerik_seek_label(flow->interp, jump->target, jump->direction, jump->column, &to, &found))
 		return false;
 	if (!found && jump->may_miss)
+		return true;
+	if (found && flow->interp->faulty && to.line <= flow->interp->at.line)
 		return true;
 	if (!found)
 		return fault(flow->lexer->at, jump->column, "there is no label %s %s", jump->target,

@@ -15,31 +15,6 @@
 #define CIRCLE_BITS (1U << SINUMERIK_CR | 1U << SINUMERIK_AR | 1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | \
 		     1U << SINUMERIK_J1 | 1U << SINUMERIK_K1)
 
-/* --------------------------------------------------------------- path mode */
-
-void sinumerik_move_set_path(struct interp *interp, const struct sinumerik_block *block)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct state *state = &interp->state;
-	bool within_control;
-
-	if (sinumerik_block_has_address(block, SINUMERIK_ADIS))
-		sinumerik->rounding = sinumerik_target_length(interp, block->address_value[SINUMERIK_ADIS]);
-	if (sinumerik_block_has_address(block, SINUMERIK_CTOL))
-		sinumerik->smoothing = sinumerik_target_length(interp, block->address_value[SINUMERIK_CTOL]);
-	if (block->code[SINUMERIK_PATH] != CODE_NONE)
-		sinumerik->path_code = block->code[SINUMERIK_PATH];
-	if (block->code[SINUMERIK_COMPRESSOR] != CODE_NONE)
-		sinumerik->compresses = block->code[SINUMERIK_COMPRESSOR] == SINUMERIK_COMPON;
-	within_control = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(641);
-	state->blend = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(60);
-	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
-	if (sinumerik->path_code == SINUMERIK_G(64) || sinumerik->path_code == SINUMERIK_G(644))
-		state->blend_tolerance = 0;
-	else
-		state->blend_tolerance = within_control ? sinumerik->smoothing : sinumerik->rounding;
-}
-
 /* ------------------------------------------------------------------- lines */
 
 /* What the functions of the other dialects read of a block. */

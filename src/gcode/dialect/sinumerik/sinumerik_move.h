@@ -13,7 +13,4 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 /* A move to program coordinates, at the rapid rate or at the feed in force. False: as above. */
 bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool rapid);
 
-/* How closely the control keeps to the path now: G60, G64 and their like, the compressor, CYCLE832. */
-void sinumerik_move_set_path(struct interp *interp, const struct sinumerik_block *block);
-
 #endif

@@ -1,6 +1,9 @@
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 
+#include <math.h>
+
 #include "base/same_double.h"
+#include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
@@ -86,12 +89,63 @@ bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_
 				     block->code_column[SINUMERIK_TRANSFORM]);
 }
 
+/* How far the rotary axes go to a solution: the axis with the longest way counts. */
+static double way_to(const axis_values *from, const axis_values *to)
+{
+	double most = 0;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		most = fmax(most, fabs(to->v[slot] - from->v[slot]));
+	return most;
+}
+
+/*
+ * Of two solutions the one with the shorter way (840D sl, function manual F2, "Singular positions and how they are
+ * handled": the solution nearest to where the axes are). An axis that any angle suits stays.
+ */
+static bool choose_nearest(struct interp *interp, int column, const struct kinematics_orientation *orientation,
+			   axis_values *rotary)
+{
+	struct kinematics_solutions found;
+	const struct kinematics_solution *best = NULL;
+	double ways[2] = {0};
+
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, column), orientation,
+					      &found))
+		return false;
+	for (size_t i = 0; i < found.count; i++) {
+		ways[i] = way_to(&orientation->rotary, &found.items[i].rotary);
+		if (found.items[i].within_limits && (!best || ways[i] < ways[best - found.items]))
+			best = &found.items[i];
+	}
+	if (!best)
+		return fault(&interp->at, column,
+			     "the rotary axes of this machine cannot turn the tool into this direction%s",
+			     found.count ? " within their limits" : "");
+	if (found.count == 2 && found.items[0].within_limits && found.items[1].within_limits &&
+	    fabs(ways[0] - ways[1]) <= radians(SAME_DEGREES) &&
+	    way_to(&found.items[0].rotary, &found.items[1].rotary) > radians(SAME_DEGREES))
+		return fault(&interp->at, column,
+			     "two positions of the rotary axes turn the tool into this direction, and are as near; turn the axes "
+			     "towards the one that is meant, in a block before");
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (best->tie[slot])
+			return fault(&interp->at, column,
+				     "%c could turn either way to this direction, which is as near; turn it towards the position "
+				     "that is meant, in a block before, or give half_turn to the axis in the machine file",
+				     AXIS_LETTERS[slot]);
+	}
+	*rotary = best->rotary;
+	return true;
+}
+
 /* The position of the rotary axes that gives the tool the direction of A3=, B3=, C3=, which frames turn. */
 static bool find_direction(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
 {
 	const struct state *state = &interp->state;
 	const int column = sinumerik_block_axis_column(block);
-	struct kinematics_orientation orientation = {.rotary = state->canonical};
+	struct kinematics_orientation orientation = {.rotary = state->canonical, .command = "A3= B3= C3="};
+	axis_values rotary;
 	vec3 direction;
 	double scale;
 
@@ -115,12 +169,12 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 		direction = mat3_apply(&state->frame.turn, direction);
 	orientation.direction = vec3_unit(direction);
 	orientation.rotary_zero = tool_length_rotary_zero(interp);
-	if (!interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, column), &orientation))
+	if (!choose_nearest(interp, column, &orientation, &rotary))
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot])
 			target->v[slot] =
-			    state_from_canonical(slot, orientation.rotary.v[slot]) - state->offset.v[slot];
+			    state_from_canonical(slot, rotary.v[slot]) - state->offset.v[slot];
 	}
 	return true;
 }

@@ -5,12 +5,12 @@
 
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
-#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_invoke.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
-#include "gcode/dialect/sinumerik/sinumerik_swivel.h"
+#include "gcode/dialect/sinumerik/sinumerik_path.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 #include "gcode/eval/expr.h"
@@ -173,7 +173,7 @@ static bool set_modes(struct interp *interp, const struct sinumerik_block *block
 	if (code[SINUMERIK_CUTTER] == G41 || code[SINUMERIK_CUTTER] == G42)
 		return fault(&interp->at, block->code_column[SINUMERIK_CUTTER],
 			     "G%d: cutter compensation of Sinumerik is not supported yet", code[SINUMERIK_CUTTER] / 10);
-	sinumerik_move_set_path(interp, block);
+	sinumerik_path_set(interp, block);
 	return true;
 }
 
@@ -186,9 +186,11 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 
 	if (block->code[SINUMERIK_SYSTEM] == CODE_NONE)
 		return true;
+	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
+	if (sinumerik->swivelled && system == interp->state.system && sinumerik->work_selected)
+		return true;
 	if (sinumerik->swivelled)
 		return fault(&interp->at, column, "another work offset while CYCLE800 has swivelled; CYCLE800() first");
-	system = code == 500 ? SYSTEM_NONE : code >= 505 ? SYSTEM_SETTABLE + code - 505 : code - 54;
 	if (system != SYSTEM_NONE && !work_offset_use_require(interp, system, column))
 		return false;
 	sinumerik_frame_place(interp);
@@ -293,100 +295,6 @@ static bool run_reference(struct interp *interp, const struct sinumerik_block *b
 	return true;
 }
 
-/* -------------------------------------------------------------------- calls */
-
-/* CYCLE832(TOL, ...): the tolerance of the contour; without arguments it is taken back. */
-static void smooth(struct interp *interp)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct sinumerik_block none;
-	const bool on = sinumerik->argument_count > 0 && sinumerik->arguments[0] > 0;
-
-	sinumerik_block_clear(&none);
-	sinumerik->smoothing = on ? sinumerik->arguments[0] * interp->state.scale : 0;
-	/* Which of G64 and its like and which compressor it selects is set up by the machine's maker: it blends. */
-	sinumerik->path_code = SINUMERIK_G(642);
-	sinumerik->compresses = on;
-	sinumerik_move_set_path(interp, &none);
-}
-
-static bool set_modal(struct interp *interp, const struct sinumerik_block *block)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct sinumerik_modal *modal = &sinumerik->modal;
-
-	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .depth = sinumerik->depth};
-	if (!modal->on)
-		return true;
-	modal->cycle = sinumerik_cycle_drills(block->call);
-	if (!modal->cycle && sinumerik_cycle_refused(block->call))
-		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
-			     sinumerik_cycle_refused(block->call));
-	strcpy(modal->name, block->call);
-	modal->argument_count = sinumerik->argument_count;
-	memcpy(modal->arguments, sinumerik->arguments, sizeof(modal->arguments));
-	for (size_t i = 0; i < sinumerik->argument_count; i++) {
-		if (!modal->cycle && (sinumerik->argument_is_text[i]))
-			return fault(&interp->at, block->call_column,
-				     "a modal call of a subprogram with text among its arguments is not supported yet");
-	}
-	return true;
-}
-
-static bool run_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const char *name = block->call;
-	const int column = block->call_column, index = 'P' - 'A';
-	int repeats = 1;
-
-	sinumerik->argument_count = 0;
-	if (block->call_has_arguments && !sinumerik_call_arguments(interp, lexer))
-		return false;
-	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
-		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
-	if (block->modal)
-		return set_modal(interp, block);
-	if (sinumerik_cycle_drills(name))
-		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
-	if (sinumerik_cycle_is_pattern(name))
-		return sinumerik_cycle_pattern(interp, name, column);
-	if (!strcmp(name, "CYCLE800"))
-		return sinumerik_swivel_run(interp, column);
-	if (!strcmp(name, "CYCLE832")) {
-		smooth(interp);
-		return true;
-	}
-	if (sinumerik_cycle_refused(name))
-		return fault(&interp->at, column, "%s: %s is not supported yet", name, sinumerik_cycle_refused(name));
-	if (sinumerik_block_has(block, 'P')) {
-		if (!(block->value[index] >= 1 && block->value[index] <= 9999) ||
-		    floor(block->value[index]) < block->value[index])
-			return fault(&interp->at, block->column[index], "P must be a whole number from 1 to 9999");
-		repeats = (int)block->value[index];
-	}
-	return sinumerik_call_run(interp, name, repeats, column);
-}
-
-/* After a move to a position: the cycle or the subprogram that MCALL has made modal. */
-static bool run_modal(struct interp *interp)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct sinumerik_modal *modal = &sinumerik->modal;
-
-	if (!modal->on || modal->depth != sinumerik->depth)
-		return true;
-	if (modal->cycle)
-		return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
-	sinumerik->argument_count = modal->argument_count;
-	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
-	for (size_t i = 0; i < modal->argument_count; i++) {
-		sinumerik->argument_is_text[i] = false;
-		sinumerik->argument_variable[i] = -1;
-	}
-	return sinumerik_call_run(interp, modal->name, 1, 1);
-}
-
 /* --------------------------------------------------------------------- block */
 
 static bool check_swivelled(struct interp *interp, const struct sinumerik_block *block)
@@ -465,9 +373,9 @@ bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinu
 		return false;
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;
-	if (block->call[0] ? !run_call(interp, lexer, block) : block->modal && !set_modal(interp, block))
+	if (!sinumerik_invoke_call(interp, lexer, block))
 		return false;
-	if (moved && !run_modal(interp))
+	if (moved && !sinumerik_invoke_modal(interp))
 		return false;
 	return finish(interp, &ending);
 }

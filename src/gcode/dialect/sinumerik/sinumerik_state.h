@@ -61,7 +61,7 @@ struct sinumerik_saved {
 	bool incremental, compresses;
 	enum feed_mode feed_mode;
 	enum tcp_source tcp;
-	double scale, feed_scale, smoothing, rounding;
+	double scale, feed_scale, smoothing, rounding, rapid_rounding, rapid_factor, orientation_tolerance;
 	struct sinumerik_frame frame;
 };
 
@@ -140,7 +140,9 @@ struct sinumerik {
 	enum sinumerik_orientation orientation;
 	bool machine_orientation;	/* ORIMKS */
 	double feed_scale;	/* mm per unit of F */
-	double rounding;	/* mm: ADIS, for G641 */
+	double rounding, rapid_rounding;	/* mm: ADIS and ADISPOS, for G641 */
+	double rapid_factor;	/* STOLF; 0: none was given */
+	double orientation_tolerance;	/* degrees: OTOL or that of CYCLE832; 0: not known */
 	int path_code;	/* G60, G64, G641 ... */
 	double smoothing;	/* mm: the tolerance of CYCLE832 or CTOL; 0: not known */
 	bool compresses;	/* COMPCAD and its like */

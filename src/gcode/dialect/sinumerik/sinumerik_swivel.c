@@ -10,8 +10,17 @@
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
+/* Degrees: a program that turns the axes itself gives three decimals. */
+#define STANDS_ON_PLANE 0.001
+
 /* 840D sl, "Swivel plane (CYCLE800)": the arguments in their order. */
 enum { FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, FR_I, DMODE };
+
+/* FR */
+enum { TO_LIMIT = 4, BY_INCREMENT };
+
+/* The upper bits of MODE. */
+enum { AXIS_BY_AXIS, BY_SOLID_ANGLES, BY_PROJECTION_ANGLES, BY_ROTARY_AXES };
 
 struct swivel {
 	struct interp *interp;
@@ -54,13 +63,16 @@ static struct sinumerik_frame shift_by(vec3 by)
 
 /*
  * MODE, axis by axis: bits 0 and 1, 2 and 3, 4 and 5 name the axes of the first, second and third turn (1 X, 2 Y, 3 Z),
- * each about the axis as the turns before have left it; A, B and C are the angles in the order of the turns.
+ * each about the axis as the turns before have left it; A, B and C are the angles in the order of the turns. By solid
+ * angles: A turns about Z, and then B about the new Y.
  */
 static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
 {
+	const long axes = mode >> 6 == BY_SOLID_ANGLES ? 3 | 2 << 2 : mode;
+
 	*turn = mat3_identity();
 	for (int i = 0; i < 3; i++) {
-		const long axis = mode >> 2 * i & 3;
+		const long axis = axes >> 2 * i & 3;
 		const double angle = value(s, A + (size_t)i);
 		mat3 one;
 
@@ -74,16 +86,18 @@ static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
 
 static bool find_plane(const struct swivel *s, long mode, bool added, struct sinumerik_frame *plane)
 {
-	static const char *const modes[] = {"", "solid angles", "projection angles", "positions of the rotary axes"};
+	static const char *const modes[] = {
+		[BY_PROJECTION_ANGLES] = "projection angles", [BY_ROTARY_AXES] = "positions of the rotary axes"};
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
 	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(), after = shift_by(point(s, X1));
 
 	if (mode < 0 || mode > 255)
 		return fault(&s->interp->at, s->column, "MODE of CYCLE800 must lie between 0 and 255, not %ld", mode);
-	if (mode >> 6)
+	if (mode >> 6 == BY_PROJECTION_ANGLES || mode >> 6 == BY_ROTARY_AXES)
 		return fault(&s->interp->at, s->column,
-			     "MODE=%ld of CYCLE800, a plane by %s, is not supported yet; axis by axis, as MODE=57, is", mode,
-			     modes[mode >> 6]);
+			     "MODE=%ld of CYCLE800, a plane by %s, is not supported: in which direction X of the plane then "
+			     "points is not certain; axis by axis (MODE=57 and the like) it is",
+			     mode, modes[mode >> 6]);
 	if (!find_turn(s, mode, &turn.matrix))
 		return false;
 	before = sinumerik_frame_chain(&before, &turn);
@@ -95,52 +109,102 @@ static bool find_plane(const struct swivel *s, long mode, bool added, struct sin
 
 /* --------------------------------------------------------------- positions */
 
+/* Where the tool stands on the plane for any angle of an axis: does this axis go to zero, or stay? */
+static bool settle_free(const struct swivel *s, struct kinematics_solution *solution)
+{
+	const struct controller *controller = &s->interp->config->controller;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!solution->free[slot] || fabs(solution->rotary.v[slot]) <= radians(SAME_DEGREES))
+			continue;
+		if (controller->swivel_pole == SWIVEL_POLE_UNKNOWN)
+			return fault(&s->interp->at, s->column,
+				     "the tool stands on the plane of CYCLE800 whatever the position of %c: whether %c then goes "
+				     "to 0 is set up by the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's "
+				     "<controller> says it",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+		if (controller->swivel_pole == SWIVEL_POLE_ZERO)
+			solution->rotary.v[slot] = 0;
+	}
+	return true;
+}
+
 static bool has_sign(double angle, long direction)
 {
 	return direction > 0 ? angle >= -radians(SAME_DEGREES) : angle <= radians(SAME_DEGREES);
 }
 
-static bool ask(const struct swivel *s, struct kinematics_orientation *orientation)
-{
-	struct interp *interp = s->interp;
-
-	return interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, s->column), orientation);
-}
-
-/*
- * The rotary positions for the plane. Of the two solutions DIR takes the one in which the axis that the swivel data
- * names (swivel_axis) is positive or negative; the kinematics gives the nearer one, so that it is asked from both sides.
- */
-static bool find_position(const struct swivel *s, const struct sinumerik_frame *plane, long direction,
-			  axis_values *rotary)
+/* DIR takes the solution in which the axis that the swivel data name (swivel_axis) is positive or negative. */
+static bool choose_by_sign(const struct swivel *s, struct kinematics_solutions *found, long direction, size_t *chosen)
 {
 	const struct interp *interp = s->interp;
 	const int slot = interp->config->controller.swivel_axis;
-	struct kinematics_orientation orientation = {.direction = plane->matrix.z,
-						     .rotary_zero = tool_length_rotary_zero(interp),
-						     .rotary = interp->state.canonical}, other;
 
 	if (!slot)
 		return fault(&interp->at, s->column,
 			     "DIR of CYCLE800 chooses one of two positions of the rotary axes by the sign of one of them: "
 			     "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
 			     "name");
-	if (!ask(s, &orientation))
-		return false;
-	if (!has_sign(orientation.rotary.v[slot], direction)) {
-		other = orientation;
-		other.rotary.v[slot] = -orientation.rotary.v[slot];
-		for (int k = SLOT_A; k <= SLOT_C; k++)
-			other.rotary.v[k] += k == slot || !interp->config->has_axis[k] ? 0 : radians(180);
-		if (!ask(s, &other))
-			return false;
-		if (!has_sign(other.rotary.v[slot], direction))
-			return fault(&interp->at, s->column,
-				     "CYCLE800 with DIR=%ld: no position within the limits stands the tool on the plane with %c "
-				     "%s", direction, AXIS_LETTERS[slot], direction > 0 ? "positive" : "negative");
-		orientation = other;
+	for (*chosen = 0; *chosen < found->count; ++*chosen) {
+		const struct kinematics_solution *item = &found->items[*chosen];
+
+		if (item->within_limits && has_sign(item->rotary.v[slot], direction))
+			return true;
 	}
-	*rotary = orientation.rotary;
+	return fault(&interp->at, s->column,
+		     "CYCLE800 with DIR=%ld: no position within the limits stands the tool on the plane with %c %s", direction,
+		     AXIS_LETTERS[slot], direction > 0 ? "positive" : "negative");
+}
+
+/* DIR=0 moves no axis: the tool must stand on the plane already. */
+static bool choose_present(const struct swivel *s, struct kinematics_solutions *found, size_t *chosen)
+{
+	for (*chosen = 0; *chosen < found->count; ++*chosen) {
+		const axis_values *here = &s->interp->state.canonical, *there = &found->items[*chosen].rotary;
+		double away = 0;
+
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+			away = fmax(away, fabs(there->v[slot] - here->v[slot]));
+		if (away <= radians(STANDS_ON_PLANE)) {
+			found->items[*chosen].rotary = *here;
+			return true;
+		}
+	}
+	return fault(&s->interp->at, s->column,
+		     "CYCLE800 with DIR=0 moves no axis, and the tool does not stand on this plane; turn the rotary axes "
+		     "first, or give DIR 1 or -1");
+}
+
+/* The rotary positions for the plane; a machine without a second solution needs no DIR to choose. */
+static bool find_position(const struct swivel *s, const struct sinumerik_frame *plane, long direction,
+			  axis_values *rotary)
+{
+	struct interp *interp = s->interp;
+	const struct kinematics_orientation orientation = {.direction = plane->matrix.z,
+							   .rotary_zero = tool_length_rotary_zero(interp),
+							   .rotary = interp->state.canonical,
+							   .command = "CYCLE800"};
+	struct kinematics_solutions found;
+	size_t chosen;
+
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, s->column), &orientation,
+					      &found))
+		return false;
+	if (found.count == 0)
+		return fault(&interp->at, s->column,
+			     "CYCLE800: the rotary axes of this machine cannot stand the tool on this plane");
+	if (direction == 0 ? !choose_present(s, &found, &chosen) : !choose_by_sign(s, &found, direction, &chosen))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C && direction; slot++) {
+		if (found.items[chosen].tie[slot])
+			return fault(&interp->at, s->column,
+				     "CYCLE800 could turn %c either way, which is as near: turn it towards the position that is "
+				     "meant, in a block before",
+				     AXIS_LETTERS[slot]);
+	}
+	if (direction && !settle_free(s, &found.items[chosen]))
+		return false;
+	*rotary = found.items[chosen].rotary;
 	return true;
 }
 
@@ -153,6 +217,24 @@ static bool go_rapid(struct interp *interp, const slot_values *target)
 	return motion_commands_go(interp, target, &move);
 }
 
+/* FR 4 and 5: along the tool, as far as an axis goes, or by FR_I. */
+static bool retract_along_tool(const struct swivel *s, long way)
+{
+	struct interp *interp = s->interp;
+	struct kinematics_retract along = {.to_limit = way == TO_LIMIT,
+					   .distance = value(s, FR_I) * interp->state.scale,
+					   .position = interp->state.canonical};
+	slot_values target = interp->state.position;
+
+	if (!along.to_limit && !(along.distance >= 0))
+		return fault(&interp->at, s->column, "FR=5 of CYCLE800 needs a way FR_I that is not negative");
+	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, s->column), &along))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		target.v[slot] = state_from_canonical(slot, along.position.v[slot]);
+	return go_rapid(interp, &target);
+}
+
 /* FR: 1, Z of the machine goes to its retracted position; 2, and then X and Y. */
 static bool retract(const struct swivel *s, long way)
 {
@@ -162,8 +244,10 @@ static bool retract(const struct swivel *s, long way)
 
 	if (way == 0)
 		return true;
+	if (way == TO_LIMIT || way == BY_INCREMENT)
+		return retract_along_tool(s, way);
 	if (way != 1 && way != 2)
-		return fault(&interp->at, s->column, "FR=%ld of CYCLE800, retraction along the tool, is not supported yet", way);
+		return fault(&interp->at, s->column, "FR of CYCLE800 must be 0, 1, 2, 4 or 5, not %ld", way);
 	if (!place->given || !place->has[SLOT_Z] || (way == 2 && !(place->has[SLOT_X] && place->has[SLOT_Y])))
 		return fault(&interp->at, s->column,
 			     "FR=%ld of CYCLE800 retracts to positions of the swivel data: <swivel_retract %s/> in the "
@@ -208,7 +292,6 @@ static bool refuse(const struct swivel *s, const char *what)
 	return fault(&s->interp->at, s->column, "%s", what);
 }
 
-/* What of ST, DIR and the state of the program is not supported. */
 static bool same_vec3(vec3 a, vec3 b)
 {
 	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
@@ -225,6 +308,11 @@ static bool is_none(const struct sinumerik_frame *frame)
 	return same;
 }
 
+/*
+ * ST: 1 adds the plane to the one in force; the tens guide the tip; the hundreds set the tool up. Thousands and ten
+ * thousands are for the masks of the editor; the hundred thousands say that DIR is an optimised direction, which
+ * matters where both solutions are one (settle_free).
+ */
 static bool check(const struct swivel *s, long status, long direction)
 {
 	const struct state *state = &s->interp->state;
@@ -241,11 +329,12 @@ static bool check(const struct swivel *s, long status, long direction)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status / 10 % 10)
 		return refuse(s, "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");
-	if (status / 100)
-		return refuse(s, "CYCLE800 that sets the tool up or names its axis of DIR (hundreds and more of ST) is not "
-				 "supported yet");
-	if (direction != 1 && direction != -1)
-		return refuse(s, "CYCLE800 needs DIR, 1 or -1; with 0 it only computes, which is not supported yet");
+	if (status / 100 % 10)
+		return refuse(s, "CYCLE800 that sets the tool up (hundreds of ST) is not supported yet");
+	if (status / 100000 > 2)
+		return refuse(s, "the hundred thousands of ST of CYCLE800 must be 0, 1 or 2");
+	if (direction < -1 || direction > 1)
+		return refuse(s, "DIR of CYCLE800 must be -1, 0 or 1");
 	return true;
 }
 
@@ -266,7 +355,7 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	    !find_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
 	if (!lay_flat(&s) || !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
-	    !turn_axes(&s, &rotary))
+	    (direction && !turn_axes(&s, &rotary)))
 		return false;
 	sinumerik_frame_moved(interp);
 	sinumerik_frame_place(interp);

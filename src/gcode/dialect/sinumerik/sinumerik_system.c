@@ -5,6 +5,25 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/probed_axes.h"
 
+bool sinumerik_system_constant(const char *name, double *value)
+{
+	/* 840D sl, "High speed settings (CYCLE832)": S_TOLM. */
+	static const struct {
+		const char *name;
+		double value;
+	} constants[] = {{"TRUE", 1}, {"FALSE", 0}, {"_OFF", 0}, {"_FINISH", 1}, {"_SEMIFIN", 2}, {"_ROUGH", 3},
+			 {"_PRECISION", 4}, {"_ORI_FINISH", 11}, {"_ORI_SEMIFIN", 12}, {"_ORI_ROUGH", 13},
+			 {"_ORI_PRECISION", 14}};
+
+	for (size_t i = 0; i < sizeof(constants) / sizeof(constants[0]); i++) {
+		if (!strcmp(constants[i].name, name)) {
+			*value = constants[i].value;
+			return true;
+		}
+	}
+	return false;
+}
+
 static double in_unit(const struct state *state, int slot, double value)
 {
 	return slot_is_rotary(slot) ? value : value / state->scale;

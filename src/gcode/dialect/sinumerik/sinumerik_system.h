@@ -4,6 +4,9 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
+/* The value of a constant of the language by its upper-case name: TRUE, _ORI_FINISH. False: it is none. */
+bool sinumerik_system_constant(const char *name, double *value);
+
 /*
  * The value of the system variable with this upper-case name; slot: the axis in its brackets, or -1. False: it is not
  * known before the program runs, which was reported at the column.

@@ -1,0 +1,89 @@
+#include "gcode/dialect/sinumerik/sinumerik_invoke.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/sinumerik_path.h"
+#include "gcode/dialect/sinumerik/sinumerik_swivel.h"
+#include "gcode/eval/expr.h"
+
+static bool set_modal(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct sinumerik_modal *modal = &sinumerik->modal;
+
+	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .depth = sinumerik->depth};
+	if (!modal->on)
+		return true;
+	modal->cycle = sinumerik_cycle_drills(block->call);
+	if (!modal->cycle && sinumerik_cycle_refused(block->call))
+		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
+			     sinumerik_cycle_refused(block->call));
+	strcpy(modal->name, block->call);
+	modal->argument_count = sinumerik->argument_count;
+	memcpy(modal->arguments, sinumerik->arguments, sizeof(modal->arguments));
+	for (size_t i = 0; i < sinumerik->argument_count; i++) {
+		if (!modal->cycle && (sinumerik->argument_is_text[i]))
+			return fault(&interp->at, block->call_column,
+				     "a modal call of a subprogram with text among its arguments is not supported yet");
+	}
+	return true;
+}
+
+static bool run_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const char *name = block->call;
+	const int column = block->call_column, index = 'P' - 'A';
+	int repeats = 1;
+
+	sinumerik->argument_count = 0;
+	if (block->call_has_arguments && !sinumerik_call_arguments(interp, lexer))
+		return false;
+	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
+		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
+	if (block->modal)
+		return set_modal(interp, block);
+	if (sinumerik_cycle_drills(name))
+		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
+	if (sinumerik_cycle_is_pattern(name))
+		return sinumerik_cycle_pattern(interp, name, column);
+	if (!strcmp(name, "CYCLE800"))
+		return sinumerik_swivel_run(interp, column);
+	if (!strcmp(name, "CYCLE832"))
+		return sinumerik_path_smooth(interp, column);
+	if (sinumerik_cycle_refused(name))
+		return fault(&interp->at, column, "%s: %s is not supported yet", name, sinumerik_cycle_refused(name));
+	if (sinumerik_block_has(block, 'P')) {
+		if (!(block->value[index] >= 1 && block->value[index] <= 9999) ||
+		    floor(block->value[index]) < block->value[index])
+			return fault(&interp->at, block->column[index], "P must be a whole number from 1 to 9999");
+		repeats = (int)block->value[index];
+	}
+	return sinumerik_call_run(interp, name, repeats, column);
+}
+
+bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+{
+	return block->call[0] ? run_call(interp, lexer, block) : !block->modal || set_modal(interp, block);
+}
+
+bool sinumerik_invoke_modal(struct interp *interp)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_modal *modal = &sinumerik->modal;
+
+	if (!modal->on || modal->depth != sinumerik->depth)
+		return true;
+	if (modal->cycle)
+		return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
+	sinumerik->argument_count = modal->argument_count;
+	memcpy(sinumerik->arguments, modal->arguments, sizeof(sinumerik->arguments));
+	for (size_t i = 0; i < modal->argument_count; i++) {
+		sinumerik->argument_is_text[i] = false;
+		sinumerik->argument_variable[i] = -1;
+	}
+	return sinumerik_call_run(interp, modal->name, 1, 1);
+}

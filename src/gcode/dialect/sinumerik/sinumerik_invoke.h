@@ -1,0 +1,13 @@
+/* sinumerik_invoke.h - calls of cycles and subprograms in a block, and those that MCALL has made modal. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_INVOKE_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_INVOKE_H
+
+#include "gcode/dialect/sinumerik/sinumerik_block.h"
+
+/* The call of the block, if it has one, or its MCALL; the arguments come next in the lexer. False: reported. */
+bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block);
+
+/* After a move to a position: the cycle or the subprogram that MCALL has made modal. False: reported. */
+bool sinumerik_invoke_modal(struct interp *interp);
+
+#endif

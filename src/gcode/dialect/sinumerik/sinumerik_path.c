@@ -1,0 +1,86 @@
+#include "gcode/dialect/sinumerik/sinumerik_path.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
+
+/* CYCLE832, S_TOLM: _OFF, _FINISH, _SEMIFIN, _ROUGH, _PRECISION, and the same + 10 with a tolerance of orientation. */
+#define WITH_ORIENTATION 10
+#define MODES_END 20
+
+static void apply(struct interp *interp)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	struct state *state = &interp->state;
+	const bool within_control = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(641);
+
+	state->blend = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(60);
+	state->blend_turn = radians(sinumerik->orientation_tolerance);
+	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
+	if (sinumerik->path_code == SINUMERIK_G(64) || sinumerik->path_code == SINUMERIK_G(644))
+		state->blend_tolerance = 0;
+	else if (within_control)
+		state->blend_tolerance = sinumerik->smoothing * fmax(1, sinumerik->rapid_factor);
+	else
+		state->blend_tolerance = fmax(sinumerik->rounding, sinumerik->rapid_rounding);
+}
+
+/*
+ * 840D sl, "Continuous-path mode": ADIS and ADISPOS are the distances from a corner of feeds and of rapids; a corner
+ * between the two may be rounded by either. STOLF multiplies the tolerances of rapids. OTOL and ATOL bound the axes
+ * that turn the tool. The largest of them holds for all moves here.
+ */
+void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct {
+		enum sinumerik_address address;
+		bool is_length;
+		double *value;
+	} words[] = {{SINUMERIK_ADIS, true, &sinumerik->rounding},
+		     {SINUMERIK_ADISPOS, true, &sinumerik->rapid_rounding},
+		     {SINUMERIK_CTOL, true, &sinumerik->smoothing},
+		     {SINUMERIK_OTOL, false, &sinumerik->orientation_tolerance},
+		     {SINUMERIK_STOLF, false, &sinumerik->rapid_factor}};
+
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]) && block->addresses; i++) {
+		const double value = block->address_value[words[i].address];
+
+		/* A negative tolerance is that of the control's own parameters again. */
+		if (sinumerik_block_has_address(block, words[i].address))
+			*words[i].value = fmax(0, words[i].is_length ? sinumerik_target_length(interp, value) : value);
+	}
+	if (block->code[SINUMERIK_PATH] != CODE_NONE)
+		sinumerik->path_code = block->code[SINUMERIK_PATH];
+	if (block->code[SINUMERIK_COMPRESSOR] != CODE_NONE)
+		sinumerik->compresses = block->code[SINUMERIK_COMPRESSOR] == SINUMERIK_COMPON;
+	apply(interp);
+}
+
+static double argument(const struct sinumerik *sinumerik, size_t i, double otherwise)
+{
+	return i < sinumerik->argument_count && !isnan(sinumerik->arguments[i]) ? sinumerik->arguments[i] : otherwise;
+}
+
+/*
+ * 840D sl, "High speed settings (CYCLE832)": the tolerance of the contour, the kind of machining, and with the kinds
+ * of _ORI_... the tolerance of the orientation in degrees. _OFF, and no arguments, take the tolerances back. Which of
+ * G64 and its like and which compressor it selects is set up by the machine's maker: it blends.
+ */
+bool sinumerik_path_smooth(struct interp *interp, int column)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const double tolerance = argument(sinumerik, 0, 0), mode = argument(sinumerik, 1, 1);
+	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;
+	const bool turns = on && mode >= WITH_ORIENTATION && mode < MODES_END;
+
+	if (tolerance < 0)
+		return fault(&interp->at, column, "the tolerance of CYCLE832 cannot be negative");
+	sinumerik->smoothing = on ? tolerance * interp->state.scale : 0;
+	sinumerik->orientation_tolerance = turns ? fmax(0, argument(sinumerik, 2, 0)) : 0;
+	sinumerik->path_code = SINUMERIK_G(642);
+	sinumerik->compresses = on;
+	apply(interp);
+	return true;
+}

@@ -1,0 +1,19 @@
+# -a reads behind a fault every block once: a loop whose condition is not known has no end.
+small_machine
+sed 's/<base>/<controller dialect="sinumerik" path_tolerance="0.01"\/>\n<base>/' m.xml >s.xml
+program loops.mpf <<'NC'
+N1 G500 G17 G71 G90 F600
+FOR NOBODY=0 TO 1
+X1
+ENDFOR
+WHILE UNKNOWN<3
+X2
+ENDWHILE
+AGAIN: R1=MISSING
+IF R1<1 GOTOB AGAIN
+LOOP
+Q1
+ENDLOOP
+M30
+NC
+"$FIVECHECK" --parse-only -a s.xml loops.mpf
