@@ -1,6 +1,7 @@
 // @ts-check
 // levels.js - a long table at two levels: a coarse one at hand, and chunks that are unpacked when they are looked at.
 
+import {lowerBound} from './numbers.js';
 import {unpackTable} from './pack.js';
 
 /** Unpacked chunks that are kept. */
@@ -18,22 +19,24 @@ const KEPT = 24;
  * @property {string[]} columns
  * @property {number[]} scale
  * @property {number} rows
- * @property {{blob: number, rows: number}} coarse
+ * @property {{blob: number, rows: number}|null} coarse	null: the chunks are few, and all are there
  * @property {Chunk[]} chunks
  * @property {boolean} complete
  *
  * @typedef {Float64Array[]} Columns
  */
 
-/** The first row whose number is at least x; the number of rows if there is none. @param {Float64Array} column @param {number} x */
-export function lowerBound(column, x) {
-	let low = 0, high = column.length;
-	while (low < high) {
-		const middle = low + high >> 1;
-		if (column[middle] < x) low = middle + 1;
-		else high = middle;
-	}
-	return low;
+/** The rows of all parts, one after the other. @param {Columns[]} parts @returns {Columns} */
+export function joinColumns(parts) {
+	return parts[0].map((_, column) => {
+		const all = new Float64Array(parts.reduce((sum, part) => sum + part[0].length, 0));
+		let at = 0;
+		for (const part of parts) {
+			all.set(part[column], at);
+			at += part[column].length;
+		}
+		return all;
+	});
 }
 
 export class Levels {
@@ -51,7 +54,10 @@ export class Levels {
 
 	/** @param {TableHead} head @param {(blob: number) => Promise<Uint8Array>} fetchBlob */
 	static async open(head, fetchBlob) {
-		return new Levels(head, fetchBlob, unpackTable(await fetchBlob(head.coarse.blob), head.coarse.rows, head.scale));
+		const unpack = async (/** @type {{blob: number, rows: number}} */ {blob, rows}) => unpackTable(await fetchBlob(blob), rows, head.scale);
+		if (head.coarse) return new Levels(head, fetchBlob, await unpack(head.coarse));
+		// A short table: its few chunks are all there is.
+		return new Levels({...head, chunks: []}, fetchBlob, joinColumns(await Promise.all(head.chunks.map(unpack))));
 	}
 
 	/** @param {string} name */

@@ -1,19 +1,36 @@
 // @ts-check
-// pack.js - unpacks the data of a report: zlib streams, tables of whole numbers, meshes (src/report/html/report_data.h).
+// pack.js - unpacks the data of a report: text, zlib streams, tables of whole numbers, meshes (src/report/html/report_data.h).
+
+import {MeshReader} from './mesh_reader.js';
+import {unzigzag} from './numbers.js';
 
 /** @typedef {import('./model.js').Mesh} Mesh */
 
-/** @param {string} text base64 of a zlib stream @returns {Promise<Uint8Array>} */
-export async function inflate(text) {
-	const packed = atob(text.trim());
-	const bytes = new Uint8Array(packed.length);
-	for (let i = 0; i < packed.length; i++) bytes[i] = packed.charCodeAt(i);
+const RESERVED = [0, 13, 14, 15, 26, 27, 60, 127];
+
+/** Text of seven bits to a character (src/report/format/seven_bit.h). @param {string} text */
+export function sevenBit(text) {
+	const bytes = new Uint8Array(2 * text.length);
+	let filled = 0, bits = 0, held = 0;
+	const put = (/** @type {number} */ group) => {
+		bits = bits << 7 | group;
+		held += 7;
+		if (held >= 8) bytes[filled++] = bits >> (held -= 8);
+	};
+	for (let i = 0; i < text.length; i++) {
+		const code = text.charCodeAt(i);
+		if (code < 0x100) put(code);
+		else put(RESERVED[code < 0x500 ? code - 0x100 >> 7 : code - 0x500]);
+		if (code >= 0x100 && code < 0x500) put(code & 127);
+	}
+	return bytes.slice(0, filled);
+}
+
+/** @param {Uint8Array} bytes a zlib stream @returns {Promise<Uint8Array>} */
+export async function inflate(bytes) {
 	const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
 	return new Uint8Array(await new Response(stream).arrayBuffer());
 }
-
-/** @param {number} z @returns {number} 0, -1, 1, -2, 2 ... */
-const unzigzag = (z) => z % 2 ? -(z + 1) / 2 : z / 2;
 
 /**
  * Columns of second differences, each byte of the numbers in a plane of its own.
@@ -44,30 +61,11 @@ export function unpackTable(bytes, rows, scale) {
 }
 
 /**
- * Vertices as differences of 16 bits, corners as steps back among the vertices seen so far.
- *
- * @param {Uint8Array} bytes inflated
- * @param {{vertices: number, triangles: number, origin: number[], step: number[], index_bytes: number}} head
+ * @param {Uint8Array} bytes
+ * @param {{vertices: number, triangles: number, origin: number[], step: number[]}} head
  * @returns {Mesh}
  */
-export function unpackMesh(bytes, {vertices, triangles, origin, step, index_bytes: width}) {
-	const positions = new Float32Array(3 * vertices);
-	for (let k = 0; k < 3; k++) {
-		const low = 2 * k * vertices, high = low + vertices;
-		let q = 0;
-		for (let i = 0; i < vertices; i++) {
-			q = q + unzigzag(bytes[low + i] + 256 * bytes[high + i]) & 65535;
-			positions[3 * i + k] = origin[k] + step[k] * q;
-		}
-	}
-	const corners = 3 * triangles, first = 6 * vertices;
-	const indices = new Uint32Array(corners);
-	let seen = 0;
-	for (let i = 0; i < corners; i++) {
-		let code = 0;
-		for (let plane = width - 1; plane >= 0; plane--) code = code * 256 + bytes[first + plane * corners + i];
-		indices[i] = seen - code;
-		if (!code) seen++;
-	}
-	return {positions, indices};
+export function unpackMesh(bytes, {vertices, triangles, origin, step}) {
+	const {points, corners} = new MeshReader(bytes, vertices, triangles).read();
+	return {positions: Float32Array.from(points, (q, i) => origin[i % 3] + step[i % 3] * q), indices: corners};
 }

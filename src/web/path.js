@@ -1,7 +1,8 @@
 // @ts-check
 // path.js - the path of a report: which pose at a time, which time for a line.
 
-import {Levels, lowerBound} from './levels.js';
+import {Levels} from './levels.js';
+import {lowerBound} from './numbers.js';
 
 /** @typedef {import('./model.js').Pose} Pose */
 /** @typedef {import('./levels.js').Columns} Columns */

@@ -2,9 +2,9 @@
 // report.js - the model of a report: what the page carries, unpacked (src/report/html/report_data.h).
 
 import {fixed} from './elements.js';
-import {Levels} from './levels.js';
+import {joinColumns, Levels} from './levels.js';
 import {operations, toolChanges} from './marks.js';
-import {inflate, unpackMesh, unpackTable} from './pack.js';
+import {inflate, sevenBit, unpackMesh, unpackTable} from './pack.js';
 import {ReportPath} from './path.js';
 
 /** @typedef {import('./model.js').Model} Model */
@@ -14,19 +14,24 @@ const VERSION = 1;
 const WHOLE = 1 << 17;
 
 /** @param {number} blob */
-function fetchBlob(blob) {
+function blobBytes(blob) {
 	const element = document.getElementById(`blob-${blob}`);
 	if (!element) throw new Error(`blob ${blob} is missing`);
-	return inflate(element.textContent || '');
+	return sevenBit(element.textContent || '');
+}
+
+/** @param {number} blob */
+function fetchBlob(blob) {
+	return inflate(blobBytes(blob));
 }
 
 /** @returns {Promise<Model>} */
 export async function readReport() {
-	const text = await inflate(document.getElementById('fivecheck-head')?.textContent || '');
+	const text = await inflate(sevenBit(document.getElementById('fivecheck-head')?.textContent || ''));
 	const head = JSON.parse(new TextDecoder().decode(text));
 	if (head.report !== VERSION) throw new Error('this report is of another version');
 	const [bodies, path, clearance, planes, sources] = await Promise.all([
-		Promise.all(head.bodies.map(readBody)), readPath(head), readClearance(head.clearance), readPlanes(head.planes), readCode(head),
+		head.bodies.map(readBody), readPath(head), readClearance(head.clearance), readPlanes(head.planes), readCode(head),
 	]);
 	/** @type {Model} */
 	const model = {
@@ -45,10 +50,10 @@ export async function readReport() {
 	return model;
 }
 
-/** @param {any} body @returns {Promise<import('./model.js').Body>} */
-async function readBody({name, role, link, tool, mesh}) {
+/** @param {any} body @returns {import('./model.js').Body} */
+function readBody({name, role, link, tool, mesh}) {
 	const empty = {positions: new Float32Array(0), indices: new Uint32Array(0)};
-	return {name, role, link, tool, mesh: mesh ? unpackMesh(await fetchBlob(mesh.blob), mesh) : empty};
+	return {name, role, link, tool, mesh: mesh ? unpackMesh(blobBytes(mesh.blob), mesh) : empty};
 }
 
 /** @param {any} head @returns {Promise<ReportPath>} */
@@ -66,17 +71,9 @@ async function readPath({path, machine}) {
 async function readClearance(head) {
 	if (!head) return null;
 	const levels = await Levels.open(head, fetchBlob);
-	const whole = head.complete && head.rows <= WHOLE;
-	const parts = whole ? await Promise.all(head.chunks.map((/** @type {any} */ _, /** @type {number} */ i) => levels.load(i))) : [levels.coarse];
-	const column = (/** @type {string} */ name) => {
-		const all = new Float64Array(parts.reduce((sum, part) => sum + part[0].length, 0));
-		let at = 0;
-		for (const part of parts) {
-			all.set(part[levels.column(name)], at);
-			at += part[0].length;
-		}
-		return all;
-	};
+	const whole = levels.head.chunks.length && head.complete && head.rows <= WHOLE;
+	const columns = whole ? joinColumns(await Promise.all(head.chunks.map((/** @type {any} */ _, /** @type {number} */ i) => levels.load(i)))) : levels.coarse;
+	const column = (/** @type {string} */ name) => columns[levels.column(name)];
 	return {
 		cap: head.cap, times: Float64Array.of(head.start, ...column('time')), least: column('least'), most: column('most'), pair: column('pair'),
 	};

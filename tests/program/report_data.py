@@ -8,6 +8,8 @@ import struct
 import sys
 import zlib
 
+from packed_text import Mesh, seven_bit
+
 
 class Page(html.parser.HTMLParser):
     """The elements of a page with their text; scripts and styles by id or kind."""
@@ -43,11 +45,11 @@ class Report:
         with open(path, encoding="utf-8") as file:
             self.source = file.read()
         self.page = Page(self.source)
-        self.head = json.loads(zlib.decompress(base64.b64decode(self.page.scripts["fivecheck-head"], validate=True)))
+        self.head = json.loads(zlib.decompress(seven_bit(self.page.scripts["fivecheck-head"])))
         assert self.head["report"] == 1
 
     def blob(self, number):
-        return zlib.decompress(base64.b64decode(self.page.scripts[f"blob-{number}"], validate=True))
+        return zlib.decompress(seven_bit(self.page.scripts[f"blob-{number}"]))
 
     def table(self, number, rows, scale):
         data, columns = self.blob(number), len(scale)
@@ -78,22 +80,9 @@ class Report:
         return joined
 
     def mesh(self, mesh):
-        data, n, count = self.blob(mesh["blob"]), mesh["vertices"], 3 * mesh["triangles"]
-        axes = []
-        for k in range(3):
-            q, column = 0, []
-            for i in range(n):
-                c = data[2 * k * n + i] | data[(2 * k + 1) * n + i] << 8
-                q = (q + (-(c + 1) // 2 if c & 1 else c // 2)) & 65535
-                column.append(mesh["origin"][k] + mesh["step"][k] * q)
-            axes.append(column)
-        seen, corners = 0, []
-        for i in range(count):
-            code = sum(data[6 * n + p * count + i] << 8 * p for p in range(mesh["index_bytes"]))
-            corners.append(seen - code)
-            seen += code == 0
-        assert len(data) == 6 * n + mesh["index_bytes"] * count and seen == n
-        return list(zip(*axes)), corners
+        read = Mesh(seven_bit(self.page.scripts[f"blob-{mesh['blob']}"]), mesh["triangles"])
+        assert len(read.points) == mesh["vertices"] and len(read.corners) == 3 * mesh["triangles"]
+        return [tuple(mesh["origin"][k] + mesh["step"][k] * p[k] for k in range(3)) for p in read.points], read.corners
 
 
 def rotate(p, location, u, angle):
@@ -125,7 +114,7 @@ def check_policy(report):
     assert policy.startswith("default-src 'none'"), policy
     assert hash_of(report.page.style) in policy
     assert hash_of(report.page.scripts["boot"]) in policy
-    viewer = zlib.decompress(base64.b64decode(report.page.scripts["fivecheck-viewer"])).decode()
+    viewer = zlib.decompress(seven_bit(report.page.scripts["fivecheck-viewer"])).decode()
     assert hash_of(viewer) in policy
     assert "unsafe" not in policy
     for tag, all_of in report.page.tags.items():
@@ -226,7 +215,8 @@ def check_clearance(report, table):
             block, value = int(fields[3]), float(fields[6])
             least[block] = min(least.get(block, math.inf), value)
     values = report.chunks("clearance")
-    coarse = report.columns("clearance", report.head["clearance"]["coarse"])
+    level = report.head["clearance"]["coarse"]
+    coarse = report.columns("clearance", level) if level else values
     moving = [least[b] for b in sorted(least)]
     assert len(values["least"]) == len(moving), (len(values["least"]), len(moving))
     for mine, wanted in zip(values["least"], moving):

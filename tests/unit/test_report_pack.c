@@ -1,4 +1,4 @@
-/* test_report_pack.c - what the data of a report is packed with: tables, meshes, base64, the choice of pieces. */
+/* test_report_pack.c - what the data of a report is packed with: tables, base64, the choice of pieces. */
 #include <check.h>
 #include <math.h>
 #include <stdbool.h>
@@ -8,10 +8,8 @@
 #include <zlib.h>
 
 #include "base/mem.h"
-#include "geom/mesh.h"
 #include "report/format/base64.h"
 #include "report/format/deflate.h"
-#include "report/html/pack_mesh.h"
 #include "report/html/pack_table.h"
 #include "report/html/recorded_table.h"
 #include "report/html/report_data.h"
@@ -148,116 +146,6 @@ START_TEST(pieces_near_marks_come_first)
 }
 END_TEST
 
-/* A grid of squares on a wavy surface, as separate triangles. */
-static struct mesh wavy(size_t n)
-{
-	struct mesh mesh = {.triangles = mem_alloc(2 * n * n * sizeof(mesh_triangle)), .count = 2 * n * n};
-
-	for (size_t i = 0; i < 2 * n * n; i++) {
-		static const int corners[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
-
-		for (int k = 0; k < 3; k++) {
-			const double x = (double)(i / 2 % n) + corners[i % 2][k][0], y = (double)(i / 2 / n) + corners[i % 2][k][1];
-
-			mesh.triangles[i].v[k][0] = (float)(3 * x);
-			mesh.triangles[i].v[k][1] = (float)(2 * y);
-			mesh.triangles[i].v[k][2] = (float)(5 * sin(x) * cos(y));
-		}
-	}
-	return mesh;
-}
-
-/* Reads the mesh back as report_data.h says. */
-static vec3 *read_back(const struct strbuf *bytes, const struct packed_mesh *packed)
-{
-	const unsigned char *in = (const unsigned char *)bytes->text;
-	const size_t n = packed->vertices, count = 3 * packed->triangles;
-	vec3 *vertices = mem_alloc(n * sizeof(*vertices)), *out = mem_alloc(count * sizeof(*out));
-	uint16_t q[3] = {0};
-	uint32_t seen = 0;
-
-	for (size_t i = 0; i < n; i++) {
-		for (size_t k = 0; k < 3; k++) {
-			const int code = in[2 * k * n + i] | in[(2 * k + 1) * n + i] << 8;
-
-			q[k] = (uint16_t)(q[k] + (code % 2 ? -(code + 1) / 2 : code / 2));
-		}
-		vertices[i] = vec3_add(packed->origin, vec3_scale(packed->step, (vec3){q[0], q[1], q[2]}));
-	}
-	for (size_t i = 0; i < count; i++) {
-		uint32_t code = 0;
-
-		for (int p = 0; p < packed->index_bytes; p++)
-			code |= (uint32_t)in[6 * n + (size_t)p * count + i] << 8 * p;
-		ck_assert(code <= seen && seen - code < n);
-		out[i] = vertices[seen - code];
-		seen += !code;
-	}
-	ck_assert_uint_eq(seen, n);
-	ck_assert_uint_eq(bytes->length, 6 * n + (size_t)packed->index_bytes * count);
-	free(vertices);
-	return out;
-}
-
-/* How far the nearest turn of any packed triangle is from this one, at its worst corner. */
-static double nearest(const vec3 *corners, size_t triangles, const vec3 p[3])
-{
-	double best = INFINITY;
-
-	for (size_t t = 0; t < triangles; t++) {
-		for (size_t turn = 0; turn < 3; turn++) {
-			double worst = 0;
-
-			for (size_t k = 0; k < 3; k++)
-				worst = fmax(worst, vec3_norm(vec3_sub(corners[3 * t + (k + turn) % 3], p[k])));
-			best = fmin(best, worst);
-		}
-	}
-	return best;
-}
-
-START_TEST(every_triangle_of_a_mesh_is_packed_with_its_sense)
-{
-	const xform place = xform_turn((vec3){1, 2, 3}, (vec3){0, 0.6, 0.8}, 0.7);
-	struct mesh mesh = wavy(12);
-	struct packed_mesh packed;
-	struct strbuf bytes = {0};
-	vec3 *corners;
-
-	pack_mesh_add(&bytes, &mesh, &place, &packed);
-	ck_assert_uint_eq(packed.triangles, mesh.count);
-	ck_assert_uint_eq(packed.vertices, 13 * 13);
-	corners = read_back(&bytes, &packed);
-	for (size_t i = 0; i < mesh.count; i++) {
-		vec3 p[3];
-
-		for (int k = 0; k < 3; k++)
-			p[k] = xform_apply(&place, mesh_corner(&mesh.triangles[i], k));
-		ck_assert_double_le(nearest(corners, packed.triangles, p), PACK_MESH_ERROR * packed.step);
-	}
-	free(corners);
-	strbuf_release(&bytes);
-	mesh_release(&mesh);
-}
-END_TEST
-
-/* The figure that reports are held to: bytes for a triangle, deflated. */
-START_TEST(a_mesh_needs_less_than_two_bytes_a_triangle)
-{
-	const xform place = xform_identity();
-	struct mesh mesh = wavy(60);
-	struct packed_mesh packed;
-	struct strbuf bytes = {0}, small = {0};
-
-	pack_mesh_add(&bytes, &mesh, &place, &packed);
-	deflate_add(&small, bytes.text, bytes.length, DEFLATE_SMALL);
-	ck_assert_uint_lt(small.length, 2 * mesh.count);
-	strbuf_release(&bytes);
-	strbuf_release(&small);
-	mesh_release(&mesh);
-}
-END_TEST
-
 int main(void)
 {
 	Suite *suite = suite_create("report_pack");
@@ -271,8 +159,6 @@ int main(void)
 	tcase_add_test(tcase, a_table_is_packed_as_described);
 	tcase_add_test(tcase, a_long_table_has_all_rows_in_chunks_and_the_least_in_its_coarse_level);
 	tcase_add_test(tcase, pieces_near_marks_come_first);
-	tcase_add_test(tcase, every_triangle_of_a_mesh_is_packed_with_its_sense);
-	tcase_add_test(tcase, a_mesh_needs_less_than_two_bytes_a_triangle);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

@@ -74,7 +74,7 @@ static bool choose_chunks(struct recorded_table *table, const struct recorder *r
 		struct strbuf bytes = {0}, *it = &packed[order[i]];
 
 		if (recorded_table_chunk(table, order[i], &bytes))
-			page_pack(it, &bytes, DEFLATE_FAST);
+			page_pack(it, &bytes, table->chunk_count > SHORT_CHUNKS ? DEFLATE_FAST : DEFLATE_SMALL);
 		strbuf_release(&bytes);
 		used += it->length;
 		if (used > budget || table->error) {
@@ -143,7 +143,7 @@ static double checked_until(const struct html_contents *report)
 	return all ? recorder->now : recorder->checked;
 }
 
-static json_t *path_json(struct page *page, const struct html_contents *report)
+static json_t *path_json(const struct html_contents *report)
 {
 	static const char *const names[] = {
 		[PATH_TIME] = "time", [PATH_BLOCK] = "block", [PATH_LINE] = "line",
@@ -163,11 +163,10 @@ static json_t *path_json(struct page *page, const struct html_contents *report)
 	json_put(object, "files", files);
 	json_put(object, "end", json_real(recorder->now));
 	json_put(object, "checked", json_real(checked_until(report)));
-	json_put(object, "coarse", write_coarse(page, &recorder->path, true));
 	return object;
 }
 
-static json_t *clearance_json(struct page *page, const struct recorder *recorder)
+static json_t *clearance_json(const struct recorder *recorder)
 {
 	json_t *object = new_table();
 
@@ -178,7 +177,6 @@ static json_t *clearance_json(struct page *page, const struct recorder *recorder
 	json_put(object, "rows", json_integer(recorder->clearance.rows));
 	json_put(object, "cap", json_real(recorder->cap));
 	json_put(object, "start", json_real(recorder->start));
-	json_put(object, "coarse", write_coarse(page, &recorder->clearance, false));
 	return object;
 }
 
@@ -386,21 +384,47 @@ static size_t length_of_head(const json_t *head, const struct recorder *recorder
 	return length;
 }
 
+/* A short table that is there as a whole needs no coarse level. */
+static bool is_short(const struct recorded_table *table)
+{
+	return table->chunk_count <= SHORT_CHUNKS;
+}
+
+/* The coarse levels of long tables, which come before all chunks. */
+static void write_long_coarse(struct page *page, const struct recorder *recorder, json_t *path, json_t *clearance)
+{
+	if (path && !is_short(&recorder->path))
+		json_put(path, "coarse", write_coarse(page, &recorder->path, true));
+	if (clearance && !is_short(&recorder->clearance))
+		json_put(clearance, "coarse", write_coarse(page, &recorder->clearance, false));
+}
+
+static void write_short_coarse(struct page *page, const struct recorded_table *table, bool start, json_t *object)
+{
+	if (is_short(table))
+		json_put(object, "coarse", json_is_true(json_object_get(object, "complete")) ? json_null() : write_coarse(page, table, start));
+}
+
 /* Writes all levels and adds them to the head. False: a temporary file failed. */
 static bool write_levels(struct page *page, const struct html_contents *report, json_t *head, size_t reserved)
 {
 	struct recorder *recorder = report->recorder;
-	json_t *path = recorder->path.rows ? path_json(page, report) : NULL;
-	json_t *clearance = recorder->clearance.rows ? clearance_json(page, recorder) : NULL;
+	json_t *path = recorder->path.rows ? path_json(report) : NULL;
+	json_t *clearance = recorder->clearance.rows ? clearance_json(recorder) : NULL;
 	bool good = true;
 	size_t rest;
 
 	json_put(head, "planes", recorder->plane_count ? planes_json(page, recorder) : json_null());
+	write_long_coarse(page, recorder, path, clearance);
 	rest = rest_of(report, page, reserved);
-	if (path)
+	if (path) {
 		good = write_chunks(page, &recorder->path, recorder, (size_t)(PATH_SHARE * (double)rest), path);
-	if (clearance)
+		write_short_coarse(page, &recorder->path, true, path);
+	}
+	if (clearance) {
 		good = write_chunks(page, &recorder->clearance, recorder, (size_t)(CLEARANCE_SHARE * (double)rest), clearance) && good;
+		write_short_coarse(page, &recorder->clearance, false, clearance);
+	}
 	json_put(head, "path", path ? path : json_null());
 	json_put(head, "clearance", clearance ? clearance : json_null());
 	json_put(head, "code", code_json(page, report, rest_of(report, page, reserved)));

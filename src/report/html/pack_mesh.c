@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
-#include "report/html/mesh_order.h"
+#include "report/html/mesh_coder.h"
 
 enum { GRID_MAX = 65535 };
 
@@ -109,7 +109,7 @@ static uint64_t key_of(const uint16_t point[3])
 
 /*
  * Sorts the triangles by the places of their corners. Then equal parts of a body, as its screws are, begin with the same triangle,
- * are walked in the same order, and have the same codes, which deflate finds.
+ * are walked in the same order, and have the same steps from vertex to vertex, which cost next to nothing.
  */
 static void sort_triangles(struct grid *grid)
 {
@@ -143,84 +143,16 @@ static void grid_release(struct grid *grid)
 	free(grid->slots);
 }
 
-/*
- * Turns the corners into codes that count back from the newest vertex. order[i] receives the old number of vertex i. The
- * result: how many vertices are used.
- */
-static size_t encode_corners(const struct grid *grid, uint32_t *order, uint32_t *most)
-{
-	uint32_t *numbers = mem_zalloc(grid->point_count + 1, sizeof(*numbers));	/* new number and 1; 0: not seen yet */
-	uint32_t seen = 0;
-
-	*most = 0;
-	for (size_t i = 0; i < 3 * grid->triangle_count; i++) {
-		uint32_t old = grid->corners[i], code = 0;
-
-		if (numbers[old]) {
-			code = seen - (numbers[old] - 1);
-		} else {
-			order[seen] = old;
-			numbers[old] = ++seen;
-		}
-		grid->corners[i] = code;
-		*most = code > *most ? code : *most;
-	}
-	free(numbers);
-	return seen;
-}
-
-static void add_vertices(struct strbuf *out, const struct grid *grid, const uint32_t *order, size_t count)
-{
-	char *planes = mem_alloc(2 * count + 1);
-
-	for (int k = 0; k < 3; k++) {
-		uint16_t last = 0;
-
-		for (size_t i = 0; i < count; i++) {
-			const uint16_t q = grid->points[order[i]][k];
-			const int16_t d = (int16_t)(uint16_t)(q - last);
-			const uint16_t code = (uint16_t)(d < 0 ? -2 * (d + 1) + 1 : 2 * d);
-
-			planes[i] = (char)(code & 255);
-			planes[count + i] = (char)(code >> 8);
-			last = q;
-		}
-		strbuf_add(out, planes, 2 * count);
-	}
-	free(planes);
-}
-
-static void add_corners(struct strbuf *out, const struct grid *grid, int bytes)
-{
-	const size_t count = 3 * grid->triangle_count;
-	char *plane = mem_alloc(count + 1);
-
-	for (int p = 0; p < bytes; p++) {
-		for (size_t i = 0; i < count; i++)
-			plane[i] = (char)(grid->corners[i] >> 8 * p & 255);
-		strbuf_add(out, plane, count);
-	}
-	free(plane);
-}
-
 void pack_mesh_add(struct strbuf *out, const struct mesh *mesh, const xform *place, struct packed_mesh *packed)
 {
-	struct packed_mesh result = {.index_bytes = 1};
+	struct packed_mesh result = {0};
 	struct grid grid;
-	uint32_t *order, most;
 
 	choose_grid(&result, mesh, place);
 	grid_init(&grid, mesh, place, &result);
 	sort_triangles(&grid);
-	mesh_order(grid.corners, grid.triangle_count, grid.point_count);
-	order = mem_alloc((grid.point_count + 1) * sizeof(*order));
 	result.triangles = grid.triangle_count;
-	result.vertices = encode_corners(&grid, order, &most);
-	while (most >> 8 * result.index_bytes && result.index_bytes < 4)
-		result.index_bytes++;
-	add_vertices(out, &grid, order, result.vertices);
-	add_corners(out, &grid, result.index_bytes);
-	free(order);
+	result.vertices = mesh_coder_add(out, grid.points, grid.point_count, grid.corners, grid.triangle_count);
 	grid_release(&grid);
 	*packed = result;
 }

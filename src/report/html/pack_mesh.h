@@ -1,4 +1,4 @@
-/* pack_mesh.h - a mesh as the planes of report_data.h, "MESHES": quantised, its triangles in an order that packs well. */
+/* pack_mesh.h - a mesh as report_data.h, "MESHES", describes: its vertices moved to a grid, then coded (mesh_coder.h). */
 #ifndef FIVECHECK_REPORT_HTML_PACK_MESH_H
 #define FIVECHECK_REPORT_HTML_PACK_MESH_H
 
@@ -15,11 +15,10 @@ struct packed_mesh {
 	size_t vertices, triangles;	/* triangles without area on the grid are left out */
 	vec3 origin;	/* mm */
 	double step;	/* mm, the same in all directions */
-	int index_bytes;
 };
 
 /*
- * Appends the mesh, moved by `place`, not deflated. No vertex is farther than PACK_MESH_ERROR steps from where `place` moves
+ * Appends the mesh, moved by `place`. No vertex is farther than PACK_MESH_ERROR steps from where `place` moves
  * it. The mesh is not empty and has fewer than 2^30 triangles.
  */
 #define PACK_MESH_ERROR 0.8661	/* half the diagonal of a cube, rounded up */

@@ -1,6 +1,6 @@
 #include "report/html/page.h"
 
-#include "report/format/base64.h"
+#include "report/format/seven_bit.h"
 
 void page_text(struct page *page, struct strbuf *text)
 {
@@ -13,7 +13,7 @@ void page_pack(struct strbuf *out, const struct strbuf *bytes, enum deflate_leve
 	struct strbuf small = {0};
 
 	deflate_add(&small, strbuf_text(bytes), bytes->length, level);
-	base64_add(out, (const unsigned char *)strbuf_text(&small), small.length);
+	seven_bit_add(out, strbuf_text(&small), small.length);
 	strbuf_release(&small);
 }
 

@@ -18,10 +18,10 @@ struct page {
 /* Writes a text and empties it. */
 void page_text(struct page *page, struct strbuf *text);
 
-/* The bytes, deflated, in base64. */
+/* The bytes, deflated, as text (seven_bit.h). */
 void page_pack(struct strbuf *out, const struct strbuf *bytes, enum deflate_level level);
 
-/* Appends a blob (report_data.h) that page_pack has packed. */
+/* Appends a blob (report_data.h), packed already. */
 void page_add_blob(struct strbuf *out, int number, const struct strbuf *packed);
 
 /* Writes a packed blob and returns its number. */

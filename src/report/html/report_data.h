@@ -4,8 +4,8 @@
  * THE PAGE (src/web/README.md has its outline). Its parts, by their id:
  *   plain            a <main>: verdict, findings, picture, files as plain HTML. The viewer hides it once it has started.
  *   fivecheck-head   <script type="text/plain">: the JSON object below, packed as a blob is.
- *   blob-N           <script type="text/plain">: base64 (RFC 4648, with padding; no line breaks) of a zlib stream
- *                    (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
+ *   blob-N           <script type="text/plain">: bytes as text (report/format/seven_bit.h). Of a mesh they are its code, of all others a
+ *                    zlib stream (RFC 1950: DecompressionStream("deflate")). N counts from 0. In the JSON a blob is named by its number N.
  *   fivecheck-viewer <script type="text/plain">: the viewer's one script, packed as a blob; boot.js inflates and runs it.
  * The content security policy is `default-src 'none'` with the SHA-256 of the one <style>, of boot.js and of the viewer: no style
  * attributes in HTML text, no eval, no workers, no requests. Styles that scripts set through element.style are allowed.
@@ -35,7 +35,7 @@
  *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then tools
  *     role        "machine" "fixture" "part" "holder" "shank" "cutter"
  *     tool        number of the tool that the body belongs to: it is shown only while that tool is in the spindle; 0: always shown
- *     mesh        {blob, vertices, triangles, origin: [3], step: [3], index_bytes}; null: the body has no triangles here
+ *     mesh        {blob, vertices, triangles, origin: [3], step: [3]}; null: the body has no triangles here
  *   accuracy      mm: no drawn vertex is farther than this from the one in the STL file. Say "drawn to 0.02 mm; proved on the STL's
  *                 numbers".
  *   tools         [{number, name|null, length}]: of the setup
@@ -67,7 +67,7 @@
  *   {columns: [name], scale: [number], rows, coarse: {blob, rows}, chunks: [{blob, first, rows, from, to}], complete}
  * rows: of the whole program. coarse: the whole program in at most COARSE_ROWS rows. chunks: the finest level in order of time, where the size
  * of the report allows it, nearest to the findings first: rows `first` to `first + rows - 1` of the program, times from..to (s). complete: the
- * chunks hold all rows. Show the chunk where there is one, else the coarse level.
+ * chunks hold all rows; coarse is null if they do and are few. Show the chunk where there is one, else the coarse level.
  *
  * PATH. A table; a row is an instant. Between two rows all axes are linear in time. The first row is where the program starts.
  * Columns: time (scale 1e-5 s), block, line, file, tool, class, then one column for each axis in the order of machine.axes, by its name (scale 0.01 mm
@@ -97,16 +97,31 @@
  * CODE. {mode: "all" | "windows" | "none", files: [{name, sha256|null, lines, windows: [{first, lines, blob}]}]}. lines: of the whole file; -1: not known.
  * A window's blob, inflated, is UTF-8 text of `lines` lines from line `first` on (from 1), separated by \n. files are in the order of path.files.
  *
- * MESHES. A mesh blob, inflated: the planes of the vertices, then those of the corners.
- *   Vertices: for each of x, y, z one plane of low bytes, then one of high bytes, `vertices` bytes each (six planes: x low, x high, y low ...).
- *   A code c of 16 bits is a zigzag difference modulo 65536 to the vertex before (to 0 for the first): d = c even ? c / 2 : -(c + 1) / 2;
- *   q[i] = (q[i - 1] + d) & 65535. The coordinate is origin + step * q.
- *   Corners: `index_bytes` (1 to 4) planes of 3 * triangles bytes, low bytes first. The code of a corner counts back from the vertices seen so far: with
- *   seen = 0 at first, index = seen - code; if code is 0, index = seen, and seen grows by one. Corners are counter-clockwise from outside, three to a triangle.
+ * MESHES. A mesh blob is the output of a range coder (report/format/range_coder.h: bits and numbers, each under a model) and not deflated. It
+ * says in which order triangles are met on a walk and where new vertices are, on a grid: the coordinate is origin + step * q, q from 0 to
+ * 65535. Corners are counter-clockwise from outside. z(x) is a zigzag code: 2 x, or -2 x - 1 below 0. `seen` counts vertices.
+ *   Until there are as many triangles as the head says: BEGIN, then, while there are gates, take the last one that was added; if its edge
+ *   is open, look BEYOND it.
+ *   BEGIN, for corner k = 0, 1, 2: a bit under begins[k]. 1: a new VERTEX, k, whose near vertices are the corner before (for k = 0 the newest
+ *   vertex, at first the point 0 0 0) and for k = 2 corner 0, too. 0: the vertex seen - 1 - n, n a number under back_at_start. TAKE the corners.
+ *   TAKE a, b, c: a triangle. Each of its edges a-b, b-c, c-a (from u to v) that is open is no longer open; of one that is not, the edge from v
+ *   to u becomes open, after[v] = u, before[u] = v. Gates are added: (b, a, c), (a, c, b), (c, b, a): an edge, and the vertex opposite it.
+ *   BEYOND the gate (a, b, o): x = before[a], usable if it is not b and the edge x-a is open; y = after[b], usable if it is not a and b-y is open.
+ *   Ask in this order, until a bit is 1: 1 a new vertex? 2 x, if usable? 3 y, if usable? 0 nothing? If none is, it is 4, an older vertex. The
+ *   models: beyond[answer asked for][x usable][y usable][history]; history, 0 at first, becomes (5 history + answer) mod 125. 0: the edge is no longer
+ *   open. Else TAKE a, b and: 1 a new VERTEX, corner 2, near b, a, o; 2 x; 3 y; 4 the vertex seen - 1 - n, n a number under back.
+ *   VERTEX k with near vertices n0, n1, n2 (one, two or all of them). Steps are q - n0. A memory of 2^14 places, empty at first, is looked at where the two
+ *   steps before lead: h(dx, dy, dz) = 73856093 dx ^ 19349663 dy ^ 83492791 dz; place = ((31 h(last) + h(last but one)) * 0x9e3779b1 mod 2^32) >> 18; h is 0
+ *   before there are steps. A place holds a step and a run (0: empty). A bit under again[run]: 1: it is this step, run = min(run + 1, 7). 0: run = 1 and for
+ *   each coordinate k = 0, 1, 2 of the point: for i = 0, 1, 2, as far as there is a near vertex i and none before it has the same coordinate: a
+ *   bit under equal[corner][k][e][i], 1: it is that vertex' coordinate. If no bit was 1: guess = n0, or with three near vertices n0 + n1 - n2;
+ *   a bit under known[k][e], V[k] being the list of values, in order, that this k has got as follows. 1: the value V[k][r + d], r = how many of them are
+ *   less than guess, z(d) a number under rank[corner]. 0: guess + d, z(d) a number under residual[corner], which V[k] gets. e, 0 at first, becomes
+ *   (2 e + (some bit was 1)) mod 4. In the end the place holds this step.
  */
 #ifndef FIVECHECK_REPORT_HTML_REPORT_DATA_H
 #define FIVECHECK_REPORT_HTML_REPORT_DATA_H
 
-enum { REPORT_DATA_VERSION = 1, COARSE_ROWS = 4096, CHUNK_ROWS = 4096, FINDINGS_MAX = 500 };
+enum { REPORT_DATA_VERSION = 1, COARSE_ROWS = 4096, CHUNK_ROWS = 4096, SHORT_CHUNKS = 4, FINDINGS_MAX = 500 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/mem.h"
 #include "report/format/format_units.h"
 #include "report/format/json.h"
+#include "report/format/seven_bit.h"
 #include "report/html/pack_mesh.h"
 #include "report/html/page.h"
 #include "report/html/recorder.h"
@@ -112,7 +113,7 @@ static json_t *pairs_of(const struct scene *scene)
 /* A body's mesh, packed. */
 struct packed_body {
 	struct packed_mesh mesh;
-	struct strbuf blob;	/* base64 */
+	struct strbuf blob;	/* as text */
 	bool left_out;
 };
 
@@ -126,7 +127,6 @@ static json_t *mesh_of(const struct packed_body *packed, int blob)
 	json_put(object, "triangles", json_integer((json_int_t)mesh->triangles));
 	json_put(object, "origin", json_point(mesh->origin));
 	json_put(object, "step", json_point((vec3){mesh->step, mesh->step, mesh->step}));
-	json_put(object, "index_bytes", json_integer(mesh->index_bytes));
 	return object;
 }
 
@@ -163,7 +163,7 @@ static void pack_body(struct packed_body *packed, const struct body *body, const
 	struct strbuf bytes = {0};
 
 	pack_mesh_add(&bytes, &bvh->mesh, &body->placement, &packed->mesh);
-	page_pack(&packed->blob, &bytes, DEFLATE_SMALL);
+	seven_bit_add(&packed->blob, strbuf_text(&bytes), bytes.length);
 	strbuf_release(&bytes);
 }
 
