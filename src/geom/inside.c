@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 #include "geom/tolerance.h"
@@ -17,7 +18,7 @@ static double half_solid_angle(const mesh_triangle *triangle, vec3 point)
 	double volume = vec3_dot(a, vec3_cross(b, c));
 	double spread = na * nb * nc + vec3_dot(a, b) * nc + vec3_dot(b, c) * na + vec3_dot(c, a) * nb;
 
-	return atan2(volume, spread);
+	return math_atan2(volume, spread);
 }
 
 /*

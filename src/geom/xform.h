@@ -2,8 +2,7 @@
 #ifndef FIVECHECK_GEOM_XFORM_H
 #define FIVECHECK_GEOM_XFORM_H
 
-#include <math.h>
-
+#include "base/math/math_functions.h"
 #include "geom/vec3.h"
 
 /* By columns: the images of the unit vectors. */
@@ -67,9 +66,10 @@ static inline xform xform_inverse(const xform *t)
 /* Right-handed turn by `angle` radians about the unit vector `axis` (Rodrigues' formula). */
 static inline mat3 mat3_turn(vec3 axis, double angle)
 {
-	double c = cos(angle), s = sin(angle), k = 1 - c;
-	double x = axis.x, y = axis.y, z = axis.z;
+	double x = axis.x, y = axis.y, z = axis.z, c, s, k;
 
+	math_sin_cos(angle, &s, &c);
+	k = 1 - c;
 	return (mat3){{c + k * x * x, k * x * y + s * z, k * x * z - s * y},
 		      {k * x * y - s * z, c + k * y * y, k * y * z + s * x},
 		      {k * x * z + s * y, k * y * z - s * x, c + k * z * z}};

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/ablation.h"
+#include "base/math/math_functions.h"
 #include "base/units.h"
 
 /* A joint's value with its sine and cosine, computed once. */
@@ -210,7 +211,7 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 /* A turn by at most `angle` moves a point at distance rho by at most the chord of that circular arc. */
 static double turn_of(double angle, double rho)
 {
-	return angle >= PI ? 2 * rho : 2 * sin(angle / 2) * rho;
+	return angle >= PI ? 2 * rho : 2 * math_sin(angle / 2) * rho;
 }
 
 void box_bound_init(struct box_bound *bound, const struct chain *chain, const struct chain_state *state,

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/strbuf.h"
 #include "base/units.h"
@@ -232,7 +233,7 @@ static xform tool_placement(const struct spindle *spindle)
 	xform placement = {mat3_identity(), spindle->location};
 
 	if (sine > PARALLEL_SINE)
-		placement.rotation = mat3_turn(vec3_scale(1 / sine, axis), atan2(sine, vec3_dot(from, to)));
+		placement.rotation = mat3_turn(vec3_scale(1 / sine, axis), math_atan2(sine, vec3_dot(from, to)));
 	else if (vec3_dot(from, to) < 0)
 		placement.rotation = (mat3){{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
 	return placement;

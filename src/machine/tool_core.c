@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 
 /* A frustum in the half plane of height and radius; top > bottom. */
@@ -40,7 +41,7 @@ static double slope(const struct frustum *f)
 /* How far below its foot point on a frustum's side a point lies that is `depth` away along the normal. */
 static double foot_above(const struct frustum *f, double depth)
 {
-	return -depth * slope(f) / hypot(1, slope(f));
+	return -depth * slope(f) / math_hypot(1, slope(f));
 }
 
 static double radius_at(const struct frustum *f, double h)
@@ -100,7 +101,7 @@ static struct line below_side(const struct eroder *e, const struct frustum *f, d
 	double middle = 0.5 * (top + bottom), foot = middle + foot_above(f, e->depth), inward;
 
 	if (foot < f->top && foot > f->bottom)
-		inward = e->depth * hypot(1, slope(f));
+		inward = e->depth * math_hypot(1, slope(f));
 	else if (middle < f->top && middle > f->bottom)
 		inward = e->depth;
 	else
@@ -159,7 +160,7 @@ static void make_cuts(struct eroder *e)
 		add_cut(e, f->top - foot_above(f, e->depth));
 		add_cut(e, f->bottom - foot_above(f, e->depth));
 		if (fabs(slope(f)) > 0)
-			add_cut(e, f->bottom + (e->depth * hypot(1, slope(f)) - f->r_bottom) / slope(f));
+			add_cut(e, f->bottom + (e->depth * math_hypot(1, slope(f)) - f->r_bottom) / slope(f));
 	}
 	qsort(e->cuts, e->cut_count, sizeof(*e->cuts), descending);
 }

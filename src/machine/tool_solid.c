@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 
@@ -36,7 +37,7 @@ struct plan {
 static size_t tangents(double r, double angle, double error)
 {
 	/* r / cos(x) - r = error, with x half the angle of one tangent. */
-	double x = acos(r / (r + error));
+	double x = math_acos(r / (r + error));
 
 	return (size_t)ceil(angle / (2 * x));
 }
@@ -128,7 +129,7 @@ void tool_solid_cut(const struct tool_solid *solid, double height, struct arena 
 double tool_solid_tip_height(const struct tool_solid *solid)
 {
 	if (solid->tip == TIP_CONE)
-		return end_radius(solid) / tan(solid->angle / 2);
+		return end_radius(solid) / math_tan(solid->angle / 2);
 	return arc_radius(solid);
 }
 
@@ -186,12 +187,12 @@ static void add_joint(struct outline *outline, const struct tool_section *upper,
 static void add_arc(struct outline *outline, const struct tool_solid *solid, double z, const struct plan *plan)
 {
 	double c = arc_radius(solid), r = end_radius(solid) - c;
-	double half = PI / 4 / (double)plan->arc, reach = c / cos(half);
+	double half = PI / 4 / (double)plan->arc, reach = c / math_cos(half);
 
 	for (size_t i = 0; i < plan->arc; i++) {
 		double angle = (double)(2 * i + 1) * half;
 
-		add_corner(outline, r + reach * cos(angle) + plan->margin, z + c - reach * sin(angle) - plan->margin);
+		add_corner(outline, r + reach * math_cos(angle) + plan->margin, z + c - reach * math_sin(angle) - plan->margin);
 	}
 }
 
@@ -263,12 +264,12 @@ static void add_triangle(struct mesh *mesh, struct vertex a, struct vertex b, st
 
 static void fill_ring(struct vertex *ring, size_t count, struct corner corner)
 {
-	double r = corner.r / cos(PI / (double)count);
+	double r = corner.r / math_cos(PI / (double)count);
 
 	for (size_t k = 0; k < count; k++) {
 		double angle = 2 * PI * (double)k / (double)count;
 
-		ring[k] = (struct vertex){{(float)(r * cos(angle)), (float)(r * sin(angle)), (float)corner.z}};
+		ring[k] = (struct vertex){{(float)(r * math_cos(angle)), (float)(r * math_sin(angle)), (float)corner.z}};
 	}
 }
 

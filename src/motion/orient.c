@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/strbuf.h"
 #include "base/units.h"
 #include "geom/tolerance.h"
@@ -31,7 +32,7 @@ static double angle_about(vec3 axis, vec3 from, vec3 to)
 {
 	vec3 a = vec3_mad(from, -vec3_dot(axis, from), axis), b = vec3_mad(to, -vec3_dot(axis, to), axis);
 
-	return atan2(vec3_dot(axis, vec3_cross(a, b)), vec3_dot(a, b));
+	return math_atan2(vec3_dot(axis, vec3_cross(a, b)), vec3_dot(a, b));
 }
 
 static bool is_along(vec3 axis, vec3 direction)

@@ -1,5 +1,6 @@
 #include "motion/path.h"
 
+#include "base/math/math_functions.h"
 #include "geom/tolerance.h"
 
 #include <float.h>
@@ -57,17 +58,19 @@ static double turn_radius(const struct turn *turn, double u)
 
 static vec3 turn_position(const struct turn *turn, double u)
 {
-	double radius = turn_radius(turn, u), angle = turn->sweep * u;
+	double radius = turn_radius(turn, u), c, s;
 	vec3 axis = vec3_mad(turn->foot, turn->rise * u, turn->normal);
 
-	return vec3_mad(vec3_mad(axis, radius * cos(angle), turn->e1), radius * sin(angle), turn->e2);
+	math_sin_cos(turn->sweep * u, &s, &c);
+	return vec3_mad(vec3_mad(axis, radius * c, turn->e1), radius * s, turn->e2);
 }
 
 static vec3 turn_velocity(const struct turn *turn, double u)
 {
-	double radius = turn_radius(turn, u), angle = turn->sweep * u, c = cos(angle), s = sin(angle);
+	double radius = turn_radius(turn, u), c, s;
 	vec3 out = vec3_scale(turn->rise, turn->normal);
 
+	math_sin_cos(turn->sweep * u, &s, &c);
 	out = vec3_mad(out, turn->growth * c - turn->sweep * radius * s, turn->e1);
 	return vec3_mad(out, turn->growth * s + turn->sweep * radius * c, turn->e2);
 }
@@ -110,7 +113,7 @@ axis_values path_position(const struct path *path, double u)
 /* The largest part of a unit vector across `unit` that each of X Y Z can have. */
 static vec3 shares(vec3 unit)
 {
-	return (vec3){hypot(unit.y, unit.z), hypot(unit.z, unit.x), hypot(unit.x, unit.y)};
+	return (vec3){math_hypot(unit.y, unit.z), math_hypot(unit.z, unit.x), math_hypot(unit.x, unit.y)};
 }
 
 static axis_values arc_bend(const struct path *path, double u0, double u1)
@@ -128,7 +131,7 @@ static double stretch(const mat3 *matrix, vec3 e1, vec3 e2)
 	vec3 a = mat3_apply(matrix, e1), b = mat3_apply(matrix, e2);
 	double mean = (vec3_norm2(a) + vec3_norm2(b)) / 2, half = (vec3_norm2(a) - vec3_norm2(b)) / 2;
 
-	return sqrt(mean + hypot(half, vec3_dot(a, b)));
+	return sqrt(mean + math_hypot(half, vec3_dot(a, b)));
 }
 
 static axis_values guided_second_derivative(const struct path *path, double u0, double u1)

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "machine/kinematics_check.h"
 #include "scene/placed_box.h"
@@ -91,9 +92,9 @@ static void check_head(const struct scene *scene, struct doubts *doubts)
 		kinematics_sideways(scene->machine, across);
 		for (int k = 0; k < LINES; k++) {
 			double angle = 2 * PI * (k + 0.31) / LINES, ahead = 0, behind = 0;
-			vec3 p = vec3_mad(spindle->location, radius * cos(angle), across[0]);
+			vec3 p = vec3_mad(spindle->location, radius * math_cos(angle), across[0]);
 
-			crossings(scene, (int)i, vec3_mad(p, radius * sin(angle), across[1]), spindle->direction,
+			crossings(scene, (int)i, vec3_mad(p, radius * math_sin(angle), across[1]), spindle->direction,
 				  &ahead, &behind);
 			against += ahead > NOSE;
 			doubt.value = fmax(doubt.value, ahead);

@@ -1,9 +1,9 @@
 #include "gcode/eval/function.h"
 
-#include <math.h>
+#include "base/math/math_functions.h"
+#include "base/units.h"
 
-/* LinuxCNC computes with long doubles: FIX[10*SIN[30]] must be 5 there and here. */
-#define PI_LONG 3.141592653589793238462643383279502884L
+#include <math.h>
 
 const struct function_name *function_read(struct lexer *lexer, const struct function_name *names, size_t count)
 {
@@ -32,9 +32,12 @@ const struct function_name *function_read_short(struct lexer *lexer, const struc
 	return NULL;
 }
 
-static double from_radians(double radians)
+/* A control's numbers cannot tell a right angle: its tangent is as large as theirs, and finite. */
+static double tangent(double angle)
 {
-	return (double)((long double)(radians * 180) / PI_LONG);
+	const double tangent = math_tan_degrees(angle);
+
+	return isinf(tangent) ? math_tan(radians(angle)) : tangent;
 }
 
 static bool compute_inverse(const struct line_place *at, int column, const struct function_name *function,
@@ -47,12 +50,12 @@ static bool compute_inverse(const struct line_place *at, int column, const struc
 	case FUNCTION_ASIN:
 		if (x < -1 || x > 1)
 			return fault(at, column, "%s of %.15g: only numbers from -1 to 1 have one", function->upper, x);
-		*value = from_radians(function->function == FUNCTION_ACOS ? acos(x) : asin(x));
+		*value = function->function == FUNCTION_ACOS ? math_acos_degrees(x) : math_asin_degrees(x);
 		return true;
 	case FUNCTION_LN:
 		if (x <= 0)
 			return fault(at, column, "%s of %.15g: only positive numbers have one", function->upper, x);
-		*value = log(x);
+		*value = math_log(x);
 		return true;
 	default:
 		if (x < 0)
@@ -64,23 +67,22 @@ static bool compute_inverse(const struct line_place *at, int column, const struc
 
 bool function_compute(const struct line_place *at, int column, const struct function_name *function, double *value)
 {
-	long double angle = (long double)*value * PI_LONG / 180;
-
+	/* From degrees at once, as FIX[10*SIN[30]] must be 5. */
 	switch (function->function) {
 	case FUNCTION_ABS:
 		*value = fabs(*value);
 		return true;
 	case FUNCTION_COS:
-		*value = (double)cosl(angle);
+		*value = math_cos_degrees(*value);
 		return true;
 	case FUNCTION_SIN:
-		*value = (double)sinl(angle);
+		*value = math_sin_degrees(*value);
 		return true;
 	case FUNCTION_TAN:
-		*value = (double)tanl(angle);
+		*value = tangent(*value);
 		return true;
 	case FUNCTION_EXP:
-		*value = exp(*value);
+		*value = math_exp(*value);
 		return true;
 	default:
 		return compute_inverse(at, column, function, value);
@@ -89,5 +91,5 @@ bool function_compute(const struct line_place *at, int column, const struct func
 
 double function_arc_tangent(double y, double x)
 {
-	return from_radians(atan2(y, x));
+	return math_atan2_degrees(y, x);
 }

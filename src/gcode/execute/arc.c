@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 
 /*
@@ -21,8 +22,8 @@ enum arc_status arc_check_centre(struct plane_point start, struct plane_point en
 {
 	double difference;
 
-	*start_radius = hypot(start.a - centre.a, start.b - centre.b);
-	*end_radius = hypot(end.a - centre.a, end.b - centre.b);
+	*start_radius = math_hypot(start.a - centre.a, start.b - centre.b);
+	*end_radius = math_hypot(end.a - centre.a, end.b - centre.b);
 	if (*start_radius < tolerance->radius || *end_radius < tolerance->radius)
 		return ARC_ZERO_RADIUS;
 	difference = fabs(*start_radius - *end_radius);
@@ -37,7 +38,7 @@ enum arc_status arc_find_centre(struct plane_point start, struct plane_point end
 				const struct arc_tolerance *tolerance, struct plane_point *centre)
 {
 	struct plane_point half = {(end.a - start.a) / 2, (end.b - start.b) / 2};
-	double length = hypot(half.a, half.b), size = fabs(radius), height = 0, side;
+	double length = math_hypot(half.a, half.b), size = fabs(radius), height = 0, side;
 
 	if (!(length > 0))
 		return ARC_NO_CHORD;
@@ -56,7 +57,7 @@ double arc_sweep(struct plane_point start, struct plane_point end, struct plane_
 		 double least)
 {
 	double sa = start.a - centre.a, sb = start.b - centre.b, ea = end.a - centre.a, eb = end.b - centre.b;
-	double angle = atan2(sa * eb - sb * ea, sa * ea + sb * eb);	/* -pi to pi */
+	double angle = math_atan2(sa * eb - sb * ea, sa * ea + sb * eb);	/* -pi to pi */
 	double sweep = clockwise ? -angle : angle;
 
 	if (fabs(sweep) <= least)

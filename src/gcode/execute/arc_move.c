@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/execute/arc.h"
 #include "gcode/execute/corner_insert.h"
@@ -238,6 +239,6 @@ bool arc_move_run(struct interp *interp)
 	move.arc.centre = centre_in_space(state, &here, plane, centre);
 	move.arc.normal = rotated_frame_normal(state, plane->normal);
 	move.arc.sweep = arc_sweep(start, end, centre, block->motion == G2, turns,
-				   fmax(SAME_ANGLE, SAME_POINT / hypot(start.a - centre.a, start.b - centre.b)));
+				   fmax(SAME_ANGLE, SAME_POINT / math_hypot(start.a - centre.a, start.b - centre.b)));
 	return motion_commands_go(interp, &target, &move);
 }

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/execute/cycle_hole.h"
 #include "gcode/execute/cycle_words.h"
@@ -299,7 +300,7 @@ static bool find_bore_shift(struct canned_cycle *cycle, bool kept)
 		cycle->shift_a = cycle_words_or_zero(cycle, 'I', kept) * state->scale;
 		cycle->shift_b = cycle_words_or_zero(cycle, 'J', kept) * state->scale;
 		/* Where a back boring cycle shifts is not said in every detail: the disc covers it. */
-		cycle->spread = back ? hypot(cycle->shift_a, cycle->shift_b) : 0;
+		cycle->spread = back ? math_hypot(cycle->shift_a, cycle->shift_b) : 0;
 	} else if ((!back || cycle->traits->any_order == ANSWER_YES) && !cycle_words_know(cycle, 'Q', kept)) {
 		/* The tool goes in and out where it bores. */
 		if (!interp->cautioned_no_shift)

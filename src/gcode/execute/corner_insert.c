@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
@@ -18,7 +19,7 @@
 
 static double distance(struct plane_point p, struct plane_point q)
 {
-	return hypot(p.a - q.a, p.b - q.b);
+	return math_hypot(p.a - q.a, p.b - q.b);
 }
 
 static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
@@ -102,7 +103,7 @@ static struct plane_point touch(const struct comp_way *way, struct plane_point a
 				struct plane_point centre)
 {
 	struct plane_point from_centre = along(centre, -1, way->centre), from_at = along(centre, -1, at);
-	double radius = distance(at, way->centre), length = hypot(from_centre.a, from_centre.b);
+	double radius = distance(at, way->centre), length = math_hypot(from_centre.a, from_centre.b);
 
 	if (!way->is_arc)
 		return along(at, dot(from_at, direction), direction);
@@ -141,7 +142,7 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	double angle;
 
 	ahead = before.is_arc ? direction_at(&before, at, at) : direction_at(&before, from, at);
-	angle = atan2(cross(ahead, onward), dot(ahead, onward));
+	angle = math_atan2(cross(ahead, onward), dot(ahead, onward));
 	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the path of the chamfer or rounding (,C or ,R) of line %ld has no corner there",

@@ -1,7 +1,6 @@
 #include "gcode/execute/polar_coordinates.h"
 
-#include <math.h>
-
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
 
@@ -90,8 +89,8 @@ bool polar_coordinates_find(struct interp *interp, slot_values *target)
 		    &interp->at, block_motion_column(&interp->block),
 		    "the first move in polar coordinates (G16) needs both its radius in %c and its angle in %c", radius,
 		    angle);
-	target->v[a] = state->offset.v[a] + polar->radius * cos(radians(polar->angle));
-	target->v[b] = state->offset.v[b] + polar->radius * sin(radians(polar->angle));
+	target->v[a] = state->offset.v[a] + polar->radius * math_cos_degrees(polar->angle);
+	target->v[b] = state->offset.v[b] + polar->radius * math_sin_degrees(polar->angle);
 	state->settles[a] = state->settles[b] = true;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		state->probed[slot] =

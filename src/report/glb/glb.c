@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "machine/chain.h"
 #include "report/format/json.h"
@@ -120,12 +121,12 @@ static vec3 translation_of(const struct machine *machine, int link, double value
 
 static void rotation_of(const struct axis *axis, double value, double quaternion[4])
 {
-	const double s = sin(value / 2);
+	const double s = math_sin(value / 2);
 
 	quaternion[0] = s * axis->direction.x;
 	quaternion[1] = s * axis->direction.y;
 	quaternion[2] = s * axis->direction.z;
-	quaternion[3] = cos(value / 2);
+	quaternion[3] = math_cos(value / 2);
 }
 
 static json_t *link_node(const struct glb_scene *scene, int link)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 
 struct corner {
@@ -74,10 +75,10 @@ static long trace(struct tracer *tracer, int x, int y)
 
 static double distance_of(struct corner p, struct corner a, struct corner b)
 {
-	const double x = b.x - a.x, y = b.y - a.y, length = hypot(x, y);
+	const double x = b.x - a.x, y = b.y - a.y, length = math_hypot(x, y);
 
 	if (!(length > 0))
-		return hypot(p.x - a.x, p.y - a.y);
+		return math_hypot(p.x - a.x, p.y - a.y);
 	return fabs(x * (p.y - a.y) - y * (p.x - a.x)) / length;
 }
 
@@ -110,7 +111,7 @@ static size_t farthest_corner(const struct tracer *tracer)
 	size_t best = 0;
 
 	for (size_t i = 1; i < tracer->count; i++) {
-		if (hypot(c[i].x - c[0].x, c[i].y - c[0].y) > hypot(c[best].x - c[0].x, c[best].y - c[0].y))
+		if (math_hypot(c[i].x - c[0].x, c[i].y - c[0].y) > math_hypot(c[best].x - c[0].x, c[best].y - c[0].y))
 			best = i;
 	}
 	return best;

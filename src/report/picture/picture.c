@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "report/format/html_text.h"
 #include "report/picture/contours.h"
@@ -100,7 +101,7 @@ static void draw_ring(unsigned char *pixels, double x0, double y0)
 
 	for (int y = 0; y < HEIGHT; y++) {
 		for (int x = 0; x < WIDTH; x++) {
-			const double off = hypot(x + 0.5 - x0, y + 0.5 - y0) - RING;
+			const double off = math_hypot(x + 0.5 - x0, y + 0.5 - y0) - RING;
 			unsigned char *pixel = pixels + 3 * ((size_t)y * WIDTH + (size_t)x);
 
 			for (int k = 0; k < 3; k++) {

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "machine/chain.h"
 
 /* ------------------------------------------------------------------ paints */
@@ -183,8 +184,8 @@ void stage_draw(const struct stage *stage, const struct camera *camera, struct r
 
 static struct camera look_from(double turn, double rise)
 {
-	const vec3 toward = {cos(rise) * cos(turn), cos(rise) * sin(turn), sin(rise)};
-	const vec3 right = {-sin(turn), cos(turn), 0};
+	const vec3 toward = {math_cos(rise) * math_cos(turn), math_cos(rise) * math_sin(turn), math_sin(rise)};
+	const vec3 right = {-math_sin(turn), math_cos(turn), 0};
 
 	return (struct camera){.right = right, .up = vec3_cross(toward, right), .toward = toward};
 }

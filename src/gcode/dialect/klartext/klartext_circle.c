@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -149,8 +150,8 @@ static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end
 		     int direction, int column)
 {
 	struct plane_point start_point = in_plane(path->start, across), end_point = in_plane(end, across);
-	double r0 = hypot(start_point.a - centre.a, start_point.b - centre.b);
-	double r1 = hypot(end_point.a - centre.a, end_point.b - centre.b);
+	double r0 = math_hypot(start_point.a - centre.a, start_point.b - centre.b);
+	double r1 = math_hypot(end_point.a - centre.a, end_point.b - centre.b);
 
 	if (r0 < RADIUS_LEAST || r1 < RADIUS_LEAST)
 		return fault(&interp->at, column, "a circle of radius 0: %.6g mm at its start, %.6g mm at its end", r0,
@@ -261,7 +262,7 @@ bool klartext_circle_tangential(struct lexer *lexer)
 /* Degrees: where the tool stands as seen from the pole. */
 static double polar_angle(struct plane_point pole, struct plane_point point)
 {
-	return degrees(atan2(point.b - pole.b, point.a - pole.a));
+	return math_atan2_degrees(point.b - pole.b, point.a - pole.a);
 }
 
 static bool polar_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
@@ -284,7 +285,7 @@ static bool polar_point(struct interp *interp, const struct klartext_words *word
 			 !klartext_frame_check_increment(interp, b, words->first_column)))
 		return false;
 	here = in_plane(path->start, across);
-	radius = hypot(here.a - pole.a, here.b - pole.b);
+	radius = math_hypot(here.a - pole.a, here.b - pole.b);
 	angle = polar_angle(pole, here);
 	if (words->has_radius)
 		radius = words->radius + (words->radius_increment ? radius : 0);
@@ -293,7 +294,8 @@ static bool polar_point(struct interp *interp, const struct klartext_words *word
 	if (radius < 0)
 		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
 	from_plane(&target->point, across,
-		   (struct plane_point){pole.a + radius * cos(radians(angle)), pole.b + radius * sin(radians(angle))});
+		   (struct plane_point){pole.a + radius * math_cos_degrees(angle),
+					pole.b + radius * math_sin_degrees(angle)});
 	return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
@@ -68,7 +69,7 @@ static void leave(struct interp *interp)
 
 static bool moves_in_plane(const struct klartext_path *path)
 {
-	return path->arc || hypot(path->end.x - path->start.x, path->end.y - path->start.y) >= SAME_POINT;
+	return path->arc || math_hypot(path->end.x - path->start.x, path->end.y - path->start.y) >= SAME_POINT;
 }
 
 static bool check_start(struct interp *interp, const struct klartext_words *words)

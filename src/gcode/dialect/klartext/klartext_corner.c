@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -235,7 +236,7 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 			     "RND and CHF need lines or circles in the plane of X and Y on both sides");
 	if (corner->chamfer && (before->arc || after->arc))
 		return fault(&interp->at, after->column, "CHF needs straight lines on both sides");
-	shape->turn = atan2(in.x * out.y - in.y * out.x, vec3_dot(in, out));
+	shape->turn = math_atan2(in.x * out.y - in.y * out.x, vec3_dot(in, out));
 	if (fabs(shape->turn) > radians(179.999))
 		return fault(&interp->at, after->column,
 			     "the path goes back the way it has come: there is no corner to cut off");

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -66,7 +67,7 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 		*value = fmod(*value, by);
 		break;
 	default:
-		*value = pow(*value, by);
+		*value = math_pow(*value, by);
 		break;
 	}
 	return isfinite(*value) || fault(at, column, "the result is infinite");
@@ -106,7 +107,7 @@ static bool compute(struct expr *expr, int column, const struct function_name *f
 	case FUNCTION_LOG10:
 		if (!(*x > 0))
 			return fault(expr->lexer->at, column, "LOG of %.15g: only positive numbers have one", *x);
-		*x = log10(*x);
+		*x = math_log10(*x);
 		return true;
 	default:
 		return function_compute(expr->lexer->at, column, function, x);
@@ -200,11 +201,11 @@ static double result(int number, double a, double b)
 	case 5:
 		return sqrt(a);
 	case 6:
-		return sin(radians(a));
+		return math_sin_degrees(a);
 	case 7:
-		return cos(radians(a));
+		return math_cos_degrees(a);
 	case 8:
-		return hypot(a, b);
+		return math_hypot(a, b);
 	case 13: {
 		double angle = function_arc_tangent(a, b);
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <strings.h>
 
+#include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/dialect/linuxcnc/linuxcnc_state.h"
 #include "gcode/dialect/linuxcnc/system_param_names.h"
@@ -44,7 +45,7 @@ static bool power(const struct line_place *at, int column, double *left, double 
 {
 	if (*left < 0 && !same_double(floor(right), right))
 		return fault(at, column, "a negative number to a power that is not whole");
-	*left = pow(*left, right);
+	*left = math_pow(*left, right);
 	return true;
 }
 

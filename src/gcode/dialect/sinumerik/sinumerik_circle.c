@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
@@ -98,10 +99,10 @@ static bool through_point(struct interp *interp, const struct sinumerik_block *b
 				     vec3_scale(vec3_norm2(v), vec3_cross(normal, u))));
 	normal = vec3_unit(normal);
 	/* The way from start over the middle turns about u x v. */
-	sweep = atan2(vec3_dot(normal, vec3_cross(vec3_scale(-1, centre), vec3_sub(v, centre))),
+	sweep = math_atan2(vec3_dot(normal, vec3_cross(vec3_scale(-1, centre), vec3_sub(v, centre))),
 		      vec3_dot(vec3_scale(-1, centre), vec3_sub(v, centre)));
 	if (sweep < 0)
-		sweep += 2 * acos(-1);
+		sweep += 2 * PI;
 	return place_arc(interp, block, vec3_add(from, centre), normal, sweep, arc);
 }
 
@@ -185,7 +186,7 @@ static bool by_angle(struct interp *interp, const struct sinumerik_block *block,
 		     double *sweep)
 {
 	const double degree = block->address_value[SINUMERIK_AR], angle = radians(degree);
-	const double chord = hypot(c->end.a - c->start.a, c->end.b - c->start.b);
+	const double chord = math_hypot(c->end.a - c->start.a, c->end.b - c->start.b);
 	const double sign = c->clockwise ? -1 : 1;
 	const double r_a = c->start.a - c->centre.a, r_b = c->start.b - c->centre.b;
 
@@ -194,16 +195,16 @@ static bool by_angle(struct interp *interp, const struct sinumerik_block *block,
 			     "the opening angle AR= must be greater than 0 and less than 360 degrees");
 	*sweep = sign * angle;
 	if (centred) {
-		c->end.a = c->centre.a + cos(*sweep) * r_a - sin(*sweep) * r_b;
-		c->end.b = c->centre.b + sin(*sweep) * r_a + cos(*sweep) * r_b;
+		c->end.a = c->centre.a + math_cos(*sweep) * r_a - math_sin(*sweep) * r_b;
+		c->end.b = c->centre.b + math_sin(*sweep) * r_a + math_cos(*sweep) * r_b;
 		return true;
 	}
 	if (!(chord > SAME_POINT))
 		return fault(&interp->at, block->address_column[SINUMERIK_AR],
 			     "a circle by its opening angle (AR=) needs a centre (I, J, K), or an end that is not its start");
 	/* The centre lies beside the middle of the chord, left of it for G3. */
-	c->centre.a = (c->start.a + c->end.a) / 2 - sign * (c->end.b - c->start.b) / (2 * tan(angle / 2));
-	c->centre.b = (c->start.b + c->end.b) / 2 + sign * (c->end.a - c->start.a) / (2 * tan(angle / 2));
+	c->centre.a = (c->start.a + c->end.a) / 2 - sign * (c->end.b - c->start.b) / (2 * math_tan(angle / 2));
+	c->centre.b = (c->start.b + c->end.b) / 2 + sign * (c->end.a - c->start.a) / (2 * math_tan(angle / 2));
 	return true;
 }
 
@@ -236,7 +237,7 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 	target->v[plane->a] = c.end.a;
 	target->v[plane->b] = c.end.b;
 	sweep = arc_sweep(c.start, c.end, c.centre, c.clockwise, c.turns,
-			  fmax(SAME_ANGLE, SAME_POINT / hypot(c.start.a - c.centre.a, c.start.b - c.centre.b)));
+			  fmax(SAME_ANGLE, SAME_POINT / math_hypot(c.start.a - c.centre.a, c.start.b - c.centre.b)));
 	at[plane->a] = c.centre.a;
 	at[plane->b] = c.centre.b;
 	return place_arc(interp, block, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, arc);

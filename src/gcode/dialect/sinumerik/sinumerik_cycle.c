@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
@@ -343,16 +344,16 @@ static bool drill_at(struct interp *interp, enum axis_slot a, enum axis_slot b, 
 /* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
 static bool run_row(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
 {
-	const double scale = interp->state.scale, angle = radians(n[2]), count = n[5];
+	const double scale = interp->state.scale, c = math_cos_degrees(n[2]), s = math_sin_degrees(n[2]), count = n[5];
 	const slot_values *place = sinumerik_frame_place(interp);
 	const double first = n[3] * scale, last = (n[3] + (count - 1) * n[4]) * scale;
-	const double along = (place->v[a] - n[0] * scale) * cos(angle) + (place->v[b] - n[1] * scale) * sin(angle);
+	const double along = (place->v[a] - n[0] * scale) * c + (place->v[b] - n[1] * scale) * s;
 	const bool backward = fabs(along - last) < fabs(along - first);
 
 	for (int i = 0; i < (int)count; i++) {
 		const double step = backward ? count - 1 - i : i, at = (n[3] + step * n[4]) * scale;
 
-		if (!drill_at(interp, a, b, n[0] * scale + at * cos(angle), n[1] * scale + at * sin(angle)))
+		if (!drill_at(interp, a, b, n[0] * scale + at * c, n[1] * scale + at * s))
 			return false;
 	}
 	return true;
@@ -364,9 +365,10 @@ static bool run_ring(struct interp *interp, const double *n, enum axis_slot a, e
 	const double scale = interp->state.scale, step = fabs(n[4]) > 0 ? n[4] : 360 / n[5];
 
 	for (int i = 0; i < (int)n[5]; i++) {
-		const double angle = radians(n[3] + i * step);
+		const double angle = n[3] + i * step;
+		const double x = n[0] + n[2] * math_cos_degrees(angle), y = n[1] + n[2] * math_sin_degrees(angle);
 
-		if (!drill_at(interp, a, b, (n[0] + n[2] * cos(angle)) * scale, (n[1] + n[2] * sin(angle)) * scale))
+		if (!drill_at(interp, a, b, x * scale, y * scale))
 			return false;
 	}
 	return true;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_functions.h"
 #include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -274,7 +275,7 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 	if (sinumerik_system_constant(name, &value->number))
 		return true;
 	if (!strcmp(name, "PI") || !strcmp(name, "$PI")) {
-		value->number = acos(-1);
+		value->number = PI;
 		return true;
 	}
 	if (name[0] == '$')

@@ -1,5 +1,7 @@
 #include "gcode/execute/cutter_comp/comp_corner.h"
 
+#include "base/math/math_functions.h"
+
 #include <math.h>
 
 static struct plane_point along(struct plane_point from, double s, struct plane_point direction)
@@ -45,7 +47,7 @@ static bool line_and_arc(const struct comp_way *line, const struct comp_way *arc
 static bool two_arcs(const struct comp_way *before, const struct comp_way *after, struct plane_point *corner)
 {
 	struct plane_point between = along(after->centre, -1, before->centre);
-	double distance = hypot(between.a, between.b), cosine, side, angle;
+	double distance = math_hypot(between.a, between.b), cosine, side, angle;
 
 	if (!(distance > 0) || !(before->radius > 0))
 		return false;
@@ -54,8 +56,8 @@ static bool two_arcs(const struct comp_way *before, const struct comp_way *after
 	if (!(fabs(cosine) <= 1))
 		return false;
 	side = before->inside == after->clockwise ? -1 : 1;
-	angle = atan2(between.b, between.a) + side * acos(cosine);
-	*corner = along(before->centre, before->radius, (struct plane_point){cos(angle), sin(angle)});
+	angle = math_atan2(between.b, between.a) + side * math_acos(cosine);
+	*corner = along(before->centre, before->radius, (struct plane_point){math_cos(angle), math_sin(angle)});
 	return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/cutter_comp/comp_turn.h"
@@ -14,7 +15,7 @@
 
 static struct plane_point direction_of(struct plane_point from, struct plane_point to)
 {
-	double length = hypot(to.a - from.a, to.b - from.b);
+	double length = math_hypot(to.a - from.a, to.b - from.b);
 
 	return (struct plane_point){(to.a - from.a) / length, (to.b - from.b) / length};
 }
@@ -29,7 +30,7 @@ static struct plane_point tangent(struct plane_point centre, struct plane_point 
 
 static double distance(struct plane_point p, struct plane_point q)
 {
-	return hypot(p.a - q.a, p.b - q.b);
+	return math_hypot(p.a - q.a, p.b - q.b);
 }
 
 static int column_of(const struct interp *interp)

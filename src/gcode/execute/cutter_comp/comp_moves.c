@@ -1,7 +1,6 @@
 #include "gcode/execute/cutter_comp/comp_moves.h"
 
-#include <math.h>
-
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
@@ -42,7 +41,7 @@ struct plane_point comp_here(const struct interp *interp)
 
 struct plane_point comp_beside(struct plane_point from, double distance, double angle)
 {
-	return (struct plane_point){from.a + distance * cos(angle), from.b + distance * sin(angle)};
+	return (struct plane_point){from.a + distance * math_cos(angle), from.b + distance * math_sin(angle)};
 }
 
 /* From straight coordinates (rotated_frame.h), in which moves wait, to the controller's. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "geom/tolerance.h"
 
@@ -31,7 +32,7 @@ bool comp_queue_add(struct comp_queue *queue, const struct comp_item *item)
 
 static double sweep_to(const struct comp_queue *queue, const struct comp_item *item, struct plane_point end)
 {
-	double radius = hypot(queue->start.a - item->centre.a, queue->start.b - item->centre.b);
+	double radius = math_hypot(queue->start.a - item->centre.a, queue->start.b - item->centre.b);
 
 	return arc_sweep(queue->start, end, item->centre, item->clockwise, item->turns, SAME_POINT / radius);
 }
@@ -47,8 +48,8 @@ enum comp_end comp_queue_end_at(struct comp_queue *queue, struct plane_point end
 		    item->direction.a * (end.a - queue->start.a) + item->direction.b * (end.b - queue->start.b) < 0)
 			return COMP_END_BEFORE_START;
 		if (item->kind == COMP_ARC) {
-			double before = hypot(item->end.a - item->centre.a, item->end.b - item->centre.b);
-			double after = hypot(end.a - item->centre.a, end.b - item->centre.b);
+			double before = math_hypot(item->end.a - item->centre.a, item->end.b - item->centre.b);
+			double after = math_hypot(end.a - item->centre.a, end.b - item->centre.b);
 
 			if (fabs(before - after) > RADIUS_TOLERANCE)
 				return COMP_END_OFF_ARC;

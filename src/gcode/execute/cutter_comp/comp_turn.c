@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "geom/tolerance.h"
@@ -35,7 +36,7 @@ static double cross(struct plane_point p, struct plane_point q)
 
 static double distance(struct plane_point p, struct plane_point q)
 {
-	return hypot(p.a - q.a, p.b - q.b);
+	return math_hypot(p.a - q.a, p.b - q.b);
 }
 
 static struct plane_point foot_of(const struct comp_corner_shape *c, struct plane_point direction)
@@ -105,7 +106,7 @@ static bool cross_line(const struct comp_corner_shape *c, struct plane_point foo
 static bool cross_arcs(const struct comp_corner_shape *c, struct plane_point *found)
 {
 	struct plane_point between = along(c->after->centre, -1, c->before->centre);
-	double apart = hypot(between.a, between.b), r0 = tool_radius(c, c->before), r1 = tool_radius(c, c->after);
+	double apart = math_hypot(between.a, between.b), r0 = tool_radius(c, c->before), r1 = tool_radius(c, c->after);
 	double foot, half, nearest = INFINITY;
 
 	if (!(apart > 0))
@@ -166,7 +167,7 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_form form, struct comp_turn *turn)
 {
 	double half = fmin(c->angle, PI / 2) / 2;
-	double beside = c->angle <= PI / 2 ? c->radius * (1 / cos(half) - 1) : ROUND_BESIDE_DRAWN * c->radius;
+	double beside = c->angle <= PI / 2 ? c->radius * (1 / math_cos(half) - 1) : ROUND_BESIDE_DRAWN * c->radius;
 
 	if (form == COMP_CORNER_CIRCULAR) {
 		add(turn, c->foot);
@@ -251,7 +252,7 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 
 	c.foot = foot_of(&c, c.ahead);
 	c.next_foot = foot_of(&c, c.onward);
-	c.angle = c.side * atan2(cross(c.onward, c.ahead), dot(c.onward, c.ahead));
+	c.angle = c.side * math_atan2(cross(c.onward, c.ahead), dot(c.onward, c.ahead));
 	*turn = (struct comp_turn){.corner = c.at};
 	if (fabs(c.angle) > PI - REVERSAL)
 		return fault(

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_corner.h"
@@ -36,7 +37,7 @@ static bool way_before(const struct interp *interp, struct plane_point corner, s
 	way->centre = queue->items[0].centre;
 	way->clockwise = queue->items[0].clockwise;
 	way->inside = (side > 0) != way->clockwise;
-	way->radius = hypot(queue->items[0].end.a - way->centre.a, queue->items[0].end.b - way->centre.b);
+	way->radius = math_hypot(queue->items[0].end.a - way->centre.a, queue->items[0].end.b - way->centre.b);
 	return true;
 }
 
@@ -52,7 +53,7 @@ static enum corner turn_at(const struct interp *interp, struct plane_point corne
 {
 	struct plane_point current = interp->comp.current;
 	double side = interp->comp.side;
-	double before = atan2(current.b - corner.b, current.a - corner.a) - side * PI / 2;
+	double before = math_atan2(current.b - corner.b, current.a - corner.a) - side * PI / 2;
 	double beta = side * remainder(before - angle, 2 * PI);
 
 	if (beta < -PI / 2)
@@ -113,10 +114,10 @@ static bool enter_by_line(struct interp *interp, const slot_values *target, stru
 {
 	struct cutter_comp *comp = &interp->comp;
 	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target);
-	double beside_angle = atan2(to.b - from.b, to.a - from.a) + comp->side * PI / 2;
-	struct plane_point aside = {cos(beside_angle), sin(beside_angle)};
+	double beside_angle = math_atan2(to.b - from.b, to.a - from.a) + comp->side * PI / 2;
+	struct plane_point aside = {math_cos(beside_angle), math_sin(beside_angle)};
 
-	if (hypot(to.a - from.a, to.b - from.b) <= comp->radius)
+	if (math_hypot(to.a - from.a, to.b - from.b) <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the entry move of cutter compensation is not longer than the tool's radius, %.6g mm",
 			     comp->radius);
@@ -129,7 +130,7 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 	struct cutter_comp *comp = &interp->comp;
 	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target), mid;
 	struct comp_way before = {.is_arc = false}, after = {.is_arc = false};
-	double angle, length = hypot(to.a - from.a, to.b - from.b);
+	double angle, length = math_hypot(to.a - from.a, to.b - from.b);
 	bool pointed, good = true;
 
 	if (comp->looks_ahead)
@@ -138,7 +139,7 @@ bool cutter_comp_line(struct interp *interp, const slot_values *target, struct c
 		return enter_by_line(interp, target, move);
 	if (!(length > 0))
 		return comp_add_line(interp, target, move, (struct plane_point){0, 0}, comp->current);
-	angle = atan2(to.b - from.b, to.a - from.a);
+	angle = math_atan2(to.b - from.b, to.a - from.a);
 	mid = comp_beside(from, comp->radius, angle + comp->side * PI / 2);
 	pointed = way_before(interp, from, &before) && before.is_arc && !before.inside;
 	after.point = mid;
@@ -170,17 +171,17 @@ static bool enter_by_arc(struct interp *interp, const slot_values *target, struc
 	struct plane_point end = comp_beside(to, comp->radius, aside), chord, radial;
 	double radial_angle, part;
 
-	if (hypot(to.a - from.a, to.b - from.b) <= comp->radius)
+	if (math_hypot(to.a - from.a, to.b - from.b) <= comp->radius)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "the entry arc of cutter compensation does not reach farther than the tool's radius, "
 			     "%.6g mm",
 			     comp->radius);
-	radial_angle = atan2(item->centre.b - end.b, item->centre.a - end.a);
-	radial = (struct plane_point){cos(radial_angle), sin(radial_angle)};
+	radial_angle = math_atan2(item->centre.b - end.b, item->centre.a - end.a);
+	radial = (struct plane_point){math_cos(radial_angle), math_sin(radial_angle)};
 	chord = (struct plane_point){from.a - end.a, from.b - end.b};
 	part = chord.a * radial.a + chord.b * radial.b;
 	/* LinuxCNC's TOLERANCE_EQUAL. */
-	if (fabs(part) < 0.0001 * hypot(chord.a, chord.b))
+	if (fabs(part) < 0.0001 * math_hypot(chord.a, chord.b))
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "this arc cannot be the entry move of cutter compensation");
 	part = (chord.a * chord.a + chord.b * chord.b) / (2 * part);
@@ -199,8 +200,9 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 	struct cutter_comp *comp = &interp->comp;
 	struct plane_point from = comp_here(interp), to = comp_point_of(interp, target), end;
 	bool clockwise = interp->block.motion == G2, inside = (comp->side > 0) != clockwise, good = true;
-	double outward = atan2(to.b - centre.b, to.a - centre.a), start = atan2(from.b - centre.b, from.a - centre.a);
-	double radius = hypot(to.a - centre.a, to.b - centre.b);
+	double outward = math_atan2(to.b - centre.b, to.a - centre.a);
+	double start = math_atan2(from.b - centre.b, from.a - centre.a);
+	double radius = math_hypot(to.a - centre.a, to.b - centre.b);
 	struct comp_item item = {.centre = centre, .clockwise = clockwise, .turns = turns};
 	struct comp_way after = {.is_arc = true, .centre = centre, .clockwise = clockwise, .inside = inside};
 
@@ -213,7 +215,7 @@ bool cutter_comp_arc(struct interp *interp, const slot_values *target, struct pl
 	if (!comp->entered)
 		return enter_by_arc(interp, target, &item, inside ? outward + PI : outward, move);
 	end = comp_beside(to, comp->radius, inside ? outward + PI : outward);
-	after.radius = hypot(end.a - centre.a, end.b - centre.b);
+	after.radius = math_hypot(end.a - centre.a, end.b - centre.b);
 	switch (turn_at(interp, from, start + (clockwise ? -PI / 2 : PI / 2), !inside, STRAIGHT_ON)) {
 	case CORNER_INSIDE:
 		good = meet(interp, from, &after);
