@@ -89,6 +89,20 @@ bool fivecheck_set_dialect(fivecheck_model *model, const char *name, fivecheck_d
 	return row >= 0;
 }
 
+/* More threads only cost memory. */
+static bool is_thread_count(int threads)
+{
+	return threads >= 1 && threads <= 1024;
+}
+
+bool fivecheck_set_threads(fivecheck_model *model, int threads)
+{
+	if (!is_thread_count(threads))
+		return false;
+	model->threads = threads;
+	return true;
+}
+
 bool fivecheck_prepare(fivecheck_model *model, double clearance, fivecheck_diag *diag)
 {
 	if (model->scene) {
@@ -128,7 +142,7 @@ bool fivecheck_options_set_tolerance(fivecheck_options *options, double toleranc
 
 bool fivecheck_options_set_threads(fivecheck_options *options, int threads)
 {
-	if (threads < 1 || threads > 1024)
+	if (!is_thread_count(threads))
 		return false;
 	options->threads = threads;
 	return true;

@@ -58,6 +58,9 @@ void fivecheck_free(fivecheck_model *model);
 /* The control that programs are written for, instead of the machine file's: "linuxcnc", "fanuc", "haas", ... */
 bool fivecheck_set_dialect(fivecheck_model *model, const char *name, fivecheck_diag *diag);
 
+/* 1 to 1024: the threads that fivecheck_prepare may use; unless set, one. False: out of range. */
+bool fivecheck_set_threads(fivecheck_model *model, int threads);
+
 /*
  * Reads the meshes and derives which pairs of bodies must be kept apart: by `clearance` (0 or more) where the machine
  * file gives no other. Once for a model, before programs are checked on it.

@@ -48,7 +48,7 @@ void model_free(struct model *model)
 
 bool model_add_scene(struct model *model, double clearance, struct diag *diag)
 {
-	model->scene = scene_new(model->machine, model->setup, clearance, diag);
+	model->scene = scene_new(model->machine, model->setup, clearance, model->threads, diag);
 	return model->scene != NULL;
 }
 

@@ -14,6 +14,7 @@ struct model {
 	struct machine *machine;
 	const struct setup *setup;	/* the loaded one, or the machine's own; NULL: none */
 	struct setup *loaded;	/* the setup of a file of its own; or NULL */
+	int threads;	/* that read the meshes; 0: one */
 	struct scene *scene;	/* NULL until model_add_scene */
 	struct scene bodiless;	/* machine and setup without a mesh, for a program that is only read */
 };

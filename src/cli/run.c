@@ -118,6 +118,7 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 	} else if (options->dialect >= 0) {
 		job->model->machine->controller.dialect = options->dialect;
 	}
+	fivecheck_set_threads(job->model, options->check.threads);
 	if (options->mode == RUN_CHECK) {
 		if (!fivecheck_prepare(job->model, options->clearance, diag))
 			return false;

@@ -36,6 +36,12 @@ struct bvh {
 
 /* Takes over the mesh (which is then empty); it holds at least one triangle. */
 struct bvh *bvh_new(struct mesh *mesh);
+
+/* So many triangles are worth more than one thread. */
+#define BVH_LARGE 50000
+
+/* The same tree, built by up to `threads` threads if the mesh is large. */
+struct bvh *bvh_new_by(struct mesh *mesh, int threads);
 void bvh_free(struct bvh *bvh);
 
 #endif

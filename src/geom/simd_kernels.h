@@ -4,32 +4,44 @@
 
 #include <stddef.h>
 
-#include "geom/bvh.h"
 #include "geom/mesh.h"
 #include "geom/simd_level.h"
 
 struct box;
 struct box_motion;
+struct bvh_node;
 
-/* boxes_apart of boxes.h. */
+/* boxes_apart of boxes.h; both results are BVH_WIDTH long. */
 typedef void boxes_apart_fn(const struct box_motion *motion, int side, const struct bvh_node *node,
-			    const struct box *other, float enough, float apart[BVH_WIDTH],
-			    float lost[BVH_WIDTH]);
+			    const struct box *other, float enough, float *apart, float *lost);
 
 /* support of support.h, for a direction in floats. */
 typedef float support_fn(const mesh_triangle *triangles, size_t count, const float n[3]);
 
+/* A triangle's box: the least x y z, 0, the greatest x y z with their signs changed, 0. So one minimum widens all. */
+struct bvh_item {
+	float bounds[8];
+};
+
+/* *box: around all items; *middles: likewise, around the sums of each item's least and greatest corner. */
+typedef void bvh_items_bounds_fn(const struct bvh_item *items, size_t count, struct bvh_item *box,
+				 struct bvh_item *middles);
+
 boxes_apart_fn boxes_apart_scalar;
 support_fn support_scalar;
+bvh_items_bounds_fn bvh_items_bounds_scalar;
 #if LANES_BEST == LANES_AVX2
 boxes_apart_fn boxes_apart_sse2;
 support_fn support_sse2;
+bvh_items_bounds_fn bvh_items_bounds_sse2;
 boxes_apart_fn boxes_apart_avx2;	/* only where simd_level() says so */
 support_fn support_avx2;
+bvh_items_bounds_fn bvh_items_bounds_avx2;
 #endif
 
 /* The functions of a level that this processor has. */
 boxes_apart_fn *boxes_at_level(int level);
 support_fn *support_at_level(int level);
+bvh_items_bounds_fn *bvh_items_bounds_at_level(int level);
 
 #endif

@@ -4,4 +4,5 @@
 #define AT_LEVEL(name) name##_scalar
 
 #include "geom/boxes_kernel.h"
+#include "geom/item_kernel.h"
 #include "geom/support_kernel.h"

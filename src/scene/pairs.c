@@ -1,11 +1,14 @@
 #include "scene/pairs.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/mem.h"
 #include "base/strbuf.h"
 #include "base/units.h"
 #include "geom/tolerance.h"
+#include "scene/contact_search.h"
+#include "scene/mesh_reading.h"
 #include "scene/pair_rules.h"
 #include "scene/static_query.h"
 
@@ -15,8 +18,8 @@
  */
 #define REACH_VISITS 30000
 
-/* Positions to look at before such a proof is tried. If the bodies meet at one of them no proof is possible. */
-#define REACH_SAMPLES 32
+/* So many of them settle most proofs. Only then a position is looked for at which the bodies meet: no proof is possible. */
+#define FIRST_VISITS 300
 
 /* mm: such a proof does not halve intervals of travel that are smaller than this. */
 #define REACH_GRAIN 1.0
@@ -52,55 +55,22 @@ static bool travel_of(const struct scene *scene, const struct chain *chain, axis
 	return true;
 }
 
-/*
- * The i-th number of van der Corput's sequence to this base, between 0 and 1. The first n numbers are evenly spread for
- * every n.
- */
-static double spread(int i, int base)
-{
-	double share = 1, sum = 0;
-
-	for (; i > 0; i /= base) {
-		share /= base;
-		sum += share * (i % base);
-	}
-	return sum;
-}
-
-/* Do the surfaces meet at one of a few positions spread over the travel? Then no proof is possible. */
-static bool meets_somewhere(struct scene *scene, const struct body_pair *bodies, double clearance,
-			    const axis_values *low, const axis_values *high)
-{
-	static const int bases[SLOT_COUNT] = {2, 3, 5, 7, 11, 13, 17, 19, 23};
-	struct contact contact;
-
-	for (int i = 1; i <= REACH_SAMPLES; i++) {
-		struct chord still = {.u0 = 0};
-
-		for (int k = 0; k < SLOT_COUNT; k++)
-			still.q0.v[k] = low->v[k] + (high->v[k] - low->v[k]) * spread(i, bases[k]);
-		still.q1 = still.q0;
-		if (sweep_chord_any(&scene->sweep, bodies, &still, clearance, REACH_GRAIN, &contact) == SWEEP_CONTACT)
-			return true;
-	}
-	return false;
-}
-
 /* Is it proved that the pair stays apart over the whole travel? */
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
-			 struct diag *diag)
+			 struct contact_search *search, struct diag *diag)
 {
+	struct sweep *sweep = &scene->sweep;
 	axis_values low, high, home = machine_home(scene->machine);
+	enum sweep_answer answer;
 	struct contact contact;
 	vec3 point;
 
 	if (!travel_of(scene, &pair->chain, &low, &high))
 		return false;
-	if (meets_somewhere(scene, bodies, pair->clearance, &low, &high))
-		return false;
-	return sweep_box(&scene->sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact) ==
-		       SWEEP_APART &&
-	       static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+	answer = sweep_box(sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, FIRST_VISITS, &contact);
+	if (answer == SWEEP_UNDECIDED && !contact_search_finds(search, sweep, bodies, pair->clearance, &low, &high))
+		answer = sweep_box(sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact);
+	return answer == SWEEP_APART && static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
 }
 
 static bool is_cutting(const struct body *a, const struct body *b)
@@ -109,7 +79,8 @@ static bool is_cutting(const struct body *a, const struct body *b)
 }
 
 /* Derives the pair's status from the joints and the meshes, which it reads. */
-static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct diag *diag)
+static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct contact_search *search,
+				 struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	const axis_values home = machine_home(scene->machine);
@@ -132,7 +103,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 			return true;
 		}
 	}
-	if (out_of_reach(scene, pair, &bodies, diag))
+	if (out_of_reach(scene, pair, &bodies, search, diag))
 		decide(pair, PAIR_OUT_OF_REACH, "proved apart over the whole travel");
 	else
 		decide(pair, PAIR_CHECKED, "within reach of each other");
@@ -184,7 +155,8 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
 }
 
-static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct diag *diag)
+static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct contact_search *search,
+		   struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	struct pair_ruling ruling = pair_rules_apply(scene->machine, a, b);
@@ -202,13 +174,50 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	else if (is_cutting(a, b))
 		derive_cutting(scene, pair);
 	else
-		return derive_from_geometry(scene, pair, diag);
+		return derive_from_geometry(scene, pair, search, diag);
 	return true;
+}
+
+/* Does the derivation look at the meshes of the pair? As derive() has it. */
+static bool needs_meshes(const struct scene *scene, const struct body *a, const struct body *b)
+{
+	const struct pair_ruling ruling = pair_rules_apply(scene->machine, a, b);
+	struct chain chain;
+
+	if (ruling.check == PAIR_ALWAYS || ruling.check == PAIR_NEVER || is_cutting(a, b))
+		return false;
+	chain_init(&chain, scene->machine, a->link, b->link);
+	return !chain_is_rigid(&chain);
+}
+
+void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
+{
+	size_t n = scene->body_count, count = 0;
+	int *wanted = mem_alloc(n * sizeof(*wanted));
+	bool *listed = mem_zalloc(n, sizeof(*listed));
+
+	for (size_t a = 0; a < n; a++) {
+		for (size_t b = a + 1; b < n; b++) {
+			const size_t pair[2] = {a, b};
+
+			if ((listed[a] && listed[b]) || !needs_meshes(scene, scene->bodies[a].body, scene->bodies[b].body))
+				continue;
+			for (int i = 0; i < 2; i++) {
+				if (!listed[pair[i]])
+					wanted[count++] = (int)pair[i];
+				listed[pair[i]] = true;
+			}
+		}
+	}
+	mesh_reading_run(scene, wanted, count, threads, diag);
+	free(wanted);
+	free(listed);
 }
 
 bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 {
 	size_t n = scene->body_count;
+	struct contact_search search = {0};
 	bool good = true;
 
 	/* A cutter and a part may have two pairs. */
@@ -219,7 +228,7 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 
 			pair->a = (int)a;
 			pair->b = (int)b;
-			good &= derive(scene, pair, clearance, diag);
+			good &= derive(scene, pair, clearance, &search, diag);
 			if (pair->status == PAIR_CUTTING)
 				add_gouge(scene, pair);
 		}

@@ -65,8 +65,7 @@ static bool within_bounds(const struct mesh *mesh)
 	       fmax(greatest.x, fmax(greatest.y, greatest.z)) <= COORDINATE_MAX;
 }
 
-/* The body's triangles in mm, in a mesh that the caller releases. */
-static bool read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
+bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
 {
 	struct mesh mesh = {0};
 
@@ -100,7 +99,7 @@ const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *dia
 
 	if (b->bvh || b->failed)
 		return b->bvh;
-	if (!read_mesh(b->body, &mesh, diag)) {
+	if (!scene_read_mesh(b->body, &mesh, diag)) {
 		b->failed = true;
 		return NULL;
 	}

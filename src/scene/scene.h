@@ -69,9 +69,9 @@ struct scene {
 /*
  * Collects the bodies, reads the meshes that the derivation of the required
  * pairs needs, and derives them. `clearance` (mm) holds for pairs to which no
- * rule gives one. NULL if a fault was reported.
+ * rule gives one. Meshes are read by up to `threads` threads. NULL if a fault was reported.
  */
-struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
+struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance, int threads,
 			struct diag *diag);
 void scene_free(struct scene *scene);
 
@@ -83,6 +83,9 @@ bool scene_pair_needs_check(const struct scene_pair *pair);
  * the scene. False: a mesh is faulty, reported.
  */
 bool scene_build(struct scene *scene, struct diag *diag);
+
+/* The body's triangles in mm, in a mesh that the caller releases. False: reported. */
+bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *diag);
 
 /* The body's tree, built at the first call; NULL: its mesh is faulty (reported once). */
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag);

@@ -21,7 +21,7 @@ static size_t most_cores(const struct scene *scene)
 	return 2 * cutters * parts;
 }
 
-struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance,
+struct scene *scene_new(const struct machine *machine, const struct setup *setup, double clearance, int threads,
 			struct diag *diag)
 {
 	struct scene *scene = mem_zalloc(1, sizeof(*scene));
@@ -34,6 +34,8 @@ struct scene *scene_new(const struct machine *machine, const struct setup *setup
 	if (setup)
 		add_bodies(scene, setup->bodies, setup->body_count);
 	scene->bodies = mem_realloc(scene->bodies, scene->body_count + most_cores(scene), sizeof(*scene->bodies));
+	if (threads > 1)
+		pairs_read_meshes(scene, threads, diag);
 	if (!pairs_derive(scene, clearance, diag)) {
 		scene_free(scene);
 		return NULL;

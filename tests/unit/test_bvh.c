@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geom/simd_level.h"
 #include "solids.h"
 
 /* What a walk over all boxes finds out. */
@@ -167,6 +168,71 @@ START_TEST(hundred_thousand)
 }
 END_TEST
 
+/* Fails unless both trees have the same bytes. */
+static void expect_same(const struct bvh *a, const struct bvh *b, const char *what)
+{
+	require(a->node_count == b->node_count && a->mesh.count == b->mesh.count, "%s: another size", what);
+	require(!memcmp(a->mesh.triangles, b->mesh.triangles, a->mesh.count * sizeof(*a->mesh.triangles)),
+		"%s: another order of triangles", what);
+	for (size_t i = 0; i < a->node_count; i++) {
+		const struct bvh_node *p = &a->nodes[i], *q = &b->nodes[i];
+
+		require(!memcmp(p->centre, q->centre, sizeof(p->centre)) && !memcmp(p->half, q->half, sizeof(p->half)) &&
+				!memcmp(p->first, q->first, sizeof(p->first)) &&
+				!memcmp(p->count, q->count, sizeof(p->count)) && p->begin == q->begin &&
+				p->total == q->total && p->used == q->used,
+			"%s: node %zu differs", what, i);
+	}
+}
+
+static struct mesh copy_of(const struct mesh *mesh)
+{
+	struct mesh copy = *mesh;
+
+	copy.triangles = mem_alloc(mesh->count * sizeof(*copy.triangles));
+	memcpy(copy.triangles, mesh->triangles, mesh->count * sizeof(*copy.triangles));
+	return copy;
+}
+
+/* Neither the processor nor the number of threads may change the order of triangles: findings depend on it. */
+START_TEST(one_tree)
+{
+	static const char *const levels[] = {"scalar", "sse2", "avx2"};
+
+	for (long n = 0; n < random_cases(60); n++) {
+		struct random random = random_case(4, n);
+		struct mesh mesh = {0}, copy;
+		int count = n % 20 ? 1 + random_below(&random, 3000) : BVH_LARGE;
+		struct bvh *scalar, *other;
+
+		for (int i = 0; i < count; i++) {
+			vec3 at = {random_below(&random, 50), random_below(&random, 50) * 0.1, random_below(&random, 3)};
+
+			solid_add(&mesh, at, vec3_add(at, random_point(&random, 1)), vec3_add(at, random_point(&random, 1)));
+		}
+		setenv(SIMD_LEVEL_VARIABLE, levels[0], 1);
+		copy = copy_of(&mesh);
+		scalar = bvh_new(&copy);
+		for (int level = 1; level < 3; level++) {
+			setenv(SIMD_LEVEL_VARIABLE, levels[level], 1);
+			copy = copy_of(&mesh);
+			other = bvh_new(&copy);
+			expect_same(scalar, other, levels[level]);
+			bvh_free(other);
+		}
+		unsetenv(SIMD_LEVEL_VARIABLE);
+		for (int threads = 2; threads < 5; threads++) {
+			copy = copy_of(&mesh);
+			other = bvh_new_by(&copy, threads);
+			expect_same(scalar, other, "threads");
+			bvh_free(other);
+		}
+		bvh_free(scalar);
+		mesh_release(&mesh);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("bvh");
@@ -177,6 +243,7 @@ int main(void)
 	tcase_add_test(tcase, random_soups);
 	tcase_add_test(tcase, degenerate_soups);
 	tcase_add_test(tcase, hundred_thousand);
+	tcase_add_test(tcase, one_tree);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);

@@ -110,7 +110,7 @@ static void check(struct heard *heard, const struct check_options *options)
 	struct diag diag = {.handle = on_diag, .context = heard};
 	const struct check_sink sink = {heard, on_finding, on_progress, NULL};
 	struct machine *machine = machine_load("m.xml", &diag);
-	struct scene *scene = machine ? scene_new(machine, NULL, 0, &diag) : NULL;
+	struct scene *scene = machine ? scene_new(machine, NULL, 0, 1, &diag) : NULL;
 	struct check_stats stats;
 	FILE *in = fopen("a.nc", "r");
 

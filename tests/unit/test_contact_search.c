@@ -1,0 +1,78 @@
+#include "scene/contact_search.h"
+
+#include <stdlib.h>
+
+#include "solids.h"
+
+/* Joints of a few hundred mm and of whole turns; a small tool far from a small body, which it can reach. */
+static void make_duo(struct random *random, struct duo *duo, axis_values *low, axis_values *high, axis_values *meeting)
+{
+	struct mesh a = random_solid(random, 10), b = random_solid(random, 6);
+	struct chain chain = random_chain(random, 3 + random_below(random, 3), 200);
+	xform place_a = random_place(random, 100), place_b;
+
+	for (int k = 0; k < SLOT_COUNT; k++) {
+		double size = slot_is_rotary(k) ? PI : 300;
+
+		low->v[k] = -size;
+		high->v[k] = size;
+		meeting->v[k] = random_in(random, -0.9 * size, 0.9 * size);
+	}
+	place_b = place_near(random, &chain, meeting, &place_a, (vec3){0, 0, 0});
+	duo_init(duo, &chain, &a, &b, &place_a, &place_b);
+}
+
+/* Whatever it finds is a contact; and it finds most that are there. */
+START_TEST(finds_contacts)
+{
+	long found = 0, there = 0;
+
+	for (long n = 0; n < random_cases(400); n++) {
+		struct random random = random_case(1, n);
+		struct contact_search search = {0};
+		struct sweep sweep = {0};
+		axis_values low, high, meeting;
+		double clearance = n % 3 ? 0 : 1.5;
+		struct duo duo;
+		xform pose;
+
+		make_duo(&random, &duo, &low, &high, &meeting);
+		pose = duo_pose(&duo, &meeting, &meeting, 0, NULL);
+		there += brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance;
+		if (contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high)) {
+			const axis_values *q = &search.met[0];
+
+			require(search.count == 1, "case %ld: %d kept", n, search.count);
+			for (size_t i = 0; i < duo.chain.count; i++) {
+				int slot = duo.chain.joints[i].slot;
+
+				require(q->v[slot] >= low.v[slot] && q->v[slot] <= high.v[slot], "case %ld: travel", n);
+			}
+			pose = duo_pose(&duo, q, q, 0, NULL);
+			require(brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance + 1e-6,
+				"case %ld: no contact there", n);
+			found++;
+			/* The same bodies meet again where they met before. */
+			require(contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high), "case %ld", n);
+		}
+		sweep_release(&sweep);
+		duo_release(&duo);
+	}
+	require(4 * found >= 3 * there, "found %ld where at least %ld are", found, there);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("contact_search");
+	TCase *tcase = tcase_create("search");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_add_test(tcase, finds_contacts);
+	suite_add_tcase(suite, tcase);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
