@@ -52,6 +52,16 @@ struct rotated_frame {
 	vec3 origin;	/* mm, from the offsets in force */
 };
 
+/* G68.2 P2 and P3, which take several blocks: execute/tilted_plane.h. */
+struct plane_parts {
+	int form;	/* 2 or 3: its blocks have begun; 0: none */
+	int next;	/* the Q that comes next */
+	vec3 point[4];	/* by Q, mm */
+	vec3 direction[2];	/* of X and of Z */
+	bool has_turn;
+	double turn;	/* degrees, about the new Z */
+};
+
 /* The work zero carried along with the table: execute/dynamic_work_offset.h. */
 struct dynamic_work_offset {
 	bool on;
@@ -100,6 +110,7 @@ struct state {
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
 	struct cycle_memory cycle;
 	struct rotated_frame frame;
+	struct plane_parts plane_parts;
 	struct polar_coordinates polar;
 	struct dynamic_work_offset dynamic;
 	int unsure_code;	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */

@@ -84,6 +84,64 @@ START_TEST(tilted)
 }
 END_TEST
 
+/*
+ * The same planes by roll, pitch and yaw, by points and by directions: they lead the same way as Euler's angles. Here
+ * Z is n = (0, sin 30, cos 30), X is -X.
+ */
+START_TEST(tilted_in_every_form)
+{
+	static const char *const planes[] = {
+		"G68.2 X1. Y2. Z3. I180. J30. K0.\n",
+		/* Rz(180) after Rx(30) */
+		"G68.2 P1 X1. Y2. Z3. I30. K180.\n",
+		"G68.2 P1 Q123 X1. Y2. Z3. I30. J0. K180.\n",
+		/* Rx(-30) after Rz(180) */
+		"G68.2 P1 Q321 X1. Y2. Z3. I-30. J0. K180.\n",
+		"G68.2 P2 Q1 X1. Y2. Z3.\nG68.2 P2 Q2 X-9. Y2. Z3.\nG68.2 P2 Q3 X-4. Y-6.66025404 Z8.\n",
+		/* The zero is shifted by 10 along the new X. */
+		"G68.2 P2 Q0 X10. Y0. Z0.\nG68.2 P2 Q1 X11. Y2. Z3.\nG68.2 P2 Q2 X1. Y2. Z3.\n"
+		"G68.2 P2 Q3 X11. Y-6.66025404 Z8.\n",
+		/* Turned by 90 about the new Z. */
+		"G68.2 P2 Q1 X1. Y2. Z3. R90.\nG68.2 P2 Q2 X1. Y10.66025404 Z-2.\nG68.2 P2 Q3 X-4. Y2. Z3.\n",
+		"G68.2 P3 Q1 X1. Y2. Z3. I-2. J0. K0.\nG68.2 P3 Q2 I0. J.5 K.8660254\n",
+		"G68.2 P3 Q1 X1. Y2. Z3. I0. J.8660254 K-.5 R90.\nG68.2 P3 Q2 I0. J.5 K.8660254\n",
+	};
+
+	for (size_t i = 0; i < sizeof(planes) / sizeof(*planes); i++) {
+		struct gcode_case c;
+		struct strbuf text = {0};
+		const char *found;
+		double x = 0, y = 0, z = 0, a = 0;
+
+		plane_case(&c, &dialect_fanuc);
+		strbuf_addf(&text, "%sG53.1\nG0 X4. Y5. Z6.\nM30\n", planes[i]);
+		ck_assert_msg(case_run(&c, text.text), "%s\n%s", text.text, strbuf_text(&c.messages));
+		found = strstr(strbuf_text(&c.moves), "tcp on length 0 zero A0 C0\nrapid ");
+		ck_assert_ptr_nonnull(found);
+		found = strchr(found, '\n');
+		ck_assert_int_eq(sscanf(found, " rapid %lf %lf %lf %lf", &x, &y, &z, &a), 4);
+		ck_assert_msg(fabs(x - (1 - 4)) < 1e-6 && fabs(y - (2 - 5 * cos(radians(30)) + 6 * sin(radians(30)))) < 1e-6 &&
+				  fabs(z - (3 + 5 * sin(radians(30)) + 6 * cos(radians(30)))) < 1e-6 && fabs(a - 30) < 1e-6,
+			      "%.9g %.9g %.9g %.9g of\n%s", x, y, z, a, text.text);
+		strbuf_release(&text);
+		case_release(&c);
+	}
+}
+END_TEST
+
+/* "Tool Axis Direction Control (Tool Centre Point Retention Type)": G53.6 turns about the tip, under TCP. */
+START_TEST(keeps_tip)
+{
+	struct gcode_case c;
+
+	plane_case(&c, &dialect_fanuc);
+	case_expect(&c, "G0 X7. Y8. Z50.\nG43 H1 Z50.\nG68.2 X10. Y20. Z30. I180. J90. K0.\nG53.6\nG0 X1. Y2. Z3.\nG69\nM30\n",
+		    "rapid 7 8 50 0 0\nrapid 7 8 150 0 0\norient 0 1 0\ntcp on length 100 zero A0 C0\n"
+		    "rapid 7 8 50 90 0 tcp\ntcp on length 100 zero A0 C0\nrapid 9 23 32 90 0 tcp\n"
+		    "tcp off length 100 zero A0 C0\n");
+}
+END_TEST
+
 /* The same manual, additional workpiece coordinate systems; Haas, G110-G129, G154, G10 L20. */
 START_TEST(additional_offsets)
 {
@@ -284,8 +342,8 @@ static const struct bad bads[] = {
      "A while G68.2 is in force: the tool would leave the direction of its plane"},
     {&dialect_fanuc, "", "G68.3 X0. Y0. Z0.", 1,
      "G68.3: tilted working plane by the direction of the tool is not supported yet"},
-    {&dialect_fanuc, TILT, "G53.6", 1,
-     "G53.6: tool axis direction control that keeps the tool centre point is not supported yet"},
+    {&dialect_fanuc, "", "G53.6", 1, "G53.6 needs a plane that G68.2 has just tilted"},
+    {&dialect_fanuc, TILT, "G53.6", 1, "G53.6 needs the length of the tool whose tip it keeps: G43 first"},
     /* B-64484EN, 2nd, 3rd, and 4th reference position return (G30): which places they are, parameters say. */
     {&dialect_fanuc, "", "G91 G30 Z0.", 5,
      "the machine file has no reference position 2; <reference number=\"2\" X=\"\" .../> in its <controller> gives it"},
@@ -294,8 +352,22 @@ static const struct bad bads[] = {
     {&dialect_fanuc, TILT "\nG53.1", "G54", 1, "a change of offsets while G68.2 is in force is not supported; G69 first"},
     {&dialect_fanuc, TILT "\nG53.1", "G43.4 H1", 1, "tool centre point control while G68.2 is in force; G69 first"},
     {&dialect_fanuc, "", "G68.2 A5.", 7, "A does not belong to G68.2, whose origin is in X, Y and Z"},
-    {&dialect_fanuc, "", "G68.2 P1 I5.", 1,
-     "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet"},
+    {&dialect_fanuc, "", "G68.2 I5. R3.", 10, "R does not belong to this form of G68.2"},
+    {&dialect_fanuc, "", "G68.2 P1 Q122 I5.", 10,
+     "Q of G68.2 P1 is the order of the axes: 123, 132, 213, 231, 312 or 321"},
+    {&dialect_fanuc, "", "G68.2 P2 X0. Y0. Z0.", 1,
+     "G68.2 P2 and P3 need Q, which part of the plane the block gives"},
+    {&dialect_fanuc, "", "G68.2 P2 Q2 X0. Y0. Z0.", 10, "Q2 of G68.2 P2 where Q1 comes next"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G68.2 P2 Q3 X0. Y0. Z0.", 10, "Q3 of G68.2 P2 where Q2 comes next"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G68.2 P3 Q1 I1. J0. K0.", 1,
+     "another form of G68.2 before the plane is complete"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.", "G0 X1.", 1, "the plane of G68.2 P2 is not complete: Q2 comes next"},
+    {&dialect_fanuc, "G68.2 P2 Q1 X0. Y0. Z0.\nG68.2 P2 Q2 X1. Y0. Z0.", "G68.2 P2 Q3 X-3. Y0. Z0.", 1,
+     "the three points of G68.2 P2 lie on one line, or are one point"},
+    {&dialect_fanuc, "", "G68.2 P2 Q1 X0. Z0.", 1, "a point of G68.2 P2 needs X, Y and Z"},
+    {&dialect_fanuc, "G68.2 P3 Q1 X0. I1. J0. K0.", "G68.2 P3 Q2 I1. J0. K1.", 1,
+     "the two directions of G68.2 P3 do not stand at a right angle"},
+    {&dialect_fanuc, "", "G68.2 P4 I5.", 1, "G68.2 P4: a plane by projection angles is not supported yet"},
     {&dialect_fanuc, "G43.4 H1", "G68.2 I5.", 1, "G68.2 under tool centre point control; cancel that first"},
     {&dialect_fanuc, "G68.2 I90. J90.", "G53.1", 1, "no such plane here"},
     {&dialect_haas, "", "G68.2 I5.", 1, "G68.2: tilted working plane is not supported yet"},
@@ -330,7 +402,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {rotation, rotated_arcs_and_cycles, tilted, additional_offsets, least_input,
+	const TTest *const tests[] = {rotation, rotated_arcs_and_cycles, tilted, tilted_in_every_form, keeps_tip, additional_offsets, least_input,
 				      least_input_by_address, tool_change_without_place, tool_change_on_a_plane,
 				      haas_tool_centre};
 	Suite *suite = suite_create("gcode_plane");

@@ -7,13 +7,9 @@
 #include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/tilted_plane.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
-
-static double word_or(const struct interp *interp, char letter, double otherwise)
-{
-	return block_has(&interp->block, letter) ? block_value(&interp->block, letter) : otherwise;
-}
 
 static vec3 plane_normal(int plane)
 {
@@ -84,21 +80,14 @@ static bool turn_in_plane(struct interp *interp)
 	return true;
 }
 
-/*
- * Fanuc 30i-B operator's manual, tilted working plane indexing, G68.2 by
- * Euler's angles: about Z by I, about the new X by J, about the new Z by K.
- */
+/* Fanuc 30i-B operator's manual, tilted working plane indexing (G68.2). */
 static bool tilt(struct interp *interp)
 {
 	struct state *state = &interp->state;
 	const struct block *block = &interp->block;
-	const vec3 x = {1, 0, 0}, z = {0, 0, 1};
 	struct rotated_frame frame = {.on = true, .waits_for_tool = true};
-	mat3 first, second, third;
+	bool complete = false;
 
-	if (block_has(block, 'P') || block_has(block, 'Q') || block_has(block, 'R'))
-		return fault(&interp->at, block->g_column[G_ROTATION],
-			     "G68.2 with P, Q or R: a plane by other means than Euler's angles is not supported yet");
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, block->g_column[G_ROTATION],
 			     "G68.2 under tool centre point control; cancel that first");
@@ -107,14 +96,10 @@ static bool tilt(struct interp *interp)
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
 				     "%c does not belong to G68.2, whose origin is in X, Y and Z", AXIS_LETTERS[slot]);
 	}
-	first = mat3_turn(z, radians(word_or(interp, 'I', 0)));
-	second = mat3_turn(x, radians(word_or(interp, 'J', 0)));
-	third = mat3_turn(z, radians(word_or(interp, 'K', 0)));
-	first = mat3_mul(&first, &second);
-	frame.turn = mat3_mul(&first, &third);
-	frame.origin =
-	    vec3_scale(state->scale, (vec3){word_or(interp, 'X', 0), word_or(interp, 'Y', 0), word_or(interp, 'Z', 0)});
-	state->frame = frame;
+	if (!tilted_plane_take(interp, &complete, &frame.turn, &frame.origin))
+		return false;
+	if (complete)
+		state->frame = frame;
 	return true;
 }
 
@@ -201,22 +186,40 @@ bool coordinate_rotation_turn(struct interp *interp)
 }
 
 /*
+ * G53.6: TCP holds the tool's tip at its place of the workpiece while the rotary axes turn.
+ */
+static bool turn_about_tip(struct interp *interp, int column, slot_values target)
+{
+	struct state *state = &interp->state;
+	struct canon_move move = {.kind = CANON_RAPID};
+
+	if (state->length_code != G43 || state->length_doubt != CODE_NONE)
+		return fault(&interp->at, column, "G53.6 needs the length of the tool whose tip it keeps: G43 first");
+	if (!tool_length_switch_tcp(interp, column, TCP_BY_LENGTH))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		target.v[slot] = state->position.v[slot];
+	return motion_commands_go(interp, &target, &move);
+}
+
+/*
  * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
  * (G53.1): the rotary axes turn at the rapid rate and the linear axes stand
- * still. From here on coordinates are those of the tool point on the workpiece,
- * which may have turned with its table.
+ * still; or the tip stands still (G53.6). From here on coordinates are those of
+ * the tool point on the workpiece, which may have turned with its table.
  */
 bool coordinate_rotation_orient_tool(struct interp *interp)
 {
 	struct state *state = &interp->state;
 	const struct block *block = &interp->block;
 	int column = block->g_column[G_NONMODAL];
-	struct kinematics_orientation orientation = {.rotary = state->canonical};
+	bool keeps_tip = block->g[G_NONMODAL] == G53_6, good;
+	const char *name = keeps_tip ? "G53.6" : "G53.1";
+	struct kinematics_orientation orientation = {.rotary = state->canonical, .command = name};
 	slot_values target = state->position;
-	bool good;
 
 	if (!state->frame.on || !state->frame.waits_for_tool)
-		return fault(&interp->at, column, "G53.1 needs a plane that G68.2 has just tilted");
+		return fault(&interp->at, column, "%s needs a plane that G68.2 has just tilted", name);
 	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
 	orientation.rotary_zero = tool_length_rotary_zero(interp);
 	if (!interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, column), &orientation))
@@ -227,7 +230,8 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 	}
 	/* The target is a position of the machine's axes. */
 	state->frame.on = false;
-	good = motion_commands_go(interp, &target, &(struct canon_move){.kind = CANON_RAPID});
+	good = keeps_tip ? turn_about_tip(interp, column, target)
+			 : motion_commands_go(interp, &target, &(struct canon_move){.kind = CANON_RAPID});
 	state->frame.on = true;
 	state->frame.waits_for_tool = false;
 	return good && tool_length_switch_tcp(interp, column, TCP_BY_PLANE);
@@ -272,6 +276,8 @@ bool coordinate_rotation_start_block(struct interp *interp)
 	const char *name = interp->state.tcp == TCP_BY_PLANE || frame->waits_for_tool ? "G68.2" : "G68";
 	int column = block->g_column[G_NONMODAL];
 
+	if (!tilted_plane_check_block(interp))
+		return false;
 	if (!frame->on)
 		return true;
 	if (frame->distorts)

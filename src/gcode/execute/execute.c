@@ -184,20 +184,20 @@ static bool execute_path(struct interp *interp)
 	return true;
 }
 
-/* R of G68, and I, J and K of G68.2. */
+/* R of G68 and G68.2, and I, J and K of G68.2. */
 static bool is_angle(const struct block *block, char letter)
 {
 	int code = block->g[G_ROTATION];
 
-	return (code == G68 && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
+	return ((code == G68 || code == G68_2) && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
 }
 
-/* K of a canned cycle may be a number of holes, and Q and R of G5.1 and R of M19 are no lengths. */
+/* K of a canned cycle may be a number of holes, and Q and R of G5.1, R of M19 and Q of G68.2 are no lengths. */
 static bool is_count(const struct block *block, const struct dialect_traits *traits, char letter)
 {
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
 		return true;
-	if (block->m[M_SPINDLE] == 19 && letter == 'R')
+	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (block->g[G_ROTATION] == G68_2 && letter == 'Q'))
 		return true;
 	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE &&
 	       code_is_cycle(block->motion);
@@ -268,6 +268,7 @@ static bool execute_nonmodal(struct interp *interp)
 	case G30_1:
 		return reference_return_remember(interp);
 	case G53_1:
+	case G53_6:
 		return coordinate_rotation_orient_tool(interp);
 	case G52:
 	case G92:

@@ -188,8 +188,8 @@ static bool check_nonmodal(struct block *block, const struct line_place *at, con
 
 	if (code == G4)
 		return check_dwell(block, at, dialect);
-	if (code == G53_1 && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
-		return fault(at, block->g_column[G_NONMODAL], "G53.1 needs a block without motion");
+	if ((code == G53_1 || code == G53_6) && (block->motion != CODE_NONE || (block->letters & AXIS_BITS)))
+		return fault(at, block->g_column[G_NONMODAL], "G%g needs a block without motion", code / 10.0);
 	if (code == G53)
 		return check_machine_coordinates(block, at, config, modes);
 	if ((code != G28 && code != G30) || (block->letters & AXIS_BITS))
@@ -380,6 +380,7 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 {
 	int code = block->g[G_NONMODAL];
 	bool moves = (code != G4 && (block->letters & AXIS_BITS)) || code == G28 || code == G30 || code == G53_1 ||
+		     code == G53_6 ||
 		     ((block->g[G_LENGTH] != CODE_NONE || block_has(block, 'H')) &&
 		      config->controller.length_moves == ANSWER_YES);
 	int group = block->m[M_TOOL] != CODE_NONE ? M_TOOL : M_TCP;

@@ -51,7 +51,7 @@ static const struct code g_codes[] = {
 	{G51_1, G_MIRROR, CODE_READ, "mirror image"},
 	{512, GROUP_NONE, CODE_REFUSED, "polygon turning"},
 	{G53_1, G_NONMODAL, CODE_READ, "tool axis direction control"},
-	{536, GROUP_NONE, CODE_REFUSED, "tool axis direction control that keeps the tool centre point"},
+	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
 	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset"},
 	{544, GROUP_NONE, CODE_REFUSED, "work setting error compensation"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
