@@ -44,7 +44,9 @@ enum {
 	G43 = 430,
 	G43_4 = 434,
 	G49 = 490,
+	G50 = 500,
 	G50_1 = 501,
+	G51 = 510,
 	G51_1 = 511,
 	G52 = 520,
 	G53 = 530,
@@ -124,6 +126,7 @@ enum g_group {
 	G_DYNAMIC,	/* G254, G255 */
 	G_MIRROR,	/* G50.1, G51.1; G100, G101 */
 	G_POLAR,	/* G15, G16 */
+	G_SCALING,	/* G50, G51 */
 	G_APPROACH,	/* G60, which holds for its block */
 	G_EXACT,	/* G9, which holds for its block and stops where G61 would */
 	G_GROUPS

@@ -48,6 +48,7 @@ struct rotated_frame {
 	bool distorts;	/* the turn mirrors or scales, too, and then: */
 	mat3 back;	/* its inverse */
 	double growth;	/* by which it lengthens at most */
+	bool scales;	/* by G51 */
 	bool mirrors;	/* left becomes right */
 	vec3 origin;	/* mm, from the offsets in force */
 };

@@ -60,6 +60,57 @@ START_TEST(mirror)
 }
 END_TEST
 
+/*
+ * Fanuc B-64484EN, "Scaling (G50, G51)"; Haas, "G51 Scaling": p = centre + P (p - centre), offsets, lengths of tools and
+ * the speed as they are.
+ */
+START_TEST(scaling)
+{
+	static const struct dialect *const dialects[] = {&dialect_fanuc, &dialect_haas};
+
+	for (size_t i = 0; i < 2; i++) {
+		run(dialects[i], "G0 X4. Y4. Z1.\nG51 X10. Y0. Z0. P2.\nX20. Y5.\nG91 X1.\nG90 Z3.\nG50\nX20. Y5. Z3.\nM30\n",
+		    "rapid 4 4 1 0 0\nrapid 30 10 1 0 0\nrapid 32 10 1 0 0\nrapid 32 10 6 0 0\nrapid 20 5 3 0 0\n");
+		/* An axis without a word has its centre where it stands; arcs by centre and by radius. */
+		run(dialects[i],
+		    "F9 G0 X10. Y0. Z4.\nG51 X0. Y0. P.5\nX10. Y0.\nG3 X0. Y10. I-10. J0.\nG2 X10. Y0. R10.\nG0 Z6.\nM30\n",
+		    "rapid 10 0 4 0 0\nrapid 5 0 4 0 0\narc 0 5 4 0 0 centre 0 0 4 normal 0 0 1 sweep 90\n"
+		    "arc 5 0 4 0 0 centre 0 0 4 normal 0 0 1 sweep -90\nrapid 5 0 5 0 0\n");
+		run(dialects[i], "F9 G0 X0. Y0. Z5.\nG51 X0. Y0. Z0. I2. J2. K2.\nG98 G81 X3. Y1. R1. Z-2.\nG80\nG50\nM30\n",
+		    "rapid 0 0 5 0 0\nrapid 6 2 5 0 0\nrapid 6 2 2 0 0\nfeed 6 2 -4 0 0\nrapid 6 2 5 0 0\n");
+	}
+}
+END_TEST
+
+static const struct {
+	const char *program, *message;
+} unscaled[] = {
+	{"G51 P2\n", "p.nc:1:5: error: P of G51 without a decimal point: a parameter decides whether it counts thousandths"},
+	{"G51 X1.\n", "p.nc:1:1: error: G51 needs its factor in P"},
+	{"G51 I1. J2. K1.\n", "p.nc:1:9: error: G51 with different factors for the axes is not supported"},
+	{"G51 P-1.\n", "p.nc:1:5: error: the factor of G51 must be greater than 0"},
+	{"G51 P2.\nG51 P2.\n", "p.nc:2:1: error: G51 of coordinates that are turned, mirrored or scaled already"},
+	{"F9 G51 P2.\nG83 X1. Z-1. R1. Q1.\n", "p.nc:2:1: error: a cycle with pecks or a shift while coordinates are scaled (G51)"},
+	{"F9 G51 P2.\nG1 G41 D1 X5.\n", "p.nc:2:4: error: cutter compensation while coordinates are scaled (G51)"},
+	{"G51 P2.\nG28 Z0.\n", "p.nc:2:1: error: a change of offsets or a move to a place of the machine while"},
+	{"G51 P2.\nG55\n", "p.nc:2:1: error: a change of offsets while coordinates are scaled (G51) is not supported; G50 first"},
+	{"G51 X9. P2.\nG91 X1.\n", "p.nc:2:5: error: X by an increment after G51: the first move after it is absolute"},
+	{"G51.1 X0.\nG51 P2.\n", "p.nc:2:1: error: scaling while a mirror image is in force is not supported"},
+};
+
+START_TEST(unscaled_faults)
+{
+	for (size_t i = 0; i < sizeof(unscaled) / sizeof(*unscaled); i++) {
+		struct gcode_case c;
+
+		init(&c, &dialect_fanuc);
+		ck_assert_msg(!case_run(&c, unscaled[i].program), "accepted: %s", unscaled[i].program);
+		ck_assert_msg(strstr(strbuf_text(&c.messages), unscaled[i].message), "%s", strbuf_text(&c.messages));
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* The same book, "Polar Coordinate Command (G15, G16)": the example of a bolt hole circle. */
 START_TEST(polar)
 {
@@ -238,7 +289,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *tests[] = {mirror, polar, single_direction, arc_without_centre, registers, unit_of_feed, exact_stop, pecks, corners, faults};
+	const TTest *tests[] = {mirror, scaling, unscaled_faults, polar, single_direction, arc_without_centre, registers, unit_of_feed, exact_stop, pecks, corners, faults};
 
 	return RUN_TESTS("frames", tests);
 }

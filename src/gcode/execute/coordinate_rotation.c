@@ -7,6 +7,7 @@
 #include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/scaling.h"
 #include "gcode/execute/tilted_plane.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
@@ -281,7 +282,7 @@ bool coordinate_rotation_start_block(struct interp *interp)
 	if (!frame->on)
 		return true;
 	if (frame->distorts)
-		return mirror_image_start_block(interp);
+		return frame->scales ? scaling_start_block(interp) : mirror_image_start_block(interp);
 	if (block->g[G_ROTATION] == G69)
 		return turn_back(interp);
 	if (changes_offsets(block))

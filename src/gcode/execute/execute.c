@@ -16,6 +16,7 @@
 #include "gcode/execute/polar_coordinates.h"
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/reference_return.h"
+#include "gcode/execute/scaling.h"
 #include "gcode/execute/straight_move.h"
 #include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
@@ -195,6 +196,8 @@ static bool is_angle(const struct block *block, char letter)
 /* K of a canned cycle may be a number of holes, and Q and R of G5.1, R of M19 and Q of G68.2 are no lengths. */
 static bool is_count(const struct block *block, const struct dialect_traits *traits, char letter)
 {
+	if (block->g[G_SCALING] == G51 && letter >= 'I' && letter <= 'K')
+		return true;
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
 		return true;
 	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (block->g[G_ROTATION] == G68_2 && letter == 'Q'))
@@ -369,7 +372,8 @@ bool execute_block(struct interp *interp)
 	    !execute_path(interp) || !path_control_select(interp))
 		return false;
 	execute_modes(interp);
-	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !coordinate_rotation_turn(interp) ||
+	if (!polar_coordinates_switch(interp) || !mirror_image_switch(interp) || !scaling_switch(interp) ||
+	    !coordinate_rotation_turn(interp) ||
 	    !dynamic_work_offset_switch(interp))
 		return false;
 	if (!execute_nonmodal(interp) || !execute_motion(interp) || (changes_late && !tool_change_run(interp)) ||

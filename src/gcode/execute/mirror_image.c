@@ -61,6 +61,8 @@ bool mirror_image_start_block(struct interp *interp)
 		return refuse(interp, block->m_column[M_TCP], "tool centre point control");
 	if (block->g[G_ROTATION] != CODE_NONE && block->g[G_ROTATION] != G69)
 		return refuse(interp, block->g_column[G_ROTATION], "a rotation");
+	if (block->g[G_SCALING] == G51)
+		return refuse(interp, block->g_column[G_SCALING], "scaling");
 	if ((code == G28 || code == G30 || code == G53) && !check_by_machine(interp))
 		return refuse(interp, block->g_column[G_NONMODAL], "a move to a place of the machine");
 	return check_cycle(interp);

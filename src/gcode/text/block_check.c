@@ -55,6 +55,11 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		       fault(at, block->g_column[G_MIRROR],
 			     "G%g with axis words needs a block without motion or offsets", block->g[G_MIRROR] / 10.0);
 	}
+	if (block->g[G_SCALING] == G51) {
+		block->motion = CODE_NONE;
+		return (given == CODE_NONE && other == CODE_NONE) ||
+		       fault(at, block->g_column[G_SCALING], "G51 needs a block without motion or offsets");
+	}
 	if (block->g[G_APPROACH] != CODE_NONE && axes) {
 		block->motion = G0;
 		return ((given == CODE_NONE || given == G0 || given == G80) && other == CODE_NONE) ||
@@ -331,6 +336,8 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	/* With those of the forms that execute/coordinate_rotation.c refuses. */
 	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
+	if (block->g[G_SCALING] == G51)
+		used |= bits_of("IJKP");
 	if (block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_SYSTEM] == G54 && traits->g54_has_number != ANSWER_NO)

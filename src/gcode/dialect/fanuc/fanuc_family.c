@@ -9,9 +9,8 @@ static const struct code g_codes[] = {
 	{G41, G_CUTTER, CODE_BOUNDED, "cutter compensation, left"},
 	{G42, G_CUTTER, CODE_BOUNDED, "cutter compensation, right"},
 	{440, GROUP_NONE, CODE_REFUSED, "negative tool length compensation"},
-	/* G50 takes back what is an error where it is switched on. */
-	{500, GROUP_NONE, CODE_IGNORED, "end of scaling"},
-	{510, GROUP_NONE, CODE_REFUSED, "scaling"},
+	{G50, G_SCALING, CODE_READ, "end of scaling"},
+	{G51, G_SCALING, CODE_READ, "scaling"},
 	{G54_1, G_SYSTEM, CODE_READ, "additional work offset"},
 	{G60, G_APPROACH, CODE_BOUNDED, "unidirectional positioning"},
 	{650, GROUP_STATEMENT, CODE_READ, "macro call"},
