@@ -17,6 +17,8 @@ enum {
 	G8 = 80,
 	G9 = 90,
 	G10 = 100,
+	G12 = 120,	/* circular pocket milling of Haas */
+	G13 = 130,
 	G15 = 150,
 	G16 = 160,
 	G17 = 170,

@@ -1,6 +1,7 @@
 /*
  * test_bores.c - bores that shift the tool aside in a direction that is not known (G76, G87, Haas G77), from text to
- * steps: whichever way a control goes, each place of the tool lies within what the steps cover.
+ * steps: whichever way a control goes, each place of the tool lies within what the steps cover. So do those of circular
+ * pockets (Haas G12, G13).
  */
 #include <stdlib.h>
 
@@ -10,7 +11,7 @@
 #include "motion/motion.h"
 #include "motion_rig.h"
 
-#define STEPS 64
+#define STEPS 3000
 #define ROUNDING 1e-9
 
 struct run {
@@ -49,14 +50,14 @@ static bool carry_out(struct run *run, const char *dialect, const char *text)
 }
 
 /* Is there a place on the step with the point in its box? */
-static bool covers(const struct motion_step *step, const double p[3])
+static bool covers(const struct motion_step *step, const double p[3], double slack)
 {
 	double least = 0, most = 1;
 
 	for (int i = 0; i < 3; i++) {
 		double from = step->span.q0.v[i], way = step->span.q1.v[i] - from;
-		double low = p[i] - step->tolerance.v[i] - ROUNDING - from;
-		double high = p[i] + step->tolerance.v[i] + ROUNDING - from;
+		double low = p[i] - step->tolerance.v[i] - slack - from;
+		double high = p[i] + step->tolerance.v[i] + slack - from;
 
 		if (fabs(way) < 1e-12) {
 			if (low > 0 || high < 0)
@@ -106,7 +107,7 @@ static void expect_covered(const struct run *run, const struct bore *bore, const
 			for (int j = 0; j < 3; j++)
 				p[j] = from[j] + (to[j] - from[j]) * k / 10;
 			for (int j = 0; j < run->count && !found; j++)
-				found = covers(&run->steps[j], p);
+				found = covers(&run->steps[j], p, ROUNDING);
 			ck_assert_msg(found, "(%.9g %.9g %.9g) is not covered, leg %d of\n%s", p[0], p[1], p[2], i, text);
 		}
 	}
@@ -163,9 +164,10 @@ START_TEST(any_direction)
 		double clear, most = 0;
 		struct strbuf text = {0};
 		struct bore bore;
-		struct run run = {.count = 0};
+		static struct run run;
 		bool back = cycles[_i].back;
 
+		run.count = 0;
 		choose(&bore, &random, back);
 		clear = bore.to_r && !back ? bore.r : bore.level;
 		write_program(&bore, cycles[_i].code, &text);
@@ -192,6 +194,51 @@ START_TEST(any_direction)
 }
 END_TEST
 
+/*
+ * Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling CCW": places of the cylinder
+ * at random, none outside what is proved, and that is not much larger.
+ */
+START_TEST(pocket)
+{
+	uint64_t random = 12;
+
+	for (int trial = 0; trial < 40; trial++) {
+		static struct run run;
+		struct strbuf text = {0};
+		double x = round(rig_random(&random, -20, 20)), y = round(rig_random(&random, -20, 20));
+		double radius = round(rig_random(&random, 1, 25) * 100) / 100, top = 5, z = round(rig_random(&random, -20, 4));
+		bool clockwise = rig_pick(&random, 2), deeper = rig_pick(&random, 2);
+
+		run.count = 0;
+		strbuf_addf(&text, "G17 G21 G90 G94 F100. G0 Z%.3f\nX%.3f Y%.3f\n", top, x, y);
+		strbuf_addf(&text, deeper ? "G91 G%d I1. K%.3f Q1. Z%.3f L2\nM30\n" : "G90 G%d I%.3f Z%.3f\nM30\n",
+			    clockwise ? 12 : 13, radius, deeper ? (z - top) / 2 : z);
+		ck_assert_msg(carry_out(&run, "haas", text.text), "%s\n%s", run.messages.text, text.text);
+		ck_assert_int_gt(run.count, 16);
+		for (int i = 0; i < 300; i++) {
+			double angle = rig_random(&random, 0, 2 * PI), part = sqrt(rig_random(&random, 0, 1));
+			double p[3] = {x + part * radius * cos(angle), y + part * radius * sin(angle),
+				       rig_random(&random, z, top)};
+			bool found = false;
+
+			for (int j = 0; j < run.count && !found; j++)
+				found = covers(&run.steps[j], p, 0.011);
+			ck_assert_msg(found, "(%.9g %.9g %.9g) is not covered by\n%s", p[0], p[1], p[2], text.text);
+		}
+		for (int j = 0; j < run.count; j++) {
+			const struct motion_step *step = &run.steps[j];
+			double far = hypot(step->span.q1.v[0] - x, step->span.q1.v[1] - y) +
+				     hypot(step->tolerance.v[0], step->tolerance.v[1]);
+
+			ck_assert_double_le(far, 1.03 * radius + 0.03);
+			ck_assert_double_ge(step->span.q1.v[2] - step->tolerance.v[2], z - 0.03);
+		}
+		ck_assert_double_eq_tol(run.steps[run.count - 1].span.q1.v[2], z, 1e-9);
+		strbuf_release(&text);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("bores");
@@ -200,6 +247,7 @@ int main(void)
 	int failed;
 
 	tcase_add_loop_test(tcase, any_direction, 0, 4);
+	tcase_add_test(tcase, pocket);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

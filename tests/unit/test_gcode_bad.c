@@ -192,7 +192,6 @@ static const struct bad with_setup[] = {
 };
 
 static const struct bad fanuc[] = {
-    {"G90 G50 G0 X1.\n", 1, 5, "G50 needs a block without axis words"},
     /* Fanuc B-64484EN, program configuration: program numbers, end of block. */
     {"O X5\n", 1, 1, "O without a number"},
     {"O1.5\n", 1, 1, "a program number must be a whole number that is not negative"},

@@ -94,7 +94,7 @@ static const struct {
 	{"F9 G51 P2.\nG1 G41 D1 X5.\n", "p.nc:2:4: error: cutter compensation while coordinates are scaled (G51)"},
 	{"G51 P2.\nG28 Z0.\n", "p.nc:2:1: error: a change of offsets or a move to a place of the machine while"},
 	{"G51 P2.\nG55\n", "p.nc:2:1: error: a change of offsets while coordinates are scaled (G51) is not supported; G50 first"},
-	{"G51 X9. P2.\nG91 X1.\n", "p.nc:2:5: error: X by an increment after G51: the first move after it is absolute"},
+	{"G51 X9. P2.\nG0 G91 X1.\n", "p.nc:2:8: error: X by an increment after G51: the first move after it is absolute"},
 	{"G51.1 X0.\nG51 P2.\n", "p.nc:2:1: error: scaling while a mirror image is in force is not supported"},
 };
 

@@ -3,6 +3,7 @@
 #include "base/same_double.h"
 #include "gcode/execute/arc_move.h"
 #include "gcode/execute/canned_cycle.h"
+#include "gcode/execute/circular_pocket.h"
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -264,6 +265,9 @@ static bool execute_nonmodal(struct interp *interp)
 	switch (interp->block.g[G_NONMODAL]) {
 	case G10:
 		return offsets_set(interp);
+	case G12:
+	case G13:
+		return circular_pocket_mill(interp);
 	case G28:
 	case G30:
 		return reference_return_go(interp);

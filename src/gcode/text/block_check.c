@@ -8,7 +8,7 @@
 /* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
 static bool takes_axis_words(int code)
 {
-	return code == G10 || code == G28 || code == G30 || code == G52 || code == G92;
+	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92;
 }
 
 static bool is_arc(int code)
@@ -336,6 +336,8 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	/* With those of the forms that execute/coordinate_rotation.c refuses. */
 	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
+	if (block->g[G_NONMODAL] == G12 || block->g[G_NONMODAL] == G13)
+		used |= bits_of("DIKLQ");
 	if (block->g[G_SCALING] == G51)
 		used |= bits_of("IJKP");
 	if (block->g[G_ROTATION] == G68_2)

@@ -9,8 +9,8 @@
 
 /* Haas mill operator's manual, G-codes, M-codes. */
 static const struct code g_codes[] = {
-	{120, GROUP_NONE, CODE_REFUSED, "circular pocket milling"},
-	{130, GROUP_NONE, CODE_REFUSED, "circular pocket milling"},
+	{G12, G_NONMODAL, CODE_BOUNDED, "circular pocket milling, clockwise"},
+	{G13, G_NONMODAL, CODE_BOUNDED, "circular pocket milling, counter-clockwise"},
 	{350, GROUP_NONE, CODE_REFUSED, "tool diameter measurement"},
 	{360, GROUP_NONE, CODE_REFUSED, "work offset measurement"},
 	{470, GROUP_NONE, CODE_REFUSED, "text engraving"},
