@@ -44,7 +44,9 @@ enum comp_corner_form {
 	COMP_CORNER_UNKNOWN,
 	COMP_CORNER_LINEAR,
 	COMP_CORNER_CIRCULAR,
-	COMP_CORNER_CROSSING	/* both ways are drawn out to where they cross, however sharp it is */
+	COMP_CORNER_CROSSING,	/* both ways are drawn out to where they cross, however sharp it is */
+	COMP_CORNER_CROSSING_IF_BLUNT,	/* where they cross; sharper than a right angle, there or on a circle */
+	COMP_CORNER_BETWEEN	/* anywhere between where they cross and a circle */
 };
 
 /* In which order several angles of one block turn the program's coordinates. */

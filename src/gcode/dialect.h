@@ -145,6 +145,7 @@ struct dialect_traits {
 	enum answer arc_idle_zero;	/* I, J or K of the axis across the plane may be 0; not known, or no: an error */
 	enum answer arc_spirals;	/* a parameter says up to which difference of their radii arcs are spirals */
 	enum corner_words corner_words;
+	const char *corner_names;	/* of the words in messages; NULL: ",C or ,R" */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */
 	enum answer cycles_apart;	/* cycles and G80 are a group beside G0 to G3: G80 brings back which of them was there */

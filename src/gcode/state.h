@@ -173,7 +173,7 @@ struct cutter_comp {
 struct pending_corner {
 	bool on;	/* a block waits */
 	bool fresh;	/* it is the one in hand */
-	char letter;	/* 'C' or 'R' */
+	char letter;	/* 'C', 'L' or 'R' */
 	double size;	/* mm */
 	struct block block;
 	struct line_place at;

@@ -72,8 +72,6 @@ static const struct bad programs[] = {
 	 "G33: thread cutting is not supported yet"},
 	{"G291\n", 1, 1,
 	 "G291: ISO mode, the language of Fanuc is not supported yet"},
-	{"G41 X1\n", 1, 1,
-	 "G41: cutter compensation of Sinumerik is not supported yet"},
 	{"G110 X1\n", 1, 1,
 	 "G110: pole of polar coordinates is not supported yet"},
 	{"G58 X1\n", 1, 1,

@@ -37,6 +37,14 @@ static double dot(struct plane_point p, struct plane_point q)
 	return p.a * q.a + p.b * q.b;
 }
 
+/* What the words of a corner are called in messages. */
+static const char *names(const struct interp *interp)
+{
+	const char *given = traits_of(interp)->corner_names;
+
+	return given ? given : ",C or ,R";
+}
+
 /* What follows a fault is no fault of its own. */
 static bool drop(struct interp *interp)
 {
@@ -56,7 +64,7 @@ bool corner_insert_start_block(struct interp *interp)
 	if (interp->corner.on && more) {
 		fault_report(
 		    &interp->at, 1,
-		    "the block behind a chamfer or rounding (,C or ,R) has a move in the plane and no other code");
+		    "the block behind a chamfer or rounding (%s) has a move in the plane and no other code", names(interp));
 		return drop(interp);
 	}
 	if (block->corner == '\0')
@@ -145,15 +153,17 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 	angle = math_atan2(cross(ahead, onward), dot(ahead, onward));
 	if (fabs(angle) < FLAT_CORNER || fabs(angle) > PI - FLAT_CORNER)
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the path of the chamfer or rounding (,C or ,R) of line %ld has no corner there",
+			     "the path of the chamfer or rounding (%s) of line %ld has no corner there", names(interp),
 			     corner->at.line);
 	insertion->clockwise = angle < 0;
-	if (corner->letter == 'C' && (before.is_arc || after.is_arc))
+	if (corner->letter != 'R' && (before.is_arc || after.is_arc))
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "a chamfer (,C) beside an arc is not supported");
-	if (corner->letter == 'C') {
-		insertion->first = along(at, -corner->size, ahead);
-		insertion->last = along(at, corner->size, onward);
+			     "a chamfer (%s) beside an arc is not supported", names(interp));
+	if (corner->letter != 'R') {
+		const double leg = corner->letter == 'L' ? corner->size / (2 * cos(angle / 2)) : corner->size;
+
+		insertion->first = along(at, -leg, ahead);
+		insertion->last = along(at, leg, onward);
 	} else {
 		struct comp_corner_shape shape = {.before = &before,
 						  .after = &after,
@@ -167,14 +177,14 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 		after.inside = (shape.side > 0) != after.clockwise;
 		if (!comp_turn_crossing(&shape, &insertion->centre))
 			return fault(&interp->at, block_motion_column(&interp->block),
-				     "the rounding (,R) of line %ld does not touch both of its blocks",
+				     "the rounding (%s) of line %ld does not touch both of its blocks", names(interp),
 				     corner->at.line);
 		insertion->first = touch(&before, at, ahead, insertion->centre);
 		insertion->last = touch(&after, at, onward, insertion->centre);
 	}
 	if (!lies_between(&before, from, at, insertion->first) || !lies_between(&after, at, to, insertion->last))
 		return fault(&interp->at, block_motion_column(&interp->block),
-			     "the chamfer or rounding (,C or ,R) of line %ld is longer than one of its blocks",
+			     "the chamfer or rounding (%s) of line %ld is longer than one of its blocks", names(interp),
 			     corner->at.line);
 	return true;
 }
@@ -224,7 +234,7 @@ static bool make_waiting(struct interp *interp, const struct insertion *insertio
 	interp->moves = 0;
 	put_at(interp, &corner.start);
 	good = go(interp, insertion->first, corner.way.is_arc, corner.way.centre);
-	interp->block.motion = corner.letter == 'C' ? G1 : insertion->clockwise ? G2 : G3;
+	interp->block.motion = corner.letter != 'R' ? G1 : insertion->clockwise ? G2 : G3;
 	good = good && go(interp, insertion->last, corner.letter == 'R', insertion->centre);
 	interp->corner.on = false;
 	good = good && cutter_comp_end_block(interp);
@@ -246,12 +256,12 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 	*waits = false;
 	if (leaves_plane(interp, next->target) || block->motion < G1)
 		return fault(&interp->at, block_motion_column(block),
-			     "the blocks on both sides of a chamfer or rounding (,C or ,R) need a move of G1, G2 or G3 "
-			     "in the plane, "
-			     "and in the plane only");
+			     "the blocks on both sides of a chamfer or rounding (%s) need a move of G1, G2 or G3 in the "
+			     "plane, and in the plane only",
+			     names(interp));
 	if (next->is_arc && !arcs)
 		return fault(&interp->at, block_motion_column(block),
-			     "a chamfer or rounding (,C or ,R) beside an arc is not supported on this control");
+			     "a chamfer or rounding (%s) beside an arc is not supported on this control", names(interp));
 	if (corner->on && (!find_insertion(interp, next, &insertion) || !make_waiting(interp, &insertion)))
 		return drop(interp);
 	if (block->corner == '\0')
@@ -289,6 +299,6 @@ bool corner_insert_end_block(struct interp *interp)
 		return true;
 	}
 	fault_report(&interp->at, 1,
-		     "the block behind a chamfer or rounding (,C or ,R) needs a move of G1, G2 or G3 in the plane");
+		     "the block behind a chamfer or rounding (%s) needs a move of G1, G2 or G3 in the plane", names(interp));
 	return drop(interp);
 }

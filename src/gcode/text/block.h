@@ -21,7 +21,7 @@ struct block {
 	int column[26];
 	int g[G_GROUPS];	/* the code of each group, in tenths, or CODE_NONE */
 	int g_column[G_GROUPS];
-	char corner;	/* 'C' or 'R' of a word behind a comma, or NUL */
+	char corner;	/* 'C' or 'R' of a word behind a comma, 'L' of a chamfer by its length, or NUL */
 	bool corner_point;	/* its number has a decimal point */
 	double corner_value;
 	int corner_column;

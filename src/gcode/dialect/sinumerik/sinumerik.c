@@ -11,6 +11,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/program.h"
 
@@ -29,6 +30,7 @@ static void begin(struct interp *interp)
 	state_update_offset(&interp->state);
 	sinumerik->feed_scale = basic > 0 ? basic : 1;
 	sinumerik->path_code = SINUMERIK_G(64);
+	sinumerik->approach = sinumerik->corner = CODE_NONE;
 	sinumerik->edge_unsure = interp->state.tool != 0;
 	for (int group = 0; group < G_GROUPS; group++)
 		interp->block.g[group] = CODE_NONE;
@@ -154,7 +156,11 @@ static bool read_line(struct interp *interp, bool *done)
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
 	lexer = (struct lexer){.at = &interp->at, .position = head.rest};
-	return run_words(interp, &lexer) && cutter_comp_end_block(interp);
+	if (!run_words(interp, &lexer))
+		return false;
+	if (corner_insert_keeps_block(interp))
+		return corner_insert_end_block(interp);
+	return corner_insert_end_block(interp) && cutter_comp_end_block(interp);
 }
 
 /* SUPA, G74, G75 and M6 leave the tool's length as D has set it. */
@@ -170,6 +176,7 @@ static void *new_state(void)
 	struct sinumerik *sinumerik = mem_zalloc(1, sizeof(*sinumerik));
 
 	sinumerik->frame.matrix = sinumerik->swivel.matrix = mat3_identity();
+	sinumerik->frame_is_even = true;
 	return sinumerik;
 }
 
@@ -201,6 +208,8 @@ const struct dialect dialect_sinumerik = {
 		.wrap_below_turn = ANSWER_NO,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
 		.t_word = T_WORD_SELECTS,
+		.corner_words = CORNER_WORDS_WITH_ARCS,
+		.corner_names = "CHF, CHR or RND",
 		.tool_change_stays = ANSWER_NO,
 	},
 	.after_machine_move = keep_length,

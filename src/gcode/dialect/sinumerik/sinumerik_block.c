@@ -349,6 +349,9 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_IGNORED_LINE:
 		r->lexer->position += strlen(r->lexer->at->text + r->lexer->position);
 		return true;
+	case SINUMERIK_WORD_STOPS_READING:
+		r->block->stops_reading = true;
+		return true;
 	case SINUMERIK_WORD_SPINDLE_STANDS:
 		r->block->spindle_stands = true;
 		return step_over_value(r, name);

@@ -36,6 +36,7 @@ struct sinumerik_block {
 	bool names_tool;	/* T="NAME", in tool_name */
 	struct sinumerik_text tool_name;
 	bool spindle_stands;	/* SPOS= */
+	bool stops_reading;	/* STOPRE */
 	bool modal;	/* MCALL */
 	int modal_column;
 	char call[SINUMERIK_NAME + 1];	/* "": none; a cycle or a subprogram: its name in upper case */

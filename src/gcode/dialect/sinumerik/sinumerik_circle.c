@@ -209,7 +209,7 @@ static bool by_angle(struct interp *interp, const struct sinumerik_block *block,
 }
 
 static bool in_plane(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
-		     const slot_values *start, struct canon_arc *arc)
+		     const slot_values *start, struct sinumerik_circle *found)
 {
 	const struct circle_plane *plane = plane_of(interp->state.plane);
 	struct circle c = {.plane = plane, .clockwise = interp->state.motion == G2};
@@ -240,11 +240,14 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 			  fmax(SAME_ANGLE, SAME_POINT / math_hypot(c.start.a - c.centre.a, c.start.b - c.centre.b)));
 	at[plane->a] = c.centre.a;
 	at[plane->b] = c.centre.b;
-	return place_arc(interp, block, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, arc);
+	*found = (struct sinumerik_circle){.in_plane = true, .turns = c.turns,
+					   .centre = {c.centre.a + interp->state.offset.v[plane->a],
+						      c.centre.b + interp->state.offset.v[plane->b]}};
+	return place_arc(interp, block, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, &found->arc);
 }
 
 bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
-			   struct canon_arc *arc)
+			   struct sinumerik_circle *found)
 {
 	const slot_values start = *sinumerik_frame_place(interp);
 	const bool through = interp->state.motion == SINUMERIK_CIP;
@@ -257,6 +260,7 @@ bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *
 		return fault(&interp->at, circle_column(block),
 			     "the machine has no %c axis, which a circle in the plane of G%d needs",
 			     AXIS_LETTERS[has_axis[plane->a] ? plane->b : plane->a], interp->state.plane / 10);
-	return through ? through_point(interp, block, &start, target, arc)
-		       : in_plane(interp, block, target, &start, arc);
+	found->in_plane = false;
+	return through ? through_point(interp, block, &start, target, &found->arc)
+		       : in_plane(interp, block, target, &start, found);
 }

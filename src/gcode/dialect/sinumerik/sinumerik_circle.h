@@ -4,11 +4,18 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_block.h"
 
+struct sinumerik_circle {
+	struct canon_arc arc;	/* of the controller's positions */
+	bool in_plane;	/* G2 or G3, and then: */
+	struct plane_point centre;	/* straight (rotated_frame.h) */
+	int turns;	/* from 1 */
+};
+
 /*
- * The arc from the present position to the target, in program coordinates, which AR= with a centre changes. *arc is
- * that of the controller's positions. False: reported.
+ * The arc from the present position to the target, in program coordinates, which AR= with a centre changes. False:
+ * reported.
  */
 bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
-			   struct canon_arc *arc);
+			   struct sinumerik_circle *found);
 
 #endif

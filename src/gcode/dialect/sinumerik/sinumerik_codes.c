@@ -33,9 +33,9 @@
 	REFUSED_ROW(ROW, "AP", "polar coordinates") \
 	REFUSED_ROW(ROW, "RP", "polar coordinates") \
 	REFUSED_ROW(ROW, "ANG", "contour by an angle") \
-	REFUSED_ROW(ROW, "CHF", "chamfer") \
-	REFUSED_ROW(ROW, "CHR", "chamfer") \
-	REFUSED_ROW(ROW, "RND", "rounding between two blocks") \
+	ADDRESS_ROW(ROW, "CHF", CHF, "chamfer by its length") \
+	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
+	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
 	REFUSED_ROW(ROW, "RNDM", "rounding between blocks") \
 	REFUSED_ROW(ROW, "POS", "positioning axis") \
 	REFUSED_ROW(ROW, "POSA", "positioning axis") \
@@ -163,12 +163,12 @@
 	PLAIN_ROW(ROW, "SPATH", IGNORED, "parameter of the path")
 
 #define OTHER_WORDS(ROW) \
-	PLAIN_ROW(ROW, "NORM", IGNORED, "start of cutter compensation at right angles") \
-	REFUSED_ROW(ROW, "KONT", "start of cutter compensation round the contour") \
+	CODE_ROW(ROW, "NORM", APPROACH, SINUMERIK_NORM, "start of cutter compensation at right angles") \
+	ROW("KONT", CODE, APPROACH, SINUMERIK_KONT, CODE_BOUNDED, "start of cutter compensation round the contour") \
 	REFUSED_ROW(ROW, "KONTC", "start of cutter compensation on a curve") \
 	REFUSED_ROW(ROW, "KONTT", "start of cutter compensation on a tangent") \
-	PLAIN_ROW(ROW, "CUT2D", IGNORED, "cutter compensation in the plane") \
-	PLAIN_ROW(ROW, "CUT2DF", IGNORED, "cutter compensation in the plane of the frame") \
+	CODE_ROW(ROW, "CUT2D", CUT, SINUMERIK_CUT2D, "cutter compensation in the plane") \
+	CODE_ROW(ROW, "CUT2DF", CUT, SINUMERIK_CUT2DF, "cutter compensation in the plane of the frame") \
 	REFUSED_ROW(ROW, "CUT3DC", "cutter compensation in space") \
 	REFUSED_ROW(ROW, "CUT3DF", "cutter compensation in space") \
 	REFUSED_ROW(ROW, "CUT3DFS", "cutter compensation in space") \
@@ -177,7 +177,7 @@
 	PLAIN_ROW(ROW, "CDOF", IGNORED, "no watch for bottlenecks") \
 	PLAIN_ROW(ROW, "CDOF2", IGNORED, "no watch for bottlenecks") \
 	PLAIN_ROW(ROW, "CDON", IGNORED, "watch for bottlenecks") \
-	PLAIN_ROW(ROW, "DISC", IGNORED_VALUE, "how far outside corners are rounded") \
+	ADDRESS_ROW(ROW, "DISC", DISC, "how far outside corners are rounded") \
 	PLAIN_ROW(ROW, "DIAMOF", IGNORED, "radius programming") \
 	REFUSED_ROW(ROW, "DIAMON", "diameter programming") \
 	PLAIN_ROW(ROW, "WALIMON", IGNORED, "working area limits") \
@@ -190,7 +190,7 @@
 	PLAIN_ROW(ROW, "SVC", IGNORED_VALUE, "cutting speed") \
 	PLAIN_ROW(ROW, "SETMS", IGNORED_CALL, "master spindle") \
 	PLAIN_ROW(ROW, "WAITS", IGNORED_CALL, "wait for the spindle") \
-	PLAIN_ROW(ROW, "STOPRE", IGNORED, "no reading ahead") \
+	PLAIN_ROW(ROW, "STOPRE", STOPS_READING, "no reading ahead") \
 	PLAIN_ROW(ROW, "STARTFIFO", IGNORED, "reading ahead") \
 	PLAIN_ROW(ROW, "STOPFIFO", IGNORED, "reading ahead") \
 	PLAIN_ROW(ROW, "FIFOCTRL", IGNORED, "reading ahead") \
@@ -358,7 +358,9 @@ static const struct code g_rows[] = {
 	{SINUMERIK_G(348), GROUP_NONE, CODE_REFUSED, "smooth retraction"},
 	{SINUMERIK_G(450), SINUMERIK_CORNER, CODE_READ, "cutter compensation rounds outside corners"},
 	{SINUMERIK_G(451), SINUMERIK_CORNER, CODE_READ, "cutter compensation cuts outside corners"},
-	{SINUMERIK_G(460), GROUP_NONE, CODE_IGNORED, "start of cutter compensation"},
+	{SINUMERIK_G(460), GROUP_NONE, CODE_IGNORED, "end of cutter compensation at a contour that it meets"},
+	{SINUMERIK_G(461), GROUP_NONE, CODE_REFUSED, "end of cutter compensation, drawn out by a circle"},
+	{SINUMERIK_G(462), GROUP_NONE, CODE_REFUSED, "end of cutter compensation, drawn out by a line"},
 	{SINUMERIK_G(500), SINUMERIK_SYSTEM, CODE_READ, "no work offset"},
 	{SINUMERIK_G(601), GROUP_NONE, CODE_IGNORED, "when an exact stop is reached"},
 	{SINUMERIK_G(602), GROUP_NONE, CODE_IGNORED, "when an exact stop is reached"},

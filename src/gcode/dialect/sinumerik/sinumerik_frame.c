@@ -1,5 +1,6 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -100,20 +101,35 @@ void sinumerik_frame_moved(struct interp *interp)
 	sinumerik_of(interp)->placed = false;
 }
 
+/* What rotated_frame.h needs to know of a matrix that may mirror and scale. */
+static void describe_frame(struct rotated_frame *frame, const mat3 *matrix)
+{
+	const vec3 xyz[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+	double factor;
+
+	frame->turn = *matrix;
+	frame->back = (mat3){apply_inverse(matrix, xyz[0]), apply_inverse(matrix, xyz[1]), apply_inverse(matrix, xyz[2])};
+	frame->mirrors = vec3_dot(matrix->x, vec3_cross(matrix->y, matrix->z)) < 0;
+	frame->distorts = frame->mirrors || !sinumerik_frame_scale(matrix, &factor) || !same_double(factor, 1);
+	frame->growth = sqrt(vec3_norm2(matrix->x) + vec3_norm2(matrix->y) + vec3_norm2(matrix->z));
+}
+
 bool sinumerik_frame_changed(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct state *state = &interp->state;
 	const struct sinumerik_frame total = sinumerik_frame_total(sinumerik);
 	const slot_values before = *sinumerik_frame_place(interp);
+	double factor;
 
 	state->shift = total.shift;
 	state->frame = (struct rotated_frame){.on = !is_identity(&total.matrix)};
 	if (state->frame.on) {
-		state->frame.turn = total.matrix;
+		describe_frame(&state->frame, &total.matrix);
 		state->frame.origin = linear(&total.shift);
 		set_linear(&state->shift, (vec3){0, 0, 0});
 	}
+	sinumerik->frame_is_even = sinumerik_frame_scale(&total.matrix, &factor);
 	if (!tool_length_offsets_changed(interp, column))
 		return false;
 	sinumerik->placed = false;

@@ -46,6 +46,9 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
 	if (block->modal)
 		return set_modal(interp, block);
+	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_cycle_is_pattern(name) ||
+				       !strncmp(name, "CYCLE8", 6)))
+		return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", name);
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (sinumerik_cycle_is_pattern(name))

@@ -7,6 +7,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
+#include "gcode/execute/corner_insert.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
 
@@ -20,24 +22,62 @@
 /* What the functions of the other dialects read of a block. */
 static void show_block(struct interp *interp, const struct sinumerik_block *block, int motion)
 {
+	static const struct {
+		enum sinumerik_address address;
+		char letter;
+	} corners[] = {{SINUMERIK_CHF, 'L'}, {SINUMERIK_CHR, 'C'}, {SINUMERIK_RND, 'R'}};
 	struct block *shown = &interp->block;
 
 	shown->motion = motion;
 	shown->g[G_MOTION] = motion;
 	shown->g_column[G_MOTION] = block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code_column[SINUMERIK_MOTION]
 									       : sinumerik_block_axis_column(block);
-	shown->letters = block->letters & letter_bit('F');
-	if (shown->letters) {
-		shown->value['F' - 'A'] = block->value['F' - 'A'];
-		shown->column['F' - 'A'] = block->column['F' - 'A'];
+	shown->letters = block->letters & (letter_bit('F') | AXIS_BITS);
+	for (const char *letter = "F" AXIS_LETTERS; *letter; letter++) {
+		if (!sinumerik_block_has(block, *letter))
+			continue;
+		shown->value[*letter - 'A'] = block->value[*letter - 'A'];
+		shown->column[*letter - 'A'] = block->column[*letter - 'A'];
+	}
+	for (size_t i = 0; i < sizeof(corners) / sizeof(corners[0]); i++) {
+		/* RND=0 and the like are none. */
+		if (!sinumerik_block_has_address(block, corners[i].address) ||
+		    !(block->address_value[corners[i].address] > 0))
+			continue;
+		shown->corner = corners[i].letter;
+		shown->corner_value = block->address_value[corners[i].address];
+		shown->corner_column = block->address_column[corners[i].address];
 	}
 }
 
-static bool arrive(struct interp *interp, const slot_values *target, struct canon_move *move)
+/* `circle` is NULL for a straight move. */
+static bool arrive(struct interp *interp, const slot_values *target, struct canon_move *move,
+		   const struct sinumerik_circle *circle)
 {
 	const slot_values straight = sinumerik_frame_straight(interp, target);
+	bool good, waits = false;
 
-	if (!motion_commands_go(interp, &straight, move))
+	if (corner_insert_concerns(interp)) {
+		const struct corner_move next = {.target = &straight, .move = move, .is_arc = circle != NULL,
+						 .centre = circle ? circle->centre : (struct plane_point){0, 0}};
+
+		if (circle && !circle->in_plane)
+			return fault(&interp->at, interp->block.g_column[G_MOTION], "CIP beside CHF, CHR or RND is not supported");
+		if (!corner_insert_pass(interp, &next, &waits))
+			return false;
+	}
+	if (waits)
+		good = true;
+	else if (!cutter_comp_is_on(interp))
+		good = motion_commands_go(interp, &straight, move);
+	else if (!circle)
+		good = cutter_comp_line(interp, &straight, move);
+	else if (!circle->in_plane)
+		good = fault(&interp->at, interp->block.g_column[G_MOTION],
+			     "CIP under tool radius compensation is not supported");
+	else
+		good = cutter_comp_arc(interp, &straight, circle->centre, circle->turns, move);
+	if (!good)
 		return false;
 	sinumerik_of(interp)->place = *target;
 	sinumerik_of(interp)->placed = true;
@@ -53,7 +93,7 @@ bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool ra
 		if (!motion_commands_feed(interp, &move.feed))
 			return false;
 	}
-	return arrive(interp, target, &move);
+	return arrive(interp, target, &move, NULL);
 }
 
 /*
@@ -97,19 +137,47 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 		return false;
 	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target))
 		return false;
-	return arrive(interp, &target, &move);
+	return arrive(interp, &target, &move, NULL);
 }
 
 static bool run_circle(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct canon_move move = {.kind = CANON_ARC};
+	struct sinumerik_circle circle;
 	slot_values target;
 
 	if (!motion_commands_feed(interp, &move.feed) || !sinumerik_target_find(interp, block, &target))
 		return false;
 	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target))
 		return false;
-	return sinumerik_circle_find(interp, block, &target, &move.arc) && arrive(interp, &target, &move);
+	if (!sinumerik_circle_find(interp, block, &target, &circle))
+		return false;
+	move.arc = circle.arc;
+	return arrive(interp, &target, &move, &circle);
+}
+
+/* 840D sl, "Chamfer, rounding (CHF, CHR, RND)": between two blocks of G1, G2 or G3 in the plane. */
+static bool check_corner(struct interp *interp, const struct sinumerik_block *block, bool moves)
+{
+	static const enum sinumerik_address corners[] = {SINUMERIK_CHF, SINUMERIK_CHR, SINUMERIK_RND};
+	int count = 0, column = 0;
+
+	for (size_t i = 0; i < sizeof(corners) / sizeof(corners[0]); i++) {
+		if (!sinumerik_block_has_address(block, corners[i]))
+			continue;
+		count++;
+		column = block->address_column[corners[i]];
+		if (block->address_value[corners[i]] < 0)
+			return fault(&interp->at, column, "a chamfer or rounding cannot be negative");
+	}
+	if (count == 0)
+		return true;
+	if (count > 1)
+		return fault(&interp->at, column, "a block can have only one of CHF, CHR and RND");
+	if (!moves || interp->state.motion == G0)
+		return fault(&interp->at, column, "CHF, CHR and RND need a block with G1, G2 or G3");
+	return sinumerik_of(interp)->frame_is_even ||
+	       fault(&interp->at, column, "a rounding or chamfer where the frame scales its axes differently");
 }
 
 static bool refuse_words(struct interp *interp, const struct sinumerik_block *block, bool circle)
@@ -145,7 +213,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	axes = (block->letters & AXIS_BITS) || (block->addresses & VECTOR_BITS) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	*moved = false;
-	if (!refuse_words(interp, block, circle))
+	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;
 	if (!axes)
 		return true;

@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_invoke.h"
@@ -14,6 +15,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 #include "gcode/eval/expr.h"
+#include "gcode/execute/corner_insert.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
@@ -170,11 +172,8 @@ static bool set_modes(struct interp *interp, const struct sinumerik_block *block
 		state->incremental = code[SINUMERIK_DISTANCE] == G91;
 		state->unknown_modes &= ~(1U << G_DISTANCE);
 	}
-	if (code[SINUMERIK_CUTTER] == G41 || code[SINUMERIK_CUTTER] == G42)
-		return fault(&interp->at, block->code_column[SINUMERIK_CUTTER],
-			     "G%d: cutter compensation of Sinumerik is not supported yet", code[SINUMERIK_CUTTER] / 10);
 	sinumerik_path_set(interp, block);
-	return true;
+	return sinumerik_comp_select(interp, block);
 }
 
 /* G500, G54 to G57, G505 to G599. */
@@ -350,6 +349,9 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
  */
 static bool finish(struct interp *interp, const struct ending *ending)
 {
+	if ((ending->stops || (ending->ends && !sinumerik_call_is_inside(interp))) &&
+	    !sinumerik_comp_stop(interp, ending->column, ending->ends))
+		return false;
 	if ((ending->stops || ending->ends) && !ending->returns_only && !motion_commands_spindle_stops(interp))
 		return false;
 	if (!ending->ends)
@@ -361,12 +363,28 @@ static bool finish(struct interp *interp, const struct ending *ending)
 	return interp->ended;
 }
 
+/* Anything beside a move, which cannot stand behind a chamfer or rounding that waits for the move. */
+static bool has_more(const struct sinumerik_block *block)
+{
+	bool more = block->m_count > 0 || block->call[0] || block->modal || sinumerik_block_has(block, 'S') ||
+		    sinumerik_block_has(block, 'T') || sinumerik_block_has(block, 'D');
+
+	for (int group = 0; group < SINUMERIK_GROUPS; group++)
+		more = more || (group != SINUMERIK_MOTION && group != SINUMERIK_DISTANCE && block->code[group] != CODE_NONE);
+	return more;
+}
+
 bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
 {
 	struct ending ending = {.stops = false};
 	bool done, moved = false;
 
-	if (!check_words(interp, block) || !set_feed(interp, block) || !set_speed(interp, block) ||
+	interp->block.letters = 0;
+	interp->block.motion = CODE_NONE;
+	interp->block.corner = '\0';
+	if (interp->corner.on && has_more(block))
+		return corner_insert_end_block(interp);
+	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) || !set_speed(interp, block) ||
 	    !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) || !set_modes(interp, block) ||
 	    !sinumerik_orientation_select(interp, block) || !select_system(interp, block) ||
 	    !run_once(interp, block, &done))

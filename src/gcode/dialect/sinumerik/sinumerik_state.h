@@ -125,6 +125,7 @@ struct sinumerik {
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;
+	bool frame_is_even;	/* the frames scale all directions alike */
 	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */
 	slot_values place;
 	bool placed;
@@ -146,6 +147,10 @@ struct sinumerik {
 	int path_code;	/* G60, G64, G641 ... */
 	double smoothing;	/* mm: the tolerance of CYCLE832 or CTOL; 0: not known */
 	bool compresses;	/* COMPCAD and its like */
+	int approach;	/* NORM, KONT, or CODE_NONE: a parameter says */
+	int corner;	/* G450, G451, or CODE_NONE */
+	double disc;	/* DISC: 0 is a circle */
+	bool turns_plane;	/* CUT2DF */
 	bool begun;	/* the first line has been read */
 	struct strbuf line;	/* the text of the line in hand while the file is searched */
 };

@@ -55,14 +55,14 @@ static void spread_in_plane(const struct interp *interp, struct canon_move *move
 	move->spread[comp_slot_b(interp)] += spread;
 }
 
-/* In turned coordinates the plane may lie anywhere. */
+/* In turned coordinates, and on a table that is turned, the plane may lie anywhere. */
 static void cover_frame(const struct interp *interp, struct canon_move *move)
 {
 	double most = 0;
 
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		most = fmax(most, move->spread[slot]);
-	for (int slot = SLOT_X; slot <= SLOT_Z && interp->state.frame.on; slot++)
+	for (int slot = SLOT_X; slot <= SLOT_Z && (interp->state.frame.on || interp->state.tcp != TCP_OFF); slot++)
 		move->spread[slot] = sqrt(2) * most * (interp->state.frame.distorts ? interp->state.frame.growth : 1);
 }
 

@@ -10,6 +10,9 @@
 /* Radians: a path that turns back within this has no side of a corner that is certain. */
 #define REVERSAL 0.0175
 
+/* Radians: of a sharper corner the crossing of the ways beside it is farther away than three radii. */
+#define SHARPEST 2.4
+
 /* Radians: arcs that turn less against their neighbour are meant to be tangent, and need not cross it. */
 #define MEANT_TANGENT 0.01
 
@@ -164,11 +167,46 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 
 /* ------------------------------------------------------ outside corners */
 
+/* Drawn out to where the ways cross, or on a circle, or in between: all of it is proved. */
+static void turn_between(const struct comp_corner_shape *c, struct comp_turn *turn)
+{
+	const bool by_arcs = c->before->is_arc || c->after->is_arc;
+	const double beside = c->radius * (1 / cos(c->angle / 2) - 1);
+
+	if (beside < FLAT && !by_arcs) {
+		add(turn, line_crossing(c));
+		turn->spread_before = turn->spread_after = beside;
+		return;
+	}
+	add(turn, c->foot);
+	add(turn, line_crossing(c));
+	add(turn, c->next_foot);
+	/* An arc may be drawn out as an arc, which can_cross lets leave its tangent by no more than this. */
+	turn->spread = beside + (by_arcs ? 2 * distance(c->foot, c->next_foot) * sin(fmin(c->angle, PI / 2)) : 0);
+}
+
+/* False, reported: where the ways cross is too far away, or cannot be told. */
+static bool can_cross(struct interp *interp, const struct comp_corner_shape *c)
+{
+	if (c->angle <= MEANT_TANGENT || (c->angle <= SHARPEST && !(c->before->is_arc && c->before->inside) &&
+			      !(c->after->is_arc && c->after->inside)))
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "an outside corner at which the path turns by %.4g degrees%s: whether the control draws it out or rounds "
+		     "it is a parameter's matter; round it, with G450 and DISC=0",
+		     degrees(c->angle), c->angle > SHARPEST ? "" : ", beside an arc that the tool follows inside");
+}
+
 static void turn_outside(const struct comp_corner_shape *c, enum comp_corner_form form, struct comp_turn *turn)
 {
 	double half = fmin(c->angle, PI / 2) / 2;
 	double beside = c->angle <= PI / 2 ? c->radius * (1 / math_cos(half) - 1) : ROUND_BESIDE_DRAWN * c->radius;
 
+	if (form == COMP_CORNER_BETWEEN || (form == COMP_CORNER_CROSSING_IF_BLUNT &&
+					    (c->angle > PI / 2 || c->before->is_arc || c->after->is_arc))) {
+		turn_between(c, turn);
+		return;
+	}
 	if (form == COMP_CORNER_CIRCULAR) {
 		add(turn, c->foot);
 		add(turn, c->next_foot);
@@ -210,7 +248,9 @@ static void turn_at_end(const struct comp_corner_shape *c, enum comp_start type,
 {
 	struct comp_turn drawn = {.count = 0};
 
-	if (c->angle > 0)
+	if (c->angle > 0 && (form == COMP_CORNER_BETWEEN || form == COMP_CORNER_CROSSING_IF_BLUNT))
+		add(&drawn, line_crossing(c));
+	else if (c->angle > 0)
 		add_drawn(&drawn, c);
 	if (type == COMP_START_A || (type == COMP_START_B && !(c->angle > 0))) {
 		add(turn, starting ? c->next_foot : c->foot);
@@ -259,6 +299,9 @@ bool comp_turn_find(struct interp *interp, const struct comp_way *after, struct 
 		    &interp->at, block_motion_column(&interp->block),
 		    "the path turns back on itself under cutter compensation: which side of the corner is the inside "
 		    "depends on the control");
+	if ((comp->corner_form == COMP_CORNER_BETWEEN || comp->corner_form == COMP_CORNER_CROSSING_IF_BLUNT) &&
+	    !((comp->starting || comp->leaving) && comp->start_type == COMP_START_A) && !can_cross(interp, &c))
+		return false;
 	if (comp->starting || comp->leaving) {
 		turn_at_end(&c, comp->start_type, comp->corner_form, comp->starting, turn);
 		return true;

@@ -1,0 +1,233 @@
+#include "gcode/dialect/sinumerik/sinumerik_comp.h"
+
+#include <math.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/cutter_comp/comp_lookahead.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+
+/* How far a direction may lean from an axis, as a part of its length. */
+#define ALONG 1e-9
+
+/* --------------------------------------------------------------- questions */
+
+static bool refuse(struct interp *interp, int column, const char *what)
+{
+	return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", what);
+}
+
+bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *block)
+{
+	static const struct {
+		enum sinumerik_group group;
+		const char *what;
+	} groups[] = {{SINUMERIK_TRANSFORM, "TRAORI or TRAFOOF"},
+		      {SINUMERIK_FRAME, "a change of the frame"},
+		      {SINUMERIK_SYSTEM, "a change of the work offset"},
+		      {SINUMERIK_SUPPRESSION, "a move in the machine's coordinates"}};
+	const int once = block->code[SINUMERIK_ONCE];
+
+	if (interp->comp.side == 0)
+		return true;
+	for (size_t i = 0; i < sizeof(groups) / sizeof(groups[0]); i++) {
+		if (block->code[groups[i].group] != CODE_NONE)
+			return refuse(interp, block->code_column[groups[i].group], groups[i].what);
+	}
+	if (block->code[SINUMERIK_PLANE] != CODE_NONE && block->code[SINUMERIK_PLANE] != interp->state.plane)
+		return refuse(interp, block->code_column[SINUMERIK_PLANE], "a change of the plane");
+	if (once != CODE_NONE && once != G4)
+		return refuse(interp, block->code_column[SINUMERIK_ONCE], "a move in the machine's coordinates");
+	if (sinumerik_block_has(block, 'D') && fabs(block->value['D' - 'A'] - sinumerik_of(interp)->edge) > 0)
+		return refuse(interp, block->column['D' - 'A'], "another D");
+	for (int i = 0; i < block->m_count; i++) {
+		if (block->m[i] == 6)
+			return refuse(interp, block->m_column[i], "a tool change");
+	}
+	if (block->modal && block->call[0])
+		return refuse(interp, block->modal_column, "a modal call");
+	if (block->stops_reading)
+		return refuse(interp, 1, "STOPRE, which ends the control's look ahead,");
+	return true;
+}
+
+/* ---------------------------------------------------------------- switching */
+
+/* The radius of the edge in force; false, reported: it is not known. */
+static bool find_radius(struct interp *interp, int column, double *radius)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int number = interp->state.tool;
+	const struct tool *tool = tool_table_find(&interp->tools, number);
+	double diameter = tool ? tool->diameter : 0;
+
+	*radius = 0;
+	if (sinumerik->edge_unsure)
+		return fault(&interp->at, column, "tool radius compensation needs the tool's edge: write D before it");
+	if (sinumerik->edge == 0 || number == 0)
+		return true;
+	for (size_t i = 0; i < interp->config->edge_count; i++) {
+		const struct tool_edge *edge = &interp->config->edges[i];
+
+		if (edge->tool == number && edge->number == sinumerik->edge && edge->diameter > 0)
+			diameter = edge->diameter;
+	}
+	*radius = diameter / 2;
+	return diameter > 0 ||
+	       fault(&interp->at, column,
+		     "the radius of T%d D%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"", number,
+		     sinumerik->edge);
+}
+
+/* The direction of the tool, as the machine's axes X, Y and Z lie. */
+static bool find_tool(struct interp *interp, int column, vec3 *direction)
+{
+	struct kinematics_retract along = {.distance = 1, .position = interp->state.canonical};
+
+	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, column), &along))
+		return false;
+	*direction = (vec3){along.position.v[SLOT_X] - interp->state.canonical.v[SLOT_X],
+			    along.position.v[SLOT_Y] - interp->state.canonical.v[SLOT_Y],
+			    along.position.v[SLOT_Z] - interp->state.canonical.v[SLOT_Z]};
+	return true;
+}
+
+/*
+ * 840D sl, job planning, "CUT2D, CUT2DF": CUT2D corrects in the plane of the machine's axes, CUT2DF in that of the
+ * frame. They are one where the frame does not tilt the plane, and after CYCLE800 where the table has turned.
+ */
+static bool check_plane(struct interp *interp, int column)
+{
+	const struct state *state = &interp->state;
+	const int across = comp_slot_across(interp);
+	const vec3 normal = {across == SLOT_X, across == SLOT_Y, across == SLOT_Z};
+	vec3 seen = normal;
+
+	if (state->tcp == TCP_BY_LENGTH)
+		return fault(&interp->at, column, "tool radius compensation while TRAORI is on is not supported");
+	if (state->frame.on && state->frame.distorts && !same_double(vec3_norm(state->frame.turn.x), 1))
+		return fault(&interp->at, column, "tool radius compensation while SCALE is in force is not supported yet");
+	if (sinumerik_of(interp)->turns_plane)
+		return true;
+	if (state->tcp == TCP_BY_PLANE && !find_tool(interp, column, &seen))
+		return false;
+	if (state->tcp == TCP_OFF && state->frame.on)
+		seen = mat3_apply(&state->frame.turn, normal);
+	return vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen) ||
+	       fault(&interp->at, column,
+		     "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of "
+		     "the machine's axes; CUT2DF corrects in the tilted one");
+}
+
+static bool switch_on(struct interp *interp, int column, int side)
+{
+	struct cutter_comp *comp = &interp->comp;
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	double radius;
+
+	if (comp->side == side)
+		return true;
+	if (comp->side != 0)
+		return refuse(interp, column, "the other side of the path");
+	if (!find_radius(interp, column, &radius) || !check_plane(interp, column))
+		return false;
+	/* Beside the path by nothing. */
+	if (!(radius > 0))
+		return true;
+	comp_lookahead_begin(comp, side, radius);
+	comp->start_type = sinumerik->approach == SINUMERIK_NORM ? COMP_START_A : COMP_START_UNKNOWN;
+	if (sinumerik->corner == SINUMERIK_G(450) && !(sinumerik->disc > 0))
+		comp->corner_form = COMP_CORNER_CIRCULAR;
+	else if (sinumerik->corner == SINUMERIK_G(451))
+		comp->corner_form = COMP_CORNER_CROSSING_IF_BLUNT;
+	else
+		comp->corner_form = COMP_CORNER_BETWEEN;
+	return true;
+}
+
+static bool moves_in_plane(const struct interp *interp, const struct sinumerik_block *block)
+{
+	return interp->state.motion <= G3 && (sinumerik_block_has(block, AXIS_LETTERS[comp_slot_a(interp)]) ||
+					      sinumerik_block_has(block, AXIS_LETTERS[comp_slot_b(interp)]));
+}
+
+/* In turned coordinates a move of one axis may leave any of them aside. */
+static void loosen_all(struct interp *interp)
+{
+	double *loose = interp->comp.loose;
+
+	for (int slot = SLOT_X; slot <= SLOT_Z && (interp->state.frame.on || interp->state.tcp != TCP_OFF); slot++)
+		loose[slot] = interp->comp.radius;
+}
+
+static bool switch_off(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct cutter_comp *comp = &interp->comp;
+	const int motion = block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code[SINUMERIK_MOTION] : interp->state.motion;
+
+	if (comp->side == 0)
+		return true;
+	if (comp->entered && motion <= G1 && moves_in_plane(interp, block)) {
+		comp->leaving = true;
+		return true;
+	}
+	interp->block.g_column[G_CUTTER] = block->code_column[SINUMERIK_CUTTER];
+	interp->block.g[G_CUTTER] = G40;
+	if (comp->entered) {
+		if (moves_in_plane(interp, block))
+			return fault(&interp->at, block->code_column[SINUMERIK_CUTTER],
+				     "tool radius compensation ends in a straight line (G0, G1), not in a circle");
+		if (!comp_lookahead_stop(interp))
+			return false;
+		loosen_all(interp);
+	}
+	interp->block.g[G_CUTTER] = CODE_NONE;
+	comp->side = 0;
+	comp->entered = false;
+	return true;
+}
+
+bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int *code = block->code, column = block->code_column[SINUMERIK_CUTTER];
+	const bool shapes = code[SINUMERIK_CORNER] != CODE_NONE || sinumerik_block_has_address(block, SINUMERIK_DISC);
+	const double disc = block->address_value[SINUMERIK_DISC];
+
+	if (interp->comp.side != 0 && shapes)
+		return refuse(interp, code[SINUMERIK_CORNER] != CODE_NONE ? block->code_column[SINUMERIK_CORNER]
+									  : block->address_column[SINUMERIK_DISC],
+			      "another way round corners");
+	if (sinumerik_block_has_address(block, SINUMERIK_DISC) && !(disc >= 0 && disc <= 100))
+		return fault(&interp->at, block->address_column[SINUMERIK_DISC], "DISC lies between 0 and 100");
+	if (code[SINUMERIK_APPROACH] != CODE_NONE) {
+		sinumerik->approach = code[SINUMERIK_APPROACH];
+		/* The way out is as this block says. */
+		interp->comp.start_type = sinumerik->approach == SINUMERIK_NORM ? COMP_START_A : COMP_START_UNKNOWN;
+	}
+	if (code[SINUMERIK_CORNER] != CODE_NONE)
+		sinumerik->corner = code[SINUMERIK_CORNER];
+	if (sinumerik_block_has_address(block, SINUMERIK_DISC))
+		sinumerik->disc = disc;
+	if (code[SINUMERIK_CUT] != CODE_NONE)
+		sinumerik->turns_plane = code[SINUMERIK_CUT] == SINUMERIK_CUT2DF;
+	if (code[SINUMERIK_CUTTER] == CODE_NONE)
+		return true;
+	if (code[SINUMERIK_CUTTER] == G40)
+		return switch_off(interp, block);
+	return switch_on(interp, column, code[SINUMERIK_CUTTER] == G41 ? 1 : -1);
+}
+
+bool sinumerik_comp_stop(struct interp *interp, int column, bool ends)
+{
+	struct cutter_comp *comp = &interp->comp;
+
+	if (comp->side == 0 || comp->queue.count == 0)
+		return true;
+	if (comp->starting || !ends)
+		return fault(&interp->at, column,
+			     "the program stops under tool radius compensation: where the tool waits depends on the control; "
+			     "G40 first");
+	return comp_send_to(interp, comp->current);
+}
