@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/completion/completion.h"
+#include "cli/import/import_command.h"
 #include "cli/init/init.h"
 #include "cli/merge.h"
 #include "cli/scan/scan.h"
@@ -11,6 +12,8 @@
 const struct command command_table[] = {
     {"init", "FAMILY", machine_plan_families, "write a machine file to begin with", init_options, INIT_OPTION_COUNT,
      init_run},
+    {"import", "FILE", NULL, "make a machine file from that of another program", import_options, IMPORT_OPTION_COUNT,
+     import_run},
     {"merge", "FILE...", NULL, "join the NDJSON results of the shards of a run", merge_options, MERGE_OPTION_COUNT,
      merge_run},
     {"waive", "FILE", NULL, "write waivers for the findings of a run", waive_options, WAIVE_OPTION_COUNT, waive_run},

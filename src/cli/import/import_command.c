@@ -1,0 +1,147 @@
+#include "cli/import/import_command.h"
+
+#include <string.h>
+
+#include "cli/argv_parser.h"
+#include "cli/import/import_output.h"
+#include "control/dialects.h"
+#include "import/vericut_machine.h"
+#include "machine/machine.h"
+#include "report/output.h"
+
+static const struct srcloc nowhere;
+
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_DIALECT };
+
+const struct option_row import_options[IMPORT_OPTION_COUNT] = {
+	{'o', "output", "FOLDER", .kind = VALUE_TEXT,
+	 .help = "write machine.xml and the meshes into FOLDER, which is\nmade if it is not there; required"},
+	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT,
+	 .help = "search meshes below FOLDER first, then beside FILE"},
+	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG,
+	 .help = "leave bodies out whose meshes are not there"},
+	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, .choices = dialect_names,
+	 .help = "how the control reads programs: %s"},
+	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
+};
+
+struct request {
+	struct import_options options;
+	const char *file, *output;
+	size_t operands;
+	int dialect;	/* row of control/dialects.h; -1: not given */
+	bool help;
+	struct diag *diag;
+};
+
+static void take_operand(void *context, char *word)
+{
+	struct request *request = context;
+
+	request->file = word;
+	request->operands++;
+}
+
+static enum argv_result take_dialect(struct request *request, const char *name)
+{
+	request->dialect = dialect_row_find(name);
+	if (request->dialect >= 0)
+		return ARGV_NEXT;
+	diag_error(request->diag, nowhere, "--dialect: '%s' is no dialect; 'fivecheck import --help' lists them", name);
+	return ARGV_FAULT;
+}
+
+static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
+{
+	struct request *request = context;
+
+	switch (row->key) {
+	case 'o':
+		request->output = argument;
+		break;
+	case KEY_MESHES:
+		request->options.meshes = argument;
+		break;
+	case KEY_SKIP_MISSING:
+		request->options.skip_missing = true;
+		break;
+	case KEY_DIALECT:
+		return take_dialect(request, argument);
+	default:
+		request->help = true;
+		return ARGV_LAST;
+	}
+	return ARGV_NEXT;
+}
+
+static enum run_status print_help(struct diag *diag)
+{
+	struct strbuf text = {0};
+
+	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
+			   "Makes a machine file and its meshes from the machine file of another program: VERICUT 7\n"
+			   "(.mch). Says what could not be taken over, and what has to be looked at.\n\n");
+	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
+	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"
+			   "fivecheck --check-machine dmu50/machine.xml\n");
+	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
+}
+
+/* False: reported. */
+static bool check(const struct request *request)
+{
+	if (request->operands != 1)
+		diag_error(request->diag, nowhere, "import needs one file");
+	else if (!request->output || !*request->output)
+		diag_error(request->diag, nowhere, "import needs a folder to write to: --output=FOLDER");
+	else
+		return true;
+	return false;
+}
+
+/* What was written must be what the checker reads. */
+static bool load(const char *path, struct diag *diag)
+{
+	struct machine *machine = machine_load(path, diag);
+
+	if (!machine)
+		return false;
+	diag_note(diag, nowhere, "wrote %s with %zu axes and %zu bodies; next: look through it, run 'fivecheck "
+				 "--check-machine %s', and compare what it says of each axis with the machine",
+		  path, machine->axis_count, machine->body_count, path);
+	machine_free(machine);
+	return true;
+}
+
+static bool import_machine(const struct request *request)
+{
+	struct import_machine machine = {0};
+	struct strbuf path = {0};
+	bool good;
+
+	strbuf_addf(&path, "%s/machine.xml", request->output);
+	good = import_output_is_new(strbuf_text(&path), request->diag) &&
+	       vericut_machine_read(&machine, request->file, &request->options, request->diag);
+	machine.dialect_known = request->dialect >= 0;
+	machine.description.controller.dialect = machine.dialect_known ? request->dialect : 0;
+	good = good && import_output_write(&machine, request->output, request->file, request->diag) &&
+	       load(strbuf_text(&path), request->diag);
+	import_machine_release(&machine);
+	strbuf_release(&path);
+	return good;
+}
+
+enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
+{
+	struct request request = {.diag = &ui->diag, .dialect = -1};
+	const struct argv_parser parser = {import_options, IMPORT_OPTION_COUNT, take_option, take_operand, &request};
+	bool good = argv_parser_run(&parser, argc, argv, &ui->diag);
+
+	(void)all;
+	if (good && request.help)
+		return print_help(&ui->diag);
+	if (good && check(&request))
+		return import_machine(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
+	diag_note(&ui->diag, nowhere, "'fivecheck import --help' lists the options");
+	return RUN_INCOMPLETE;
+}

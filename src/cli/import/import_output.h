@@ -1,0 +1,19 @@
+/* import_output.h - writes an imported machine into a folder. */
+#ifndef FIVECHECK_CLI_IMPORT_IMPORT_OUTPUT_H
+#define FIVECHECK_CLI_IMPORT_IMPORT_OUTPUT_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "import/import.h"
+
+/* False, reported: the file is there already, and may have been edited. */
+bool import_output_is_new(const char *path, struct diag *diag);
+
+/*
+ * Makes the folder and writes the meshes and, last, machine.xml. `source` is the file that was read. False: reported.
+ */
+bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
+			 struct diag *diag);
+
+#endif

@@ -1,0 +1,45 @@
+/* import.h - what a file of another program says of a machine and its setup, before it is written as fivecheck's own. */
+#ifndef FIVECHECK_IMPORT_IMPORT_H
+#define FIVECHECK_IMPORT_IMPORT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/diag.h"
+#include "geom/mesh.h"
+#include "machine/description.h"
+
+/*
+ * A reader fills in the description as the reader of machine.xml would: lengths in mm, angles in radians, everything in
+ * machine coordinates with every axis at 0. The paths of the bodies' meshes are those that the meshes will have beside
+ * machine.xml; `meshes` has their triangles, in mm.
+ */
+struct import_machine {
+	struct machine_description description;
+	struct mesh *meshes;	/* the n-th belongs to the n-th body; owned */
+	size_t mesh_capacity, body_capacity, pair_capacity;
+	bool dialect_known, rapid_known;	/* else the file says nothing of it */
+};
+
+/* All zero is an empty machine. */
+void import_machine_release(struct import_machine *machine);
+
+/* What the user decides about a file. */
+struct import_options {
+	const char *meshes;	/* a folder in which meshes are searched first; or NULL */
+	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
+};
+
+/*
+ * Adds a body whose mesh the machine takes over. Its name is made from `wanted`, so that no other body, link or role has
+ * it. Returns the body; it is valid until the next one is added.
+ */
+struct body_description *import_machine_add_body(struct import_machine *machine, const char *wanted,
+						 const char *otherwise, int link, const xform *frame,
+						 struct mesh *mesh);
+
+/* Adds a pair that is always checked; a pair that is there already keeps the greater clearance. */
+void import_machine_add_pair(struct import_machine *machine, const char *a, const char *b, double clearance);
+
+#endif

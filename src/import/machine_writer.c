@@ -1,0 +1,253 @@
+#include "import/machine_writer.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "base/axes.h"
+#include "base/xml_text.h"
+#include "control/dialects.h"
+
+/* Rates of a usual machining centre, mm and degrees a minute, where the file has none. Only times depend on them. */
+#define LINEAR_RATE 30000.0
+#define ROTARY_RATE 7200.0
+
+/* A value below this, mm or degrees, is what rounding left of 0. */
+#define NOTHING 1e-9
+
+static double degrees(double radians)
+{
+	return radians * 180 / acos(-1);
+}
+
+/* Shows values that were meant to be round as such: the difference is far below any tolerance. */
+static double tidy(double value)
+{
+	double rounded = nearbyint(value * 1e6) / 1e6;
+
+	if (fabs(value) < NOTHING)
+		return 0;
+	return fabs(value - rounded) < NOTHING ? rounded : value;
+}
+
+static void add_number(struct strbuf *out, const char *attribute, double value)
+{
+	strbuf_addf(out, " %s=\"%.15g\"", attribute, tidy(value));
+}
+
+static void add_vector(struct strbuf *out, const char *attribute, vec3 v)
+{
+	strbuf_addf(out, " %s=\"%.15g %.15g %.15g\"", attribute, tidy(v.x), tidy(v.y), tidy(v.z));
+}
+
+/* Directions keep all their digits: an angle error grows with the distance. */
+static void add_direction(struct strbuf *out, vec3 v)
+{
+	const double parts[3] = {v.x, v.y, v.z};
+
+	strbuf_addf(out, " direction=\"");
+	for (int i = 0; i < 3; i++)
+		strbuf_addf(out, "%s%.15g", i ? " " : "", fabs(parts[i]) < 1e-15 ? 0 : parts[i]);
+	strbuf_addf(out, "\"");
+}
+
+vec3 machine_writer_angles(const mat3 *r)
+{
+	/* The columns' parts: r->x.z is the element in row 3, column 1. */
+	double level = hypot(r->x.x, r->x.y);
+	vec3 angles = {0, degrees(atan2(-r->x.z, level)), 0};
+
+	/* Where Y is +-90 degrees, X and Z turn about the same line: Z takes all of it. */
+	if (level < 1e-9) {
+		angles.z = degrees(atan2(-r->y.x, r->y.y));
+		return angles;
+	}
+	angles.x = degrees(atan2(r->y.z, r->z.z));
+	angles.z = degrees(atan2(r->x.y, r->x.x));
+	return angles;
+}
+
+static void add_frame(struct strbuf *out, const xform *frame, bool location_needed)
+{
+	vec3 angles = machine_writer_angles(&frame->rotation), p = frame->translation;
+
+	if (location_needed || fabs(tidy(p.x)) + fabs(tidy(p.y)) + fabs(tidy(p.z)) > 0)
+		add_vector(out, "location", p);
+	if (fabs(tidy(angles.x)) + fabs(tidy(angles.y)) + fabs(tidy(angles.z)) > 0)
+		add_vector(out, "rotation", angles);
+}
+
+static void indent(struct strbuf *out, int depth)
+{
+	strbuf_addf(out, "%*s", 2 * depth, "");
+}
+
+static void add_bodies(struct strbuf *out, const struct machine_description *d, int link, int depth)
+{
+	for (size_t i = 0; i < d->body_count; i++) {
+		const struct body_description *body = &d->bodies[i];
+
+		if (body->link != link)
+			continue;
+		indent(out, depth);
+		strbuf_addf(out, "<body");
+		xml_text_attribute(out, "name", body->name);
+		xml_text_attribute(out, "mesh", body->mesh_path);
+		add_frame(out, &body->frame, false);
+		strbuf_addf(out, "/>\n");
+	}
+}
+
+static void add_mounts(struct strbuf *out, const struct machine_description *d, int link, int depth)
+{
+	for (size_t i = 0; i < d->spindle_count; i++) {
+		if (d->spindles[i].link != link)
+			continue;
+		indent(out, depth);
+		strbuf_addf(out, "<spindle");
+		add_vector(out, "location", d->spindles[i].location);
+		add_direction(out, d->spindles[i].direction);
+		strbuf_addf(out, "/>\n");
+	}
+	for (size_t i = 0; i < d->workholding_count; i++) {
+		if (d->workholdings[i].link != link)
+			continue;
+		indent(out, depth);
+		strbuf_addf(out, "<workholding");
+		add_frame(out, &d->workholdings[i].frame, true);
+		strbuf_addf(out, "/>\n");
+	}
+}
+
+static void add_axis_tag(struct strbuf *out, const struct axis_description *axis, int depth)
+{
+	const double scale = axis->rotary ? degrees(1) : 1;
+
+	if (!(axis->rate_max > 0)) {
+		indent(out, depth);
+		strbuf_addf(out, "<!-- TODO The rate of rapids is a guess: the file that was imported has none. -->\n");
+	}
+	indent(out, depth);
+	strbuf_addf(out, "<axis name=\"%c\"", AXIS_LETTERS[axis->slot]);
+	if (axis->title)
+		xml_text_attribute(out, "title", axis->title);
+	xml_text_attribute(out, "type", axis->rotary ? "rotary" : "linear");
+	add_direction(out, axis->direction);
+	if (axis->has_location)
+		add_vector(out, "location", axis->location);
+	if (isfinite(axis->limit_min))
+		add_number(out, "limit_min", scale * axis->limit_min);
+	if (isfinite(axis->limit_max))
+		add_number(out, "limit_max", scale * axis->limit_max);
+	add_number(out, "rate_max",
+		   axis->rate_max > 0 ? axis->rate_max : axis->rotary ? ROTARY_RATE : LINEAR_RATE);
+	if (axis->home.given)
+		add_number(out, "home", scale * axis->home.value);
+	strbuf_addf(out, ">\n");
+}
+
+static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth);
+
+/* The chain is at most nine axes deep. NOLINTNEXTLINE(misc-no-recursion) */
+static void add_link(struct strbuf *out, const struct machine_description *d, int link, int depth)
+{
+	add_bodies(out, d, link, depth);
+	add_mounts(out, d, link, depth);
+	for (size_t i = 0; i < d->axis_count; i++) {
+		if (d->axes[i].parent != link)
+			continue;
+		add_axis_tag(out, &d->axes[i], depth);
+		add_link(out, d, 1 + (int)i, depth + 1);
+		indent(out, depth);
+		strbuf_addf(out, "</axis>\n");
+	}
+}
+
+static void add_pairs(struct strbuf *out, const struct machine_description *d)
+{
+	if (!d->pair_count)
+		return;
+	strbuf_addf(out, "  <!-- The collision list of that file. fivecheck checks all other pairs that can meet, too. -->\n"
+			 "  <pairs>\n");
+	for (size_t i = 0; i < d->pair_count; i++) {
+		const struct pair_description *pair = &d->pairs[i];
+
+		strbuf_addf(out, "    <pair");
+		xml_text_attribute(out, "a", pair->a);
+		xml_text_attribute(out, "b", pair->b);
+		xml_text_attribute(out, "check", "always");
+		if (pair->clearance.value > 0)
+			add_number(out, "clearance", pair->clearance.value);
+		strbuf_addf(out, "/>\n");
+	}
+	strbuf_addf(out, "  </pairs>\n");
+}
+
+static void add_controller(struct strbuf *out, const struct import_machine *machine)
+{
+	const struct controller_description *controller = &machine->description.controller;
+
+	if (!machine->dialect_known)
+		strbuf_addf(out, "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n"
+				 "       rate) or any (not known: every way between start and end is checked). -->\n");
+	strbuf_addf(out, "  <controller");
+	xml_text_attribute(out, "dialect", dialect_names[controller->dialect]);
+	xml_text_attribute(out, "rapid", machine->rapid_known ? "linear" : "any");
+	strbuf_addf(out, "/>\n");
+}
+
+/* What stands in a comment must not end it. */
+static void add_comment(struct strbuf *out, const char *text)
+{
+	strbuf_addf(out, "<!-- ");
+	for (; *text; text++)
+		strbuf_add(out, *text == '-' && text[1] == '-' ? "=" : text, 1);
+	strbuf_addf(out, " -->\n");
+}
+
+void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin)
+{
+	const struct machine_description *d = &machine->description;
+
+	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+	add_comment(out, origin);
+	strbuf_addf(out, "<machine version=\"1\"");
+	if (d->name)
+		xml_text_attribute(out, "name", d->name);
+	strbuf_addf(out, " units=\"mm\">\n");
+	add_controller(out, machine);
+	strbuf_addf(out, "  <base>\n");
+	add_link(out, d, 0, 2);
+	strbuf_addf(out, "  </base>\n");
+	add_pairs(out, d);
+	strbuf_addf(out, "</machine>\n");
+}
+
+/* --------------------------------------------------------------------- STL */
+
+enum { STL_HEADER = 80, STL_TRIANGLE = 50 };
+
+static void put_u32(unsigned char *to, uint32_t value)
+{
+	for (int i = 0; i < 4; i++)
+		to[i] = (unsigned char)(value >> (8 * i));
+}
+
+void machine_writer_stl(struct strbuf *out, const struct mesh *mesh)
+{
+	unsigned char head[STL_HEADER + 4] = "fivecheck import, binary STL, mm";
+
+	put_u32(head + STL_HEADER, (uint32_t)mesh->count);
+	strbuf_add(out, (const char *)head, sizeof(head));
+	for (size_t i = 0; i < mesh->count; i++) {
+		unsigned char bytes[STL_TRIANGLE] = {0};
+		uint32_t bits;
+
+		/* Readers compute a normal that is 0 0 0. */
+		for (int k = 0; k < 9; k++) {
+			memcpy(&bits, &mesh->triangles[i].v[k / 3][k % 3], sizeof(bits));
+			put_u32(bytes + 12 + 4 * k, bits);
+		}
+		strbuf_add(out, (const char *)bytes, sizeof(bytes));
+	}
+}

@@ -1,0 +1,20 @@
+/* machine_writer.h - writes a machine as machine.xml and its meshes as STL. */
+#ifndef FIVECHECK_IMPORT_MACHINE_WRITER_H
+#define FIVECHECK_IMPORT_MACHINE_WRITER_H
+
+#include "base/strbuf.h"
+#include "import/import.h"
+
+/*
+ * Appends the XML. `origin` says in a comment what the file was made from. What the other program does not say is marked
+ * with TODO, as `fivecheck init` does: the control, and rates that are missing.
+ */
+void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin);
+
+/* Appends the mesh as binary STL. */
+void machine_writer_stl(struct strbuf *out, const struct mesh *mesh);
+
+/* fixed angles about X, Y and Z, degrees: R = Rz Ry Rx. */
+vec3 machine_writer_angles(const mat3 *rotation);
+
+#endif

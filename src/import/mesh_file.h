@@ -1,0 +1,21 @@
+/* mesh_file.h - finds and reads the meshes that a file of another program names. */
+#ifndef FIVECHECK_IMPORT_MESH_FILE_H
+#define FIVECHECK_IMPORT_MESH_FILE_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "geom/mesh.h"
+
+/*
+ * Looks for a mesh by the path that was written on another computer, with / or \: below `folder` and below the folder
+ * of `file` (either may be NULL), by the longest end of the path that is there; upper and lower case are alike. No ".."
+ * is followed. On success the path is in *found.
+ */
+bool mesh_file_find(struct strbuf *found, const char *folder, const char *file, const char *written);
+
+/* Reads a mesh of a known format, told by its content: STL or VERICUT-model. `scale`: mm per unit of the file. */
+bool mesh_file_read(struct mesh *out, const char *path, double scale, struct diag *diag);
+
+#endif

@@ -1,0 +1,152 @@
+#include "import/vericut_components.h"
+
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+/* More than any machine has. The tree is searched by names, so a limit keeps hostile files fast. */
+#define COMPONENTS_MAX 1000
+
+struct vericut_component *vericut_components_find(const struct vericut_components *components, const char *name)
+{
+	for (size_t i = 0; i < components->count; i++)
+		if (!strcmp(components->items[i].name, name))
+			return &components->items[i];
+	return NULL;
+}
+
+bool vericut_frame(struct xml_reader *xml, const xmlNode *node, xform *frame)
+{
+	const xmlNode *position = foreign_child(node, "Position"), *rotation = foreign_child(node, "Rotation");
+	const double degree = acos(-1) / 180;
+	vec3 p = {0, 0, 0}, r = {0, 0, 0};
+	mat3 about_x, about_y, about_z;
+
+	if ((position && !foreign_vector(xml, position, "X", "Y", "Z", &p)) ||
+	    (rotation && !foreign_vector(xml, rotation, "I", "J", "K", &r)))
+		return false;
+	about_x = mat3_turn((vec3){1, 0, 0}, degree * r.x);
+	about_y = mat3_turn((vec3){0, 1, 0}, degree * r.y);
+	about_z = mat3_turn((vec3){0, 0, 1}, degree * r.z);
+	about_y = mat3_mul(&about_y, &about_x);
+	*frame = (xform){mat3_mul(&about_z, &about_y), vec3_scale(xml->unit, p)};
+	return true;
+}
+
+static bool read_component(struct vericut_components *components, struct xml_reader *xml, const xmlNode *node,
+			   struct arena *arena)
+{
+	struct vericut_component *c = &components->items[components->count];
+	const char *name = foreign_attribute(node, "Name"), *type = foreign_attribute(node, "Type");
+
+	if (!name || !*name || !type) {
+		xml_error(xml, node, NULL, "a component needs a Name and a Type");
+		return false;
+	}
+	if (vericut_components_find(components, name)) {
+		xml_error(xml, node, "Name", "there is a second component '%s'", xml_quote(name).text);
+		return false;
+	}
+	*c = (struct vericut_component){
+		.node = node,
+		.name = name,
+		.type = type,
+		.attach = foreign_text(arena, foreign_child(node, "Attach")),
+		.slot = -1,
+	};
+	components->count++;
+	return true;
+}
+
+/* Places what hangs on what is placed already. Returns how many there were. */
+static size_t place_more(struct vericut_components *components, struct xml_reader *xml, size_t placed)
+{
+	size_t before = placed;
+
+	for (size_t i = 0; i < components->count; i++) {
+		struct vericut_component *c = &components->items[i];
+		xform local;
+
+		if (c->placed || (c->parent && !c->parent->placed))
+			continue;
+		if (!vericut_frame(xml, c->node, &local))
+			return 0;
+		c->frame = c->parent ? xform_mul(&c->parent->frame, &local) : local;
+		c->placed = true;
+		components->order[placed++] = c;
+	}
+	return placed - before;
+}
+
+static bool place_all(struct vericut_components *components, struct xml_reader *xml)
+{
+	size_t placed = 0, more;
+
+	do {
+		more = place_more(components, xml, placed);
+		placed += more;
+	} while (more && placed < components->count);
+	for (size_t i = 0; i < components->count && !xml->errors; i++)
+		if (!components->items[i].placed)
+			xml_error(xml, components->items[i].node, "Name", "the component '%s' is carried by itself",
+				  xml_quote(components->items[i].name).text);
+	return !xml->errors;
+}
+
+static bool find_parents(struct vericut_components *components, struct xml_reader *xml)
+{
+	const struct vericut_component *base = NULL;
+
+	for (size_t i = 0; i < components->count; i++) {
+		struct vericut_component *c = &components->items[i];
+
+		c->parent = *c->attach ? vericut_components_find(components, c->attach) : NULL;
+		if (*c->attach && !c->parent)
+			xml_error(xml, foreign_child(c->node, "Attach"), NULL,
+				  "'%s' is attached to '%s', which is no component of this machine",
+				  xml_quote(c->name).text, xml_quote(c->attach).text);
+		else if (!c->parent && base)
+			xml_error(xml, c->node, NULL, "'%s' and '%s' are both attached to nothing: a machine has one base",
+				  xml_quote(base->name).text, xml_quote(c->name).text);
+		base = c->parent ? base : c;
+	}
+	return !xml->errors;
+}
+
+static void mark_carriers(const struct vericut_components *components)
+{
+	static const char *const work[] = {"attach", "stock", "fixture", "design"};
+
+	for (size_t i = 0; i < components->count; i++) {
+		bool holds = false;
+
+		for (size_t k = 0; k < sizeof(work) / sizeof(*work); k++)
+			holds |= !strcasecmp(components->items[i].type, work[k]);
+		for (struct vericut_component *c = holds ? &components->items[i] : NULL; c; c = c->parent)
+			c->carries_work = true;
+	}
+}
+
+bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, struct arena *arena)
+{
+	const xmlNode *root = xmlDocGetRootElement(xml->doc);
+	size_t count = 0;
+
+	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
+		count++;
+	if (count == 0 || count > COMPONENTS_MAX) {
+		xml_error(xml, root, NULL, "the machine has %zu components; 1 to %d can be read", count, COMPONENTS_MAX);
+		return false;
+	}
+	*components = (struct vericut_components){
+		.items = arena_alloc(arena, count * sizeof(*components->items)),
+		.order = arena_alloc(arena, count * sizeof(struct vericut_component *)),
+	};
+	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
+		if (!read_component(components, xml, node, arena))
+			return false;
+	if (!find_parents(components, xml) || !place_all(components, xml))
+		return false;
+	mark_carriers(components);
+	return true;
+}

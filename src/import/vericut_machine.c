@@ -1,0 +1,473 @@
+#include "import/vericut_machine.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/axes.h"
+#include "base/units.h"
+#include "import/foreign_xml.h"
+#include "import/mesh_build.h"
+#include "import/mesh_file.h"
+#include "import/vericut_components.h"
+#include "import/vericut_pairs.h"
+#include "machine/xml/xml_element.h"
+
+struct reading {
+	struct import_machine *machine;
+	const struct import_options *options;
+	struct xml_reader xml;
+	struct vericut_components components;
+	struct diag *diag;
+};
+
+static void warn(const struct reading *r, const xmlNode *node, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+static void warn(const struct reading *r, const xmlNode *node, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	diag_report(r->diag, DIAG_WARNING, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, node)}, NULL,
+		    format, args);
+	va_end(args);
+}
+
+/* mm per unit of length; 0, reported: the unit is unknown. */
+static double unit_of(struct reading *r, const xmlNode *node)
+{
+	const char *unit = foreign_attribute(node, "Unit");
+
+	if (unit && !strcasecmp(unit, "millimeter"))
+		return 1;
+	if (unit && !strcasecmp(unit, "inch"))
+		return MM_PER_INCH;
+	xml_error(&r->xml, node, unit ? "Unit" : NULL, "the Unit of <%s> must be millimeter or inch",
+		  (const char *)node->name);
+	return 0;
+}
+
+/* -------------------------------------------------------------------- axes */
+
+/* A unit vector of the component's own frame, from X, -X, Y and so on, in machine coordinates. */
+static bool axis_direction(struct reading *r, const struct vericut_component *c, const xmlNode *link, vec3 *direction)
+{
+	const char *word = foreign_attribute(link, "Axis");
+	double sense = 1;
+
+	if (word && (*word == '-' || *word == '+'))
+		sense = *word++ == '-' ? -1 : 1;
+	if (!word || strlen(word) != 1 || !strchr("XYZxyz", *word)) {
+		xml_error(&r->xml, link, "Axis", "the Axis of '%s' must be X, Y or Z, with a sign or without",
+			  xml_quote(c->name).text);
+		return false;
+	}
+	switch (toupper((unsigned char)*word)) {
+	case 'X':
+		*direction = vec3_scale(sense, c->frame.rotation.x);
+		break;
+	case 'Y':
+		*direction = vec3_scale(sense, c->frame.rotation.y);
+		break;
+	default:
+		*direction = vec3_scale(sense, c->frame.rotation.z);
+	}
+	return true;
+}
+
+/*
+ * Does the axis move against its positive sense, because it carries the work? DisableAuto ("off") of version 7.0 became
+ * PartSide ("auto") in 7.1.
+ */
+static bool is_reversed(struct reading *r, const struct vericut_component *c, const xmlNode *link, bool *reversed)
+{
+	const char *disabled = foreign_attribute(link, "DisableAuto"), *side = foreign_attribute(link, "PartSide");
+
+	if (side && strcasecmp(side, "auto") != 0) {
+		xml_error(&r->xml, link, "PartSide",
+			  "PartSide=\"%s\" of '%s' is not known: only \"auto\" is; which way the axis moves for a positive "
+			  "value has to be written into machine.xml by hand",
+			  xml_quote(side).text, xml_quote(c->name).text);
+		return false;
+	}
+	*reversed = c->carries_work && !(disabled && !strcasecmp(disabled, "on"));
+	return true;
+}
+
+/* The slot of the control's axis that moves the component: Register names it. -1: none does. */
+static int slot_of(const xmlNode *link)
+{
+	const char *name = foreign_attribute(link, "Register");
+	const char *letter = name && strlen(name) == 1 ? strchr(AXIS_LETTERS, toupper((unsigned char)*name)) : NULL;
+
+	return letter ? (int)(letter - AXIS_LETTERS) : -1;
+}
+
+/* <TlRecord>: the travel. Of several, which hold under conditions, the widest counts. */
+static bool read_travel(struct reading *r, const xmlNode *link, struct axis_description *axis)
+{
+	const double scale = axis->rotary ? acos(-1) / 180 : r->xml.unit;
+	const xmlNode *record = foreign_child(link, "TlRecord");
+	bool several = record && foreign_next(record, "TlRecord");
+	double least = INFINITY, greatest = -INFINITY, low, high;
+
+	axis->limit_min = -INFINITY;
+	axis->limit_max = INFINITY;
+	if (several)
+		warn(r, record, "%c has several travels that hold under conditions: the widest is taken",
+		     AXIS_LETTERS[axis->slot]);
+	for (; record; record = foreign_next(record, "TlRecord")) {
+		if (foreign_attribute_is(record, "TlIgnore", "on")) {
+			warn(r, record, "the travel of %c is switched off in this file: the axis gets no limits",
+			     AXIS_LETTERS[axis->slot]);
+			return true;
+		}
+		if (!foreign_number(&r->xml, record, "TlMin", &low) || !foreign_number(&r->xml, record, "TlMax", &high))
+			return false;
+		least = fmin(least, low);
+		greatest = fmax(greatest, high);
+	}
+	if (least > greatest) {
+		warn(r, link, "%c has no travel in this file: the axis gets no limits", AXIS_LETTERS[axis->slot]);
+		return true;
+	}
+	axis->limit_min = scale * least;
+	axis->limit_max = scale * greatest;
+	return true;
+}
+
+/* mm or degrees a minute. 0: the file does not say it. */
+static bool read_rate(struct reading *r, const xmlNode *link, struct axis_description *axis)
+{
+	double rate = 0;
+
+	if (foreign_attribute(link, "RapidRate") && !foreign_number(&r->xml, link, "RapidRate", &rate))
+		return false;
+	axis->rate_max = rate > 0 ? rate * (axis->rotary ? 1 : r->xml.unit) : 0;
+	return true;
+}
+
+static bool add_axis(struct reading *r, struct vericut_component *c, const xmlNode *link, int slot)
+{
+	struct machine_description *d = &r->machine->description;
+	struct axis_description *axis = &d->axes[d->axis_count];
+	bool reversed;
+
+	*axis = (struct axis_description){
+		.slot = slot,
+		.rotary = !strcasecmp(c->type, "rotary"),
+		.parent = c->link,
+		.location = c->frame.translation,
+	};
+	axis->has_location = axis->rotary;
+	if (axis->rotary != slot_is_rotary(slot)) {
+		xml_error(&r->xml, c->node, "Type", "the component '%s' is %s, but its register is %c",
+			  xml_quote(c->name).text, axis->rotary ? "rotary" : "linear", AXIS_LETTERS[slot]);
+		return false;
+	}
+	for (size_t i = 0; i < d->axis_count; i++) {
+		if (d->axes[i].slot != slot)
+			continue;
+		xml_error(&r->xml, link, "Register", "'%s' is the second component with the register %c; fivecheck "
+						     "moves one for each letter",
+			  xml_quote(c->name).text, AXIS_LETTERS[slot]);
+		return false;
+	}
+	if (!axis_direction(r, c, link, &axis->direction) || !is_reversed(r, c, link, &reversed) ||
+	    !read_travel(r, link, axis) || !read_rate(r, link, axis))
+		return false;
+	if (reversed)
+		axis->direction = vec3_scale(-1, axis->direction);
+	if (strcmp(c->name, (const char[]){AXIS_LETTERS[slot], 0}) != 0)
+		axis->title = arena_strdup(&d->arena, c->name);
+	c->slot = slot;
+	c->link = 1 + (int)d->axis_count++;
+	return true;
+}
+
+/* What no register of the control moves stands still where it is drawn. */
+static bool read_axis(struct reading *r, struct vericut_component *c)
+{
+	const xmlNode *link = foreign_child(c->node, "Link");
+	bool linear = !strcasecmp(c->type, "linear"), rotary = !strcasecmp(c->type, "rotary");
+	int slot;
+
+	c->link = c->parent ? c->parent->link : 0;
+	if (!linear && !rotary)
+		return true;
+	slot = link ? slot_of(link) : -1;
+	if (slot >= 0)
+		return add_axis(r, c, link, slot);
+	warn(r, c->node, "the component '%s' moves by no axis of the control (X to W): it is taken as fixed",
+	     xml_quote(c->name).text);
+	return true;
+}
+
+static bool read_axes(struct reading *r)
+{
+	struct machine_description *d = &r->machine->description;
+
+	d->axes = arena_alloc(&d->arena, SLOT_COUNT * sizeof(*d->axes));
+	for (size_t i = 0; i < r->components.count; i++)
+		if (!read_axis(r, r->components.order[i]))
+			return false;
+	return true;
+}
+
+/* -------------------------------------------------------------------- home */
+
+/* The first row of a table of locations, whose first values are X, Y and Z; NULL: there is none. */
+static const xmlNode *location_row(const struct reading *r, const char *name)
+{
+	const xmlNode *table = foreign_child(xml_root(&r->xml), "Table");
+
+	for (; table; table = foreign_next(table, "Table")) {
+		const xmlNode *row = foreign_child(table, "Row");
+
+		if (foreign_attribute_is(table, "Name", name) && row && foreign_child(row, "Value"))
+			return row;
+	}
+	return NULL;
+}
+
+/* The value of a linear axis in the row. False, reported: it is no number. An axis that has none keeps *value. */
+static bool read_location(struct reading *r, const xmlNode *row, int slot, double *value)
+{
+	const xmlNode *at = row && slot <= SLOT_Z ? foreign_child(row, "Value") : NULL;
+
+	for (int i = 0; at && i < slot; i++)
+		at = foreign_next(at, "Value");
+	if (!at)
+		return true;
+	if (!foreign_number(&r->xml, at, NULL, value))
+		return false;
+	*value *= r->xml.unit;
+	return true;
+}
+
+/*
+ * Programs start at the reference location, else at the initial one, else at 0; but within the travel. Only the first
+ * three values of a location are known to be those of X, Y and Z.
+ */
+static bool read_home(struct reading *r)
+{
+	const xmlNode *reference = location_row(r, "Machine Reference Location");
+	const xmlNode *row = reference ? reference : location_row(r, "Initial Machine Location");
+
+	for (size_t i = 0; i < r->machine->description.axis_count; i++) {
+		struct axis_description *axis = &r->machine->description.axes[i];
+		double value = 0, home;
+
+		if (!read_location(r, row, axis->slot, &value))
+			return false;
+		home = fmin(fmax(value, axis->limit_min), axis->limit_max);
+		if (fabs(home - value) > 0)
+			warn(r, xml_root(&r->xml), "%c starts beyond its travel in this file: it gets the nearer end as its home",
+			     AXIS_LETTERS[axis->slot]);
+		axis->home = (struct optional_number){.given = fabs(home) > 0, .value = home};
+	}
+	return true;
+}
+
+/* ------------------------------------------------------------------ models */
+
+/* The name of a file without its folder and its suffix. */
+static const char *stem_of(struct arena *arena, const char *path)
+{
+	const char *start = path;
+	char *stem, *dot;
+
+	for (const char *at = path; *at; at++)
+		if (*at == '/' || *at == '\\')
+			start = at + 1;
+	stem = arena_strdup(arena, start);
+	dot = strrchr(stem, '.');
+	if (dot && dot != stem)
+		*dot = '\0';
+	return stem;
+}
+
+/* False: reported; or a warning was enough, then *left_out is set. */
+static bool read_mesh(struct reading *r, const xmlNode *model, const char *written, struct mesh *mesh, bool *left_out)
+{
+	struct strbuf path = {0};
+	double unit = unit_of(r, model);
+	bool good = unit > 0;
+
+	if (good && !mesh_file_find(&path, r->options->meshes, r->xml.path, written)) {
+		if (r->options->skip_missing)
+			warn(r, model, "'%s' is not there: the body is left out", xml_quote(written).text);
+		else
+			xml_error(&r->xml, model, NULL,
+				  "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
+				  "the body out with --skip-missing",
+				  xml_quote(written).text);
+		*left_out = r->options->skip_missing;
+		good = false;
+	}
+	good = good && mesh_file_read(mesh, strbuf_text(&path), unit, r->diag);
+	strbuf_release(&path);
+	return good;
+}
+
+static bool read_block(struct reading *r, const xmlNode *model, struct mesh *mesh)
+{
+	struct mesh_build build = {.scale = r->xml.unit};
+	vec3 size;
+
+	if (!foreign_vector(&r->xml, model, "Length", "Width", "Height", &size))
+		return false;
+	if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+		xml_error(&r->xml, model, NULL, "the sizes of a block must be above 0");
+		return false;
+	}
+	mesh_build_block(&build, size);
+	mesh_build_finish(&build, mesh);
+	return true;
+}
+
+static bool read_cylinder(struct reading *r, const xmlNode *model, struct mesh *mesh)
+{
+	struct mesh_build build = {.scale = 1};
+	double radius, height;
+
+	if (!foreign_number(&r->xml, model, "Radius", &radius) || !foreign_number(&r->xml, model, "Height", &height))
+		return false;
+	if (!(radius > 0 && height > 0)) {
+		xml_error(&r->xml, model, NULL, "radius and height of a cylinder must be above 0");
+		return false;
+	}
+	mesh_build_frustum(&build, r->xml.unit * radius, r->xml.unit * radius, r->xml.unit * height);
+	mesh_build_finish(&build, mesh);
+	return true;
+}
+
+static bool is_model(const xmlNode *node)
+{
+	/* What every model has and nothing else of a component. */
+	return foreign_attribute(node, "Mirror") != NULL;
+}
+
+static bool read_model(struct reading *r, const struct vericut_component *c, const xmlNode *model)
+{
+	struct arena *arena = &r->machine->description.arena;
+	const char *name = c->name;
+	struct mesh mesh = {0};
+	bool good, left_out = false;
+	xform frame;
+
+	if (!foreign_attribute_is(model, "Mirror", "off")) {
+		xml_error(&r->xml, model, "Mirror", "mirrored models cannot be taken over: save it mirrored as STL");
+		return false;
+	}
+	if (!vericut_frame(&r->xml, model, &frame))
+		return false;
+	frame = xform_mul(&c->frame, &frame);
+	if (foreign_child(model, "File")) {
+		const char *written = foreign_text(arena, foreign_child(model, "File"));
+
+		name = stem_of(arena, written);
+		good = read_mesh(r, model, written, &mesh, &left_out);
+	} else if (foreign_is(model, "Block")) {
+		good = read_block(r, model, &mesh);
+	} else if (foreign_is(model, "Cylinder")) {
+		good = read_cylinder(r, model, &mesh);
+	} else {
+		xml_error(&r->xml, model, NULL, "a model <%s> cannot be taken over: save it as STL",
+			  (const char *)model->name);
+		good = false;
+	}
+	if (good)
+		import_machine_add_body(r->machine, name, c->name, c->link, &frame, &mesh)->at = c;
+	return good || left_out;
+}
+
+static bool read_models(struct reading *r)
+{
+	bool good = true;
+
+	for (size_t i = 0; i < r->components.count; i++) {
+		const struct vericut_component *c = r->components.order[i];
+
+		for (const xmlNode *at = foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
+			good = (!is_model(at) || read_model(r, c, at)) && good;
+	}
+	return good;
+}
+
+/* ------------------------------------------------------------------ mounts */
+
+/* The first component of the type, with a warning if there are more; NULL: there is none. */
+static const struct vericut_component *first_of(const struct reading *r, const char *type)
+{
+	const struct vericut_component *first = NULL;
+
+	for (size_t i = 0; i < r->components.count; i++) {
+		const struct vericut_component *c = &r->components.items[i];
+
+		if (strcasecmp(c->type, type) != 0)
+			continue;
+		if (first)
+			warn(r, c->node, "'%s' is the second component of the type %s: only '%s' is taken over",
+			     xml_quote(c->name).text, type, xml_quote(first->name).text);
+		else
+			first = c;
+	}
+	return first;
+}
+
+/* Tools are mounted with their gauge point at the component's origin, and point against its Z. */
+static void read_mounts(struct reading *r)
+{
+	struct machine_description *d = &r->machine->description;
+	const struct vericut_component *tool = first_of(r, "tool"), *work = first_of(r, "attach");
+
+	if (tool) {
+		d->spindles = arena_alloc(&d->arena, sizeof(*d->spindles));
+		d->spindles[d->spindle_count++] = (struct spindle_description){
+			.link = tool->link,
+			.location = tool->frame.translation,
+			.direction = vec3_scale(-1, tool->frame.rotation.z),
+		};
+	} else {
+		warn(r, xml_root(&r->xml), "the machine has no component of the type tool: no tool can be mounted");
+	}
+	if (work) {
+		d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
+		d->workholdings[d->workholding_count++] =
+			(struct workholding_description){.link = work->link, .frame = work->frame};
+	} else {
+		warn(r, xml_root(&r->xml), "the machine has no component of the type attach: no work can be mounted");
+	}
+}
+
+static bool read_machine(struct reading *r)
+{
+	r->xml.unit = unit_of(r, xml_root(&r->xml));
+	if (!(r->xml.unit > 0) ||
+	    !vericut_components_read(&r->components, &r->xml, &r->machine->description.arena) || !read_axes(r) ||
+	    !read_home(r) || !read_models(r))
+		return false;
+	read_mounts(r);
+	return vericut_pairs_read(r->machine, &r->components, &r->xml);
+}
+
+bool vericut_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
+			  struct diag *diag)
+{
+	static const char *const elements[] = {"VcMachine", NULL};
+	struct reading r = {.machine = machine, .options = options, .diag = diag};
+	bool good;
+
+	if (!xml_open(&r.xml, path, elements, diag))
+		return false;
+	machine->description.name = stem_of(&machine->description.arena, path);
+	good = read_machine(&r) && !r.xml.errors;
+	/* They point into the tree of the file. */
+	for (size_t i = 0; i < machine->description.body_count; i++)
+		machine->description.bodies[i].at = NULL;
+	xml_close(&r.xml);
+	return good;
+}

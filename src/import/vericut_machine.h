@@ -1,0 +1,22 @@
+/* vericut_machine.h - reads the machine files of VERICUT 7 (.mch, .xmch), which are XML with the root VcMachine. */
+#ifndef FIVECHECK_IMPORT_VERICUT_MACHINE_H
+#define FIVECHECK_IMPORT_VERICUT_MACHINE_H
+
+#include <stdbool.h>
+
+#include "import/import.h"
+
+/*
+ * What is taken over: components with their places, axes with travels and rapid rates, models, the mount of tools and of
+ * work, and the pairs of the collision list with their tolerances as clearances. Everything else of the file, such as
+ * colours, tables of locations and accelerations, is no matter of collisions or stands in the setup.
+ *
+ * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
+ * otherwise (ISO 841: a positive value is a motion of the tool against the work).
+ *
+ * False, reported: the file is faulty, or says something that cannot be taken over.
+ */
+bool vericut_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
+			  struct diag *diag);
+
+#endif

@@ -1,0 +1,109 @@
+# A machine of VERICUT 7 with a nutating table, a mesh in its own format, solids by their sizes, and a collision list:
+# an independent script says where every body must be.
+need python3
+mkdir models
+# A tetrahedron in the VERICUT-model format: a head of text, then triangles of a count, corners and a normal.
+python3 - models/Z_Head.PLY <<'EOF'
+import struct, sys
+corners = [(0, 0, 0), (40, 0, 0), (0, 30, 0), (0, 0, 20)]
+with open(sys.argv[1], "wb") as file:
+    file.write(b"VERICUT-model\nversion-2.0\n1\n0 1 0\n")
+    for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)):
+        file.write(struct.pack("<B12d", 3, *[x for k in face for x in corners[k]], 0, 0, 1))
+EOF
+box models/table -100 -80 -20 100 80 0
+component() { # NAME TYPE PARENT POSITION ROTATION AND-MORE
+	printf '<Component Name="%s" Type="%s"><Attach>%s</Attach>\n' "$1" "$2" "$3"
+	frame "$4" "$5"
+	printf '%s</Component>\n' "$6"
+}
+frame() { # POSITION ROTATION
+	echo "$1 $2" | awk '{printf "<Position X=\"%s\" Y=\"%s\" Z=\"%s\"/><Rotation I=\"%s\" J=\"%s\" K=\"%s\"/>\n", $1, $2, $3, $4, $5, $6}'
+}
+link() { # AXIS REGISTER MIN MAX ATTRIBUTES
+	printf '<Link Axis="%s" Register="%s" RapidRate="5000" %s><TlRecord TlMin="%s" TlMax="%s" TlIgnore="off"/></Link>' \
+		"$1" "$2" "$5" "$3" "$4"
+}
+file() { # ELEMENT PATH POSITION ROTATION
+	printf '<Poly Unit="millimeter" Mirror="Off"><File>%s</File>%s</Poly>' "$1" "$(frame "$2" "$3")"
+}
+solid() { # ELEMENT POSITION ROTATION
+	printf '<%s Mirror="Off">%s</%s>' "$1" "$(frame "$2" "$3")" "${1%% *}"
+}
+machine() { # UNIT - what is in "$changed" is changed with sed
+	cat <<EOF
+<?xml version="1.0"?>
+<VcMachine Version="7.1" Unit="$1">
+<Table Name="Initial Machine Location"><Row Index="1"><System>1</System>
+<Value>10</Value><Value>-20</Value><Value>300</Value><Value>0</Value></Row></Table>
+<Collision>
+<Between Sub1="off" Sub2="on" Tol="1.5"><Component>Z axis</Component><Component>B</Component></Between>
+<Between Sub1="off" Sub2="off" Tol="0.5"><Component>Tool</Component><Component>C</Component></Between>
+<Between Sub1="off" Sub2="off" Tol="2"><Component>Z axis</Component><Component>C</Component></Between>
+<Between Sub1="off" Sub2="off" Tol="0"><Component>Probe</Component><Component>Base</Component></Between>
+</Collision>
+$(component Base base '' '0 0 0' '0 0 0' "$(solid 'Block Length="600" Width="400" Height="50"' '-300 -200 -300' '0 0 0')")
+$(component B rotary Base '0 0 155' '-45 0 0' "$(link Y B 0 180 'PartSide="auto"')$(solid 'Cylinder Radius="30" Height="60"' '0 10 20' '0 90 30')")
+$(component C rotary B '0 109.601551084 -109.601551084' '45 0 0' "$(link Z C -29999 29999 'PartSide="auto"')$(file 'V:\other\models\TABLE.stl' '1 2 3' '0 0 90')")
+$(component Attach attach C '0 0 5' '0 0 90' '')
+$(component X linear Base '250 0 0' '0 0 0' "$(link X X -500 0 'DisableAuto="off"')")
+$(component Y linear X '0 155 0' '0 0 0' "$(link Y Y -420 0 'DisableAuto="off"')")
+$(component 'Z axis' linear Y '0 0 542' '0 0 0' "$(link Z Z 50 380 'DisableAuto="off"')$(file 'D:\machines\models\z_head.ply' '0 -155 0' '10 20 30')")
+$(component Probe other 'Z axis' '50 0 0' '0 0 0' "$(solid 'Cylinder Radius="5" Height="40"' '0 0 0' '180 0 0')")
+$(component Door linear Base '0 900 0' '0 0 0' "$(link X '' 0 0)$(solid 'Block Length="600" Width="10" Height="500"' '0 0 0' '0 0 0')")
+$(component Tool tool 'Z axis' '0 0 0' '0 0 0' '<Link Axis="Z" Register=""/>')
+</VcMachine>
+EOF
+}
+machine millimeter >dmu.mch
+fivecheck import --output new --dialect klartext dmu.mch
+cat new/machine.xml
+python3 "$(dirname "$LIB")/../import/vericut_truth.py" dmu.mch new
+"$FIVECHECK" --check-machine new/machine.xml | sed -n '/^what a positive/,/^$/p'
+echo "in inches:"
+machine inch >inch.mch
+fivecheck import --output inch --meshes models inch.mch 2>&1 | grep -c warning
+python3 "$(dirname "$LIB")/../import/vericut_truth.py" inch.mch inch
+echo "nothing is overwritten:"
+fivecheck import --output new dmu.mch
+echo "faults:"
+fault() { # SED-SCRIPT
+	machine millimeter | sed "$1" >bad.mch
+	"$FIVECHECK" import --output bad bad.mch 2>&1 | grep -v 'warning:'
+	[ ! -e bad ] || { echo "a folder was written"; rm -r bad; }
+}
+fault 's/Unit="millimeter">$/Unit="cubit">/'
+fault 's/<Attach>X</<Attach>Q</'
+fault 's/<Attach>Base<\/Attach>\(.*\)$/<Attach>Tool<\/Attach>\1/; s/Name="Z axis" Type="linear"><Attach>Y</Name="Z axis" Type="linear"><Attach>X</'
+fault 's/<Attach>X<.Attach>/<Attach\/>/'
+fault 's/Name="Y" Type/Name="X" Type/'
+fault 's/Register="Y"/Register="X"/'
+fault 's/Register="B"/Register="W"/'
+fault 's/Link Axis="Y"/Link Axis="N"/'
+fault 's/PartSide="auto"/PartSide="maybe"/'
+fault 's/TlMin="50"/TlMin="fifty"/'
+fault 's/X="250"/X="1e999"/'
+fault 's/<File>[^<]*z_head.ply/<File>D:\\gone.ply/'
+fault 's/<File>[^<]*z_head.ply/<File>..\\..\\..\\etc\\passwd/'
+fault 's/Mirror="Off"/Mirror="XY"/'
+fault 's/<Block /<Sweep /; s/<\/Block/<\/Sweep/'
+fault 's/Radius="5"/Radius="-5"/'
+fault 's/<Component>Probe</<Component>Robe</'
+fault 's/Tol="2"/Tol="-2"/'
+fault '/<Component /d'
+fault 's/VcMachine/Machine/'
+echo "meshes that are not there:"
+rm models/Z_Head.PLY
+fivecheck import --output less --skip-missing dmu.mch 2>&1 | grep left
+grep -c '<body' less/machine.xml
+printf 'VERICUT-model\nversion-3.0\n' >models/Z_Head.PLY
+fivecheck import --output less2 dmu.mch 2>&1 | grep error
+printf 'VERICUT-model\nversion-2.0\n1\n0 1 0\n\003abc' >models/Z_Head.PLY
+fivecheck import --output less2 dmu.mch 2>&1 | grep error
+printf 'VERICUT-model\nversion-2.0\n1\n0 1 0\n' >models/Z_Head.PLY
+fivecheck import --output less2 dmu.mch 2>&1 | grep error
+echo "usage:"
+fivecheck import dmu.mch
+fivecheck import --output x
+fivecheck import --output x --dialect basic dmu.mch
+fivecheck import --output x not_there.mch
