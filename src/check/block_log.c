@@ -114,7 +114,8 @@ void block_log_drop_findings(struct block_log *log, size_t count)
 
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least)
 {
-	log->clearances = mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + 1, sizeof(*log->clearances));
+	log->clearances =
+	    mem_grow(log->clearances, &log->clearance_capacity, log->clearance_count + 1, sizeof(*log->clearances));
 	log->clearances[log->clearance_count++] = (struct block_pair_clearance){block, *least};
 }
 

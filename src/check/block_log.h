@@ -44,7 +44,8 @@ struct block_log {
 	struct block_record *blocks;	/* complete blocks, in order, without a gap */
 	size_t block_count, block_capacity;
 	struct arena texts;	/* the blocks' */
-	struct block_pair_clearance *clearances;	/* in any order; a pair may have several in one block: the least counts */
+	/* in any order; a pair may have several in one block: the least counts */
+	struct block_pair_clearance *clearances;
 	size_t clearance_count, clearance_capacity;
 	struct pair_clearance *out;	/* the clearances of one block while it is handed over */
 	size_t out_capacity;

@@ -40,8 +40,8 @@ struct finding {
 	vec3 point;	/* machine coordinates, mm */
 	double clearance;	/* measured distance at that instant on the programmed path, mm; 0 when they meet */
 	/*
-	 * mm: the path tolerance can take so much of it; 0: nothing, or not known. Of LIMIT, mm or radians: the axis may
-	 * be so far beside its path, which stays inside the limit; 0: the path passes it.
+	 * mm: the path tolerance can take so much of it; 0: nothing, or not known. Of LIMIT, mm or radians: the axis
+	 * may be so far beside its path, which stays inside the limit; 0: the path passes it.
 	 */
 	double path_tolerance;
 	double required;	/* c */

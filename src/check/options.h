@@ -38,7 +38,8 @@ struct check_options {
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
 	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */
 	const struct setup_change *change;	/* check with the setup changed like this; or NULL */
-	const struct motion_sink *watch;	/* is told every event before it is checked; its answer is ignored; or NULL */
+	/* is told every event before it is checked; its answer is ignored; or NULL */
+	const struct motion_sink *watch;
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.

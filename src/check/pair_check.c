@@ -240,7 +240,8 @@ static void start_room(struct pair_check *check, long block)
 {
 	if (check->clearance_count && check->clearances[check->clearance_count - 1].block == block)
 		return;
-	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1, sizeof(*check->clearances));
+	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
+				     sizeof(*check->clearances));
 	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, check->block.cap};
 	block_clearance_start(&check->block);
 }

@@ -22,7 +22,8 @@ struct check_block {
 	double seconds;	/* of motion, dwells excluded */
 	long steps;	/* straight pieces of it that were checked */
 	double interpret, check;	/* s of wall time; with check_options.times */
-	const struct pair_clearance *clearances;	/* in the order of the pairs; with check_options.block_clearances */
+	/* in the order of the pairs; with check_options.block_clearances */
+	const struct pair_clearance *clearances;
 	size_t clearance_count;
 };
 

@@ -52,7 +52,8 @@ static bool is_final(enum run_mode mode)
 static bool refuse_second(const struct parser *parser, const struct option_row *row)
 {
 	if (!parser->seen[row - option_table] ||
-	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD && row->kind != VALUE_MODE) ||
+	    (row->kind != VALUE_TEXT && row->kind != VALUE_KINDS && row->kind != VALUE_SHARD &&
+	     row->kind != VALUE_MODE) ||
 	    !row->argument)
 		return false;
 	diag_error(parser->diag, nowhere, "--%s was given twice, but only one of them can be used", row->name);
@@ -103,8 +104,8 @@ static bool check_table_formats(const struct parser *parser)
 
 	for (int i = 0; i < FORMAT_CHOICES; i++) {
 		if (o->formats[i].wanted && i != FORMAT_TEXT && i != FORMAT_JSON) {
-			diag_error(parser->diag, nowhere, "--%s has the formats text and json, not %s", parser->mode->name,
-				   writer_names[i]);
+			diag_error(parser->diag, nowhere, "--%s has the formats text and json, not %s",
+				   parser->mode->name, writer_names[i]);
 			return false;
 		}
 	}
@@ -128,8 +129,9 @@ static bool check_formats(const struct parser *parser)
 	if (o->mode == RUN_LIST_PAIRS || o->mode == RUN_CHECK_MACHINE)
 		return check_table_formats(parser);
 	if (o->formats[FORMAT_JSON].wanted) {
-		diag_error(parser->diag, nowhere, "--format=json is for --check-machine and --list-pairs; the results of a check "
-						  "are JSON with --format=ndjson");
+		diag_error(parser->diag, nowhere,
+			   "--format=json is for --check-machine and --list-pairs; the results of a check "
+			   "are JSON with --format=ndjson");
 		return false;
 	}
 	o->formats[FORMAT_RECORD] = (struct format_choice){o->record != NULL, o->record};
@@ -296,10 +298,16 @@ static bool apply_shard(const struct parser *parser)
 		    "may be accepted once");
 		return false;
 	}
-	if (o->shards > 1 && (o->clearance_report || o->timing || options_want_visual(o) || options_want_sensitivity(o))) {
+	if (o->shards > 1 &&
+	    (o->clearance_report || o->timing || options_want_visual(o) || options_want_sensitivity(o))) {
 		diag_error(parser->diag, nowhere,
 			   "--%s cannot be used with --shard of one program: it needs all blocks",
-			   o->clearance_report ? "clearance-report" : o->timing ? "timing" : o->report ? "report" : o->glb ? "glb" : o->picture ? "picture" : "sensitivity");
+			   o->clearance_report ? "clearance-report"
+			   : o->timing	       ? "timing"
+			   : o->report	       ? "report"
+			   : o->glb	       ? "glb"
+			   : o->picture	       ? "picture"
+					       : "sensitivity");
 		return false;
 	}
 	return true;
@@ -337,7 +345,8 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	if (!(options->report_size > 0))
 		options->report_size = 5;
 	options->check.clearances_below_cap = !options->clearance_report;
-	options->check.block_clearances = options->clearance_report || (options_want_visual(options) && options->check.method == CHECK_CERTIFIED);
+	options->check.block_clearances =
+	    options->clearance_report || (options_want_visual(options) && options->check.method == CHECK_CERTIFIED);
 	options->check.times = options->timing;
 	options->check.read.includes = options->includes.items;
 	options->check.read.include_count = options->includes.count;

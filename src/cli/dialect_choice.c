@@ -26,7 +26,8 @@ static bool refuse(const char *program, const struct family_guess *guess, struct
 			   guess->against.title, guess->against.sign, guess->sign.line, guess->sign.title,
 			   guess->sign.sign);
 	else if (guess->sign.line)
-		diag_error(diag, loc, "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; name it",
+		diag_error(diag, loc,
+			   "--dialect=auto: this looks like %s (%s), which leaves open which dialect it is; name it",
 			   guess->sign.title, guess->sign.sign);
 	else
 		diag_error(diag, loc, "--dialect=auto: nothing in the first lines shows the control; name the dialect");
@@ -39,7 +40,8 @@ static bool find_one(const char *program, struct diag *diag, struct family_guess
 	FILE *in;
 
 	if (!strcmp(program, "-")) {
-		diag_error(diag, (struct srcloc){0}, "--dialect=auto cannot look ahead in standard input; name the dialect");
+		diag_error(diag, (struct srcloc){0},
+			   "--dialect=auto cannot look ahead in standard input; name the dialect");
 		return false;
 	}
 	in = fopen(program, "rb");
@@ -65,13 +67,14 @@ bool dialect_choice_find(char *const *programs, size_t count, struct diag *diag,
 			return false;
 		if (found >= 0 && guess.row != found) {
 			diag_error(diag, (struct srcloc){programs[i], guess.sign.line, 0},
-				   "--dialect=auto: this is %s (%s), but %s is for %s; check them apart", guess.sign.title,
-				   guess.sign.sign, programs[0], dialect_rows[found].title);
+				   "--dialect=auto: this is %s (%s), but %s is for %s; check them apart",
+				   guess.sign.title, guess.sign.sign, programs[0], dialect_rows[found].title);
 			return false;
 		}
 		if (found < 0)
-			diag_note(diag, (struct srcloc){programs[i], guess.sign.line, 0}, "read in the %s dialect: %s (%s)",
-				  dialect_names[guess.row], guess.sign.title, guess.sign.sign);
+			diag_note(diag, (struct srcloc){programs[i], guess.sign.line, 0},
+				  "read in the %s dialect: %s (%s)", dialect_names[guess.row], guess.sign.title,
+				  guess.sign.sign);
 		found = guess.row;
 	}
 	if (found >= 0)

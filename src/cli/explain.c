@@ -24,8 +24,9 @@ static void refuse(const char *word, struct diag *diag)
 	if (nearest.best)
 		diag_error(diag, nowhere, "--explain: '%s' is not known; did you mean %s?", word, nearest.best);
 	else
-		diag_error(diag, nowhere, "--explain: '%s' is no code of a dialect ('codes' lists them), and it is none of %s",
-			   word, strbuf_text(&names));
+		diag_error(diag, nowhere,
+			   "--explain: '%s' is no code of a dialect ('codes' lists them), and it is none of %s", word,
+			   strbuf_text(&names));
 	strbuf_release(&names);
 }
 
@@ -44,7 +45,8 @@ static bool explain_code(struct strbuf *out, const struct options *options)
 			continue;
 		}
 		found = true;
-		strbuf_addf(out, "%s%s, by %s\n", row && options->dialect < 0 ? "\n" : "", dialect->name, dialect->manual);
+		strbuf_addf(out, "%s%s, by %s\n", row && options->dialect < 0 ? "\n" : "", dialect->name,
+			    dialect->manual);
 		code_list_add(out, dialect);
 	}
 	return found;

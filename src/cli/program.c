@@ -76,7 +76,8 @@ static bool tell_finding(struct program *program, const struct finding *finding,
 	bool good = true;
 
 	if (program->recorder)
-		recorder_finding(program->recorder, finding, (struct finding_style){.status = status, .waiver = waiver});
+		recorder_finding(program->recorder, finding,
+				 (struct finding_style){.status = status, .waiver = waiver});
 	for (size_t i = 0; i < context->sinks->count; i++) {
 		const struct sink *sink = &context->sinks->items[i];
 
@@ -225,7 +226,8 @@ static void write_report(struct program *program, const struct report_program *a
 	const struct program_context *context = program->context;
 	const size_t index = (size_t)(program->output - program->output->order->programs);
 
-	if (!program_reports_write(context->reports, index, program->recorder, &context->run, about, &program->output->diag) &&
+	if (!program_reports_write(context->reports, index, program->recorder, &context->run, about,
+				   &program->output->diag) &&
 	    program->outcome->status < RUN_INCOMPLETE)
 		program->outcome->status = RUN_INCOMPLETE;
 }

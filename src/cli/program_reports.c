@@ -99,9 +99,11 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
-	if (!try_output(options->report, diag) || !try_output(options->glb, diag) || !try_output(options->picture, diag) || !build_all(scene, diag))
+	if (!try_output(options->report, diag) || !try_output(options->glb, diag) ||
+	    !try_output(options->picture, diag) || !build_all(scene, diag))
 		return false;
-	if (options->report && !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
+	if (options->report &&
+	    !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
 		return false;
 	if (reports->pack.left_out)
 		diag_note(diag, (struct srcloc){0},
@@ -172,8 +174,11 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 	const struct scene *scene = reports->scene;
 	const struct recorded_finding *first = recorder_first(recorder);
 	struct stage stage = {
-		.scene = scene, .axes = machine_home(scene->machine), .tool = scene->setup ? scene->setup->initial_tool : 0,
-		.a = -1, .b = -1,
+	    .scene = scene,
+	    .axes = machine_home(scene->machine),
+	    .tool = scene->setup ? scene->setup->initial_tool : 0,
+	    .a = -1,
+	    .b = -1,
 	};
 
 	if (first) {

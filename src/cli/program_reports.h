@@ -1,6 +1,6 @@
 /*
- * program_reports.h - the reports with pictures of a run (--report, --glb, --picture): one file for each program, and an
- * index page where there are several.
+ * program_reports.h - the reports with pictures of a run (--report, --glb, --picture): one file for each program, and
+ * an index page where there are several.
  */
 #ifndef FIVECHECK_CLI_PROGRAM_REPORTS_H
 #define FIVECHECK_CLI_PROGRAM_REPORTS_H
@@ -16,7 +16,8 @@
 
 /* What the index says of a program. Owned; NULL: not known yet. */
 struct reported_program {
-	char *name;	/* of its files: a part of the program's name that may stand in a file name; "" for a single program */
+	/* of its files: a part of the program's name that may stand in a file name; "" for a single program */
+	char *name;
 	char *sentence;
 	const char *word;
 	bool written;	/* it has a report */
@@ -36,7 +37,10 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
 
-/* Writes the files of the program with this index. Different threads may write those of different programs. False: reported. */
+/*
+ * Writes the files of the program with this index. Different threads may write those of different programs. False:
+ * reported.
+ */
 bool program_reports_write(struct program_reports *reports, size_t index, struct recorder *recorder,
 			   const struct report_run *run, const struct report_program *program, struct diag *diag);
 

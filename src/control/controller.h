@@ -25,7 +25,11 @@ enum answer { ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO };
 enum g53_with_g91 { G53_WITH_G91_UNKNOWN, G53_WITH_G91_ABSOLUTE, G53_WITH_G91_INCREMENTAL };
 
 /* What G28, G30, G53 and a place of M6 leave of the length compensation of the axes that they have moved. */
-enum length_after_reference { LENGTH_AFTER_REFERENCE_UNKNOWN, LENGTH_AFTER_REFERENCE_KEPT, LENGTH_AFTER_REFERENCE_GONE };
+enum length_after_reference {
+	LENGTH_AFTER_REFERENCE_UNKNOWN,
+	LENGTH_AFTER_REFERENCE_KEPT,
+	LENGTH_AFTER_REFERENCE_GONE
+};
 
 /* M6 in a block that moves axes: the tool is changed behind the move, or before it. */
 enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
@@ -35,8 +39,8 @@ enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLO
 enum colon { COLON_UNKNOWN, COLON_PROGRAM, COLON_BLOCK };
 
 /*
- * Cutter compensation: how the first and the last block lead to the path and away from it, and how the tool goes round an
- * outside corner. Not known: every way is proved.
+ * Cutter compensation: how the first and the last block lead to the path and away from it, and how the tool goes
+ * round an outside corner. Not known: every way is proved.
  */
 enum comp_d { COMP_D_UNKNOWN, COMP_D_RADIUS, COMP_D_DIAMETER };	/* what programs write into D's registers */
 enum comp_start { COMP_START_UNKNOWN, COMP_START_A, COMP_START_B };
@@ -90,8 +94,8 @@ struct mcode {
 };
 
 /*
- * What a program of the machine's maker does, such as O9810 of a probe: nothing that is followed; a straight move to the
- * X, Y and Z of its call; or moves somewhere around the place where it is called, and back to it.
+ * What a program of the machine's maker does, such as O9810 of a probe: nothing that is followed; a straight move to
+ * the X, Y and Z of its call; or moves somewhere around the place where it is called, and back to it.
  */
 enum macro_action { MACRO_NONE, MACRO_MOVE, MACRO_AROUND };
 
@@ -145,7 +149,8 @@ struct controller {
 	enum answer length_along_z;	/* the tool's length acts along Z whatever the plane */
 	enum increments_after_shift increments_after_shift;
 	int power_on_work_offset;	/* 1: none (G500), 2: G54, 3: G55 and so on; 0: not known */
-	int swivel_axis;	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
+	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
+	int swivel_axis;
 	enum swivel_pole swivel_pole;
 	const struct mcode *mcodes;
 	size_t mcode_count;

@@ -12,14 +12,15 @@
  * in messages; the rest are the members of struct dialect_row that are not 0.
  * The first row is the default.
  */
-#define DIALECTS(ROW) \
-	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true) \
-	ROW(fanuc, "Fanuc", .has_parameters = true, .presets = presets_of_parameters) \
-	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings) \
-	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true) \
-	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_cycle_19 = true, \
-	    .unknown_path = "the control may leave the programmed path by an amount that is not known, and only that path " \
-			    "was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")
+#define DIALECTS(ROW)                                                                                                  \
+	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
+	ROW(fanuc, "Fanuc", .has_parameters = true, .presets = presets_of_parameters)                                  \
+	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
+	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
+	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_cycle_19 = true,                            \
+	    .unknown_path =                                                                                            \
+		"the control may leave the programmed path by an amount that is not known, and only that path "        \
+		"was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")
 
 /* What is known of a control before any program is read. */
 struct dialect_row {

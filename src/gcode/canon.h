@@ -62,9 +62,11 @@ struct canon_move {
 	bool plane;	/* with tcp: rotary axes stand still (G53.1), and the axes go as without it */
 	bool blend;	/* G64: the control may leave the path (canon_move.blend_tolerance) */
 	double blend_tolerance;	/* mm; 0: G64 without P */
-	double blend_turn;	/* radians: of the axes that turn the tool; 0: as blend_path_tolerance (blend.h) takes it */
+	/* radians: of the axes that turn the tool; 0: as blend_path_tolerance (blend.h) takes it */
+	double blend_turn;
 	double spread[3];	/* mm: how far X, Y and Z may be beside the path, in a direction that is not known */
-	bool between[3];	/* the axis stays between places that other moves cover, spread and all: of straight moves */
+	/* the axis stays between places that other moves cover, spread and all: of straight moves */
+	bool between[3];
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
 	axis_values end;	/* RAPID, FEED, ARC */
 	struct canon_arc arc;

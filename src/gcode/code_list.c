@@ -7,7 +7,7 @@
 const char *code_state_name(enum code_state state)
 {
 	static const char *const names[] = {
-		[CODE_READ] = "read", [CODE_IGNORED] = "ignored", [CODE_BOUNDED] = "bounded", [CODE_REFUSED] = "refused"};
+	    [CODE_READ] = "read", [CODE_IGNORED] = "ignored", [CODE_BOUNDED] = "bounded", [CODE_REFUSED] = "refused"};
 
 	return names[state];
 }

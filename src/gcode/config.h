@@ -36,7 +36,8 @@ struct gcode_config {
 	vec3 work_change;	/* mm: added to every work offset that the program starts with, named or not */
 	double length_change;	/* mm: added to every length offset that the program starts with */
 	struct read_options read;
-	struct file_names *names;	/* keeps the names of the program's files; NULL: they live as long as the interpreter */
+	/* keeps the names of the program's files; NULL: they live as long as the interpreter */
+	struct file_names *names;
 };
 
 #endif

@@ -10,10 +10,12 @@ bool dialect_answers(const struct dialect *dialect, const struct line_place *at,
 
 bool dialect_refuse_whole_number(const struct line_place *at, int column, char letter, double value)
 {
-	return fault(at, column,
-		     "%c%.15g has no decimal point: a parameter of the control decides whether it counts whole units or "
-		     "increments; least_input=\"1\" (whole units) or \"0.001\" (0.001 mm, 0.0001 inch) of the machine's "
-		     "<controller> says it", letter, value);
+	return fault(
+	    at, column,
+	    "%c%.15g has no decimal point: a parameter of the control decides whether it counts whole units or "
+	    "increments; least_input=\"1\" (whole units) or \"0.001\" (0.001 mm, 0.0001 inch) of the machine's "
+	    "<controller> says it",
+	    letter, value);
 }
 
 bool dialect_answers_cycles(const struct dialect *dialect, const struct line_place *at, int column)

@@ -142,15 +142,18 @@ struct dialect_traits {
 	enum arc_without_centre arc_without_centre;
 	enum answer arcs_have_turns;	/* in P */
 	enum answer arc_radius_wins;	/* an arc with R and a centre takes R; not known, or no: that is an error */
-	enum answer arc_idle_zero;	/* I, J or K of the axis across the plane may be 0; not known, or no: an error */
+	/* I, J or K of the axis across the plane may be 0; not known, or no: an error */
+	enum answer arc_idle_zero;
 	enum answer arc_spirals;	/* a parameter says up to which difference of their radii arcs are spirals */
 	enum corner_words corner_words;
 	const char *corner_names;	/* of the words in messages; NULL: ",C or ,R" */
 	enum answer wrap_below_turn;	/* absolute values of an axis with wrap="sign" lie between -360 and 360 */
 	const struct cycle_traits *cycles;	/* NULL: not known */
-	enum answer cycles_apart;	/* cycles and G80 are a group beside G0 to G3: G80 brings back which of them was there */
+	/* cycles and G80 are a group beside G0 to G3: G80 brings back which of them was there */
+	enum answer cycles_apart;
 	/* Moves to places of the machine. */
-	enum answer motion_beside_words;	/* G0 to G3 beside G10, G28, G30, G52, G92 hold from the next block on; no: an error */
+	/* G0 to G3 beside G10, G28, G30, G52, G92 hold from the next block on; no: an error */
+	enum answer motion_beside_words;
 	enum g53_rate g53_rate;
 	enum g53_under_tcp g53_under_tcp;
 	enum answer g53_asks_g91;	/* the machine file says what G53 does in G91; no: that is an error */
@@ -168,7 +171,8 @@ struct dialect_traits {
 	enum g10_l20 g10_l20;
 	enum g10_incremental g10_incremental;
 	enum answer g10_writes_tools;	/* L1, L10, L11, and L0 */
-	enum answer g10_writes_registers;	/* L10 and L11 write H and its wear, L12 and L13 D and its wear, from R */
+	/* L10 and L11 write H and its wear, L12 and L13 D and its wear, from R */
+	enum answer g10_writes_registers;
 	enum answer one_shift;	/* G52 and G92 write the same shift; no: both at a time are refused */
 	enum answer shifts_ignore_g91;	/* no: G52 and G92 in G91 are refused */
 	/* Tool lengths. */

@@ -237,13 +237,17 @@ static void warn_of_rest(struct interp *interp, struct reader *reader)
 	/* The lines of the program are those that it consists of. */
 	reader->furthest = lines;
 	if (rest.program)
-		diag_warning(interp->diag, loc,
-			     "another program begins here, after the end in line %ld: it was not checked; give it a file "
-			     "of its own", end);
+		diag_warning(
+		    interp->diag, loc,
+		    "another program begins here, after the end in line %ld: it was not checked; give it a file "
+		    "of its own",
+		    end);
 	else if (rest.motion)
-		diag_warning(interp->diag, loc,
-			     "this moves axes, but stands after the end of the program in line %ld: from here on nothing "
-			     "was checked", end);
+		diag_warning(
+		    interp->diag, loc,
+		    "this moves axes, but stands after the end of the program in line %ld: from here on nothing "
+		    "was checked",
+		    end);
 }
 
 /* A program for another control must not be misread: what is certain is an error. A pipe is not read ahead. */
@@ -258,12 +262,14 @@ static bool check_family(struct interp *interp, struct reader *reader)
 	found = family_find(reader, dialect);
 	loc.line = found.line;
 	if (found.certain)
-		diag_error(interp->diag, loc,
-			   "this looks like %s (%s), but it is to be read in the %s dialect; --dialect or the machine's "
-			   "<controller> names another one", found.title, found.sign, dialect);
+		diag_error(
+		    interp->diag, loc,
+		    "this looks like %s (%s), but it is to be read in the %s dialect; --dialect or the machine's "
+		    "<controller> names another one",
+		    found.title, found.sign, dialect);
 	else if (found.line)
-		diag_warning(interp->diag, loc, "this looks like %s (%s), but it is read in the %s dialect", found.title,
-			     found.sign, dialect);
+		diag_warning(interp->diag, loc, "this looks like %s (%s), but it is read in the %s dialect",
+			     found.title, found.sign, dialect);
 	return !found.certain;
 }
 

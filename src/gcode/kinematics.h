@@ -28,7 +28,8 @@ struct kinematics_orientation {
 
 /* One way to stand the tool in a direction. */
 struct kinematics_solution {
-	axis_values rotary;	/* of the axes of the chain, in the turn within the limits that is nearest; others as they are */
+	/* of the axes of the chain, in the turn within the limits that is nearest; others as they are */
+	axis_values rotary;
 	bool within_limits;	/* some turn of it is */
 	bool free[SLOT_COUNT];	/* this axis can stand anywhere; `rotary` has it where it is */
 	bool tie[SLOT_COUNT];	/* another turn of this axis is as near */
@@ -59,7 +60,10 @@ struct kinematics {
 	 * and receives the same place as it is meant from now on.
 	 */
 	bool (*tcp)(void *context, const struct kinematics_tcp *tcp, struct srcloc loc, axis_values *position);
-	/* Finds the rotary positions that give the tool this direction: within the limits, the nearest to where it is. */
+	/*
+	 * Finds the rotary positions that give the tool this direction: within the limits, the nearest to where it
+	 * is.
+	 */
 	bool (*orient)(void *context, struct srcloc loc, struct kinematics_orientation *orientation);
 	/* The same with every choice, for controls that choose in another way. */
 	bool (*orientations)(void *context, struct srcloc loc, const struct kinematics_orientation *orientation,

@@ -10,7 +10,8 @@
 /* All pointers are borrowed while the program runs. */
 struct read_options {
 	bool block_delete;	/* skip blocks that start with '/' */
-	bool all_faults;	/* after a fault the next block is read; nothing is told of moves from there on, and the run fails */
+	/* after a fault the next block is read; nothing is told of moves from there on, and the run fails */
+	bool all_faults;
 	bool last_duplicate_wins;	/* of a word that stands twice in a block; else it is an error */
 	const char *const *includes;	/* folders of subprogram files, after the program's own */
 	size_t include_count;

@@ -38,10 +38,21 @@ static slot_values from_canonical(const axis_values *values)
 
 const char *state_system_name(int system)
 {
-	static const char *const settable[] = {"G505",		  "G506",	     "G507",	       "G508",
-					       "G509",		  SETTABLE_TEN("1"), SETTABLE_TEN("2"), SETTABLE_TEN("3"),
-					       SETTABLE_TEN("4"), SETTABLE_TEN("5"), SETTABLE_TEN("6"), SETTABLE_TEN("7"),
-					       SETTABLE_TEN("8"), SETTABLE_TEN("9"), "G500"};
+	static const char *const settable[] = {"G505",
+					       "G506",
+					       "G507",
+					       "G508",
+					       "G509",
+					       SETTABLE_TEN("1"),
+					       SETTABLE_TEN("2"),
+					       SETTABLE_TEN("3"),
+					       SETTABLE_TEN("4"),
+					       SETTABLE_TEN("5"),
+					       SETTABLE_TEN("6"),
+					       SETTABLE_TEN("7"),
+					       SETTABLE_TEN("8"),
+					       SETTABLE_TEN("9"),
+					       "G500"};
 	static const char *const names[SYSTEM_COUNT] = {"G54", "G55",   "G56",   "G57",  "G58",
 							"G59", "G59.1", "G59.2", "G59.3"};
 	static const char *const extended[EXTENDED_COUNT + 1] = {
@@ -61,7 +72,8 @@ static int system_of_name(const char *name)
 
 		if (!strcmp(name, known))
 			return i;
-		if (i >= SYSTEM_COUNT && i < SYSTEM_SETTABLE && !strncmp(name, "G154", 4) && !strcmp(name + 4, known + 5))
+		if (i >= SYSTEM_COUNT && i < SYSTEM_SETTABLE && !strncmp(name, "G154", 4) &&
+		    !strcmp(name + 4, known + 5))
 			return i;
 	}
 	return -1;
@@ -162,8 +174,14 @@ static void init_modes(struct state *state, const struct gcode_config *config)
 
 void state_init(struct state *state, const struct gcode_config *config)
 {
-	*state = (struct state){.motion = CODE_NONE, .path_motion = CODE_NONE, .retract = CODE_NONE, .selected = -1,
-				.length_number = -1, .length_code = G49, .length_doubt = CODE_NONE, .unsure_code = CODE_NONE,
+	*state = (struct state){.motion = CODE_NONE,
+				.path_motion = CODE_NONE,
+				.retract = CODE_NONE,
+				.selected = -1,
+				.length_number = -1,
+				.length_code = G49,
+				.length_doubt = CODE_NONE,
+				.unsure_code = CODE_NONE,
 				.dynamic.unsure_code = CODE_NONE};
 	init_modes(state, config);
 	state->tool = config->initial_tool;

@@ -105,7 +105,8 @@ struct state {
 	double feed_linear;	/* mm per minute or revolution; 0: none given */
 	double feed_angular;	/* degrees per minute or revolution */
 	double speed;	/* revolutions per minute */
-	bool speed_is_zero;	/* by S0: the spindle stands after M3, too. Without any S the control has a speed of its own */
+	/* by S0: the spindle stands after M3, too. Without any S the control has a speed of its own */
+	bool speed_is_zero;
 	bool speed_missed;	/* M3 or M4 came before any S, which was said */
 	enum spindle_turn spindle;
 	int retract;	/* G98 or G99, or CODE_NONE: not said yet */
@@ -114,7 +115,8 @@ struct state {
 	struct plane_parts plane_parts;
 	struct polar_coordinates polar;
 	struct dynamic_work_offset dynamic;
-	int unsure_code;	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */
+	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */
+	int unsure_code;
 	bool unsure[SLOT_COUNT];	/* what the control takes the coordinate for: execute/coordinate_rotation.h */
 	int system;	/* 0 is G54 */
 	slot_values work[SYSTEMS_ALL];
@@ -233,7 +235,10 @@ void state_update_offset(struct state *state);
 /* Puts the axes elsewhere. */
 void state_set_position(struct state *state, int slot, double value);
 
-/* "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on, "G505" and on for SYSTEM_SETTABLE and on, "G500" at the end. */
+/*
+ * "G54" for 0 ... "G59.3" for 8, "G54.1 P1" for 9 and on, "G505" and on for SYSTEM_SETTABLE and on, "G500" at the
+ * end.
+ */
 const char *state_system_name(int system);
 
 /* Degrees (or mm) of a value of the configuration: the short decimal that its file had, where there is one. */

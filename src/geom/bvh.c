@@ -156,7 +156,8 @@ static void run_split(const struct run *run, const struct builder *b, struct run
 	int axis = 0;
 
 	for (int k = 1; k < 3; k++)
-		if (greatest_of(middles, k) - least_of(middles, k) > greatest_of(middles, axis) - least_of(middles, axis))
+		if (greatest_of(middles, k) - least_of(middles, k) >
+		    greatest_of(middles, axis) - least_of(middles, axis))
 			axis = k;
 	front = partition(b, run, axis, 0.5f * least_of(middles, axis) + 0.5f * greatest_of(middles, axis));
 	if (front < least_share || run->count - front < least_share)

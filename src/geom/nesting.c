@@ -39,7 +39,8 @@ static int winding_around(const struct mesh *mesh, const struct topology *topolo
 
 		if (o != c && outer->kind == SHELL_ORIENTED && fabs(volume[c]) > VOLUME_SHARE * fabs(volume[o]) &&
 		    is_within(&topology->shells[2 * c], outer))
-			winding += shell_winding_number(mesh, topology, (uint32_t)(2 * o), topology->component_point[c]);
+			winding +=
+			    shell_winding_number(mesh, topology, (uint32_t)(2 * o), topology->component_point[c]);
 	}
 	return winding;
 }

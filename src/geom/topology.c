@@ -29,7 +29,10 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
 		parent[a] = b;
 }
 
-/* The component of each vertex, in memory of the caller's; components and component points come in the order of the file. */
+/*
+ * The component of each vertex, in memory of the caller's; components and component points come in the order of the
+ * file.
+ */
 static uint32_t *find_components(struct topology *topology, const struct soup *soup)
 {
 	uint32_t *parent = mem_alloc(soup->vertex_count * sizeof(*parent));
@@ -51,7 +54,8 @@ static uint32_t *find_components(struct topology *topology, const struct soup *s
 		if (component[root] != UINT32_MAX)
 			continue;
 		component[root] = (uint32_t)n;
-		topology->component_point = mem_grow(topology->component_point, &capacity, n + 1, sizeof(*topology->component_point));
+		topology->component_point =
+		    mem_grow(topology->component_point, &capacity, n + 1, sizeof(*topology->component_point));
 		topology->component_point[n] = mesh_corner(&soup->mesh->triangles[i / 3], 0);
 		topology->component_count++;
 	}

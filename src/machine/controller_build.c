@@ -60,10 +60,11 @@ static void build_macro(struct description_file *file, const struct macro_descri
 			continue;
 		any = true;
 		if (!around || slot > SLOT_Z || !(value >= 0))
-			description_fault(file, described->at, letter,
-					  "%s of <macro>: X, Y and Z say how far, from 0 on, a macro with action=\"around\" "
-					  "moves along an axis",
-					  letter);
+			description_fault(
+			    file, described->at, letter,
+			    "%s of <macro>: X, Y and Z say how far, from 0 on, a macro with action=\"around\" "
+			    "moves along an axis",
+			    letter);
 		else
 			macro.around[slot] = value;
 	}
@@ -136,10 +137,11 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (row->has_parameters)
 		return;
 	if (described->macro_count > 0)
-		description_fault(file, described->macros[0].at, NULL,
-				  "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "
-				  "can be told; a file in a folder of --include has what they do",
-				  row->title);
+		description_fault(
+		    file, described->macros[0].at, NULL,
+		    "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "
+		    "can be told; a file in a folder of --include has what they do",
+		    row->title);
 	if (described->least_input.given)
 		description_fault(file, described->at, "least_input",
 				  "least_input of <controller>: %s has no least input increment", row->title);

@@ -9,42 +9,42 @@
 /* Lengths in mm, angles in radians. "Against the work" means: the tool's motion as seen from the workholding. */
 enum doubt_kind {
 	/* About the machine's motions; `axis` and `other` are indices of machine->axes. */
-	DOUBT_LEFT_HANDED,	/* X Y Z of the tool against the work */
-	DOUBT_TURNED,	/* X Y Z of the tool against the work are right-handed, but not those of the drawing */
-	DOUBT_PARALLEL,	/* axis and other move the tool along one line */
+	DOUBT_LEFT_HANDED, /* X Y Z of the tool against the work */
+	DOUBT_TURNED, /* X Y Z of the tool against the work are right-handed, but not those of the drawing */
+	DOUBT_PARALLEL, /* axis and other move the tool along one line */
 	/* axis moves the tool along, or turns it about, the direction of another letter: `other` is 0 X, 1 Y, 2 Z */
 	DOUBT_LETTER,
-	DOUBT_SIGN,	/* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
-	DOUBT_ROTARY_SIGN,	/* a positive value turns the tool about -X, -Y, -Z */
-	DOUBT_ROTARY_MISSES,	/* the axis' line misses all bodies that it carries, by `value` */
-	DOUBT_SPINDLE_ACROSS,	/* Z does not move the tool along the spindle */
-	DOUBT_SPINDLE_TOWARD,	/* Z+ moves the tool where its tip points */
+	DOUBT_SIGN, /* a positive value of the linear axis moves the tool along -X, -Y, -Z of the drawing */
+	DOUBT_ROTARY_SIGN, /* a positive value turns the tool about -X, -Y, -Z */
+	DOUBT_ROTARY_MISSES, /* the axis' line misses all bodies that it carries, by `value` */
+	DOUBT_SPINDLE_ACROSS, /* Z does not move the tool along the spindle */
+	DOUBT_SPINDLE_TOWARD, /* Z+ moves the tool where its tip points */
 	/* the tool points into the body that carries it, which reaches `value` ahead of the gauge point */
 	DOUBT_SPINDLE_IN_HEAD,
-	DOUBT_SPINDLE_AWAY,	/* the workholding is behind the tool at every position, by at least `value` */
-	DOUBT_SPINDLE_FAR,	/* the gauge point is `value` from the nearest body of its link */
+	DOUBT_SPINDLE_AWAY, /* the workholding is behind the tool at every position, by at least `value` */
+	DOUBT_SPINDLE_FAR, /* the gauge point is `value` from the nearest body of its link */
 	/* no position of the linear axes brings the tool nearer than `value` to it sideways */
 	DOUBT_WORKHOLDING_BESIDE,
-	DOUBT_WORKHOLDING_FAR,	/* it is `value` from the nearest body of its link */
+	DOUBT_WORKHOLDING_FAR, /* it is `value` from the nearest body of its link */
 	/* all bodies of the machine together are `value` large, the longest travel is `limit` */
 	DOUBT_BODIES_SMALL,
 	DOUBT_BODIES_LARGE,
 	/*
 	 * About the setup; `body` and `against` are indices of scene->bodies, `item` of setup->tools or setup->offsets.
 	 */
-	DOUBT_FLOATS,	/* the body is `value` away from all that could hold it; `against` is the nearest of it */
-	DOUBT_SINKS,	/* the body is `value` deep inside `against` */
-	DOUBT_PART_LARGE,	/* the body is `value` large, the longest travel is `limit` */
-	DOUBT_PART_SMALL,	/* the same */
-	DOUBT_PART_BELOW_CUTTERS,	/* the body is `value` large, the thinnest cutter `limit` */
-	DOUBT_PART_BESIDE,	/* the tool's tip comes no nearer than `value` to the body along `direction` */
-	DOUBT_TOOL_SHORT,	/* the tool's tip stays `value` above the part, the lowest position taken */
-	DOUBT_TOOL_LONG,	/* the tool is `value` long, the travel of Z is `limit` */
-	DOUBT_TOOL_TINY,	/* the same */
-	DOUBT_TOOL_BELOW,	/* the tool's tip is `value` below the part and the fixtures at its highest position */
-	DOUBT_LENGTH_OFFSET,	/* the tool's H is `value`, its length is `limit` */
-	DOUBT_OFFSET_OUTSIDE,	/* the offset's `value` for `axis` is outside its travel */
-	DOUBT_OFFSET_FAR	/* program zero is `value` away from everything that is set up; the setup is `limit` large */
+	DOUBT_FLOATS, /* the body is `value` away from all that could hold it; `against` is the nearest of it */
+	DOUBT_SINKS, /* the body is `value` deep inside `against` */
+	DOUBT_PART_LARGE, /* the body is `value` large, the longest travel is `limit` */
+	DOUBT_PART_SMALL, /* the same */
+	DOUBT_PART_BELOW_CUTTERS, /* the body is `value` large, the thinnest cutter `limit` */
+	DOUBT_PART_BESIDE, /* the tool's tip comes no nearer than `value` to the body along `direction` */
+	DOUBT_TOOL_SHORT, /* the tool's tip stays `value` above the part, the lowest position taken */
+	DOUBT_TOOL_LONG, /* the tool is `value` long, the travel of Z is `limit` */
+	DOUBT_TOOL_TINY, /* the same */
+	DOUBT_TOOL_BELOW, /* the tool's tip is `value` below the part and the fixtures at its highest position */
+	DOUBT_LENGTH_OFFSET, /* the tool's H is `value`, its length is `limit` */
+	DOUBT_OFFSET_OUTSIDE, /* the offset's `value` for `axis` is outside its travel */
+	DOUBT_OFFSET_FAR /* program zero is `value` away from everything that is set up; the setup is `limit` large */
 };
 
 struct doubt {

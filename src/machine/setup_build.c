@@ -46,7 +46,8 @@ static void build_work_offset(struct description_file *file, const struct work_o
 	if (!is_work_offset_name(offset.name)) {
 		description_fault(file, described->at, "name",
 				  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, "
-				  "G59.3, G54.1 P1 to P99 or G505 to G599", description_quote(file, described->at, "name").text);
+				  "G59.3, G54.1 P1 to P99 or G505 to G599",
+				  description_quote(file, described->at, "name").text);
 		return;
 	}
 	for (size_t i = 0; i < setup->offset_count; i++) {

@@ -192,7 +192,8 @@ static void add_arc(struct outline *outline, const struct tool_solid *solid, dou
 	for (size_t i = 0; i < plan->arc; i++) {
 		double angle = (double)(2 * i + 1) * half;
 
-		add_corner(outline, r + reach * math_cos(angle) + plan->margin, z + c - reach * math_sin(angle) - plan->margin);
+		add_corner(outline, r + reach * math_cos(angle) + plan->margin,
+			   z + c - reach * math_sin(angle) - plan->margin);
 	}
 }
 
@@ -269,7 +270,8 @@ static void fill_ring(struct vertex *ring, size_t count, struct corner corner)
 	for (size_t k = 0; k < count; k++) {
 		double angle = 2 * PI * (double)k / (double)count;
 
-		ring[k] = (struct vertex){{(float)(r * math_cos(angle)), (float)(r * math_sin(angle)), (float)corner.z}};
+		ring[k] =
+		    (struct vertex){{(float)(r * math_cos(angle)), (float)(r * math_sin(angle)), (float)corner.z}};
 	}
 }
 

@@ -30,7 +30,8 @@ struct motion_limit {
 	double bound;	/* the limit, mm or radians */
 	double target;	/* where the move leads the axis */
 	double excess;	/* how far past the limit the move takes, or may take, the axis, at the farthest */
-	double path_tolerance;	/* mm, radians: the axis may be so far beside its path, which is inside; 0: it is outside */
+	/* mm, radians: the axis may be so far beside its path, which is inside; 0: it is outside */
+	double path_tolerance;
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: the block commands machine coordinates */
 	double work, shift;	/* what it is on the axis, and what G52 and G92 add */
 	bool length_acts;	/* the tool's length moves this axis: Z, and all linear ones under TCP */

@@ -11,7 +11,8 @@ struct move_start {
 	const struct machine *machine;
 	const struct tcp *tcp;	/* of moves under TCP; the path borrows it */
 	const axis_values *position;	/* of the machine's axes */
-	const axis_values *controller;	/* the same position as the controller means it under TCP; NULL: to be computed */
+	/* the same position as the controller means it under TCP; NULL: to be computed */
+	const axis_values *controller;
 };
 
 /*

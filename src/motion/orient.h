@@ -20,7 +20,10 @@
 bool orient_tool(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		 struct kinematics_orientation *orientation);
 
-/* Implements kinematics.orientations for this machine: every solution, and no choice. False, with an error at loc: as above. */
+/*
+ * Implements kinematics.orientations for this machine: every solution, and no choice. False, with an error at loc: as
+ * above.
+ */
 bool orient_solutions(const struct machine *machine, struct srcloc loc, struct diag *diag,
 		      const struct kinematics_orientation *orientation, struct kinematics_solutions *solutions);
 

@@ -39,8 +39,9 @@ bool retract_along_tool(const struct machine *machine, struct srcloc loc, struct
 	if (retract->to_limit)
 		way = way_to_limit(machine, &retract->position, rate);
 	if (!isfinite(way)) {
-		diag_error(diag, loc, "the retract goes to the end of travel, but no axis that it moves has a limit in the "
-				      "machine file");
+		diag_error(diag, loc,
+			   "the retract goes to the end of travel, but no axis that it moves has a limit in the "
+			   "machine file");
 		return false;
 	}
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)

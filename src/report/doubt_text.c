@@ -27,8 +27,9 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 
 	switch (doubt->kind) {
 	case DOUBT_PARALLEL:
-		strbuf_addf(out, "axes %s and %s both move the tool along one line against the work; only X and U, Y and V, "
-				 "Z and W may do that: check their directions, or give one of them checked=\"reason\"",
+		strbuf_addf(out,
+			    "axes %s and %s both move the tool along one line against the work; only X and U, Y and V, "
+			    "Z and W may do that: check their directions, or give one of them checked=\"reason\"",
 			    axis->name, other->name);
 		break;
 	case DOUBT_LETTER:
@@ -43,22 +44,31 @@ static void add_axis_doubt(struct strbuf *out, const struct scene *scene, const 
 		add_way_out(out, axis);
 		break;
 	case DOUBT_ROTARY_SIGN:
-		strbuf_addf(out, "axis %s: a positive value turns the %s left-handed about %c against the work (ISO 841: "
-				 "right-handed; an axis that turns the work has the opposite direction)",
+		strbuf_addf(out,
+			    "axis %s: a positive value turns the %s left-handed about %c against the work (ISO 841: "
+			    "right-handed; an axis that turns the work has the opposite direction)",
 			    axis->name, side > 0 ? "tool" : "work so that the tool turns", letters[axis->slot % 3]);
 		add_way_out(out, axis);
 		break;
 	case DOUBT_ROTARY_MISSES:
-		strbuf_addf(out, "axis %s turns about a line that misses all that it carries by %.4g mm: check its location and "
-				 "its direction, or give the axis checked=\"reason\"", axis->name, doubt->value);
+		strbuf_addf(
+		    out,
+		    "axis %s turns about a line that misses all that it carries by %.4g mm: check its location and "
+		    "its direction, or give the axis checked=\"reason\"",
+		    axis->name, doubt->value);
 		break;
 	case DOUBT_SPINDLE_ACROSS:
-		strbuf_addf(out, "axis %s does not move the tool along the spindle (all axes at 0): check the direction of both, or "
-				 "give <spindle checked=\"reason\">", axis->name);
+		strbuf_addf(
+		    out,
+		    "axis %s does not move the tool along the spindle (all axes at 0): check the direction of both, or "
+		    "give <spindle checked=\"reason\">",
+		    axis->name);
 		break;
 	default:
-		strbuf_addf(out, "axis %s: a positive value moves the tool where its tip points, into the work: check the "
-				 "direction of the axis and of the spindle, or give <spindle checked=\"reason\">", axis->name);
+		strbuf_addf(out,
+			    "axis %s: a positive value moves the tool where its tip points, into the work: check the "
+			    "direction of the axis and of the spindle, or give <spindle checked=\"reason\">",
+			    axis->name);
 		break;
 	}
 }
@@ -69,33 +79,46 @@ static void add_place_doubt(struct strbuf *out, const struct scene *scene, const
 	case DOUBT_SPINDLE_IN_HEAD:
 		strbuf_addf(out, "the spindle points into its own head: ");
 		add_name(out, scene, doubt->body);
-		strbuf_addf(out, " reaches %.4g mm ahead of the gauge point: turn the direction of <spindle> round (from the gauge "
-				 "point to the tip), or give it checked=\"reason\"", doubt->value);
+		strbuf_addf(
+		    out,
+		    " reaches %.4g mm ahead of the gauge point: turn the direction of <spindle> round (from the gauge "
+		    "point to the tip), or give it checked=\"reason\"",
+		    doubt->value);
 		break;
 	case DOUBT_SPINDLE_AWAY:
-		strbuf_addf(out, "the spindle points away from the work: the workholding is at least %.4g mm behind the gauge point, "
-				 "wherever the axes stand: check direction and location of <spindle> and <workholding>, or give "
-				 "one of them checked=\"reason\"", doubt->value);
+		strbuf_addf(
+		    out,
+		    "the spindle points away from the work: the workholding is at least %.4g mm behind the gauge "
+		    "point, "
+		    "wherever the axes stand: check direction and location of <spindle> and <workholding>, or give "
+		    "one of them checked=\"reason\"",
+		    doubt->value);
 		break;
 	case DOUBT_SPINDLE_FAR:
-		strbuf_addf(out, "the spindle's gauge point is %.4g mm away from the nearest body that moves with it (", doubt->value);
+		strbuf_addf(out, "the spindle's gauge point is %.4g mm away from the nearest body that moves with it (",
+			    doubt->value);
 		add_name(out, scene, doubt->body);
-		strbuf_addf(out, "): check its location and the units of the mesh, or give <spindle checked=\"reason\">");
+		strbuf_addf(out,
+			    "): check its location and the units of the mesh, or give <spindle checked=\"reason\">");
 		break;
 	case DOUBT_WORKHOLDING_FAR:
-		strbuf_addf(out, "the workholding is %.4g mm away from the nearest body that moves with it (", doubt->value);
+		strbuf_addf(out, "the workholding is %.4g mm away from the nearest body that moves with it (",
+			    doubt->value);
 		add_name(out, scene, doubt->body);
-		strbuf_addf(out, "): check its location and the units of the mesh, or give <workholding checked=\"reason\">");
+		strbuf_addf(
+		    out, "): check its location and the units of the mesh, or give <workholding checked=\"reason\">");
 		break;
 	case DOUBT_WORKHOLDING_BESIDE:
-		strbuf_addf(out, "the tool comes no nearer than %.4g mm to the workholding sideways: check the location of "
-				 "<workholding>, of <spindle> and the limits, or give one of them checked=\"reason\"",
+		strbuf_addf(out,
+			    "the tool comes no nearer than %.4g mm to the workholding sideways: check the location of "
+			    "<workholding>, of <spindle> and the limits, or give one of them checked=\"reason\"",
 			    doubt->value);
 		break;
 	case DOUBT_BODIES_SMALL:
 	case DOUBT_BODIES_LARGE:
-		strbuf_addf(out, "all bodies of the machine together are %.4g mm large, but its longest travel is %.4g mm: "
-				 "the meshes may have other units than the file (<body units=\"inch\">, \"cm\" or \"m\")",
+		strbuf_addf(out,
+			    "all bodies of the machine together are %.4g mm large, but its longest travel is %.4g mm: "
+			    "the meshes may have other units than the file (<body units=\"inch\">, \"cm\" or \"m\")",
 			    doubt->value, doubt->limit);
 		break;
 	default:
@@ -123,20 +146,29 @@ static void add_part_doubt(struct strbuf *out, const struct scene *scene, const 
 		strbuf_addf(out, "; check its location, rotation and units");
 		break;
 	case DOUBT_PART_LARGE:
-		strbuf_addf(out, " is %.5g mm large, but the machine's longest travel is %.5g mm; check its units", doubt->value,
-			    doubt->limit);
+		strbuf_addf(out, " is %.5g mm large, but the machine's longest travel is %.5g mm; check its units",
+			    doubt->value, doubt->limit);
 		break;
 	case DOUBT_PART_SMALL:
-		strbuf_addf(out, " is only %.4g mm large, but the machine's longest travel is %.5g mm; check its units (STL has none: "
-				 "units=\"inch\", \"cm\" or \"m\")", doubt->value, doubt->limit);
+		strbuf_addf(out,
+			    " is only %.4g mm large, but the machine's longest travel is %.5g mm; check its units (STL "
+			    "has none: "
+			    "units=\"inch\", \"cm\" or \"m\")",
+			    doubt->value, doubt->limit);
 		break;
 	case DOUBT_PART_BELOW_CUTTERS:
-		strbuf_addf(out, " is only %.4g mm large, less than the thinnest cutter (%.4g mm); check its units (STL has none: "
-				 "units=\"inch\", \"cm\" or \"m\")", doubt->value, doubt->limit);
+		strbuf_addf(
+		    out,
+		    " is only %.4g mm large, less than the thinnest cutter (%.4g mm); check its units (STL has none: "
+		    "units=\"inch\", \"cm\" or \"m\")",
+		    doubt->value, doubt->limit);
 		break;
 	default:
-		strbuf_addf(out, " is out of reach: the tip of every tool stays %.4g mm away from it, wherever the axes stand; check "
-				 "its location and the limits", doubt->value);
+		strbuf_addf(out,
+			    " is out of reach: the tip of every tool stays %.4g mm away from it, wherever the axes "
+			    "stand; check "
+			    "its location and the limits",
+			    doubt->value);
 		break;
 	}
 	add_checked_body(out);
@@ -147,25 +179,36 @@ static void add_tool_doubt(struct strbuf *out, const struct scene *scene, const 
 	strbuf_addf(out, "tool %d ", scene->setup->tools[doubt->item].number);
 	switch (doubt->kind) {
 	case DOUBT_TOOL_SHORT:
-		strbuf_addf(out, "cannot reach the part: its tip stays %.4g mm above it; check the tool's length and the limits",
-			    doubt->value);
+		strbuf_addf(
+		    out,
+		    "cannot reach the part: its tip stays %.4g mm above it; check the tool's length and the limits",
+		    doubt->value);
 		break;
 	case DOUBT_TOOL_BELOW:
-		strbuf_addf(out, "is too long: even at its highest position its tip is %.4g mm below all that is set up; check its "
-				 "length and units", doubt->value);
+		strbuf_addf(
+		    out,
+		    "is too long: even at its highest position its tip is %.4g mm below all that is set up; check its "
+		    "length and units",
+		    doubt->value);
 		break;
 	case DOUBT_TOOL_LONG:
-		strbuf_addf(out, "is %.5g mm long, more than the travel along the spindle (%.5g mm); check its length and units",
-			    doubt->value, doubt->limit);
+		strbuf_addf(
+		    out,
+		    "is %.5g mm long, more than the travel along the spindle (%.5g mm); check its length and units",
+		    doubt->value, doubt->limit);
 		break;
 	case DOUBT_TOOL_TINY:
-		strbuf_addf(out, "is only %.4g mm long, though the travel along the spindle is %.5g mm; check its length and units",
-			    doubt->value, doubt->limit);
+		strbuf_addf(
+		    out,
+		    "is only %.4g mm long, though the travel along the spindle is %.5g mm; check its length and units",
+		    doubt->value, doubt->limit);
 		break;
 	default:
-		strbuf_addf(out, "is %.5g mm long, but its length offset is %.5g mm: with G43 its tip is %.4g mm from where the program "
-				 "takes it to be; check length_offset", doubt->limit, doubt->value,
-			    fabs(doubt->value - doubt->limit));
+		strbuf_addf(out,
+			    "is %.5g mm long, but its length offset is %.5g mm: with G43 its tip is %.4g mm from where "
+			    "the program "
+			    "takes it to be; check length_offset",
+			    doubt->limit, doubt->value, fabs(doubt->value - doubt->limit));
 		break;
 	}
 	add_checked_body(out);
@@ -179,13 +222,13 @@ static void add_offset_doubt(struct strbuf *out, const struct scene *scene, cons
 		const struct axis *axis = &scene->machine->axes[doubt->axis];
 		const char *unit = format_units_unit(axis->slot);
 
-		strbuf_addf(out, "work offset %s has %s %.6g %s, outside the axis' travel (%.6g to %.6g %s)", offset->name,
-			    axis->name, format_units_value(axis->slot, doubt->value), unit,
+		strbuf_addf(out, "work offset %s has %s %.6g %s, outside the axis' travel (%.6g to %.6g %s)",
+			    offset->name, axis->name, format_units_value(axis->slot, doubt->value), unit,
 			    format_units_value(axis->slot, axis->limit_min),
 			    format_units_value(axis->slot, axis->limit_max), unit);
 	} else {
-		strbuf_addf(out, "work offset %s is %.4g mm away from all that is set up (which is %.4g mm large)", offset->name,
-			    doubt->value, doubt->limit);
+		strbuf_addf(out, "work offset %s is %.4g mm away from all that is set up (which is %.4g mm large)",
+			    offset->name, doubt->value, doubt->limit);
 	}
 	strbuf_addf(out, "; check its values, their signs and units");
 	add_checked_body(out);
@@ -194,11 +237,14 @@ static void add_offset_doubt(struct strbuf *out, const struct scene *scene, cons
 void doubt_text_add(struct strbuf *out, const struct scene *scene, const struct doubt *doubt)
 {
 	if (doubt->kind == DOUBT_LEFT_HANDED)
-		strbuf_addf(out, "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
-				 "exchanged; check the directions, or give one of the axes checked=\"reason\"");
+		strbuf_addf(out,
+			    "X Y Z of the tool against the work are left-handed: a sign is wrong or two letters are "
+			    "exchanged; check the directions, or give one of the axes checked=\"reason\"");
 	else if (doubt->kind == DOUBT_TURNED)
-		strbuf_addf(out, "X Y Z of the tool against the work are not those of the drawing: check the letters, or give one "
-				 "of the axes checked=\"reason\"");
+		strbuf_addf(
+		    out,
+		    "X Y Z of the tool against the work are not those of the drawing: check the letters, or give one "
+		    "of the axes checked=\"reason\"");
 	else if (doubt->kind <= DOUBT_SPINDLE_TOWARD)
 		add_axis_doubt(out, scene, doubt);
 	else if (doubt->kind <= DOUBT_BODIES_LARGE)

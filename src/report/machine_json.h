@@ -10,8 +10,8 @@
 #include "scene/scene.h"
 
 /*
- * Both append one JSON document: lengths in mm, angles in degrees, rates a minute; null for what there is not. The keys are
- * described in fivecheck(1).
+ * Both append one JSON document: lengths in mm, angles in degrees, rates a minute; null for what there is not. The
+ * keys are described in fivecheck(1).
  */
 bool machine_json_add(struct strbuf *out, struct scene *scene, const struct oddities *oddities, struct diag *diag);
 void machine_json_add_pairs(struct strbuf *out, const struct scene *scene);

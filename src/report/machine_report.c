@@ -44,7 +44,8 @@ static void add_controller(struct strbuf *out, const struct controller *controll
 {
 	strbuf_addf(out, "controller: %s, rapids %s%s, TCP's rotary zero %s", dialect_names[controller->dialect],
 		    machine_report_rapid(controller->rapid),
-		    controller->rapid == RAPID_ANY ? " (anywhere in the box of the move)" : "", controller->tcp_zero_offset ? "the work offset's" : "the machine's");
+		    controller->rapid == RAPID_ANY ? " (anywhere in the box of the move)" : "",
+		    controller->tcp_zero_offset ? "the work offset's" : "the machine's");
 	if (controller->path_tolerance > 0)
 		strbuf_addf(out, ", path tolerance %.10g", controller->path_tolerance);
 	strbuf_addf(out, "\n");

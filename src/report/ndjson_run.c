@@ -63,11 +63,12 @@ static bool take_program(struct reading *reading, const json_t *object)
 	if (!ndjson_run_text(object, "file"))
 		return refuse(reading, "a program without a name");
 	if (findings != (json_int_t)reading->pending) {
-		diag_error(reading->diag, reading->at,
-			   "'%s' has %lld %s, but %zu stand in this file: lines were taken out or added; use the file as "
-			   "the run wrote it",
-			   ndjson_run_text(object, "file"), (long long)findings, findings == 1 ? "finding" : "findings",
-			   reading->pending);
+		diag_error(
+		    reading->diag, reading->at,
+		    "'%s' has %lld %s, but %zu stand in this file: lines were taken out or added; use the file as "
+		    "the run wrote it",
+		    ndjson_run_text(object, "file"), (long long)findings, findings == 1 ? "finding" : "findings",
+		    reading->pending);
 		return false;
 	}
 	reading->findings += reading->pending;

@@ -65,7 +65,8 @@ static void add_nesting(struct oddities *out, const struct body *body, const str
 		text = add_of(out, ODDITY_NESTED, body);
 		strbuf_addf(text, ": ");
 		format_units_add_count(text, nesting.nested, "shell");
-		strbuf_addf(text, " inside another one that faces the same way: taken as solid throughout, not as a cavity");
+		strbuf_addf(text,
+			    " inside another one that faces the same way: taken as solid throughout, not as a cavity");
 	}
 }
 
@@ -144,8 +145,8 @@ static void add_overlaps(struct oddities *out, struct scene *scene, struct diag 
 		text = add_of(out, ODDITY_OVERLAP, a);
 		strbuf_addf(text, " and ");
 		format_units_add_plain(text, b->name);
-		strbuf_addf(text, ": touch or overlap at home, near X %.3f Y %.3f Z %.3f (%s)", point.x + 0.0, point.y + 0.0,
-			    point.z + 0.0, pair_status_name(pair->status));
+		strbuf_addf(text, ": touch or overlap at home, near X %.3f Y %.3f Z %.3f (%s)", point.x + 0.0,
+			    point.y + 0.0, point.z + 0.0, pair_status_name(pair->status));
 	}
 }
 

@@ -30,107 +30,130 @@ const char *const topic_names[TOPIC_COUNT + 1] = {
 };
 
 const struct topic topics[TOPIC_COUNT] = {
-	[FINDING_COLLISION] = {"Collision", "Two bodies of the machine meet.",
-		"While the block runs, two bodies touch or go into each other. The place in the block is the first instant "
-		"at which they do, exact to --tolerance.",
-		"Look at the positions of the axes and at the point of contact (--pose writes all bodies as they stand "
-		"there), then change the program, the tool, or the setup."},
-	[FINDING_CLEARANCE] = {"Clearance", "Two bodies come closer than the required clearance.",
-		"While the block runs, two bodies come closer than --clearance or the machine file's <pair clearance> "
-		"allows. Where a clearance is required, bodies that collide are reported with this kind, too.",
-		"Change the program or the setup, or require less for this pair."},
-	[FINDING_LIMIT] = {"AxisLimit", "An axis leaves its travel.",
-		"The block moves an axis past limit_min or limit_max of the machine file. The control would stop with an "
-		"alarm, or refuse the program. Where a motion is known only as a set of paths (the overrun of G60, "
-		"compensation whose form is not given, a probe), the finding says that the axis may leave its travel, "
-		"and by how much.",
-		"Move the part on the table, choose another solution of the rotary axes, or change the program. The report "
-		"names the work offset and the tool length that led there."},
-	[FINDING_START_OVERLAP] = {"StartOverlap", "Two bodies overlap before the block moves.",
-		"Bodies overlap where the program starts, or where a tool change puts a new body. A proof cannot begin with "
-		"bodies that are already inside each other.",
-		"Look at the home positions and at the setup. If the models are merely drawn through each other there, "
-		"<pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
-	[FINDING_RAPID_CONTACT] = {"RapidContact", "A cutter that does not cut enters the part.",
-		"At rapid, or while its spindle stands, a cutter enters the finished part deeper than <part "
-		"rapid_allowance> allows (0.1 mm where nothing is said). A rapid into the part breaks the tool.",
-		"Feed into the part with M3 or M4 in force, retract before the rapid, and look for a missing G43. A probe or "
-		"a nozzle says so by <tool kind>."},
-	[FINDING_GOUGE] = {"Gouge", "A cutter cuts into the finished part.",
-		"At feed a cutter enters the finished part deeper than <part gouge> allows. The part would be scrap.",
-		"Compare the program with the model of the part: stock to leave, tool, length and radius compensation, work "
-		"offset."},
-	[TOPIC_INCOMPLETE] = {"Incomplete", "Not everything could be checked.",
-		"Something could not be read, interpreted, or decided, so that nothing is proved from there on. Such a "
-		"check is never clear, and its exit status is 2.",
-		"The message says what it is and what to write instead."},
-	[TOPIC_CAUTION] = {"Caution", "The verdict holds under a condition.",
-		"What must be known beside the verdict: what was not checked, was taken for granted, or is doubtful.",
-		"Read each one before the program runs. The cautions have names of their own: sampled, no-pairs, no-setup, "
-		"excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, accepted-findings, shard, "
-		"warnings and model-doubt."},
-	[TOPIC_CLEAR] = {NULL, "Every pair of bodies is proved apart.",
-		"At every instant of every block every required pair of bodies keeps more than its clearance, and every axis "
-		"stays in its travel. The proof is about the programmed path and the bodies as drawn.",
-		"Read the cautions beside the verdict: they name what the proof takes for granted."},
-	[TOPIC_PASSED] = {NULL, "Nothing was found, but no proof was asked for.",
-		"A sampled method, --parse-only, or one shard of a program found nothing. None of them alone proves that "
-		"the program is clear.",
-		"Run the certified check of the whole program, or join all shards with fivecheck merge."},
-	[TOPIC_FOUND] = {NULL, "At least one finding fails the run.",
-		"The program violates what was asked for in at least one block. The exit status is 1.",
-		"Look at the first finding. With --all the check goes on and lists the others."},
-	[TOPIC_ACCEPTED] = {NULL, "There are findings, and all of them are accepted.",
-		"Every finding is named by --waivers or is of a kind that --fail-on leaves out. The exit status is 0, but the "
-		"program is not clear.",
-		"Look at the reasons of the waivers, and at what the caution accepted-findings says."},
-	[TOPIC_CAUTIONS + CAUTION_SAMPLED] = {NULL, "The bodies were looked at in samples only.",
-		"The methods interpolated and conventional look at the bodies every --step seconds. Contact between two "
-		"samples may have come earlier than the finding, or be missed.",
-		"Use --method=certified, the default."},
-	[TOPIC_CAUTIONS + CAUTION_NO_PAIRS] = {NULL, "No pair of bodies had to be checked.",
-		"Every pair is rigid, excused, waived, or out of reach, so that the verdict is about axis limits alone.",
-		"--list-pairs says of each pair why it is not checked. Often a setup or a mesh is missing."},
-	[TOPIC_CAUTIONS + CAUTION_NO_SETUP] = {NULL, "No setup was given.",
-		"Only the bodies of the machine itself were checked: no tool, no fixture and no part.",
-		"Give the setup of the job with -s setup.xml."},
-	[TOPIC_CAUTIONS + CAUTION_EXCUSED] = {NULL, "Neighbours in the machine's structure are excused.",
-		"Bodies that one axis connects and that are drawn close together, such as a slide and its guideway, touch by "
-		"design. They are not proved apart.",
-		"Look at the rows with the status adjacent in --list-pairs. <pair check=\"always\"/> in the machine file "
-		"has such a pair checked."},
-	[TOPIC_CAUTIONS + CAUTION_WAIVED] = {NULL, "The machine file waives pairs of bodies.",
-		"Pairs with <pair check=\"never\"/> are not checked, whatever the program does.",
-		"Look at the rows with the status waived in --list-pairs and at their reasons."},
-	[TOPIC_CAUTIONS + CAUTION_SURFACES] = {NULL, "A body with an open mesh is checked as a surface.",
-		"Where a mesh has gaps, nobody knows what is inside it. A body that is wholly inside another one may be "
-		"missed; contact of the surfaces is not.",
-		"Close the mesh. --check-machine names the gaps."},
-	[TOPIC_CAUTIONS + CAUTION_MESH_CUTTER] = {NULL, "A cutter that is a mesh is not checked against the part at rapid.",
-		"How deep such a cutter enters the part cannot be told, so that a rapid through the part is not found for "
-		"it. Everything else is checked against it.",
-		"Describe the cutter by sections in the setup."},
-	[TOPIC_CAUTIONS + CAUTION_NO_PATH_TOLERANCE] = {NULL, "The control may leave the programmed path by an unknown distance.",
-		"G64 and its relatives blend corners. Without a tolerance only the programmed path was checked.",
-		"Give the tolerance in the program (G64 P) or in the machine file (<controller path_tolerance>), or use "
-		"exact stops."},
-	[TOPIC_CAUTIONS + CAUTION_ACCEPTED] = {NULL, "What comes behind an accepted finding in its block is not checked.",
-		"After a finding that --waivers or --fail-on accepts, the same bodies or axis are not checked in the rest of "
-		"that block.",
-		"Mend the finding, or look at the rest of the block by other means."},
-	[TOPIC_CAUTIONS + CAUTION_SHARD] = {NULL, "Only a part of the program's blocks was checked.",
-		"With --shard K/N a run checks its own share. The program is clear if all shards found nothing and none is "
-		"missing.",
-		"Join the results of all shards with fivecheck merge."},
-	[TOPIC_CAUTIONS + CAUTION_WARNINGS] = {NULL, "There were warnings during the check.",
-		"Something in the program is understood in one way and might be meant in another one. The caution repeats "
-		"the first warning.",
-		"Read the warnings on standard error. --fail-on=warning makes them fail the run."},
-	[TOPIC_CAUTIONS + CAUTION_DOUBT] = {NULL, "Something in the machine file or in the setup is odd.",
-		"Signs of axes, units, places, offsets or lengths do not fit together. If one of them is wrong, the proof is "
-		"about another machine than yours.",
-		"Check the value that the caution names, at the machine where possible. If it is right, checked=\"reason\" "
-		"on its element ends the doubt. fivecheck-machine(5) lists all doubts."},
+    [FINDING_COLLISION] =
+	{"Collision", "Two bodies of the machine meet.",
+	 "While the block runs, two bodies touch or go into each other. The place in the block is the first instant "
+	 "at which they do, exact to --tolerance.",
+	 "Look at the positions of the axes and at the point of contact (--pose writes all bodies as they stand "
+	 "there), then change the program, the tool, or the setup."},
+    [FINDING_CLEARANCE] =
+	{"Clearance", "Two bodies come closer than the required clearance.",
+	 "While the block runs, two bodies come closer than --clearance or the machine file's <pair clearance> "
+	 "allows. Where a clearance is required, bodies that collide are reported with this kind, too.",
+	 "Change the program or the setup, or require less for this pair."},
+    [FINDING_LIMIT] =
+	{"AxisLimit", "An axis leaves its travel.",
+	 "The block moves an axis past limit_min or limit_max of the machine file. The control would stop with an "
+	 "alarm, or refuse the program. Where a motion is known only as a set of paths (the overrun of G60, "
+	 "compensation whose form is not given, a probe), the finding says that the axis may leave its travel, "
+	 "and by how much.",
+	 "Move the part on the table, choose another solution of the rotary axes, or change the program. The report "
+	 "names the work offset and the tool length that led there."},
+    [FINDING_START_OVERLAP] =
+	{"StartOverlap", "Two bodies overlap before the block moves.",
+	 "Bodies overlap where the program starts, or where a tool change puts a new body. A proof cannot begin with "
+	 "bodies that are already inside each other.",
+	 "Look at the home positions and at the setup. If the models are merely drawn through each other there, "
+	 "<pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
+    [FINDING_RAPID_CONTACT] =
+	{"RapidContact", "A cutter that does not cut enters the part.",
+	 "At rapid, or while its spindle stands, a cutter enters the finished part deeper than <part "
+	 "rapid_allowance> allows (0.1 mm where nothing is said). A rapid into the part breaks the tool.",
+	 "Feed into the part with M3 or M4 in force, retract before the rapid, and look for a missing G43. A probe or "
+	 "a nozzle says so by <tool kind>."},
+    [FINDING_GOUGE] =
+	{"Gouge", "A cutter cuts into the finished part.",
+	 "At feed a cutter enters the finished part deeper than <part gouge> allows. The part would be scrap.",
+	 "Compare the program with the model of the part: stock to leave, tool, length and radius compensation, work "
+	 "offset."},
+    [TOPIC_INCOMPLETE] =
+	{"Incomplete", "Not everything could be checked.",
+	 "Something could not be read, interpreted, or decided, so that nothing is proved from there on. Such a "
+	 "check is never clear, and its exit status is 2.",
+	 "The message says what it is and what to write instead."},
+    [TOPIC_CAUTION] =
+	{"Caution", "The verdict holds under a condition.",
+	 "What must be known beside the verdict: what was not checked, was taken for granted, or is doubtful.",
+	 "Read each one before the program runs. The cautions have names of their own: sampled, no-pairs, no-setup, "
+	 "excused-neighbours, waived-pairs, open-mesh, mesh-cutter, no-path-tolerance, accepted-findings, shard, "
+	 "warnings and model-doubt."},
+    [TOPIC_CLEAR] =
+	{NULL, "Every pair of bodies is proved apart.",
+	 "At every instant of every block every required pair of bodies keeps more than its clearance, and every axis "
+	 "stays in its travel. The proof is about the programmed path and the bodies as drawn.",
+	 "Read the cautions beside the verdict: they name what the proof takes for granted."},
+    [TOPIC_PASSED] =
+	{NULL, "Nothing was found, but no proof was asked for.",
+	 "A sampled method, --parse-only, or one shard of a program found nothing. None of them alone proves that "
+	 "the program is clear.",
+	 "Run the certified check of the whole program, or join all shards with fivecheck merge."},
+    [TOPIC_FOUND] = {NULL, "At least one finding fails the run.",
+		     "The program violates what was asked for in at least one block. The exit status is 1.",
+		     "Look at the first finding. With --all the check goes on and lists the others."},
+    [TOPIC_ACCEPTED] =
+	{NULL, "There are findings, and all of them are accepted.",
+	 "Every finding is named by --waivers or is of a kind that --fail-on leaves out. The exit status is 0, but the "
+	 "program is not clear.",
+	 "Look at the reasons of the waivers, and at what the caution accepted-findings says."},
+    [TOPIC_CAUTIONS + CAUTION_SAMPLED] =
+	{NULL, "The bodies were looked at in samples only.",
+	 "The methods interpolated and conventional look at the bodies every --step seconds. Contact between two "
+	 "samples may have come earlier than the finding, or be missed.",
+	 "Use --method=certified, the default."},
+    [TOPIC_CAUTIONS + CAUTION_NO_PAIRS] =
+	{NULL, "No pair of bodies had to be checked.",
+	 "Every pair is rigid, excused, waived, or out of reach, so that the verdict is about axis limits alone.",
+	 "--list-pairs says of each pair why it is not checked. Often a setup or a mesh is missing."},
+    [TOPIC_CAUTIONS +
+	CAUTION_NO_SETUP] = {NULL, "No setup was given.",
+			     "Only the bodies of the machine itself were checked: no tool, no fixture and no part.",
+			     "Give the setup of the job with -s setup.xml."},
+    [TOPIC_CAUTIONS + CAUTION_EXCUSED] =
+	{NULL, "Neighbours in the machine's structure are excused.",
+	 "Bodies that one axis connects and that are drawn close together, such as a slide and its guideway, touch by "
+	 "design. They are not proved apart.",
+	 "Look at the rows with the status adjacent in --list-pairs. <pair check=\"always\"/> in the machine file "
+	 "has such a pair checked."},
+    [TOPIC_CAUTIONS +
+	CAUTION_WAIVED] = {NULL, "The machine file waives pairs of bodies.",
+			   "Pairs with <pair check=\"never\"/> are not checked, whatever the program does.",
+			   "Look at the rows with the status waived in --list-pairs and at their reasons."},
+    [TOPIC_CAUTIONS + CAUTION_SURFACES] =
+	{NULL, "A body with an open mesh is checked as a surface.",
+	 "Where a mesh has gaps, nobody knows what is inside it. A body that is wholly inside another one may be "
+	 "missed; contact of the surfaces is not.",
+	 "Close the mesh. --check-machine names the gaps."},
+    [TOPIC_CAUTIONS + CAUTION_MESH_CUTTER] =
+	{NULL, "A cutter that is a mesh is not checked against the part at rapid.",
+	 "How deep such a cutter enters the part cannot be told, so that a rapid through the part is not found for "
+	 "it. Everything else is checked against it.",
+	 "Describe the cutter by sections in the setup."},
+    [TOPIC_CAUTIONS + CAUTION_NO_PATH_TOLERANCE] =
+	{NULL, "The control may leave the programmed path by an unknown distance.",
+	 "G64 and its relatives blend corners. Without a tolerance only the programmed path was checked.",
+	 "Give the tolerance in the program (G64 P) or in the machine file (<controller path_tolerance>), or use "
+	 "exact stops."},
+    [TOPIC_CAUTIONS + CAUTION_ACCEPTED] =
+	{NULL, "What comes behind an accepted finding in its block is not checked.",
+	 "After a finding that --waivers or --fail-on accepts, the same bodies or axis are not checked in the rest of "
+	 "that block.",
+	 "Mend the finding, or look at the rest of the block by other means."},
+    [TOPIC_CAUTIONS + CAUTION_SHARD] =
+	{NULL, "Only a part of the program's blocks was checked.",
+	 "With --shard K/N a run checks its own share. The program is clear if all shards found nothing and none is "
+	 "missing.",
+	 "Join the results of all shards with fivecheck merge."},
+    [TOPIC_CAUTIONS + CAUTION_WARNINGS] =
+	{NULL, "There were warnings during the check.",
+	 "Something in the program is understood in one way and might be meant in another one. The caution repeats "
+	 "the first warning.",
+	 "Read the warnings on standard error. --fail-on=warning makes them fail the run."},
+    [TOPIC_CAUTIONS + CAUTION_DOUBT] =
+	{NULL, "Something in the machine file or in the setup is odd.",
+	 "Signs of axes, units, places, offsets or lengths do not fit together. If one of them is wrong, the proof is "
+	 "about another machine than yours.",
+	 "Check the value that the caution names, at the machine where possible. If it is right, checked=\"reason\" "
+	 "on its element ends the doubt. fivecheck-machine(5) lists all doubts."},
 };
 
 enum { COLUMNS = 80 };

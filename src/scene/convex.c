@@ -5,9 +5,9 @@
 #include "base/minmax.h"
 
 /*
- * As a share of half the diagonal of the body's box: more than twice what boxes reach too far, as they are rounded outward, and more than
- * what the projection of a box in float is off. Each is below 8 roundings of 2^-24. The first keeps boxes beside a flat
- * face shut, all of which reach as far as the face.
+ * As a share of half the diagonal of the body's box: more than twice what boxes reach too far, as they are rounded
+ * outward, and more than what the projection of a box in float is off. Each is below 8 roundings of 2^-24. The first
+ * keeps boxes beside a flat face shut, all of which reach as far as the face.
  */
 #define SUPPORT_GRAIN 0x1p-20
 

@@ -22,7 +22,9 @@ struct profile {
 	double low[PROFILE_RINGS], high[PROFILE_RINGS], rho[PROFILE_RINGS];
 };
 
-/* The triangles below `leaf` of the tree, at `place`, about the axis through `location` along the unit vector `axis`. */
+/*
+ * The triangles below `leaf` of the tree, at `place`, about the axis through `location` along the unit vector `axis`.
+ */
 void profile_init(struct profile *profile, const struct bvh *bvh, struct leaf leaf, const xform *place, vec3 location,
 		  vec3 axis);
 

@@ -5,7 +5,8 @@
 #include "scene/scene.h"
 
 /*
- * Reads what scene_body_bvh would read for the bodies wanted[0..count), each of them once. What is wrong with a mesh is reported in their order, once, and the body has failed.
+ * Reads what scene_body_bvh would read for the bodies wanted[0..count), each of them once. What is wrong with a mesh
+ * is reported in their order, once, and the body has failed.
  */
 void mesh_reading_run(struct scene *scene, const int *wanted, size_t count, int threads, struct diag *diag);
 

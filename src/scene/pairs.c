@@ -18,7 +18,10 @@
  */
 #define REACH_VISITS 30000
 
-/* So many of them settle most proofs. Only then a position is looked for at which the bodies meet: no proof is possible. */
+/*
+ * So many of them settle most proofs. Only then a position is looked for at which the bodies meet: no proof is
+ * possible.
+ */
 #define FIRST_VISITS 300
 
 /* mm: such a proof does not halve intervals of travel that are smaller than this. */
@@ -200,7 +203,8 @@ void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
 		for (size_t b = a + 1; b < n; b++) {
 			const size_t pair[2] = {a, b};
 
-			if ((listed[a] && listed[b]) || !needs_meshes(scene, scene->bodies[a].body, scene->bodies[b].body))
+			if ((listed[a] && listed[b]) ||
+			    !needs_meshes(scene, scene->bodies[a].body, scene->bodies[b].body))
 				continue;
 			for (int i = 0; i < 2; i++) {
 				if (!listed[pair[i]])

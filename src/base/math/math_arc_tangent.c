@@ -5,8 +5,9 @@
 #include <stdbool.h>
 
 /*
- * All inverse functions are the angle of a point. In the eighth of the plane next to the x axis, atan(y/x) is atan(k/64) +
- * atan(r) with r = (y - k/64 x) / (x + k/64 y), which is 1/128 at most. The other eighths are mirror images of it.
+ * All inverse functions are the angle of a point. In the eighth of the plane next to the x axis, atan(y/x) is
+ * atan(k/64) + atan(r) with r = (y - k/64 x) / (x + k/64 y), which is 1/128 at most. The other eighths are mirror
+ * images of it.
  */
 
 /* The angles whose tangents are k/64. */

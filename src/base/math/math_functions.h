@@ -1,15 +1,15 @@
 /*
  * math_functions.h - the elementary functions, made of IEEE 754 basic operations alone.
  *
- * C libraries differ in the last bits of sin, atan2 and the like, and a verdict must not. These functions add, subtract,
- * multiply, divide, take square roots and round to whole numbers, in double precision, to nearest and without
- * contraction: they return the same bits with every compiler, C library and processor. scripts/check-layers keeps those of
- * the C library out of src. What IEEE 754 defines to the last bit comes from <math.h>: fabs, floor, fmod, remainder,
- * round, sqrt and their like.
+ * C libraries differ in the last bits of sin, atan2 and the like, and a verdict must not. These functions add,
+ * subtract, multiply, divide, take square roots and round to whole numbers, in double precision, to nearest and
+ * without contraction: they return the same bits with every compiler, C library and processor. scripts/check-layers
+ * keeps those of the C library out of src. What IEEE 754 defines to the last bit comes from <math.h>: fabs, floor,
+ * fmod, remainder, round, sqrt and their like.
  *
  * Every result is within 0.51 units in the last place of the true value, for all arguments; where the true value is a
- * double, that is the result. Special values are those of C17, annex F. errno is left alone. make check-math holds all of
- * this against MPFR.
+ * double, that is the result. Special values are those of C17, annex F. errno is left alone. make check-math holds
+ * all of this against MPFR.
  *
  * Method: tables, short polynomials, and sums of two doubles. Muller, "Elementary Functions", 3rd edition, 2016; Tang,
  * "Table-driven implementation of the exponential function in IEEE floating-point arithmetic", 1989; Payne and Hanek,

@@ -5,8 +5,8 @@
 #include <stddef.h>
 
 /*
- * An angle is k pi/64 + r with |r| <= pi/128. The table has the sine of k pi/64, and so its cosine; two short polynomials
- * give those of r, and the addition theorems those of the sum.
+ * An angle is k pi/64 + r with |r| <= pi/128. The table has the sine of k pi/64, and so its cosine; two short
+ * polynomials give those of r, and the addition theorems those of the sum.
  */
 
 /* The part of an angle that is left, and what is known of it. */

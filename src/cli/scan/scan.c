@@ -72,7 +72,8 @@ static bool find_dialect(const struct request *request, struct diag *diag, const
 {
 	int row = 0;
 
-	while (request->dialect && dialect_choice_names[row] && strcmp(dialect_choice_names[row], request->dialect) != 0)
+	while (request->dialect && dialect_choice_names[row] &&
+	       strcmp(dialect_choice_names[row], request->dialect) != 0)
 		row++;
 	if (!dialect_choice_names[row]) {
 		diag_error(diag, nowhere, "--dialect: '%s' is no dialect; 'fivecheck scan --help' lists them",
@@ -118,7 +119,8 @@ static bool write_all(struct scan *scan, const struct request *request, struct d
 	scan_codes_add(&text, &scan->codes);
 	strbuf_addf(&text, "\nin the machine file\tneeded first by\n");
 	scan_questions_add(&text, scan->questions);
-	strbuf_addf(&text, "\n%zu of %zu programs can be read to their ends in the %s dialect, if these answers are given\n",
+	strbuf_addf(&text,
+		    "\n%zu of %zu programs can be read to their ends in the %s dialect, if these answers are given\n",
 		    scan->read, request->count, scan->codes.dialect->name);
 	good = output_open(&out, request->output, diag);
 	if (good) {

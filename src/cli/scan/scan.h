@@ -1,4 +1,7 @@
-/* scan.h - `fivecheck scan`: which codes programs use, and what the machine file must answer before they can be checked. */
+/*
+ * scan.h - `fivecheck scan`: which codes programs use, and what the machine file must answer before they can be
+ * checked.
+ */
 #ifndef FIVECHECK_CLI_SCAN_SCAN_H
 #define FIVECHECK_CLI_SCAN_SCAN_H
 

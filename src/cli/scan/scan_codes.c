@@ -25,7 +25,8 @@ static void count(struct scan_codes *codes, char letter, int number, const struc
 	struct scan_code *item = NULL;
 
 	for (size_t i = 0; i < codes->count && !item; i++) {
-		if (codes->items[i].letter == letter && codes->items[i].number == number && codes->items[i].word == word)
+		if (codes->items[i].letter == letter && codes->items[i].number == number &&
+		    codes->items[i].word == word)
 			item = &codes->items[i];
 	}
 	if (!item) {
@@ -114,7 +115,7 @@ static int in_order(const void *first, const void *second)
 static void add_row(struct strbuf *out, const struct dialect *dialect, const struct scan_code *item)
 {
 	const struct code *code =
-		item->letter ? code_find(item->letter == 'G' ? dialect->g_codes : dialect->m_codes, item->number) : NULL;
+	    item->letter ? code_find(item->letter == 'G' ? dialect->g_codes : dialect->m_codes, item->number) : NULL;
 
 	if (item->word)
 		strbuf_addf(out, "%s", item->word->word);

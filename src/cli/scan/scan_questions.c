@@ -67,7 +67,10 @@ struct scan_questions *scan_questions_new(const struct dialect *dialect)
 	questions->config.controller.macros = questions->macros;
 	for (int slot = 0; slot < SLOT_COUNT; slot++)
 		questions->config.has_axis[slot] = true;
-	/* Controls that know no H have tools by name, edges and presets: there, no setup is better than a strange one. */
+	/*
+	 * Controls that know no H have tools by name, edges and presets: there, no setup is better than a strange
+	 * one.
+	 */
 	if (dialect->traits.h_missing != H_MISSING_UNKNOWN)
 		fill_tables(questions);
 	return questions;
@@ -122,45 +125,46 @@ static void answer_macro(struct scan_questions *q, int number)
 static const struct question {
 	const char *key;	/* in the message; a number may follow */
 	const char *line;	/* with %d: the number */
-	void (*take)(struct scan_questions *questions, int number);	/* NULL: the field gets the choice or the number */
+	/* NULL: the field gets the choice or the number */
+	void (*take)(struct scan_questions *questions, int number);
 	size_t field;
 	int choice;
 	double number;
 } questions_table[] = {
-	{"<mcode number=\"", "<mcode number=\"%d\" action=\"\"/>", .take = answer_mcode},
-	{"<macro program=\"", "<macro program=\"%d\" action=\"\"/>", .take = answer_macro},
-	{"<reference number=\"", "<reference number=\"%d\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
-	{"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
-	{"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
-	{"least_input=\"", "least_input=\"1\" (whole units) or \"0.001\"", NUMBER(least_input, 1)},
-	{"power_on_units=\"", "power_on_units=\"mm\" or \"inch\"", CHOICE(power_on_units, POWER_ON_MM)},
-	{"power_on_distance=\"", "power_on_distance=\"absolute\" or \"incremental\"",
-	 CHOICE(power_on_distance, POWER_ON_ABSOLUTE)},
-	{"power_on_plane=\"", "power_on_plane=\"xy\", \"zx\" or \"yz\"", CHOICE(power_on_plane, POWER_ON_XY)},
-	{"power_on_work_offset=\"", "power_on_work_offset=\"G500\", \"G54\" and so on", CHOICE(power_on_work_offset, 1)},
-	{"length_offset_moves=\"", "length_offset_moves=\"yes\" or \"no\"", CHOICE(length_moves, ANSWER_NO)},
-	{"length_after_reference=\"", "length_after_reference=\"keeps\" or \"cancels\"",
-	 CHOICE(length_after_reference, LENGTH_AFTER_REFERENCE_KEPT)},
-	{"g53_with_g91=\"", "g53_with_g91=\"absolute\" or \"incremental\"", CHOICE(g53_with_g91, G53_WITH_G91_ABSOLUTE)},
-	{"unidirectional_overrun=\"", "unidirectional_overrun=\"\"", NUMBER(overrun, 1)},
-	{"arc_radius_tolerance=\"", "arc_radius_tolerance=\"\" (Fanuc's parameter 3410)",
-	 NUMBER(arc_radius_tolerance, 1e6)},
-	{"m6_with_move=\"", "m6_with_move=\"after\" or \"before\"", CHOICE(m6_with_move, M6_AFTER_MOVE)},
-	{"semicolon=\"", "semicolon=\"comment\" or \"block-end\"", CHOICE(semicolon, SEMICOLON_STARTS_COMMENT)},
-	{"colon=\"", "colon=\"program\" or \"block\"", CHOICE(colon, COLON_BLOCK)},
-	{"cutter_comp_d=\"", "cutter_comp_d=\"radius\" or \"diameter\"", CHOICE(comp_d, COMP_D_RADIUS)},
-	{"cutter_comp_start=\"", "cutter_comp_start=\"A\" or \"B\"", CHOICE(comp_start, COMP_START_A)},
-	{"cutter_comp_corner=\"", "cutter_comp_corner=\"linear\" or \"circular\"",
-	 CHOICE(comp_corner, COMP_CORNER_CIRCULAR)},
-	{"rotation_order=\"", "rotation_order=\"rpy\" or \"euler\"", CHOICE(rotation_order, ROTATION_ORDER_RPY)},
-	{"orientation_interpolation=\"", "orientation_interpolation=\"axes\" or \"vector\"",
-	 CHOICE(orientation_interpolation, ORIENTATION_INTERPOLATION_AXES)},
-	{"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
-	 CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
-	{"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
-	{"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
-	{"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
-	{"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
+    {"<mcode number=\"", "<mcode number=\"%d\" action=\"\"/>", .take = answer_mcode},
+    {"<macro program=\"", "<macro program=\"%d\" action=\"\"/>", .take = answer_macro},
+    {"<reference number=\"", "<reference number=\"%d\" X=\"\" Y=\"\" Z=\"\"/>", .take = answer_reference},
+    {"<tool_change Z=\"", "<tool_change Z=\"\"/>, or <tool_change/> if M6 moves no axis", .take = answer_tool_change},
+    {"half_turn=\"", "half_turn=\"positive\" or \"negative\" of the rotary axis", .take = answer_half_turn},
+    {"least_input=\"", "least_input=\"1\" (whole units) or \"0.001\"", NUMBER(least_input, 1)},
+    {"power_on_units=\"", "power_on_units=\"mm\" or \"inch\"", CHOICE(power_on_units, POWER_ON_MM)},
+    {"power_on_distance=\"", "power_on_distance=\"absolute\" or \"incremental\"",
+     CHOICE(power_on_distance, POWER_ON_ABSOLUTE)},
+    {"power_on_plane=\"", "power_on_plane=\"xy\", \"zx\" or \"yz\"", CHOICE(power_on_plane, POWER_ON_XY)},
+    {"power_on_work_offset=\"", "power_on_work_offset=\"G500\", \"G54\" and so on", CHOICE(power_on_work_offset, 1)},
+    {"length_offset_moves=\"", "length_offset_moves=\"yes\" or \"no\"", CHOICE(length_moves, ANSWER_NO)},
+    {"length_after_reference=\"", "length_after_reference=\"keeps\" or \"cancels\"",
+     CHOICE(length_after_reference, LENGTH_AFTER_REFERENCE_KEPT)},
+    {"g53_with_g91=\"", "g53_with_g91=\"absolute\" or \"incremental\"", CHOICE(g53_with_g91, G53_WITH_G91_ABSOLUTE)},
+    {"unidirectional_overrun=\"", "unidirectional_overrun=\"\"", NUMBER(overrun, 1)},
+    {"arc_radius_tolerance=\"", "arc_radius_tolerance=\"\" (parameter 3410)",
+     NUMBER(arc_radius_tolerance, 1e6)},
+    {"m6_with_move=\"", "m6_with_move=\"after\" or \"before\"", CHOICE(m6_with_move, M6_AFTER_MOVE)},
+    {"semicolon=\"", "semicolon=\"comment\" or \"block-end\"", CHOICE(semicolon, SEMICOLON_STARTS_COMMENT)},
+    {"colon=\"", "colon=\"program\" or \"block\"", CHOICE(colon, COLON_BLOCK)},
+    {"cutter_comp_d=\"", "cutter_comp_d=\"radius\" or \"diameter\"", CHOICE(comp_d, COMP_D_RADIUS)},
+    {"cutter_comp_start=\"", "cutter_comp_start=\"A\" or \"B\"", CHOICE(comp_start, COMP_START_A)},
+    {"cutter_comp_corner=\"", "cutter_comp_corner=\"linear\" or \"circular\"",
+     CHOICE(comp_corner, COMP_CORNER_CIRCULAR)},
+    {"rotation_order=\"", "rotation_order=\"rpy\" or \"euler\"", CHOICE(rotation_order, ROTATION_ORDER_RPY)},
+    {"orientation_interpolation=\"", "orientation_interpolation=\"axes\" or \"vector\"",
+     CHOICE(orientation_interpolation, ORIENTATION_INTERPOLATION_AXES)},
+    {"edge_after_tool_change=\"", "edge_after_tool_change=\"first\", \"none\" or \"keeps\"",
+     CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
+    {"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
+    {"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
+    {"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
+    {"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };
 
 static void take(struct scan_questions *questions, const struct question *question, int number)

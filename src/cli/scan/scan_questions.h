@@ -17,8 +17,8 @@ void scan_questions_free(struct scan_questions *questions);
 
 /*
  * Reads the program again and again: each time that it stops at a question, the question is kept and some answer to it
- * is taken. Every axis is there, and so are all tools and offsets. False: it stops at a fault that is no question, which
- * is reported, or the file cannot be read.
+ * is taken. Every axis is there, and so are all tools and offsets. False: it stops at a fault that is no question,
+ * which is reported, or the file cannot be read.
  */
 bool scan_questions_read(struct scan_questions *questions, FILE *in, const char *name, struct diag *diag);
 

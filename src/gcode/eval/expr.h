@@ -36,7 +36,10 @@ struct expr_operator {
 struct expr_rules {
 	char open, close;	/* brackets */
 	const char *variable_starts;	/* bytes that start a variable */
-	/* A name of an operator is a word without blanks in it, which no letter, digit or '_' follows; no blanks in numbers. */
+	/*
+	 * A name of an operator is a word without blanks in it, which no letter, digit or '_' follows; no blanks in
+	 * numbers.
+	 */
 	bool whole_words;
 	const struct expr_operator *operators;	/* a name comes after every name that starts with it */
 	size_t operator_count;

@@ -88,7 +88,8 @@ static bool find_arc_by_centre(struct interp *interp, const struct arc_plane *pl
 	double r0, r1;
 
 	if (block_has(&interp->block, plane->not_used) &&
-	    !(traits_of(interp)->arc_idle_zero == ANSWER_YES && same_double(block_value(&interp->block, plane->not_used), 0)))
+	    !(traits_of(interp)->arc_idle_zero == ANSWER_YES &&
+	      same_double(block_value(&interp->block, plane->not_used), 0)))
 		return fault(&interp->at, block_column(&interp->block, plane->not_used),
 			     "%c does not belong to the centre of an arc in the plane of G%d", plane->not_used,
 			     plane->code / 10);

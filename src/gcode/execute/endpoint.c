@@ -81,8 +81,10 @@ static void caution_probe(struct interp *interp)
 		return;
 	interp->cautioned_probe = true;
 	caution(&interp->at, block_motion_column(&interp->block),
-		"this path depends on where the probe has stopped: under TCP, in turned coordinates, with cutter compensation "
-		"and for rotary axes it is proved from the end of the probe's way only, here and further on; lead the probed "
+		"this path depends on where the probe has stopped: under TCP, in turned coordinates, with cutter "
+		"compensation "
+		"and for rotary axes it is proved from the end of the probe's way only, here and further on; lead the "
+		"probed "
 		"axis back by an absolute coordinate in a block of its own first");
 }
 

@@ -344,7 +344,9 @@ bool execute_block(struct interp *interp)
 	const struct dialect *dialect = interp->config->dialect;
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	/* B-64484EN, "Auxiliary Function": M-codes are carried out with the move or behind it, as the builder has it. */
+	/*
+	 * B-64484EN, "Auxiliary Function": M-codes are carried out with the move or behind it, as the builder has it.
+	 */
 	bool changes_late = block->m[M_TOOL] == 6 && interp->config->controller.m6_with_move == M6_AFTER_MOVE;
 
 	if (state->unknown_modes && !check_modes(interp))

@@ -86,7 +86,10 @@ static bool probe(struct interp *interp, const slot_values *target, struct canon
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		bool word = block_has(&interp->block, AXIS_LETTERS[slot]);
 
-		/* Under TCP each coordinate of the tool point may move all linear axes; so it is in turned coordinates. */
+		/*
+		 * Under TCP each coordinate of the tool point may move all linear axes; so it is in turned
+		 * coordinates.
+		 */
 		named[slot] = word || (slot <= SLOT_Z && (state->tcp != TCP_OFF || state->frame.on));
 		bounded = bounded && !(word && slot > SLOT_Z);
 	}

@@ -34,8 +34,9 @@ static bool find_tool(struct interp *interp, int *number)
 		return true;
 	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "P%d: no setup was given that defines tools", *number);
-	return fault(&interp->at, column, "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of", *number,
-		     *number);
+	return fault(&interp->at, column,
+		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
+		     *number, *number);
 }
 
 static bool check_words(struct interp *interp, int mode)

@@ -8,7 +8,8 @@ bool program_position_check(struct interp *interp, int slot, int column)
 	if (interp->comp.side != 0)
 		return fault(&interp->at, column, "the position under cutter compensation cannot be read");
 	if (!interp->state.frame.on)
-		return dynamic_work_offset_check_read(interp, slot, column) && probed_axes_is_known(interp, slot, column);
+		return dynamic_work_offset_check_read(interp, slot, column) &&
+		       probed_axes_is_known(interp, slot, column);
 	return fault(&interp->at, column, "the position in a turned coordinate system cannot be read; G69 first");
 }
 

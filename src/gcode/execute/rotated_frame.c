@@ -42,7 +42,8 @@ vec3 rotated_frame_normal(const struct state *state, vec3 normal)
 
 static vec3 turn_back(const struct rotated_frame *frame, vec3 from_origin)
 {
-	return frame->distorts ? mat3_apply(&frame->back, from_origin) : mat3_apply_transposed(&frame->turn, from_origin);
+	return frame->distorts ? mat3_apply(&frame->back, from_origin)
+			       : mat3_apply_transposed(&frame->turn, from_origin);
 }
 
 slot_values rotated_frame_straight(const struct state *state)

@@ -21,7 +21,9 @@ vec3 rotated_frame_direction(const struct state *state, vec3 direction);
 /* The controller's direction of the axis (unit) about which a right-handed turn of straight coordinates goes. */
 vec3 rotated_frame_normal(const struct state *state, vec3 normal);
 
-/* Marks the coordinates that a change of the frame by this code has changed: *before are the straight ones before it. */
+/*
+ * Marks the coordinates that a change of the frame by this code has changed: *before are the straight ones before it.
+ */
 void rotated_frame_mark_unsure(struct state *state, const slot_values *before, int code);
 
 #endif

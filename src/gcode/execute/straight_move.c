@@ -78,8 +78,8 @@ static bool approach(struct interp *interp)
 		if (!block_has(block, AXIS_LETTERS[slot]))
 			continue;
 		if (slot > SLOT_Z)
-			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]), "%c with G60 is not supported",
-				     AXIS_LETTERS[slot]);
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c with G60 is not supported", AXIS_LETTERS[slot]);
 		move.spread[slot] = overrun;
 		move.between[slot] = true;
 	}

@@ -21,8 +21,8 @@ static bool check_tool(struct interp *interp, int number, int column)
 	if (!interp->config->has_setup || number == 0 || tool_table_find(&interp->tools, number))
 		return true;
 	return fault(&interp->at, column,
-		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of", number,
-		     number);
+		     "the setup defines no tool T%d: add <tool number=\"%d\" length=\"\"/> with what it is made of",
+		     number, number);
 }
 
 /* LinuxCNC's manual, "M61": another tool is in the spindle, and nothing has moved. */

@@ -72,7 +72,8 @@ static void answer_doubt(struct interp *interp)
 	struct state *state = &interp->state;
 	enum length_after_reference answer = interp->config->controller.length_after_reference;
 
-	if (answer == LENGTH_AFTER_REFERENCE_UNKNOWN || (answer == LENGTH_AFTER_REFERENCE_GONE && state->tcp != TCP_OFF))
+	if (answer == LENGTH_AFTER_REFERENCE_UNKNOWN ||
+	    (answer == LENGTH_AFTER_REFERENCE_GONE && state->tcp != TCP_OFF))
 		return;
 	state->length_doubt = CODE_NONE;
 	if (answer == LENGTH_AFTER_REFERENCE_GONE) {
@@ -191,8 +192,11 @@ static bool find_length(struct interp *interp, double *length)
 	}
 	if (!interp->config->has_setup)
 		return fault(&interp->at, column, "H%d: no setup was given that defines length offsets", number);
-	return fault(&interp->at, column, "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, or a <tool> of "
-		     "this number", number, number);
+	return fault(&interp->at, column,
+		     "the setup defines no length offset H%d: add <offset number=\"%d\" length=\"\"/> with its value, "
+		     "or a <tool> of "
+		     "this number",
+		     number, number);
 }
 
 /* Sets TCP and the length, and does nothing if they are so already. */
@@ -253,8 +257,8 @@ static bool take_h_alone(struct interp *interp)
 		return false;
 	if (h_alone == H_ALONE_CANCELS && number != 0)
 		return fault(&interp->at, column,
-			     "H%d without G43: whether it changes the length depends on the control; write G43 H%d", number,
-			     number);
+			     "H%d without G43: whether it changes the length depends on the control; write G43 H%d",
+			     number, number);
 	if (cancelled || state->length_code == G49) {
 		state->length_number = number;
 		return true;

@@ -35,7 +35,10 @@ const struct radius_offset *tool_table_radius(const struct tool_table *table, in
 
 /* These change nothing if the table has no such tool. The length is also that of H with the same number. */
 void tool_table_set_length(struct tool_table *table, int number, double length);
-/* The entries of H and D, and of the wear of one of them; made, with 0, if the table has none. Valid until the next of them is made. */
+/*
+ * The entries of H and D, and of the wear of one of them; made, with 0, if the table has none. Valid until the next
+ * of them is made.
+ */
 struct length_offset *tool_table_need_length(struct tool_table *table, int number);
 struct radius_offset *tool_table_need_radius(struct tool_table *table, int number);
 struct offset_wear *tool_table_need_wear(struct tool_table *table, char letter, int number);

@@ -14,9 +14,10 @@ bool work_offset_use_require(struct interp *interp, int system, int column)
 
 	if (!interp->config->has_setup || interp->state.work_known[system])
 		return true;
-	return fault(&interp->at, column,
-		     "the setup defines no work offset %s: add <work_offset name=\"%s\" X=\"\" Y=\"\" Z=\"\"/> with its values",
-		     name, name);
+	return fault(
+	    &interp->at, column,
+	    "the setup defines no work offset %s: add <work_offset name=\"%s\" X=\"\" Y=\"\" Z=\"\"/> with its values",
+	    name, name);
 }
 
 bool work_offset_use_fault(const struct interp *interp, int column)

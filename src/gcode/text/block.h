@@ -70,7 +70,8 @@ static inline int block_column(const struct block *block, char letter)
 struct block_rules {
 	const struct lexer_rules *lexer;
 	bool program_numbers;	/* O1234 or :1234 may stand at the start of a line */
-	bool numbered_switches;	/* several '/', a digit behind each, may stand at the start of a block, and behind its N */
+	/* several '/', a digit behind each, may stand at the start of a block, and behind its N */
+	bool numbered_switches;
 };
 
 /*

@@ -401,10 +401,11 @@ static bool check_order(const struct block *block, const struct line_place *at, 
 			     "an M-code that switches TCP in a block that moves: whether it comes before or after the "
 			     "move depends on the control; write two blocks");
 	return config->controller.m6_with_move != M6_WITH_MOVE_UNKNOWN ||
-	       fault(at, block->m_column[group],
-		     "M6 in a block that moves: the builder of the machine decides whether it comes before or after the "
-		     "move; m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two "
-		     "blocks");
+	       fault(
+		   at, block->m_column[group],
+		   "M6 in a block that moves: the builder of the machine decides whether it comes before or after the "
+		   "move; m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two "
+		   "blocks");
 }
 
 bool block_check(struct block *block, const struct line_place *at, const struct gcode_config *config,

@@ -27,8 +27,8 @@ static bool starts_value(char byte)
 bool line_shape_moves_axes(const char *line)
 {
 	for (const char *at = line; *at; at++)
-		if (slot_of_letter((char)toupper((unsigned char)*at)) >= 0 && starts_value(at[1 + strspn(at + 1, " \t")]) &&
-		    (at == line || !isalpha((unsigned char)at[-1])))
+		if (slot_of_letter((char)toupper((unsigned char)*at)) >= 0 &&
+		    starts_value(at[1 + strspn(at + 1, " \t")]) && (at == line || !isalpha((unsigned char)at[-1])))
 			return true;
 	return false;
 }

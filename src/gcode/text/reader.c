@@ -80,7 +80,10 @@ static size_t find_break(const struct reader *reader, size_t from)
 	return (size_t)(p - reader->buffer);
 }
 
-/* Steps over what may precede the first byte of the text: a byte order mark, or the blank feed of a tape, which is NULs. */
+/*
+ * Steps over what may precede the first byte of the text: a byte order mark, or the blank feed of a tape, which is
+ * NULs.
+ */
 static enum reader_status check_start(struct reader *reader)
 {
 	const char *start;

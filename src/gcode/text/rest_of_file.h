@@ -9,7 +9,8 @@
 
 /* What a reader of the file may take for a part of the program; lines from 1, 0: there is none. */
 struct rest_of_file {
-	long motion;	/* the first block behind the end that moves axes and belongs to no subprogram or other program */
+	/* the first block behind the end that moves axes and belongs to no subprogram or other program */
+	long motion;
 	long program;	/* the O-number of another program that moves axes and does not end as a subprogram does */
 };
 

@@ -6,7 +6,10 @@
 
 #include "base/strbuf.h"
 
-/* Appends the text, valid as element content, as a quoted attribute, and in SVG. Control characters become spaces. NULL adds nothing. */
+/*
+ * Appends the text, valid as element content, as a quoted attribute, and in SVG. Control characters become spaces.
+ * NULL adds nothing.
+ */
 void html_text_add(struct strbuf *out, const char *text);
 
 /* Appends the value as JSON that may stand inside <script>: there is no < in it. */

@@ -74,7 +74,10 @@ void range_coder_number(struct range_coder *coder, struct number_model *model, u
 		const bool bit = number >> i & 1;
 		struct bit_model even = {0};
 
-		range_coder_bit(coder, i == length - 2 ? &model->top[length][0] : i == length - 3 ? &model->top[length][1 + (number >> (i + 1) & 1)] : &even,
+		range_coder_bit(coder,
+				i == length - 2	  ? &model->top[length][0]
+				: i == length - 3 ? &model->top[length][1 + (number >> (i + 1) & 1)]
+						  : &even,
 				bit);
 	}
 }

@@ -36,7 +36,8 @@ void seven_bit_add(struct strbuf *out, const void *bytes, size_t count)
 			strbuf_add(out, text, 1);
 			continue;
 		}
-		code = i + 1 < groups ? 0x100 + 128 * (unsigned)index + group_at(bytes, count, i + 1) : 0x500 + (unsigned)index;
+		code = i + 1 < groups ? 0x100 + 128 * (unsigned)index + group_at(bytes, count, i + 1)
+				      : 0x500 + (unsigned)index;
 		text[0] = (char)(0xc0 | code >> 6);
 		text[1] = (char)(0x80 | (code & 63));
 		strbuf_add(out, text, 2);

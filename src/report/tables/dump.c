@@ -55,8 +55,8 @@ static void dump_limit(struct dump *dump, const struct motion_limit *limit)
 		diag_warning(dump->diag, (struct srcloc){limit->file, limit->line, 0},
 			     "axis %c %s its travel at the limit of %.10g %s; "
 			     "--parse-only --all lists every such place",
-			     AXIS_LETTERS[limit->slot], limit->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(limit->slot, limit->bound),
-			     format_units_unit(limit->slot));
+			     AXIS_LETTERS[limit->slot], limit->path_tolerance > 0 ? "may leave" : "leaves",
+			     format_units_value(limit->slot, limit->bound), format_units_unit(limit->slot));
 	dump->past_limit = true;
 }
 

@@ -104,6 +104,12 @@ static void add_nothing(struct strbuf *out, const struct report_run *run)
  * GitHub, "Workflow commands for GitHub Actions".
  */
 const struct report_writer github_writer = {
-	.name = "github", .mark = "::", .limit = 10, .free = "::notice ", .begin = add_nothing, .finding = add_finding, .program = add_program,
-	.end = add_end,
+    .name = "github",
+    .mark = "::",
+    .limit = 10,
+    .free = "::notice ",
+    .begin = add_nothing,
+    .finding = add_finding,
+    .program = add_program,
+    .end = add_end,
 };

@@ -163,9 +163,9 @@ static void add_all(struct strbuf *out, const struct report_run *run, const stru
  * One test suite. A program with findings has a failure, an incomplete one has an error. The message has the first
  * place, the text has all of them.
  *
- * There is no published standard. The form is that of the schema of Jenkins' xUnit plugin (junit-10.xsd) with one attribute
- * more, "file", by which GitLab links to the program. The schema that Ant's users know
- * wants the computer's name and a time of day, which reports of the same input must not differ by.
+ * There is no published standard. The form is that of the schema of Jenkins' xUnit plugin (junit-10.xsd) with one
+ * attribute more, "file", by which GitLab links to the program. The schema that Ant's users know wants the computer's
+ * name and a time of day, which reports of the same input must not differ by.
  */
 const struct report_writer junit_writer = {
 	.name = "junit", .mark = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ",

@@ -31,10 +31,10 @@ enum { NDJSON_FORMAT = 2 };
 
 /*
  * The finding as a JSON object, which the caller releases. Keys, in this order: kind file line column move fraction a b
- * axes time point clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is an object in the
- * order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of ndjson_put_limit. A
- * finding that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason` and `expires`.
- * Bytes that are not UTF-8 become U+FFFD.
+ * axes time point clearance block. Lengths are in mm, angles in degrees, times in seconds, with 12 digits; `axes` is
+ * an object in the order X Y Z A B C U V W. Keys that do not apply are null: a limit has no bodies, but those of
+ * ndjson_put_limit. A finding that does not fail the run has `accepted`: "waiver" or "fail-on"; a waived one `reason`
+ * and `expires`. Bytes that are not UTF-8 become U+FFFD.
  */
 json_t *ndjson_finding_object(const struct machine *machine, const struct finding *finding, struct finding_style style);
 

@@ -62,7 +62,8 @@ void text_message(struct strbuf *out, const struct finding *f)
 		break;
 	case FINDING_LIMIT:
 		strbuf_addf(out, "axis %c %s its travel at the limit of %.10g %s", AXIS_LETTERS[f->slot],
-			    f->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(f->slot, f->bound), format_units_unit(f->slot));
+			    f->path_tolerance > 0 ? "may leave" : "leaves", format_units_value(f->slot, f->bound),
+			    format_units_unit(f->slot));
 		break;
 	}
 }

@@ -4,7 +4,10 @@
 
 #include "report/report.h"
 
-/* FORMAT_<first> is written by <second>_writer. The first format is the default; --format offers all of these, and json. */
+/*
+ * FORMAT_<first> is written by <second>_writer. The first format is the default; --format offers all of these, and
+ * json.
+ */
 #define WRITERS(X) \
 	X(TEXT, text) \
 	X(NDJSON, ndjson) \

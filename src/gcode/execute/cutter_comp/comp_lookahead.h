@@ -1,4 +1,6 @@
-/* comp_lookahead.h - cutter compensation of controls that look at the next block before they start and round corners. */
+/*
+ * comp_lookahead.h - cutter compensation of controls that look at the next block before they start and round corners.
+ */
 #ifndef FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_LOOKAHEAD_H
 #define FIVECHECK_GCODE_EXECUTE_CUTTER_COMP_COMP_LOOKAHEAD_H
 
