@@ -78,7 +78,7 @@ $(BUILD)/man/fivecheck-gcode.5: man/fivecheck-gcode.5.in scripts/gcode-page $(BU
 	$(Q)sh scripts/gcode-page $(BUILD)/fivecheck > $@.new && mv $@.new $@
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
-TEST_TARGETS := accept bench bench-quick build-units campaign campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
+TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-program check-quick check-reproducible check-rs274 check-short check-tsan \
 	check-unit check-valgrind coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):

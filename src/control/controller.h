@@ -74,7 +74,7 @@ enum edge_after_tool_change {
 /* An increment after a change of offsets: it traverses the change, too, or counts from where the axis stands. */
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
-/* Where a swivelled plane leaves a rotary axis free, it goes to 0 or keeps its position. */
+/* Where a swivelled plane (CYCLE800, PLANE) leaves a rotary axis free, it goes to 0 or keeps its position. */
 enum swivel_pole { SWIVEL_POLE_UNKNOWN, SWIVEL_POLE_ZERO, SWIVEL_POLE_STAYS };
 
 /* What the angles of Heidenhain's cycle 19 are: spatial angles, or positions of the rotary axes. */

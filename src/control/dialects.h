@@ -17,7 +17,7 @@
 	ROW(fanuc, "Fanuc", .has_parameters = true, .presets = presets_of_parameters)                                  \
 	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
-	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_cycle_19 = true,                            \
+	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                            \
 	    .unknown_path =                                                                                            \
 		"the control may leave the programmed path by an amount that is not known, and only that path "        \
 		"was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")
@@ -41,8 +41,11 @@ struct dialect_row {
 	 * power_on_work_offset, increments_after_shift.
 	 */
 	bool has_frames;
-	/* A cycle tilts the plane by angles of which a parameter says what they are: cycle_19_angles. */
-	bool has_cycle_19;
+	/*
+	 * PLANE and cycle 19 tilt the plane, and what the control does there depends on its parameters and its generation:
+	 * cycle_19_angles, swivel_pole. Cycles of the builder have numbers: <macro> says of one what it does.
+	 */
+	bool has_planes;
 	/* The caution where the control may leave the path by no known amount; NULL: G64 and its like may. */
 	const char *unknown_path;
 	const struct control_preset *presets;	/* its generations; NULL: none are known */

@@ -93,7 +93,6 @@ static void check_frames(struct description_file *file, const struct controller_
 		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
 		{(int)described->length_along_z, "tool_length_axis"},
 		{described->swivel_axis, "swivel_axis"},
-		{(int)described->swivel_pole, "swivel_pole"},
 		{described->power_on_work_offset, "power_on_work_offset"},
 		{(int)described->increments_after_shift, "increments_after_shift"},
 	};
@@ -131,12 +130,15 @@ static void check_dialect(struct description_file *file, const struct controller
 	const struct dialect_row *row = &dialect_rows[described->dialect];
 
 	check_frames(file, described);
-	if (described->cycle_19_angles && !row->has_cycle_19)
+	if (described->cycle_19_angles && !row->has_planes)
 		description_fault(file, described->at, "cycle_19_angles",
 				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
+	if (described->swivel_pole && !row->has_planes && !row->has_frames)
+		description_fault(file, described->at, "swivel_pole",
+				  "swivel_pole of <controller>: %s has no such parameter", row->title);
 	if (row->has_parameters)
 		return;
-	if (described->macro_count > 0)
+	if (described->macro_count > 0 && !row->has_planes)
 		description_fault(
 		    file, described->macros[0].at, NULL,
 		    "<macro> of <controller>: %s calls no programs by their numbers of which the builder's "

@@ -81,6 +81,58 @@ static const struct program corners[] = {
 	 "arc 2.25403331 0 0 0 0 centre 2.25403331 2 0 normal 0 0 1 sweep 104.477512\nfeed 20 0 0 0 0\n"},
 };
 
+#define OUTSIDE "TOOL CALL 1 Z\nL X-40 Y-20 R0 FMAX\n"
+#define THERE "tool 1\nrapid -40 -20 0 0 0\n"
+#define CONTOUR "L Y+50\nL X+50\n"
+#define ROUND "feed -5 50 0 0 0\narc 0 55 0 0 0 centre 0 50 0 normal 0 0 1 sweep -90\nfeed 50 55 0 0 0\n"
+
+/* APPR and DEP, and PLANE with MB: the points by hand, the circle of LCT touches the straight line from PS. */
+static const struct program approaches[] = {
+	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL X+90 Y+90 FMAX\n",
+	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
+	 "feed 65 55 0 0 0\nfeed 65 50 0 0 0 spread 5 5 0\nrapid 90 90 0 0 0 spread 5 5 0\n"},
+	{OUTSIDE "L Y-21 F100\nAPPR LN X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LN LEN15\n",
+	 THERE "feed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -5 0 0 0 0\n" ROUND "feed 50 70 0 0 0\n"},
+	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R+10 RL F100\n" CONTOUR "DEP CT CCA90 R+10\n",
+	 THERE "rapid -10 -5 0 0 0 spread 10 10 0\n"
+	 "arc -5 0 0 0 0 centre -10 0 0 normal 0 0 1 sweep 90 spread 10 10 0\n" ROUND
+	 "arc 55 60 0 0 0 centre 50 60 0 normal 0 0 1 sweep 90 spread 10 10 0\n"
+	 "feed 60 60 0 0 0 spread 15 15 0\n"},
+	/* From the side of the workpiece. */
+	{OUTSIDE "APPR CT X+0 Y+0 CCA90 R-10 RL F100\n" CONTOUR "DEP LN LEN15\n",
+	 THERE "rapid 10 -15 0 0 0 spread 10 10 0\n"
+	 "arc -5 0 0 0 0 centre 10 0 0 normal 0 0 1 sweep -90 spread 10 10 0\n" ROUND "feed 50 70 0 0 0\n"},
+	{OUTSIDE "APPR LCT X+0 Y+0 R10 RL F100\n" CONTOUR "DEP LCT X-30 Y+60 R10\n",
+	 THERE "rapid -7.83021984 -4.50467025 0 0 0 spread 10.9180144 10.9180144 0\n"
+	 "arc -5 0 0 0 0 centre -10 0 0 normal 0 0 1 sweep 64.2811168 spread 10.9180144 10.9180144 0\n" ROUND
+	 "arc 49.6875 64.9902248 0 0 0 centre 50 60 0 normal 0 0 1 sweep 183.583322 spread 11.2496053 11.2496053 0\n"
+	 "feed -30 60 0 0 0 spread 11.2496053 11.2496053 0\n"},
+	/* MB: along the tool before the rotary axes turn. */
+	{"PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN MB20 FMAX\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 20 0 0\nrapid 0 0 20 -30 0\ntcp on length 0 zero A0 C0\n"},
+	{"PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN MB MAX FMAX\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 500 0 0\nrapid 0 0 500 -30 0\ntcp on length 0 zero A0 C0\n"},
+	/* In polar coordinates, to a circle. */
+	{OUTSIDE "CC X+0 Y+0\nAPPR PLT PR+30 PA+0 LEN10 RR F100\nC X+0 Y+30 DR+\nDEP LN LEN15\n",
+	 THERE "rapid 35 -10 0 0 0\nfeed 35 0 0 0 0\narc 0 35 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"
+	 "feed 0 50 0 0 0\n"},
+};
+
+/* Feeds, datum shifts, planes: each beside what it stands for. */
+static const struct {
+	const char *blocks, *same;
+} equal[] = {
+	{"TOOL CALL 1 Z S1000\nL X+10 FU0.2\n", "TOOL CALL 1 Z S1000\nL X+10 F200\n"},
+	{"TOOL CALL 1 Z S1000\nL M136\nL X+10 F0.2\nL M137\nL X+20 F300\n",
+	 "TOOL CALL 1 Z S1000\nL\nL X+10 F200\nL\nL X+20 F300\n"},
+	{"TRANS DATUM AXIS X+10 Y-20 Z+5\nL X+1 Y+2 FMAX\nTRANS DATUM RESET\nL X+1 FMAX\n",
+	 "CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y-20\nCYCL DEF 7.3 Z+5\nL X+1 Y+2 FMAX\nCYCL DEF 7.0\n"
+	 "CYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nCYCL DEF 7.3 Z+0\nL X+1 FMAX\n"},
+	{"TRANS DATUM AXIS X+10\nTRANS DATUM AXIS IX+5\nL X+1 FMAX\n", "CYCL DEF 7.0\nCYCL DEF 7.1 X+15\nL X+1 FMAX\n"},
+	{"/81 L X+5 FMAX\n/ L X+6 FMAX\n", "L X+5 FMAX\nL X+6 FMAX\n"},
+	{"CYCL DEF 392 ATC~\n   Q240=0 ;TUNING MODE~\n   Q241=1 ;WEIGHT MODE\nL X+5 FMAX\n", "L X+5 FMAX\n"},
+};
+
 static void expect(const struct program *program)
 {
 	struct gcode_case c;
@@ -108,6 +160,51 @@ START_TEST(corners_table)
 }
 END_TEST
 
+START_TEST(approaches_table)
+{
+	expect(&approaches[_i]);
+}
+END_TEST
+
+START_TEST(equal_table)
+{
+	static const struct builder_macro macro = {392, 0, MACRO_NONE, {0}};
+	struct gcode_case c[2];
+
+	for (int i = 0; i < 2; i++) {
+		const char *blocks = i ? equal[_i].same : equal[_i].blocks;
+
+		klartext_case(&c[i]);
+		c[i].show_feed = true;
+		c[i].config.controller.macros = &macro;
+		c[i].config.controller.macro_count = 1;
+		ck_assert_msg(klartext_run(&c[i], blocks), "%s%s", blocks, strbuf_text(&c[i].messages));
+	}
+	ck_assert_uint_gt(c[0].moves.length, 0);
+	ck_assert_str_eq(strbuf_text(&c[0].moves), strbuf_text(&c[1].moves));
+	case_release(&c[0]);
+	case_release(&c[1]);
+}
+END_TEST
+
+/* PLANE turns C, which any angle suits, to 0, or lets it stand. */
+START_TEST(free_axis)
+{
+	static const char *const moves[] = {"", "rapid 0 0 0 0 5\norient 0 0 1\nrapid 0 0 0 0 0\n",
+					    "rapid 0 0 0 0 5\norient 0 0 1\nrapid 0 0 0 0 5\n"};
+
+	for (int way = SWIVEL_POLE_ZERO; way <= SWIVEL_POLE_STAYS; way++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		c.config.controller.swivel_pole = (enum swivel_pole)way;
+		ck_assert(klartext_run(&c, "L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n"));
+		ck_assert_int_eq(strncmp(strbuf_text(&c.moves), moves[way], strlen(moves[way])), 0);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* Every block is told once, in order, with its own moves. */
 START_TEST(blocks_in_order)
 {
@@ -131,6 +228,9 @@ int main(void)
 
 	tcase_add_loop_test(tcase, paths_table, 0, COUNT(paths));
 	tcase_add_loop_test(tcase, corners_table, 0, COUNT(corners));
+	tcase_add_loop_test(tcase, approaches_table, 0, COUNT(approaches));
+	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
+	tcase_add_test(tcase, free_axis);
 	tcase_add_test(tcase, blocks_in_order);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

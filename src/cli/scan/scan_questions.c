@@ -141,6 +141,8 @@ static const struct question {
     {"power_on_distance=\"", "power_on_distance=\"absolute\" or \"incremental\"",
      CHOICE(power_on_distance, POWER_ON_ABSOLUTE)},
     {"power_on_plane=\"", "power_on_plane=\"xy\", \"zx\" or \"yz\"", CHOICE(power_on_plane, POWER_ON_XY)},
+    {"cycle_19_angles=\"", "cycle_19_angles=\"spatial\" or \"axes\"",
+     CHOICE(cycle_19_angles, CYCLE_19_ANGLES_SPATIAL)},
     {"power_on_work_offset=\"", "power_on_work_offset=\"G500\", \"G54\" and so on", CHOICE(power_on_work_offset, 1)},
     {"length_offset_moves=\"", "length_offset_moves=\"yes\" or \"no\"", CHOICE(length_moves, ANSWER_NO)},
     {"length_after_reference=\"", "length_after_reference=\"keeps\" or \"cancels\"",

@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_path.h"
+#include "gcode/dialect/klartext/klartext_pole.h"
 #include "gcode/execute/arc.h"
 #include "geom/tolerance.h"
 
@@ -22,46 +23,12 @@
 
 /* ------------------------------------------------------------------ planes */
 
-/* Z X Y: the planes XY, ZX, YZ across Z, Y, X, each with its first and second axis. */
-static void plane_axes(int across, int *a, int *b)
-{
-	*a = across == SLOT_Z ? SLOT_X : across == SLOT_Y ? SLOT_Z : SLOT_Y;
-	*b = across == SLOT_Z ? SLOT_Y : across == SLOT_Y ? SLOT_X : SLOT_Z;
-}
-
-static double coordinate(vec3 v, int slot)
-{
-	return slot == SLOT_X ? v.x : slot == SLOT_Y ? v.y : v.z;
-}
-
-static void set_coordinate(vec3 *v, int slot, double value)
-{
-	*(slot == SLOT_X ? &v->x : slot == SLOT_Y ? &v->y : &v->z) = value;
-}
-
 static vec3 normal_of(int across)
 {
 	vec3 normal = {0, 0, 0};
 
-	set_coordinate(&normal, across, 1);
+	klartext_pole_set_coordinate(&normal, across, 1);
 	return normal;
-}
-
-static struct plane_point in_plane(vec3 v, int across)
-{
-	int a, b;
-
-	plane_axes(across, &a, &b);
-	return (struct plane_point){coordinate(v, a), coordinate(v, b)};
-}
-
-static void from_plane(vec3 *v, int across, struct plane_point point)
-{
-	int a, b;
-
-	plane_axes(across, &a, &b);
-	set_coordinate(v, a, point.a);
-	set_coordinate(v, b, point.b);
 }
 
 static bool check_direction(struct interp *interp, const struct klartext_words *words, const char *what)
@@ -78,18 +45,6 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 	return fault(&interp->at, words->column[across],
 		     "%c does not belong to the plane of this %s; a helix is written as CP", AXIS_LETTERS[across],
 		     what);
-}
-
-static bool find_pole(struct interp *interp, int column, struct plane_point *pole)
-{
-	const struct klartext *klartext = klartext_of(interp);
-	int a, b;
-
-	plane_axes(klartext->across, &a, &b);
-	if (!klartext->has_pole[a] || !klartext->has_pole[b])
-		return fault(&interp->at, column, "no CC has given the centre");
-	*pole = in_plane(klartext->pole, klartext->across);
-	return true;
 }
 
 /* --------------------------------------------------------------------- CC */
@@ -126,12 +81,12 @@ bool klartext_circle_pole(struct lexer *lexer)
 	}
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool increment = words.increments & 1U << slot;
-		double from = increment ? coordinate(here, slot) : 0;
+		double from = increment ? klartext_pole_coordinate(here, slot) : 0;
 
 		if (increment && !klartext_frame_check_increment(interp, slot, words.column[slot]))
 			return false;
 		if (klartext_words_has(&words, slot)) {
-			set_coordinate(&klartext->pole, slot, words.value[slot] + from);
+			klartext_pole_set_coordinate(&klartext->pole, slot, words.value[slot] + from);
 			klartext->has_pole[slot] = true;
 		}
 	}
@@ -149,7 +104,7 @@ bool klartext_circle_pole(struct lexer *lexer)
 static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end, struct plane_point centre, int across,
 		     int direction, int column)
 {
-	struct plane_point start_point = in_plane(path->start, across), end_point = in_plane(end, across);
+	struct plane_point start_point = klartext_pole_flat(path->start, across), end_point = klartext_pole_flat(end, across);
 	double r0 = math_hypot(start_point.a - centre.a, start_point.b - centre.b);
 	double r1 = math_hypot(end_point.a - centre.a, end_point.b - centre.b);
 
@@ -161,7 +116,7 @@ static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end
 			     "the radius of the circle is %.6g mm at its start and %.6g mm at its end", r0, r1);
 	path->arc = true;
 	path->centre = path->start;
-	from_plane(&path->centre, across, centre);
+	klartext_pole_put(&path->centre, across, centre);
 	path->normal = normal_of(across);
 	path->sweep = arc_sweep(start_point, end_point, centre, direction < 0, 1, SAME_POINT / r0);
 	return true;
@@ -174,7 +129,7 @@ static bool shape_about_pole(struct interp *interp, const struct klartext_words 
 	struct plane_point centre;
 
 	return check_direction(interp, words, "C") && check_across(interp, words, across, "circle") &&
-	       find_pole(interp, words->first_column, &centre) &&
+	       klartext_pole_find(interp, words->first_column, &centre) &&
 	       fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
 }
 
@@ -194,7 +149,7 @@ static bool shape_by_radius(struct interp *interp, const struct klartext_words *
 		return false;
 	if (!words->has_size || same_double(words->size, 0))
 		return fault(&interp->at, words->first_column, "CR needs its radius in R");
-	switch (arc_find_centre(in_plane(path->start, SLOT_Z), in_plane(target->point, SLOT_Z), words->size,
+	switch (arc_find_centre(klartext_pole_flat(path->start, SLOT_Z), klartext_pole_flat(target->point, SLOT_Z), words->size,
 				words->direction < 0, &tolerance, &centre)) {
 	case ARC_NO_CHORD:
 		return fault(&interp->at, words->first_column,
@@ -229,7 +184,7 @@ static bool fill_tangential(struct interp *interp, const struct klartext_words *
 
 	if (!check_across(interp, words, SLOT_Z, "circle"))
 		return false;
-	if (!klartext_path_end_direction(&klartext_of(interp)->last, &direction) || fabs(direction.z) > SAME_POINT)
+	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) || fabs(direction.z) > SAME_POINT)
 		return fault(&interp->at, words->first_column,
 			     "CT needs a path block before it that moves in the plane, to start in its direction");
 	way.z = 0;
@@ -259,50 +214,10 @@ bool klartext_circle_tangential(struct lexer *lexer)
 
 /* ------------------------------------------------------------------- polar */
 
-/* Degrees: where the tool stands as seen from the pole. */
-static double polar_angle(struct plane_point pole, struct plane_point point)
-{
-	return math_atan2_degrees(point.b - pole.b, point.a - pole.a);
-}
-
-static bool polar_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
-			struct klartext_target *target)
-{
-	int across = klartext_of(interp)->across, a, b;
-	struct plane_point pole, here;
-	double radius, angle;
-	bool relative;
-
-	plane_axes(across, &a, &b);
-	if (klartext_words_has(words, a) || klartext_words_has(words, b))
-		return fault(&interp->at, words->column[klartext_words_has(words, a) ? a : b],
-			     "polar coordinates and %c in one block",
-			     AXIS_LETTERS[klartext_words_has(words, a) ? a : b]);
-	if (!find_pole(interp, words->first_column, &pole))
-		return false;
-	relative = !words->has_radius || words->radius_increment || !words->has_angle || words->angle_increment;
-	if (relative && (!klartext_frame_check_increment(interp, a, words->first_column) ||
-			 !klartext_frame_check_increment(interp, b, words->first_column)))
-		return false;
-	here = in_plane(path->start, across);
-	radius = math_hypot(here.a - pole.a, here.b - pole.b);
-	angle = polar_angle(pole, here);
-	if (words->has_radius)
-		radius = words->radius + (words->radius_increment ? radius : 0);
-	if (words->has_angle)
-		angle = words->angle + (words->angle_increment ? angle : 0);
-	if (radius < 0)
-		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
-	from_plane(&target->point, across,
-		   (struct plane_point){pole.a + radius * math_cos_degrees(angle),
-					pole.b + radius * math_sin_degrees(angle)});
-	return true;
-}
-
 static bool shape_polar_line(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			     struct klartext_path *path)
 {
-	return polar_point(interp, words, path, target);
+	return klartext_pole_point(interp, words, path, target);
 }
 
 bool klartext_circle_polar_line(struct lexer *lexer)
@@ -320,7 +235,7 @@ static bool shape_polar(struct interp *interp, const struct klartext_words *word
 	int across = klartext_of(interp)->across;
 	struct plane_point centre;
 
-	if (!check_direction(interp, words, "CP") || !find_pole(interp, words->first_column, &centre))
+	if (!check_direction(interp, words, "CP") || !klartext_pole_find(interp, words->first_column, &centre))
 		return false;
 	if (words->has_radius)
 		return fault(&interp->at, words->radius_column,
@@ -329,7 +244,7 @@ static bool shape_polar(struct interp *interp, const struct klartext_words *word
 		return fault(&interp->at, words->first_column, "CP needs PA or IPA");
 	if (words->angle_increment && words->angle * words->direction < 0)
 		return fault(&interp->at, words->angle_column, "the signs of IPA and DR differ");
-	if (!polar_point(interp, words, path, target) ||
+	if (!klartext_pole_point(interp, words, path, target) ||
 	    !fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column))
 		return false;
 	if (words->angle_increment)
@@ -345,7 +260,7 @@ bool klartext_circle_polar(struct lexer *lexer)
 static bool shape_tangential_polar(struct interp *interp, const struct klartext_words *words,
 				   struct klartext_target *target, struct klartext_path *path)
 {
-	return polar_point(interp, words, path, target) && fill_tangential(interp, words, target, path);
+	return klartext_pole_point(interp, words, path, target) && fill_tangential(interp, words, target, path);
 }
 
 bool klartext_circle_tangential_polar(struct lexer *lexer)

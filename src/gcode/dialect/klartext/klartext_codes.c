@@ -50,8 +50,8 @@ static const struct code m_codes[] = {
     {130, GROUP_NONE, CODE_REFUSED, "coordinates of the untilted system"},
     {134, GROUP_NONE, CODE_IGNORED, "exact stop of rotary axes"},
     {135, GROUP_NONE, CODE_IGNORED, "end of M134"},
-    {136, GROUP_NONE, CODE_REFUSED, "feed per revolution"},
-    {137, GROUP_NONE, CODE_IGNORED, "end of M136"},
+    {136, M_OUTPUT, CODE_READ, "feed per revolution"},
+    {137, M_OUTPUT, CODE_READ, "end of M136"},
     {138, M_OUTPUT, CODE_READ, "axes that tilt the plane, where all are named"},
     {140, M_OUTPUT, CODE_READ, "retract along the axis of the tool"},
     {141, GROUP_NONE, CODE_IGNORED, "touch probe monitoring"},
@@ -87,8 +87,8 @@ static const struct code_word words[] = {
     {"RL", CODE_READ, "radius compensation, left, in the plane of X and Y"},
     {"RR", CODE_READ, "radius compensation, right, in the plane of X and Y"},
     {"R0", CODE_READ, "end of radius compensation"},
-    {"APPR", CODE_REFUSED, "approach to a contour"},
-    {"DEP", CODE_REFUSED, "departure from a contour"},
+    {"APPR", CODE_READ, "approach to a contour"},
+    {"DEP", CODE_READ, "departure from a contour"},
     {"FK", CODE_REFUSED, "free contour programming"},
     {"PLANE SPATIAL", CODE_READ, "tilted plane by spatial angles"},
     {"PLANE EULER", CODE_READ, "tilted plane by Euler's angles"},
@@ -148,7 +148,7 @@ static const struct code_word words[] = {
     {"CYCL DEF 262", CODE_REFUSED, "thread milling"},
     {"TCH PROBE", CODE_REFUSED, "touch probe"},
     {"SEL", CODE_REFUSED, "selection of tables and contours"},
-    {"TRANS", CODE_REFUSED, "datum shift by TRANS DATUM"},
+    {"TRANS DATUM", CODE_READ, "datum shift by AXIS and values, or RESET"},
 };
 
 const struct word_set klartext_word_set = {words, sizeof(words) / sizeof(words[0])};

@@ -7,6 +7,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
+#include "gcode/execute/motion_commands.h"
 #include "geom/tolerance.h"
 
 /* ------------------------------------------------------------------- radius */
@@ -72,11 +73,10 @@ static bool moves_in_plane(const struct klartext_path *path)
 	return path->arc || math_hypot(path->end.x - path->start.x, path->end.y - path->start.y) >= SAME_POINT;
 }
 
-static bool check_start(struct interp *interp, const struct klartext_words *words)
+static bool check_start(struct interp *interp, int column)
 {
 	const struct klartext *klartext = klartext_of(interp);
 	const struct klartext_frame *frame = &klartext->frame;
-	int column = words->comp_column;
 
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return fault(&interp->at, column,
@@ -91,16 +91,30 @@ static bool check_start(struct interp *interp, const struct klartext_words *word
 	return true;
 }
 
+static void begin(struct interp *interp, int side, double radius)
+{
+	comp_lookahead_begin(&interp->comp, side, radius);
+	interp->comp.start_type = COMP_START_A;
+	interp->comp.corner_form = COMP_CORNER_CIRCULAR;
+	klartext_of(interp)->open_crossing = false;
+	enter_frame(interp);
+}
+
+static int side_of(enum klartext_comp comp)
+{
+	return comp == KLARTEXT_RL ? 1 : comp == KLARTEXT_RR ? -1 : 0;
+}
+
 /*
  * "Tool radius compensation" (iTNC 530 user's manual): the first block leads to the point beside the start of the next
  * one, across its direction; outside corners are rounded; inside corners are where the two paths cross.
  */
-static bool start(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path, int side)
+static bool start(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
 {
 	int column = words->comp_column;
 	double radius = 0;
 
-	if (!check_start(interp, words) || !find_radius(interp, column, &radius))
+	if (!check_start(interp, column) || !find_radius(interp, column, &radius))
 		return false;
 	/* Beside the path by nothing. */
 	if (!(radius > 0))
@@ -108,11 +122,19 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 	if (path->arc || !moves_in_plane(path))
 		return fault(&interp->at, column,
 			     "radius compensation starts in a straight line that moves in the plane of X and Y");
-	comp_lookahead_begin(&interp->comp, side, radius);
-	interp->comp.start_type = COMP_START_A;
-	interp->comp.corner_form = COMP_CORNER_CIRCULAR;
-	klartext_of(interp)->open_crossing = false;
-	enter_frame(interp);
+	begin(interp, side_of(words->comp), radius);
+	return true;
+}
+
+bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int column)
+{
+	double radius = 0;
+
+	if (!check_start(interp, column) || !find_radius(interp, column, &radius))
+		return false;
+	if (!(radius > 0))
+		return fault(&interp->at, column, "APPR with a tool of radius 0 is not supported");
+	begin(interp, side_of(comp), radius);
 	return true;
 }
 
@@ -135,6 +157,31 @@ static bool stop_standing(struct interp *interp, int column)
 	return true;
 }
 
+bool klartext_comp_leave_standing(struct interp *interp, double doubt, int column)
+{
+	double *loose = interp->comp.loose;
+	const bool turned = interp->state.frame.on;
+
+	/* For the move that may lead to the contour now. */
+	loose[SLOT_X] = loose[SLOT_Y] = doubt;
+	loose[SLOT_Z] = turned ? doubt : 0;
+	if (!stop_standing(interp, column))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		loose[slot] += loose[slot] > 0 ? doubt : 0;
+	return true;
+}
+
+bool klartext_comp_leave(struct interp *interp, const struct klartext_path *path, int column)
+{
+	struct cutter_comp *comp = &interp->comp;
+
+	if (comp->starting || !moves_in_plane(path))
+		return fault(&interp->at, column, "DEP right behind the first block of radius compensation is not supported");
+	comp->leaving = true;
+	return true;
+}
+
 static bool stop(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
 {
 	struct cutter_comp *comp = &interp->comp;
@@ -154,11 +201,6 @@ static bool stop(struct interp *interp, const struct klartext_words *words, cons
 	return true;
 }
 
-static int side_of(enum klartext_comp comp)
-{
-	return comp == KLARTEXT_RL ? 1 : comp == KLARTEXT_RR ? -1 : 0;
-}
-
 static bool check_side(struct interp *interp, const struct klartext_words *words)
 {
 	return interp->comp.side == side_of(words->comp) ||
@@ -169,13 +211,11 @@ static bool check_side(struct interp *interp, const struct klartext_words *words
 
 bool klartext_comp_switch(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path)
 {
-	int side = side_of(words->comp);
-
 	if (words->comp == KLARTEXT_R_NONE || (words->comp == KLARTEXT_R0 && !klartext_comp_is_selected(interp)))
 		return true;
 	if (words->comp == KLARTEXT_R0)
 		return stop(interp, words, path);
-	return klartext_comp_is_selected(interp) ? check_side(interp, words) : start(interp, words, path, side);
+	return klartext_comp_is_selected(interp) ? check_side(interp, words) : start(interp, words, path);
 }
 
 bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words)
@@ -221,7 +261,27 @@ static bool check_arc_plane(struct interp *interp, const struct klartext_path *p
 		     "a circle outside of the plane of X and Y under radius compensation is not supported");
 }
 
-bool klartext_comp_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
+bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path)
+{
+	const double *offset = interp->state.offset.v;
+	struct canon_move move = {.kind = path->rapid ? CANON_RAPID : CANON_FEED, .feed = path->feed};
+	slot_values straight = interp->state.position;
+
+	straight.v[SLOT_X] = offset[SLOT_X] + path->end.x;
+	straight.v[SLOT_Y] = offset[SLOT_Y] + path->end.y;
+	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext_of(interp)->frame.scale.z * path->end.z;
+	klartext_of(interp)->moved = true;
+	return motion_commands_go(interp, &straight, &move);
+}
+
+/* How far the tool may be beside a path in the plane; in turned coordinates that may be along any axis. */
+static void spread(const struct interp *interp, double doubt, struct canon_move *move)
+{
+	move->spread[SLOT_X] = move->spread[SLOT_Y] = doubt;
+	move->spread[SLOT_Z] = interp->state.frame.on ? doubt : 0;
+}
+
+static bool go_beside(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
 {
 	const double *offset = interp->state.offset.v;
 	struct canon_move move = {.kind = path->rapid ? CANON_RAPID : CANON_FEED, .feed = path->feed};
@@ -236,6 +296,7 @@ bool klartext_comp_move(struct interp *interp, const struct klartext_target *tar
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext->frame.scale.z * target->point.z;
 	describe_block(interp, path);
 	choose_corner(interp, path);
+	spread(interp, path->doubt, &move);
 	klartext->moved = true;
 	klartext->programmed = target->point;
 	if (path->arc) {
@@ -249,6 +310,14 @@ bool klartext_comp_move(struct interp *interp, const struct klartext_target *tar
 	if (good && !klartext_comp_is_selected(interp))
 		leave(interp);
 	return good;
+}
+
+bool klartext_comp_go(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
+{
+	if (cutter_comp_is_on(interp))
+		return go_beside(interp, target, path);
+	return path->arc ? klartext_move_arc(interp, target, path)
+			 : klartext_move_line(interp, target, path->rapid, &path->feed);
 }
 
 void klartext_comp_settle(struct interp *interp, const struct klartext_words *words)

@@ -19,8 +19,18 @@ bool klartext_comp_switch(struct interp *interp, const struct klartext_words *wo
 /* The same of a block that does not move. */
 bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_words *words);
 
-/* Makes the move of a path beside it. False: the same. */
-bool klartext_comp_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
+/* Starts it for APPR, whose first move is the next one. */
+bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int column);
+
+/* A straight move of the tool's centre itself, before the first move of APPR LN beside the path. */
+bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path);
+
+/* DEP ends it: in the straight move that comes next; or beside the path, `doubt` mm at most from where it is meant. */
+bool klartext_comp_leave(struct interp *interp, const struct klartext_path *path, int column);
+bool klartext_comp_leave_standing(struct interp *interp, double doubt, int column);
+
+/* Makes the move of a path: beside it while compensation is on. False: the same. */
+bool klartext_comp_go(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
 
 /* A block has moved the axes named: where the tool stands in the plane may be known again behind R0. */
 void klartext_comp_settle(struct interp *interp, const struct klartext_words *words);

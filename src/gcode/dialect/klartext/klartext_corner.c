@@ -10,7 +10,6 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
-#include "gcode/dialect/klartext/klartext_path.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/arc.h"
 #include "gcode/execute/cutter_comp/comp_turn.h"
@@ -55,13 +54,6 @@ bool klartext_corner_follows(struct interp *interp)
 	return corner;
 }
 
-static void put_position(struct interp *interp, vec3 at)
-{
-	state_set_position(&interp->state, SLOT_X, at.x);
-	state_set_position(&interp->state, SLOT_Y, at.y);
-	state_set_position(&interp->state, SLOT_Z, at.z);
-}
-
 /* -------------------------------------------------------------------- corners */
 
 bool klartext_corner_check_none(struct interp *interp)
@@ -94,7 +86,7 @@ bool klartext_corner_hold(struct interp *interp, const struct klartext_words *wo
 	corner->column = 1;
 	corner->spindle = interp->state.spindle;
 	corner->speed_is_zero = interp->state.speed_is_zero;
-	put_position(interp, klartext_frame_position(interp, target->point));
+	klartext_move_put(interp, target->point);
 	klartext->moved = true;
 	klartext->programmed = target->point;
 	return true;
@@ -230,8 +222,8 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 	const char *what = corner->chamfer ? "chamfer" : "rounding";
 	vec3 in, out;
 
-	if (!is_flat(before) || !is_flat(after) || !klartext_path_end_direction(before, &in) ||
-	    !klartext_path_start_direction(after, &out))
+	if (!is_flat(before) || !is_flat(after) || !klartext_move_end_direction(before, &in) ||
+	    !klartext_move_start_direction(after, &out))
 		return fault(&interp->at, after->column,
 			     "RND and CHF need lines or circles in the plane of X and Y on both sides");
 	if (corner->chamfer && (before->arc || after->arc))
@@ -269,7 +261,7 @@ static bool release(struct interp *interp, vec3 end)
 	struct klartext_target target = {.point = end};
 	bool good;
 
-	put_position(interp, klartext_frame_position(interp, path.start));
+	klartext_move_put(interp, path.start);
 	target.others = interp->state.position;
 	path.end = end;
 	if (path.arc)
@@ -278,7 +270,7 @@ static bool release(struct interp *interp, vec3 end)
 	interp->at.text = strbuf_text(&corner->path_text);
 	interp->state.spindle = corner->spindle;
 	interp->state.speed_is_zero = corner->speed_is_zero;
-	good = klartext_path_move(interp, &target, &path) && cutter_comp_end_block(interp);
+	good = klartext_comp_go(interp, &target, &path) && cutter_comp_end_block(interp);
 	interp->moves = 0;
 	interp->at.line = corner->line;
 	interp->at.text = strbuf_text(&corner->text);
@@ -311,7 +303,7 @@ static bool cut_off(struct interp *interp, const struct shape *shape, const stru
 		path.sweep = arc_sweep(flat(path.start), flat(path.end), flat(path.centre), shape->turn < 0, 1, 0);
 	path.feed.linear = corner->feed > 0 ? corner->feed : path.feed.linear;
 	return (!path.arc || klartext_move_check_arc(interp, &path, after->column)) &&
-	       klartext_path_move(interp, &target, &path);
+	       klartext_comp_go(interp, &target, &path);
 }
 
 /*

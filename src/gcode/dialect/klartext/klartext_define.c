@@ -99,6 +99,9 @@ static const struct cycle_row rows[] = {
     {262, USE_REFUSED, NULL, "thread milling"},
 };
 
+/* A cycle of the machine's builder. */
+static const struct cycle_row no_moves = {0, USE_IGNORED, NULL, NULL};
+
 static const struct cycle_row *find_row(int number)
 {
 	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
@@ -117,6 +120,8 @@ static bool finish(struct interp *interp)
 	const struct cycle_row *row = find_row(definition->number);
 
 	definition->open = false;
+	if (!row)
+		return true;
 	if (row->use == USE_CALLED) {
 		klartext->cycle = *definition;
 		klartext->modal_call = false;
@@ -242,6 +247,23 @@ static bool read_words(struct lexer *lexer, struct klartext_cycle *cycle)
 	return true;
 }
 
+bool klartext_define_read_axes(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	return read_words(lexer, cycle);
+}
+
+bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double value)
+{
+	struct klartext_cycle_word *word = &cycle->words[cycle->count];
+
+	if (cycle->count == KLARTEXT_CYCLE_WORDS)
+		return false;
+	*word = (struct klartext_cycle_word){.value = value, .given = true, .column = cycle->column, .line = cycle->line};
+	word->name[0] = letter;
+	cycle->count++;
+	return true;
+}
+
 /* --------------------------------------------------------------------- lines */
 
 bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
@@ -268,6 +290,18 @@ static void skip_name(struct lexer *lexer)
 		lexer_take(lexer);
 }
 
+/* Does the machine file say of a cycle of the builder that it moves no axis? */
+static bool harmless(const struct interp *interp, int number)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (size_t i = 0; i < controller->macro_count; i++) {
+		if (controller->macros[i].program == number)
+			return controller->macros[i].action == MACRO_NONE;
+	}
+	return false;
+}
+
 static bool begin(struct lexer *lexer, int number, int column)
 {
 	struct interp *interp = lexer->context;
@@ -277,11 +311,16 @@ static bool begin(struct lexer *lexer, int number, int column)
 		return fault(lexer->at, column,
 			     "touch probe cycle %d: where the probe stops is not known before the program runs",
 			     number);
+	if (!row && harmless(interp, number)) {
+		row = &no_moves;
+		/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
+		klartext_of(interp)->cycle.number = 0;
+	}
 	if (!row)
 		return fault(lexer->at, column,
-			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder, whose moves a "
-			     "checker cannot know",
-			     number);
+			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+			     "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
+			     number, number);
 	if (row->use == USE_REFUSED)
 		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
@@ -315,7 +354,7 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 	definition->column = column;
 	if (!read_words(lexer, definition))
 		return false;
-	if (find_row(number)->use == USE_DEFINED) {
+	if (find_row(number) && find_row(number)->use == USE_DEFINED) {
 		struct klartext_cycle one = *definition;
 
 		/* The words of this line alone. */

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "gcode/state.h"
+#include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/text/lexer.h"
 
 /* Behind CYCL: DEF, or CALL with its words. False: reported. */
@@ -18,5 +19,11 @@ bool klartext_define_line(struct lexer *lexer);
 
 /* Ends a definition that is open. False: reported. */
 bool klartext_define_end(struct interp *interp);
+
+/* Words of axes, "X+10 IY-5", up to the end of the line, as those of CYCL DEF 7. False: reported. */
+bool klartext_define_read_axes(struct lexer *lexer, struct klartext_cycle *cycle);
+
+/* One more of them. False: there is no room. */
+bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double value);
 
 #endif

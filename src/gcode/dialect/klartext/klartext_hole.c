@@ -4,6 +4,7 @@
 
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/motion_commands.h"
+#include "geom/tolerance.h"
 
 /* The tool at the hole. */
 struct drill {
@@ -55,7 +56,7 @@ static bool peck(struct drill *drill)
 	double size = hole->peck, depth = hole->start - hole->clearance - size;
 	int breaks = 0;
 
-	while (hole->peck > 0 && depth > hole->bottom) {
+	while (hole->peck > 0 && depth > hole->bottom + SAME_COORDINATE) {
 		bool only_break = breaks < hole->chip_breaks;
 
 		if (!feed_to(drill, depth, hole->feed))

@@ -1,7 +1,9 @@
 #include "gcode/dialect/klartext/klartext_line.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "gcode/dialect/klartext/klartext_approach.h"
 #include "gcode/dialect/klartext/klartext_circle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
@@ -136,16 +138,6 @@ static bool probe(struct lexer *lexer)
 	return fault(lexer->at, 1, "TCH PROBE: where the probe stops is not known before the program runs");
 }
 
-static bool approach(struct lexer *lexer)
-{
-	return refuse(lexer, "APPR: an approach to a contour");
-}
-
-static bool depart(struct lexer *lexer)
-{
-	return refuse(lexer, "DEP: a departure from a contour");
-}
-
 static bool pattern(struct lexer *lexer)
 {
 	return refuse(lexer, "PATTERN DEF");
@@ -161,9 +153,47 @@ static bool free_contour(struct lexer *lexer)
 	return refuse(lexer, "FK free contour programming");
 }
 
+/* What becomes of the shift of an axis that is not named is not known. */
+static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
+{
+	struct interp *interp = lexer->context;
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+	const vec3 linear = frame->tilted ? frame->inner : frame->shift;
+	const double shifts[3] = {linear.x, linear.y, linear.z};
+
+	for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
+		bool named = false;
+
+		for (int i = 0; i < cycle->count; i++)
+			named = named || strchr(cycle->words[i].name, AXIS_LETTERS[slot]);
+		if (!named && fabs(slot <= SLOT_Z ? shifts[slot] : interp->state.shift.v[slot]) > 0)
+			return fault(lexer->at, cycle->column,
+				     "TRANS DATUM without %c, which is shifted: whether the shift stays is not known here; "
+				     "write %c, too",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+/* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET takes it back. */
 static bool transform(struct lexer *lexer)
 {
-	return refuse(lexer, "TRANS DATUM");
+	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = klartext_column(lexer)};
+	const struct interp *interp = lexer->context;
+
+	if (!klartext_take(lexer, "DATUM"))
+		return fault(lexer->at, cycle.column, "TRANS other than TRANS DATUM is not supported yet");
+	if (klartext_take(lexer, "RESET")) {
+		for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
+			if (interp->config->has_axis[slot] && !klartext_define_add_axis(&cycle, AXIS_LETTERS[slot], 0))
+				return false;
+		}
+		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, &cycle);
+	}
+	if (!klartext_take(lexer, "AXIS"))
+		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM TABLE is not supported yet: write AXIS with values");
+	return klartext_define_read_axes(lexer, &cycle) && check_datum(lexer, &cycle) &&
+	       klartext_frame_shift(lexer->context, &cycle);
 }
 
 /* Sorted by what is frequent. `bare`: there is nothing to be told of such a block. */
@@ -195,8 +225,8 @@ static const struct statement {
     {"BEGIN", begin, true, true},
     {"END", end, true, true},
     {"BLK", ignore, true, true},
-    {"APPR", approach, false, false},
-    {"DEP", depart, false, false},
+    {"APPR", klartext_approach_read, false, true},
+    {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},
     {"PATTERN", pattern, false, false},
     {"SEL", select_file, false, false},
@@ -350,10 +380,14 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	lexer->position = start;
 	if (byte == '/' && interp->config->read.block_delete)
 		return true;
-	if (byte == '/')
+	if (byte == '/') {
 		lexer_take(lexer);
+		klartext_of(interp)->numbered |= skip_number(lexer);
+	}
 	if (klartext_of(interp)->corner.waits && !may_follow_corner(lexer))
 		return klartext_corner_check_none(interp);
+	if (klartext_of(interp)->approach.waits && !may_follow_corner(lexer))
+		return klartext_approach_check_none(interp);
 	if (klartext_define_goes_on(lexer, numbered)) {
 		*bare = false;
 		return klartext_define_line(lexer);
@@ -396,6 +430,10 @@ bool klartext_line_run(struct interp *interp, bool *done)
 		return false;
 	if (klartext_of(interp)->corner.waits && !bare) {
 		klartext_corner_keep_line(interp);
+		return true;
+	}
+	if (klartext_of(interp)->approach.waits && !bare) {
+		klartext_approach_keep_line(interp);
 		return true;
 	}
 	/* Only blocks with moves count as those that do not move in the plane. */

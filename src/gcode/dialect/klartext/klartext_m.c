@@ -5,7 +5,6 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
-#include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_move.h"
@@ -29,7 +28,9 @@ enum m_action {
 	M_TCP_STOP,
 	M_RETRACT,
 	M_TILT_AXES,
-	M_REDUCE
+	M_REDUCE,
+	M_PER_REVOLUTION,
+	M_PER_MINUTE
 };
 
 /* What those do that are read; the others are refused or ignored (klartext_codes.c). */
@@ -43,6 +44,7 @@ static enum m_action action_of(int number)
 	    {5, M_STAND},	{6, M_CHANGE},	   {13, M_TURN_RIGHT}, {14, M_TURN_LEFT}, {30, M_END},
 	    {89, M_CALL_MODAL}, {94, M_REDUCE},	   {99, M_CALL},       {126, M_SHORTEST}, {127, M_PLAIN},
 	    {128, M_TCP_START}, {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},
+	    {136, M_PER_REVOLUTION}, {137, M_PER_MINUTE},
 	};
 
 	for (size_t i = 0; i < sizeof(actions) / sizeof(actions[0]); i++) {
@@ -129,7 +131,8 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
 	if (klartext->corner.waits)
-		return klartext_corner_check_none(interp);
+		return fault(&interp->at, m->column,
+			     "M128 in the block behind RND or CHF is not supported: write it into a block of its own");
 	if (!klartext_comp_check_known(interp, m->column, "M128"))
 		return false;
 	if (klartext->waits)
@@ -214,6 +217,10 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 		return start_tcp(interp, m);
 	case M_REDUCE:
 		return reduce(interp, m);
+	case M_PER_REVOLUTION:
+	case M_PER_MINUTE:
+		klartext_of(interp)->per_revolution = action == M_PER_REVOLUTION;
+		return true;
 	case M_TILT_AXES:
 		return select_axes(interp, m);
 	case M_RETRACT:

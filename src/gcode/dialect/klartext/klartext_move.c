@@ -108,7 +108,12 @@ bool klartext_move_feed(struct interp *interp, const struct klartext_words *word
 
 	*rapid = words->feed == KLARTEXT_FEED_MAX;
 	*feed = (struct canon_feed){0};
-	if (words->feed == KLARTEXT_FEED_VALUE) {
+	if (words->feed == KLARTEXT_FEED_VALUE && (words->feed_per_revolution || klartext_of(interp)->per_revolution)) {
+		if (!(state->speed > 0))
+			return fault(&interp->at, column, "a feed per revolution (FU, M136) without a spindle speed (S)");
+		state->feed_linear = words->feed_bare * state->scale * state->speed;
+		state->feed_angular = words->feed_bare * state->speed;
+	} else if (words->feed == KLARTEXT_FEED_VALUE) {
 		state->feed_linear = words->feed_value;
 		state->feed_angular = words->feed_bare;
 	} else if (words->feed == KLARTEXT_FEED_AUTO) {
@@ -126,7 +131,47 @@ bool klartext_move_feed(struct interp *interp, const struct klartext_words *word
 	return true;
 }
 
+/* --------------------------------------------------------------- directions */
+
+static bool direction_at(const struct klartext_path *path, vec3 at, vec3 *direction)
+{
+	vec3 way = vec3_sub(path->end, path->start), radius;
+
+	if (!path->known)
+		return false;
+	if (!path->arc) {
+		*direction = way;
+	} else {
+		radius = vec3_sub(at, path->centre);
+		radius = vec3_mad(radius, -vec3_dot(radius, path->normal), path->normal);
+		*direction = vec3_scale(path->sweep > 0 ? 1 : -1, vec3_cross(path->normal, radius));
+	}
+	if (!(vec3_norm(*direction) > SAME_POINT))
+		return false;
+	*direction = vec3_unit(*direction);
+	return true;
+}
+
+bool klartext_move_start_direction(const struct klartext_path *path, vec3 *direction)
+{
+	return direction_at(path, path->start, direction);
+}
+
+bool klartext_move_end_direction(const struct klartext_path *path, vec3 *direction)
+{
+	return direction_at(path, path->end, direction);
+}
+
 /* ------------------------------------------------------------------- moves */
+
+void klartext_move_put(struct interp *interp, vec3 point)
+{
+	const vec3 at = klartext_frame_position(interp, point);
+
+	state_set_position(&interp->state, SLOT_X, at.x);
+	state_set_position(&interp->state, SLOT_Y, at.y);
+	state_set_position(&interp->state, SLOT_Z, at.z);
+}
 
 bool klartext_move_in_plane(const struct interp *interp, const slot_values *others)
 {

@@ -20,6 +20,13 @@ bool klartext_move_target(struct interp *interp, const struct klartext_words *wo
 bool klartext_move_feed(struct interp *interp, const struct klartext_words *words, bool *rapid,
 			struct canon_feed *feed);
 
+/* The direction at the start and at the end of a path, unit; false: it has none. */
+bool klartext_move_start_direction(const struct klartext_path *path, vec3 *direction);
+bool klartext_move_end_direction(const struct klartext_path *path, vec3 *direction);
+
+/* The program counts as being at this programmed point; nothing is sent. */
+void klartext_move_put(struct interp *interp, vec3 point);
+
 /* May linear axes move now? Not between PLANE ... STAY and its rotary axes. False: reported. */
 bool klartext_move_check(struct interp *interp, const struct klartext_target *target, int column);
 

@@ -3,49 +3,13 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "gcode/dialect/klartext/klartext_approach.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "geom/tolerance.h"
-
-static bool direction_at(const struct klartext_path *path, vec3 at, vec3 *direction)
-{
-	vec3 way = vec3_sub(path->end, path->start), radius;
-
-	if (!path->known)
-		return false;
-	if (!path->arc) {
-		*direction = way;
-	} else {
-		radius = vec3_sub(at, path->centre);
-		radius = vec3_mad(radius, -vec3_dot(radius, path->normal), path->normal);
-		*direction = vec3_scale(path->sweep > 0 ? 1 : -1, vec3_cross(path->normal, radius));
-	}
-	if (!(vec3_norm(*direction) > SAME_POINT))
-		return false;
-	*direction = vec3_unit(*direction);
-	return true;
-}
-
-bool klartext_path_start_direction(const struct klartext_path *path, vec3 *direction)
-{
-	return direction_at(path, path->start, direction);
-}
-
-bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction)
-{
-	return direction_at(path, path->end, direction);
-}
-
-bool klartext_path_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
-{
-	if (cutter_comp_is_on(interp))
-		return klartext_comp_move(interp, target, path);
-	return path->arc ? klartext_move_arc(interp, target, path)
-			 : klartext_move_line(interp, target, path->rapid, &path->feed);
-}
 
 bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 			struct klartext_path *path)
@@ -56,6 +20,8 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 	path->column = words->first_column;
 	if (path->arc && !klartext_comp_check_known(interp, words->first_column, "a circle"))
 		return false;
+	if (klartext->approach.waits && !klartext_approach_make(interp, path))
+		return false;
 	if (klartext->corner.waits && !klartext_corner_make(interp, words, path))
 		return false;
 	if (!klartext_comp_switch(interp, words, path))
@@ -63,7 +29,7 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 	klartext->last = *path;
 	if (klartext_corner_follows(interp))
 		return klartext_corner_hold(interp, words, target, path);
-	if (!klartext_path_move(interp, target, path))
+	if (!klartext_comp_go(interp, target, path))
 		return false;
 	klartext_comp_settle(interp, words);
 	return true;

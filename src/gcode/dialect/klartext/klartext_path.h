@@ -20,11 +20,4 @@ bool klartext_path_run(struct lexer *lexer, klartext_path_shape shape);
 bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 			struct klartext_path *path);
 
-/* Makes the move at once. */
-bool klartext_path_move(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path);
-
-/* The direction at the start and at the end of a path, unit; false: it has none. */
-bool klartext_path_start_direction(const struct klartext_path *path, vec3 *direction);
-bool klartext_path_end_direction(const struct klartext_path *path, vec3 *direction);
-
 #endif

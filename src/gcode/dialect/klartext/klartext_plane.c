@@ -23,6 +23,8 @@ struct request {
 	double feed; /* bare; 0: that in force */
 	int sign; /* SEQ+ 1, SEQ- -1, 0: none */
 	bool table_rot, coord_rot;
+	bool retracts; /* MB: along the tool before the rotary axes turn */
+	struct kinematics_retract retract;
 	int column;
 };
 
@@ -37,6 +39,22 @@ static bool read_feed(struct lexer *lexer, struct request *request)
 	if (klartext_take(lexer, "AUTO"))
 		return true;
 	return klartext_value(lexer, &request->feed);
+}
+
+/* "PLANE ... TURN MB": how far the tool retracts along its axis before it turns; MAX: up to the limit of travel. */
+static bool read_retract(struct lexer *lexer, struct request *request)
+{
+	const struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+
+	request->retracts = true;
+	request->retract.to_limit = klartext_take(lexer, "MAX");
+	if (request->retract.to_limit)
+		return true;
+	if (!klartext_value(lexer, &request->retract.distance))
+		return false;
+	request->retract.distance *= interp->state.scale;
+	return request->retract.distance >= 0 || fault(lexer->at, column, "the way of MB cannot be negative");
 }
 
 static bool read_option(struct lexer *lexer, struct request *request)
@@ -67,7 +85,7 @@ static bool read_option(struct lexer *lexer, struct request *request)
 	else if (klartext_take(lexer, "COORD") && klartext_take(lexer, "ROT"))
 		request->coord_rot = true;
 	else if (klartext_take(lexer, "MB"))
-		return fault(lexer->at, column, "MB of PLANE is not supported yet: retract by M140 in a block before");
+		return read_retract(lexer, request);
 	else if (klartext_take(lexer, "SYM"))
 		return fault(lexer->at, column, "SYM is not supported yet: write SEQ+ or SEQ-");
 	else
@@ -182,12 +200,20 @@ static bool check_free(struct interp *interp, const struct request *request, con
 		double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
 		double to = state_from_canonical(slot, chosen->rotary.v[slot]);
 
-		if (chosen->free[slot] && fabs(remainder(here, 360)) > SAME_DEGREES)
+		if (chosen->free[slot] && fabs(remainder(here, 360)) > SAME_DEGREES &&
+		    !interp->config->controller.swivel_pole)
 			return fault(&interp->at, request->column,
 				     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
-				     "leaves it there is "
-				     "not known here; turn %c to 0 in a block before",
+				     "leaves it there or turns it to 0 depends on its generation: "
+				     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
+				     "%c to 0 in a block before",
 				     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
+		if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO &&
+		    fabs(here) > 180 + SAME_DEGREES)
+			return fault(&interp->at, request->column,
+				     "PLANE turns %c to 0 or to a whole turn: which one the control takes is not known "
+				     "here; turn %c towards 0 in a block before",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		if (chosen->free[slot] && request->table_rot && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
 			return fault(
 			    &interp->at, request->column,
@@ -236,8 +262,10 @@ static bool find_rotary(struct interp *interp, const struct request *request, co
 		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
 		if (!interp->config->has_axis[slot])
 			continue;
-		klartext->rotary.v[slot] = chosen->rotary.v[slot];
 		rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
+		if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO)
+			rotary->v[slot] = interp->state.offset.v[slot];
+		klartext->rotary.v[slot] = radians(rotary->v[slot]);
 		/* Q120 to Q122: the angles that the control has computed. */
 		klartext_q_set(klartext, 120 + slot - SLOT_A, rotary->v[slot] - interp->state.offset.v[slot]);
 	}
@@ -267,6 +295,23 @@ static bool find_feed(struct interp *interp, const struct request *request, stru
 	return true;
 }
 
+/* MB. */
+static bool retract(struct interp *interp, const struct request *request)
+{
+	struct kinematics_retract way = request->retract;
+	struct canon_move move = {.kind = CANON_RAPID};
+	slot_values target = interp->state.position;
+
+	if (!request->retracts)
+		return true;
+	way.position = interp->state.canonical;
+	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, request->column), &way))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		target.v[slot] = way.position.v[slot];
+	return motion_commands_go(interp, &target, &move);
+}
+
 /*
  * "TURN": the rotary axes alone; "MOVE": the linear axes with them, so that a point DIST in front of the tip keeps its
  * place on the workpiece.
@@ -281,10 +326,15 @@ static bool move_rotary(struct interp *interp, const struct request *request, co
 
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
-	if (!find_feed(interp, request, &move))
+	if (!find_feed(interp, request, &move) || !retract(interp, request))
 		return false;
-	if (request->positioning == POSITION_TURN)
-		return motion_commands_go(interp, rotary, &move);
+	if (request->positioning == POSITION_TURN) {
+		/* From where the retraction has ended. */
+		target = interp->state.position;
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+			target.v[slot] = rotary->v[slot];
+		return motion_commands_go(interp, &target, &move);
+	}
 	state->length += request->distance;
 	if (!tool_length_switch_tcp(interp, request->column, TCP_BY_MCODE))
 		return false;

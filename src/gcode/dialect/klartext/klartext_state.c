@@ -22,5 +22,6 @@ void klartext_state_free(void *state)
 	strbuf_release(&klartext->line);
 	strbuf_release(&klartext->corner.path_text);
 	strbuf_release(&klartext->corner.text);
+	strbuf_release(&klartext->approach.text);
 	free(klartext);
 }

@@ -101,8 +101,30 @@ struct klartext_path {
 	double sweep; /* radians about the normal */
 	bool rapid;
 	struct canon_feed feed;
+	double doubt; /* mm in the plane: how far the tool may be beside it under radius compensation */
 	bool crossing; /* M97: under radius compensation it is drawn out to where it crosses the next one */
 	int column; /* of its words */
+};
+
+enum klartext_way { KLARTEXT_WAY_LT, KLARTEXT_WAY_LN, KLARTEXT_WAY_CT, KLARTEXT_WAY_LCT };
+
+/* LEN, R and CCA of APPR and DEP. */
+struct klartext_way_words {
+	double length, size; /* mm */
+	double centre_angle; /* degrees */
+	enum klartext_comp comp;
+	int comp_column, size_column, first_column;
+};
+
+/* APPR, which waits for the first path of the contour. */
+struct klartext_approach {
+	bool waits;
+	enum klartext_way kind;
+	struct klartext_way_words words;
+	struct klartext_path path; /* from PS to PA: its ends, feed and column count */
+	bool rapid_before; /* the block before went at FMAX */
+	long line;
+	struct strbuf text; /* of the line */
 };
 
 /* A path block that is kept back until RND or CHF and the block behind it say where it ends. */
@@ -141,6 +163,7 @@ struct klartext {
 	double wider; /* mm: DR of TOOL CALL */
 	int defined_tool; /* TOOL DEF has given this tool a radius; 0: none */
 	double defined_radius; /* mm */
+	bool per_revolution; /* M136 */
 	double call_feed, call_feed_bare; /* of TOOL CALL, for F AUTO: mm/min, and as written; 0: none */
 	/* Path. */
 	vec3 programmed; /* where the last move has led, in the coordinates of then, mm: increments count from there */
@@ -149,6 +172,7 @@ struct klartext {
 	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
 	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
+	struct klartext_approach approach;
 	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */
 	bool cautioned_wrap, preset_settled;

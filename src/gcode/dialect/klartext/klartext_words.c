@@ -95,15 +95,20 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 	bool belongs = m && (m->number == 128 || m->number == 140 || m->number == 103);
 	enum klartext_feed feed = KLARTEXT_FEED_VALUE;
 	double value = 0;
+	bool per_revolution = false;
 
 	lexer_take(lexer);
 	if (klartext_take(lexer, "MAX")) {
 		feed = KLARTEXT_FEED_MAX;
 	} else if (klartext_take(lexer, "AUTO")) {
 		feed = KLARTEXT_FEED_AUTO;
-	} else if (next_byte(lexer) == 'Z' || next_byte(lexer) == 'U') {
-		return fault(lexer->at, column, "F%c: a feed per %s is not supported yet; give F in mm/min",
-			     next_byte(lexer), next_byte(lexer) == 'Z' ? "tooth" : "revolution");
+	} else if (next_byte(lexer) == 'Z') {
+		return fault(lexer->at, column, "FZ: a feed per tooth is not supported yet; give F in mm/min");
+	} else if (next_byte(lexer) == 'U') {
+		lexer_take(lexer);
+		per_revolution = true;
+		if (!klartext_value(lexer, &value))
+			return false;
 	} else if (!klartext_value_follows(lexer)) {
 		/* An answer left out in the editor: the feed in force. */
 		return true;
@@ -119,6 +124,7 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 	words->feed = feed;
 	words->feed_column = column;
 	words->feed_bare = value;
+	words->feed_per_revolution = per_revolution;
 	/* iTNC 530 user's manual, "Feed rate F": mm/min, or tenths of an inch a minute. Only times depend on it. */
 	words->feed_value = interp->state.scale > 1 ? value * interp->state.scale / 10 : value;
 	return true;

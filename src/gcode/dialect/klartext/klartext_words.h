@@ -39,6 +39,7 @@ struct klartext_words {
 	double feed_value; /* mm/min, degrees/min */
 	double feed_bare; /* the number itself */
 	int feed_column;
+	bool feed_per_revolution; /* FU */
 	bool has_speed;
 	double speed;
 	bool has_normal, has_tool; /* LN */

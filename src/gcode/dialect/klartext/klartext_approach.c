@@ -1,0 +1,424 @@
+#include "gcode/dialect/klartext/klartext_approach.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/math/math_functions.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_pole.h"
+#include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "geom/tolerance.h"
+
+/*
+ * iTNC 530 user's manual, "Contour approach and departure": the contour begins at PA and ends at PE; PH and PN are the
+ * other ends of APPR and DEP. LT: straight on in the direction of the contour, by LEN. LN: across it, by LEN and the
+ * tool's radius. CT: on a circle that touches it, R and CCA. LCT: the same circle and a straight line that touches the
+ * circle. Whether R is the radius of the contour or of the path of the tool's centre is not said: both are proved.
+ */
+
+/* ------------------------------------------------------------------ geometry */
+
+static const vec3 up = {0, 0, 1};
+
+static int side_of(const struct interp *interp)
+{
+	return interp->comp.side;
+}
+
+/* From a contour in this direction (unit, in the plane) to the side of the tool. */
+static vec3 across(vec3 direction, int side)
+{
+	return vec3_scale(side, vec3_cross(up, direction));
+}
+
+static vec3 turned(vec3 v, double angle)
+{
+	return (vec3){math_cos(angle) * v.x - math_sin(angle) * v.y, math_sin(angle) * v.x + math_cos(angle) * v.y, 0};
+}
+
+/* Where a straight line from `from` touches a circle that is then gone round in the sense of `turn`. False: inside. */
+static bool touch_from(vec3 from, vec3 centre, double radius, int turn, vec3 *unit)
+{
+	const vec3 away = {from.x - centre.x, from.y - centre.y, 0};
+	const double far = vec3_norm(away);
+
+	if (!(far > radius + SAME_POINT))
+		return false;
+	*unit = turned(vec3_scale(1 / far, away), turn * math_acos(radius / far));
+	return true;
+}
+
+/* An arc of the contour about `centre`, from one point to another. */
+static struct klartext_path arc_between(const struct klartext_path *like, vec3 start, vec3 end, vec3 centre, int turn)
+{
+	struct klartext_path arc = *like;
+	const double from = math_atan2(start.y - centre.y, start.x - centre.x), to = math_atan2(end.y - centre.y, end.x - centre.x);
+	double sweep = fmod(turn * (to - from), 2 * PI);
+
+	sweep = sweep <= 1e-9 ? sweep + 2 * PI : sweep;
+	arc.known = arc.arc = true;
+	arc.rapid = false;
+	arc.start = start;
+	arc.end = end;
+	arc.centre = (vec3){centre.x, centre.y, start.z};
+	arc.normal = up;
+	arc.sweep = turn * sweep;
+	return arc;
+}
+
+static struct klartext_path line_between(const struct klartext_path *like, vec3 start, vec3 end)
+{
+	struct klartext_path line = *like;
+
+	line.known = true;
+	line.arc = false;
+	line.start = start;
+	line.end = end;
+	return line;
+}
+
+static bool go(struct interp *interp, const struct klartext_path *path)
+{
+	const struct klartext_target target = {.point = path->end, .others = interp->state.position};
+
+	return klartext_comp_go(interp, &target, path);
+}
+
+/* ---------------------------------------------------------------------- words */
+
+static const char *const kinds[] = {"LT", "LN", "CT", "LCT"};
+
+/* LT, LN, CT, LCT, or with P in front: by polar coordinates. */
+static bool read_kind(struct lexer *lexer, enum klartext_way *kind, bool *polar)
+{
+	const int column = klartext_column(lexer);
+	char word[KLARTEXT_WORD];
+	const char *bare = word;
+
+	klartext_word(lexer, word);
+	*polar = word[0] == 'P';
+	bare += *polar;
+	for (size_t i = 0; i < sizeof(kinds) / sizeof(kinds[0]); i++) {
+		if (!strcmp(bare, kinds[i])) {
+			*kind = (enum klartext_way)i;
+			return true;
+		}
+	}
+	return fault(lexer->at, column, "APPR and DEP need LT, LN, CT or LCT, or PLT, PLN, PCT or PLCT");
+}
+
+static struct klartext_way_words way_words(const struct klartext_words *words)
+{
+	return (struct klartext_way_words){.length = words->length,
+					   .size = words->size,
+					   .centre_angle = words->centre_angle,
+					   .comp = words->comp,
+					   .comp_column = words->comp_column,
+					   .size_column = words->size_column,
+					   .first_column = words->first_column};
+}
+
+static bool check_words(struct interp *interp, const struct klartext_words *words, enum klartext_way kind)
+{
+	if (words->axes & ~(1U << SLOT_X | 1U << SLOT_Y | 1U << SLOT_Z))
+		return fault(&interp->at, words->first_column, "APPR and DEP have coordinates of X, Y and Z alone");
+	if ((kind == KLARTEXT_WAY_LT || kind == KLARTEXT_WAY_LN) && !(words->has_length && words->length > 0))
+		return fault(&interp->at, words->first_column, "%s needs LEN, more than 0", kinds[kind]);
+	if (kind == KLARTEXT_WAY_CT && !(words->has_centre_angle && words->centre_angle > 0 && words->centre_angle < 360))
+		return fault(&interp->at, words->first_column, "CT needs CCA, between 0 and 360 degrees");
+	if ((kind == KLARTEXT_WAY_CT || kind == KLARTEXT_WAY_LCT) && !(words->has_size && fabs(words->size) > 0))
+		return fault(&interp->at, words->first_column, "%s needs the radius of its circle in R", kinds[kind]);
+	if (kind == KLARTEXT_WAY_LCT && words->size < 0)
+		return fault(&interp->at, words->size_column, "R of LCT must be more than 0");
+	return klartext_m_check_harmless(interp, words);
+}
+
+/* The point that the words name, at the height where the tool is. */
+static bool find_point(struct interp *interp, const struct klartext_words *words, bool polar, vec3 *point)
+{
+	const vec3 here = klartext_frame_point(interp);
+	struct klartext_target target;
+	struct klartext_path path = {.start = here};
+
+	if (!klartext_move_target(interp, words, &target))
+		return false;
+	if (polar && !klartext_pole_point(interp, words, &path, &target))
+		return false;
+	if (fabs(target.point.z - here.z) > SAME_POINT)
+		return fault(&interp->at, words->column[SLOT_Z],
+			     "Z in APPR and DEP: whether it moves before, behind or with X and Y is not known here; write "
+			     "it into a block of its own");
+	*point = target.point;
+	return true;
+}
+
+/* ----------------------------------------------------------------------- APPR */
+
+bool klartext_approach_read(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext *klartext = klartext_of(interp);
+	struct klartext_approach *approach = &klartext->approach;
+	struct klartext_words words;
+	struct klartext_path path = {.known = true};
+	enum klartext_way kind;
+	vec3 point;
+	bool polar;
+
+	if (!read_kind(lexer, &kind, &polar) || !klartext_words_read(lexer, &words) ||
+	    !check_words(interp, &words, kind))
+		return false;
+	if (klartext_comp_is_selected(interp))
+		return fault(lexer->at, words.first_column, "APPR under radius compensation: DEP or R0 comes first");
+	if (words.comp != KLARTEXT_RL && words.comp != KLARTEXT_RR)
+		return fault(lexer->at, words.first_column, "APPR needs RL or RR");
+	if (!klartext_comp_check_known(interp, words.first_column, "APPR") || !klartext_m_start(interp, &words) ||
+	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) ||
+	    !find_point(interp, &words, polar, &point))
+		return false;
+	if (path.rapid)
+		return fault(lexer->at, words.feed_column, "APPR cannot be moved at FMAX; it needs F");
+	path.column = words.first_column;
+	path.start = klartext_frame_point(interp);
+	path.end = point;
+	approach->waits = true;
+	approach->kind = kind;
+	approach->words = way_words(&words);
+	approach->path = path;
+	approach->rapid_before = klartext->last.known && klartext->last.rapid;
+	approach->line = interp->at.line;
+	klartext->programmed = point;
+	klartext_move_put(interp, point);
+	klartext->last.known = false;
+	return true;
+}
+
+void klartext_approach_keep_line(struct interp *interp)
+{
+	struct strbuf *text = &klartext_of(interp)->approach.text;
+
+	if (interp->at.line != klartext_of(interp)->approach.line)
+		return;
+	strbuf_clear(text);
+	strbuf_addf(text, "%s", interp->at.text);
+}
+
+bool klartext_approach_check_none(struct interp *interp)
+{
+	const struct klartext_approach *approach = &klartext_of(interp)->approach;
+	const struct line_place at = {interp->at.diag, interp->at.file, approach->line, ""};
+
+	return !approach->waits ||
+	       fault(&at, 1, "APPR needs a straight line or a circle in the plane of X and Y right behind it");
+}
+
+/* The circle of CT and LCT at a point of the contour: its centre, and the sense in which it is gone round. */
+struct circle {
+	vec3 centre;
+	int turn;
+};
+
+static struct circle circle_at(vec3 point, vec3 direction, int side, double size)
+{
+	const vec3 to_tool = across(direction, side);
+
+	return (struct circle){vec3_mad(point, size, to_tool), size > 0 ? side : -side};
+}
+
+/*
+ * The point of the contour's circle at which the line from the tool's centre `from` touches the path of the centre, and
+ * how far the other meaning of R leads from it. `turn` is 1 where the circle is gone round counter-clockwise behind it.
+ */
+static bool find_touch(struct interp *interp, vec3 from, vec3 point, vec3 direction,
+		       const struct klartext_way_words *words, int turn, vec3 *found, double *doubt)
+{
+	const double size = words->size;
+	const int column = words->size_column;
+	const int side = side_of(interp);
+	const double radius = interp->comp.radius;
+	const struct circle circle = circle_at(point, direction, side, size);
+	const struct circle other = circle_at(point, direction, side, size + radius);
+	vec3 unit, other_unit;
+
+	if (size <= radius)
+		return fault(&interp->at, column, "the radius of the circle, %.6g mm, is not greater than the tool's, %.6g mm",
+			     size, radius);
+	if (!touch_from(from, circle.centre, size - radius, turn, &unit) ||
+	    !touch_from(from, other.centre, size, turn, &other_unit))
+		return fault(&interp->at, column, "the other end of this straight line lies within the circle");
+	*found = vec3_mad(circle.centre, size, unit);
+	*doubt = 2 * radius + size * math_acos(fmin(1, fmax(-1, vec3_dot(unit, other_unit))));
+	return true;
+}
+
+/* PH, and the path from there to PA; LN has none. False: reported. */
+static bool find_approach(struct interp *interp, vec3 direction, vec3 *helper, struct klartext_path *last)
+{
+	const struct klartext_approach *approach = &klartext_of(interp)->approach;
+	const struct klartext_way_words *words = &approach->words;
+	const vec3 point = approach->path.end;
+	const int side = side_of(interp);
+	const struct circle circle = circle_at(point, direction, side, words->size);
+	double doubt = 0;
+
+	switch (approach->kind) {
+	case KLARTEXT_WAY_LT:
+		*helper = vec3_mad(point, -words->length, direction);
+		*last = line_between(&approach->path, *helper, point);
+		return true;
+	case KLARTEXT_WAY_LN:
+		*helper = vec3_mad(point, words->length + interp->comp.radius, across(direction, side));
+		*last = line_between(&approach->path, *helper, point);
+		return true;
+	case KLARTEXT_WAY_CT:
+		*helper = vec3_add(circle.centre, turned(vec3_sub(point, circle.centre),
+							 -circle.turn * radians(words->centre_angle)));
+		helper->z = point.z;
+		doubt = 2 * interp->comp.radius;
+		break;
+	default:
+		if (!find_touch(interp, approach->path.start, point, direction, words, circle.turn, helper, &doubt))
+			return false;
+	}
+	*last = arc_between(&approach->path, *helper, point, circle.centre, circle.turn);
+	last->doubt = doubt;
+	return true;
+}
+
+/* From PS to PH and from there to PA. */
+static bool carry_out(struct interp *interp, vec3 direction)
+{
+	const struct klartext_approach *approach = &klartext_of(interp)->approach;
+	struct klartext_path first, last = {.doubt = 0};
+	vec3 helper;
+	int side;
+
+	if (!klartext_comp_begin(interp, approach->words.comp, approach->words.comp_column) ||
+	    !find_approach(interp, direction, &helper, &last))
+		return false;
+	first = line_between(&approach->path, approach->path.start, helper);
+	first.rapid = approach->rapid_before;
+	first.doubt = last.doubt;
+	if (approach->kind != KLARTEXT_WAY_LN)
+		return go(interp, &first) && go(interp, &last);
+	/* To PH the tool's centre goes itself. */
+	side = interp->comp.side;
+	interp->comp.side = 0;
+	if (!klartext_comp_move_bare(interp, &first))
+		return false;
+	interp->comp.side = side;
+	return go(interp, &last);
+}
+
+bool klartext_approach_make(struct interp *interp, const struct klartext_path *first)
+{
+	struct klartext_approach *approach = &klartext_of(interp)->approach;
+	const struct line_place at = interp->at;
+	const int moves = interp->moves;
+	vec3 direction;
+	bool good;
+
+	if (!klartext_move_start_direction(first, &direction) || fabs(direction.z) > SAME_POINT || first->rapid ||
+	    (first->arc && !(first->normal.z > 0.5)))
+		return klartext_approach_check_none(interp);
+	approach->waits = false;
+	interp->at.line = approach->line;
+	interp->at.text = strbuf_text(&approach->text);
+	interp->moves = 0;
+	klartext_move_put(interp, approach->path.start);
+	good = carry_out(interp, direction) && cutter_comp_end_block(interp);
+	interp->at = at;
+	interp->moves = moves;
+	return good;
+}
+
+/* ------------------------------------------------------------------------ DEP */
+
+/* A circle, and then a straight line to PN. */
+static bool leave_by_circle_and_line(struct interp *interp, const struct klartext_way_words *words, vec3 direction,
+				     vec3 point, const struct klartext_path *like)
+{
+	const vec3 here = klartext_frame_point(interp);
+	const struct circle circle = circle_at(here, direction, side_of(interp), words->size);
+	struct klartext_path arc, line;
+	double doubt;
+	vec3 end;
+
+	if (!find_touch(interp, point, here, direction, words, -circle.turn, &end, &doubt))
+		return false;
+	arc = arc_between(like, here, end, circle.centre, circle.turn);
+	line = line_between(like, end, point);
+	arc.doubt = line.doubt = doubt;
+	return go(interp, &arc) && klartext_comp_leave(interp, &line, words->first_column) && go(interp, &line);
+}
+
+/* From PE on: LT and CT end beside the contour, and whether the tool then goes to it is left open as for R0. */
+static bool leave(struct interp *interp, const struct klartext_way_words *words, enum klartext_way kind, vec3 point,
+		  const struct klartext_path *like)
+{
+	const vec3 here = klartext_frame_point(interp);
+	const int side = side_of(interp);
+	struct klartext_path path;
+	struct circle circle;
+	vec3 direction, end;
+
+	if (!klartext_move_end_direction(&klartext_of(interp)->last, &direction) || fabs(direction.z) > SAME_POINT)
+		return fault(&interp->at, words->first_column, "DEP needs a path block of the contour right before it");
+	switch (kind) {
+	case KLARTEXT_WAY_LN:
+		path = line_between(like, here,
+				    vec3_mad(here, words->length + interp->comp.radius, across(direction, side)));
+		return klartext_comp_leave(interp, &path, words->first_column) && go(interp, &path);
+	case KLARTEXT_WAY_LT:
+		path = line_between(like, here, vec3_mad(here, words->length, direction));
+		break;
+	case KLARTEXT_WAY_CT:
+		circle = circle_at(here, direction, side, words->size);
+		end = vec3_add(circle.centre,
+			       turned(vec3_sub(here, circle.centre), circle.turn * radians(words->centre_angle)));
+		end.z = here.z;
+		path = arc_between(like, here, end, circle.centre, circle.turn);
+		path.doubt = 2 * interp->comp.radius;
+		break;
+	default:
+		return leave_by_circle_and_line(interp, words, direction, point, like);
+	}
+	return go(interp, &path) && klartext_comp_leave_standing(interp, path.doubt, words->first_column);
+}
+
+bool klartext_approach_depart(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	struct klartext_words words;
+	struct klartext_way_words way;
+	struct klartext_path path = {.known = true};
+	enum klartext_way kind;
+	vec3 point = klartext_frame_point(interp);
+	bool polar;
+
+	if (!read_kind(lexer, &kind, &polar) || !klartext_words_read(lexer, &words) ||
+	    !check_words(interp, &words, kind))
+		return false;
+	if (!klartext_comp_is_selected(interp))
+		return fault(lexer->at, words.first_column, "DEP without radius compensation (RL, RR) is not supported");
+	if (!klartext_corner_check_none(interp) || !klartext_m_start(interp, &words) ||
+	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed))
+		return false;
+	if (kind == KLARTEXT_WAY_LCT ? !find_point(interp, &words, polar, &point)
+				     : words.axes || words.has_radius || words.has_angle)
+		return kind == KLARTEXT_WAY_LCT ? false
+						: fault(lexer->at, words.first_column, "only DEP LCT names its end");
+	path.column = words.first_column;
+	if (path.rapid)
+		return fault(lexer->at, words.feed_column, "DEP cannot be moved at FMAX; it needs F");
+	way = way_words(&words);
+	if (!leave(interp, &way, kind, point, &path))
+		return false;
+	klartext_of(interp)->last.known = false;
+	return klartext_m_end(interp, &words);
+}

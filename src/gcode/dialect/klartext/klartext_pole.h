@@ -1,0 +1,27 @@
+/* klartext_pole.h - the plane and the pole that CC has given, and polar coordinates. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POLE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POLE_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_move.h"
+#include "gcode/execute/arc.h"
+
+/* The planes XY, ZX, YZ are named by the slot across them, Z, Y, X: the first and the second axis of one. */
+void klartext_pole_axes(int across, int *a, int *b);
+
+double klartext_pole_coordinate(vec3 v, int slot);
+void klartext_pole_set_coordinate(vec3 *v, int slot, double value);
+
+/* The point of a plane, and a point with these coordinates in the plane. */
+struct plane_point klartext_pole_flat(vec3 v, int across);
+void klartext_pole_put(vec3 *v, int across, struct plane_point point);
+
+/* The pole. False: CC has not given it, which was reported at the column. */
+bool klartext_pole_find(struct interp *interp, int column, struct plane_point *pole);
+
+/* The point that PR and PA name, counted from CC; left out or increments: from the start of the path. False: reported. */
+bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
+			 struct klartext_target *target);
+
+#endif
