@@ -107,13 +107,12 @@ static bool take_percent(struct interp *interp)
 
 	if (!interp->begun || sinumerik_of(interp)->entering)
 		return true;
-	/* Alone, it ends the tape. */
-	if (rest[strspn(rest, " \t")] == '\0' && !sinumerik_call_is_inside(interp)) {
+	/* Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file. */
+	if (rest[strspn(rest, " \t")] != '\0' || !sinumerik_call_is_inside(interp)) {
 		interp->ended = true;
-		return true;
+		return sinumerik_call_end_of_file(interp);
 	}
-	return fault(&interp->at, 1,
-		     "a second program begins here: give it a file of its own, beside this one, and it can be called");
+	return fault(&interp->at, 1, "'%%' ends the tape, but a subprogram is being carried out: M17 or RET is missing");
 }
 
 static bool is_proc(const char *words)

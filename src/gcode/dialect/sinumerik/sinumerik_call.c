@@ -8,6 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 #include "gcode/program.h"
@@ -139,17 +140,35 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 		if (!sources_find(&interp->program.sources, &interp->config->read, file, &interp->at, column, source))
 			return false;
 	}
-	if (!*source && is_numbered(name))
+	return true;
+}
+
+static bool fault_missing(struct interp *interp, const char *name, int column)
+{
+	if (is_numbered(name))
 		return fault(&interp->at, column,
 			     "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
 			     "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%s\" "
 			     "action=\"none\"/> in the machine's <controller> says so",
 			     name, name, name + 1);
-	return *source ||
-	       fault(&interp->at, column,
+	return fault(&interp->at, column,
 		     "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
 		     "lower case) lies beside the program or in a folder of --include",
 		     name, name);
+}
+
+/* A file of its own, or another program in the file in hand. */
+static bool find_program(struct interp *interp, const char *name, int column, struct position *entry)
+{
+	bool found = false;
+
+	*entry = (struct position){.line = 1};
+	if (!find_file(interp, name, column, &entry->source))
+		return false;
+	if (entry->source)
+		return true;
+	return sinumerik_seek_program(interp, name, column, entry, &found) &&
+	       (found || fault_missing(interp, name, column));
 }
 
 /* ------------------------------------------------------------------ levels */
@@ -174,14 +193,14 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const struct builder_macro *macro = find_macro(interp, name);
-	struct position entry = {.line = 1};
+	struct position entry;
 
 	if (macro && macro->action == MACRO_NONE)
 		return true;
 	if (macro)
 		return fault(&interp->at, column,
 			     "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
-	if (!find_file(interp, name, column, &entry.source) || !enter(interp, &entry, 0, repeats, name, column))
+	if (!find_program(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
 	sinumerik->level++;
 	sinumerik->entering = true;

@@ -5,6 +5,7 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/arc.h"
 #include "geom/tolerance.h"
@@ -167,6 +168,9 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 			     interp->state.plane / 10);
 	c->centre.a = centre_word(interp, block, c->plane->centre_a, c->start.a);
 	c->centre.b = centre_word(interp, block, c->plane->centre_b, c->start.b);
+	/* "Circular interpolation with polar coordinates": the pole is the centre. */
+	if (block->addresses & SINUMERIK_POLAR_BITS)
+		c->centre = sinumerik_polar_pole(interp);
 	if (sinumerik_block_has_address(block, SINUMERIK_AR))
 		return true;
 	switch (arc_check_centre(c->start, c->end, c->centre, tolerance_of(interp), &r0, &r1)) {
@@ -215,12 +219,16 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 	struct circle c = {.plane = plane, .clockwise = interp->state.motion == G2};
 	const bool radius = sinumerik_block_has_address(block, SINUMERIK_CR);
 	const bool angle = sinumerik_block_has_address(block, SINUMERIK_AR);
-	const bool centred = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
+	const bool polar = block->addresses & SINUMERIK_POLAR_BITS;
+	const bool centred = polar || block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
 	vec3 centre = linear(start);
 	double at[3] = {centre.x, centre.y, centre.z}, sweep;
 
 	c.start = (struct plane_point){start->v[plane->a], start->v[plane->b]};
 	c.end = (struct plane_point){target->v[plane->a], target->v[plane->b]};
+	if (polar && (radius || angle || block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))))
+		return fault(&interp->at, circle_column(block),
+			     "a circle to AP= and RP= has its centre at the pole, and no CR=, AR=, I, J or K");
 	if (radius + centred > 1 || (radius && angle))
 		return fault(&interp->at, circle_column(block),
 			     "a circle has a centre (I, J, K), a radius (CR=), or an opening angle (AR=) with one of end "

@@ -30,8 +30,8 @@
 	REFUSED_ROW(ROW, "POLY", "polynomial interpolation") \
 	REFUSED_ROW(ROW, "OEMIPO1", "interpolation of the machine's maker") \
 	REFUSED_ROW(ROW, "OEMIPO2", "interpolation of the machine's maker") \
-	REFUSED_ROW(ROW, "AP", "polar coordinates") \
-	REFUSED_ROW(ROW, "RP", "polar coordinates") \
+	ADDRESS_ROW(ROW, "AP", AP, "polar coordinates: angle") \
+	ADDRESS_ROW(ROW, "RP", RP, "polar coordinates: radius") \
 	REFUSED_ROW(ROW, "ANG", "contour by an angle") \
 	ADDRESS_ROW(ROW, "CHF", CHF, "chamfer by its length") \
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
@@ -96,6 +96,7 @@
 	REFUSED_ROW(ROW, "ORICONIO", "orientation on a cone") \
 	REFUSED_ROW(ROW, "ORICONTO", "orientation on a cone") \
 	REFUSED_ROW(ROW, "ORICURVE", "orientation by a second curve") \
+	REFUSED_ROW(ROW, "ORIRESET", "basic orientation of the tool") \
 	REFUSED_ROW(ROW, "ORID", "smoothing of the orientation") \
 	REFUSED_ROW(ROW, "A2", "orientation by angles") \
 	REFUSED_ROW(ROW, "B2", "orientation by angles") \
@@ -237,6 +238,7 @@
 	STATEMENT_ROW(ROW, "GOTO", "jump") \
 	STATEMENT_ROW(ROW, "GOTOF", "jump forward") \
 	STATEMENT_ROW(ROW, "GOTOB", "jump backward") \
+	STATEMENT_ROW(ROW, "GOTOS", "jump to the start of the program") \
 	STATEMENT_ROW(ROW, "GOTOC", "jump that may miss its label") \
 	STATEMENT_ROW(ROW, "CASE", "jump by a value") \
 	STATEMENT_ROW(ROW, "DEF", "variables") \
@@ -270,7 +272,8 @@ static const struct code_word cycle_rows[] = {
 	{"CYCLE89", CODE_READ, "boring, feed out"},
 	{"HOLES1", CODE_READ, "row of holes"},
 	{"HOLES2", CODE_READ, "circle of holes"},
-	{"CYCLE800", CODE_READ, "swivelled plane, axis by axis"},
+	{"CYCLE802", CODE_READ, "holes at given positions"},
+	{"CYCLE800", CODE_READ, "swivelled plane, axis by axis or by solid angles"},
 	{"CYCLE832", CODE_READ, "tolerance of the contour"},
 	{"POCKET1 to POCKET4", CODE_REFUSED, "milling of a pocket"},
 	{"SLOT1, SLOT2, LONGHOLE", CODE_REFUSED, "milling of slots"},
@@ -306,11 +309,11 @@ static const struct code g_rows[] = {
 	{SINUMERIK_G(17), SINUMERIK_PLANE, CODE_READ, "plane XY"},
 	{SINUMERIK_G(18), SINUMERIK_PLANE, CODE_READ, "plane ZX"},
 	{SINUMERIK_G(19), SINUMERIK_PLANE, CODE_READ, "plane YZ"},
-	{SINUMERIK_G(25), GROUP_NONE, CODE_REFUSED, "lower limit of the working area or of the spindle"},
-	{SINUMERIK_G(26), GROUP_NONE, CODE_REFUSED, "upper limit of the working area or of the spindle"},
-	{SINUMERIK_G(33), GROUP_NONE, CODE_REFUSED, "thread cutting"},
-	{SINUMERIK_G(34), GROUP_NONE, CODE_REFUSED, "thread cutting"},
-	{SINUMERIK_G(35), GROUP_NONE, CODE_REFUSED, "thread cutting"},
+	{SINUMERIK_G(25), SINUMERIK_ONCE, CODE_IGNORED, "lower limit of the working area or of the spindle"},
+	{SINUMERIK_G(26), SINUMERIK_ONCE, CODE_IGNORED, "upper limit of the working area or of the spindle"},
+	{SINUMERIK_G(33), SINUMERIK_MOTION, CODE_READ, "thread cutting with a constant pitch"},
+	{SINUMERIK_G(34), GROUP_NONE, CODE_REFUSED, "thread cutting with a pitch that changes"},
+	{SINUMERIK_G(35), GROUP_NONE, CODE_REFUSED, "thread cutting with a pitch that changes"},
 	{SINUMERIK_G(40), SINUMERIK_CUTTER, CODE_READ, "no cutter compensation"},
 	{SINUMERIK_G(41), SINUMERIK_CUTTER, CODE_READ, "cutter compensation, left of the path"},
 	{SINUMERIK_G(42), SINUMERIK_CUTTER, CODE_READ, "cutter compensation, right of the path"},
@@ -323,7 +326,7 @@ static const struct code g_rows[] = {
 	{SINUMERIK_G(59), GROUP_NONE, CODE_REFUSED, "axial shift of the programmable frame"},
 	{SINUMERIK_G(60), SINUMERIK_PATH, CODE_READ, "exact stop"},
 	{SINUMERIK_G(62), GROUP_NONE, CODE_IGNORED, "slower at inside corners"},
-	{SINUMERIK_G(63), GROUP_NONE, CODE_REFUSED, "tapping with a compensating chuck"},
+	{SINUMERIK_G(63), SINUMERIK_ONCE, CODE_READ, "tapping with a compensating chuck"},
 	{SINUMERIK_G(64), SINUMERIK_PATH, CODE_READ, "continuous path"},
 	{SINUMERIK_G(70), SINUMERIK_UNITS, CODE_READ, "lengths in inches"},
 	{SINUMERIK_G(71), SINUMERIK_UNITS, CODE_READ, "lengths in mm"},
@@ -336,9 +339,9 @@ static const struct code g_rows[] = {
 	{SINUMERIK_G(95), SINUMERIK_FEED, CODE_READ, "feed per revolution"},
 	{SINUMERIK_G(96), GROUP_NONE, CODE_REFUSED, "constant cutting speed"},
 	{SINUMERIK_G(97), GROUP_NONE, CODE_IGNORED, "no constant cutting speed"},
-	{SINUMERIK_G(110), GROUP_NONE, CODE_REFUSED, "pole of polar coordinates"},
-	{SINUMERIK_G(111), GROUP_NONE, CODE_REFUSED, "pole of polar coordinates"},
-	{SINUMERIK_G(112), GROUP_NONE, CODE_REFUSED, "pole of polar coordinates"},
+	{SINUMERIK_G(110), SINUMERIK_ONCE, CODE_READ, "pole of polar coordinates, from where the tool is"},
+	{SINUMERIK_G(111), SINUMERIK_ONCE, CODE_READ, "pole of polar coordinates, from the workpiece's zero"},
+	{SINUMERIK_G(112), SINUMERIK_ONCE, CODE_READ, "pole of polar coordinates, from the last pole"},
 	{SINUMERIK_G(140), GROUP_NONE, CODE_IGNORED, "direction of smooth approach"},
 	{SINUMERIK_G(141), GROUP_NONE, CODE_IGNORED, "direction of smooth approach"},
 	{SINUMERIK_G(142), GROUP_NONE, CODE_IGNORED, "direction of smooth approach"},
@@ -350,8 +353,8 @@ static const struct code g_rows[] = {
 	{SINUMERIK_G(248), GROUP_NONE, CODE_REFUSED, "smooth retraction"},
 	{SINUMERIK_G(290), GROUP_NONE, CODE_IGNORED, "language of Siemens"},
 	{SINUMERIK_G(291), GROUP_NONE, CODE_REFUSED, "ISO mode, the language of Fanuc"},
-	{SINUMERIK_G(331), GROUP_NONE, CODE_REFUSED, "rigid tapping"},
-	{SINUMERIK_G(332), GROUP_NONE, CODE_REFUSED, "rigid tapping, retraction"},
+	{SINUMERIK_G(331), SINUMERIK_MOTION, CODE_READ, "rigid tapping"},
+	{SINUMERIK_G(332), SINUMERIK_MOTION, CODE_READ, "rigid tapping, retraction"},
 	{SINUMERIK_G(340), GROUP_NONE, CODE_IGNORED, "smooth approach in space"},
 	{SINUMERIK_G(341), GROUP_NONE, CODE_IGNORED, "smooth approach in the plane"},
 	{SINUMERIK_G(347), GROUP_NONE, CODE_REFUSED, "smooth approach"},

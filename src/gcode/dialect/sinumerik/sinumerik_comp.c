@@ -37,7 +37,7 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 	}
 	if (block->code[SINUMERIK_PLANE] != CODE_NONE && block->code[SINUMERIK_PLANE] != interp->state.plane)
 		return refuse(interp, block->code_column[SINUMERIK_PLANE], "a change of the plane");
-	if (once != CODE_NONE && once != G4)
+	if (once == SINUMERIK_G(74) || once == SINUMERIK_G(75))
 		return refuse(interp, block->code_column[SINUMERIK_ONCE], "a move in the machine's coordinates");
 	if (sinumerik_block_has(block, 'D') && fabs(block->value['D' - 'A'] - sinumerik_of(interp)->edge) > 0)
 		return refuse(interp, block->column['D' - 'A'], "another D");

@@ -7,7 +7,6 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
-#include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/execute/motion_commands.h"
 
 /* 840D sl, "CYCLE83", VARI = 1: how far above the last depth the rapid ends, by the depth of the hole, mm. */
@@ -268,11 +267,18 @@ static bool bore_feed(struct drilling *d)
 static const struct cycle {
 	const char *name;
 	bool (*run)(struct drilling *d);
+	size_t axis;	/* where _AXN is among its arguments; 0: it has none */
 } cycles[] = {
-	{"CYCLE81", drill},	      {"CYCLE82", counterbore},	  {"CYCLE83", deep},
-	{"CYCLE84", tap_rigid},	      {"CYCLE840", tap_floating}, {"CYCLE85", ream},
-	{"CYCLE86", bore_oriented},   {"CYCLE87", bore_stop},	  {"CYCLE88", bore_stop_dwell},
-	{"CYCLE89", bore_feed},
+	{"CYCLE81", drill, 0},
+	{"CYCLE82", counterbore, 0},
+	{"CYCLE83", deep, 12},
+	{"CYCLE84", tap_rigid, 12},
+	{"CYCLE840", tap_floating, 11},
+	{"CYCLE85", ream, 0},
+	{"CYCLE86", bore_oriented, 0},
+	{"CYCLE87", bore_stop, 0},
+	{"CYCLE88", bore_stop_dwell, 0},
+	{"CYCLE89", bore_feed, 0},
 };
 
 static const struct cycle *find(const char *name)
@@ -309,6 +315,18 @@ static bool find_planes(struct drilling *d)
 	return true;
 }
 
+/* _AXN: 1, 2 and 3 name the geometry axis that drills, whatever the plane; 0 leaves it to the plane. */
+static bool check_axis(const struct drilling *d, size_t i)
+{
+	const double axis = i > 0 ? argument(d, i, 0) : 0;
+
+	return !(axis >= 1 && axis <= 3) || (int)axis - 1 + SLOT_X == (int)d->depth ||
+	       fault(&d->interp->at, d->column,
+		     "_AXN=%.15g has the cycle drill along %c, which is not the axis across the plane in force; select its "
+		     "plane",
+		     axis, "XYZ"[(int)axis - 1]);
+}
+
 bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column)
 {
 	const int plane = interp->state.plane;
@@ -319,76 +337,10 @@ bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double
 	d.b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
 	if (!interp->config->has_axis[d.depth])
 		return fault(&interp->at, column, "the machine has no %c axis", AXIS_LETTERS[d.depth]);
+	if (!check_axis(&d, find(name)->axis))
+		return false;
 	d.at = *sinumerik_frame_place(interp);
 	return find_planes(&d) && find(name)->run(&d);
-}
-
-/* ---------------------------------------------------------------- patterns */
-
-bool sinumerik_cycle_is_pattern(const char *name)
-{
-	return !strcmp(name, "HOLES1") || !strcmp(name, "HOLES2");
-}
-
-static bool drill_at(struct interp *interp, enum axis_slot a, enum axis_slot b, double at_a, double at_b)
-{
-	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
-	slot_values target = *sinumerik_frame_place(interp);
-
-	target.v[a] = at_a;
-	target.v[b] = at_b;
-	return sinumerik_move_to(interp, &target, true) &&
-	       sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
-}
-
-/* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
-static bool run_row(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
-{
-	const double scale = interp->state.scale, c = math_cos_degrees(n[2]), s = math_sin_degrees(n[2]), count = n[5];
-	const slot_values *place = sinumerik_frame_place(interp);
-	const double first = n[3] * scale, last = (n[3] + (count - 1) * n[4]) * scale;
-	const double along = (place->v[a] - n[0] * scale) * c + (place->v[b] - n[1] * scale) * s;
-	const bool backward = fabs(along - last) < fabs(along - first);
-
-	for (int i = 0; i < (int)count; i++) {
-		const double step = backward ? count - 1 - i : i, at = (n[3] + step * n[4]) * scale;
-
-		if (!drill_at(interp, a, b, n[0] * scale + at * c, n[1] * scale + at * s))
-			return false;
-	}
-	return true;
-}
-
-/* HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): a circle; INDA 0 divides all of it. */
-static bool run_ring(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
-{
-	const double scale = interp->state.scale, step = fabs(n[4]) > 0 ? n[4] : 360 / n[5];
-
-	for (int i = 0; i < (int)n[5]; i++) {
-		const double angle = n[3] + i * step;
-		const double x = n[0] + n[2] * math_cos_degrees(angle), y = n[1] + n[2] * math_sin_degrees(angle);
-
-		if (!drill_at(interp, a, b, x * scale, y * scale))
-			return false;
-	}
-	return true;
-}
-
-bool sinumerik_cycle_pattern(struct interp *interp, const char *name, int column)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const int plane = interp->state.plane;
-	const enum axis_slot a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
-	const enum axis_slot b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
-	double n[6];
-
-	if (!sinumerik->modal.on || !sinumerik->modal.cycle)
-		return fault(&interp->at, column, "%s needs a cycle that MCALL has made modal", name);
-	for (size_t i = 0; i < 6; i++)
-		n[i] = i < sinumerik->argument_count && !isnan(sinumerik->arguments[i]) ? sinumerik->arguments[i] : 0;
-	if (!(n[5] >= 1 && n[5] <= 9999) || floor(n[5]) < n[5])
-		return fault(&interp->at, column, "%s needs a number of holes, NUM, from 1 to 9999", name);
-	return name[5] == '1' ? run_row(interp, n, a, b) : run_ring(interp, n, a, b);
 }
 
 const char *sinumerik_cycle_refused(const char *name)
@@ -398,7 +350,7 @@ const char *sinumerik_cycle_refused(const char *name)
 	} refused[] = {
 		{"POCKET", "milling of a pocket"},     {"SLOT", "milling of slots"},
 		{"LONGHOLE", "milling of long holes"}, {"CYCLE801", "grid of holes"},
-		{"CYCLE802", "positions of holes"},    {"CYCLE90", "thread milling"},
+		{"CYCLE90", "thread milling"},
 		{"CYCLE6", "milling of a contour"},    {"CYCLE7", "milling of a face or a contour"},
 		{"CYCLE9", "turning or measuring"},    {"CYCLE899", "milling of a slot"},
 		{"CYCLE8", "cycle of the control"},    {"CYCLE1", "measuring with a probe"},

@@ -1,4 +1,4 @@
-/* sinumerik_cycle.h - CYCLE81 to CYCLE89, CYCLE840, patterns of holes (HOLES1, HOLES2), CYCLE832. */
+/* sinumerik_cycle.h - CYCLE81 to CYCLE89, CYCLE840. */
 #ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CYCLE_H
 #define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_CYCLE_H
 
@@ -9,12 +9,6 @@ bool sinumerik_cycle_drills(const char *name);
 
 /* Drills by this cycle with these arguments (NAN: left out) where the tool stands. False: reported. */
 bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column);
-
-/* Is it a pattern of holes? */
-bool sinumerik_cycle_is_pattern(const char *name);
-
-/* Goes to each hole of the pattern and drills it by the modal cycle. False: reported. */
-bool sinumerik_cycle_pattern(struct interp *interp, const char *name, int column);
 
 /* A cycle of the control that is known and refused: what it does; NULL: it is none. */
 const char *sinumerik_cycle_refused(const char *name);

@@ -212,6 +212,7 @@ static bool leave_loops(const struct flow *flow, long line)
 struct jump {
 	bool given;	/* a word of a jump */
 	bool may_miss;	/* GOTOC */
+	bool to_start;	/* GOTOS, which has no target */
 	enum sinumerik_direction direction;
 	char target[SINUMERIK_NAME + 1];
 	int column;
@@ -236,8 +237,12 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 		jump->may_miss = words[i].may_miss;
 	}
 	if (!jump->given)
+		jump->given = jump->to_start = sinumerik_expr_take(lexer, "GOTOS");
+	if (!jump->given)
 		return true;
 	jump->column = expr_column(lexer);
+	if (jump->to_start)
+		return true;
 	if (lexer_peek(lexer) == '"' || sinumerik_expr_is_text(flow->interp, lexer)) {
 		if (!sinumerik_expr_text(flow->interp, lexer, &text))
 			return false;
@@ -249,11 +254,27 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 	       fault(lexer->at, jump->column, "the label or block number to jump to is needed here");
 }
 
+/* Back to the start of the main program. */
+static bool start_again(const struct flow *flow, const struct jump *jump)
+{
+	const struct position top = sinumerik_seek_top(flow->interp);
+
+	if (sinumerik_call_is_inside(flow->interp))
+		return fault(flow->lexer->at, jump->column, "GOTOS in a subprogram is not supported");
+	if (flow->interp->faulty)
+		return true;
+	flow->sinumerik->loop_count = 0;
+	sinumerik_call_jumped(flow->interp, top.line);
+	return go(flow, &top);
+}
+
 static bool make_jump(const struct flow *flow, const struct jump *jump)
 {
 	struct position to;
 	bool found;
 
+	if (jump->to_start)
+		return start_again(flow, jump);
 	if (!sinumerik_seek_label(flow->interp, jump->target, jump->direction, jump->column, &to, &found))
 		return false;
 	if (!found && jump->may_miss)
@@ -437,7 +458,7 @@ bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done)
 	}
 	if (!strcmp(name, "ENDIF"))
 		return at_end(&flow);
-	if (!strncmp(name, "GOTO", 4) && (name[4] == '\0' || (strchr("FBC", name[4]) && name[5] == '\0')))
+	if (!strncmp(name, "GOTO", 4) && (name[4] == '\0' || (strchr("FBCS", name[4]) && name[5] == '\0')))
 		return run_goto(&flow, start);
 	if (!strcmp(name, "REPEATB"))
 		return run_repeat(&flow, true);

@@ -6,6 +6,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
+#include "gcode/dialect/sinumerik/sinumerik_pattern.h"
 #include "gcode/dialect/sinumerik/sinumerik_swivel.h"
 #include "gcode/eval/expr.h"
 
@@ -46,13 +47,13 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
 	if (block->modal)
 		return set_modal(interp, block);
-	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_cycle_is_pattern(name) ||
+	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) ||
 				       !strncmp(name, "CYCLE8", 6)))
 		return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", name);
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
-	if (sinumerik_cycle_is_pattern(name))
-		return sinumerik_cycle_pattern(interp, name, column);
+	if (sinumerik_pattern_is(name))
+		return sinumerik_pattern_run(interp, name, column);
 	if (!strcmp(name, "CYCLE800"))
 		return sinumerik_swivel_run(interp, column);
 	if (!strcmp(name, "CYCLE832"))

@@ -3,9 +3,11 @@
 #include <math.h>
 
 #include "base/same_double.h"
+#include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
+#include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -140,6 +142,57 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 	return arrive(interp, &target, &move, NULL);
 }
 
+/* ----------------------------------------------------------------- threads */
+
+static bool is_thread(int motion)
+{
+	return motion == SINUMERIK_G(33) || motion == SINUMERIK_G(331) || motion == SINUMERIK_G(332);
+}
+
+/*
+ * 840D sl, "Thread cutting (G33)" and "Rigid tapping (G331, G332)": straight along one axis, by its pitch (I, J, K) in
+ * each turn of the spindle.
+ */
+static bool run_thread(struct interp *interp, const struct sinumerik_block *block, bool machine)
+{
+	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true};
+	const int column = interp->block.g_column[G_MOTION], code = interp->state.motion / 10;
+	slot_values target;
+	double pitch = 0;
+
+	if (machine || interp->comp.side != 0 || interp->corner.on || interp->state.tcp == TCP_BY_LENGTH)
+		return fault(&interp->at, column,
+			     "G%d beside SUPA, TRAORI, a chamfer or tool radius compensation is not supported", code);
+	for (int i = 0; i < 3; i++) {
+		if (sinumerik_block_has(block, "XYZ"[i]) && sinumerik_block_has(block, "IJK"[i]))
+			pitch = fabs(block->value["IJK"[i] - 'A']) * interp->state.scale;
+	}
+	if (!(pitch > 0))
+		return fault(&interp->at, column, "G%d needs the pitch of its axis: I of X, J of Y, K of Z", code);
+	if (!(interp->state.speed > 0))
+		return fault(&interp->at, column, "G%d without a spindle speed (S)", code);
+	move.feed.linear = pitch * interp->state.speed / SECONDS_PER_MINUTE;
+	return sinumerik_target_find(interp, block, &target) && arrive(interp, &target, &move, NULL);
+}
+
+/* "Tapping with compensating chuck (G63)": straight at the programmed feed, for its block. */
+bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true};
+	const int column = block->code_column[SINUMERIK_ONCE];
+	slot_values target;
+
+	if (!(block->letters & AXIS_BITS))
+		return fault(&interp->at, column, "G63 needs the axis that it moves");
+	if (interp->comp.side != 0 || interp->corner.on || block->code[SINUMERIK_SUPPRESSION] != CODE_NONE)
+		return fault(&interp->at, column,
+			     "G63 beside SUPA, a chamfer or tool radius compensation is not supported");
+	show_block(interp, block, G1);
+	interp->block.g_column[G_MOTION] = column;
+	return sinumerik_target_check(interp, block, false, false) && motion_commands_feed(interp, &move.feed) &&
+	       sinumerik_target_find(interp, block, &target) && arrive(interp, &target, &move, NULL);
+}
+
 static bool run_circle(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct canon_move move = {.kind = CANON_ARC};
@@ -189,7 +242,7 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 					     "this word belongs to a circle (G2, G3, CIP)");
 		}
 	}
-	for (const char *letter = "IJK"; *letter && !circle; letter++) {
+	for (const char *letter = "IJK"; *letter && !circle && !is_thread(interp->state.motion); letter++) {
 		if (sinumerik_block_has(block, *letter))
 			return fault(&interp->at, block->column[*letter - 'A'], "%c belongs to a circle (G2, G3)",
 				     *letter);
@@ -210,19 +263,21 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	if (given != CODE_NONE)
 		state->motion = given;
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP;
-	axes = (block->letters & AXIS_BITS) || (block->addresses & VECTOR_BITS) ||
+	axes = (block->letters & AXIS_BITS) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	*moved = false;
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;
 	if (!axes)
 		return true;
-	if (!sinumerik_target_check(interp, block, machine, circle))
+	if (!sinumerik_target_check(interp, block, machine, circle || (block->addresses & SINUMERIK_POLAR_BITS)))
 		return false;
 	*moved = !machine;
-	show_block(interp, block, state->motion == SINUMERIK_CIP ? G2 : state->motion);
+	show_block(interp, block, state->motion == SINUMERIK_CIP ? G2 : is_thread(state->motion) ? G1 : state->motion);
 	if (circle && machine)
 		return fault(&interp->at, block->code_column[SINUMERIK_SUPPRESSION],
 			     "SUPA, G53 and G153 need G0 or G1, not a circle");
+	if (is_thread(state->motion))
+		return run_thread(interp, block, machine);
 	return circle ? run_circle(interp, block) : run_line(interp, block, machine);
 }

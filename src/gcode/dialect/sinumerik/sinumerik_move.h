@@ -10,6 +10,9 @@
  */
 bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *block, bool *moved);
 
+/* G63 of the block. False: as above. */
+bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *block);
+
 /* A move to program coordinates, at the rapid rate or at the feed in force. False: as above. */
 bool sinumerik_move_to(struct interp *interp, const slot_values *target, bool rapid);
 

@@ -62,8 +62,11 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct state *state = &interp->state;
 
+	/* No transformation is active that TRAFOOF would end. */
+	if (sinumerik->swivelled && !on)
+		return true;
 	if (sinumerik->swivelled)
-		return fault(&interp->at, column, "TRAORI and TRAFOOF while CYCLE800 has swivelled; CYCLE800() first");
+		return fault(&interp->at, column, "TRAORI while CYCLE800 has swivelled; CYCLE800() first");
 	if (on == (state->tcp != TCP_OFF))
 		return true;
 	if (sinumerik->edge_unsure && on)

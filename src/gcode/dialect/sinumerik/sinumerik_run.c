@@ -12,11 +12,13 @@
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
+#include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
 #include "gcode/eval/expr.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "gcode/execute/work_offset_use.h"
 
@@ -45,11 +47,17 @@ static bool set_feed(struct interp *interp, const struct sinumerik_block *block)
 	return true;
 }
 
+static bool is_limit(int once)
+{
+	return once == SINUMERIK_G(25) || once == SINUMERIK_G(26);
+}
+
 static bool set_speed(struct interp *interp, const struct sinumerik_block *block)
 {
 	const double speed = block->value['S' - 'A'];
 
-	if (!sinumerik_block_has(block, 'S') || block->code[SINUMERIK_ONCE] == G4)
+	if (!sinumerik_block_has(block, 'S') || block->code[SINUMERIK_ONCE] == G4 ||
+	    is_limit(block->code[SINUMERIK_ONCE]))
 		return true;
 	if (speed < 0)
 		return fault(&interp->at, block->column['S' - 'A'], "a spindle speed cannot be negative");
@@ -337,6 +345,13 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 		return run_frame(interp, block);
 	if (block->code[SINUMERIK_ONCE] == G4)
 		return run_dwell(interp, block);
+	if (block->code[SINUMERIK_ONCE] == SINUMERIK_G(63))
+		return sinumerik_move_tap(interp, block);
+	/* G25 and G26: limits that no axis moves for. */
+	if (is_limit(block->code[SINUMERIK_ONCE]))
+		return true;
+	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110))
+		return sinumerik_polar_set_pole(interp, block);
 	if (block->code[SINUMERIK_ONCE] != CODE_NONE)
 		return run_reference(interp, block);
 	*done = false;
@@ -374,7 +389,28 @@ static bool has_more(const struct sinumerik_block *block)
 	return more;
 }
 
-bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+/*
+ * Behind a fault only the words are read on, to report other faults. Where the block would have led is taken, so that
+ * the next circle has its start.
+ */
+static void take_end(struct interp *interp, const struct sinumerik_block *block)
+{
+	slot_values place = *sinumerik_frame_place(interp), position;
+
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const int index = AXIS_LETTERS[slot] - 'A';
+
+		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) && block->way[index] <= SINUMERIK_WAY_AC)
+			place.v[slot] = block->value[index] * (slot_is_rotary(slot) ? 1 : interp->state.scale);
+	}
+	position = sinumerik_frame_straight(interp, &place);
+	position = rotated_frame_position(&interp->state, &position);
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		state_set_position(&interp->state, slot, position.v[slot]);
+	sinumerik_frame_moved(interp);
+}
+
+static bool run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
 {
 	struct ending ending = {.stops = false};
 	bool done, moved = false;
@@ -396,4 +432,15 @@ bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinu
 	if (moved && !sinumerik_invoke_modal(interp))
 		return false;
 	return finish(interp, &ending);
+}
+
+bool sinumerik_run(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
+{
+	if (run(interp, lexer, block))
+		return true;
+	if (interp->config->read.all_faults && !interp->state.incremental &&
+	    block->code[SINUMERIK_SUPPRESSION] == CODE_NONE && block->code[SINUMERIK_ONCE] == CODE_NONE &&
+	    block->code[SINUMERIK_FRAME] == CODE_NONE)
+		take_end(interp, block);
+	return false;
 }

@@ -89,8 +89,41 @@ bool sinumerik_seek_has_jump(const char *words)
 	return false;
 }
 
+/* "%_N_NAME_SPF": the head of a program among others in a file. */
+static bool is_head(const char *text)
+{
+	return text[skip_blanks(text, 0)] == '%';
+}
+
+/* Is it the head of the program with this upper-case name? */
+static bool heads(const char *text, const char *name)
+{
+	size_t at = skip_blanks(text, skip_blanks(text, 0) + 1), length;
+	char found[SINUMERIK_NAME + 1];
+
+	if (!is_head(text))
+		return false;
+	if (!strncmp(text + at, "_N_", 3))
+		at += 3;
+	copy_name(text, at, found);
+	length = strlen(found);
+	if (length > 4 && (!strcmp(found + length - 4, "_SPF") || !strcmp(found + length - 4, "_MPF")))
+		found[length - 4] = '\0';
+	return !strcmp(found, name);
+}
+
 struct position sinumerik_seek_top(struct interp *interp)
 {
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	for (int i = sinumerik->depth; i-- > 0;) {
+		const struct sinumerik_call *call = &sinumerik->calls[i];
+
+		if (!call->last_line)
+			return call->entry.source == interp->program.source
+				   ? call->entry
+				   : (struct position){interp->program.source, 0, 1};
+	}
 	if (interp->program.source == interp->program.start.source)
 		return interp->program.start;
 	return (struct position){interp->program.source, 0, 1};
@@ -167,6 +200,9 @@ static bool scan(struct interp *interp, const char *name, long last, bool first,
 
 		if (cancelled(interp, reader))
 			return false;
+		/* Another program begins. */
+		if (!last && is_head(text))
+			return true;
 		if (!label_matches(&head, name))
 			continue;
 		*to = source_here(source);
@@ -214,6 +250,33 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	return good;
 }
 
+bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found)
+{
+	struct source *source = interp->program.source;
+	const struct position next = source_next(source), top = {source, 0, 1};
+	const char *text;
+	char key[SINUMERIK_NAME + 1] = "%";
+
+	strncat(key, name, SINUMERIK_NAME - 1);
+	*found = true;
+	if (recall(interp, key, 0, to))
+		return true;
+	*found = false;
+	keep_line(interp);
+	if (!program_jump(&interp->program, &top, &interp->at, column))
+		return false;
+	while (!*found && reader_next(&source->reader, &text) == READER_LINE) {
+		if (cancelled(interp, &source->reader))
+			return false;
+		*found = heads(text, name);
+	}
+	if (*found) {
+		*to = source_next(source);
+		remember(interp, key, 0, to);
+	}
+	return come_back(interp, &next, column);
+}
+
 /* -------------------------------------------------------------- structures */
 
 struct structure {
@@ -254,6 +317,8 @@ static bool scan_close(struct interp *interp, enum sinumerik_close close, struct
 
 		if (cancelled(interp, &source->reader))
 			return false;
+		if (is_head(text))
+			return true;
 		if (opens(words, structure))
 			depth++;
 		else if (is_word(words, 0, structure->close))

@@ -46,7 +46,13 @@ bool sinumerik_seek_close_of(struct interp *interp, enum sinumerik_close close, 
 /* Is the line a condition with a jump in it, which has no ENDIF? */
 bool sinumerik_seek_has_jump(const char *words);
 
-/* The first line of the file in hand. */
+/*
+ * Finds the program of this upper-case name among others in the file in hand; *to is the line behind its head. False:
+ * reported, or cancelled.
+ */
+bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found);
+
+/* The first line of the program in hand. */
 struct position sinumerik_seek_top(struct interp *interp);
 
 #endif

@@ -55,6 +55,14 @@ struct sinumerik_frame {
 	slot_values shift;	/* X Y Z: translation behind the matrix */
 };
 
+/* Polar coordinates: sinumerik_polar.h. */
+struct sinumerik_polar {
+	struct plane_point pole;	/* program coordinates, mm */
+	int plane;	/* that it was given in */
+	bool has_radius, has_angle;
+	double radius, angle;	/* mm, degrees: given last */
+};
+
 /* What SAVE of PROC keeps for the return. */
 struct sinumerik_saved {
 	int motion, plane, system, path_code;
@@ -147,6 +155,7 @@ struct sinumerik {
 	int path_code;	/* G60, G64, G641 ... */
 	double smoothing;	/* mm: the tolerance of CYCLE832 or CTOL; 0: not known */
 	bool compresses;	/* COMPCAD and its like */
+	struct sinumerik_polar polar;
 	int approach;	/* NORM, KONT, or CODE_NONE: a parameter says */
 	int corner;	/* G450, G451, or CODE_NONE */
 	double disc;	/* DISC: 0 is a circle */

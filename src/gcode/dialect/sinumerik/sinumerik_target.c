@@ -5,6 +5,7 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/execute/endpoint.h"
 #include "geom/tolerance.h"
 
@@ -37,6 +38,8 @@ static bool asks(const struct interp *interp, enum g_group group)
 
 static bool has_modal_word(const struct sinumerik_block *block)
 {
+	if (sinumerik_block_has_address(block, SINUMERIK_AP) && block->address_way[SINUMERIK_AP] == SINUMERIK_WAY_MODAL)
+		return true;
 	for (const char *letter = AXIS_LETTERS; *letter; letter++) {
 		if (sinumerik_block_has(block, *letter) && block->way[*letter - 'A'] == SINUMERIK_WAY_MODAL)
 			return true;
@@ -252,7 +255,7 @@ bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *
 		    !find_coordinate(interp, block, slot, &target->v[slot]))
 			return false;
 	}
-	return true;
+	return !(block->addresses & SINUMERIK_POLAR_BITS) || sinumerik_polar_find(interp, block, target);
 }
 
 bool sinumerik_target_find_machine(struct interp *interp, const struct sinumerik_block *block, slot_values *target)

@@ -1,0 +1,119 @@
+#include "gcode/dialect/sinumerik/sinumerik_polar.h"
+
+#include <math.h>
+
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/execute/cutter_comp/comp_moves.h"
+
+static char letter_a(const struct interp *interp)
+{
+	return AXIS_LETTERS[comp_slot_a(interp)];
+}
+
+static char letter_b(const struct interp *interp)
+{
+	return AXIS_LETTERS[comp_slot_b(interp)];
+}
+
+/* The pole belongs to the plane that it was given in; the workpiece's zero is the first one of any plane. */
+struct plane_point sinumerik_polar_pole(const struct interp *interp)
+{
+	const struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
+
+	return polar->plane == interp->state.plane ? polar->pole : (struct plane_point){0, 0};
+}
+
+/*
+ * RP stays in force to the end of the program; it is absolute, and not negative. AP counts from the first axis of the
+ * plane, or with IC from the last AP.
+ */
+static bool take_words(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
+	const enum sinumerik_way radius_way = (enum sinumerik_way)block->address_way[SINUMERIK_RP];
+	const enum sinumerik_way way = (enum sinumerik_way)block->address_way[SINUMERIK_AP];
+	const bool radius = sinumerik_block_has_address(block, SINUMERIK_RP);
+	const bool angle = sinumerik_block_has_address(block, SINUMERIK_AP);
+	const int column = block->address_column[radius ? SINUMERIK_RP : SINUMERIK_AP];
+
+	if (radius && (radius_way > SINUMERIK_WAY_AC || block->address_value[SINUMERIK_RP] < 0))
+		return fault(&interp->at, column, "RP= is an absolute radius that is not negative");
+	if (!radius && !polar->has_radius)
+		return fault(&interp->at, column, "AP= without any RP= before");
+	if (!angle && !polar->has_angle)
+		return fault(&interp->at, column, "RP= without any AP= before");
+	if (angle && way > SINUMERIK_WAY_IC)
+		return fault(&interp->at, column, "AP= takes AC or IC");
+	if (angle && way == SINUMERIK_WAY_MODAL && interp->state.incremental)
+		return fault(&interp->at, column, "AP= under G91: write AP=AC() or AP=IC()");
+	if (angle && way == SINUMERIK_WAY_IC && !polar->has_angle)
+		return fault(&interp->at, column, "AP=IC() without any AP= before");
+	if (radius)
+		polar->radius = block->address_value[SINUMERIK_RP] * interp->state.scale;
+	if (angle)
+		polar->angle = block->address_value[SINUMERIK_AP] + (way == SINUMERIK_WAY_IC ? polar->angle : 0);
+	polar->has_radius = polar->has_angle = true;
+	return true;
+}
+
+static struct plane_point away(const struct interp *interp, struct plane_point from)
+{
+	const struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
+
+	return (struct plane_point){from.a + polar->radius * cos(radians(polar->angle)),
+				    from.b + polar->radius * sin(radians(polar->angle))};
+}
+
+bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const enum axis_slot a = comp_slot_a(interp), b = comp_slot_b(interp);
+	struct plane_point end;
+
+	if (sinumerik_block_has(block, letter_a(interp)) || sinumerik_block_has(block, letter_b(interp)))
+		return fault(&interp->at, sinumerik_block_axis_column(block),
+			     "AP= and RP= stand in place of the coordinates %c and %c", letter_a(interp), letter_b(interp));
+	if (!take_words(interp, block))
+		return false;
+	end = away(interp, sinumerik_polar_pole(interp));
+	target->v[a] = end.a;
+	target->v[b] = end.b;
+	sinumerik->shifted[a] = sinumerik->shifted[b] = false;
+	return true;
+}
+
+/* G110 counts from where the tool is, G111 from the workpiece's zero, G112 from the last pole. */
+bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
+	const int code = block->code[SINUMERIK_ONCE], column = block->code_column[SINUMERIK_ONCE];
+	const slot_values *place = sinumerik_frame_place(interp);
+	const char a = letter_a(interp), b = letter_b(interp);
+	struct plane_point from = {0, 0};
+
+	if (interp->state.unknown_modes & (1U << G_PLANE | 1U << G_UNITS))
+		return fault(&interp->at, column, "a pole needs G17, G18 or G19, and G70, G71, G700 or G710 before it");
+	if (code == SINUMERIK_G(110))
+		from = (struct plane_point){place->v[comp_slot_a(interp)], place->v[comp_slot_b(interp)]};
+	else if (code == SINUMERIK_G(112))
+		from = sinumerik_polar_pole(interp);
+	if (block->letters & AXIS_BITS & ~(letter_bit(a) | letter_bit(b)))
+		return fault(&interp->at, column, "G%d has coordinates of the plane only, %c and %c", code / 10, a, b);
+	if (block->addresses & SINUMERIK_POLAR_BITS) {
+		if ((block->letters & AXIS_BITS) || (block->addresses & SINUMERIK_POLAR_BITS) != SINUMERIK_POLAR_BITS)
+			return fault(&interp->at, column, "a pole has AP= and RP=, or coordinates");
+		if (!take_words(interp, block))
+			return false;
+		from = away(interp, from);
+	} else if (!(block->letters & AXIS_BITS)) {
+		return fault(&interp->at, column, "G%d needs the coordinates of the pole", code / 10);
+	}
+	if (sinumerik_block_has(block, a))
+		from.a += block->value[a - 'A'] * interp->state.scale;
+	if (sinumerik_block_has(block, b))
+		from.b += block->value[b - 'A'] * interp->state.scale;
+	polar->pole = from;
+	polar->plane = interp->state.plane;
+	return true;
+}

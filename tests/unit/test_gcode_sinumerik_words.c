@@ -1,0 +1,119 @@
+/* test_gcode_sinumerik_words.c - the sinumerik dialect: polar coordinates, threads, several programs in a file. */
+#include "sinumerik_case.h"
+
+static const struct program {
+	const char *text, *moves;
+} programs[] = {
+	/* "Polar coordinates": G111 from the zero, G110 from the tool, G112 from the last pole. */
+	{"F6 G500 G17\nG111 X10 Y10\nG0 RP=20 AP=30 Z5\nAP=90\nG1 AP=IC(90)\nRP=10\n",
+	 "rapid 27.3205081 20 5 0 0\nrapid 10 30 5 0 0\nfeed -10 10 5 0 0\nfeed 0 10 5 0 0\n"},
+	{"F6 G500 G17\nRP=5 AP=0\nX1 Y2\nG110 X1 Y1\nRP=1 AP=180\nG112 AP=90 RP=2\nRP=1 AP=0\n",
+	 "feed 5 0 0 0 0\nfeed 1 2 0 0 0\nfeed 1 3 0 0 0\nfeed 3 5 0 0 0\n"},
+	/* The pole is the centre of a circle; a helix may have full turns. */
+	{"F6 G500 G17\nG111 X10 Y0\nG1 RP=10 AP=180\nG3 AP=270 RP=10\nG2 AP=180 Z-5 TURN=1\n",
+	 "feed 0 0 0 0 0\narc 10 -10 0 0 0 centre 10 0 0 normal 0 0 1 sweep 90\n"
+	 "arc 0 0 -5 0 0 centre 10 0 0 normal 0 0 1 sweep -450\n"},
+	{"F6 G500 G18\nG111 Z1 X2\nRP=3 AP=90\n",
+	 "feed 5 0 1 0 0\n"},
+	/* "Thread cutting (G33)", "Rigid tapping": the pitch in each turn; G63 at its feed, for its block. */
+	{"F6 G500 G0 Z2\nG331 Z-10 K1.5 S600\nG332 Z2 K1.5\nG0 X1\nG63 Z-3 F60\nZ0\n",
+	 "rapid 0 0 2 0 0\nfeed 0 0 -10 0 0\nfeed 0 0 2 0 0\nrapid 1 0 2 0 0\nfeed 1 0 -3 0 0\n"
+	 "rapid 1 0 0 0 0\n"},
+	{"F6 G500 S60 M3\nG33 Z-10 K2\nZ-12 K1\n",
+	 "feed 0 0 -10 0 0\nfeed 0 0 -12 0 0\n"},
+	/* G25 and G26 move no axis, and S of them is no speed. */
+	{"F6 G500 S100\nG25 X-1000 Y5 S50\nG26 S9000\nG95 F1\nX6\n",
+	 "feed 6 0 0 0 0\n"},
+	/* GOTOS begins the program again. */
+	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},
+	/* Several programs in one file: labels and loops end with theirs. */
+	{"%_N_MAIN_MPF\nF6 G500\nSUB_A\nL20 P2\nGOTOC LATER\nM30\n%_N_SUB_A_SPF\nR1=0\nLATER: R1=R1+1\nX=R1\n"
+	 "IF R1<2 GOTOB LATER\nM17\n%_N_L20_SPF\n;$PATH=/_N_SPF_DIR\nPROC L20\nY=IC(1)\nRET\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\nfeed 2 2 0 0 0\n"},
+	{"%_N_MAIN_MPF\nF6 G500\nX1\n%_N_SUB_A_SPF\nX2\n",
+	 "feed 1 0 0 0 0\n"},
+	/* "Position pattern": without a modal cycle it only goes there. */
+	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,1,-2)\nCYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)\nMCALL\n"
+	 "HOLES1(0,0,0,10,5,2)\n",
+	 "rapid 0 0 10 0 0\nrapid 1 2 10 0 0\nrapid 1 2 1 0 0\nfeed 1 2 -2 0 0\nrapid 1 2 10 0 0\n"
+	 "rapid 3 4 10 0 0\nrapid 3 4 1 0 0\nfeed 3 4 -2 0 0\nrapid 3 4 10 0 0\nrapid 10 0 10 0 0\n"
+	 "rapid 15 0 10 0 0\n"},
+};
+
+static const struct bad {
+	const char *text, *message;
+} bad[] = {
+	{"F6 G500\nAP=30\n", "AP= without any RP= before"},
+	{"F6 G500\nRP=30\n", "RP= without any AP= before"},
+	{"F6 G500\nRP=-3 AP=0\n", "RP= is an absolute radius that is not negative"},
+	{"F6 G500\nRP=IC(3) AP=0\n", "RP= is an absolute radius that is not negative"},
+	{"F6 G500\nRP=3 AP=DC(0)\n", "AP= takes AC or IC"},
+	{"F6 G500\nRP=3 AP=IC(5)\n", "AP=IC() without any AP= before"},
+	{"F6 G500 G91\nRP=3 AP=5\n", "AP= under G91: write AP=AC() or AP=IC()"},
+	{"F6 G500\nRP=3 AP=5 X1\n", "AP= and RP= stand in place of the coordinates X and Y"},
+	{"F6 G500\nG2 RP=3 AP=5 CR=3\n", "a circle to AP= and RP= has its centre at the pole, and no CR=, AR=, I, J or K"},
+	{"F6 G500\nX1\nG2 RP=3 AP=5\n", "the radius of the circle is 1 mm at its start and 3 mm at its end"},
+	{"G110\n", "G110 needs the coordinates of the pole"},
+	{"G111 X1 Z5\n", "G111 has coordinates of the plane only, X and Y"},
+	{"G111 AP=5\n", "a pole has AP= and RP=, or coordinates"},
+	{"F6 G500\nG331 Z-5 S100\n", "G331 needs the pitch of its axis: I of X, J of Y, K of Z"},
+	{"F6 G500\nG331 Z-5 K1\n", "G331 without a spindle speed (S)"},
+	{"F6 G500 S100\nSUPA G33 Z-5 K1\n",
+	 "G33 beside SUPA, TRAORI, a chamfer or tool radius compensation is not supported"},
+	{"F6 G500\nG63\n", "G63 needs the axis that it moves"},
+	{"G500\nG63 Z-5\n", "G1 without a feed rate (F)"},
+	{"F6 G500 G0 Z10\nCYCLE802(211111111,111111111,1,2)\n",
+	 "CYCLE802 with positions that are not all absolute (its first two arguments must be 111111111) is not supported "
+	 "yet"},
+	{"F6 G500 G0 Z10\nCYCLE802(111111111,111111111,1)\nCYCLE802(111111111,111111111,1,)\n",
+	 "a position of CYCLE802 has one coordinate only"},
+	{"F6 G500 G0 Z10\nCYCLE83(10,0,1,-20,,-5,,1,0,0,1,0,1)\n",
+	 "_AXN=1 has the cycle drill along X, which is not the axis across the plane in force; select its plane"},
+	{"%_N_A_MPF\nG500\nSUB_A\n%_N_SUB_A_SPF\nR1=1\n%_N_SUB_B_SPF\nM17\n", "the subprogram ends without M17 or RET"},
+};
+
+START_TEST(moves)
+{
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	c.show_spread = true;
+	ck_assert_msg(case_run(&c, programs[_i].text), "%s%s", programs[_i].text, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), programs[_i].moves);
+	case_release(&c);
+}
+END_TEST
+
+START_TEST(refused)
+{
+	const struct bad *program = &bad[_i];
+	struct strbuf expected = {0};
+	struct gcode_case c;
+
+	sinumerik_case_init(&c);
+	strbuf_addf(&expected, ": error: %s\n", program->message);
+	ck_assert_msg(!case_run(&c, program->text), "accepted: %s", program->text);
+	ck_assert_msg(strstr(strbuf_text(&c.messages), strbuf_text(&expected)) != NULL, "%s%s", program->text,
+		      strbuf_text(&c.messages));
+	strbuf_release(&expected);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_sinumerik_words");
+	TCase *tcase = tcase_create("programs");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, moves, 0, sizeof(programs) / sizeof(programs[0]));
+	tcase_add_loop_test(tcase, refused, 0, sizeof(bad) / sizeof(bad[0]));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
