@@ -85,6 +85,11 @@ enum power_on_units { POWER_ON_UNITS_UNKNOWN, POWER_ON_MM, POWER_ON_INCH };
 enum power_on_distance { POWER_ON_DISTANCE_UNKNOWN, POWER_ON_ABSOLUTE, POWER_ON_INCREMENTAL };
 enum power_on_plane { POWER_ON_PLANE_UNKNOWN, POWER_ON_XY, POWER_ON_ZX, POWER_ON_YZ };
 
+enum power_on_motion { POWER_ON_MOTION_UNKNOWN, POWER_ON_RAPID, POWER_ON_FEED };
+
+/* The word that repeats a canned cycle on controls where a parameter decides. */
+enum cycle_repeats { CYCLE_REPEATS_UNKNOWN, CYCLE_REPEATS_K, CYCLE_REPEATS_L };
+
 /* What the machine's maker has an M-code do. */
 enum mcode_action { MCODE_TCP_ON, MCODE_TCP_OFF, MCODE_IGNORE, MCODE_SPINDLE_ON, MCODE_SPINDLE_OFF };
 
@@ -130,6 +135,8 @@ struct controller {
 	enum power_on_units power_on_units;
 	enum power_on_distance power_on_distance;
 	enum power_on_plane power_on_plane;
+	enum power_on_motion power_on_motion;
+	enum cycle_repeats cycle_repeats;
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;

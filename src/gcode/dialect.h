@@ -121,6 +121,7 @@ struct power_on {
 	int plane;	/* G17, G18, G19 */
 	int feed_mode;	/* G93, G94, G95 */
 	int path;	/* G61, G64; 0: the program's path is kept until it says G64 */
+	bool asks_motion;	/* a parameter decides between G0 and G1; else none is in force */
 };
 
 struct dialect_traits {

@@ -161,6 +161,9 @@ static void init_modes(struct state *state, const struct gcode_config *config)
 	const struct dialect_traits *traits = &config->dialect->traits;
 	const struct power_on own = power_on_of(config), *on = &own;
 
+	if (on->asks_motion && config->controller.power_on_motion != POWER_ON_MOTION_UNKNOWN)
+		state->motion = state->path_motion =
+		    config->controller.power_on_motion == POWER_ON_RAPID ? G0 : G1;
 	state->plane = on->plane ? on->plane : G17;
 	state->incremental = on->distance == G91;
 	state->arc_absolute = traits->arc_centre == ARC_CENTRE_ABSOLUTE;

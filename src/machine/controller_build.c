@@ -114,6 +114,8 @@ static void check_lexis(struct description_file *file, const struct controller_d
 		{described->arc_radius_tolerance.given, "arc_radius_tolerance", "has no such parameter"},
 		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
 		{described->semicolon, "semicolon", "has comments behind ';'"},
+		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
+		{described->cycle_repeats, "cycle_repeats", "has no such parameter"},
 		{described->colon, "colon", "has no program numbers behind ':'"},
 	};
 
@@ -242,6 +244,8 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->power_on_units = from->power_on_units;
 	to->power_on_distance = from->power_on_distance;
 	to->power_on_plane = from->power_on_plane;
+	to->power_on_motion = from->power_on_motion;
+	to->cycle_repeats = from->cycle_repeats;
 	to->rotation_order = from->rotation_order;
 	to->cycle_19_angles = from->cycle_19_angles;
 	to->orientation_interpolation = from->orientation_interpolation;

@@ -89,6 +89,8 @@ struct controller_description {
 	enum power_on_units power_on_units;
 	enum power_on_distance power_on_distance;
 	enum power_on_plane power_on_plane;
+	enum power_on_motion power_on_motion;
+	enum cycle_repeats cycle_repeats;
 	enum answer length_moves;
 	enum length_after_reference length_after_reference;
 	enum g53_with_g91 g53_with_g91;

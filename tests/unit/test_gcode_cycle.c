@@ -350,7 +350,9 @@ static const struct bad bads[] = {
     /* Fanuc B-64484EN, canned cycle for drilling, repeat, fine boring cycle (G76); Haas, G87. */
     {&dialect_fanuc, "G81 X1. Z-1. R1. K0", 18,
      "K0 with a position: whether the tool goes there depends on the control; leave out one of them"},
-    {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18, "no code in the block uses the word L"},
+    {&dialect_fanuc, "G81 X1. Z-1. R1. L2", 18,
+     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" of the machine's <controller> "
+     "says that"},
     {&dialect_fanuc, "G76 X1. Z-1. R1. I1.", 18, "no code in the block uses the word I"},
     {&dialect_fanuc, "G76 X1. Z0. R0. Q1.", 1, "G76 whose retract does not rise from the bottom"},
     {&dialect_haas, "G18 G76 Y-1. R1. I1.", 5, "G76 with I and J in another plane than that of G17; give Q"},

@@ -337,7 +337,8 @@ static const struct {
 	 "here\np.nc:4:1: note: O7 is called from here\np.nc:1:1: note: O7 is called from here\n"},
 	{F, "G5.1\n", "p.nc:1:1: error: G5.1 needs Q\n    G5.1\n    ^\n"},
 	{F, "G5.1 Q2 X1.\n",
-	 "p.nc:1:9: error: axis words, but no motion code is in force (G0, G1, G2, G3)\n    G5.1 Q2 X1.\n     "
+	 "p.nc:1:9: error: axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of "
+	 "the machine's <controller> says which one the control starts with\n    G5.1 Q2 X1.\n     "
 	 "       ^\n"},
 	{F, "G5 P2\n", "p.nc:1:1: error: G5: high-speed cycle machining is not supported yet\n    G5 P2\n    ^\n"},
 	{F, "G8 P2\n", "p.nc:1:4: error: P2: a whole number from 0 to 1 is needed\n    G8 P2\n       ^\n"},

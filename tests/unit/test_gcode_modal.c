@@ -93,7 +93,9 @@ START_TEST(cycles_apart)
 		    "rapid 0 0 5 0 0\nrapid 1 0 5 0 0\nrapid 1 0 1 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 5 0 0\n"
 		    "feed 2 0 5 0 0\nfeed 3 0 5 0 0\nrapid 4 0 5 0 0\n");
 		/* Which motion is in force at power-on is the control's choice. */
-		refuse(dialects[i], "G80\nX1.\n", 1, "axis words, but no motion code is in force (G0, G1, G2, G3)");
+		refuse(dialects[i], "G80\nX1.\n", 1,
+		       "axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of the "
+		       "machine's <controller> says which one the control starts with");
 	}
 	refuse(&dialect_linuxcnc, "G0 X1\nG80\nX2\n", 1, "axis words, but no motion code is in force (G0, G1, G2, G3)");
 }

@@ -330,7 +330,9 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G68 R5.", "G43.4 H1", 1, "tool centre point control while G68 is in force; G69 first"},
     {&dialect_fanuc, "", "G0 G68 X0. R5.", 1, "G68 needs a block without motion, offsets or a dwell"},
     {&dialect_fanuc, "", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
-    {&dialect_fanuc, TILT, "G53.1 X1.", 7, "axis words, but no motion code is in force (G0, G1, G2, G3)"},
+    {&dialect_fanuc, TILT, "G53.1 X1.", 7,
+     "axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of the "
+     "machine's <controller> says which one the control starts with"},
     {&dialect_fanuc, TILT, "G0 X1.", 1,
      "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported"},
     {&dialect_fanuc, TILT "\nG53.1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},

@@ -147,6 +147,35 @@ START_TEST(taps)
 }
 END_TEST
 
+/* B-64484EN, parameters 3402#0 (G01) and 0001#1 (FCV): the motion at power-on, and L in place of K. */
+START_TEST(parameters)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "X1.\nM30\n",
+		     "p.nc:1:1: error: axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or "
+		     "\"feed\" of the machine's <controller> says which one the control starts with");
+	init(&c, &dialect_haas);
+	c.config.controller.power_on_motion = POWER_ON_RAPID;
+	case_expect(&c, "X1.\nF9 G81 X2. Z-1. R0.\nG80 X3.\nM30\n",
+		    "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 2 0 0 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.power_on_motion = POWER_ON_FEED;
+	case_expect(&c, "F9 X1.\nM30\n", "feed 1 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.cycle_repeats = CYCLE_REPEATS_L;
+	case_expect(&c, "F9 G81 Z-1. R0. L0\nX2.\nG80\nM30\n",
+		    "rapid 2 0 0 0 0\nrapid 2 0 0 0 0\nfeed 2 0 -1 0 0\nrapid 2 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.cycle_repeats = CYCLE_REPEATS_L;
+	expect_fault(&c, "F9 G81 X1. Z-1. R0. K2\n", "no code in the block uses the word K");
+	/* The L of M98 is its own. */
+	run(&dialect_fanuc, "F9 G81 X1. Z-1. R0.\nM98 P5 L2\nG80\nM30\nO5\nM99\n",
+	    "rapid 1 0 0 0 0\nrapid 1 0 0 0 0\nfeed 1 0 -1 0 0\nrapid 1 0 0 0 0\n");
+}
+END_TEST
+
 /* B-64484EN, "Auxiliary Function (M Function)": with the move, or behind it, as the builder of the machine has it. */
 START_TEST(tool_change_beside_move)
 {
@@ -202,7 +231,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, tool_change_beside_move, semicolon, colon};
+	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

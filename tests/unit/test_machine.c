@@ -97,6 +97,8 @@ static void check_places(const struct controller *controller)
 	ck_assert_int_eq(controller->m6_with_move, M6_BEFORE_MOVE);
 	ck_assert_int_eq(controller->semicolon, SEMICOLON_STARTS_COMMENT);
 	ck_assert_int_eq(controller->colon, COLON_BLOCK);
+	ck_assert_int_eq(controller->power_on_motion, POWER_ON_FEED);
+	ck_assert_int_eq(controller->cycle_repeats, CYCLE_REPEATS_L);
 	ck_assert_double_eq(controller->arc_radius_tolerance, 0.5);
 	ck_assert(change->given && change->has[SLOT_X] && change->has[SLOT_Y] && change->has[SLOT_C]);
 	ck_assert(!change->has[SLOT_Z] && !change->has[SLOT_A]);

@@ -331,9 +331,18 @@ static bool find_repeats(struct canned_cycle *cycle)
 {
 	struct interp *interp = cycle->interp;
 	const struct block *block = &interp->block;
-	char letter = cycle->traits->repeat_letter;
+	bool asks = cycle->traits->repeat_letter == 'K';
+	bool by_l = asks && interp->config->controller.cycle_repeats == CYCLE_REPEATS_L;
+	char letter = by_l ? 'L' : cycle->traits->repeat_letter;
 
 	cycle->repeats = 1;
+	/* Fanuc's parameter 0001#1 (FCV) has the program format of Series 15, and there L repeats; so it does before 16. */
+	if (asks && !by_l && block_has(block, 'L'))
+		return fault(&interp->at, block_column(block, 'L'),
+			     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" of the "
+			     "machine's <controller> says that");
+	if (by_l && block_has(block, 'K'))
+		return fault(&interp->at, block_column(block, 'K'), "no code in the block uses the word K");
 	if (!block_has(block, letter))
 		return true;
 	if (!block_integer(block, &interp->at, letter, 0, COUNT_MAX, &cycle->repeats))

@@ -44,6 +44,10 @@ int block_motion_column(const struct block *block)
 static bool find_motion(struct block *block, const struct line_place *at, const struct dialect_traits *traits,
 			const struct block_modes *modes)
 {
+	const char *parameter = traits->power_on.asks_motion
+				    ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says which one "
+				      "the control starts with"
+				    : "";
 	bool axes = block->letters & AXIS_BITS;
 	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
 	int given = block->g[G_MOTION], other = block->g[G_NONMODAL];
@@ -96,7 +100,7 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 		return true;
 	if (axes && modes->motion == CODE_NONE)
 		return fault(at, first_column(block, AXIS_BITS),
-			     "axis words, but no motion code is in force (G0, G1, G2, G3)");
+			     "axis words, but no motion code is in force (G0, G1, G2, G3)%s", parameter);
 	if (axes || (offsets && is_arc(modes->motion)))
 		block->motion = modes->motion;
 	return true;
@@ -315,7 +319,9 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= traits->arcs_have_turns != ANSWER_NO ? letter_bit('P') : 0;
 	}
 	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
-		used |= cycle_letters(block->motion, dialect);
+		used |= cycle_letters(block->motion, dialect) |
+			(traits->cycles && traits->cycles->repeat_letter == 'K' && !is_call(block, dialect) ? letter_bit('L')
+													  : 0);
 	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
 	if (block->motion >= G31 && block->motion <= G31_3)
 		used |= letter_bit('P');

@@ -128,6 +128,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const distances[] = {"absolute", "incremental", NULL};
 	static const char *const planes[] = {"xy", "zx", "yz", NULL};
 	static const char *const orders[] = {"after", "before", NULL};
+	static const char *const motions[] = {"rapid", "feed", NULL};
+	static const char *const repeats[] = {"K", "L", NULL};
 	static const char *const semicolons[] = {"comment", "block-end", NULL};
 	static const char *const colons[] = {"program", "block", NULL};
 	static const char *const registers[] = {"radius", "diameter", NULL};
@@ -158,6 +160,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->power_on_distance =
 	    (enum power_on_distance)(xml_choice(xml, node, "power_on_distance", distances, -1) + 1);
 	controller->power_on_plane = (enum power_on_plane)(xml_choice(xml, node, "power_on_plane", planes, -1) + 1);
+	controller->power_on_motion = (enum power_on_motion)(xml_choice(xml, node, "power_on_motion", motions, -1) + 1);
+	controller->cycle_repeats = (enum cycle_repeats)(xml_choice(xml, node, "cycle_repeats", repeats, -1) + 1);
 	controller->g53_with_g91 = (enum g53_with_g91)(xml_choice(xml, node, "g53_with_g91", distances, -1) + 1);
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
 	controller->arc_radius_tolerance = xml_optional_length(xml, node, "arc_radius_tolerance");

@@ -136,7 +136,7 @@ const struct dialect dialect_fanuc = {
 		.last_of_group = ANSWER_YES,
 		/* Parameters decide on units, distance and plane: the machine file has them. */
 		/* Cutting mode: G64 is in force at power-on. */
-		.power_on = {.feed_mode = G94, .path = G64},
+		.power_on = {.feed_mode = G94, .path = G64, .asks_motion = true},
 		.whole_numbers = WHOLE_NUMBERS_INCREMENTS,
 		.known_order = ANSWER_NO,
 		.dwell_letters = "XUP",
