@@ -17,3 +17,17 @@ ENDLOOP
 M30
 NC
 "$FIVECHECK" --parse-only -a s.xml loops.mpf
+
+# A modal call that was refused is none: the blocks behind it are read once, too.
+program modal.mpf <<'NC'
+%
+N1 G500 G17 G71 G90 F600
+MCALL CYCLE80
+X10
+X20
+G2 X30 CR=5
+MCALL NOWHERE
+X40
+M30
+NC
+"$FIVECHECK" --parse-only -a s.xml modal.mpf

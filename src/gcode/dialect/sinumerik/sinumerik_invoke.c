@@ -19,7 +19,8 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	if (!modal->on)
 		return true;
 	modal->cycle = sinumerik_cycle_drills(block->call);
-	if (!modal->cycle && sinumerik_cycle_refused(block->call))
+	modal->on = modal->cycle || !sinumerik_cycle_refused(block->call);
+	if (!modal->on)
 		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
 			     sinumerik_cycle_refused(block->call));
 	strcpy(modal->name, block->call);

@@ -109,7 +109,7 @@ static bool heads(const char *text, const char *name)
 	length = strlen(found);
 	if (length > 4 && (!strcmp(found + length - 4, "_SPF") || !strcmp(found + length - 4, "_MPF")))
 		found[length - 4] = '\0';
-	return !strcmp(found, name);
+	return found[0] && !strcmp(found, name);
 }
 
 struct position sinumerik_seek_top(struct interp *interp)
