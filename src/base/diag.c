@@ -69,12 +69,15 @@ void diag_format(struct strbuf *out, const struct diag_entry *entry)
 {
 	static const char *const names[] = {"note", "warning", "error"};
 
-	strbuf_addf(out, "%s:", entry->loc.file ? entry->loc.file : "fivecheck");
+	strbuf_add_visible(out, entry->loc.file ? entry->loc.file : "fivecheck");
+	strbuf_addf(out, ":");
 	if (entry->loc.line > 0)
 		strbuf_addf(out, "%ld:", entry->loc.line);
 	if (entry->loc.line > 0 && entry->loc.column > 0)
 		strbuf_addf(out, "%d:", entry->loc.column);
-	strbuf_addf(out, " %s: %s\n", names[entry->severity], entry->text);
+	strbuf_addf(out, " %s: ", names[entry->severity]);
+	strbuf_add_visible(out, entry->text);
+	strbuf_addf(out, "\n");
 	if (entry->excerpt)
 		format_excerpt(out, entry->excerpt, entry->loc.column);
 }

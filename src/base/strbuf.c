@@ -38,6 +38,27 @@ void strbuf_addv(struct strbuf *buf, const char *format, va_list args)
 	buf->length += (size_t)length;
 }
 
+/* The bytes of the control character that the text begins with; 0: it begins with something else. */
+static size_t control_bytes(const char *text)
+{
+	const unsigned char first = (unsigned char)text[0], second = first ? (unsigned char)text[1] : 0;
+
+	if (first < 0x20 || first == 0x7f)
+		return 1;
+	/* U+0080 to U+009F in UTF-8 */
+	return first == 0xc2 && second >= 0x80 && second < 0xa0 ? 2 : 0;
+}
+
+void strbuf_add_visible(struct strbuf *buf, const char *text)
+{
+	while (*text) {
+		const size_t controls = control_bytes(text);
+
+		strbuf_add(buf, controls ? "?" : text, 1);
+		text += controls ? controls : 1;
+	}
+}
+
 void strbuf_clear(struct strbuf *buf)
 {
 	buf->length = 0;

@@ -16,6 +16,9 @@ void strbuf_add(struct strbuf *buf, const char *bytes, size_t count);
 void strbuf_addf(struct strbuf *buf, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void strbuf_addv(struct strbuf *buf, const char *format, va_list args) __attribute__((format(printf, 2, 0)));
 
+/* Adds text of one line that others chose, such as the name of a file: control characters become question marks. */
+void strbuf_add_visible(struct strbuf *buf, const char *text);
+
 /* Empties the string and keeps its storage. */
 void strbuf_clear(struct strbuf *buf);
 void strbuf_release(struct strbuf *buf);

@@ -53,8 +53,10 @@ static void add_findings(struct strbuf *out, const struct verdict *v)
 	}
 	format_units_add_count(out, findings, "finding");
 	strbuf_addf(out, findings == 1 ? " in line %ld" : ", the first in line %ld", v->first_line);
-	if (v->first_file && strcmp(v->first_file, v->file) != 0)
-		strbuf_addf(out, " of %s", v->first_file);
+	if (v->first_file && strcmp(v->first_file, v->file) != 0) {
+		strbuf_addf(out, " of ");
+		strbuf_add_visible(out, v->first_file);
+	}
 	if (accepted(v)) {
 		strbuf_addf(out, ", besides ");
 		add_accepted(out, v);

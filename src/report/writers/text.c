@@ -179,7 +179,8 @@ static void add_head(struct strbuf *out, const struct finding *f, struct finding
 {
 	bool fails = style.status == FINDING_FAILS;
 
-	strbuf_addf(out, "%s:%ld:%d: ", f->file, f->line, f->column);
+	strbuf_add_visible(out, f->file);
+	strbuf_addf(out, ":%ld:%d: ", f->line, f->column);
 	if (style.colour)
 		strbuf_addf(out, fails ? "\033[1;31m" : "\033[1;35m");
 	strbuf_addf(out, fails ? "error:" : "warning:");
@@ -230,7 +231,8 @@ void text_verdict(struct strbuf *out, const struct verdict *verdict)
 {
 	struct strbuf caution = {0};
 
-	strbuf_addf(out, "%s: ", verdict->file);
+	strbuf_add_visible(out, verdict->file);
+	strbuf_addf(out, ": ");
 	verdict_add_sentence(out, verdict);
 	strbuf_addf(out, "\n");
 	for (int i = 0; i < VERDICT_CAUTIONS; i++) {
@@ -275,7 +277,8 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 {
 	/* Without this line the list of verdicts would look complete. */
 	if (!program->verdict) {
-		strbuf_addf(out, "%s: incomplete: %s\n", program->name, program->unread);
+		strbuf_add_visible(out, program->name);
+		strbuf_addf(out, ": incomplete: %s\n", program->unread);
 		return;
 	}
 	text_verdict(out, program->verdict);
