@@ -47,7 +47,7 @@ $(BUILD)/%.o: %.c $(FLAGS)
 	$(Q)$(CC) $(PP_FLAGS) $(C_FLAGS) -MMD -MP -c -o $@ $<
 
 # The viewer of reports, which report/html/viewer.c embeds.
-$(BUILD)/gen/report/html/viewer_files.h: $(wildcard src/web/*.js src/web/*.css src/web/boot/*.js) scripts/bundle-web scripts/embed
+$(BUILD)/gen/report/html/viewer_files.h: $(wildcard src/web/*.js src/web/*.css src/web/boot/*.js) scripts/bundle-web scripts/squeeze-js.awk scripts/embed
 	@mkdir -p $(@D)
 	@echo '  GEN $@'
 	$(Q)sh scripts/bundle-web $(BUILD)/gen/web

@@ -6,6 +6,7 @@ import {joinColumns, Levels} from './levels.js';
 import {operations, toolChanges} from './marks.js';
 import {inflate, sevenBit, unpackMesh, unpackTable} from './pack.js';
 import {ReportPath} from './path.js';
+import {turnedMesh} from './turned.js';
 
 /** @typedef {import('./model.js').Model} Model */
 
@@ -52,8 +53,9 @@ export async function readReport() {
 
 /** @param {any} body @returns {import('./model.js').Body} */
 function readBody({name, role, link, tool, mesh}) {
-	const empty = {positions: new Float32Array(0), indices: new Uint32Array(0)};
-	return {name, role, link, tool, mesh: mesh ? unpackMesh(blobBytes(mesh.blob), mesh) : empty};
+	const shape = !mesh ? {positions: new Float32Array(0), indices: new Uint32Array(0)}
+		: mesh.profile ? turnedMesh(mesh) : unpackMesh(blobBytes(mesh.blob), mesh);
+	return {name, role, link, tool, mesh: shape};
 }
 
 /** @param {any} head @returns {Promise<ReportPath>} */

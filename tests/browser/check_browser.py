@@ -124,7 +124,7 @@ def collision(bench):
     same("line", page.run(HERE), findings[0]["line"])
     size = os.path.getsize(path)
     print(f"  {size / 1000:.0f} kB, shown after {page.shown_after / 1000:.2f} s")
-    true(f"{size} bytes", size <= 160_000)
+    true(f"{size} bytes", size <= 150_000)
     bench.done(page, "collision-desk")
     for name, options in {"collision-dark": {"dark": True}, "collision-phone": PHONE}.items():
         bench.done(bench.open(path, **options), name)

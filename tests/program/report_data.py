@@ -80,9 +80,27 @@ class Report:
         return joined
 
     def mesh(self, mesh):
+        if "profile" in mesh:
+            return turned(mesh)
         read = Mesh(seven_bit(self.page.scripts[f"blob-{mesh['blob']}"]), mesh["triangles"])
         assert len(read.points) == mesh["vertices"] and len(read.corners) == 3 * mesh["triangles"]
         return [tuple(mesh["origin"][k] + mesh["step"][k] * p[k] for k in range(3)) for p in read.points], read.corners
+
+
+def turned(mesh):
+    """The vertices and corners of a body that is told by its outline."""
+    n, numbers = mesh["facets"], [0.001 * v for v in mesh["profile"]]
+    rings = list(zip(numbers[::2], numbers[1::2]))
+    local = [(r * math.cos(2 * math.pi * k / n), r * math.sin(2 * math.pi * k / n), z) for r, z in rings for k in range(n)]
+    local += [(0, 0, rings[0][1]), (0, 0, rings[-1][1])]
+    last = n * (len(rings) - 1)
+    corners = []
+    for k in range(n):
+        after = (k + 1) % n
+        corners += [len(local) - 2, k, after, len(local) - 1, last + after, last + k]
+        for at in range(0, last, n):
+            corners += [at + k, at + n + k, at + n + after, at + k, at + n + after, at + after]
+    return [tuple(mesh["origin"][i] + u * mesh["x"][i] + v * mesh["y"][i] + w * mesh["z"][i] for i in range(3)) for u, v, w in local], corners
 
 
 def rotate(p, location, u, angle):

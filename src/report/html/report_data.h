@@ -35,7 +35,8 @@
  *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then tools
  *     role        "machine" "fixture" "part" "holder" "shank" "cutter"
  *     tool        number of the tool that the body belongs to: it is shown only while that tool is in the spindle; 0: always shown
- *     mesh        {blob, vertices, triangles, origin: [3], step: [3]}; null: the body has no triangles here
+ *     mesh        {blob, vertices, triangles, origin: [3], step: [3]}; null: the body has no triangles here; of a turned body, as most tools
+ *                 are, {facets, profile: [r, z, r, z ...], x: [3], y: [3], z: [3], origin: [3]}: see TURNED
  *   accuracy      mm: no drawn vertex is farther than this from the one in the STL file. Say "drawn to 0.02 mm; proved on the STL's
  *                 numbers".
  *   tools         [{number, name|null, length}]: of the setup
@@ -96,6 +97,11 @@
  *
  * CODE. {mode: "all" | "windows" | "none", files: [{name, sha256|null, lines, windows: [{first, lines, blob}]}]}. lines: of the whole file; -1: not known.
  * A window's blob, inflated, is UTF-8 text of `lines` lines from line `first` on (from 1), separated by \n. files are in the order of path.files.
+ *
+ * TURNED. A turned body has for each corner (r, z) of its profile, from the top down and in whole numbers of 0.001 mm, a ring of `facets` vertices: number
+ * k at r cos(a), r sin(a), z with a = 2 pi k / facets; v of these is drawn at origin + v.x x + v.y y + v.z z. Between a ring and the next one, for each
+ * k: triangles (upper k, lower k, lower k + 1), (upper k, lower k + 1, upper k + 1); a fan about the centre of the first ring, (centre, k, k + 1), and one
+ * about that of the last, (centre, k + 1, k).
  *
  * MESHES. A mesh blob is the output of a range coder (report/format/range_coder.h: bits and numbers, each under a model) and not deflated. It
  * says in which order triangles are met on a walk and where new vertices are, on a grid: the coordinate is origin + step * q, q from 0 to

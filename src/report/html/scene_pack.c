@@ -11,6 +11,7 @@
 #include "report/html/pack_mesh.h"
 #include "report/html/page.h"
 #include "report/html/recorder.h"
+#include "report/html/turned.h"
 
 const char *scene_pack_role(enum body_role role)
 {
@@ -112,6 +113,7 @@ static json_t *pairs_of(const struct scene *scene)
 
 /* A body's mesh, packed. */
 struct packed_body {
+	struct turned turned;	/* of a tool: without corners if it is packed as a mesh */
 	struct packed_mesh mesh;
 	struct strbuf blob;	/* as text */
 	bool left_out;
@@ -127,6 +129,24 @@ static json_t *mesh_of(const struct packed_body *packed, int blob)
 	json_put(object, "triangles", json_integer((json_int_t)mesh->triangles));
 	json_put(object, "origin", json_point(mesh->origin));
 	json_put(object, "step", json_point((vec3){mesh->step, mesh->step, mesh->step}));
+	return object;
+}
+
+/* A turned body: its outline in whole numbers of TURNED_UNIT. */
+static json_t *turned_of(const struct turned *turned, const xform *place)
+{
+	json_t *object = json_object(), *profile = json_array();
+
+	for (size_t i = 0; i < turned->count; i++) {
+		json_push(profile, json_integer(llround(turned->corners[i].r / TURNED_UNIT)));
+		json_push(profile, json_integer(llround(turned->corners[i].z / TURNED_UNIT)));
+	}
+	json_put(object, "facets", json_integer((json_int_t)turned->facets));
+	json_put(object, "profile", profile);
+	json_put(object, "x", json_point(place->rotation.x));
+	json_put(object, "y", json_point(place->rotation.y));
+	json_put(object, "z", json_point(place->rotation.z));
+	json_put(object, "origin", json_point(place->translation));
 	return object;
 }
 
@@ -147,7 +167,10 @@ static void add_body(struct scene_pack *pack, const struct body *body, const str
 	json_put(object, "role", json_string(scene_pack_role(body->role)));
 	json_put(object, "link", json_integer(body->link));
 	json_put(object, "tool", json_integer(body->tool));
-	if (packed->left_out || !packed->mesh.triangles) {
+	if (packed->turned.count) {
+		json_put(object, "mesh", turned_of(&packed->turned, &body->placement));
+		pack->accuracy = fmax(pack->accuracy, TURNED_ERROR + TURNED_UNIT);
+	} else if (packed->left_out || !packed->mesh.triangles) {
 		json_put(object, "mesh", json_null());
 		pack->left_out += packed->left_out;
 	} else {
@@ -162,6 +185,9 @@ static void pack_body(struct packed_body *packed, const struct body *body, const
 {
 	struct strbuf bytes = {0};
 
+	/* Only tools are sure to be what their outline says. */
+	if (body->tool && turned_init(&packed->turned, &bvh->mesh))
+		return;
 	pack_mesh_add(&bytes, &bvh->mesh, &body->placement, &packed->mesh);
 	seven_bit_add(&packed->blob, strbuf_text(&bytes), bytes.length);
 	strbuf_release(&bytes);
@@ -216,8 +242,10 @@ bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, 
 		.pairs = pairs_of(scene),
 	};
 	good = pack_bodies(pack, scene, packed, most, diag);
-	for (size_t i = 0; i < scene->body_count; i++)
+	for (size_t i = 0; i < scene->body_count; i++) {
+		turned_release(&packed[i].turned);
 		strbuf_release(&packed[i].blob);
+	}
 	free(packed);
 	if (!good)
 		scene_pack_release(pack);
