@@ -121,6 +121,31 @@ bool path_checks_outputs(const struct options *options, struct diag *diag)
 	return true;
 }
 
+bool path_checks_derived(const struct options *options, const char *option, const char *path,
+			 const struct report_file *files, size_t file_count, struct diag *diag)
+{
+	const struct written derived = {option, path};
+	struct written list[WRITTEN_MAX];
+	const size_t count = list_written(list, options);
+
+	for (size_t i = 0; i < count; i++) {
+		if (!is_free(&derived, list[i].path, diag))
+			return false;
+	}
+	/* What was read is there. Most names are new, and there may be thousands of programs. */
+	if (access(path, F_OK))
+		return true;
+	for (size_t i = 0; i < file_count; i++) {
+		if (!is_free(&derived, files[i].path, diag))
+			return false;
+	}
+	for (size_t i = 0; i < options->program_count; i++) {
+		if (!is_free(&derived, options->programs[i], diag))
+			return false;
+	}
+	return is_free(&derived, options->waivers, diag) && is_free(&derived, options->files_from, diag);
+}
+
 static bool spares(const struct options *options, const struct body *bodies, size_t count, struct diag *diag)
 {
 	struct written list[WRITTEN_MAX];

@@ -9,12 +9,20 @@
 #include "cli/options.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
+#include "report/report.h"
 
 /*
  * False, reported: an output is the machine file, the setup, a program or another file of the command line, or two
  * outputs are the same file.
  */
 bool path_checks_outputs(const struct options *options, struct diag *diag);
+
+/*
+ * The same for a file whose name is made from that of an option, as --report does for each of several programs; `files`, too,
+ * were read.
+ */
+bool path_checks_derived(const struct options *options, const char *option, const char *path,
+			 const struct report_file *files, size_t file_count, struct diag *diag);
 
 /* False, reported: an output is a mesh of the machine or of the setup, which may be NULL. */
 bool path_checks_meshes(const struct options *options, const struct machine *machine, const struct setup *setup,

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "cli/path_checks.h"
 #include "report/glb/glb.h"
+#include "report/format/uri.h"
 #include "report/html/html_report.h"
 #include "report/html/report_data.h"
 #include "report/output.h"
@@ -85,6 +87,22 @@ static bool try_output(const char *path, struct diag *diag)
 	return true;
 }
 
+/* No file of a program may be one that is read, or another output. False: reported. */
+static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path, struct diag *diag)
+{
+	const struct options *options = reports->options;
+	bool good = true;
+
+	for (size_t i = 0; path && i < options->program_count && good; i++) {
+		struct strbuf name = {0};
+
+		add_path(&name, path, reports->programs[i].name);
+		good = path_checks_derived(options, option, strbuf_text(&name), reports->files, reports->file_count, diag);
+		strbuf_release(&name);
+	}
+	return good;
+}
+
 /* Builds the trees that the check does not need. False: reported. */
 static bool build_all(struct scene *scene, struct diag *diag)
 {
@@ -118,7 +136,12 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 		else
 			reports->programs[i].name = mem_strndup("", 0);
 	}
-	return true;
+	if (options->program_count < 2 || (spares_inputs(reports, "report", options->report, diag) &&
+					   spares_inputs(reports, "glb", options->glb, diag) &&
+					   spares_inputs(reports, "picture", options->picture, diag)))
+		return true;
+	program_reports_release(reports);
+	return false;
 }
 
 void program_reports_release(struct program_reports *reports)
@@ -343,7 +366,11 @@ bool program_reports_finish(struct program_reports *reports, struct diag *diag)
 		const struct reported_program *it = &reports->programs[i];
 		const char *slash = strrchr(options->report, '/');
 
-		add_path(&links[i], slash ? slash + 1 : options->report, it->name);
+		struct strbuf file = {0};
+
+		add_path(&file, slash ? slash + 1 : options->report, it->name);
+		uri_add(&links[i], strbuf_text(&file));
+		strbuf_release(&file);
 		rows[i] = (struct html_index_row){
 			.program = options->programs[i],
 			.link = it->written ? strbuf_text(&links[i]) : NULL,

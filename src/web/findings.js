@@ -52,6 +52,16 @@ function advice({bodies}, finding, moves) {
 	return `retract ${before}, or take another way there.`;
 }
 
+/** What the setup lacks for a clear program, where --sensitivity was asked. @param {Model} model */
+function cures({sensitivity}) {
+	return sensitivity.filter(({result, kind}) => result === 'turns' && kind === null).map(({quantity, direction, turn}) => {
+		// Rounded up: so much is enough.
+		const amount = fixed(Math.ceil(turn * 1000 - 0.001) / 1000, 3);
+		if (quantity === 'length') return `Needs ${amount} mm ${direction === '+' ? 'more' : 'less'} tool length: then nothing is found.`;
+		return `With ${quantity.toUpperCase()} of the work offset ${direction === '+' ? '+' : '\u2212'}${amount} mm nothing is found.`;
+	});
+}
+
 export class FindingsView {
 	/** @param {State} state */
 	constructor(state) {
@@ -109,7 +119,7 @@ export class FindingsView {
 			h('button.title', {onclick: () => state.showFinding(index)},
 				h('b', {}, ...titleParts(finding)),
 				h('span.kind', {}, `${kindName(finding)} in line ${grouped(finding.line)}`)),
-			...rows.slice(0, 1), moves, ...this.remarks(finding), rows[1],
+			...rows.slice(0, 1), moves, ...this.remarks(finding), ...(index ? [] : cures(model).map((text) => h('p.cure', {}, text))), rows[1],
 			h('div.actions', {},
 				h('button', {onclick: () => state.showFinding(index)}, 'Show'),
 				h('button', {onclick: () => {

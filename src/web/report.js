@@ -44,7 +44,7 @@ export async function readReport() {
 			location: axis.location, min: axis.limit_min, max: axis.limit_max,
 		})),
 		links: head.machine.links, readOut: head.read_out, bodies, pairs: head.pairs, findings: head.findings, leftOut: head.findings_left_out || 0,
-		path, sources, clearance, planes, tools: [], operations: [], setup: readSetup(head), statistics: head.statistics || [], accuracy: head.accuracy,
+		path, sources, clearance, planes, tools: [], operations: [], setup: readSetup(head), statistics: head.statistics || [], sensitivity: head.sensitivity || [], accuracy: head.accuracy,
 	};
 	model.tools = toolChanges(path, head.tools || []);
 	model.operations = operations(path, sources);

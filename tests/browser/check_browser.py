@@ -157,6 +157,18 @@ def other_examples(bench):
 
 
 @test
+def sensitivity(bench):
+    """With --sensitivity the card says what the setup lacks: the block is 40 high, the tool passes 10 above its foot."""
+    machine, setup, program = fixtures.boxes(bench.work)
+    path, _ = bench.report("sensitivity", machine, setup, program, "--sensitivity=0,0,0,50")
+    page = bench.open(path)
+    text = page.run("document.querySelector('.card .cure').textContent")
+    needed = float(text.split()[1])
+    true(text, text.endswith("mm more tool length: then nothing is found.") and 30 <= needed < 30.1)
+    bench.done(page, "sensitivity")
+
+
+@test
 def limit(bench):
     """An axis that leaves its travel: what it carries is red, and the words say how far."""
     machine, setup, _ = fixtures.boxes(bench.work)

@@ -55,3 +55,12 @@ grep -o 'href="[^"]*"' all.html
 grep -c '<b>/b' all.html
 check all-a-2.html policy "text=p/a.nc"
 check all-b_b.html policy "text=p/q & <b>/b b.nc"
+
+
+# A report whose name is made from a program's must not overwrite what is read, nor another output.
+cp a.nc o-b.html
+status fivecheck -q --report=o.html m.xml b.nc o-b.html 2>&1
+cmp a.nc o-b.html
+status fivecheck -q --report=o.html -f ndjson=o-a.html m.xml a.nc b.nc 2>&1
+status fivecheck -q --report='i "<x>&.html' m.xml a.nc b.nc >/dev/null 2>&1
+grep -o 'href="[^"]*"' 'i "<x>&.html'

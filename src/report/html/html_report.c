@@ -14,6 +14,7 @@
 #include "report/html/report_data.h"
 #include "report/html/selection.h"
 #include "report/html/viewer.h"
+#include "report/sensitivity_report.h"
 #include "report/writers/ndjson.h"
 
 /* Shares of what is left of the size after what a report must have; the program's text gets the rest. */
@@ -305,6 +306,7 @@ static json_t *head_json(const struct html_contents *report)
 	json_put(object, "findings", findings_json(report->recorder));
 	json_put(object, "findings_left_out", json_integer(report->recorder->findings_left_out));
 	json_put(object, "statistics", plain_html_statistics(report));
+	json_put(object, "sensitivity", sensitivity_report_json(report->program->sensitivity, report->program->sensitivity_count));
 	return object;
 }
 

@@ -7,6 +7,7 @@
 #include "report/format/base64.h"
 #include "report/format/html_text.h"
 #include "report/html/viewer.h"
+#include "report/sensitivity_report.h"
 #include "report/verdict.h"
 
 /* ------------------------------------------------------------------- head */
@@ -196,6 +197,20 @@ static void add_statistics(struct strbuf *out, const struct html_contents *repor
 	json_decref(rows);
 }
 
+/* --sensitivity, as the text report says it. */
+static void add_sensitivity(struct strbuf *out, const struct report_program *program)
+{
+	struct strbuf text = {0};
+
+	if (!program->sensitivity_count || !program->verdict)
+		return;
+	sensitivity_report_text(&text, program->sensitivity, program->sensitivity_count, program->verdict->result == CHECK_CLEAR);
+	strbuf_addf(out, "<h2>Setup that is off</h2>\n");
+	add_element(out, "pre", strbuf_text(&text));
+	strbuf_addf(out, "\n");
+	strbuf_release(&text);
+}
+
 static void add_cautions(struct strbuf *out, const struct verdict *verdict)
 {
 	for (int i = 0; i < VERDICT_CAUTIONS; i++) {
@@ -209,14 +224,19 @@ static void add_cautions(struct strbuf *out, const struct verdict *verdict)
 	}
 }
 
+static void add_verdict_sentence(struct strbuf *text, const struct report_program *program)
+{
+	if (program->verdict)
+		verdict_add_sentence(text, program->verdict);
+	else
+		strbuf_addf(text, "incomplete: %s", program->unread);
+}
+
 static void add_verdict(struct strbuf *out, const struct report_program *program)
 {
 	struct strbuf text = {0};
 
-	if (program->verdict)
-		verdict_add_sentence(&text, program->verdict);
-	else
-		strbuf_addf(&text, "incomplete: %s", program->unread);
+	add_verdict_sentence(&text, program);
 	strbuf_addf(out, "<p><b>");
 	html_text_add(out, program->name);
 	strbuf_addf(out, ": ");
@@ -232,13 +252,35 @@ static void add_verdict(struct strbuf *out, const struct report_program *program
 	}
 }
 
+/* What happens first, in a sentence; without a finding the verdict. */
+static void add_heading(struct strbuf *out, const struct html_contents *report, const struct recorded_finding *first)
+{
+	static const char *const kinds[FINDING_KINDS] = {
+		[FINDING_COLLISION] = "Collision", [FINDING_CLEARANCE] = "Too little clearance", [FINDING_LIMIT] = "Axis limit",
+		[FINDING_START_OVERLAP] = "Overlap at the start", [FINDING_RAPID_CONTACT] = "Contact while not cutting",
+		[FINDING_GOUGE] = "Gouge",
+	};
+	struct strbuf text = {0};
+
+	if (!first) {
+		add_verdict_sentence(&text, report->program);
+	} else {
+		strbuf_addf(&text, "%s in line %ld", kinds[first->kind], first->line);
+		if (strcmp(first->file, report->program->name) != 0)
+			strbuf_addf(&text, " of %s", first->file);
+		strbuf_addf(&text, ": %s", first->message);
+	}
+	add_element(out, "h1", strbuf_text(&text));
+	strbuf_addf(out, "\n");
+	strbuf_release(&text);
+}
+
 void plain_html_add_main(struct strbuf *out, const struct html_contents *report)
 {
 	const struct recorded_finding *first = recorder_first(report->recorder);
 
 	strbuf_addf(out, "<main id=\"plain\">\n");
-	add_element(out, "h1", first ? first->headline : report->program->name);
-	strbuf_addf(out, "\n");
+	add_heading(out, report, first);
 	add_verdict(out, report->program);
 	if (report->picture) {
 		strbuf_addf(out, "<figure>\n");
@@ -247,6 +289,7 @@ void plain_html_add_main(struct strbuf *out, const struct html_contents *report)
 	}
 	add_errors(out, report->program);
 	add_findings(out, report);
+	add_sensitivity(out, report->program);
 	add_statistics(out, report);
 	add_files(out, report);
 	strbuf_addf(out, "<p>Made by fivecheck " FIVECHECK_VERSION ". Meshes are drawn to %.3f mm; the proof is about the "

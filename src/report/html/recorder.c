@@ -210,7 +210,7 @@ static char *text_of(struct strbuf *text)
 void recorder_finding(struct recorder *recorder, const struct finding *finding, struct finding_style style)
 {
 	const struct scene *scene = recorder->scene;
-	struct strbuf headline = {0}, message = {0}, text = {0};
+	struct strbuf message = {0}, text = {0};
 	struct recorded_finding *it;
 
 	style.colour = false;
@@ -221,12 +221,10 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 	recorder->findings = mem_grow(recorder->findings, &recorder->finding_capacity, recorder->finding_count + 1,
 				      sizeof(*recorder->findings));
 	it = &recorder->findings[recorder->finding_count++];
-	text_headline(&headline, finding, style);
 	text_sentence(&message, finding);
 	format_units_add_plain(&text, finding->text);
 	*it = (struct recorded_finding){
 		.object = ndjson_finding_object(scene->machine, finding, style),
-		.headline = text_of(&headline),
 		.message = text_of(&message),
 		.file = mem_strndup(finding->file, strlen(finding->file)),
 		.text = text_of(&text),
@@ -400,7 +398,6 @@ void recorder_release(struct recorder *recorder)
 		struct recorded_finding *it = &recorder->findings[i];
 
 		json_decref(it->object);
-		free(it->headline);
 		free(it->message);
 		free(it->file);
 		free(it->text);

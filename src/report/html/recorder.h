@@ -33,7 +33,6 @@ enum { PLANES_MAX = 128 };
 /* A finding, with what is drawn of it. */
 struct recorded_finding {
 	json_t *object;	/* as in NDJSON; owned */
-	char *headline;	/* owned; on one line */
 	char *message;	/* owned */
 	char *file, *text;	/* owned; the text of the block */
 	enum finding_kind kind;

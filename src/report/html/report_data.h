@@ -53,6 +53,7 @@
  *                 At a finding's time the axes are exactly those of the finding, not those that the path gives.
  *   findings_left_out  how many more there are (the first FINDINGS_MAX are here)
  *   statistics    [[name, text]]: for people
+ *   sensitivity   of --sensitivity, as in NDJSON: [{quantity, direction, result, turn, kind ...}]; empty: not asked for
  *   path          see PATH; null: the program moves nothing, or nothing was recorded
  *   clearance     see CLEARANCE; null: not measured
  *   planes        see PLANES; null: none
