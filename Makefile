@@ -9,8 +9,8 @@ DESTDIR ?=
 LIBDIR ?= lib
 OBJCOPY ?= objcopy
 
-# Folders may be nested; main.c alone is not part of the library.
-SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c))
+# Folders may be nested; main.c is not part of the library, nor is what WebAssembly lacks.
+SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c ! -path 'src/wasi/*'))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
 JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
@@ -77,10 +77,15 @@ $(BUILD)/man/fivecheck-gcode.5: man/fivecheck-gcode.5.in scripts/gcode-page $(BU
 	@mkdir -p $(@D)
 	$(Q)sh scripts/gcode-page $(BUILD)/fivecheck > $@.new && mv $@.new $@
 
+# The checker as WebAssembly and the page that runs it, in build-web/app (src/wasi/Makefile).
+web:
+	@sh scripts/install-deps web
+	@+$(MAKE) --no-print-directory -f src/wasi/Makefile $(PARALLEL)
+
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
 TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-program check-quick check-reproducible check-rs274 check-short check-tsan \
-	check-unit check-valgrind coverage demo fuzz lint stress stress-table
+	check-unit check-valgrind check-wasm check-wasm-long coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@
 
@@ -102,16 +107,17 @@ dist:
 	@echo '$(BUILD)/$(DIST).tar.gz'
 
 clean:
-	rm -rf $(BUILD)
+	rm -rf $(BUILD) build-web
 
 help:
 	@echo 'make                 build $(BUILD)/fivecheck'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR; make uninstall takes it away'
 	@echo 'make dist            the last commit as $(BUILD)/$(DIST).tar.gz'
+	@echo 'make web             the checker as WebAssembly and its page, in build-web/app; make demo-web shows it'
 	@echo 'make clean           removes $(BUILD)'
 	@$(MAKE) --no-print-directory -f tests/Makefile help
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, JOBS=n, NO_INSTALL=1.'
 
-.PHONY: all clean dist help install uninstall $(TEST_TARGETS)
+.PHONY: all clean dist help install uninstall web $(TEST_TARGETS)
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d

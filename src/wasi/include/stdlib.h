@@ -1,0 +1,9 @@
+/* stdlib.h - wasi-libc's, and realpath. */
+#ifndef FIVECHECK_WASI_STDLIB_H
+#define FIVECHECK_WASI_STDLIB_H
+
+#include_next <stdlib.h>
+
+char *realpath(const char *path, char *resolved);
+
+#endif

@@ -1,0 +1,177 @@
+// @ts-check
+/**
+ * fivecheck.js - the checker for other programs in JavaScript: in a browser's worker, in node, in Deno. README.md has an
+ * example.
+ *
+ * A run is one call that returns when it has ended; whoever wants a page to stay alive makes it in a worker (client.js).
+ * Nothing is sent anywhere.
+ */
+import {Files, FileNode} from './files.js';
+import {Wasi} from './wasi.js';
+
+/** Exit statuses. */
+export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3};
+
+/**
+ * One job.
+ * @typedef {object} Job
+ * @property {Files} files every file that the job needs
+ * @property {string} machine the path of the machine file in `files`
+ * @property {string} [setup]
+ * @property {string[]} programs
+ * @property {string[]} [options] of the command line, as `--all` or `--clearance=2`
+ * @property {boolean} [report] write a report to look at
+ * @property {(event: Record<string, any>) => void} [onEvent] each line of NDJSON as it comes (fivecheck(1), "ndjson")
+ * @property {(message: string) => void} [onMessage] what the command line would say on standard error
+ * @property {(part: number) => void} [onProgress] how much of all programs was read, 0 to 1
+ */
+
+/**
+ * What a job came to.
+ * @typedef {object} Result
+ * @property {number} status see STATUS
+ * @property {string} text the report in words, as the command line prints it
+ * @property {Record<string, any>[]} events all lines of NDJSON
+ * @property {string} messages
+ * @property {Map<string, Uint8Array>} reports by the path of the program
+ */
+
+const RESULTS = '/tmp/fivecheck';
+
+/** Takes bytes, gives whole lines. */
+class Lines {
+	/** @param {(line: string) => void} tell */
+	constructor(tell) {
+		this.tell = tell;
+		this.decoder = new TextDecoder();
+		this.rest = '';
+	}
+
+	/** @param {Uint8Array} bytes */
+	add(bytes) {
+		const lines = (this.rest + this.decoder.decode(bytes, {stream: true})).split('\n');
+		this.rest = lines.pop() ?? '';
+		lines.forEach(this.tell);
+	}
+}
+
+export class Fivecheck {
+	/** @param {WebAssembly.Module} module */
+	constructor(module) {
+		this.module = module;
+	}
+
+	/**
+	 * @param {string | URL | BufferSource | WebAssembly.Module} source of fivecheck.wasm: where it is, its bytes, or compiled
+	 */
+	static async load(source) {
+		if (source instanceof WebAssembly.Module)
+			return new Fivecheck(source);
+		if (typeof source !== 'string' && !(source instanceof URL))
+			return new Fivecheck(await WebAssembly.compile(source));
+		return new Fivecheck(await WebAssembly.compileStreaming(fetch(source)));
+	}
+
+	/**
+	 * Runs a command line, as a shell would; paths are those of `files`, relative to its root.
+	 * @param {string[]} args without the program's name
+	 * @param {Files} files
+	 * @param {{input?: Uint8Array, environment?: Record<string, string>, onOutput?: (fd: 1 | 2, bytes: Uint8Array) => void,
+	 *	onRead?: (node: FileNode, offset: number) => void}} [more]
+	 * @returns {{status: number, out: string, err: string}} what it printed is there unless `onOutput` was given
+	 */
+	run(args, files, more = {}) {
+		const decoders = [new TextDecoder(), new TextDecoder()], texts = ['', ''];
+		/** @param {1 | 2} fd @param {Uint8Array} bytes */
+		const keep = (fd, bytes) => {
+			texts[fd - 1] += decoders[fd - 1].decode(bytes, {stream: true});
+		};
+		const wasi = new Wasi({args: ['fivecheck', ...args], files, onOutput: keep, ...more});
+		const status = wasi.run(this.module);
+		return {status, out: texts[0], err: texts[1]};
+	}
+
+	/**
+	 * Checks programs.
+	 * @param {Job} job
+	 * @returns {Result}
+	 */
+	check(job) {
+		/** @type {Record<string, any>[]} */
+		const events = [];
+		let messages = '';
+		const out = new Lines((line) => {
+			const event = JSON.parse(line);
+			events.push(event);
+			job.onEvent?.(event);
+		});
+		const err = new Lines((line) => {
+			messages += line + '\n';
+			job.onMessage?.(line);
+		});
+		const progress = progressOf(job);
+		job.files.folder(RESULTS);
+		const {status} = this.run(argumentsOf(job), job.files, {
+			onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes),
+			onRead: progress,
+		});
+		err.add(new TextEncoder().encode('\n'));
+		return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job)};
+	}
+
+	/**
+	 * Writes a machine file: `fivecheck init` with these arguments.
+	 * @param {string[]} args
+	 * @param {Files} [files]
+	 */
+	init(args, files = new Files()) {
+		const {status, out, err} = this.run(['init', ...args], files);
+		return {status, xml: out, messages: err};
+	}
+}
+
+/** @param {Job} job */
+function argumentsOf(job) {
+	return ['--format=ndjson', `--format=text=${RESULTS}/verdict.txt`, '--progress=none', ...(job.options ?? []),
+		...(job.report ? [`--report=${RESULTS}/report.html`] : []), ...(job.setup ? [`--setup=${job.setup}`] : []),
+		'--', job.machine, ...job.programs];
+}
+
+/** @param {Job} job */
+function progressOf(job) {
+	const nodes = job.programs.map((path) => job.files.find(path));
+	const read = new Map(), told = job.onProgress;
+	const total = nodes.reduce((sum, node) => sum + (node instanceof FileNode ? node.source.size : 0), 0);
+	let last = 0;
+	if (!told || !total)
+		return undefined;
+	return (/** @type {FileNode} */ node, /** @type {number} */ offset) => {
+		if (!nodes.includes(node))
+			return;
+		read.set(node, Math.min(offset, node.source.size));
+		const part = [...read.values()].reduce((sum, size) => sum + size, 0) / total;
+		if (part - last >= 0.005 || (part >= 1 && last < 1)) {
+			last = part;
+			told(part);
+		}
+	};
+}
+
+/**
+ * @param {Files} files
+ * @param {string} path
+ */
+function textOf(files, path) {
+	const bytes = files.contents(path);
+	return bytes ? new TextDecoder().decode(bytes) : '';
+}
+
+/** @param {Job} job */
+function reportsOf(job) {
+	/** @type {Map<string, Uint8Array>} */
+	const reports = new Map();
+	const bytes = job.report ? job.files.contents(`${RESULTS}/report.html`) : undefined;
+	if (bytes && job.programs.length === 1)
+		reports.set(job.programs[0], bytes);
+	return reports;
+}

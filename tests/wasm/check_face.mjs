@@ -1,0 +1,117 @@
+// check_face.mjs WASM - the JavaScript face of the checker (src/web/app/fivecheck.js): jobs, events, progress, files, faults.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import {Fivecheck, STATUS} from '../../src/web/app/fivecheck.js';
+import {Files, MemoryBytes} from '../../src/web/app/files.js';
+import {addFromDisk} from './disk.mjs';
+
+const wasm = fs.readFileSync(process.argv[2]), fivecheck = await Fivecheck.load(wasm);
+const tests = {};
+
+function exampleJob(program, more = {}) {
+	const files = new Files();
+	for (const folder of ['machines/ac-trunnion', 'examples/ac-trunnion'])
+		addFromDisk(files, folder, folder);
+	return {files, machine: 'machines/ac-trunnion/machine.xml', setup: 'examples/ac-trunnion/setup.xml',
+		programs: [`examples/ac-trunnion/${program}.nc`], ...more};
+}
+
+tests['a collision is an event, a text and a report'] = () => {
+	const told = [], parts = [];
+	const job = exampleJob('collision', {report: true, onEvent: (event) => told.push(event), onProgress: (part) => parts.push(part)});
+	const result = fivecheck.check(job);
+	assert.equal(result.status, STATUS.FOUND);
+	assert.deepEqual(told, result.events);
+	const finding = told.find((event) => event.kind === 'collision');
+	assert.equal(finding.line, 70);
+	assert.equal(told.at(-1).kind, 'summary');
+	assert.match(result.text, /collision: arbor \(C\) meets T3 holder \(Z\)/);
+	const report = new TextDecoder().decode(result.reports.get(job.programs[0]));
+	assert.match(report, /^<!doctype html>/i);
+	assert.ok(parts.length > 0 && parts.every((part, i) => part > 0 && part <= 1 && (i === 0 || part > parts[i - 1])));
+};
+
+tests['a clear program has status 0, and the same job can be run again'] = () => {
+	const job = exampleJob('clear');
+	assert.equal(fivecheck.check(job).status, STATUS.CLEAR);
+	assert.equal(fivecheck.check(job).status, STATUS.CLEAR);
+};
+
+tests['options count'] = () => {
+	const result = fivecheck.check(exampleJob('clear', {options: ['--clearance=60']}));
+	assert.equal(result.status, STATUS.FOUND);
+	assert.ok(result.events.some((event) => event.kind === 'clearance'));
+};
+
+tests['a fault of the input is a message with its place'] = () => {
+	const told = [], job = exampleJob('clear', {onMessage: (line) => told.push(line)});
+	job.files.add(job.programs[0], 'G0 X1\nG1 X\n');
+	const result = fivecheck.check(job);
+	assert.equal(result.status, STATUS.INCOMPLETE);
+	assert.match(told.join('\n'), /clear\.nc:2:/);
+};
+
+tests['a missing mesh is named'] = () => {
+	const job = exampleJob('clear');
+	job.files.folder('machines/ac-trunnion').entries.clear();
+	job.files.add(job.machine, fs.readFileSync('machines/ac-trunnion/machine.xml'));
+	const result = fivecheck.check(job);
+	assert.equal(result.status, STATUS.INCOMPLETE);
+	assert.match(result.messages, /\.stl/);
+};
+
+tests['init writes a machine file that loads'] = () => {
+	const made = fivecheck.init(['table-table', '--rotary=A,C', '--limits=X=-300:300,Y=-250:250,Z=-400:0', '--limits=A=-120:30,C=none',
+		'--location=A=0,0,120', '--location=C=0,0,120', '--spindle=0,0,520']);
+	assert.equal(made.status, 0);
+	assert.match(made.xml, /<axis name="A"/);
+	const wrong = fivecheck.init(['table-table', '--rotary=A,C']);
+	assert.equal(wrong.status, 2);
+	assert.notEqual(wrong.messages, '');
+};
+
+tests['bytes of all kinds, folders, and paths that lead nowhere'] = () => {
+	const files = new Files();
+	files.add('a/b/c.txt', 'abc');
+	files.add('/a/d', new Uint8Array([1, 2]));
+	assert.deepEqual([...files.contents('a/../a/d')], [1, 2]);
+	assert.equal(files.find('a/x'), undefined);
+	assert.equal(files.find('../x'), undefined);
+	assert.equal(Files.parts('../x'), null);
+	assert.throws(() => files.add('..', 'x'));
+	const bytes = new MemoryBytes();
+	bytes.write(3, new Uint8Array([7]));
+	bytes.resize(2);
+	bytes.resize(4);
+	assert.deepEqual([...bytes.contents()], [0, 0, 0, 0]);
+};
+
+tests['a long program is read in slices'] = () => {
+	const line = 'G1 X1 F1000\nG1 X0\n', count = 400000;
+	let most = 0;
+	const source = {size: line.length * count, read(offset, into) {
+		const wanted = Math.min(into.length, this.size - offset);
+		most = Math.max(most, into.length);
+		for (let i = 0; i < wanted; i++)
+			into[i] = line.charCodeAt((offset + i) % line.length);
+		return wanted;
+	}};
+	const job = exampleJob('clear', {options: ['--parse-only']});
+	job.programs = ['long.nc'];
+	job.files.add('long.nc', source);
+	delete job.setup;
+	assert.equal(fivecheck.check(job).status, STATUS.CLEAR);
+	assert.ok(most <= 1 << 20);
+};
+
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+	try {
+		test();
+	} catch (error) {
+		failed++;
+		console.log(`check_face: ${name}: ${error.stack}`);
+	}
+}
+console.log(`check_face: ${Object.keys(tests).length} tests, ${failed} failed`);
+process.exitCode = failed ? 1 : 0;

@@ -1,0 +1,80 @@
+// check_wasm.mjs - the checker in WebAssembly prints the same bytes as the native one.
+//
+// check_wasm.mjs FIVECHECK WASM [JOBS]: on the examples, in all formats, with every table; then on each job that
+// tests/wasm/record_job kept in JOBS. Both runs see the same files under the same names. What measures time is left out.
+import {spawnSync} from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import {Fivecheck} from '../../src/web/app/fivecheck.js';
+import {Files} from '../../src/web/app/files.js';
+import {addFromDisk} from './disk.mjs';
+
+const [program, wasm, jobs] = process.argv.slice(2), native = path.resolve(program);
+const fivecheck = await Fivecheck.load(fs.readFileSync(wasm));
+let runs = 0, failed = 0;
+
+/** Times differ from run to run: the line of statistics, and the attribute of JUnit. */
+function untimed(text) {
+	return text.replace(/^[0-9]+ blocks?.*; time .*$/gm, 'TIME').replace(/ time="[0-9.]*"/g, ' time=""');
+}
+
+function firstDifference(a, b) {
+	const left = a.split('\n'), right = b.split('\n');
+	const line = left.findIndex((text, i) => text !== right[i]);
+	return `line ${line + 1}:\n  native ${left[line]}\n  wasm   ${right[line]}`;
+}
+
+/** Runs both in `folder`, whose `inputs` the checker in WebAssembly sees, too. */
+function compare(name, folder, inputs, args, written = []) {
+	const files = new Files();
+	const opened = inputs.flatMap((input) => addFromDisk(files, path.join(folder, input), input));
+	const work = fs.mkdtempSync(path.join(os.tmpdir(), 'fivecheck-wasm-'));
+	for (const input of inputs)
+		fs.symlinkSync(path.resolve(folder, input), path.join(work, input));
+	const one = spawnSync(native, args, {cwd: work, maxBuffer: 1 << 30, encoding: 'utf8', env: {PATH: process.env.PATH}});
+	const two = fivecheck.run(args, files);
+	opened.forEach((bytes) => bytes.close());
+	const pairs = [['status', String(one.status), String(two.status)], ['output', untimed(one.stdout), untimed(two.out)],
+		['messages', one.stderr, two.err]];
+	for (const file of written) {
+		const from = path.join(work, file), bytes = files.contents(file);
+		pairs.push([file, fs.existsSync(from) ? fs.readFileSync(from, 'latin1') : '(none)',
+			bytes ? Buffer.from(bytes).toString('latin1') : '(none)']);
+	}
+	fs.rmSync(work, {recursive: true});
+	runs++;
+	for (const [what, left, right] of pairs) {
+		if (left !== right) {
+			failed++;
+			console.log(`${name}: ${args.join(' ')}: ${what} differs, ${firstDifference(left, right)}`);
+		}
+	}
+	return two.status;
+}
+
+const WAYS = [['-f', 'text'], ['-f', 'ndjson', '--all'], ['-f', 'junit'], ['-f', 'sarif', '--all'], ['-f', 'github'], ['--dump-path'],
+	['--list-pairs'], ['--parse-only'], ['--clearance=2', '--all', '-f', 'ndjson'], ['--method=conventional', '-f', 'ndjson'],
+	['--tolerance=0.01', '--dump-path']];
+const WRITTEN = ['--report=r.html', '--glb=g.glb', '--picture=p.svg', '--pose=s.stl'];
+
+for (const name of ['ac-trunnion', 'b-head-c-table', 'cb-head']) {
+	const machine = `machines/${name}/machine.xml`, setup = `--setup=examples/${name}/setup.xml`;
+
+	compare(name, '.', ['machines'], ['--check-machine', machine]);
+	for (const program of ['clear', 'collision']) {
+		for (const way of WAYS)
+			compare(name, '.', ['machines', 'examples'], [...way, setup, machine, ...(way[0] === '--list-pairs' ? [] : [`examples/${name}/${program}.nc`])]);
+	}
+	compare(name, '.', ['machines', 'examples'], [...WRITTEN, '-f', 'ndjson', setup, machine, `examples/${name}/collision.nc`],
+		['r.html', 'g.glb', 'p.svg', 's.stl']);
+}
+for (const job of jobs ? fs.readdirSync(jobs).sort() : []) {
+	const args = fs.readFileSync(path.join(jobs, job, 'arguments'), 'utf8').trimEnd().split('\n'), folder = path.join(jobs, job, 'files');
+	const inputs = fs.readdirSync(folder);
+
+	compare(job, folder, inputs, args);
+	compare(job, folder, inputs, ['--dump-path', ...args.filter((word) => word.startsWith('--setup')), ...(args.includes('-s') ? ['-s', 's.xml'] : []), 'm.xml', 'p.nc']);
+}
+console.log(`check-wasm: ${runs} runs, ${failed} differ`);
+process.exitCode = failed ? 1 : 0;
