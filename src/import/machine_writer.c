@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/axes.h"
+#include "base/math/math_functions.h"
 #include "base/xml_text.h"
 #include "control/dialects.h"
 
@@ -17,7 +18,7 @@
 
 static double degrees(double radians)
 {
-	return radians * 180 / acos(-1);
+	return radians * 180 / math_acos(-1);
 }
 
 /* Shows values that were meant to be round as such: the difference is far below any tolerance. */
@@ -54,16 +55,16 @@ static void add_direction(struct strbuf *out, vec3 v)
 vec3 machine_writer_angles(const mat3 *r)
 {
 	/* The columns' parts: r->x.z is the element in row 3, column 1. */
-	double level = hypot(r->x.x, r->x.y);
-	vec3 angles = {0, degrees(atan2(-r->x.z, level)), 0};
+	double level = math_hypot(r->x.x, r->x.y);
+	vec3 angles = {0, degrees(math_atan2(-r->x.z, level)), 0};
 
 	/* Where Y is +-90 degrees, X and Z turn about the same line: Z takes all of it. */
 	if (level < 1e-9) {
-		angles.z = degrees(atan2(-r->y.x, r->y.y));
+		angles.z = degrees(math_atan2(-r->y.x, r->y.y));
 		return angles;
 	}
-	angles.x = degrees(atan2(r->y.z, r->z.z));
-	angles.z = degrees(atan2(r->x.y, r->x.x));
+	angles.x = degrees(math_atan2(r->y.z, r->z.z));
+	angles.z = degrees(math_atan2(r->x.y, r->x.x));
 	return angles;
 }
 

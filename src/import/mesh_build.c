@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 
 /* mm: meshes farther away than this are drawn in another unit than was said. The same limit holds for XML files. */
@@ -67,10 +68,10 @@ void mesh_build_block(struct mesh_build *build, vec3 size)
 /* So many facets that a circle's circumscribed polygon leaves it by the deviation at most: r (1/cos(pi/n) - 1). */
 static int facets_of(double radius)
 {
-	const double pi = acos(-1);
+	const double pi = math_acos(-1);
 
 	for (int n = FACETS_MIN; n < FACETS_MAX; n *= 2)
-		if (radius * (1 / cos(pi / n) - 1) <= FACET_DEVIATION)
+		if (radius * (1 / math_cos(pi / n) - 1) <= FACET_DEVIATION)
 			return n;
 	return FACETS_MAX;
 }
@@ -78,11 +79,11 @@ static int facets_of(double radius)
 void mesh_build_frustum(struct mesh_build *build, double radius, double radius_end, double height)
 {
 	const int n = facets_of(fmax(radius, radius_end));
-	const double step = 2 * acos(-1) / n, outer = 1 / cos(step / 2);
+	const double step = 2 * math_acos(-1) / n, outer = 1 / math_cos(step / 2);
 
 	for (int i = 0; i < n; i++) {
 		const double a = step * i, b = step * (i + 1);
-		const vec3 from = {outer * cos(a), outer * sin(a), 0}, to = {outer * cos(b), outer * sin(b), 0};
+		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0}, to = {outer * math_cos(b), outer * math_sin(b), 0};
 		const vec3 top = {0, 0, height}, middle = {0, 0, 0};
 		const vec3 low[3] = {middle, vec3_scale(radius, to), vec3_scale(radius, from)};
 		const vec3 high[3] = {top, vec3_mad(top, radius_end, from), vec3_mad(top, radius_end, to)};

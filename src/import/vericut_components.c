@@ -1,6 +1,7 @@
 #include "import/vericut_components.h"
 
-#include <math.h>
+#include "base/math/math_functions.h"
+
 #include <string.h>
 #include <strings.h>
 
@@ -18,7 +19,7 @@ struct vericut_component *vericut_components_find(const struct vericut_component
 bool vericut_frame(struct xml_reader *xml, const xmlNode *node, xform *frame)
 {
 	const xmlNode *position = foreign_child(node, "Position"), *rotation = foreign_child(node, "Rotation");
-	const double degree = acos(-1) / 180;
+	const double degree = math_acos(-1) / 180;
 	vec3 p = {0, 0, 0}, r = {0, 0, 0};
 	mat3 about_x, about_y, about_z;
 

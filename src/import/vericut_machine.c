@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "base/axes.h"
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "import/foreign_xml.h"
 #include "import/mesh_build.h"
@@ -108,7 +109,7 @@ static int slot_of(const xmlNode *link)
 /* <TlRecord>: the travel. Of several, which hold under conditions, the widest counts. */
 static bool read_travel(struct reading *r, const xmlNode *link, struct axis_description *axis)
 {
-	const double scale = axis->rotary ? acos(-1) / 180 : r->xml.unit;
+	const double scale = axis->rotary ? math_acos(-1) / 180 : r->xml.unit;
 	const xmlNode *record = foreign_child(link, "TlRecord");
 	bool several = record && foreign_next(record, "TlRecord");
 	double least = INFINITY, greatest = -INFINITY, low, high;

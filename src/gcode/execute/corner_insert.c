@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/math/math_functions.h"
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
@@ -160,7 +161,7 @@ static bool find_insertion(struct interp *interp, const struct corner_move *next
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "a chamfer (%s) beside an arc is not supported", names(interp));
 	if (corner->letter != 'R') {
-		const double leg = corner->letter == 'L' ? corner->size / (2 * cos(angle / 2)) : corner->size;
+		const double leg = corner->letter == 'L' ? corner->size / (2 * math_cos(angle / 2)) : corner->size;
 
 		insertion->first = along(at, -leg, ahead);
 		insertion->last = along(at, leg, onward);

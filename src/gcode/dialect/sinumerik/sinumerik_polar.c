@@ -1,7 +1,6 @@
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 
-#include <math.h>
-
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
@@ -61,8 +60,8 @@ static struct plane_point away(const struct interp *interp, struct plane_point f
 {
 	const struct sinumerik_polar *polar = &sinumerik_of(interp)->polar;
 
-	return (struct plane_point){from.a + polar->radius * cos(radians(polar->angle)),
-				    from.b + polar->radius * sin(radians(polar->angle))};
+	return (struct plane_point){from.a + polar->radius * math_cos(radians(polar->angle)),
+				    from.b + polar->radius * math_sin(radians(polar->angle))};
 }
 
 bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)

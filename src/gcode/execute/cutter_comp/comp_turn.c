@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "geom/tolerance.h"
@@ -171,7 +172,7 @@ static bool turn_inside(struct interp *interp, const struct comp_corner_shape *c
 static void turn_between(const struct comp_corner_shape *c, struct comp_turn *turn)
 {
 	const bool by_arcs = c->before->is_arc || c->after->is_arc;
-	const double beside = c->radius * (1 / cos(c->angle / 2) - 1);
+	const double beside = c->radius * (1 / math_cos(c->angle / 2) - 1);
 
 	if (beside < FLAT && !by_arcs) {
 		add(turn, line_crossing(c));
@@ -182,7 +183,7 @@ static void turn_between(const struct comp_corner_shape *c, struct comp_turn *tu
 	add(turn, line_crossing(c));
 	add(turn, c->next_foot);
 	/* An arc may be drawn out as an arc, which can_cross lets leave its tangent by no more than this. */
-	turn->spread = beside + (by_arcs ? 2 * distance(c->foot, c->next_foot) * sin(fmin(c->angle, PI / 2)) : 0);
+	turn->spread = beside + (by_arcs ? 2 * distance(c->foot, c->next_foot) * math_sin(fmin(c->angle, PI / 2)) : 0);
 }
 
 /* False, reported: where the ways cross is too far away, or cannot be told. */
