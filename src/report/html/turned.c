@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/same_double.h"
 #include "base/units.h"
@@ -77,7 +78,7 @@ static bool follow(struct turned *turned, const struct outline *outline)
 
 		if (!(at.r > 0))
 			return turned->count > 1;
-		if (!last || hypot(at.r - last->r, at.z - last->z) > TURNED_ERROR / 10)
+		if (!last || math_hypot(at.r - last->r, at.z - last->z) > TURNED_ERROR / 10)
 			turned->corners[turned->count++] = at;
 		edge = edge_from(outline, at);
 	}
@@ -100,15 +101,15 @@ static size_t count_facets(const struct mesh *mesh, double top)
 /* Is the vertex one of a polygon's, or on the axis? */
 static bool is_explained(const struct turned *turned, const float p[3])
 {
-	const double r = hypot((double)p[0], (double)p[1]), part = 2 * PI / (double)turned->facets;
-	const double angle = part * round(atan2((double)p[1], (double)p[0]) / part);
+	const double r = math_hypot((double)p[0], (double)p[1]), part = 2 * PI / (double)turned->facets;
+	const double angle = part * round(math_atan2((double)p[1], (double)p[0]) / part);
 
 	if (!(r > 0))
 		return true;
-	if (hypot((double)p[0] - r * cos(angle), (double)p[1] - r * sin(angle)) > TURNED_ERROR / 2)
+	if (math_hypot((double)p[0] - r * math_cos(angle), (double)p[1] - r * math_sin(angle)) > TURNED_ERROR / 2)
 		return false;
 	for (size_t i = 0; i < turned->count; i++) {
-		if (hypot(r - turned->corners[i].r, (double)p[2] - turned->corners[i].z) <= TURNED_ERROR / 2)
+		if (math_hypot(r - turned->corners[i].r, (double)p[2] - turned->corners[i].z) <= TURNED_ERROR / 2)
 			return true;
 	}
 	return false;
