@@ -1,12 +1,12 @@
 #include "gcode/execute/canned_cycle.h"
 
-#include <float.h>
 #include <limits.h>
 #include <math.h>
 
 #include "base/math/math_functions.h"
 #include "base/same_double.h"
 #include "gcode/execute/cycle_hole.h"
+#include "gcode/execute/cycle_pecks.h"
 #include "gcode/execute/cycle_words.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -15,9 +15,6 @@
 #include "gcode/execute/rotated_frame.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
-
-/* More pecks or holes in one block are a typing mistake, and carrying them out would seem to hang. */
-#define COUNT_MAX 1000000
 
 /* ------------------------------------------------------------------ words */
 
@@ -178,78 +175,6 @@ static bool find_dwell(struct canned_cycle *cycle, bool kept)
 	return cycle_words_take(cycle, 'P', kept, &cycle->dwell);
 }
 
-/* Haas, "G73", "G83": the first peck is I, each one is less by J, and none is less than K. */
-static bool find_falling_peck(struct canned_cycle *cycle, bool kept)
-{
-	struct interp *interp = cycle->interp;
-	double first = 0, less = 0, least = 0, scale = interp->state.scale;
-
-	if (!cycle_words_take(cycle, 'I', kept, &first) || !cycle_words_take(cycle, 'J', kept, &less) ||
-	    !cycle_words_take(cycle, 'K', kept, &least))
-		return false;
-	cycle->peck = fabs(first) * scale;
-	cycle->peck_less = fabs(less) * scale;
-	cycle->peck_least = fabs(least) * scale;
-	if (!(cycle->peck > 0) || !(cycle->peck_least > 0))
-		return fault(&interp->at, block_motion_column(&interp->block), "I and K of G%d must be greater than 0",
-			     cycle->code / 10);
-	return true;
-}
-
-/* Whatever the pecks are, they lie on the way between R and the bottom. */
-static void drill_in_one_stroke(struct canned_cycle *cycle)
-{
-	cycle->peck = cycle->peck_least = cycle->crosses ? 0 : cycle->r - cycle->bottom + 1;
-}
-
-static bool check_pecks(struct canned_cycle *cycle, int column, double q)
-{
-	struct interp *interp = cycle->interp;
-
-	if (cycle->crosses)
-		return true;
-	if ((cycle->r - cycle->bottom) / cycle->peck_least > COUNT_MAX)
-		return fault(&interp->at, column, "Q%g of G%d makes more than %d pecks", q, cycle->code / 10,
-			     COUNT_MAX);
-	/* Rounding would make such a peck 0, and the pecks would never reach the bottom. */
-	if (cycle->peck_least < DBL_EPSILON * fmax(fabs(cycle->r), fabs(cycle->bottom)))
-		return fault(&interp->at, column, "Q%g of G%d is too small to be told from 0 at this height", q,
-			     cycle->code / 10);
-	return true;
-}
-
-static bool find_peck(struct canned_cycle *cycle, bool kept)
-{
-	struct interp *interp = cycle->interp;
-	int column =
-	    block_has(&interp->block, 'Q') ? block_column(&interp->block, 'Q') : block_motion_column(&interp->block);
-	double q = 0;
-
-	/* Fanuc B-64484EN, "Peck Rigid Tapping Cycle": Q is kept; the pecks and their retracts lie on the same way. */
-	if (cycle->code == G74 || cycle->code == G84)
-		return !block_has(&interp->block, 'Q') || cycle_words_take(cycle, 'Q', kept, &q);
-	if (cycle->code != G73 && cycle->code != G83)
-		return true;
-	if (cycle->traits->pecks_fall == ANSWER_YES && !block_has(&interp->block, 'Q') &&
-	    cycle_words_know(cycle, 'I', kept))
-		return find_falling_peck(cycle, kept) && check_pecks(cycle, column, cycle->peck);
-	if (cycle->traits->q_has_sign == ANSWER_NO && !cycle_words_know(cycle, 'Q', kept)) {
-		drill_in_one_stroke(cycle);
-		return true;
-	}
-	if (!cycle_words_take(cycle, 'Q', kept, &q))
-		return false;
-	if (cycle->traits->q_has_sign == ANSWER_NO && same_double(q, 0)) {
-		drill_in_one_stroke(cycle);
-		return true;
-	}
-	cycle->peck = (cycle->traits->q_has_sign == ANSWER_YES ? q : fabs(q)) * interp->state.scale;
-	if (!(cycle->peck > 0))
-		return fault(&interp->at, column, "Q of G%d must be greater than 0", cycle->code / 10);
-	cycle->peck_least = cycle->peck;
-	return check_pecks(cycle, column, q);
-}
-
 static bool find_back_bore(struct canned_cycle *cycle, bool kept)
 {
 	const struct state *state = &cycle->interp->state;
@@ -336,16 +261,16 @@ static bool find_repeats(struct canned_cycle *cycle)
 	char letter = by_l ? 'L' : cycle->traits->repeat_letter;
 
 	cycle->repeats = 1;
-	/* Fanuc's parameter 0001#1 (FCV) has the program format of Series 15, and there L repeats; so it does before 16. */
+	/* Fanuc's parameter 0001#1 (FCV) has the program format of Series 15, where L repeats, as it does before 16. */
 	if (asks && !by_l && block_has(block, 'L'))
 		return fault(&interp->at, block_column(block, 'L'),
-			     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" of the "
-			     "machine's <controller> says that");
+			     "L of a canned cycle: K repeats it, unless a parameter has L do so; cycle_repeats=\"L\" "
+			     "of the machine's <controller> says that");
 	if (by_l && block_has(block, 'K'))
 		return fault(&interp->at, block_column(block, 'K'), "no code in the block uses the word K");
 	if (!block_has(block, letter))
 		return true;
-	if (!block_integer(block, &interp->at, letter, 0, COUNT_MAX, &cycle->repeats))
+	if (!block_integer(block, &interp->at, letter, 0, CYCLE_COUNT_MAX, &cycle->repeats))
 		return false;
 	if (cycle->repeats == 0 && cycle->traits->zero_repeats_refused == ANSWER_YES)
 		return fault(&interp->at, block_column(block, letter), "G%d cannot be repeated 0 times",
@@ -519,7 +444,7 @@ bool canned_cycle_run(struct interp *interp)
 	find_axes(&cycle);
 	kept = keeps_words(&cycle);
 	if (!motion_commands_feed(interp, &cycle.feed) || !find_repeats(&cycle) || !find_heights(&cycle, kept) ||
-	    !find_dwell(&cycle, kept) || !find_peck(&cycle, kept) || !find_back_bore(&cycle, kept) ||
+	    !find_dwell(&cycle, kept) || !cycle_pecks_find(&cycle, kept) || !find_back_bore(&cycle, kept) ||
 	    !find_bore_shift(&cycle, kept) ||
 	    !check_spindle(&cycle) || !check_tap_plane(&cycle))
 		return false;

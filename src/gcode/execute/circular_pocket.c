@@ -32,8 +32,8 @@ static bool check_state(struct interp *interp)
 	if (state->plane != G17)
 		return refuse(interp, "needs the plane of G17");
 	if (state->frame.on || state->tcp != TCP_OFF || state->polar.on || cutter_comp_is_on(interp))
-		return refuse(interp, "in changed coordinates, under tool centre point control or under cutter compensation "
-				      "is not supported");
+		return refuse(interp, "in changed coordinates, under tool centre point control or under cutter "
+				      "compensation is not supported");
 	for (const char *letter = "ABCUVW"; *letter; letter++) {
 		if (block_has(&interp->block, *letter))
 			return fault(&interp->at, block_column(&interp->block, *letter), "%c with G%d is not supported",
@@ -107,7 +107,8 @@ bool circular_pocket_mill(struct interp *interp)
 		return false;
 	if (!(interp->state.feed_linear > 0))
 		return refuse(interp, "needs a feed rate (F)");
-	if (!motion_commands_feed(interp, &pocket.feed) || !find_radius(interp, &pocket) || !find_depth(interp, &pocket))
+	if (!motion_commands_feed(interp, &pocket.feed) || !find_radius(interp, &pocket) ||
+	    !find_depth(interp, &pocket))
 		return false;
 	over = pocket.centre;
 	over.v[SLOT_Z] = pocket.top;

@@ -5,8 +5,8 @@
 #include "gcode/state.h"
 
 /*
- * Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling CCW": the tool goes down at
- * the centre and round it, up to the radius of K, or of I without K, less its own. How it leads from circle to
+ * Haas mill operator's manual, "G12 Circular Pocket Milling CW / G13 Circular Pocket Milling CCW": the tool goes down
+ * at the centre and round it, up to the radius of K, or of I without K, less its own. How it leads from circle to
  * circle is not followed: the whole cylinder is proved. False: reported.
  */
 bool circular_pocket_mill(struct interp *interp);

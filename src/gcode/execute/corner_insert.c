@@ -65,7 +65,8 @@ bool corner_insert_start_block(struct interp *interp)
 	if (interp->corner.on && more) {
 		fault_report(
 		    &interp->at, 1,
-		    "the block behind a chamfer or rounding (%s) has a move in the plane and no other code", names(interp));
+		    "the block behind a chamfer or rounding (%s) has a move in the plane and "
+		    "no other code", names(interp));
 		return drop(interp);
 	}
 	if (block->corner == '\0')
@@ -257,12 +258,14 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 	*waits = false;
 	if (leaves_plane(interp, next->target) || block->motion < G1)
 		return fault(&interp->at, block_motion_column(block),
-			     "the blocks on both sides of a chamfer or rounding (%s) need a move of G1, G2 or G3 in the "
+			     "the blocks on both sides of a chamfer or rounding (%s) need a move of "
+			     "G1, G2 or G3 in the "
 			     "plane, and in the plane only",
 			     names(interp));
 	if (next->is_arc && !arcs)
 		return fault(&interp->at, block_motion_column(block),
-			     "a chamfer or rounding (%s) beside an arc is not supported on this control", names(interp));
+			     "a chamfer or rounding (%s) beside an arc is not supported "
+			     "on this control", names(interp));
 	if (corner->on && (!find_insertion(interp, next, &insertion) || !make_waiting(interp, &insertion)))
 		return drop(interp);
 	if (block->corner == '\0')
@@ -300,6 +303,7 @@ bool corner_insert_end_block(struct interp *interp)
 		return true;
 	}
 	fault_report(&interp->at, 1,
-		     "the block behind a chamfer or rounding (%s) needs a move of G1, G2 or G3 in the plane", names(interp));
+		     "the block behind a chamfer or rounding (%s) needs a move of G1, G2 or G3 "
+		     "in the plane", names(interp));
 	return drop(interp);
 }

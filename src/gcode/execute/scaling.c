@@ -25,7 +25,8 @@ bool scaling_start_block(struct interp *interp)
 	int code = block->g[G_NONMODAL];
 
 	if (code != CODE_NONE && code != G4)
-		return refuse(interp, block->g_column[G_NONMODAL], "a change of offsets or a move to a place of the machine");
+		return refuse(interp, block->g_column[G_NONMODAL],
+			      "a change of offsets or a move to a place of the machine");
 	if (block->g[G_SYSTEM] != CODE_NONE)
 		return refuse(interp, block->g_column[G_SYSTEM], "a change of offsets");
 	if (block->g[G_LENGTH] != CODE_NONE && block->g[G_LENGTH] != G43 && block->g[G_LENGTH] != G49)
@@ -65,7 +66,8 @@ static bool find_factor(struct interp *interp, double *factor)
 				     "G51 with different factors for the axes is not supported");
 	}
 	*factor = block_value(block, first);
-	return *factor > 0 || fault(&interp->at, block_column(block, first), "the factor of G51 must be greater than 0");
+	return *factor > 0 ||
+	       fault(&interp->at, block_column(block, first), "the factor of G51 must be greater than 0");
 }
 
 /* The centre of an axis that is not named is where it stands. */

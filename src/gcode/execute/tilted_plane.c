@@ -94,7 +94,7 @@ static bool turn_of(struct interp *interp, vec3 x, vec3 across, const char *why,
 	return true;
 }
 
-/* Three points: the first is the zero, X leads to the second, and the third lies on the side of Y. Q0 shifts the zero. */
+/* Three points: the first is the zero, X leads to the second, the third lies on the side of Y. Q0 shifts the zero. */
 static bool by_points(struct interp *interp, mat3 *turn, vec3 *origin)
 {
 	const struct plane_parts *parts = &interp->state.plane_parts;
@@ -222,5 +222,6 @@ bool tilted_plane_check_block(struct interp *interp)
 
 	if (parts->form == 0 || interp->block.g[G_ROTATION] == G68_2 || interp->block.words == 0)
 		return true;
-	return fault(&interp->at, 1, "the plane of G68.2 P%d is not complete: Q%d comes next", parts->form, parts->next);
+	return fault(&interp->at, 1, "the plane of G68.2 P%d is not complete: Q%d comes next", parts->form,
+		     parts->next);
 }

@@ -45,8 +45,8 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 			const struct block_modes *modes)
 {
 	const char *parameter = traits->power_on.asks_motion
-				    ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says which one "
-				      "the control starts with"
+				    ? "; power_on_motion=\"rapid\" or \"feed\" of the machine's <controller> says "
+				      "which one the control starts with"
 				    : "";
 	bool axes = block->letters & AXIS_BITS;
 	bool offsets = block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
@@ -308,6 +308,14 @@ static bool check_output(const struct block *block, const struct line_place *at)
 	return true;
 }
 
+/* Where K repeats a canned cycle, L may do so, too: find_repeats in execute/canned_cycle.c. */
+static uint32_t repeat_letters(const struct block *block, const struct dialect *dialect)
+{
+	const struct cycle_traits *cycles = dialect->traits.cycles;
+
+	return cycles && cycles->repeat_letter == 'K' && !is_call(block, dialect) ? letter_bit('L') : 0;
+}
+
 /* The letters that some code of the block uses. */
 static uint32_t used_letters(const struct block *block, const struct dialect *dialect)
 {
@@ -319,9 +327,7 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 		used |= traits->arcs_have_turns != ANSWER_NO ? letter_bit('P') : 0;
 	}
 	if (block->motion != CODE_NONE && code_is_cycle(block->motion))
-		used |= cycle_letters(block->motion, dialect) |
-			(traits->cycles && traits->cycles->repeat_letter == 'K' && !is_call(block, dialect) ? letter_bit('L')
-													  : 0);
+		used |= cycle_letters(block->motion, dialect) | repeat_letters(block, dialect);
 	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
 	if (block->motion >= G31 && block->motion <= G31_3)
 		used |= letter_bit('P');

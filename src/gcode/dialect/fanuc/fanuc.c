@@ -68,7 +68,8 @@ static const struct code g_codes[] = {
 	{811, GROUP_NONE, CODE_REFUSED, "chopping"},
 	{G92_1, GROUP_NONE, CODE_REFUSED, "workpiece coordinate system preset"},
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
-	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},	/* the mode that is always in force here */
+	/* The mode that is always in force here. */
+	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 	{1070, GROUP_NONE, CODE_REFUSED, "cylindrical interpolation"},
 	{1120, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
 	{1130, GROUP_NONE, CODE_IGNORED, "end of polar coordinate interpolation"},
@@ -85,27 +86,11 @@ static const struct code m_codes[] = {
  * starts the spindle.
  */
 static const struct cycle_traits cycles = {
-	.words_outlive_cycle = ANSWER_YES,
-	.without_axes = ANSWER_YES,
-	.starts_at_r = ANSWER_NO,
-	.never_below_r = ANSWER_NO,
-	/* The manual does not say that it is none. */
-	.level_is_coordinate = ANSWER_NO,
-	.p_is_needed = ANSWER_NO,
-	.q_has_sign = ANSWER_NO,
-	/* The words are kept and nothing is drilled. */
-	.zero_repeats_refused = ANSWER_NO,
-	.only_xyz = ANSWER_NO,
-	.spindle_must_turn = ANSWER_NO,
-	.taps_confuse_planes = ANSWER_NO,
-	.feeds_to_clear = ANSWER_NO,
-	.rises_first = ANSWER_NO,
+	FANUC_FAMILY_CYCLES,
 	.g87 = G87_BACK_BY_Q,
-	.any_order = ANSWER_YES,
 	.taps_peck = ANSWER_YES,
 	.pecks_fall = ANSWER_NO,
 	.shift_by_ij = ANSWER_NO,
-	.exact_path = ANSWER_NO,
 	.repeat_letter = 'K',
 };
 
@@ -165,7 +150,7 @@ const struct dialect dialect_fanuc = {
 		/* Machine coordinate system (G53). */
 		.g53_rate = G53_RATE_RAPID,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
-		/* B-64484EN, "Machine Coordinate System (G53)": in G91 it is ignored. Not every control of the name does so. */
+		/* B-64484EN, "Machine Coordinate System (G53)": it is ignored in G91. Not every such control does so. */
 		.g53_asks_g91 = ANSWER_YES,
 		.g53_alone = ANSWER_YES,
 		/* An alarm. */

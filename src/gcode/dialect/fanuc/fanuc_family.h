@@ -7,4 +7,25 @@
 extern const struct word_set fanuc_family_words;
 extern const struct code_set fanuc_family_g_codes, fanuc_family_m_codes;
 
+/*
+ * How canned cycles drill, as both manuals have it. Neither says that the level is no coordinate, and neither forbids R
+ * below Z; words of a cycle that is repeated 0 times are kept, and nothing is drilled.
+ */
+#define FANUC_FAMILY_CYCLES \
+	.words_outlive_cycle = ANSWER_YES, \
+	.without_axes = ANSWER_YES, \
+	.starts_at_r = ANSWER_NO, \
+	.never_below_r = ANSWER_NO, \
+	.level_is_coordinate = ANSWER_NO, \
+	.p_is_needed = ANSWER_NO, \
+	.q_has_sign = ANSWER_NO, \
+	.zero_repeats_refused = ANSWER_NO, \
+	.only_xyz = ANSWER_NO, \
+	.spindle_must_turn = ANSWER_NO, \
+	.taps_confuse_planes = ANSWER_NO, \
+	.feeds_to_clear = ANSWER_NO, \
+	.rises_first = ANSWER_NO, \
+	.any_order = ANSWER_YES, \
+	.exact_path = ANSWER_NO
+
 #endif

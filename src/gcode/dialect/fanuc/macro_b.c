@@ -237,8 +237,8 @@ static bool take_name(struct interp *interp, bool *done)
 		lexer.position = (size_t)(text - interp->at.text) + length + 1;
 		if (!end_statement(&lexer))
 			return false;
-	} else if ((*text == 'O' || *text == 'o') && (text[1] == ' ' || text[1] == '\t') && !line_shape_moves_axes(text) &&
-		   isalpha((unsigned char)squeezed[1])) {
+	} else if ((*text == 'O' || *text == 'o') && (text[1] == ' ' || text[1] == '\t') &&
+		   !line_shape_moves_axes(text) && isalpha((unsigned char)squeezed[1])) {
 		caution(&interp->at, 1, "the program has no number behind its O; this line is passed over");
 	} else {
 		return true;

@@ -251,7 +251,8 @@ bool macro_b_call_g66(struct interp *interp, struct lexer *lexer, int column)
 		return false;
 	builder = builder_macro_of_program(interp, request.number);
 	if (builder && builder->action != MACRO_NONE)
-		return fault(&interp->at, column, "G66 with a program of the machine's builder that moves is not followed");
+		return fault(&interp->at, column,
+			     "G66 with a program of the machine's builder that moves is not followed");
 	if (builder)
 		return true;
 	if (macro->modal)

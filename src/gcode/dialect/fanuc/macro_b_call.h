@@ -8,8 +8,8 @@
 #include "gcode/text/lexer.h"
 
 /*
- * G65 and G66, behind which the lexer stands; `column` is the G's. *done is false if a block has to be carried out for a
- * program of the machine's builder (builder_macro.h). False: reported.
+ * G65 and G66, behind which the lexer stands; `column` is the G's. *done is false if a block has to be carried out
+ * for a program of the machine's builder (builder_macro.h). False: reported.
  */
 bool macro_b_call_g65(struct interp *interp, struct lexer *lexer, int column, bool *done);
 /* The same of a G-code that calls a program of the machine's builder. */

@@ -331,8 +331,10 @@ static bool look_in_folders(struct interp *interp, int number, int column, struc
 		return false;
 	if (!start.source && number >= 8000 && number <= 9999)
 		return fault(&interp->at, column,
-			     "the program O%d is neither in %s nor in a file of its own beside it or in an --include folder; "
-			     "if the machine's builder made it, <macro program=\"%d\" action=\"\"/> in the <controller> of "
+			     "the program O%d is neither in %s nor in a file of its own "
+			     "beside it or in an --include folder; "
+			     "if the machine's builder made it, <macro program=\"%d\" action=\"\"/> "
+			     "in the <controller> of "
 			     "the machine file says what it does: none, move or around",
 			     number, interp->program.sources.items[0]->name, number);
 	if (!start.source)

@@ -102,28 +102,12 @@ static const struct code m_codes[] = {
 
 /* Mill operator's manual, canned cycles. */
 static const struct cycle_traits cycles = {
-	.words_outlive_cycle = ANSWER_YES,
-	.without_axes = ANSWER_YES,
-	.starts_at_r = ANSWER_NO,
-	.never_below_r = ANSWER_NO,
-	/* The manual does not say that it is none. */
-	.level_is_coordinate = ANSWER_NO,
-	.p_is_needed = ANSWER_NO,
-	.q_has_sign = ANSWER_NO,
-	/* The words are kept and nothing is drilled. */
-	.zero_repeats_refused = ANSWER_NO,
-	.only_xyz = ANSWER_NO,
-	.spindle_must_turn = ANSWER_NO,
-	.taps_confuse_planes = ANSWER_NO,
-	.feeds_to_clear = ANSWER_NO,
-	.rises_first = ANSWER_NO,
+	FANUC_FAMILY_CYCLES,
 	.g87 = G87_BY_HAND,
-	.any_order = ANSWER_YES,
 	/* "G84 Tapping Canned Cycle". */
 	.taps_retract_by_j = ANSWER_YES,
 	.pecks_fall = ANSWER_YES,
 	.shift_by_ij = ANSWER_YES,
-	.exact_path = ANSWER_NO,
 	.repeat_letter = 'L',
 };
 

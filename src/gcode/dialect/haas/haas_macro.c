@@ -2,40 +2,12 @@
 
 #include "gcode/dialect/fanuc/macro_b_expr.h"
 #include "gcode/dialect/fanuc/macro_b_state.h"
+#include "gcode/dialect/fanuc/macro_b_tables.h"
 
 /* Haas mill operator's manual, "Macros". It gives AND, OR and XOR no order among the others. */
-static const struct expr_operator operators[] = {
-	{"eq", EXPR_EQ, 1, false},
-	{"ne", EXPR_NE, 1, false},
-	{"gt", EXPR_GT, 1, false},
-	{"ge", EXPR_GE, 1, false},
-	{"lt", EXPR_LT, 1, false},
-	{"le", EXPR_LE, 1, false},
-	{"+", EXPR_PLUS, 2, false},
-	{"-", EXPR_MINUS, 2, false},
-	{"or", EXPR_OR, 2, true},
-	{"xor", EXPR_XOR, 2, true},
-	{"*", EXPR_TIMES, 3, false},
-	{"/", EXPR_DIVIDE, 3, false},
-	{"and", EXPR_AND, 3, true},
-	{"mod", EXPR_MODULO, 3, false},
-};
+static const struct expr_operator operators[] = {MACRO_B_OPERATORS(true)};
 
-static const struct function_name functions[] = {
-	{"abs", "ABS", FUNCTION_ABS, false},
-	{"acos", "ACOS", FUNCTION_ACOS, false},
-	{"asin", "ASIN", FUNCTION_ASIN, false},
-	{"atan", "ATAN", FUNCTION_ATAN, false},
-	{"cos", "COS", FUNCTION_COS, false},
-	{"exp", "EXP", FUNCTION_EXP, true},
-	{"fix", "FIX", FUNCTION_FIX, false},
-	{"fup", "FUP", FUNCTION_FUP, true},
-	{"ln", "LN", FUNCTION_LN, true},
-	{"round", "ROUND", FUNCTION_ROUND, false},
-	{"sin", "SIN", FUNCTION_SIN, false},
-	{"sqrt", "SQRT", FUNCTION_SQRT, false},
-	{"tan", "TAN", FUNCTION_TAN, false},
-};
+static const struct function_name functions[] = {MACRO_B_FUNCTIONS(true)};
 
 static const struct expr_rules expr_rules = {
 	.open = '[', .close = ']', .variable_starts = "#",

@@ -167,7 +167,8 @@ bool control_flow_after_block(struct interp *interp)
 
 	if (modes != CODE_NONE && interp->block.words > 1)
 		return fault(&interp->at, interp->block.m_column[M_MODES],
-			     "M%d stands alone in its block: which of the others come before it is not followed", modes);
+			     "M%d stands alone in its block: which of the others come before it is "
+			     "not followed", modes);
 	if (modes != CODE_NONE)
 		return modal_state_run(interp, &linuxcnc_call_in_hand(interp)->modal, modes,
 				       interp->block.m_column[M_MODES]);

@@ -56,7 +56,8 @@ static const struct code g_codes[] = {
 	{G92_2, G_NONMODAL, CODE_READ, "suspension of the coordinate system shift"},
 	{G92_3, G_NONMODAL, CODE_READ, "return of the coordinate system shift"},
 	{G96, G_SPINDLE, CODE_READ, "constant surface speed"},
-	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},	/* the mode that is always in force here */
+	/* The mode that is always in force here. */
+	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
 };
 
 static const struct code m_codes[] = {
@@ -86,7 +87,8 @@ static const struct code m_codes[] = {
 
 /* LinuxCNC's manual, "Parameters", "O Codes". */
 static const struct code_word words[] = {
-	{"#n =", CODE_READ, "parameter, by its number or as #<name>; one that only the machine knows is an error where it is read"},
+	{"#n =", CODE_READ,
+	 "parameter, by its number or as #<name>; one that only the machine knows is an error where it is read"},
 	{"O... SUB", CODE_READ, "subroutine, up to ENDSUB; RETURN leaves it"},
 	{"O... CALL", CODE_READ, "call of a subroutine or of its file"},
 	{"O... IF", CODE_READ, "condition, with ELSEIF, ELSE and ENDIF"},

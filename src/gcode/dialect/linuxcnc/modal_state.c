@@ -6,7 +6,8 @@
 static bool refuse(struct interp *interp, int column, const char *what)
 {
 	return fault(&interp->at, column,
-		     "M72 and M73 would take back %s, which LinuxCNC does by halves: bring it back by its own code first",
+		     "M72 and M73 would take back %s, which LinuxCNC does by halves: bring "
+		     "it back by its own code first",
 		     what);
 }
 

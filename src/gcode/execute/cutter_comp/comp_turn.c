@@ -193,7 +193,8 @@ static bool can_cross(struct interp *interp, const struct comp_corner_shape *c)
 			      !(c->after->is_arc && c->after->inside)))
 		return true;
 	return fault(&interp->at, block_motion_column(&interp->block),
-		     "an outside corner at which the path turns by %.4g degrees%s: whether the control draws it out or rounds "
+		     "an outside corner at which the path turns by %.4g degrees%s: whether the control draws it out or "
+		     "rounds "
 		     "it is a parameter's matter; round it, with G450 and DISC=0",
 		     degrees(c->angle), c->angle > SHARPEST ? "" : ", beside an arc that the tool follows inside");
 }
