@@ -67,11 +67,11 @@ static const struct {
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nCR X+26 R3 DR+\n",
 	 "p.nc:5:4: error: the arc's radius, 3 mm, is not greater than the radius of the compensation, 5 mm"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nL Z+5 R0\nCR X+26 R3 DR+\n",
-	 "p.nc:6:4: error: a circle behind R0 in a block without X and Y: whether the tool still stands beside the path "
-	 "depends on the control; move X and Y first"},
+	 "p.nc:6:4: error: a circle while it is not known where the tool stands in X and Y: behind R0 without a move in the "
+	 "plane, DEP, or a cycle that mills a pocket; move X and Y first"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\nL X+20\nL Z+5 R0\nL M128\n",
-	 "p.nc:6:3: error: M128 behind R0 in a block without X and Y: whether the tool still stands beside the path "
-	 "depends on the control; move X and Y first"},
+	 "p.nc:6:3: error: M128 while it is not known where the tool stands in X and Y: behind R0 without a move in the "
+	 "plane, DEP, or a cycle that mills a pocket; move X and Y first"},
 	{"TOOL CALL 1 Z\nAPPR LT X+20 LEN5 F100\n",
 	 "p.nc:3:9: error: APPR needs RL or RR"},
 	{"TOOL CALL 1 Z\nAPPR XT X+20 LEN5 F100\n",
@@ -495,9 +495,12 @@ static const struct {
 	 "p.nc:2:15: error: this is no word of FUNCTION TCPM"},
 	{"FUNCTION TCPM F FOO\n",
 	 "p.nc:2:15: error: F of TCPM is TCP or CONT"},
-	{"LN X+1 NX+0 NY+0 NZ+1 TX+0 TY+0 TZ+1 F100\n",
-	 "p.nc:2:4: error: TX, TY, TZ: a direction of the tool is not supported yet; post the positions "
-	 "of the rotary axes"},
+	{"LN X+1 TX+0 TY+0 TZ+1 F100\n",
+	 "p.nc:2:4: error: TX, TY and TZ turn the rotary axes while M128 or TCPM is in force only; write it before"},
+	{"M128\nLN X+1 TX+0 TY+0 TZ+0.9 F100\n",
+	 "p.nc:3:4: error: TX, TY and TZ have to be a vector of length 1"},
+	{"M128\nLN X+1 A+5 TX+0 TY+0 TZ+1 F100\n",
+	 "p.nc:3:4: error: TX, TY and TZ beside words of rotary axes"},
 	{"TOOL CALL 1 Z DL+1\nLN X+1 NX+0 NY+0 NZ+1 F100\n",
 	 "p.nc:3:4: error: LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): "
 	 "three-dimensional compensation is not supported yet"},
@@ -534,13 +537,21 @@ static const struct {
 	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: Q343=1: a centring by its diameter needs the point angle of the tool; give "
 	 "its depth in Q201"},
-	{"CYCL DEF 208 BORE MILLING\n",
-	 "p.nc:2:10: error: CYCL DEF 208: bore milling is not supported yet"},
-	{"CYCL DEF 220 POLAR PATTERN\n",
-	 "p.nc:2:10: error: CYCL DEF 220: a pattern of holes on a circle is not supported yet"},
-	{"CYCL DEF 251 RECTANGULAR POCKET\n",
-	 "p.nc:2:10: error: CYCL DEF 251 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-	 "<macro program=\"251\" action=\"none\"/> in the machine's <controller> says so"},
+	{"CYCL DEF 208 BORE MILLING Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 208 lacks Q335"},
+	{"CYCL DEF 251 POCKET Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q218=20 Q219=20 Q367=7\nM99\n",
+	 "p.nc:3:1: error: Q367 of CYCL DEF 251 is a whole number from 0 to 4"},
+	{"CYCL DEF 254 SLOT Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q375=20 Q219=2 Q216=0 Q217=0 Q367=1\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 254 with Q367 other than 0 is not supported yet"},
+	{"CYCL DEF 252 POCKET Q200=2 Q201=10 Q207=100 Q203=0 Q204=20 Q223=20\nM99\n",
+	 "p.nc:3:1: error: Q201=10: what a depth above the surface does depends on a machine parameter"},
+	{"CYCL DEF 252 POCKET Q200=2 Q201=-10 Q207=0 Q203=0 Q204=20 Q223=20\nM99\n",
+	 "p.nc:3:1: error: a cycle without a feed rate"},
+	{"CYCL DEF 220 POLAR PATTERN Q200=2\n",
+	 "p.nc:2:10: error: CYCL DEF 220 lacks Q216"},
+	{"CYCL DEF 256 RECTANGULAR STUD\n",
+	 "p.nc:2:10: error: CYCL DEF 256 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+	 "<macro program=\"256\" action=\"none\"/> in the machine's <controller> says so"},
 	{"CYCL DEF 413 DATUM\n",
 	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the "
 	 "program runs"},
@@ -554,7 +565,11 @@ static const struct {
 	{"CYCL DEF 7 DATUM SHIFT\n",
 	 "p.nc:2:10: error: CYCL DEF 7 is written in lines 7.0, 7.1 and on"},
 	{"CYCL CALL PAT F100\n",
-	 "p.nc:2:11: error: CYCL CALL PAT: patterns and point tables are not supported yet"},
+	 "p.nc:2:15: error: CYCL CALL PAT has no coordinates, and FMAX or no feed"},
+	{"CYCL CALL PAT FMAX\n",
+	 "p.nc:2:11: error: CYCL CALL PAT, but no PATTERN DEF has given points"},
+	{"PATTERN DEF POS1 (X+0 Y+0)\nCYCL CALL PAT FMAX\n",
+	 "p.nc:3:11: error: a pattern needs a cycle with Q203 that has been defined before it"},
 	{"CYCL CALL X+5\n",
 	 "p.nc:2:11: error: CYCL CALL with coordinates is written as CYCL CALL POS"},
 	{"CYCL CALL POS X+5\n",
@@ -562,7 +577,23 @@ static const struct {
 	{"CYCL CALL POS X+5 Y+5 Z+5\n",
 	 "p.nc:2:23: error: a Z other than 0 shifts the cycle: that is not supported yet; put it into Q203"},
 	{"PATTERN DEF POS1\n",
-	 "p.nc:2:1: error: PATTERN DEF is not supported yet"},
+	 "p.nc:2:17: error: '(' is needed here"},
+	{"PATTERN DEF POS1 (X+1)\n",
+	 "p.nc:2:16: error: a word of this pattern is missing"},
+	{"PATTERN DEF POS1 (X+1 K+2)\n",
+	 "p.nc:2:23: error: this is no word of a pattern"},
+	{"PATTERN DEF ROW1 (X+1 Y+2 D+3 NUM1.5)\n",
+	 "p.nc:2:16: error: a number of points is a whole number from 1 to 1000"},
+	{"PATTERN DEF FRAME1 (X+1 Y+2 DX+3 DY+4 NUMX2 NUMY2)\n",
+	 "p.nc:2:13: error: PATTERN DEF reads POS, ROW, PAT, CIRC and PITCHCIRC"},
+	{"PATTERN DEF PAT1 (X+1 Y+2 DX+3 DY+4 NUMX2 NUMY2 ROTX+5)\n",
+	 "p.nc:2:16: error: PAT with ROTX or ROTY is not supported yet"},
+	{"PATTERN DEF PAT1 (X+1 Y+2 DX+3 DY+4 NUMX500 NUMY500)\n",
+	 "p.nc:2:16: error: a pattern has at most 1000 points"},
+	{"POS1 (X+1 Y+2)\n",
+	 "p.nc:2:1: error: points of a pattern belong behind PATTERN DEF"},
+	{"PATTERN TAB\n",
+	 "p.nc:2:9: error: PATTERN needs DEF"},
 	{"SEL PATTERN \"X\"\n",
 	 "p.nc:2:1: error: SEL: a selection of tables and contours is not supported yet"},
 	{"TCH PROBE 413\n",
@@ -669,7 +700,7 @@ START_TEST(all_faults)
 
 	klartext_case(&c);
 	c.config.read.all_faults = true;
-	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 208\n"));
+	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 3.0\n"));
 	ck_assert_uint_eq(c.diag.errors, 4);
 	case_release(&c);
 }

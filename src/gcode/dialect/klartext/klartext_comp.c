@@ -335,8 +335,8 @@ bool klartext_comp_check_known(struct interp *interp, int column, const char *wh
 
 	return !(loose[SLOT_X] + loose[SLOT_Y] > 0) ||
 	       fault(&interp->at, column,
-		     "%s behind R0 in a block without X and Y: whether the tool still stands beside the path depends on "
-		     "the control; move X and Y first",
+		     "%s while it is not known where the tool stands in X and Y: behind R0 without a move in the plane, DEP, "
+		     "or a cycle that mills a pocket; move X and Y first",
 		     what);
 }
 

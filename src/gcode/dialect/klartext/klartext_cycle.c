@@ -8,98 +8,15 @@
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
+#include "gcode/dialect/klartext/klartext_parameter.h"
+#include "gcode/dialect/klartext/klartext_region.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* More pecks are a typing mistake, and carrying them out would seem to hang. */
 #define PECKS_MAX 100000
 
-/* A cycle that is being carried out. */
-struct call {
-	struct interp *interp;
-	const struct klartext_cycle *cycle;
-	int column; /* of what calls it */
-};
-
-/* ------------------------------------------------------------------- words */
-
-static bool find_word(const struct call *call, int q, double *value)
-{
-	char name[12] = "Q";
-	int digits = q >= 100 ? 3 : 2;
-
-	for (int i = digits; i > 0; i--, q /= 10)
-		name[i] = (char)('0' + q % 10);
-	name[digits + 1] = '\0';
-	for (int i = call->cycle->count; i-- > 0;) {
-		const struct klartext_cycle_word *word = &call->cycle->words[i];
-
-		if (word->given && !strcmp(word->name, name)) {
-			*value = word->value;
-			return true;
-		}
-	}
-	return false;
-}
-
-/* A parameter that the cycle must have. False: reported. */
-static bool need(const struct call *call, int q, double *value)
-{
-	return find_word(call, q, value) ||
-	       fault(&call->interp->at, call->column, "CYCL DEF %d lacks Q%d", call->cycle->number, q);
-}
-
-static double word_or(const struct call *call, int q, double otherwise)
-{
-	double value;
-
-	return find_word(call, q, &value) ? value : otherwise;
-}
-
-/* A length, in mm. */
-static bool need_length(const struct call *call, int q, double *value)
-{
-	if (!need(call, q, value))
-		return false;
-	*value *= call->interp->state.scale;
-	return true;
-}
-
-static double length_or(const struct call *call, int q, double otherwise)
-{
-	double value;
-
-	return find_word(call, q, &value) ? value * call->interp->state.scale : otherwise;
-}
-
-/* mm/s, of F in mm/min or tenths of an inch a minute. */
-static double per_second(const struct call *call, double feed)
-{
-	double scale = call->interp->state.scale;
-
-	return feed * (scale > 1 ? scale / 10 : 1) / SECONDS_PER_MINUTE;
-}
-
-/* ------------------------------------------------------------------- feeds */
-
-/*
- * Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time
- * finite.
- */
-static bool find_feed(const struct call *call, int q, double *feed)
-{
-	double value;
-
-	if (!need(call, q, &value))
-		return false;
-	if (value < 0)
-		return fault(&call->interp->at, call->column, "Q%d of CYCL DEF %d: a feed rate cannot be negative", q,
-			     call->cycle->number);
-	*feed = per_second(call, value);
-	return true;
-}
-
 /* The pitch times the speed. */
-static bool find_tap_feed(const struct call *call, double pitch, double *feed)
+static bool find_tap_feed(const struct klartext_call_of *call, double pitch, double *feed)
 {
 	const struct state *state = &call->interp->state;
 
@@ -116,12 +33,12 @@ static bool find_tap_feed(const struct call *call, double pitch, double *feed)
  * iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's surface, Q200 the set-up clearance
  * above it, Q204 the second one, Q201 the depth below the surface.
  */
-static bool find_heights(const struct call *call, struct klartext_hole *hole)
+static bool find_heights(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double clearance, surface, depth, second;
 
-	if (!need_length(call, 200, &clearance) || !need_length(call, 201, &depth) ||
-	    !need_length(call, 203, &surface) || !need_length(call, 204, &second))
+	if (!klartext_parameter_length(call, 200, &clearance) || !klartext_parameter_length(call, 201, &depth) ||
+	    !klartext_parameter_length(call, 203, &surface) || !klartext_parameter_length(call, 204, &second))
 		return false;
 	if (clearance < 0 || second < 0)
 		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
@@ -137,16 +54,16 @@ static bool find_heights(const struct call *call, struct klartext_hole *hole)
 }
 
 /* Q202, Q212, Q205: a peck, by how much each is smaller, and how small it may get. */
-static bool find_pecks(const struct call *call, struct klartext_hole *hole)
+static bool find_pecks(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double depth = hole->start - hole->bottom;
 
-	if (!need_length(call, 202, &hole->peck))
+	if (!klartext_parameter_length(call, 202, &hole->peck))
 		return false;
 	if (hole->peck < 0)
 		return fault(&call->interp->at, call->column, "Q202: a peck cannot be negative");
-	hole->less = fmax(0, length_or(call, 212, 0));
-	hole->least = fmax(0, length_or(call, 205, 0));
+	hole->less = fmax(0, klartext_parameter_length_or(call, 212, 0));
+	hole->least = fmax(0, klartext_parameter_length_or(call, 205, 0));
 	/* 0: however the control divides the depth, the tool stays on this line. */
 	if (!(hole->peck > 0))
 		hole->peck = depth;
@@ -157,23 +74,23 @@ static bool find_pecks(const struct call *call, struct klartext_hole *hole)
 	return true;
 }
 
-static bool find_dwell(const struct call *call, int q, double *seconds)
+static bool find_dwell(const struct klartext_call_of *call, int q, double *seconds)
 {
-	*seconds = word_or(call, q, 0);
+	*seconds = klartext_parameter_or(call, q, 0);
 	return *seconds >= 0 || fault(&call->interp->at, call->column, "Q%d: a dwell cannot be negative", q);
 }
 
 /* -------------------------------------------------------------- the cycles */
 
 /* 200, 203, 205, 240: drilling, with pecks. */
-static bool drill(const struct call *call, struct klartext_hole *hole)
+static bool drill(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	int number = call->cycle->number;
 
-	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+	if (!klartext_parameter_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
 		return false;
 	if (number == 240) {
-		if (!same_double(word_or(call, 343, 0), 0))
+		if (!same_double(klartext_parameter_or(call, 343, 0), 0))
 			return fault(&call->interp->at, call->column,
 				     "Q343=1: a centring by its diameter needs the point angle of the tool; give its "
 				     "depth in Q201");
@@ -181,21 +98,21 @@ static bool drill(const struct call *call, struct klartext_hole *hole)
 	}
 	if (!find_pecks(call, hole))
 		return false;
-	hole->chip_breaks = number == 203 ? (int)fmin(PECKS_MAX, fmax(0, word_or(call, 213, 0))) : 0;
-	hole->break_way = length_or(call, 256, 0);
+	hole->chip_breaks = number == 203 ? (int)fmin(PECKS_MAX, fmax(0, klartext_parameter_or(call, 213, 0))) : 0;
+	hole->break_way = klartext_parameter_length_or(call, 256, 0);
 	if (number == 205)
-		hole->start = fmax(hole->bottom, hole->start + fmin(0, length_or(call, 379, 0)));
+		hole->start = fmax(hole->bottom, hole->start + fmin(0, klartext_parameter_length_or(call, 379, 0)));
 	return true;
 }
 
 /* 201: to the bottom and back at the feed Q208, or that of the way down; 202 the same, aside at the bottom. */
-static bool ream(const struct call *call, struct klartext_hole *hole)
+static bool ream(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
-	double direction = word_or(call, 214, 0);
+	double direction = klartext_parameter_or(call, 214, 0);
 
-	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+	if (!klartext_parameter_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
 		return false;
-	hole->out = per_second(call, fmax(0, word_or(call, 208, 0)));
+	hole->out = klartext_parameter_per_second(call, fmax(0, klartext_parameter_or(call, 208, 0)));
 	hole->out = hole->out > 0 ? hole->out : hole->feed;
 	if (call->cycle->number != 202 || same_double(direction, 0))
 		return true;
@@ -208,7 +125,7 @@ static bool ream(const struct call *call, struct klartext_hole *hole)
 }
 
 /* 206: with a floating holder; 207, 209: without. The tool leaves the hole at the feed. */
-static bool tap(const struct call *call, struct klartext_hole *hole)
+static bool tap(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double pitch;
 
@@ -216,9 +133,9 @@ static bool tap(const struct call *call, struct klartext_hole *hole)
 	if (!find_dwell(call, 211, &hole->dwell))
 		return false;
 	if (call->cycle->number == 206) {
-		if (!find_feed(call, 206, &hole->feed))
+		if (!klartext_parameter_feed(call, 206, &hole->feed))
 			return false;
-	} else if (!need(call, 239, &pitch) || !find_tap_feed(call, pitch, &hole->feed)) {
+	} else if (!klartext_parameter_need(call, 239, &pitch) || !find_tap_feed(call, pitch, &hole->feed)) {
 		return false;
 	}
 	hole->out = hole->feed;
@@ -226,21 +143,21 @@ static bool tap(const struct call *call, struct klartext_hole *hole)
 }
 
 /* 241: single-lip deep-hole drilling: to the starting point at Q253, to the bottom, back at Q208. */
-static bool drill_deep(const struct call *call, struct klartext_hole *hole)
+static bool drill_deep(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
-	if (!find_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
+	if (!klartext_parameter_feed(call, 206, &hole->feed) || !find_dwell(call, 211, &hole->dwell))
 		return false;
-	hole->out = per_second(call, fmax(0, word_or(call, 208, 0)));
+	hole->out = klartext_parameter_per_second(call, fmax(0, klartext_parameter_or(call, 208, 0)));
 	hole->out = hole->out > 0 ? hole->out : hole->feed;
 	return true;
 }
 
 /* "BACK BORING (Cycle 204)" does nothing where the depth of its countersink, Q249, is 0. */
-static bool bore_back(const struct call *call, struct klartext_hole *hole)
+static bool bore_back(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
 	double depth;
 
-	if (!need(call, 249, &depth))
+	if (!klartext_parameter_need(call, 249, &depth))
 		return false;
 	if (!same_double(depth, 0))
 		return fault(&call->interp->at, call->column, "CYCL DEF 204: back boring is not supported yet");
@@ -248,17 +165,19 @@ static bool bore_back(const struct call *call, struct klartext_hole *hole)
 	return true;
 }
 
-static bool by_q(const struct call *call)
+static bool by_q(const struct klartext_call_of *call)
 {
 	static const struct {
 		int number;
-		bool (*find)(const struct call *call, struct klartext_hole *hole);
+		bool (*find)(const struct klartext_call_of *call, struct klartext_hole *hole);
 	} cycles[] = {{200, drill}, {201, ream}, {202, ream}, {203, drill}, {205, drill},
 		      {206, tap},   {207, tap},	 {209, tap},  {240, drill}, {241, drill_deep}};
 	struct klartext_hole hole = {0};
 
 	if (call->cycle->number == 204)
 		return bore_back(call, &hole);
+	if (klartext_region_is(call->cycle->number))
+		return klartext_region_make(call);
 	if (!find_heights(call, &hole))
 		return false;
 	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
@@ -269,7 +188,7 @@ static bool by_q(const struct call *call)
 }
 
 /* The value of line n.<part> of an older cycle; lines without a value are 0. */
-static double part_of(const struct call *call, int part)
+static double part_of(const struct klartext_call_of *call, int part)
 {
 	for (int i = call->cycle->count; i-- > 0;) {
 		if (call->cycle->words[i].part == part && call->cycle->words[i].given)
@@ -283,7 +202,7 @@ static double part_of(const struct call *call, int part)
  * at the set-up clearance over the surface where the cycle is called, and comes back there. 1: set-up, depth,
  * peck, dwell, F; 2: set-up, depth, dwell, F; 17: set-up, depth, pitch.
  */
-static bool by_parts(const struct call *call)
+static bool by_parts(const struct klartext_call_of *call)
 {
 	struct interp *interp = call->interp;
 	int number = call->cycle->number;
@@ -299,7 +218,7 @@ static bool by_parts(const struct call *call)
 	hole.bottom = hole.start - set_up + depth;
 	hole.nothing = same_double(depth, 0);
 	hole.dwell = fmax(0, part_of(call, number == 1 ? 4 : 3));
-	hole.feed = per_second(call, part_of(call, number == 1 ? 5 : 4));
+	hole.feed = klartext_parameter_per_second(call, part_of(call, number == 1 ? 5 : 4));
 	if (number == 1) {
 		hole.peck = part_of(call, 3) * scale;
 		if (hole.peck < 0 || (hole.start - hole.bottom) / hole.peck > PECKS_MAX)
@@ -321,7 +240,7 @@ static bool by_parts(const struct call *call)
 bool klartext_cycle_call(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
-	const struct call call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycle, .column = column};
 
 	if (klartext->cycle.number == 0)
 		return fault(&interp->at, column, "no cycle has been defined that could be called");
@@ -343,10 +262,10 @@ bool klartext_cycle_call(struct interp *interp, int column)
 
 bool klartext_cycle_start(struct interp *interp, double *height)
 {
-	const struct call call = {.interp = interp, .cycle = &klartext_of(interp)->cycle};
+	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext_of(interp)->cycle};
 	double clearance, surface;
 
-	if (!call.cycle->by_q || !find_word(&call, 200, &clearance) || !find_word(&call, 203, &surface))
+	if (!call.cycle->by_q || !klartext_parameter_find(&call, 200, &clearance) || !klartext_parameter_find(&call, 203, &surface))
 		return false;
 	*height = (clearance + surface) * interp->state.scale;
 	return true;

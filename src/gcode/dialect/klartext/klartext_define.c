@@ -6,6 +6,7 @@
 
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
@@ -89,14 +90,18 @@ static const struct cycle_row rows[] = {
     {205, USE_CALLED, NULL, NULL},
     {206, USE_CALLED, NULL, NULL},
     {207, USE_CALLED, NULL, NULL},
-    {208, USE_REFUSED, NULL, "bore milling"},
+    {208, USE_CALLED, NULL, NULL},
     {209, USE_CALLED, NULL, NULL},
-    {220, USE_REFUSED, NULL, "a pattern of holes on a circle"},
-    {221, USE_REFUSED, NULL, "a pattern of holes on lines"},
+    {220, USE_DEFINED, klartext_pattern_circle, NULL},
+    {221, USE_DEFINED, klartext_pattern_lines, NULL},
     {240, USE_CALLED, NULL, NULL},
     {241, USE_CALLED, NULL, NULL},
     {247, USE_DEFINED, klartext_frame_preset, NULL},
-    {262, USE_REFUSED, NULL, "thread milling"},
+    {251, USE_CALLED, NULL, NULL},
+    {252, USE_CALLED, NULL, NULL},
+    {253, USE_CALLED, NULL, NULL},
+    {254, USE_CALLED, NULL, NULL},
+    {262, USE_CALLED, NULL, NULL},
 };
 
 /* A cycle of the machine's builder. */

@@ -16,6 +16,7 @@
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "gcode/dialect/klartext/klartext_straight.h"
+#include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -100,6 +101,19 @@ static bool tool(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "TOOL needs CALL or DEF");
 }
 
+/* "CYCL CALL PAT": F is that between the points, and only times depend on it. */
+static bool call_pattern(struct lexer *lexer, int column)
+{
+	struct interp *interp = lexer->context;
+	struct klartext_words words;
+
+	if (!klartext_words_read(lexer, &words))
+		return false;
+	if (words.axes || (words.feed != KLARTEXT_FEED_NONE && words.feed != KLARTEXT_FEED_MAX))
+		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates, and FMAX or no feed");
+	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column) && klartext_m_end(interp, &words);
+}
+
 /* CYCL CALL: like a block of M-functions, behind which the cycle is called. */
 static bool call_cycle(struct lexer *lexer)
 {
@@ -108,7 +122,7 @@ static bool call_cycle(struct lexer *lexer)
 	struct klartext_words words;
 
 	if (klartext_take(lexer, "PAT"))
-		return fault(lexer->at, column, "CYCL CALL PAT: patterns and point tables are not supported yet");
+		return call_pattern(lexer, column);
 	if (klartext_take(lexer, "POS"))
 		return klartext_straight_cycle_position(lexer) && klartext_cycle_call(interp, column);
 	if (!klartext_words_read(lexer, &words))
@@ -136,11 +150,6 @@ static bool refuse(struct lexer *lexer, const char *what)
 static bool probe(struct lexer *lexer)
 {
 	return fault(lexer->at, 1, "TCH PROBE: where the probe stops is not known before the program runs");
-}
-
-static bool pattern(struct lexer *lexer)
-{
-	return refuse(lexer, "PATTERN DEF");
 }
 
 static bool select_file(struct lexer *lexer)
@@ -228,7 +237,12 @@ static const struct statement {
     {"APPR", klartext_approach_read, false, true},
     {"DEP", klartext_approach_depart, false, true},
     {"TCH", probe, false, false},
-    {"PATTERN", pattern, false, false},
+    {"PATTERN", klartext_pattern_define, true, false},
+    {"POS", klartext_pattern_go_on, true, false},
+    {"ROW", klartext_pattern_go_on, true, false},
+    {"PAT", klartext_pattern_go_on, true, false},
+    {"CIRC", klartext_pattern_go_on, true, false},
+    {"PITCHCIRC", klartext_pattern_go_on, true, false},
     {"SEL", select_file, false, false},
     {"TRANS", transform, false, false},
     {"FL", free_contour, false, false},
@@ -275,6 +289,14 @@ static bool starts_word(const char *word, char behind)
 	return strchr("MSFR", word[0]) ? value || blank : slot_of_letter(word[0]) >= 0 && value;
 }
 
+/* The points of a pattern begin with their own word. */
+static bool run_statement(struct lexer *lexer, const struct statement *statement, size_t start)
+{
+	if (statement->run == klartext_pattern_go_on)
+		lexer->position = start;
+	return statement->run(lexer);
+}
+
 /* A block that begins with a letter. */
 static bool run_block(struct lexer *lexer, bool *bare)
 {
@@ -289,7 +311,7 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	*bare = statement && statement->bare;
 	/* C+45 is an axis, C X+5 a circle; so is L. */
 	if (statement && !(word[1] == '\0' && word[0] == 'C' && starts_word(word, behind)))
-		return check_comp(lexer, statement) && statement->run(lexer);
+		return check_comp(lexer, statement) && run_statement(lexer, statement, start);
 	lexer->position = start;
 	if (word[0] == 'Q') {
 		*bare = true;

@@ -5,8 +5,10 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_orient.h"
 #include "gcode/dialect/klartext/klartext_tilt.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
@@ -133,19 +135,6 @@ static bool has_sign(const struct interp *interp, const struct kinematics_soluti
 	return sign == 0 || fabs(angle) < degrees(TIE_TOLERANCE) || (angle > 0) == (sign > 0);
 }
 
-/* Is no way of a rotary axis to `a` longer than to `b`? */
-static bool is_no_farther(const struct interp *interp, const struct kinematics_solution *a,
-			  const struct kinematics_solution *b)
-{
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		double here = interp->state.canonical.v[slot];
-
-		if (fabs(a->rotary.v[slot] - here) > fabs(b->rotary.v[slot] - here) + TIE_TOLERANCE)
-			return false;
-	}
-	return true;
-}
-
 /*
  * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
  * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
@@ -171,11 +160,11 @@ static bool choose(struct interp *interp, const struct request *request, const s
 	*chosen = &solutions->items[fitting[0]];
 	if (count == 1)
 		return true;
-	if (is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
-	    is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
+	if (klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
+	    klartext_orient_is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
 		*chosen =
 		    &solutions
-			 ->items[is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]])
+			 ->items[klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]])
 				     ? fitting[0]
 				     : fitting[1]];
 		return true;
@@ -335,6 +324,8 @@ static bool move_rotary(struct interp *interp, const struct request *request, co
 			target.v[slot] = rotary->v[slot];
 		return motion_commands_go(interp, &target, &move);
 	}
+	if (!klartext_comp_check_known(interp, request->column, "PLANE ... MOVE"))
+		return false;
 	state->length += request->distance;
 	if (!tool_length_switch_tcp(interp, request->column, TCP_BY_MCODE))
 		return false;

@@ -106,6 +106,16 @@ struct klartext_path {
 	int column; /* of its words */
 };
 
+/* Of PATTERN DEF, CYCL DEF 220 and 221. */
+#define KLARTEXT_POINTS_MAX 1000
+
+/* Where a cycle is called; z is added to its surface. mm. */
+struct klartext_points {
+	vec3 items[KLARTEXT_POINTS_MAX];
+	int count;
+	long line; /* that defines them, the last one; 0: none */
+};
+
 enum klartext_way { KLARTEXT_WAY_LT, KLARTEXT_WAY_LN, KLARTEXT_WAY_CT, KLARTEXT_WAY_LCT };
 
 /* LEN, R and CCA of APPR and DEP. */
@@ -185,6 +195,7 @@ struct klartext {
 	struct klartext_cycle definition; /* under way */
 	struct klartext_cycle cycle; /* that M99 and CYCL CALL carry out */
 	bool modal_call; /* M89 */
+	struct klartext_points points;
 };
 
 static inline struct klartext *klartext_of(const struct interp *interp)

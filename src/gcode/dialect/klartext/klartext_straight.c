@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_m.h"
+#include "gcode/dialect/klartext/klartext_orient.h"
 #include "gcode/dialect/klartext/klartext_path.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
@@ -92,6 +93,7 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 		return fault(&interp->at, words->first_column,
 			     "axes other than X, Y and Z under radius compensation are not supported");
 	if (!check_waiting(interp, words) || !klartext_move_target(interp, words, &target) ||
+	    (words->has_tool && !klartext_orient_target(interp, words, &target)) ||
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
@@ -111,7 +113,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 		return false;
 	if (!words->axes && !klartext_comp_switch_standing(interp, words))
 		return false;
-	if (!words->axes) {
+	if (!words->axes && !words->has_tool) {
 		/* F alone counts for what comes next. */
 		return (words->feed != KLARTEXT_FEED_VALUE && words->feed != KLARTEXT_FEED_AUTO) ||
 		       klartext_move_feed(interp, words, &rapid, &feed);
@@ -169,10 +171,6 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 		    lexer->at, words.first_column,
 		    "LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): three-dimensional compensation is not "
 		    "supported yet");
-	if (words.has_tool)
-		return fault(
-		    lexer->at, words.first_column,
-		    "TX, TY, TZ: a direction of the tool is not supported yet; post the positions of the rotary axes");
 	return run(lexer, &words);
 }
 
@@ -204,5 +202,8 @@ bool klartext_straight_cycle_position(struct lexer *lexer)
 		return fault(
 		    lexer->at, words.first_column,
 		    "CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here");
-	return klartext_move_line(interp, &target, true, &none);
+	if (!klartext_move_line(interp, &target, true, &none))
+		return false;
+	klartext_comp_settle(interp, &words);
+	return true;
 }

@@ -1,0 +1,90 @@
+#include "gcode/dialect/klartext/klartext_orient.h"
+
+#include <math.h>
+
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
+
+bool klartext_orient_is_no_farther(const struct interp *interp, const struct kinematics_solution *a,
+				   const struct kinematics_solution *b)
+{
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		double here = interp->state.canonical.v[slot];
+
+		if (fabs(a->rotary.v[slot] - here) > fabs(b->rotary.v[slot] - here) + TIE_TOLERANCE)
+			return false;
+	}
+	return true;
+}
+
+/* How far the length of a vector that posts write with a few decimals may be off. */
+#define NORMALISED 0.01
+
+/* The control goes on to the nearer one: that is certain where no axis has a longer way to it. */
+static bool choose(struct interp *interp, int column, const struct kinematics_solutions *solutions,
+		   const struct kinematics_solution **chosen)
+{
+	const struct kinematics_solution *fitting[2] = {NULL, NULL};
+	size_t count = 0;
+	bool first, second;
+
+	for (size_t i = 0; i < solutions->count; i++) {
+		if (solutions->items[i].within_limits)
+			fitting[count++] = &solutions->items[i];
+	}
+	if (count == 0)
+		return fault(&interp->at, column,
+			     "within the limits of their travel, the rotary axes cannot stand the tool in this direction");
+	*chosen = fitting[0];
+	if (count == 1)
+		return true;
+	first = klartext_orient_is_no_farther(interp, fitting[0], fitting[1]);
+	second = klartext_orient_is_no_farther(interp, fitting[1], fitting[0]);
+	if (first == second)
+		return fault(&interp->at, column,
+			     "the rotary axes can stand the tool in this direction in two ways, and which one the control "
+			     "takes is not known here; post the positions of the rotary axes");
+	*chosen = first ? fitting[0] : fitting[1];
+	return true;
+}
+
+/*
+ * "Three-dimensional tool compensation": TX, TY and TZ are the direction from the tip to the spindle, in coordinates of
+ * the workpiece; M128 turns the rotary axes.
+ */
+bool klartext_orient_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)
+{
+	const vec3 tool = {words->tool[0], words->tool[1], words->tool[2]};
+	struct kinematics_orientation orientation = {.rotary_zero = tool_length_rotary_zero(interp),
+						     .rotary = interp->state.canonical,
+						     .command = "LN"};
+	struct kinematics_solutions solutions;
+	const struct kinematics_solution *chosen = NULL;
+	int column = words->first_column;
+
+	if (interp->state.tcp != TCP_BY_MCODE)
+		return fault(&interp->at, column,
+			     "TX, TY and TZ turn the rotary axes while M128 or TCPM is in force only; write it before");
+	if (words->axes >> SLOT_A)
+		return fault(&interp->at, column, "TX, TY and TZ beside words of rotary axes");
+	if (!(fabs(vec3_norm(tool) - 1) < NORMALISED))
+		return fault(&interp->at, column, "TX, TY and TZ have to be a vector of length 1");
+	orientation.direction = vec3_unit(klartext_frame_direction(interp, tool));
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, column), &orientation,
+					      &solutions) ||
+	    !choose(interp, column, &solutions, &chosen))
+		return false;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!interp->config->has_axis[slot])
+			continue;
+		if (chosen->tie[slot])
+			return fault(&interp->at, column,
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
+				     "this axis in the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
+		target->others.v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
+	}
+	target->turns = true;
+	return true;
+}

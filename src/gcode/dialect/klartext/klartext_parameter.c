@@ -1,0 +1,83 @@
+#include "gcode/dialect/klartext/klartext_parameter.h"
+
+#include <string.h>
+
+#include "base/units.h"
+
+/* ------------------------------------------------------------------- words */
+
+bool klartext_parameter_find(const struct klartext_call_of *call, int q, double *value)
+{
+	char name[12] = "Q";
+	int digits = q >= 100 ? 3 : 2;
+
+	for (int i = digits; i > 0; i--, q /= 10)
+		name[i] = (char)('0' + q % 10);
+	name[digits + 1] = '\0';
+	for (int i = call->cycle->count; i-- > 0;) {
+		const struct klartext_cycle_word *word = &call->cycle->words[i];
+
+		if (word->given && !strcmp(word->name, name)) {
+			*value = word->value;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* A parameter that the cycle must have. False: reported. */
+bool klartext_parameter_need(const struct klartext_call_of *call, int q, double *value)
+{
+	return klartext_parameter_find(call, q, value) ||
+	       fault(&call->interp->at, call->column, "CYCL DEF %d lacks Q%d", call->cycle->number, q);
+}
+
+double klartext_parameter_or(const struct klartext_call_of *call, int q, double otherwise)
+{
+	double value;
+
+	return klartext_parameter_find(call, q, &value) ? value : otherwise;
+}
+
+/* A length, in mm. */
+bool klartext_parameter_length(const struct klartext_call_of *call, int q, double *value)
+{
+	if (!klartext_parameter_need(call, q, value))
+		return false;
+	*value *= call->interp->state.scale;
+	return true;
+}
+
+double klartext_parameter_length_or(const struct klartext_call_of *call, int q, double otherwise)
+{
+	double value;
+
+	return klartext_parameter_find(call, q, &value) ? value * call->interp->state.scale : otherwise;
+}
+
+/* mm/s, of F in mm/min or tenths of an inch a minute. */
+double klartext_parameter_per_second(const struct klartext_call_of *call, double feed)
+{
+	double scale = call->interp->state.scale;
+
+	return feed * (scale > 1 ? scale / 10 : 1) / SECONDS_PER_MINUTE;
+}
+
+/* ------------------------------------------------------------------- feeds */
+
+/*
+ * Q206 and the like. 0 and what TOOL CALL has given (FAUTO) do not matter to the path: some feed that keeps the time
+ * finite.
+ */
+bool klartext_parameter_feed(const struct klartext_call_of *call, int q, double *feed)
+{
+	double value;
+
+	if (!klartext_parameter_need(call, q, &value))
+		return false;
+	if (value < 0)
+		return fault(&call->interp->at, call->column, "Q%d of CYCL DEF %d: a feed rate cannot be negative", q,
+			     call->cycle->number);
+	*feed = klartext_parameter_per_second(call, value);
+	return true;
+}

@@ -1,0 +1,133 @@
+/* test_gcode_klartext_region.c - Klartext: milling cycles as regions, patterns of holes, and directions of the tool. */
+#include "klartext_case.h"
+
+struct program {
+	const char *blocks;
+	const char *moves;
+};
+
+#define START "TOOL CALL 1 Z S100\nL X+10 Y+20 Z+100 FMAX\n"
+#define STARTED "tool 1\nrapid 10 20 200 0 0\n"
+#define HEIGHTS " Q200=2 Q203=0 Q201=-20 Q204=50 Q206=100 Q207=500\nM99\n"
+
+/* The centre of the tool, of radius 5 mm, may be anywhere in the region, until X and Y are commanded. */
+static const struct program regions[] = {
+	{START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS "L X+0 FMAX\nL X+0 Y+0 FMAX\nL X+1 FMAX\n",
+	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 25 10 0\nfeed 10 20 80 0 0 spread 25 10 0\n"
+	 "feed 10 20 102 0 0 spread 25 10 0\nrapid 10 20 150 0 0 spread 25 10 0\nrapid 0 20 150 0 0 spread 25 10 0\n"
+	 "rapid 0 0 150 0 0 spread 25 10 0\nrapid 1 0 150 0 0\n"},
+	/* Its lower left corner, turned by 90 degrees. */
+	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q224=90 Q367=1" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed -5 50 102 0 0 spread 10 25 0\nfeed -5 50 80 0 0 spread 10 25 0\n"
+	 "feed -5 50 102 0 0 spread 10 25 0\nrapid -5 50 150 0 0 spread 10 25 0\n"},
+	{START "CYCL DEF 252 POCKET Q223=40" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
+	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
+	{START "CYCL DEF 208 BORE MILLING Q335=40" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
+	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
+	{START "CYCL DEF 253 SLOT Q218=60 Q219=12 Q374=0 Q367=1" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed 40 20 102 0 0 spread 25 1 0\nfeed 40 20 80 0 0 spread 25 1 0\n"
+	 "feed 40 20 102 0 0 spread 25 1 0\nrapid 40 20 150 0 0 spread 25 1 0\n"},
+	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed 1 2 102 0 0 spread 31 31 0\nfeed 1 2 80 0 0 spread 31 31 0\n"
+	 "feed 1 2 102 0 0 spread 31 31 0\nrapid 1 2 150 0 0 spread 31 31 0\n"},
+	{START "CYCL DEF 262 THREAD Q335=20 Q239=1.5" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 80 0 0 spread 5 5 1.5\n"
+	 "feed 10 20 102 0 0 spread 5 5 1.5\nrapid 10 20 150 0 0 spread 5 5 1.5\n"},
+	/* A depth of 0 does nothing. */
+	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n", STARTED},
+	/* In turned coordinates the region lies across the axes. */
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
+	 "tool 1\nrapid -20 10 200 0 0\nrapid -20 10 102 0 0\nfeed -20 10 102 0 0 spread 10 25 0\n"
+	 "feed -20 10 80 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\nrapid -20 10 150 0 0 spread 10 25 0\n"},
+	/* LN with a direction: M128 turns the axes; without words of axes, too. */
+	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",
+	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"},
+};
+
+#define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"
+#define AT(x, y) "L X" x " Y" y " FMAX M99\n"
+
+/* Patterns, and the same holes one by one. */
+static const struct {
+	const char *blocks, *same;
+} equal[] = {
+	{START DRILL "PATTERN DEF ~\n POS1 (X+1 Y+2 Z+0) ~\n POS2 (X+3 Y+4)\nCYCL CALL PAT FMAX M8\n",
+	 START DRILL "L Z+100 FMAX\n" AT("+1", "+2") "L Z+100 FMAX\n" AT("+3", "+4")},
+	{START "L Z+5 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM3 ROT+90)\nCYCL CALL PAT\n",
+	 START "L Z+5 FMAX\n" DRILL "L Z+20 FMAX\n" AT("+1", "+2") "L Z+20 FMAX\n" AT("+1", "+10")
+	 "L Z+20 FMAX\n" AT("+1", "+18")},
+	{START DRILL "PATTERN DEF PAT1 (X+1 Y+2 DX+8 DY+9 NUMX2 NUMY2 ROT+0 Z+0)\nL Z+20 FMAX\nCYCL CALL PAT\n",
+	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+1", "+2") "L Z+20 FMAX\n" AT("+9", "+2") "L Z+20 FMAX\n"
+	 AT("+9", "+11") "L Z+20 FMAX\n" AT("+1", "+11")},
+	{START DRILL "PATTERN DEF CIRC1 (X+1 Y+2 D+20 START+0 NUM4)\nL Z+20 FMAX\nCYCL CALL PAT\n",
+	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+11", "+2") "L Z+20 FMAX\n" AT("+1", "+12") "L Z+20 FMAX\n"
+	 AT("-9", "+2") "L Z+20 FMAX\n" AT("+1", "-8")},
+	{START DRILL "PATTERN DEF PITCHCIRC1 (X+1 Y+2 D+20 START+90 STEP+90 NUM2)\nL Z+20 FMAX\nCYCL CALL PAT\n",
+	 START DRILL "L Z+20 FMAX\nL Z+20 FMAX\n" AT("+1", "+12") "L Z+20 FMAX\n" AT("-9", "+2")},
+	{START DRILL "CYCL DEF 220 POLAR PATTERN Q216=1 Q217=2 Q244=20 Q245=0 Q246=360 Q247=0 Q241=4 Q200=2 Q203=0 Q204=30 "
+	 "Q301=1\nL X+0 FMAX\n",
+	 START "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=30\nL Z+30 FMAX\n" AT("+11", "+2")
+	 "L Z+30 FMAX\n" AT("+1", "+12") "L Z+30 FMAX\n" AT("-9", "+2") "L Z+30 FMAX\n" AT("+1", "-8") "L X+0 FMAX\n"},
+	{START DRILL "CYCL DEF 221 PATTERN Q225=1 Q226=2 Q237=8 Q238=9 Q242=2 Q243=2 Q224=0 Q200=2 Q203=0 Q204=30 Q301=0\n"
+	 "L X+0 FMAX\n",
+	 START "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=2\nL Z+30 FMAX\n" AT("+1", "+2")
+	 "L Z+2 FMAX\n" AT("+9", "+2") "L Z+2 FMAX\n" AT("+9", "+11") "L Z+2 FMAX\n" AT("+1", "+11") "L X+0 FMAX\n"},
+};
+
+static void expect(const struct program *program)
+{
+	struct gcode_case c;
+	bool good;
+
+	klartext_case(&c);
+	c.show_spread = true;
+	good = klartext_run(&c, program->blocks);
+	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.messages), "");
+	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
+		      strbuf_text(&c.moves), program->moves);
+	case_release(&c);
+}
+
+START_TEST(regions_table)
+{
+	expect(&regions[_i]);
+}
+END_TEST
+
+START_TEST(equal_table)
+{
+	struct gcode_case c[2];
+
+	for (int i = 0; i < 2; i++) {
+		const char *blocks = i ? equal[_i].same : equal[_i].blocks;
+
+		klartext_case(&c[i]);
+		ck_assert_msg(klartext_run(&c[i], blocks), "%s%s", blocks, strbuf_text(&c[i].messages));
+	}
+	ck_assert_str_eq(strbuf_text(&c[0].moves), strbuf_text(&c[1].moves));
+	case_release(&c[0]);
+	case_release(&c[1]);
+}
+END_TEST
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_klartext_region");
+	TCase *tcase = tcase_create("gcode_klartext_region");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, regions_table, 0, COUNT(regions));
+	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
