@@ -20,7 +20,7 @@ void batch_clear(struct batch *batch)
 	path_copies_clear(&batch->paths);
 }
 
-void batch_add(struct batch *batch, const struct motion_step *step, long block)
+void batch_add(struct batch *batch, const struct motion_step *step, long block, long number)
 {
 	struct batch_step *copy;
 
@@ -29,6 +29,7 @@ void batch_add(struct batch *batch, const struct motion_step *step, long block)
 	copy->motion = *step;
 	copy->motion.span.path = path_copies_add(&batch->paths, &step->span);
 	copy->block = block;
+	copy->number = number;
 }
 
 static void widen(struct batch_chunk *chunk, const struct motion_step *step)

@@ -13,6 +13,7 @@
 struct batch_step {
 	struct motion_step motion;	/* its path is the batch's copy */
 	long block;
+	long number;	/* among all steps of the program, from 0 */
 	bool beyond;	/* an axis is past a limit, or so near that the path tolerance may take it there */
 };
 
@@ -41,7 +42,7 @@ void batch_release(struct batch *batch);
 void batch_clear(struct batch *batch);
 
 /* Copies a step and its path. */
-void batch_add(struct batch *batch, const struct motion_step *step, long block);
+void batch_add(struct batch *batch, const struct motion_step *step, long block, long number);
 
 /* Fills in the chunks. Call it after the last batch_add, before the chunks are used. */
 void batch_close(struct batch *batch);

@@ -59,14 +59,19 @@ static void on_step(struct checker *c, const struct motion_step *step)
 		c->time = step->time;
 		checker_at_rest(c, false, step->move);
 	}
+	if (c->stock.tool_count && !checker_has_enough(c))
+		stock_check_log(&c->stock, step, c->number);
 	if (!checker_has_enough(c) && c->options->method != CHECK_NOTHING && checker_owns(c, c->block)) {
-		if (c->skipped)
+		if (c->skipped) {
 			scheduler_jump(&c->scheduler);
+			stock_check_jump(&c->stock);
+		}
 		c->skipped = false;
-		batch_add(&c->batch, step, c->block);
+		batch_add(&c->batch, step, c->block, c->number);
 	}
 	c->last = (struct place){step->file, step->line};
 	c->steps++;
+	c->number++;
 	if (c->options->record)
 		path_record_step(c->options->record, step);
 	c->position = step->span.q1;
@@ -88,6 +93,7 @@ static void on_tool(struct checker *c, const struct motion_tool *change)
 	c->tool = change->tool;
 	c->position = change->position;
 	scheduler_change_tool(&c->scheduler);
+	stock_check_jump(&c->stock);
 	if (c->moved)
 		checker_at_rest(c, true, 0);
 	if (c->broken_off)
@@ -216,6 +222,7 @@ static bool run_program(struct checker *c, FILE *in)
 static void release(struct checker *c)
 {
 	scheduler_release(&c->scheduler);
+	stock_check_release(&c->stock);
 	batch_release(&c->batch);
 	block_log_release(&c->log);
 	file_names_release(&c->names);
@@ -247,10 +254,12 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.last_block = LONG_MAX;
 	start_block(&c);
 	if (options->method == CHECK_NOTHING ||
-	    scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag)) {
+	    (scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag) &&
+	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
 		scheduler_collect(&c.scheduler, c.last_block, stats, proven);
+		stock_check_collect(&c.stock, scene, c.last_block, stats, proven);
 	}
 	stats->certificates += c.sweep.certificates;
 	stats->bisections += c.sweep.bisections;

@@ -50,7 +50,7 @@ static struct contact measured(struct checker *c, const struct scene_pair *pair,
 	struct contact contact = *found;
 	struct body_pair bodies;
 
-	if ((!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0) ||
+	if (pair->stock || (!tolerance && !(pair->clearance > 0)) || !(contact.distance > 0) ||
 	    !scene_pair_bodies(c->scene, pair, &bodies, &c->log.diags.diag))
 		return contact;
 	sweep_nearest(&c->sweep, &bodies, &contact);
@@ -133,27 +133,23 @@ static void report_undecided(struct checker *c, const struct pair_check_result *
 	    c->scene->bodies[pair->a].body->name, c->scene->bodies[pair->b].body->name);
 }
 
-/* Logs contacts, and reports undecided steps. Without `all`, undecided steps after the first contact do not matter. */
-static void take_results(struct checker *c)
+/* Logs contacts. Without `all`, *last becomes the first step with a contact: what comes later does not matter. */
+static void take_results(struct checker *c, const struct pair_check_result *results, size_t count, size_t *last)
 {
-	size_t first_contact = c->batch.step_count;
-
-	for (size_t i = 0; i < c->scheduler.result_count; i++) {
-		const struct pair_check_result *result = &c->scheduler.results[i];
-
-		if (result->answer != QUERY_CONTACT)
+	for (size_t i = 0; i < count; i++) {
+		if (results[i].answer != QUERY_CONTACT)
 			continue;
-		add_contact(c, result);
-		if (!c->options->all && result->step < first_contact)
-			first_contact = result->step;
+		add_contact(c, &results[i]);
+		if (!c->options->all && results[i].step < *last)
+			*last = results[i].step;
 	}
-	for (size_t i = 0; i < c->scheduler.result_count; i++) {
-		const struct pair_check_result *result = &c->scheduler.results[i];
+}
 
-		if (result->answer != QUERY_UNDECIDED || result->step > first_contact)
-			continue;
-		report_undecided(c, result);
-	}
+static void take_undecided(struct checker *c, const struct pair_check_result *results, size_t count, size_t last)
+{
+	for (size_t i = 0; i < count; i++)
+		if (results[i].answer == QUERY_UNDECIDED && results[i].step <= last)
+			report_undecided(c, &results[i]);
 }
 
 /* Reports the findings whose blocks are complete, and the diagnostics that came before them. */
@@ -206,10 +202,18 @@ static bool measure_blocks(struct checker *c)
 
 static void check_batch(struct checker *c)
 {
+	size_t last = c->batch.step_count - 1;
+
 	batch_close(&c->batch);
 	c->broken_off = !scheduler_run(&c->scheduler, &c->batch, c->tool, c->options);
 	if (!c->broken_off) {
-		take_results(c);
+		take_results(c, c->scheduler.results, c->scheduler.result_count, &last);
+		c->broken_off = !stock_check_run(&c->stock, &c->batch, last, c->tool, c->options);
+	}
+	if (!c->broken_off) {
+		take_results(c, c->stock.results, c->stock.result_count, &last);
+		take_undecided(c, c->scheduler.results, c->scheduler.result_count, last);
+		take_undecided(c, c->stock.results, c->stock.result_count, last);
 		c->broken_off = c->options->block_clearances && !measure_blocks(c);
 	}
 	if (c->broken_off)
@@ -301,6 +305,28 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	pair_check_found(check, c->block);
 }
 
+/* Likewise of a body and the stock. */
+static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
+{
+	const struct scene_pair *pair = &c->scene->pairs[check->pair];
+	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
+					 .rank = (int)check->pair};
+	struct contact contact;
+	enum query_answer answer = stock_pair_stand(check, &c->position, c->number, &contact);
+
+	c->broken_off = check->sweep.broken_off;
+	if (c->broken_off || answer == QUERY_CLEAR)
+		return;
+	if (answer == QUERY_UNDECIDED) {
+		c->failed = true;
+		static_query_report_undecided(c->scene, pair, c->options->tolerance, &c->log.diags.diag);
+		return;
+	}
+	add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
+		    &contact, NULL);
+	stock_pair_found(check, c->block);
+}
+
 void checker_at_rest(struct checker *c, bool tool_only, int move)
 {
 	bool past_a_limit = is_past_a_limit(c);
@@ -314,6 +340,13 @@ void checker_at_rest(struct checker *c, bool tool_only, int move)
 		if ((!check->past_limits_only || past_a_limit) && pair_check_is_active(check, c->tool) &&
 		    pair_check_watches(check, STEP_RAPID) && (!tool_only || check->tool))
 			check_pair_at_rest(c, check, move, 0);
+	}
+	for (size_t i = 0; i < c->stock.pair_count && !checker_has_enough(c) && !c->broken_off; i++) {
+		struct stock_pair *check = &c->stock.pairs[i];
+
+		if ((!check->past_limits_only || past_a_limit) && stock_pair_is_active(check, c->tool) &&
+		    stock_pair_watches(check, STEP_RAPID) && (!tool_only || check->tool))
+			check_stock_at_rest(c, check, move, 0);
 	}
 	c->stats->seconds_check += checker_clock() - start;
 }
@@ -331,6 +364,13 @@ void checker_spindle_stops(struct checker *c, int move)
 		if (pair_check_is_active(check, c->tool) && pair_check_watches(check, STEP_FEED_STANDING) &&
 		    !pair_check_watches(check, STEP_FEED_TURNING) && check->found_block != c->block)
 			check_pair_at_rest(c, check, move, STEP_FEED_STANDING);
+	}
+	for (size_t i = 0; i < c->stock.pair_count && !checker_has_enough(c) && !c->broken_off; i++) {
+		struct stock_pair *check = &c->stock.pairs[i];
+
+		if (stock_pair_is_active(check, c->tool) && stock_pair_watches(check, STEP_FEED_STANDING) &&
+		    !stock_pair_watches(check, STEP_FEED_TURNING) && check->found_block != c->block)
+			check_stock_at_rest(c, check, move, STEP_FEED_STANDING);
 	}
 	c->stats->seconds_check += checker_clock() - start;
 }

@@ -13,6 +13,7 @@
 #include "check/scheduler.h"
 #include "check/sink.h"
 #include "check/stats.h"
+#include "check/stock_check.h"
 #include "motion/events.h"
 #include "scene/scene.h"
 
@@ -32,6 +33,7 @@ struct checker {
 	struct block_log log;
 	struct scheduler scheduler;
 	struct batch batch;
+	struct stock_check stock;
 	struct sweep sweep;	/* for poses at which the axes stand still */
 	struct cancel asked;	/* sweeps ask it again and again whether to stop */
 	atomic_flag telling;	/* a thread is reporting progress */
@@ -53,6 +55,7 @@ struct checker {
 	struct motion_summary summary;	/* of what was read so far */
 	long last_block;	/* the check ends with it */
 	long steps;	/* of the block that is being read */
+	long number;	/* of the next step among all steps of the program */
 	/*
 	 * With options->times: when reading of that block began; seconds_check then; s spent since on block clearances.
 	 */

@@ -31,7 +31,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 		scheduler->sweeps[i].effort = options->effort ? options->effort : CHECK_EFFORT;
 	}
 	for (size_t i = 0; i < scene->pair_count; i++) {
-		if (!scene_pair_needs_check(&scene->pairs[i]))
+		if (!scene_pair_needs_check(&scene->pairs[i]) || scene->pairs[i].stock)
 			continue;
 		if (!pair_check_init(&scheduler->checks[scheduler->count], scene, i, options, measure, diag))
 			return false;

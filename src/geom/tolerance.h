@@ -34,6 +34,15 @@
 #define RAPID_ALLOWANCE 0.1
 
 /*
+ * mm: the same for the stock. A retract begins on the surface that was just cut, and the cells of the stock that lie
+ * across that surface remain: their diagonal, 0.18 mm with an edge of 0.1 mm, must not be an alarm.
+ */
+#define STOCK_RAPID_ALLOWANCE 0.25
+
+/* mm: how exactly the stock is known that cutters leave behind (--stock-tolerance). */
+#define STOCK_TOLERANCE 0.1
+
+/*
  * mm, and degrees of rotary axes: a position this near to an axis limit is inside (the contract with the user). Written
  * and computed positions differ from the exact ones by some 1e-9; machines are repeatable to 1e-3.
  */

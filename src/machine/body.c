@@ -6,7 +6,8 @@
 
 const char *const body_roles[] = {
 	[ROLE_MACHINE] = "",	 [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part",
-	[ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank",   [ROLE_CUTTER] = "cutter", NULL,
+	[ROLE_STOCK] = "stock",	 [ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank",
+	[ROLE_CUTTER] = "cutter", NULL,
 };
 
 bool body_name_is_reserved(const char *name)

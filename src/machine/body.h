@@ -10,7 +10,7 @@
 
 struct tool_solid;
 
-enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
+enum body_role { ROLE_MACHINE, ROLE_FIXTURE, ROLE_PART, ROLE_STOCK, ROLE_HOLDER, ROLE_SHANK, ROLE_CUTTER };
 
 struct body {
 	const char *name;	/* unique among all bodies of machine and setup */
@@ -20,9 +20,10 @@ struct body {
 	const char *mesh_path;	/* a path that can be opened; NULL: the body has a `solid` */
 	const char *mesh_root;	/* the folder that must contain the mesh, or NULL; must outlive the body */
 	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
-	const struct tool_solid *profile;	/* the sections of a cutter's solid; NULL: a mesh, or no cutter */
-	double rapid_allowance;	/* mm, of a part: how deep a cutter may enter it while it does not cut */
+	const struct tool_solid *profile;	/* the sections of a tool's piece; NULL: a mesh, or no tool */
+	double rapid_allowance;	/* mm, of a part or the stock: how deep a cutter may enter it while it does not cut */
 	double gouge;	/* mm, of a part: how deep a cutter may enter it while it cuts; negative: any depth */
+	double uncertainty;	/* mm, of the stock: the true blank may be larger than its mesh by so much */
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */

@@ -5,7 +5,9 @@
 bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
 		struct body *body)
 {
-	if (body_name_is_reserved(described->name)) {
+	/* The stock has the name of its role unless the file gives another. */
+	if (body_name_is_reserved(described->name) &&
+	    !(described->role == ROLE_STOCK && !strcmp(described->name, body_roles[ROLE_STOCK]))) {
 		description_fault(
 		    file, described->at, "name",
 		    "a body cannot be named '%s': in a <pair> that word names an axis, the base or a role",

@@ -121,6 +121,9 @@ struct controller_description {
 	size_t place_count;
 };
 
+/* How the mesh of the stock is given. */
+enum stock_shape { STOCK_MESH, STOCK_BOX, STOCK_CYLINDER };
+
 struct body_description {
 	const void *at;
 	const char *name;
@@ -128,7 +131,10 @@ struct body_description {
 	double scale;	/* mm per unit of the mesh */
 	xform frame;	/* the mesh's origin on its link or on the workholding */
 	enum body_role role;
-	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it */
+	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it; the first of the stock, too */
+	enum stock_shape shape;	/* of the stock; a box or a cylinder stands on the origin of its frame, along Z */
+	vec3 size;	/* mm: of the box; of the cylinder: diameter, 0, height */
+	struct optional_number uncertainty;	/* of the stock */
 	const char *checked;	/* or NULL */
 	int link;	/* of a machine's own body: 0 the base, else 1 + the number of its axis in the description */
 };
@@ -256,7 +262,7 @@ struct setup_description {
 	size_t offset_count;
 	struct length_offset_description *lengths;
 	size_t length_count;
-	struct body_description *bodies;	/* fixtures and parts */
+	struct body_description *bodies;	/* fixtures, parts, the stock */
 	size_t body_count;
 	struct tool_description *tools;
 	size_t tool_count;

@@ -26,7 +26,7 @@ struct setup {
 	size_t length_count;
 	struct radius_offset *radii;	/* every D that an <offset> defines, each once */
 	size_t radius_count;
-	struct body *bodies;	/* fixtures and parts in file order, then each tool's holder, shank, cutter */
+	struct body *bodies;	/* fixtures, parts and the stock in file order, then each tool's holder, shank, cutter */
 	size_t body_count;
 	int initial_tool;	/* 0: the spindle is empty */
 };

@@ -5,6 +5,7 @@
 #include "base/mem.h"
 #include "geom/tolerance.h"
 #include "machine/body_build.h"
+#include "machine/stock_build.h"
 #include "machine/tool_build.h"
 
 /* "G505" to "G599". */
@@ -82,7 +83,7 @@ static double build_depth(struct description_file *file, const void *at, const c
 	return described.value;
 }
 
-/* A fixture or a part. */
+/* A fixture, a part or the stock. */
 static void build_mounted(struct description_file *file, const struct body_description *described,
 			  const struct machine *machine, struct setup *setup)
 {
@@ -95,6 +96,8 @@ static void build_mounted(struct description_file *file, const struct body_descr
 						   RAPID_ALLOWANCE);
 		body.gouge = build_depth(file, described->at, "gouge", described->gouge, -1);
 	}
+	if (body.role == ROLE_STOCK)
+		stock_build(file, described, setup, &body);
 	body_check_name(file, described->at, body.name, machine->bodies, machine->body_count);
 	body_check_name(file, described->at, body.name, setup->bodies, setup->body_count);
 	setup->bodies[setup->body_count++] = body;

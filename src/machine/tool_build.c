@@ -283,7 +283,7 @@ static void add_body(struct tool_builder *builder, const struct tool *tool, cons
 
 	if (solid && builder->file->faults == 0)
 		body.solid = tessellate(builder, described->at, solid);
-	if (solid && role == ROLE_CUTTER) {
+	if (solid) {
 		struct tool_solid *profile = arena_alloc(&setup->arena, sizeof(*profile));
 
 		*profile = *solid;

@@ -58,10 +58,17 @@ static bool travel_of(const struct scene *scene, const struct chain *chain, axis
 	return true;
 }
 
+/* mm: how much larger than its mesh the stock may be. */
+static double uncertainty_of(const struct scene *scene, const struct scene_pair *pair)
+{
+	return scene->bodies[pair->a].body->uncertainty + scene->bodies[pair->b].body->uncertainty;
+}
+
 /* Is it proved that the pair stays apart over the whole travel? */
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 			 struct contact_search *search, struct diag *diag)
 {
+	const double apart = pair->clearance + uncertainty_of(scene, pair);
 	struct sweep *sweep = &scene->sweep;
 	axis_values low, high, home = machine_home(scene->machine);
 	enum sweep_answer answer;
@@ -70,15 +77,20 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 
 	if (!travel_of(scene, &pair->chain, &low, &high))
 		return false;
-	answer = sweep_box(sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, FIRST_VISITS, &contact);
-	if (answer == SWEEP_UNDECIDED && !contact_search_finds(search, sweep, bodies, pair->clearance, &low, &high))
-		answer = sweep_box(sweep, bodies, &low, &high, pair->clearance, REACH_GRAIN, REACH_VISITS, &contact);
+	answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, FIRST_VISITS, &contact);
+	if (answer == SWEEP_UNDECIDED && !contact_search_finds(search, sweep, bodies, apart, &low, &high))
+		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, REACH_VISITS, &contact);
 	return answer == SWEEP_APART && static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+}
+
+static bool is_with(const struct body *a, const struct body *b, enum body_role role)
+{
+	return a->role == role || b->role == role;
 }
 
 static bool is_cutting(const struct body *a, const struct body *b)
 {
-	return (a->role == ROLE_CUTTER && b->role == ROLE_PART) || (a->role == ROLE_PART && b->role == ROLE_CUTTER);
+	return is_with(a, b, ROLE_CUTTER) && is_with(a, b, ROLE_PART);
 }
 
 /* Derives the pair's status from the joints and the meshes, which it reads. */
@@ -140,6 +152,22 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 	       turns ? "at rapid or standing" : "at rapid", part->rapid_allowance);
 }
 
+/* The stock's cells know how deep they are in the cutter, so no core is needed. */
+static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
+{
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *stock = cutter == a ? b : a;
+	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+
+	pair->clearance = 0;
+	pair->fault = PAIR_RAPID_CONTACT;
+	pair->inset = stock->rapid_allowance;
+	pair->steps = STEP_RAPID | (turns ? STEP_FEED_STANDING : 0);
+	decide(pair, PAIR_CUTTING, "the cutter %s the stock; %s it may enter it %g mm deep",
+	       turns && cutter->profile ? "cuts" : "may touch", turns ? "at rapid or standing" : "at rapid",
+	       stock->rapid_allowance);
+}
+
 /* Adds a second pair of a cutter and a part: while the cutter cuts it may not enter deeper than the part's gouge. */
 static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 {
@@ -167,6 +195,7 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	chain_init(&pair->chain, scene->machine, a->link, b->link);
 	pair->clearance = ruling.clearance >= 0 ? ruling.clearance : clearance;
 	pair->steps = STEP_ANY;
+	pair->stock = is_with(a, b, ROLE_STOCK);
 	/* check="always" applies to rigid pairs and to cutting pairs, too. */
 	if (ruling.check == PAIR_ALWAYS)
 		decide(pair, PAIR_CHECKED, "check=\"always\" in the machine file");
@@ -176,6 +205,8 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 		decide(pair, PAIR_WAIVED, "%s", ruling.reason);
 	else if (is_cutting(a, b))
 		derive_cutting(scene, pair);
+	else if (pair->stock && is_with(a, b, ROLE_CUTTER))
+		derive_stock_cutting(scene, pair);
 	else
 		return derive_from_geometry(scene, pair, search, diag);
 	return true;
@@ -233,7 +264,7 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 			pair->a = (int)a;
 			pair->b = (int)b;
 			good &= derive(scene, pair, clearance, &search, diag);
-			if (pair->status == PAIR_CUTTING)
+			if (pair->status == PAIR_CUTTING && !pair->stock)
 				add_gouge(scene, pair);
 		}
 	}

@@ -23,7 +23,7 @@ enum pair_status {
 	PAIR_ADJACENT,	/* neighbours of the machine's structure, close together by design: excused, not proved */
 	PAIR_OUT_OF_REACH,	/* proved apart over the whole travel */
 	PAIR_WAIVED,	/* by the user */
-	PAIR_CUTTING	/* a cutter and the part: the cutter is meant to cut it, but not at rapid, nor too deep */
+	PAIR_CUTTING	/* a cutter and the part or the stock: it is meant to cut it, but not at rapid, nor too deep */
 };
 
 /* The kind of finding when the bodies of a pair meet. */
@@ -44,6 +44,8 @@ struct scene_pair {
 	unsigned steps;	/* bits of enum step_class: the steps in which the pair has to stay apart */
 	double clearance;	/* mm that must remain */
 	char *reason;	/* one line, for people */
+	bool stock;	/* one of them is the stock, which cutters change: check/stock_check.h decides */
+	double inset;	/* mm: how deep the cutter of such a pair may enter the stock */
 	struct chain chain;	/* b as a sees it */
 };
 

@@ -9,7 +9,7 @@ static enum query_answer answer_of(enum sweep_answer answer)
 	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
 }
 
-static void halve(const struct chord *whole, struct chord *first, struct chord *second)
+void clearance_query_halve(const struct chord *whole, struct chord *first, struct chord *second)
 {
 	const struct span span = {whole->q0, whole->q1, whole->chord_error, whole->curve, whole->u0, whole->u1};
 	struct span halves[2];
@@ -48,7 +48,7 @@ enum query_answer clearance_query_step(const struct clearance_query *query, cons
 	const struct span *span = &step->span;
 	bool may_leave = step_may_leave_path(query->bodies->chain, step);
 	const struct chord chord = {span->q0, span->q1, span->chord_error, may_leave ? &step->tolerance : NULL,
-				    span->path, span->u0, span->u1, halve};
+				    span->path, span->u0, span->u1, clearance_query_halve};
 
 	if (step_is_box(step))
 		return sweep_positions(query, step, contact);

@@ -24,6 +24,9 @@ enum query_answer {
 	QUERY_UNDECIDED
 };
 
+/* The chord.halve of a piece of a path (chord.curve). */
+void clearance_query_halve(const struct chord *whole, struct chord *first, struct chord *second);
+
 enum query_answer clearance_query_chord(const struct clearance_query *query, const struct chord *chord,
 					struct contact *contact);
 

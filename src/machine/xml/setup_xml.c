@@ -54,6 +54,42 @@ static void read_part(struct xml_reader *xml, const xmlNode *node, void *context
 	body_xml_read(xml, node, &described->arena, body);
 }
 
+/* Exactly one of mesh, box and cylinder is the shape. */
+static void read_stock_shape(struct xml_reader *xml, const xmlNode *node, struct body_description *body)
+{
+	const bool mesh = xml_attribute(xml, node, "mesh"), box = xml_attribute(xml, node, "box"),
+		   cylinder = xml_attribute(xml, node, "cylinder");
+
+	if (mesh + box + cylinder != 1)
+		xml_error(xml, node, NULL, "<stock> needs one of mesh, box and cylinder");
+	body->shape = box ? STOCK_BOX : cylinder ? STOCK_CYLINDER : STOCK_MESH;
+	if (box)
+		body->size = xml_point(xml, node, "box");
+	if (cylinder)
+		xml_two_lengths(xml, node, "cylinder", &body->size.x, &body->size.z);
+	if (!mesh && xml_attribute(xml, node, "units"))
+		xml_error(xml, node, "units", "<stock> has units, but no mesh that they are for");
+}
+
+static void read_stock(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	struct setup_description *described = context;
+	struct body_description *body = &described->bodies[described->body_count++];
+	const char *name = xml_name(xml, node, "name", &described->arena);
+
+	body->at = node;
+	body->role = ROLE_STOCK;
+	body->name = name ? name : arena_strdup(&described->arena, body_roles[ROLE_STOCK]);
+	body->checked = xml_name(xml, node, "checked", &described->arena);
+	body->rapid_allowance = xml_optional_length(xml, node, "rapid_allowance");
+	body->uncertainty = xml_optional_length(xml, node, "uncertainty");
+	read_stock_shape(xml, node, body);
+	body->frame = xml_frame(xml, node);
+	body->mesh_path = body_xml_mesh(xml, node, &described->arena);
+	body->scale = xml_mesh_units(xml, node, xml->unit);
+	xml_read_nothing(xml, node);
+}
+
 /* ------------------------------------------------------------------- tools */
 
 static void read_section(struct xml_reader *xml, const xmlNode *node, void *context)
@@ -175,10 +211,11 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 						    {"offset", read_length, false, false},
 						    {"fixture", read_fixture, false, false},
 						    {"part", read_part, false, false},
+						    {"stock", read_stock, true, false},
 						    {"tool", read_tool, false, false},
 						    {.name = NULL}};
 	struct arena *arena = &described->arena;
-	const size_t bodies = xml_count(node, "fixture") + xml_count(node, "part");
+	const size_t bodies = xml_count(node, "fixture") + xml_count(node, "part") + xml_count(node, "stock");
 	const double unit = xml->unit;
 
 	described->file = xml_description_file(xml);

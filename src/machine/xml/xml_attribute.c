@@ -193,6 +193,23 @@ vec3 xml_point(struct xml_reader *xml, const xmlNode *node, const char *name)
 	return (vec3){0, 0, 0};
 }
 
+void xml_two_lengths(struct xml_reader *xml, const xmlNode *node, const char *name, double *first, double *second)
+{
+	const char *text = xml_attribute(xml, node, name);
+	double v[2] = {0};
+
+	if (!text)
+		return;
+	if (!read_words(text, 2, v) || !isfinite(v[0]) || !isfinite(v[1])) {
+		complain(xml, node, name, "must be 2 numbers");
+	} else if (!(fmax(fabs(v[0]), fabs(v[1])) * xml->unit <= XML_MAGNITUDE_MAX)) {
+		complain(xml, node, name, "is beyond 10 km: check the units");
+	} else {
+		*first = v[0] * xml->unit;
+		*second = v[1] * xml->unit;
+	}
+}
+
 static struct optional_number given(struct xml_reader *xml, const xmlNode *node, const char *name, double value)
 {
 	return (struct optional_number){.given = xml_attribute(xml, node, name) != NULL, .value = value};

@@ -34,6 +34,9 @@ long xml_positive(struct xml_reader *xml, const xmlNode *node, const char *name,
 vec3 xml_vector(struct xml_reader *xml, const xmlNode *node, const char *name);	/* as written; absent: 0 */
 vec3 xml_point(struct xml_reader *xml, const xmlNode *node, const char *name);	/* mm; absent: 0 */
 
+/* Two lengths, mm; both stay as they are if the attribute is absent or faulty. */
+void xml_two_lengths(struct xml_reader *xml, const xmlNode *node, const char *name, double *first, double *second);
+
 /* The same, if the attribute is there. */
 struct optional_number xml_optional_number(struct xml_reader *xml, const xmlNode *node, const char *name);
 struct optional_number xml_optional_length(struct xml_reader *xml, const xmlNode *node, const char *name);

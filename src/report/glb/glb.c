@@ -35,6 +35,7 @@ static enum material material_of(const struct glb_scene *scene, int body)
 	case ROLE_FIXTURE:
 		return MATERIAL_FIXTURE;
 	case ROLE_PART:
+	case ROLE_STOCK:
 		return MATERIAL_PART;
 	case ROLE_HOLDER:
 	case ROLE_SHANK:

@@ -16,7 +16,7 @@
 const char *scene_pack_role(enum body_role role)
 {
 	static const char *const names[] = {
-		[ROLE_MACHINE] = "machine", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part",
+		[ROLE_MACHINE] = "machine", [ROLE_FIXTURE] = "fixture", [ROLE_PART] = "part", [ROLE_STOCK] = "stock",
 		[ROLE_HOLDER] = "holder", [ROLE_SHANK] = "shank", [ROLE_CUTTER] = "cutter",
 	};
 

@@ -58,6 +58,7 @@ static enum paint_class class_of(const struct stage *stage, int body)
 	case ROLE_FIXTURE:
 		return PAINT_FIXTURE;
 	case ROLE_PART:
+	case ROLE_STOCK:
 		return PAINT_PART;
 	case ROLE_HOLDER:
 	case ROLE_SHANK:

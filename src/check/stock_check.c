@@ -1,0 +1,235 @@
+#include "check/stock_check.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "check/step.h"
+#include "geom/tolerance.h"
+#include "motion/path.h"
+#include "stock/cutting.h"
+
+/* Of the stock's tolerance: the edge of the smallest cells, and how exactly the ways of cutters are logged. */
+#define EDGE_SHARE 0.25
+#define CUT_SHARE 0.0625
+
+/* ------------------------------------------------------------------ start */
+
+static int stock_of(const struct scene *scene)
+{
+	for (size_t i = 0; i < scene->body_count; i++)
+		if (scene->bodies[i].body->role == ROLE_STOCK)
+			return (int)i;
+	return -1;
+}
+
+/* What a check with stock cannot do yet; NULL: nothing. */
+static const char *unsupported(const struct check_options *options)
+{
+	if (options->method != CHECK_CERTIFIED)
+		return "the sampled methods do not know the stock; remove <stock>, or use --method=certified";
+	if (options->block_clearances)
+		return "--clearance-report does not know the stock; remove <stock> to measure clearances";
+	if (options->change)
+		return "--sensitivity does not know the stock; remove <stock> to measure the sensitivity";
+	return NULL;
+}
+
+static bool init_cells(struct stock_check *check, struct scene *scene, int stock, double tolerance, struct diag *diag)
+{
+	const struct body *body = scene->bodies[stock].body;
+	const struct blank blank = {
+		.bvh = scene_body_bvh(scene, stock, diag),
+		.topology = scene_body_topology(scene, stock, diag),
+		.uncertainty = body->uncertainty,
+	};
+	vec3 half;
+
+	if (!blank.topology)
+		return false;
+	if (topology_is_open(blank.topology)) {
+		diag_error(diag, body->loc,
+			   "the mesh of the stock '%s' is not closed, so what is inside cannot be told; close the mesh",
+			   body->name);
+		return false;
+	}
+	half = vec3_add(blank.bvh->half, (vec3){blank.uncertainty, blank.uncertainty, blank.uncertainty});
+	check->low = vec3_sub(blank.bvh->origin, half);
+	check->high = vec3_add(blank.bvh->origin, half);
+	stock_cells_init(&check->cells, &blank, &check->log, EDGE_SHARE * tolerance);
+	return true;
+}
+
+static bool cuts(const struct scene *scene, const struct body *body)
+{
+	return body->role == ROLE_CUTTER && body->profile && setup_tool(scene->setup, body->tool)->kind == TOOL_TURNS;
+}
+
+/* A cutter comes after the stock in the scene, so the stock is a in their pair. */
+static bool add_tool(struct stock_check *check, struct scene *scene, const struct scene_pair *pair, struct diag *diag)
+{
+	const struct body *cutter = scene->bodies[pair->b].body;
+	struct stock_tool *tool = &check->tools[check->tool_count];
+
+	if (!cuts(scene, cutter))
+		return true;
+	if (!scene_pair_bodies(scene, pair, &tool->bodies, diag))
+		return false;
+	tool->tool = cutter->tool;
+	cutter_init(&check->cutters[check->tool_count++], cutter->profile);
+	return true;
+}
+
+static bool init_pairs(struct stock_check *check, struct scene *scene, const struct check_options *options,
+		       const struct cancel *cancel, double tolerance, struct diag *diag)
+{
+	check->pairs = mem_zalloc(scene->pair_count, sizeof(*check->pairs));
+	check->cutters = mem_zalloc(scene->body_count, sizeof(*check->cutters));
+	check->tools = mem_zalloc(scene->body_count, sizeof(*check->tools));
+	cut_log_init(&check->log, check->cutters);
+	for (size_t i = 0; i < scene->pair_count; i++) {
+		const struct scene_pair *pair = &scene->pairs[i];
+
+		if (!pair->stock)
+			continue;
+		if (!add_tool(check, scene, pair, diag))
+			return false;
+		if (!scene_pair_needs_check(pair))
+			continue;
+		if (!stock_pair_init(&check->pairs[check->pair_count], scene, i, &check->cells, tolerance, options,
+				     cancel, diag))
+			return false;
+		check->pair_count++;
+	}
+	return true;
+}
+
+bool stock_check_init(struct stock_check *check, struct scene *scene, const struct check_options *options,
+		      const struct cancel *cancel, struct diag *diag)
+{
+	const double tolerance = options->stock_tolerance > 0 ? options->stock_tolerance : STOCK_TOLERANCE;
+	const int stock = stock_of(scene);
+	const char *fault;
+
+	*check = (struct stock_check){.grain = CUT_SHARE * tolerance};
+	if (stock < 0 || options->method == CHECK_NOTHING)
+		return true;
+	fault = unsupported(options);
+	if (fault) {
+		diag_error(diag, scene->bodies[stock].body->loc, "%s", fault);
+		return false;
+	}
+	return init_cells(check, scene, stock, tolerance, diag) &&
+	       init_pairs(check, scene, options, cancel, tolerance, diag);
+}
+
+void stock_check_release(struct stock_check *check)
+{
+	for (size_t i = 0; i < check->pair_count; i++)
+		stock_pair_release(&check->pairs[i]);
+	for (size_t i = 0; i < check->tool_count; i++)
+		cutter_release(&check->cutters[i]);
+	free(check->pairs);
+	free(check->cutters);
+	free(check->tools);
+	free(check->results);
+	cut_log_release(&check->log);
+	stock_cells_release(&check->cells);
+	*check = (struct stock_check){.pair_count = 0};
+}
+
+/* -------------------------------------------------------------------- log */
+
+static void log_piece(struct stock_check *check, size_t tool, const struct motion_step *step, const struct span *piece,
+		      double from, double to)
+{
+	const struct cutting cutting = {
+		.bodies = &check->tools[tool].bodies,
+		.cutter = (int)tool,
+		.chord = {.q0 = piece->q0, .q1 = piece->q1, .chord_error = piece->chord_error,
+			  .tolerance = &step->tolerance},
+		.from = from,
+		.to = to,
+		.grain = check->grain,
+		.low = check->low,
+		.high = check->high,
+	};
+
+	cutting_log(&cutting, &check->log);
+}
+
+void stock_check_log(struct stock_check *check, const struct motion_step *step, long number)
+{
+	const double length = step->span.u1 - step->span.u0;
+	struct span_walk walk;
+	struct span piece;
+	size_t tool = 0;
+
+	while (tool < check->tool_count && check->tools[tool].tool != step->tool)
+		tool++;
+	if (tool == check->tool_count || step->step_class != STEP_FEED_TURNING || step_is_box(step))
+		return;
+	if (step->span.path->kind == PATH_STRAIGHT || !(length > 0)) {
+		log_piece(check, tool, step, &step->span, (double)number, (double)number + 1);
+		return;
+	}
+	/* Far from all bodies the steps of curved moves are coarse. */
+	span_walk_init(&walk, &step->span, check->grain);
+	while (span_walk_next(&walk, &piece))
+		log_piece(check, tool, step, &piece, (double)number + (piece.u0 - step->span.u0) / length,
+			  (double)number + (piece.u1 - step->span.u0) / length);
+}
+
+/* ------------------------------------------------------------------ check */
+
+void stock_check_jump(struct stock_check *check)
+{
+	for (size_t i = 0; i < check->pair_count; i++)
+		check->pairs[i].clear_at_end = false;
+}
+
+static void add_results(struct stock_check *check, const struct stock_pair *pair)
+{
+	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + pair->result_count,
+				  sizeof(*check->results));
+	for (size_t i = 0; i < pair->result_count; i++)
+		check->results[check->result_count++] = pair->results[i];
+}
+
+bool stock_check_run(struct stock_check *check, const struct batch *batch, size_t last, int tool,
+		     const struct check_options *options)
+{
+	check->result_count = 0;
+	for (size_t i = 0; i < check->pair_count; i++) {
+		struct stock_pair *pair = &check->pairs[i];
+
+		if (!stock_pair_is_active(pair, tool))
+			continue;
+		stock_pair_run(pair, batch, last + 1, options);
+		if (pair->sweep.broken_off)
+			return false;
+		add_results(check, pair);
+		/* What comes after the first contact does not matter then. */
+		if (pair->result_count && !options->all)
+			last = pair->results[0].step;
+	}
+	return true;
+}
+
+void stock_check_collect(const struct stock_check *check, const struct scene *scene, long last_block,
+			 struct check_stats *stats, double *proven)
+{
+	for (size_t i = 0; i < check->pair_count; i++) {
+		const struct stock_pair *pair = &check->pairs[i];
+
+		stats->budgets += pair->covered_steps;
+		stats->queries += pair->queries;
+		if (pair->unknown_block >= 0 && pair->unknown_block <= last_block) {
+			if (!stats->pairs_unknown)
+				stats->first_unknown = pair->pair;
+			stats->pairs_unknown++;
+		}
+		if (proven && pair->asked)
+			proven[pair->pair] = scene->pairs[pair->pair].clearance;
+	}
+}

@@ -1,0 +1,306 @@
+#include "check/stock_pair.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "check/step.h"
+#include "motion/path.h"
+
+/* Of the stock's tolerance: how far points move in an instant, and the least distance that a budget begins with. */
+#define GRAIN_SHARE 0.0625
+#define MARGIN_SHARE 0.0625
+
+/* A look at a cell takes so many times as long as one at a pair of nodes, of which check_options.effort speaks. */
+#define CELL_EFFORT 8
+
+/* mm: distances beyond this are all alike. */
+#define FAR 1e6
+
+/* A budget that covers less than 2^-5 of what is left of a step does not bring it forward: the sweep does it better. */
+#define SHARE_HALVINGS 6
+
+/* Cells reach beyond the blank, and the blank beyond its mesh: bounds of motion count these points, too. */
+static void enlarge_stock(struct body_pair *bodies, bool stock_is_a, double by)
+{
+	struct ball *ball = stock_is_a ? &bodies->ball_a : &bodies->ball_b;
+
+	ball->radius += by;
+}
+
+static bool init_obstacle(struct stock_pair *check, struct scene *scene, int body, struct diag *diag)
+{
+	const struct body *it = scene->bodies[body].body;
+
+	check->obstacle = (struct obstacle){
+		.bvh = scene_body_bvh(scene, body, diag),
+		.inset = scene->pairs[check->pair].inset,
+	};
+	if (it->profile) {
+		revolved_init(&check->revolved, it->profile);
+		check->obstacle.revolved = &check->revolved;
+		return true;
+	}
+	check->obstacle.topology = scene_body_topology(scene, body, diag);
+	check->open = check->obstacle.topology && topology_is_open(check->obstacle.topology);
+	return check->obstacle.topology != NULL;
+}
+
+bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair, struct stock_cells *cells,
+		     double tolerance, const struct check_options *options, const struct cancel *cancel,
+		     struct diag *diag)
+{
+	const struct scene_pair *p = &scene->pairs[pair];
+	const bool stock_is_a = scene->bodies[p->a].body->role == ROLE_STOCK;
+	const int body = stock_is_a ? p->b : p->a;
+
+	*check = (struct stock_pair){
+		.pair = pair,
+		.tool = scene->bodies[body].body->tool,
+		.steps = p->steps,
+		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
+		.found_block = -1,
+		.unknown_block = -1,
+		.margin = MARGIN_SHARE * tolerance,
+	};
+	if (!scene_pair_bodies(scene, p, &check->bodies, diag) || !init_obstacle(check, scene, body, diag))
+		return false;
+	enlarge_stock(&check->bodies, stock_is_a, cells->blank.uncertainty + 2 * stock_cells_radius(cells));
+	check->sweep = (struct stock_sweep){
+		.cells = cells,
+		.bodies = &check->bodies,
+		.stock_is_a = stock_is_a,
+		.obstacle = &check->obstacle,
+		.clearance = p->clearance,
+		.grain = GRAIN_SHARE * tolerance,
+		.effort = (options->effort ? options->effort : CHECK_EFFORT) / CELL_EFFORT,
+		.cancel = cancel,
+	};
+	motion_budget_init(&check->budget, &p->chain);
+	return true;
+}
+
+void stock_pair_release(struct stock_pair *check)
+{
+	revolved_release(&check->revolved);
+	free(check->results);
+	check->results = NULL;
+}
+
+bool stock_pair_is_active(const struct stock_pair *check, int tool)
+{
+	return !check->tool || check->tool == tool;
+}
+
+bool stock_pair_watches(const struct stock_pair *check, enum step_class class)
+{
+	return (check->steps & (unsigned)class) != 0;
+}
+
+void stock_pair_found(struct stock_pair *check, long block)
+{
+	check->found_block = block;
+	check->clear_at_end = false;
+}
+
+static enum query_answer answer_of(enum sweep_answer answer)
+{
+	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
+}
+
+static enum query_answer sweep_step(struct stock_pair *check, const struct motion_step *step, long number,
+				    struct contact *contact)
+{
+	const struct span *span = &step->span;
+	struct chord chord = {span->q0, span->q1, span->chord_error, NULL, NULL, span->u0, span->u1, NULL};
+	axis_values low, high;
+
+	check->asked = true;
+	if (step_is_box(step)) {
+		step_box(step, &low, &high);
+		for (int i = 0; i < SLOT_COUNT; i++) {
+			low.v[i] -= step->tolerance.v[i];
+			high.v[i] += step->tolerance.v[i];
+		}
+		return answer_of(stock_sweep_box(&check->sweep, &low, &high, (double)number, contact));
+	}
+	if (step_may_leave_path(check->bodies.chain, step))
+		chord.tolerance = &step->tolerance;
+	if (span->path->kind != PATH_STRAIGHT) {
+		chord.curve = span->path;
+		chord.halve = clearance_query_halve;
+	}
+	return answer_of(stock_sweep_chord(&check->sweep, &chord, (double)number, contact));
+}
+
+/* Proves a distance at q, at this time, and begins a budget with it. False: it is too small. */
+static bool start_budget(struct stock_pair *check, const axis_values *q, double time)
+{
+	const struct body_pair *bodies = &check->bodies;
+	const struct placed_obstacle placed = stock_sweep_place(&check->sweep, q);
+	const double needed = check->sweep.clearance + check->sweep.grain + check->margin +
+			      body_pair_rounding(bodies, q, placed.to_obstacle.translation);
+	const double room =
+	    stock_cells_distance(check->sweep.cells, &placed, time, needed + check->margin, FAR) - needed;
+	struct chain_state state;
+
+	check->queries++;
+	check->asked = true;
+	if (!(room > check->margin))
+		return false;
+	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
+	motion_budget_set(&check->budget, q, &state, room);
+	return true;
+}
+
+static axis_values between(const struct span *span, double s)
+{
+	axis_values q;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		q.v[i] = (1 - s) * span->q0.v[i] + s * span->q1.v[i];
+	return q;
+}
+
+/* Goes on from s as far along the step as the budget covers. False: not far enough to matter. */
+static bool go_on(struct stock_pair *check, const struct span *span, const struct position_errors *errors, double *s)
+{
+	double length = 1 - *s;
+
+	for (int i = 0; i < SHARE_HALVINGS; i++, length /= 2) {
+		const axis_values q = between(span, *s + length);
+
+		if (motion_budget_covers(&check->budget, &q, errors)) {
+			*s += length;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The budget that is there. */
+static bool advance_by_budget(struct stock_pair *check, const struct motion_step *step)
+{
+	const struct position_errors errors = step_errors(check->bodies.chain, step);
+
+	motion_budget_resume(&check->budget, &step->span.q0);
+	return motion_budget_covers(&check->budget, &step->span.q1, &errors);
+}
+
+/* By new budgets alone: conservative advancement. False: nothing is proved. */
+static bool advance(struct stock_pair *check, const struct motion_step *step, long number)
+{
+	const struct position_errors errors = step_errors(check->bodies.chain, step);
+	double s = 0;
+
+	while (s < 1) {
+		const axis_values q = between(&step->span, s);
+
+		if (check->sweep.broken_off || !start_budget(check, &q, (double)number + s) ||
+		    !go_on(check, &step->span, &errors, &s))
+			return false;
+	}
+	return true;
+}
+
+static bool advance_box(struct stock_pair *check, const struct motion_step *step, long number)
+{
+	const struct position_errors errors = step_errors(check->bodies.chain, step);
+	axis_values low, high;
+
+	step_box(step, &low, &high);
+	return motion_budget_covers_box(&check->budget, &low, &high, &step->span.q1, &errors) ||
+	       (start_budget(check, &step->span.q0, (double)number) &&
+		motion_budget_covers_box(&check->budget, &low, &high, &step->span.q1, &errors));
+}
+
+static enum query_answer pass(struct stock_pair *check, const struct motion_step *step, long number,
+			      struct contact *contact)
+{
+	const struct chain *chain = check->bodies.chain;
+	enum query_answer answer = QUERY_CLEAR;
+
+	if (check->clear_at_end && !step_moves(chain, step) && !step_may_leave_path(chain, step))
+		return QUERY_CLEAR;
+	if (step_is_box(step) ? advance_box(check, step, number)
+			      : advance_by_budget(check, step) || advance(check, step, number))
+		check->covered_steps++;
+	else
+		answer = sweep_step(check, step, number, contact);
+	check->clear_at_end = answer == QUERY_CLEAR;
+	return answer;
+}
+
+static bool applies(const struct stock_pair *check, const struct batch_step *step)
+{
+	return stock_pair_watches(check, step->motion.step_class) && (!check->past_limits_only || step->beyond) &&
+	       step->block != check->found_block;
+}
+
+/* How many steps from i on need no look; 0: they need one. */
+static size_t skip_chunk(struct stock_pair *check, const struct batch *batch, size_t i, size_t to)
+{
+	const size_t count = to - i < CHUNK_STEPS ? to - i : CHUNK_STEPS;
+	const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+	if (i % CHUNK_STEPS)
+		return 0;
+	if (!(check->steps & chunk->classes) || (check->past_limits_only && !chunk->beyond)) {
+		check->clear_at_end = false;
+		return count;
+	}
+	if (!motion_budget_covers_box(&check->budget, &chunk->low, &chunk->high,
+				      &batch->steps[i + count - 1].motion.span.q1, &chunk->errors))
+		return 0;
+	check->clear_at_end = true;
+	check->covered_steps += (long)count;
+	return count;
+}
+
+static void add_result(struct stock_pair *check, size_t step, enum query_answer answer, const struct contact *contact)
+{
+	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
+				  sizeof(*check->results));
+	check->results[check->result_count++] =
+	    (struct pair_check_result){check->pair, step, answer, check->sweep.exhausted, *contact};
+}
+
+void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
+		    const struct check_options *options)
+{
+	size_t skipped;
+
+	check->result_count = 0;
+	for (size_t i = 0; i < to; i += skipped ? skipped : 1) {
+		const struct batch_step *step = &batch->steps[i];
+		struct contact contact = {0};
+		enum query_answer answer;
+
+		skipped = skip_chunk(check, batch, i, to);
+		if (skipped)
+			continue;
+		if (!applies(check, step)) {
+			check->clear_at_end = false;
+			continue;
+		}
+		check->sweep.exhausted = false;
+		answer = pass(check, &step->motion, step->number, &contact);
+		if (check->open && check->asked && check->unknown_block < 0)
+			check->unknown_block = step->block;
+		if (answer == QUERY_CLEAR)
+			continue;
+		add_result(check, i, answer, &contact);
+		if (!options->all || answer == QUERY_UNDECIDED)
+			return;
+		stock_pair_found(check, step->block);
+	}
+}
+
+enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *q, long number,
+				   struct contact *contact)
+{
+	const struct chord still = {.q0 = *q, .q1 = *q};
+
+	check->asked = true;
+	return answer_of(stock_sweep_chord(&check->sweep, &still, (double)number, contact));
+}

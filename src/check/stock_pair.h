@@ -1,0 +1,66 @@
+/* stock_pair.h - the check of one body against the stock, which cutters change: takes the pair through the steps. */
+#ifndef FIVECHECK_CHECK_STOCK_PAIR_H
+#define FIVECHECK_CHECK_STOCK_PAIR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "check/batch.h"
+#include "check/certified/motion_budget.h"
+#include "check/pair_check.h"
+#include "stock/stock_sweep.h"
+
+/*
+ * The exact answer is stock_sweep's, and it depends on the step, the blank and the earlier cuts alone. What saves work
+ * is a motion budget: a distance that was proved once. The stock only ever shrinks, so the budget stays valid until the
+ * axes have used it up. It covers only what is farther from the stock than the sweep would report.
+ */
+struct stock_pair {
+	size_t pair;	/* of the scene */
+	int tool;	/* the tool that the body belongs to; 0: none */
+	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
+	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
+	bool open;	/* the body's mesh is open: what is inside it cannot be told */
+	long found_block;	/* the last block with a finding of this pair; -1: none */
+	long unknown_block;	/* the first block in which the stock may have been inside the body, unseen; -1: none */
+	struct body_pair bodies;
+	struct revolved revolved;	/* of a tool's piece that is made of sections */
+	struct obstacle obstacle;
+	struct stock_sweep sweep;
+	double margin;	/* mm: a budget begins only if so much of it remains */
+	struct motion_budget budget;
+	bool clear_at_end;	/* proved where the last step ended: the pair is apart there */
+	bool asked;	/* a distance was proved, or a step was swept */
+	long queries, covered_steps;
+	struct pair_check_result *results;	/* of the batch */
+	size_t result_count, result_capacity;
+};
+
+/*
+ * `tolerance` (mm) is how exactly the stock is to be known. Must not be moved afterwards. False: a mesh is faulty,
+ * reported.
+ */
+bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair, struct stock_cells *cells,
+		     double tolerance, const struct check_options *options, const struct cancel *cancel,
+		     struct diag *diag);
+void stock_pair_release(struct stock_pair *check);
+
+/* Is the pair present while this tool is in the spindle? */
+bool stock_pair_is_active(const struct stock_pair *check, int tool);
+
+bool stock_pair_watches(const struct stock_pair *check, enum step_class class);
+
+/*
+ * Checks the batch's steps before `to`. Stores the results: with options->all the first of each block, else the first.
+ */
+void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
+		    const struct check_options *options);
+
+/* Looks at the axis positions q, where the axes stand before the step `number`. */
+enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *q, long number,
+				   struct contact *contact);
+
+/* The pair has a finding in this block already. */
+void stock_pair_found(struct stock_pair *check, long block);
+
+#endif

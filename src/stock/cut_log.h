@@ -1,0 +1,67 @@
+/* cut_log.h - what feeding cutters have done so far, in the order of time; found again by place. */
+#ifndef FIVECHECK_STOCK_CUT_LOG_H
+#define FIVECHECK_STOCK_CUT_LOG_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "stock/cutter.h"
+
+/*
+ * Times are counted in steps of the program: 7.5 is the middle of the step with the number 7. The log gets pieces of
+ * steps in their order, and never forgets one.
+ */
+struct cut {
+	int cutter;	/* index of the log's cutters */
+	double from, to;	/* when */
+	struct cutter_way way;
+	double error;	/* mm: no point of the true cutter is farther than this from where the way has it */
+};
+
+/* Cuts of one cutter, each beginning where the one before it ends. */
+enum { CUT_CHUNK = 16 };
+
+struct cut_end {
+	struct cutter_place place;
+	double time;
+	double error;	/* of the cut that ends here */
+};
+
+struct cut_chunk {
+	int cutter;
+	int count;	/* cuts; they have count + 1 ends */
+	struct cut_end ends[CUT_CHUNK + 1];
+};
+
+/* The box around the cuts of some chunks, or of one. */
+struct cut_box {
+	vec3 low, high;
+};
+
+/* A chunk has the boxes [0][chunk], [1][chunk / 8], and so on. */
+enum { CUT_LEVELS = 10, CUT_FAN = 8 };
+
+struct cut_log {
+	const struct cutter *cutters;	/* borrowed */
+	struct cut_chunk *chunks;
+	size_t chunk_count, chunk_capacity;
+	struct cut_box *boxes[CUT_LEVELS];
+	size_t box_count[CUT_LEVELS], box_capacity[CUT_LEVELS];
+};
+
+void cut_log_init(struct cut_log *log, const struct cutter *cutters);
+void cut_log_release(struct cut_log *log);
+
+/* Cuts are added in the order of time. */
+void cut_log_add(struct cut_log *log, const struct cut *cut);
+
+/* The place in the log behind all cuts that begin before `time`. */
+uint64_t cut_log_end(const struct cut_log *log, double time);
+
+/*
+ * When does the first cut at or behind *place that removes the whole cube do so? INFINITY: none before `end` does.
+ * *place becomes `end` then.
+ */
+double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64_t *place, uint64_t end);
+
+#endif

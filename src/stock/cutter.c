@@ -1,0 +1,215 @@
+#include "stock/cutter.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "base/minmax.h"
+
+/* Steps of the search for the time at which the cube is deepest; each leaves 0.62 of the interval. */
+#define SEARCH_STEPS 24
+
+/* Halvings of the interval in which the cube comes to be inside. */
+#define ENTRY_STEPS 20
+
+void cutter_init(struct cutter *cutter, const struct tool_solid *solid)
+{
+	size_t length;
+
+	*cutter = (struct cutter){.piece_count = 0};
+	revolved_init(&cutter->whole, solid);
+	cutter->pieces = mem_zalloc(cutter->whole.count, sizeof(*cutter->pieces));
+	for (size_t i = 0; i < cutter->whole.count; i += length) {
+		struct revolved *piece = &cutter->pieces[cutter->piece_count++];
+
+		length = revolved_convex_run(&cutter->whole, i);
+		*piece = (struct revolved){.bands = &cutter->whole.bands[i], .count = length};
+		for (size_t k = 0; k < length; k++)
+			piece->radius = fmax(piece->radius, fmax(piece->bands[k].r_top, piece->bands[k].r_bottom));
+	}
+}
+
+void cutter_release(struct cutter *cutter)
+{
+	revolved_release(&cutter->whole);
+	free(cutter->pieces);
+	*cutter = (struct cutter){.piece_count = 0};
+}
+
+static void widen(vec3 *low, vec3 *high, vec3 point, vec3 by)
+{
+	*low = vec3_min(*low, vec3_sub(point, by));
+	*high = vec3_max(*high, vec3_add(point, by));
+}
+
+void cutter_bounds(const struct cutter *cutter, const struct cutter_place *place, vec3 *low, vec3 *high)
+{
+	const struct revolved *whole = &cutter->whole;
+	const vec3 up = place->up;
+	/* A disc of radius r about the axis reaches this far along each coordinate. */
+	const vec3 reach = {whole->radius * sqrt(larger(1 - up.x * up.x, 0)),
+			    whole->radius * sqrt(larger(1 - up.y * up.y, 0)),
+			    whole->radius * sqrt(larger(1 - up.z * up.z, 0))};
+
+	*low = (vec3){INFINITY, INFINITY, INFINITY};
+	*high = (vec3){-INFINITY, -INFINITY, -INFINITY};
+	widen(low, high, vec3_mad(place->origin, whole->bands[0].top, up), reach);
+	widen(low, high, vec3_mad(place->origin, whole->bands[whole->count - 1].bottom, up), reach);
+}
+
+/* The cutter's axis at a time: every point of it between its places at the ends. */
+static struct cutter_place place_at(const struct cutter_way *way, double s)
+{
+	return (struct cutter_place){vec3_lerp(way->from.origin, way->to.origin, s),
+				     vec3_unit(vec3_lerp(way->from.up, way->to.up, s))};
+}
+
+static double point_distance(const struct revolved *piece, const struct cutter_place *place, vec3 point)
+{
+	const vec3 off = vec3_sub(point, place->origin);
+	const double z = vec3_dot(off, place->up);
+
+	return revolved_distance(piece, sqrt(larger(vec3_norm2(off) - z * z, 0)), z);
+}
+
+/*
+ * How far the cube's points are inside the piece at least, as a negative distance. A ball about the centre that holds
+ * the cube may answer for its corners.
+ */
+static double cube_distance(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			    double s)
+{
+	const struct cutter_place place = place_at(way, s);
+	double most = -INFINITY;
+
+	for (int corner = 0; corner < 8; corner++) {
+		const vec3 sign = {corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1};
+
+		most = larger(most, point_distance(piece, &place, vec3_mad(cube->centre, cube->half, sign)));
+	}
+	return most;
+}
+
+/* Where the centre is deepest, as along a convex function (golden section). */
+static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point)
+{
+	const double share = 0.6180339887498949;
+	double low = 0, high = 1, a = 1 - share, b = share;
+	struct cutter_place pa = place_at(way, a), pb = place_at(way, b);
+	double fa = point_distance(piece, &pa, point), fb = point_distance(piece, &pb, point);
+
+	for (int i = 0; i < SEARCH_STEPS; i++) {
+		if (fa <= fb) {
+			high = b;
+			b = a;
+			fb = fa;
+			a = high - share * (high - low);
+			pa = place_at(way, a);
+			fa = point_distance(piece, &pa, point);
+		} else {
+			low = a;
+			a = b;
+			fa = fb;
+			b = low + share * (high - low);
+			pb = place_at(way, b);
+			fb = point_distance(piece, &pb, point);
+		}
+	}
+	return fa <= fb ? a : b;
+}
+
+/* The same for the whole cube, whose corners need not be deepest when its centre is. */
+static double deepest_cube_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube)
+{
+	const double share = 0.6180339887498949;
+	double low = 0, high = 1, a = 1 - share, b = share;
+	double fa = cube_distance(piece, way, cube, a), fb = cube_distance(piece, way, cube, b);
+
+	for (int i = 0; i < SEARCH_STEPS; i++) {
+		if (fa <= fb) {
+			high = b;
+			b = a;
+			fb = fa;
+			a = high - share * (high - low);
+			fa = cube_distance(piece, way, cube, a);
+		} else {
+			low = a;
+			a = b;
+			fa = fb;
+			b = low + share * (high - low);
+			fb = cube_distance(piece, way, cube, b);
+		}
+	}
+	return fa <= fb ? a : b;
+}
+
+/* The cube is inside at `inside`: the first time before it from which it is. */
+static double entry_time(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			 double depth, double inside)
+{
+	double outside = 0;
+
+	if (cube_distance(piece, way, cube, 0) <= -depth)
+		return 0;
+	for (int i = 0; i < ENTRY_STEPS; i++) {
+		const double middle = 0.5 * (outside + inside);
+
+		if (cube_distance(piece, way, cube, middle) <= -depth)
+			inside = middle;
+		else
+			outside = middle;
+	}
+	return inside;
+}
+
+static double piece_removes(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			    double depth)
+{
+	/* The ball inside the cube must be inside the piece before the corners can be. */
+	const double needed = -(cube->half + depth);
+	struct cutter_place place;
+	double s;
+
+	if (cube->half + depth > piece->radius)
+		return INFINITY;
+	if (cube_distance(piece, way, cube, 1) <= -depth)
+		return entry_time(piece, way, cube, depth, 1);
+	s = deepest_time(piece, way, cube->centre);
+	place = place_at(way, s);
+	if (point_distance(piece, &place, cube->centre) > needed)
+		return INFINITY;
+	if (cube_distance(piece, way, cube, s) > -depth)
+		s = deepest_cube_time(piece, way, cube);
+	return cube_distance(piece, way, cube, s) <= -depth ? entry_time(piece, way, cube, depth, s) : INFINITY;
+}
+
+/* Is the cube farther from the way of the cutter's axis than the cutter's radius, or above or below it all the way? */
+static bool is_beside(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube)
+{
+	const struct revolved *whole = &cutter->whole;
+	const vec3 from = vec3_sub(cube->centre, way->from.origin), to = vec3_sub(cube->centre, way->to.origin);
+	const double z0 = vec3_dot(from, way->from.up), z1 = vec3_dot(to, way->to.up);
+	const vec3 w0 = vec3_mad(from, -z0, way->from.up), w1 = vec3_mad(to, -z1, way->to.up);
+	const vec3 along = vec3_sub(w1, w0);
+	const double length2 = vec3_norm2(along), room = whole->radius - cube->half;
+	const double s = length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
+
+	/* This quick look is exact for a cutter that does not turn; the turn of a piece of the log is small. */
+	if (vec3_dot(way->from.up, way->to.up) < 1 - 1e-12)
+		return false;
+	if (larger(z0, z1) < whole->bands[whole->count - 1].bottom + cube->half ||
+	    smaller(z0, z1) > whole->bands[0].top - cube->half)
+		return true;
+	return room < 0 || vec3_norm2(vec3_mad(w0, s, along)) > room * room;
+}
+
+double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth)
+{
+	double first = INFINITY;
+
+	if (is_beside(cutter, way, cube))
+		return INFINITY;
+	for (size_t i = 0; i < cutter->piece_count; i++)
+		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth));
+	return first;
+}

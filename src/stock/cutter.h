@@ -1,0 +1,47 @@
+/* cutter.h - what a turning cutter surely removes: cubes that lie inside one of its convex pieces. */
+#ifndef FIVECHECK_STOCK_CUTTER_H
+#define FIVECHECK_STOCK_CUTTER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "geom/vec3.h"
+#include "stock/revolved.h"
+
+/* Where a cutter stands in the stock's coordinates. */
+struct cutter_place {
+	vec3 origin;	/* of the cutter's mesh coordinates: the gauge point, mm */
+	vec3 up;	/* unit: the mesh's Z, which points away from the tip */
+};
+
+/* A solid of revolution, and its convex pieces from the top down. The whole solid is removed where it goes. */
+struct cutter {
+	struct revolved whole;
+	struct revolved *pieces;	/* their bands are those of `whole` */
+	size_t piece_count;
+};
+
+void cutter_init(struct cutter *cutter, const struct tool_solid *solid);
+void cutter_release(struct cutter *cutter);
+
+/* The box around the cutter where it stands. */
+void cutter_bounds(const struct cutter *cutter, const struct cutter_place *place, vec3 *low, vec3 *high);
+
+/* A cube of the stock. */
+struct cube {
+	vec3 centre;
+	double half;	/* mm: half of an edge; the edges are those of the coordinates */
+};
+
+/* A cutter that goes from one place to another: each point of its axis goes straight and evenly. */
+struct cutter_way {
+	struct cutter_place from, to;
+};
+
+/*
+ * The first time, 0 to 1, at which the whole cube lies at least `depth` mm inside one convex piece of the cutter;
+ * INFINITY if no such time was found. At the time that is returned it does. Pure: depends on nothing else.
+ */
+double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth);
+
+#endif

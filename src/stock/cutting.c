@@ -1,0 +1,108 @@
+#include "stock/cutting.h"
+
+#include <math.h>
+
+#include "base/minmax.h"
+
+/* A step is cut into no more pieces; with pieces that are still too coarse less is removed for certain. */
+#define PIECES_MAX 4096
+
+static struct cutter_place place_of(const struct cutting *cutting, const axis_values *q)
+{
+	const xform pose = body_pair_pose(cutting->bodies, q);
+
+	return (struct cutter_place){pose.translation, pose.rotation.z};
+}
+
+static struct chain_state state_at(const struct cutting *cutting, const axis_values *q)
+{
+	const struct body_pair *bodies = cutting->bodies;
+	struct chain_state state;
+
+	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
+	return state;
+}
+
+static struct chord_bound bound_of(const struct cutting *cutting, const axis_values *q0, const axis_values *q1)
+{
+	const struct chain_state start = state_at(cutting, q0), end = state_at(cutting, q1);
+	struct chord_bound bound;
+
+	chord_bound_init(&bound, cutting->bodies->chain, &start, &end, q0, q1, &cutting->chord.chord_error,
+			 cutting->chord.tolerance);
+	return bound;
+}
+
+static axis_values between(const struct chord *chord, double s)
+{
+	axis_values q;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		q.v[i] = (1 - s) * chord->q0.v[i] + s * chord->q1.v[i];
+	return q;
+}
+
+/*
+ * mm: how far a point of the true cutter may be from where the cut has it. Each point of the axis stays within
+ * `chord_error` of the straight line between its ends. The cut takes the line through those points as its axis and
+ * makes the direction a unit vector again, which takes points of the axis nearer to the origin, by the cosine of half the
+ * turn. Where both ends of the cutter's axis are off by x or less, its direction is off by 2 x / length, and a point at
+ * the radius r by x + r 2 x / length.
+ */
+static double axis_error(const struct cutter *cutter, const struct cutter_way *way, double chord_error)
+{
+	const struct revolved *whole = &cutter->whole;
+	const double top = whole->bands[0].top, bottom = whole->bands[whole->count - 1].bottom;
+	const double farthest = larger(fabs(top), fabs(bottom));
+	const double cosine = vec3_dot(way->from.up, way->to.up);
+	const double shrink = cosine < 1 ? farthest * (1 - sqrt(larger(0.5 * (1 + cosine), 0))) : 0;
+	const double off = chord_error + shrink;
+
+	return off > 0 ? 2 * off * (1 + whole->radius / (top - bottom)) : 0;
+}
+
+static bool misses_blank(const struct cutting *cutting, const struct cutter *cutter, const struct cutter_way *way)
+{
+	vec3 low, high, other_low, other_high;
+
+	cutter_bounds(cutter, &way->from, &low, &high);
+	cutter_bounds(cutter, &way->to, &other_low, &other_high);
+	low = vec3_min(low, other_low);
+	high = vec3_max(high, other_high);
+	return low.x > cutting->high.x || high.x < cutting->low.x || low.y > cutting->high.y ||
+	       high.y < cutting->low.y || low.z > cutting->high.z || high.z < cutting->low.z;
+}
+
+/* The stock is at rest in view 0 (motion_bound.h), in which the cutter moves. */
+static void log_piece(const struct cutting *cutting, struct cut_log *log, double s0, double s1)
+{
+	const axis_values q0 = between(&cutting->chord, s0), q1 = between(&cutting->chord, s1);
+	const struct chord_bound bound = bound_of(cutting, &q0, &q1);
+	const struct cutter *cutter = &log->cutters[cutting->cutter];
+	struct cut cut = {
+		.cutter = cutting->cutter,
+		.from = (1 - s0) * cutting->from + s0 * cutting->to,
+		.to = (1 - s1) * cutting->from + s1 * cutting->to,
+		.way = {place_of(cutting, &q0), place_of(cutting, &q1)},
+	};
+	const double rounding = body_pair_rounding(cutting->bodies, &q0, cut.way.from.origin) +
+				body_pair_rounding(cutting->bodies, &q1, cut.way.to.origin);
+
+	cut.error = axis_error(cutter, &cut.way, bound.chord_error[0]) + bound.displacement[0] + bound.path[0] +
+		    rounding;
+	if (!misses_blank(cutting, cutter, &cut.way))
+		cut_log_add(log, &cut);
+}
+
+void cutting_log(const struct cutting *cutting, struct cut_log *log)
+{
+	const struct chord_bound bound = bound_of(cutting, &cutting->chord.q0, &cutting->chord.q1);
+	const struct cutter_way way = {place_of(cutting, &cutting->chord.q0), place_of(cutting, &cutting->chord.q1)};
+	const double error = axis_error(&log->cutters[cutting->cutter], &way, bound.chord_error[0]);
+	/* The deviation of a chord falls with the square of its length. */
+	const double wanted = ceil(sqrt(error / cutting->grain));
+	const int pieces = wanted > PIECES_MAX ? PIECES_MAX : wanted > 1 ? (int)wanted : 1;
+
+	for (int i = 0; i < pieces; i++)
+		log_piece(cutting, log, (double)i / pieces, (double)(i + 1) / pieces);
+}

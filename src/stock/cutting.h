@@ -1,0 +1,20 @@
+/* cutting.h - logs what a feeding cutter surely removes along a step. */
+#ifndef FIVECHECK_STOCK_CUTTING_H
+#define FIVECHECK_STOCK_CUTTING_H
+
+#include "scene/motion_interval.h"
+#include "stock/cut_log.h"
+
+/* A step, or a piece of one, along which a turning cutter feeds. */
+struct cutting {
+	const struct body_pair *bodies;	/* the stock is a, the cutter b */
+	int cutter;	/* index of the log's cutters */
+	struct chord chord;
+	double from, to;	/* when, as the log counts time */
+	double grain;	/* mm: pieces of a curved way are so short that they leave their chords by less than this */
+	vec3 low, high;	/* the box around the blank: cuts outside of it are left out */
+};
+
+void cutting_log(const struct cutting *cutting, struct cut_log *log);
+
+#endif

@@ -1,0 +1,201 @@
+#include "stock/stock_cells.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "base/minmax.h"
+#include "geom/inside.h"
+#include "geom/point_distance.h"
+#include "geom/tolerance.h"
+
+static const double sqrt3 = 1.7320508075688773;
+
+/* How a cell whose parent is partly in the blank lies in it. */
+static enum blank_side side_of(const struct blank *blank, const struct cube *cube)
+{
+	const double radius = sqrt3 * cube->half;
+	const vec3 off = vec3_sub(cube->centre, blank->bvh->origin);
+	const double size = vec3_norm(off) + blank->bvh->radius + vec3_norm(blank->bvh->origin);
+	const double margin = blank->bvh->mesh.rounding + POSE_ROUNDING * size;
+	const double distance = mesh_point_distance(blank->bvh, cube->centre);
+
+	if (distance <= radius + margin)
+		return BLANK_PARTLY;
+	if (mesh_inside(blank->bvh, blank->topology, cube->centre) != INSIDE_NO)
+		return BLANK_INSIDE;
+	return distance > radius + margin + blank->uncertainty ? BLANK_OUTSIDE : BLANK_PARTLY;
+}
+
+void stock_cells_init(struct stock_cells *cells, const struct blank *blank, const struct cut_log *log, double edge)
+{
+	const vec3 half = blank->bvh->half;
+	const double needed = larger(half.x, larger(half.y, half.z)) + blank->uncertainty;
+
+	*cells = (struct stock_cells){.blank = *blank, .log = log, .group_count = 1};
+	cells->least_half = 0.5 * edge;
+	cells->root = (struct cube){blank->bvh->origin, cells->least_half};
+	while (cells->root.half < needed * (1 + POSE_ROUNDING))
+		cells->root.half *= 2;
+	cells->cells = mem_grow(NULL, &cells->group_capacity, 1, 8 * sizeof(*cells->cells));
+	cells->cells[0] = (struct stock_cell){.removed = INFINITY, .kind = side_of(blank, &cells->root)};
+}
+
+void stock_cells_release(struct stock_cells *cells)
+{
+	free(cells->cells);
+	*cells = (struct stock_cells){.group_count = 0};
+}
+
+double stock_cells_radius(const struct stock_cells *cells)
+{
+	return sqrt3 * cells->least_half;
+}
+
+static struct cube child_of(const struct cube *cube, int number)
+{
+	const double half = 0.5 * cube->half;
+	const vec3 sign = {number & 1 ? 1 : -1, number & 2 ? 1 : -1, number & 4 ? 1 : -1};
+
+	return (struct cube){vec3_mad(cube->centre, half, sign), half};
+}
+
+/* Makes the eight children of a cell. */
+static void divide(struct stock_cells *cells, size_t index, const struct cube *cube)
+{
+	const enum blank_side side = (enum blank_side)cells->cells[index].kind;
+	const size_t group = cells->group_count++;
+
+	cells->cells = mem_grow(cells->cells, &cells->group_capacity, group + 1, 8 * sizeof(*cells->cells));
+	cells->cells[index].children = (uint32_t)group;
+	for (int i = 0; i < 8; i++) {
+		const struct cube child = child_of(cube, i);
+
+		cells->cells[8 * group + (size_t)i] = (struct stock_cell){
+			.removed = INFINITY,
+			.kind = side == BLANK_PARTLY ? side_of(&cells->blank, &child) : side,
+		};
+	}
+}
+
+/* One question: what is near the obstacle at a time? */
+struct search {
+	struct stock_cells *cells;
+	const struct placed_obstacle *placed;
+	double time;
+	uint64_t log_end;	/* the place of the time in the log */
+	double best;	/* mm: distance: so much is proved of all that was left out */
+	double least;
+	double within, grain;	/* meet */
+	struct cube *found;
+};
+
+static bool is_there(struct search *search, size_t index, const struct cube *cube)
+{
+	struct stock_cell *cell = &search->cells->cells[index];
+
+	search->cells->visits++;
+	if (cell->kind == BLANK_OUTSIDE || cell->removed <= search->time)
+		return false;
+	if (isinf(cell->removed) && cell->searched < search->log_end)
+		cell->removed = cut_log_search(search->cells->log, cube, &cell->searched, search->log_end);
+	return cell->removed > search->time;
+}
+
+static double gap_of(const struct search *search, const struct cube *cube)
+{
+	const vec3 point = xform_apply(&search->placed->to_obstacle, cube->centre);
+
+	return obstacle_distance(search->placed->obstacle, point) - sqrt3 * cube->half;
+}
+
+/* The children of a cell in the order of their distances; the first `index` of their group. */
+struct children {
+	size_t first;
+	struct cube cubes[8];
+	double gaps[8];
+	int order[8];
+};
+
+static void look_at_children(struct search *search, size_t index, const struct cube *cube, struct children *out)
+{
+	if (!search->cells->cells[index].children)
+		divide(search->cells, index, cube);
+	out->first = 8 * (size_t)search->cells->cells[index].children;
+	for (int i = 0; i < 8; i++) {
+		int at = i;
+
+		out->cubes[i] = child_of(cube, i);
+		out->gaps[i] = search->cells->cells[out->first + (size_t)i].kind == BLANK_OUTSIDE
+				       ? INFINITY
+				       : gap_of(search, &out->cubes[i]);
+		for (; at > 0 && out->gaps[out->order[at - 1]] > out->gaps[i]; at--)
+			out->order[at] = out->order[at - 1];
+		out->order[at] = i;
+	}
+}
+
+/* The cell is there and its gap is below `best`. As deep as the cells. */
+static void nearest(struct search *search, size_t index, const struct cube *cube, double gap)
+{
+	struct children children;
+
+	/* Cells that are small against their distance are not worth dividing. */
+	if (sqrt3 * cube->half <= gap || cube->half <= search->cells->least_half) {
+		search->best = gap;
+		return;
+	}
+	look_at_children(search, index, cube, &children);
+	for (int turn = 0; turn < 8 && search->best > search->least; turn++) {
+		const int i = children.order[turn];
+
+		if (!(children.gaps[i] < search->best))
+			return;
+		if (is_there(search, children.first + (size_t)i, &children.cubes[i]))
+			nearest(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i]);
+	}
+}
+
+double stock_cells_distance(struct stock_cells *cells, const struct placed_obstacle *placed, double time,
+			    double least, double enough)
+{
+	struct search search = {.cells = cells, .placed = placed, .time = time,
+				.log_end = cut_log_end(cells->log, time), .best = enough, .least = least};
+	const double gap = gap_of(&search, &cells->root);
+
+	if (gap < search.best && is_there(&search, 0, &cells->root))
+		nearest(&search, 0, &cells->root, gap);
+	return search.best;
+}
+
+static bool meets(struct search *search, size_t index, const struct cube *cube)
+{
+	struct children children;
+
+	if (cube->half <= search->grain || cube->half <= search->cells->least_half) {
+		*search->found = *cube;
+		return true;
+	}
+	look_at_children(search, index, cube, &children);
+	for (int turn = 0; turn < 8; turn++) {
+		const int i = children.order[turn];
+
+		if (children.gaps[i] > search->within)
+			return false;
+		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
+		    meets(search, children.first + (size_t)i, &children.cubes[i]))
+			return true;
+	}
+	return false;
+}
+
+bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double within,
+		      double grain, struct cube *found)
+{
+	struct search search = {.cells = cells, .placed = placed, .time = time,
+				.log_end = cut_log_end(cells->log, time), .within = within, .grain = grain,
+				.found = found};
+
+	return gap_of(&search, &cells->root) <= within && is_there(&search, 0, &cells->root) &&
+	       meets(&search, 0, &cells->root);
+}

@@ -1,0 +1,79 @@
+/*
+ * stock_cells.h - an outer bound of the stock that remains at a time: cubes that are divided only where a question
+ * remains.
+ *
+ * The blank lies in one cube, which divides into eight, and so on down to a smallest edge. A cell leaves the stock at
+ * the first time at which the log proves that one cutter removes the whole of it. What a cell is, and when it leaves,
+ * depends on the blank and the log alone: the cells that are stored are answers that were given before. So the order
+ * of questions changes no answer. The union of the cells that are there at a time encloses the true stock, and it only
+ * ever shrinks.
+ */
+#ifndef FIVECHECK_STOCK_STOCK_CELLS_H
+#define FIVECHECK_STOCK_STOCK_CELLS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "geom/bvh.h"
+#include "geom/topology.h"
+#include "geom/xform.h"
+#include "stock/cut_log.h"
+#include "stock/obstacle.h"
+
+/* The stock before the first cut, in its mesh coordinates. Borrows everything. */
+struct blank {
+	const struct bvh *bvh;
+	const struct topology *topology;	/* of a closed mesh */
+	double uncertainty;	/* mm: the true blank may be larger by so much */
+};
+
+struct stock_cell {
+	double removed;	/* time at which it left; INFINITY: it had not when the log was searched up to `searched` */
+	uint64_t searched;	/* place in the log */
+	uint32_t children;	/* number of the group of its eight children; 0: not divided yet */
+	uint32_t kind;	/* enum blank_side */
+};
+
+/* How a cell lies in the blank. */
+enum blank_side { BLANK_PARTLY, BLANK_INSIDE, BLANK_OUTSIDE };
+
+struct stock_cells {
+	struct blank blank;
+	const struct cut_log *log;	/* borrowed */
+	struct cube root;
+	double least_half;	/* mm: half the edge of the smallest cells */
+	struct stock_cell *cells;	/* groups of eight; cell 0 is the root, group 0 has no other */
+	size_t group_count, group_capacity;
+	long visits;	/* cells that were looked at */
+};
+
+/* Cells down to an edge of `edge` mm at most, but more than half of it. */
+void stock_cells_init(struct stock_cells *cells, const struct blank *blank, const struct cut_log *log, double edge);
+void stock_cells_release(struct stock_cells *cells);
+
+/* mm: half of the diagonal of a smallest cell. No cell reaches farther than twice this beyond the blank. */
+double stock_cells_radius(const struct stock_cells *cells);
+
+/* An obstacle and where it stands: stock coordinates to its own. */
+struct placed_obstacle {
+	const struct obstacle *obstacle;
+	xform to_obstacle;
+};
+
+/*
+ * mm: a lower bound on the distance of the obstacle from the stock that is there at `time`; at most `enough`. It is
+ * at least half of the distance to the smallest cells, or not above `least`: then it does not matter. It may be
+ * negative. The result for a later time, or with smaller cells, is not less than what is proved here.
+ */
+double stock_cells_distance(struct stock_cells *cells, const struct placed_obstacle *placed, double time,
+			    double least, double enough);
+
+/*
+ * Is there a cell that is not proved farther than `within` mm from the obstacle? Cells with half an edge of `grain` mm
+ * or less are not divided. *found is the first such cell.
+ */
+bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double within,
+		      double grain, struct cube *found);
+
+#endif

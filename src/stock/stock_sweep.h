@@ -1,0 +1,43 @@
+/* stock_sweep.h - does a body keep its distance from the stock that remains, over a motion? The exact answer. */
+#ifndef FIVECHECK_STOCK_STOCK_SWEEP_H
+#define FIVECHECK_STOCK_STOCK_SWEEP_H
+
+#include <stdbool.h>
+
+#include "base/callbacks.h"
+#include "scene/motion_interval.h"
+#include "scene/sweep.h"
+#include "stock/stock_cells.h"
+
+/* Borrows everything. */
+struct stock_sweep {
+	struct stock_cells *cells;
+	const struct body_pair *bodies;
+	bool stock_is_a;	/* else it is b */
+	const struct obstacle *obstacle;	/* the other one */
+	double clearance;	/* mm */
+	double grain;	/* mm: a piece of motion in which no point moves more than twice this counts as an instant */
+	long effort;	/* cells to look at before the answer is UNDECIDED; 0: no limit */
+	const struct cancel *cancel;	/* asked during long work; or NULL */
+	bool broken_off;	/* `cancel` said stop: the answer is UNDECIDED */
+	bool exhausted;	/* `effort` was used up: likewise */
+};
+
+/* The obstacle with the axes at q. */
+struct placed_obstacle stock_sweep_place(const struct stock_sweep *sweep, const axis_values *q);
+
+/*
+ * Sweeps the motion along a chord, which is the step with this number. The stock at an instant of it is what is left
+ * by everything that was cut before that instant. APART: at every instant the body is farther from the stock than the
+ * clearance. CONTACT: the first instant at which a smallest cell is not proved so far away; then the body is at most
+ * `grain` and the diagonal of such a cell too near to a place that no cutter is proved to have left.
+ * The answer depends on the step, the blank and the cuts alone.
+ */
+enum sweep_answer stock_sweep_chord(struct stock_sweep *sweep, const struct chord *chord, double number,
+				    struct contact *contact);
+
+/* The same for every position in the box between low and high, against the stock before the step. */
+enum sweep_answer stock_sweep_box(struct stock_sweep *sweep, const axis_values *low, const axis_values *high,
+				  double number, struct contact *contact);
+
+#endif

@@ -1,0 +1,136 @@
+# What remains of the stock: nothing but a feeding, turning cutter may touch it. Each case has a twin on the other side.
+machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
+      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
+        <spindle location="0 0 100" direction="0 0 -1"/>
+      </axis>
+    </axis>
+  </axis>
+  <workholding location="0 0 0"/>
+XML
+
+# job STOCK_ATTRIBUTES - s.xml, with a flat cutter of 10 mm and a shank of 8 mm above it, 20 mm over the tip
+job() {
+	setup s.xml <<XML
+  <work_offset name="G54" X="0" Y="0" Z="-100"/>
+  <stock $1/>
+  <tool number="1" length="100">
+    <holder><section length="50" diameter="40"/></holder>
+    <shank><section length="30" diameter="8"/></shank>
+    <cutter><section length="20" diameter="10"/></cutter>
+  </tool>
+XML
+}
+
+# check TITLE - the program on standard input begins above the stock with the tool 1, and the spindle turns
+check() {
+	echo "== $1"
+	(echo 'G21 G90 G94 T1 M6'; echo 'M3 S1000'; echo 'G0 G43 H1 Z100'; cat) >p.nc
+	findings -s s.xml m.xml p.nc
+}
+
+job 'box="40 30 10"'
+check 'a rapid above the blank' <<'NC'
+G0 X-30 Z10.01
+G0 X30
+NC
+check 'a rapid into the blank, but less deep than is allowed' <<'NC'
+G0 X-30 Z9.8
+G0 X30
+NC
+check 'a rapid deeper into the blank' <<'NC'
+G0 X-30 Z9.6
+G0 X30
+NC
+check 'a slot and a retract from it' <<'NC'
+G0 X-30 Z7
+G1 X10 F600
+G0 Z20
+NC
+check 'on at rapid behind the end of the slot' <<'NC'
+G0 X-30 Z7
+G1 X10 F600
+G0 X11
+NC
+check 'beside the slot' <<'NC'
+G0 X-30 Z7
+G1 X10 F600
+G0 Z20
+G0 Y0.5
+G0 Z9
+NC
+check 'at a standstill in the slot, and out of it' <<'NC'
+G0 X-30 Z7
+G1 X10 F600
+M5
+G1 Z20
+NC
+check 'a feed with a spindle that stands' <<'NC'
+G0 X-30 Z7
+M5
+G1 X10 F600
+NC
+check 'a hole, in one block, deeper than the flutes: the shank follows in what the same block has cut' <<'NC'
+G0 X0 Z12
+G1 Z-15 F600
+G0 Z12
+NC
+
+job 'box="40 30 30" location="0 0 -20"'
+check 'a holder that comes down to the top of the stock' <<'NC'
+G0 X0 Z12
+G1 Z-39.9 F600
+NC
+check 'a holder that comes down into it' <<'NC'
+G0 X0 Z12
+G1 Z-40.1 F600
+NC
+
+echo '== cylinders, uncertainty, allowance'
+job 'cylinder="20 10" uncertainty="0.5" rapid_allowance="0.1"'
+check 'above the uncertain blank' <<'NC'
+G0 X-30 Z10.46
+G0 X30
+NC
+check 'not above it' <<'NC'
+G0 X-30 Z10.3
+G0 X30
+NC
+check 'beside the cylinder' <<'NC'
+G0 X-12.2 Y-12.2 Z5
+G0 Y-30
+NC
+check 'too near to it' <<'NC'
+G0 X-10 Y-13
+G0 Z5
+G0 Y-11.8
+G0 Y-11.6
+NC
+
+echo '== what is not known yet'
+for option in --method=conventional --clearance-report=c.csv --sensitivity=0.1,0,0,0; do
+	"$FIVECHECK" -q $option -s s.xml m.xml p.nc >out
+	echo "exit status $?"
+done
+
+echo '== threads, shards, all findings: the same bytes'
+job 'box="40 30 10"'
+{
+	echo 'G21 G90 G94 T1 M6'
+	echo 'M3 S1000'
+	echo 'G0 G43 H1 Z100'
+	awk 'BEGIN { for (i = 0; i < 25; i++) printf "G0 Z12\nG0 X%.3f Y%.3f\nG1 Z%.2f F600\n", 25 * sin(i), 20 * cos(2 * i), 8 - i / 40 }'
+	echo 'G0 X0 Y0'
+	echo 'G0 Z5'
+	echo 'G0 X30'
+} >p.nc
+"$FIVECHECK" -q --stock-tolerance 0.4 -a -f ndjson -s s.xml m.xml p.nc | grep '"kind":"[cr]' >one
+"$FIVECHECK" -q --stock-tolerance 0.4 -a -j 2 -f ndjson -s s.xml m.xml p.nc | grep '"kind":"[cr]' >two
+for shard in 1 2 3; do
+	"$FIVECHECK" -q --shard $shard/3 -a --stock-tolerance 0.4 -f ndjson -s s.xml m.xml p.nc | grep '"kind":"[cr]' || :
+done >three
+wc -l <one
+cmp one two
+sort one >sorted
+sort three | cmp sorted -
