@@ -29,7 +29,7 @@ LACKS = {
     "linuxcnc": {"rotate", "mirror", "scale", "plane", "compensated"},
     "fanuc": {"scale", "in_plane"},
     "haas": {"scale", "plane"},
-    "sinumerik": {"compensated"},
+    "sinumerik": set(),
     "klartext": set(),
 }
 
@@ -252,16 +252,17 @@ class Job:
             outline.append((round(size * math.cos(angle), 3), round(size * math.sin(angle), 3)))
         if self.rng.random() < 0.5:
             outline.reverse()
-        (x0, y0), (x1, y1) = outline[0], outline[1]
-        length = math.hypot(x1 - x0, y1 - y0)
-        before = (round(x0 - 30 * (x1 - x0) / length, 3), round(y0 - 30 * (y1 - y0) / length, 3))
-        (x2, y2), (x3, y3) = outline[-2], outline[-1]
-        length = math.hypot(x3 - x2, y3 - y2)
-        behind = (round(x3 + 30 * (x3 - x2) / length, 3), round(y3 + 30 * (y3 - y2) / length, 3))
+        before = self.beside(outline[1], outline[0])
+        behind = self.beside(outline[-2], outline[-1])
         self.add("line", True, {"X": before[0], "Y": before[1], "Z": 10.0})
         self.add("compensated", self.tool, left, outline, behind)
         self.at = [*behind, 10.0]
         self.go()
+
+    def beside(self, start, end):
+        """A point 30 mm behind the end of a line, up to 60 degrees beside its direction."""
+        angle = math.atan2(end[1] - start[1], end[0] - start[0]) + math.radians(self.rng.uniform(-60, 60))
+        return (round(end[0] + 30 * math.cos(angle), 3), round(end[1] + 30 * math.sin(angle), 3))
 
     def body(self):
         steps = [{axis: self.coordinate(-5, 5) for axis in sorted(self.rng.sample("XYZ", self.rng.randint(1, 3)))}
@@ -490,7 +491,7 @@ class Sinumerik(Iso):
     number = staticmethod(number)
 
     def head(self):
-        self.put("G17 G90 G94 G64 " + ("G700" if self.job.inch else "G710"))
+        self.put("G17 G90 G94 G64 NORM G450 " + ("G700" if self.job.inch else "G710"))
 
     def tool(self, which):
         self.put(f"T{which} D1", "M6", "S1000 M3")
@@ -551,6 +552,9 @@ class Sinumerik(Iso):
         for x, y in points:
             self.put(self.words({"X": x, "Y": y}))
         self.put("MCALL")
+
+    def in_plane(self):
+        self.put("CUT2DF")
 
     def offset(self, tool):
         return ""
@@ -819,9 +823,9 @@ def main():
         job = Job(rng, common if case % 2 else ELEMENTS)
         folder = tempfile.mkdtemp()
         try:
-            points += run_case(options.fivecheck, folder, job, counts)
             for element in job.elements:
                 elements[element] += 1
+            points += run_case(options.fivecheck, folder, job, counts)
         except Differs as reason:
             differ += 1
             print(f"case {case} of seed {options.seed} ({job.machine}, {', '.join(sorted(job.elements))}): {reason}")

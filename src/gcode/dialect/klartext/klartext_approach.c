@@ -57,7 +57,8 @@ static bool touch_from(vec3 from, vec3 centre, double radius, int turn, vec3 *un
 static struct klartext_path arc_between(const struct klartext_path *like, vec3 start, vec3 end, vec3 centre, int turn)
 {
 	struct klartext_path arc = *like;
-	const double from = math_atan2(start.y - centre.y, start.x - centre.x), to = math_atan2(end.y - centre.y, end.x - centre.x);
+	const double from = math_atan2(start.y - centre.y, start.x - centre.x),
+		     to = math_atan2(end.y - centre.y, end.x - centre.x);
 	double sweep = fmod(turn * (to - from), 2 * PI);
 
 	sweep = sweep <= 1e-9 ? sweep + 2 * PI : sweep;
@@ -129,7 +130,8 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 		return fault(&interp->at, words->first_column, "APPR and DEP have coordinates of X, Y and Z alone");
 	if ((kind == KLARTEXT_WAY_LT || kind == KLARTEXT_WAY_LN) && !(words->has_length && words->length > 0))
 		return fault(&interp->at, words->first_column, "%s needs LEN, more than 0", kinds[kind]);
-	if (kind == KLARTEXT_WAY_CT && !(words->has_centre_angle && words->centre_angle > 0 && words->centre_angle < 360))
+	if (kind == KLARTEXT_WAY_CT &&
+	    !(words->has_centre_angle && words->centre_angle > 0 && words->centre_angle < 360))
 		return fault(&interp->at, words->first_column, "CT needs CCA, between 0 and 360 degrees");
 	if ((kind == KLARTEXT_WAY_CT || kind == KLARTEXT_WAY_LCT) && !(words->has_size && fabs(words->size) > 0))
 		return fault(&interp->at, words->first_column, "%s needs the radius of its circle in R", kinds[kind]);
@@ -150,9 +152,10 @@ static bool find_point(struct interp *interp, const struct klartext_words *words
 	if (polar && !klartext_pole_point(interp, words, &path, &target))
 		return false;
 	if (fabs(target.point.z - here.z) > SAME_POINT)
-		return fault(&interp->at, words->column[SLOT_Z],
-			     "Z in APPR and DEP: whether it moves before, behind or with X and Y is not known here; write "
-			     "it into a block of its own");
+		return fault(
+		    &interp->at, words->column[SLOT_Z],
+		    "Z in APPR and DEP: whether it moves before, behind or with X and Y is not known here; write "
+		    "it into a block of its own");
 	*point = target.point;
 	return true;
 }
@@ -178,8 +181,7 @@ bool klartext_approach_read(struct lexer *lexer)
 	if (words.comp != KLARTEXT_RL && words.comp != KLARTEXT_RR)
 		return fault(lexer->at, words.first_column, "APPR needs RL or RR");
 	if (!klartext_comp_check_known(interp, words.first_column, "APPR") || !klartext_m_start(interp, &words) ||
-	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) ||
-	    !find_point(interp, &words, polar, &point))
+	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed) || !find_point(interp, &words, polar, &point))
 		return false;
 	if (path.rapid)
 		return fault(lexer->at, words.feed_column, "APPR cannot be moved at FMAX; it needs F");
@@ -246,8 +248,9 @@ static bool find_touch(struct interp *interp, vec3 from, vec3 point, vec3 direct
 	vec3 unit, other_unit;
 
 	if (size <= radius)
-		return fault(&interp->at, column, "the radius of the circle, %.6g mm, is not greater than the tool's, %.6g mm",
-			     size, radius);
+		return fault(&interp->at, column,
+			     "the radius of the circle, %.6g mm, is not greater than the tool's, %.6g mm", size,
+			     radius);
 	if (!touch_from(from, circle.centre, size - radius, turn, &unit) ||
 	    !touch_from(from, other.centre, size, turn, &other_unit))
 		return fault(&interp->at, column, "the other end of this straight line lies within the circle");
@@ -276,8 +279,8 @@ static bool find_approach(struct interp *interp, vec3 direction, vec3 *helper, s
 		*last = line_between(&approach->path, *helper, point);
 		return true;
 	case KLARTEXT_WAY_CT:
-		*helper = vec3_add(circle.centre, turned(vec3_sub(point, circle.centre),
-							 -circle.turn * radians(words->centre_angle)));
+		*helper = vec3_add(circle.centre,
+				   turned(vec3_sub(point, circle.centre), -circle.turn * radians(words->centre_angle)));
 		helper->z = point.z;
 		doubt = 2 * interp->comp.radius;
 		break;
@@ -405,7 +408,8 @@ bool klartext_approach_depart(struct lexer *lexer)
 	    !check_words(interp, &words, kind))
 		return false;
 	if (!klartext_comp_is_selected(interp))
-		return fault(lexer->at, words.first_column, "DEP without radius compensation (RL, RR) is not supported");
+		return fault(lexer->at, words.first_column,
+			     "DEP without radius compensation (RL, RR) is not supported");
 	if (!klartext_corner_check_none(interp) || !klartext_m_start(interp, &words) ||
 	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed))
 		return false;

@@ -104,7 +104,8 @@ bool klartext_circle_pole(struct lexer *lexer)
 static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end, struct plane_point centre, int across,
 		     int direction, int column)
 {
-	struct plane_point start_point = klartext_pole_flat(path->start, across), end_point = klartext_pole_flat(end, across);
+	struct plane_point start_point = klartext_pole_flat(path->start, across),
+			   end_point = klartext_pole_flat(end, across);
 	double r0 = math_hypot(start_point.a - centre.a, start_point.b - centre.b);
 	double r1 = math_hypot(end_point.a - centre.a, end_point.b - centre.b);
 
@@ -149,8 +150,8 @@ static bool shape_by_radius(struct interp *interp, const struct klartext_words *
 		return false;
 	if (!words->has_size || same_double(words->size, 0))
 		return fault(&interp->at, words->first_column, "CR needs its radius in R");
-	switch (arc_find_centre(klartext_pole_flat(path->start, SLOT_Z), klartext_pole_flat(target->point, SLOT_Z), words->size,
-				words->direction < 0, &tolerance, &centre)) {
+	switch (arc_find_centre(klartext_pole_flat(path->start, SLOT_Z), klartext_pole_flat(target->point, SLOT_Z),
+				words->size, words->direction < 0, &tolerance, &centre)) {
 	case ARC_NO_CHORD:
 		return fault(&interp->at, words->first_column,
 			     "a circle by its radius cannot end where it starts; use CC and C");

@@ -51,9 +51,8 @@ static void enter_frame(struct interp *interp)
 	if (!frame->any)
 		return;
 	rotated->turn = *turn;
-	rotated->back = (mat3){{turn->x.x, turn->y.x, turn->z.x},
-			       {turn->x.y, turn->y.y, turn->z.y},
-			       {turn->x.z, turn->y.z, turn->z.z}};
+	rotated->back = (mat3){
+	    {turn->x.x, turn->y.x, turn->z.x}, {turn->x.y, turn->y.y, turn->z.y}, {turn->x.z, turn->y.z, turn->z.z}};
 	rotated->distorts = rotated->mirrors = mirrored;
 	rotated->growth = 1;
 	rotated->origin = frame->origin;
@@ -177,7 +176,8 @@ bool klartext_comp_leave(struct interp *interp, const struct klartext_path *path
 	struct cutter_comp *comp = &interp->comp;
 
 	if (comp->starting || !moves_in_plane(path))
-		return fault(&interp->at, column, "DEP right behind the first block of radius compensation is not supported");
+		return fault(&interp->at, column,
+			     "DEP right behind the first block of radius compensation is not supported");
 	comp->leaving = true;
 	return true;
 }
@@ -191,7 +191,8 @@ static bool stop(struct interp *interp, const struct klartext_words *words, cons
 		return true;
 	}
 	if (path->arc)
-		return fault(&interp->at, words->comp_column, "radius compensation ends in a straight line, not in a circle");
+		return fault(&interp->at, words->comp_column,
+			     "radius compensation ends in a straight line, not in a circle");
 	if (!moves_in_plane(path))
 		return stop_standing(interp, words->comp_column);
 	if (comp->starting)
@@ -333,11 +334,11 @@ bool klartext_comp_check_known(struct interp *interp, int column, const char *wh
 {
 	const double *loose = interp->comp.loose;
 
-	return !(loose[SLOT_X] + loose[SLOT_Y] > 0) ||
-	       fault(&interp->at, column,
-		     "%s while it is not known where the tool stands in X and Y: behind R0 without a move in the plane, DEP, "
-		     "or a cycle that mills a pocket; move X and Y first",
-		     what);
+	return !(loose[SLOT_X] + loose[SLOT_Y] > 0) || fault(&interp->at, column,
+							     "%s while it is not known where the tool stands in X and "
+							     "Y: behind R0 without a move in the plane, DEP, "
+							     "or a cycle that mills a pocket; move X and Y first",
+							     what);
 }
 
 bool klartext_comp_end(struct interp *interp, int column)

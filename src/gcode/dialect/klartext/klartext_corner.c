@@ -182,8 +182,7 @@ static bool reaches(const struct klartext_path *path, vec3 point)
 
 	if (!path->arc)
 		return share >= -slack && share <= 1 + slack;
-	return fabs(sweep_between(path, path->start, point)) <= fabs(path->sweep) &&
-	       fabs(path->sweep) <= 2 * PI;
+	return fabs(sweep_between(path, path->start, point)) <= fabs(path->sweep) && fabs(path->sweep) <= 2 * PI;
 }
 
 static bool is_flat(const struct klartext_path *path)
@@ -236,8 +235,7 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 	if (corner->chamfer) {
 		shape->first = vec3_mad(after->start, -corner->size, in);
 		shape->last = vec3_mad(after->start, corner->size, out);
-	} else if (fabs(shape->turn) > FLAT_CORNER &&
-		   !find_rounding(before, after, in, out, corner->size, shape)) {
+	} else if (fabs(shape->turn) > FLAT_CORNER && !find_rounding(before, after, in, out, corner->size, shape)) {
 		return fault(&interp->at, after->column, "the rounding of %.6g mm does not touch both paths",
 			     corner->size);
 	}
@@ -250,7 +248,7 @@ static bool find_shape(struct interp *interp, const struct klartext_path *after,
 
 /* --------------------------------------------------------------------- moves */
 
-/* Carries out the block that was kept back, up to this point, as if it were in hand, and tells the end of both lines. */
+/* Carries out the block that was kept back, up to this point, as if it were in hand; tells the end of both lines. */
 static bool release(struct interp *interp, vec3 end)
 {
 	const struct line_place at = interp->at;
@@ -330,7 +328,6 @@ bool klartext_corner_make(struct interp *interp, const struct klartext_words *wo
 		return false;
 	path->start = shape.last;
 	if (path->arc)
-		path->sweep = fabs(path->sweep) >= 2 * PI ? path->sweep
-							  : sweep_between(path, path->start, path->end);
+		path->sweep = fabs(path->sweep) >= 2 * PI ? path->sweep : sweep_between(path, path->start, path->end);
 	return true;
 }

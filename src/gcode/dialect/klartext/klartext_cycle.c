@@ -265,7 +265,8 @@ bool klartext_cycle_start(struct interp *interp, double *height)
 	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext_of(interp)->cycle};
 	double clearance, surface;
 
-	if (!call.cycle->by_q || !klartext_parameter_find(&call, 200, &clearance) || !klartext_parameter_find(&call, 203, &surface))
+	if (!call.cycle->by_q || !klartext_parameter_find(&call, 200, &clearance) ||
+	    !klartext_parameter_find(&call, 203, &surface))
 		return false;
 	*height = (clearance + surface) * interp->state.scale;
 	return true;

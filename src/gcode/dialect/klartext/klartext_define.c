@@ -263,7 +263,8 @@ bool klartext_define_add_axis(struct klartext_cycle *cycle, char letter, double 
 
 	if (cycle->count == KLARTEXT_CYCLE_WORDS)
 		return false;
-	*word = (struct klartext_cycle_word){.value = value, .given = true, .column = cycle->column, .line = cycle->line};
+	*word =
+	    (struct klartext_cycle_word){.value = value, .given = true, .column = cycle->column, .line = cycle->line};
 	word->name[0] = letter;
 	cycle->count++;
 	return true;
@@ -322,10 +323,11 @@ static bool begin(struct lexer *lexer, int number, int column)
 		klartext_of(interp)->cycle.number = 0;
 	}
 	if (!row)
-		return fault(lexer->at, column,
-			     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-			     "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
-			     number, number);
+		return fault(
+		    lexer->at, column,
+		    "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+		    "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
+		    number, number);
 	if (row->use == USE_REFUSED)
 		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,

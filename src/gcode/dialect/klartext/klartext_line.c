@@ -111,7 +111,8 @@ static bool call_pattern(struct lexer *lexer, int column)
 		return false;
 	if (words.axes || (words.feed != KLARTEXT_FEED_NONE && words.feed != KLARTEXT_FEED_MAX))
 		return fault(lexer->at, words.first_column, "CYCL CALL PAT has no coordinates, and FMAX or no feed");
-	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column) && klartext_m_end(interp, &words);
+	return klartext_m_start(interp, &words) && klartext_pattern_call(interp, column) &&
+	       klartext_m_end(interp, &words);
 }
 
 /* CYCL CALL: like a block of M-functions, behind which the cycle is called. */
@@ -176,10 +177,11 @@ static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
 		for (int i = 0; i < cycle->count; i++)
 			named = named || strchr(cycle->words[i].name, AXIS_LETTERS[slot]);
 		if (!named && fabs(slot <= SLOT_Z ? shifts[slot] : interp->state.shift.v[slot]) > 0)
-			return fault(lexer->at, cycle->column,
-				     "TRANS DATUM without %c, which is shifted: whether the shift stays is not known here; "
-				     "write %c, too",
-				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+			return fault(
+			    lexer->at, cycle->column,
+			    "TRANS DATUM without %c, which is shifted: whether the shift stays is not known here; "
+			    "write %c, too",
+			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -200,7 +202,8 @@ static bool transform(struct lexer *lexer)
 		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, &cycle);
 	}
 	if (!klartext_take(lexer, "AXIS"))
-		return fault(lexer->at, klartext_column(lexer), "TRANS DATUM TABLE is not supported yet: write AXIS with values");
+		return fault(lexer->at, klartext_column(lexer),
+			     "TRANS DATUM TABLE is not supported yet: write AXIS with values");
 	return klartext_define_read_axes(lexer, &cycle) && check_datum(lexer, &cycle) &&
 	       klartext_frame_shift(lexer->context, &cycle);
 }

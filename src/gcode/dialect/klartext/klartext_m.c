@@ -40,11 +40,11 @@ static enum m_action action_of(int number)
 		short number;
 		short action;
 	} actions[] = {
-	    {0, M_HALT},	{1, M_HALT},	   {2, M_END},	       {3, M_TURN_RIGHT}, {4, M_TURN_LEFT},
-	    {5, M_STAND},	{6, M_CHANGE},	   {13, M_TURN_RIGHT}, {14, M_TURN_LEFT}, {30, M_END},
-	    {89, M_CALL_MODAL}, {94, M_REDUCE},	   {99, M_CALL},       {126, M_SHORTEST}, {127, M_PLAIN},
-	    {128, M_TCP_START}, {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},
-	    {136, M_PER_REVOLUTION}, {137, M_PER_MINUTE},
+	    {0, M_HALT},	 {1, M_HALT},	    {2, M_END},		{3, M_TURN_RIGHT}, {4, M_TURN_LEFT},
+	    {5, M_STAND},	 {6, M_CHANGE},	    {13, M_TURN_RIGHT}, {14, M_TURN_LEFT}, {30, M_END},
+	    {89, M_CALL_MODAL},	 {94, M_REDUCE},    {99, M_CALL},	{126, M_SHORTEST}, {127, M_PLAIN},
+	    {128, M_TCP_START},	 {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},  {136, M_PER_REVOLUTION},
+	    {137, M_PER_MINUTE},
 	};
 
 	for (size_t i = 0; i < sizeof(actions) / sizeof(actions[0]); i++) {
@@ -114,9 +114,10 @@ bool klartext_m_check_harmless(struct interp *interp, const struct klartext_word
 		if (!find_action(interp, &words->m[i], &action))
 			return false;
 		if (action != M_HARMLESS && action != M_TURN_RIGHT && action != M_TURN_LEFT && action != M_SHORTEST)
-			return fault(&interp->at, words->m[i].column,
-				     "M%d in the block before RND or CHF is not supported: write it into a block of its own",
-				     words->m[i].number);
+			return fault(
+			    &interp->at, words->m[i].column,
+			    "M%d in the block before RND or CHF is not supported: write it into a block of its own",
+			    words->m[i].number);
 	}
 	return true;
 }

@@ -110,7 +110,8 @@ bool klartext_move_feed(struct interp *interp, const struct klartext_words *word
 	*feed = (struct canon_feed){0};
 	if (words->feed == KLARTEXT_FEED_VALUE && (words->feed_per_revolution || klartext_of(interp)->per_revolution)) {
 		if (!(state->speed > 0))
-			return fault(&interp->at, column, "a feed per revolution (FU, M136) without a spindle speed (S)");
+			return fault(&interp->at, column,
+				     "a feed per revolution (FU, M136) without a spindle speed (S)");
 		state->feed_linear = words->feed_bare * state->scale * state->speed;
 		state->feed_angular = words->feed_bare * state->speed;
 	} else if (words->feed == KLARTEXT_FEED_VALUE) {

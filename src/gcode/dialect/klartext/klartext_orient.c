@@ -34,17 +34,19 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 			fitting[count++] = &solutions->items[i];
 	}
 	if (count == 0)
-		return fault(&interp->at, column,
-			     "within the limits of their travel, the rotary axes cannot stand the tool in this direction");
+		return fault(
+		    &interp->at, column,
+		    "within the limits of their travel, the rotary axes cannot stand the tool in this direction");
 	*chosen = fitting[0];
 	if (count == 1)
 		return true;
 	first = klartext_orient_is_no_farther(interp, fitting[0], fitting[1]);
 	second = klartext_orient_is_no_farther(interp, fitting[1], fitting[0]);
 	if (first == second)
-		return fault(&interp->at, column,
-			     "the rotary axes can stand the tool in this direction in two ways, and which one the control "
-			     "takes is not known here; post the positions of the rotary axes");
+		return fault(
+		    &interp->at, column,
+		    "the rotary axes can stand the tool in this direction in two ways, and which one the control "
+		    "takes is not known here; post the positions of the rotary axes");
 	*chosen = first ? fitting[0] : fitting[1];
 	return true;
 }
@@ -56,9 +58,8 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 bool klartext_orient_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)
 {
 	const vec3 tool = {words->tool[0], words->tool[1], words->tool[2]};
-	struct kinematics_orientation orientation = {.rotary_zero = tool_length_rotary_zero(interp),
-						     .rotary = interp->state.canonical,
-						     .command = "LN"};
+	struct kinematics_orientation orientation = {
+	    .rotary_zero = tool_length_rotary_zero(interp), .rotary = interp->state.canonical, .command = "LN"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
 	int column = words->first_column;
@@ -79,10 +80,11 @@ bool klartext_orient_target(struct interp *interp, const struct klartext_words *
 		if (!interp->config->has_axis[slot])
 			continue;
 		if (chosen->tie[slot])
-			return fault(&interp->at, column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
-				     "this axis in the machine file says which one the control takes",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, column,
+			    "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
+			    "this axis in the machine file says which one the control takes",
+			    AXIS_LETTERS[slot]);
 		target->others.v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
 	}
 	target->turns = true;

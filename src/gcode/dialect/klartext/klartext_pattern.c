@@ -160,7 +160,8 @@ static bool whole(const struct klartext_call_of *call, int q, int *value)
 	if (!klartext_parameter_need(call, q, &number))
 		return false;
 	if (!(number >= 1 && number <= KLARTEXT_POINTS_MAX) || !same_double(floor(number), number))
-		return fault(&call->interp->at, call->column, "Q%d is a whole number from 1 to %d", q, KLARTEXT_POINTS_MAX);
+		return fault(&call->interp->at, call->column, "Q%d is a whole number from 1 to %d", q,
+			     KLARTEXT_POINTS_MAX);
 	*value = (int)number;
 	return true;
 }
@@ -178,8 +179,9 @@ bool klartext_pattern_circle(struct interp *interp, const struct klartext_cycle 
 	    !whole(&call, 241, &count))
 		return false;
 	if (same_double(klartext_parameter_or(&call, 365, 0), 1))
-		return fault(&interp->at, cycle->column, "CYCL DEF 220 with Q365=1, on circles from point to point, is not "
-							 "supported yet");
+		return fault(&interp->at, cycle->column,
+			     "CYCL DEF 220 with Q365=1, on circles from point to point, is not "
+			     "supported yet");
 	/* A step of 0: the points are spread between the angles; the whole circle has no point twice. */
 	if (same_double(step, 0))
 		step = (end - start) / (same_double(fabs(end - start), 360) ? count : fmax(1, count - 1));
@@ -195,8 +197,9 @@ bool klartext_pattern_lines(struct interp *interp, const struct klartext_cycle *
 	int count[2];
 
 	if (!klartext_parameter_length(&call, 225, &start.x) || !klartext_parameter_length(&call, 226, &start.y) ||
-	    !klartext_parameter_length(&call, 237, &spacing[0]) || !klartext_parameter_length(&call, 238, &spacing[1]) ||
-	    !whole(&call, 242, &count[0]) || !whole(&call, 243, &count[1]) || !klartext_parameter_need(&call, 224, &angle))
+	    !klartext_parameter_length(&call, 237, &spacing[0]) ||
+	    !klartext_parameter_length(&call, 238, &spacing[1]) || !whole(&call, 242, &count[0]) ||
+	    !whole(&call, 243, &count[1]) || !klartext_parameter_need(&call, 224, &angle))
 		return false;
 	klartext_of(interp)->points.count = 0;
 	return add_lines(interp, cycle->column, start, spacing, count, angle, true) && call_with(interp, &call);
@@ -231,8 +234,8 @@ struct item {
 /* "(X+25 Y+33.5 Z+0)" */
 static bool read_item(struct lexer *lexer, struct item *item)
 {
-	static const char *const names[] = {"X", "Y", "Z", "D", "DX", "DY", "NUM", "NUMX", "NUMY", "ROT", "ROTX", "ROTY",
-					    "START", "STEP"};
+	static const char *const names[] = {"X",    "Y",    "Z",   "D",	   "DX",   "DY",    "NUM",
+					    "NUMX", "NUMY", "ROT", "ROTX", "ROTY", "START", "STEP"};
 	const struct interp *interp = lexer->context;
 
 	*item = (struct item){.column = klartext_column(lexer)};
@@ -300,7 +303,8 @@ static bool add_item(struct lexer *lexer, const char *kind, const struct item *i
 			return fault(lexer->at, item->column, "PAT with ROTX or ROTY is not supported yet");
 		return has(lexer, item, (const int[]){WORD_X, WORD_Y, WORD_DX, WORD_DY, WORD_NUMX, WORD_NUMY}, 6) &&
 		       find_count(lexer, item, WORD_NUMX, &count[0]) && find_count(lexer, item, WORD_NUMY, &count[1]) &&
-		       add_lines(interp, item->column, start, (double[2]){v[WORD_DX], v[WORD_DY]}, count, v[WORD_ROT], true);
+		       add_lines(interp, item->column, start, (double[2]){v[WORD_DX], v[WORD_DY]}, count, v[WORD_ROT],
+				 true);
 	}
 	if (!strcmp(kind, "CIRC"))
 		return has(lexer, item, base, 4) && find_count(lexer, item, WORD_NUM, &count[0]) &&

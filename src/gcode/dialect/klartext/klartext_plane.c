@@ -162,11 +162,10 @@ static bool choose(struct interp *interp, const struct request *request, const s
 		return true;
 	if (klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
 	    klartext_orient_is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
-		*chosen =
-		    &solutions
-			 ->items[klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]])
-				     ? fitting[0]
-				     : fitting[1]];
+		*chosen = &solutions->items[klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]],
+									  &solutions->items[fitting[1]])
+						? fitting[0]
+						: fitting[1]];
 		return true;
 	}
 	write_axes(interp, &solutions->items[0], texts[0], sizeof(texts[0]));

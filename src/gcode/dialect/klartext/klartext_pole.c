@@ -60,8 +60,8 @@ static double polar_angle(struct plane_point pole, struct plane_point point)
 	return math_atan2_degrees(point.b - pole.b, point.a - pole.a);
 }
 
-bool klartext_pole_point(struct interp *interp, const struct klartext_words *words,
-				 const struct klartext_path *path, struct klartext_target *target)
+bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
+			 struct klartext_target *target)
 {
 	int across = klartext_of(interp)->across, a, b;
 	struct plane_point pole, here;
@@ -88,8 +88,8 @@ bool klartext_pole_point(struct interp *interp, const struct klartext_words *wor
 		angle = words->angle + (words->angle_increment ? angle : 0);
 	if (radius < 0)
 		return fault(&interp->at, words->radius_column, "a polar radius cannot be negative");
-	klartext_pole_put(&target->point, across,
-		   (struct plane_point){pole.a + radius * math_cos_degrees(angle),
-					pole.b + radius * math_sin_degrees(angle)});
+	klartext_pole_put(
+	    &target->point, across,
+	    (struct plane_point){pole.a + radius * math_cos_degrees(angle), pole.b + radius * math_sin_degrees(angle)});
 	return true;
 }

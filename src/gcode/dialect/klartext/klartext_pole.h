@@ -20,7 +20,7 @@ void klartext_pole_put(vec3 *v, int across, struct plane_point point);
 /* The pole. False: CC has not given it, which was reported at the column. */
 bool klartext_pole_find(struct interp *interp, int column, struct plane_point *pole);
 
-/* The point that PR and PA name, counted from CC; left out or increments: from the start of the path. False: reported. */
+/* The point that PR and PA name from CC on; left out or increments: from the start of the path. False: reported. */
 bool klartext_pole_point(struct interp *interp, const struct klartext_words *words, const struct klartext_path *path,
 			 struct klartext_target *target);
 

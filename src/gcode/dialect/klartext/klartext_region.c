@@ -77,7 +77,8 @@ static bool slot(const struct klartext_call_of *call, struct region *region)
 	if (!klartext_parameter_length(call, 218, &length) || !klartext_parameter_length(call, 219, &width))
 		return false;
 	/* Its left end, the centre of its left circle, that of its right circle, its right end. */
-	const double places[5][2] = {{0, 0}, {length / 2, 0}, {(length - width) / 2, 0}, {(width - length) / 2, 0}, {-length / 2, 0}};
+	const double places[5][2] = {
+	    {0, 0}, {length / 2, 0}, {(length - width) / 2, 0}, {(width - length) / 2, 0}, {-length / 2, 0}};
 
 	if (!find_place(call, places, way))
 		return false;
@@ -111,7 +112,8 @@ static bool circular_slot(const struct klartext_call_of *call, struct region *re
 	    !klartext_parameter_length(call, 216, &x) || !klartext_parameter_length(call, 217, &y))
 		return false;
 	if (!same_double(klartext_parameter_or(call, 367, 0), 0))
-		return fault(&call->interp->at, call->column, "CYCL DEF 254 with Q367 other than 0 is not supported yet");
+		return fault(&call->interp->at, call->column,
+			     "CYCL DEF 254 with Q367 other than 0 is not supported yet");
 	region->centre.x = x;
 	region->centre.y = y;
 	disc(region, diameter + width, tool_radius(call));
@@ -133,8 +135,9 @@ static bool thread(const struct klartext_call_of *call, struct region *region)
 static const struct {
 	int number, feed;
 	bool (*find)(const struct klartext_call_of *call, struct region *region);
-} cycles[] = {{208, 206, circular_pocket}, {251, 207, rectangular_pocket}, {252, 207, circular_pocket},
-	      {253, 207, slot},		   {254, 207, circular_slot},	   {262, 207, thread}};
+} cycles[] = {{208, 206, circular_pocket}, {251, 207, rectangular_pocket},
+	      {252, 207, circular_pocket}, {253, 207, slot},
+	      {254, 207, circular_slot},   {262, 207, thread}};
 
 bool klartext_region_is(int number)
 {
@@ -175,8 +178,7 @@ static bool go(const struct klartext_call_of *call, const struct region *region,
 			       klartext_frame_direction(interp, (vec3){0, 1, 0}),
 			       klartext_frame_direction(interp, (vec3){0, 0, 1})};
 	const double half[3] = {region->half[0], region->half[1], region->beyond};
-	struct canon_move move = {
-	    .kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
+	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = interp->state.position;
 
 	for (int i = 0; i < 3 && spread; i++) {
