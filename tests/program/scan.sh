@@ -17,7 +17,7 @@ program b.nc <<'NC'
 %
 O2
 G21 G90 G17
-G12 I3. F9.
+G47 P0 (A) E9. F9.
 G4.7
 M30
 %

@@ -246,7 +246,7 @@ static const struct {
 	{&dialect_fanuc, "F9 G1 X5. ,R1.\nF20\n", "needs a move of G1, G2 or G3 in the plane"},
 	{&dialect_fanuc, "F9 G1 X5. ,R1.\nX9.\n", "has no corner there"},
 	{&dialect_fanuc, "F9 G1 X5. ,R6.\nY9.\n", "is longer than one of its blocks"},
-	{&dialect_fanuc, "F9 G1 X5. ,C1.\nG2 Y9. R9.\n", "a chamfer (,C) beside an arc"},
+	{&dialect_fanuc, "F9 G1 X5. ,C1.\nG2 Y9. R9.\n", "a chamfer (,C or ,R) beside an arc"},
 	{&dialect_haas, "F9 G1 X5. ,R1.\nG2 Y9. R9.\n", "beside an arc is not supported on this control"},
 	{&dialect_fanuc, "F9 G1 X5. ,R1.\n", "needs a move of G1, G2 or G3 in the plane"},
 	{&dialect_linuxcnc, "F9 G1 X5. ,R1.\n", "unexpected ','"},
