@@ -203,7 +203,6 @@ static const struct bad fanuc[] = {
     /* The same, "Additional workpiece coordinate systems": P goes with G54 and G54.1 only. */
     {"G55 P3\n", 1, 5, "no code in the block uses the word P"},
     {"G59.1\n", 1, 1, "G59.1 is no G-code that is known in the fanuc dialect"},
-    {"G92.1 X0\n", 1, 1, "G92.1: workpiece coordinate system preset is not supported yet"},
     /* "Reference position return (G28)": the axes that return are named. */
     {"G28\n", 1, 1, "G28 without an axis word"},
     {"G0 G43 Z1.\n", 1, 4, "G43 needs H, of which none was given before"},

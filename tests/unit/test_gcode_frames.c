@@ -82,9 +82,21 @@ START_TEST(scaling)
 }
 END_TEST
 
+/* B-64484EN, "Workpiece Coordinate System Preset (G92.1)". */
+START_TEST(preset)
+{
+	run(&dialect_fanuc, "G0 X1. Y1.\nG92 X11. Y21.\nX12.\nG92.1 X0\nX5. Y22.\nG92.1 Y0. Z0.\nY5.\nM30\n",
+	    "rapid 1 1 0 0 0\nrapid 2 1 0 0 0\nrapid 5 2 0 0 0\nrapid 5 5 0 0 0\n");
+	run(&dialect_fanuc, "G52 X10.\nG0 X1.\nG92.1 X0\nX1.\nM30\n", "rapid 11 0 0 0 0\nrapid 1 0 0 0 0\n");
+}
+END_TEST
+
 static const struct {
 	const char *program, *message;
 } unscaled[] = {
+	{"G92.1\n", "p.nc:1:1: error: G92.1 without an axis word"},
+	{"G92.1 X5.\n", "p.nc:1:7: error: G92.1 presets an axis by 0 only"},
+	{"G51.1 X0.\nG92.1 X0\n", "p.nc:2:1: error: a change of offsets while a mirror image is in force"},
 	{"G51 P2\n", "p.nc:1:5: error: P of G51 without a decimal point: a parameter decides whether it counts thousandths"},
 	{"G51 X1.\n", "p.nc:1:1: error: G51 needs its factor in P"},
 	{"G51 I1. J2. K1.\n", "p.nc:1:9: error: G51 with different factors for the axes is not supported"},
@@ -289,7 +301,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *tests[] = {mirror, scaling, unscaled_faults, polar, single_direction, arc_without_centre, registers, unit_of_feed, exact_stop, pecks, corners, faults};
+	const TTest *tests[] = {mirror, preset, scaling, unscaled_faults, polar, single_direction, arc_without_centre, registers, unit_of_feed, exact_stop, pecks, corners, faults};
 
 	return RUN_TESTS("frames", tests);
 }

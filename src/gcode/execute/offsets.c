@@ -209,12 +209,41 @@ static bool is_shifted(const struct state *state)
 	return false;
 }
 
+/*
+ * Fanuc B-64484EN, "Workpiece Coordinate System Preset (G92.1)": the axes that it names, each with 0, lose what G52 and
+ * G92 have shifted. It asks that compensation is cancelled before.
+ */
+static bool preset(struct interp *interp)
+{
+	struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL];
+
+	if (!(block->letters & AXIS_BITS))
+		return fault(&interp->at, column, "G92.1 without an axis word");
+	if (state->frame.on || state->tcp != TCP_OFF || interp->comp.side != 0 || !same_double(state->length, 0))
+		return fault(&interp->at, column,
+			     "G92.1 in changed coordinates or under compensation (G41, G43) is not supported; G49 first");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		char letter = AXIS_LETTERS[slot];
+
+		if (block_has(block, letter) && !same_double(block_value(block, letter), 0))
+			return fault(&interp->at, block_column(block, letter), "G92.1 presets an axis by 0 only");
+	}
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		state->shift.v[slot] = block_has(block, AXIS_LETTERS[slot]) ? 0 : state->shift.v[slot];
+	state->saved_shift = state->shift;
+	return tool_length_offsets_changed(interp, column);
+}
+
 /* LinuxCNC's manual, "G52", "G92": one shift for all nine systems, which both codes write. */
 bool offsets_shift(struct interp *interp)
 {
 	struct state *state = &interp->state;
 	int code = interp->block.g[G_NONMODAL], column = interp->block.g_column[G_NONMODAL];
 
+	if (code == G92_1 && traits_of(interp)->one_shift == ANSWER_NO)
+		return preset(interp);
 	if (code == G92_1 || code == G92_2 || code == G92_3) {
 		state->shift_applied = code == G92_3;
 		state->shift = code == G92_3 ? state->saved_shift : (slot_values){{0}};

@@ -78,7 +78,7 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 				     "G68 needs a block without motion, offsets or a dwell");
 		return true;
 	}
-	if (takes_axis_words(other)) {
+	if (takes_axis_words(other) || (other == G92_1 && traits->one_shift == ANSWER_NO)) {
 		bool beside = given >= G0 && given <= G3 && traits->motion_beside_words == ANSWER_YES;
 
 		if (beside)

@@ -66,7 +66,7 @@ static const struct code g_codes[] = {
 	{721, GROUP_NONE, CODE_REFUSED, "rotation copy"},
 	{722, GROUP_NONE, CODE_REFUSED, "linear copy"},
 	{811, GROUP_NONE, CODE_REFUSED, "chopping"},
-	{G92_1, GROUP_NONE, CODE_REFUSED, "workpiece coordinate system preset"},
+	{G92_1, G_NONMODAL, CODE_READ, "workpiece coordinate system preset"},
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
 	/* The mode that is always in force here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
