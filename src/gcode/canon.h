@@ -67,6 +67,11 @@ struct canon_move {
 	double spread[3];	/* mm: how far X, Y and Z may be beside the path, in a direction that is not known */
 	/* the axis stays between places that other moves cover, spread and all: of straight moves */
 	bool between[3];
+	/*
+	 * Radians, A B C: how far the rotary axes may be beside their straight way. Under TCP the linear axes follow them, so
+	 * that the tip keeps its place.
+	 */
+	double turn_spread[3];
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
 	axis_values end;	/* RAPID, FEED, ARC */
 	struct canon_arc arc;

@@ -42,6 +42,16 @@ struct kinematics_solutions {
 	int primary;	/* slot of the first rotary axis as seen from the tool */
 };
 
+/* A piece of a turn of the tool in the plane of two directions, at a constant rate: s runs from 0 to 1 over all of it. */
+struct kinematics_great_circle {
+	vec3 from, to;	/* units, as directions of kinematics_orientation; not opposite */
+	axis_values rotary_zero;
+	double s0, s1;
+	axis_values rotary;	/* where the axes are at s0; receives where they are at s1 */
+	/* Receives how far the rotary axes can be from the straight way between, radians; INFINITY: halve the piece. */
+	double beside[SLOT_COUNT];
+};
+
 /* A retract along the tool's axis, from the tip to the spindle. */
 struct kinematics_retract {
 	bool to_limit;	/* as far as the first linear axis reaches the end of its travel */
@@ -68,6 +78,11 @@ struct kinematics {
 	/* The same with every choice, for controls that choose in another way. */
 	bool (*orientations)(void *context, struct srcloc loc, const struct kinematics_orientation *orientation,
 			     struct kinematics_solutions *solutions);
+	/* The direction of the tool at these rotary positions, as kinematics_orientation means it. */
+	bool (*direction)(void *context, struct srcloc loc, const axis_values *rotary_zero, const axis_values *rotary,
+			  vec3 *direction);
+	/* The way of the rotary axes while the tool turns on a great circle; it needs two of them. */
+	bool (*great_circle)(void *context, struct srcloc loc, struct kinematics_great_circle *piece);
 	bool (*retract)(void *context, struct srcloc loc, struct kinematics_retract *retract);
 	/*
 	 * Where turning the table takes a point of the workpiece. *place holds, for the linear axes, the position that

@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "motion/blend.h"
 #include "motion/dogleg.h"
+#include "motion/great_circle.h"
 #include "motion/limits.h"
 #include "motion/move_path.h"
 #include "motion/orient.h"
@@ -82,6 +83,7 @@ struct run {
 	axis_values tolerance;
 	axis_values room;	/* how far the axes may be beside the path, where that counts for the limits */
 	bool has_room;	/* some of it is not 0 */
+	bool turns;	/* a rotary axis may be beside its path */
 	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
 	bool swings;	/* it is such a rapid */
@@ -152,6 +154,34 @@ static void add_spread(struct run *run)
 			continue;
 		run->room.v[slot] = move->spread[slot];
 		run->has_room = true;
+	}
+}
+
+/* The same of the rotary axes; what the linear ones add to it under TCP comes when the path is known. */
+static void add_turn_spread(struct run *run)
+{
+	const struct canon_move *move = run->move;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!(move->turn_spread[slot - SLOT_A] > 0))
+			continue;
+		run->tolerance.v[slot] += move->turn_spread[slot - SLOT_A];
+		run->room.v[slot] += move->turn_spread[slot - SLOT_A];
+		run->has_room = run->turns = true;
+	}
+}
+
+static void add_following(struct run *run)
+{
+	const struct path *path = &run->legs[0].path;
+	axis_values follow;
+
+	if (!run->turns || !run->move->tcp)
+		return;
+	follow = tcp_follow(&run->converter->tcp, &path->start, &path->end, run->move->turn_spread);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		run->tolerance.v[slot] += follow.v[slot];
+		run->room.v[slot] += follow.v[slot];
 	}
 }
 
@@ -306,14 +336,16 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	assert(!move->tcp || converter->tcp.state.on);
 	run.converter = converter;
 	run.move = move;
-	run.outside = run.has_room = run.swings = false;
+	run.outside = run.has_room = run.swings = run.turns = false;
 	run.room = run.swing = (axis_values){{0}};
 	run.tolerance = blend_path_tolerance(converter->machine, move);
 	add_spread(&run);
+	add_turn_spread(&run);
 	if (!is_in_reach(converter, move) || !set_legs(&run))
 		return false;
 	if (!run.count)
 		return true;
+	add_following(&run);
 	for (int slot = 0; slot < SLOT_COUNT && run.swings; slot++)
 		run.tolerance.v[slot] += run.swing.v[slot];
 	if (blend_is_unbounded(converter->machine, move))
@@ -404,6 +436,21 @@ static bool orientations(void *context, struct srcloc loc, const struct kinemati
 }
 
 /* In machine positions, whatever positions are meant now. */
+static bool direction(void *context, struct srcloc loc, const axis_values *rotary_zero, const axis_values *rotary,
+		      vec3 *found)
+{
+	struct canon_to_spans *converter = context;
+
+	return great_circle_direction(converter->machine, loc, converter->diag, rotary_zero, rotary, found);
+}
+
+static bool great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
+{
+	struct canon_to_spans *converter = context;
+
+	return great_circle_piece(converter->machine, loc, converter->diag, piece);
+}
+
 static bool retract(void *context, struct srcloc loc, struct kinematics_retract *way)
 {
 	struct canon_to_spans *converter = context;
@@ -428,5 +475,5 @@ struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter)
 {
 	return (struct kinematics){
 	    .context = converter, .tcp = switch_tcp, .orient = orient, .orientations = orientations,
-	    .retract = retract, .table_point = table_point};
+	    .direction = direction, .great_circle = great_circle, .retract = retract, .table_point = table_point};
 }

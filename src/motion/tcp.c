@@ -233,6 +233,44 @@ axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axi
 	return second_derivative;
 }
 
+/* The way of a point that the chain carries, if each joint is beside its position: inner joints reach out to outer ones. */
+static double chain_swing(const struct chain *chain, double reach, const double turn[3])
+{
+	double sum = 0;
+
+	for (size_t k = chain->count; k-- > 0;) {
+		const struct joint *joint = &chain->joints[k];
+
+		sum += joint->slot >= SLOT_A && joint->slot <= SLOT_C ? reach * turn[joint->slot - SLOT_A] : 0;
+		if (k > 0)
+			reach += vec3_norm(vec3_sub(joint->location, chain->joints[k - 1].location));
+	}
+	return sum;
+}
+
+static double reach_of(const struct chain *chain, vec3 point)
+{
+	return chain->count ? vec3_norm(vec3_sub(point, chain->joints[chain->count - 1].location)) : 0;
+}
+
+axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double turn[3])
+{
+	const axis_values *ends[2] = {start, end};
+	axis_values follow = {{0}};
+	double reach = 0, swing;
+
+	/* A distance to a fixed point is largest at an end of a straight way. */
+	for (int i = 0; i < 2; i++) {
+		const vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, ends[i]), other_axes(tcp, ends[i])), tcp->gauge_zero);
+
+		reach = fmax(reach, reach_of(&tcp->table, xform_apply(&tcp->table_zero_inverse, at_zero)));
+	}
+	swing = chain_swing(&tcp->table, reach, turn) + chain_swing(&tcp->head, reach_of(&tcp->head, tcp->tip), turn);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		follow.v[slot] = vec3_norm(tcp->rows[slot]) * swing;
+	return follow;
+}
+
 /* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */
 static void add_chain_scale(const struct tcp *tcp, const struct chain *chain, const axis_values *reach, double *scale,
 			    double *angles)

@@ -53,6 +53,12 @@ axis_values tcp_from_machine(const struct tcp *tcp, const axis_values *machine);
 axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axis_values *rate, double acceleration,
 		     double half);
 
+/*
+ * How far X Y Z go, at most, to keep the tip in its place where the rotary axes are beside their positions by at most
+ * this much (radians, A B C), anywhere on a straight way between two controller positions. Other slots are 0.
+ */
+axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double turn[3]);
+
 /* How far rounding takes X Y Z of tcp_to_machine, for positions whose values are at most `reach`. */
 axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach);
 

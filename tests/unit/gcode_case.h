@@ -177,6 +177,29 @@ static inline bool case_orientations(void *context, struct srcloc loc, const str
 }
 
 /* Z is the tool's axis and ends at 500. */
+static inline bool case_direction(void *context, struct srcloc loc, const axis_values *rotary_zero,
+				  const axis_values *rotary, vec3 *direction)
+{
+	(void)context;
+	(void)loc;
+	(void)rotary_zero;
+	*direction = (vec3){0, sin(rotary->v[SLOT_A]), cos(rotary->v[SLOT_A])};
+	return true;
+}
+
+/* A turns by as much as the tool, and never lies at a pole; pieces of more than a third are too long. */
+static inline bool case_great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
+{
+	const double whole = atan2(piece->to.y, piece->to.z) - atan2(piece->from.y, piece->from.z);
+
+	(void)context;
+	(void)loc;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		piece->beside[slot] = piece->s1 - piece->s0 > 1.0 / 3 ? 1 : slot == SLOT_A ? 1e-6 : 0;
+	piece->rotary.v[SLOT_A] += whole * (piece->s1 - piece->s0);
+	return true;
+}
+
 static inline bool case_retract(void *context, struct srcloc loc, struct kinematics_retract *retract)
 {
 	(void)context;
@@ -189,7 +212,7 @@ static inline struct kinematics case_kinematics(struct gcode_case *c)
 {
 	return (struct kinematics){
 		.context = c, .tcp = case_tcp, .orient = case_orient, .orientations = case_orientations,
-		.retract = case_retract, .table_point = case_table_point};
+		.direction = case_direction, .great_circle = case_great_circle, .retract = case_retract, .table_point = case_table_point};
 }
 
 static inline bool case_event(void *context, const struct canon_event *event)

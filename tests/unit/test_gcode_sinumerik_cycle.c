@@ -95,6 +95,11 @@ static const struct program programs[] = {
 	 "X1 Y1 Z1 A3=0 B3=1 C3=1\n",
 	 "rapid 1 2 3 0 0\ntcp on length 0 zero A0 C0\norient 0 0.707106781 0.707106781\n"
 	 "feed 2 2 3 45 0 tcp\norient 0 -0.707106781 0.707106781\nfeed -1 -1 1 -45 0 tcp\n"},
+	/* On a great circle in pieces, each with its part of the way, and of the time under G93. */
+	{"G500 TRAORI ORIWKS ORIVECT\nG1 F6 X8 A40\nA3=0 B3=0 C3=1\nX9 A3=0 B3=0 C3=2\n",
+	 "tcp on length 0 zero A0 C0\nfeed 2 0 0 10 0 tcp\nfeed 4 0 0 20 0 tcp\nfeed 6 0 0 30 0 tcp\n"
+	 "feed 8 0 0 40 0 tcp\nfeed 8 0 0 30 0 tcp\nfeed 8 0 0 20 0 tcp\nfeed 8 0 0 10 0 tcp\n"
+	 "feed 8 0 0 0 0 tcp\nfeed 9 0 0 0 0 tcp\n"},
 	{"G500 TRAORI ORIWKS ORIAXES\nG93 F2 X1 A10\nG94 F6 X2 A20\n",
 	 "tcp on length 0 zero A0 C0\nfeed 1 0 0 10 0 tcp\nfeed 2 0 0 20 0 tcp\n"},
 };

@@ -288,6 +288,26 @@ static bool orientations(void *context, struct srcloc loc, const struct kinemati
 	return true;
 }
 
+static bool direction(void *context, struct srcloc loc, const axis_values *rotary_zero, const axis_values *rotary,
+		      vec3 *found)
+{
+	(void)context;
+	(void)loc;
+	(void)rotary_zero;
+	(void)rotary;
+	*found = (vec3){0, 0, 1};
+	return true;
+}
+
+static bool great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
+{
+	(void)context;
+	(void)loc;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		piece->beside[slot] = 0;
+	return true;
+}
+
 static bool retract(void *context, struct srcloc loc, struct kinematics_retract *move)
 {
 	(void)context;
@@ -308,7 +328,9 @@ static bool table_point(void *context, struct srcloc loc, axis_values *place)
 static bool read_once(const struct scan_questions *questions, FILE *in, const char *name, struct first_error *error)
 {
 	static const struct canon_sink sink = {NULL, hear_nothing};
-	static const struct kinematics kinematics = {NULL, switch_tcp, orient, orientations, retract, table_point};
+	static const struct kinematics kinematics = {
+	    .tcp = switch_tcp, .orient = orient, .orientations = orientations, .direction = direction,
+	    .great_circle = great_circle, .retract = retract, .table_point = table_point};
 	struct interp *interp;
 	bool good;
 

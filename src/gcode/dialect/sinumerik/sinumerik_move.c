@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_great_circle.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
@@ -129,6 +130,7 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 {
 	const bool rapid = interp->state.motion == G0;
 	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED};
+	struct sinumerik_turn turn = {.on_circle = false};
 	slot_values target;
 
 	if (!rapid && !motion_commands_feed(interp, &move.feed))
@@ -137,8 +139,11 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 		return go_in_machine(interp, block, &move);
 	if (!sinumerik_target_find(interp, block, &target))
 		return false;
-	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target))
+	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target, &turn))
 		return false;
+	if (turn.on_circle)
+		return sinumerik_great_circle_go(interp, sinumerik_block_axis_column(block), &target,
+						 turn.by_direction ? &turn.direction : NULL, &move);
 	return arrive(interp, &target, &move, NULL);
 }
 
@@ -196,13 +201,17 @@ bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *blo
 static bool run_circle(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct canon_move move = {.kind = CANON_ARC};
+	struct sinumerik_turn turn = {.on_circle = false};
 	struct sinumerik_circle circle;
 	slot_values target;
 
 	if (!motion_commands_feed(interp, &move.feed) || !sinumerik_target_find(interp, block, &target))
 		return false;
-	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target))
+	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target, &turn))
 		return false;
+	if (turn.on_circle)
+		return fault(&interp->at, interp->block.g_column[G_MOTION],
+			     "a circle during which the tool turns on a great circle (ORIVECT) is not supported yet");
 	if (!sinumerik_circle_find(interp, block, &target, &circle))
 		return false;
 	move.arc = circle.arc;

@@ -142,22 +142,19 @@ static bool choose_nearest(struct interp *interp, int column, const struct kinem
 	return true;
 }
 
-/* The position of the rotary axes that gives the tool the direction of A3=, B3=, C3=, which frames turn. */
-static bool find_direction(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+/* The direction of A3=, B3=, C3=, which frames turn, as a unit. False: reported. */
+static bool find_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
 {
 	const struct state *state = &interp->state;
 	const int column = sinumerik_block_axis_column(block);
-	struct kinematics_orientation orientation = {.rotary = state->canonical, .command = "A3= B3= C3="};
-	axis_values rotary;
-	vec3 direction;
 	double scale;
 
-	direction = (vec3){
+	*direction = (vec3){
 	    sinumerik_block_has_address(block, SINUMERIK_A3) ? block->address_value[SINUMERIK_A3] : 0,
 	    sinumerik_block_has_address(block, SINUMERIK_B3) ? block->address_value[SINUMERIK_B3] : 0,
 	    sinumerik_block_has_address(block, SINUMERIK_C3) ? block->address_value[SINUMERIK_C3] : 0,
 	};
-	if (!(vec3_norm(direction) > LEAST_VECTOR))
+	if (!(vec3_norm(*direction) > LEAST_VECTOR))
 		return fault(&interp->at, column, "the direction A3= B3= C3= has no length");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (sinumerik_block_has(block, AXIS_LETTERS[slot]))
@@ -169,15 +166,26 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 	if (state->frame.on && !sinumerik_frame_scale(&state->frame.turn, &scale))
 		return fault(&interp->at, column, "a direction where the frame scales its axes differently");
 	if (state->frame.on)
-		direction = mat3_apply(&state->frame.turn, direction);
-	orientation.direction = vec3_unit(direction);
-	orientation.rotary_zero = tool_length_rotary_zero(interp);
+		*direction = mat3_apply(&state->frame.turn, *direction);
+	*direction = vec3_unit(*direction);
+	return true;
+}
+
+/* The positions of the rotary axes that give the tool this direction. */
+static bool find_rotary(struct interp *interp, int column, vec3 direction, slot_values *target)
+{
+	const struct state *state = &interp->state;
+	const struct kinematics_orientation orientation = {.direction = direction,
+							   .rotary_zero = tool_length_rotary_zero(interp),
+							   .rotary = state->canonical,
+							   .command = "A3= B3= C3="};
+	axis_values rotary;
+
 	if (!choose_nearest(interp, column, &orientation, &rotary))
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (interp->config->has_axis[slot])
-			target->v[slot] =
-			    state_from_canonical(slot, rotary.v[slot]) - state->offset.v[slot];
+			target->v[slot] = state_from_canonical(slot, rotary.v[slot]) - state->offset.v[slot];
 	}
 	return true;
 }
@@ -200,20 +208,26 @@ static enum sinumerik_orientation way_in_force(const struct interp *interp)
 	}
 }
 
-bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target)
+bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
+				struct sinumerik_turn *turn)
 {
 	const slot_values *place = sinumerik_frame_place(interp);
+	const enum sinumerik_orientation way = way_in_force(interp);
 	const int column = sinumerik_block_axis_column(block);
-	bool turns = false;
+	bool turns;
 
-	if ((block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)) &&
-	    !find_direction(interp, block, target))
+	*turn = (struct sinumerik_turn){
+	    .by_direction = block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)};
+	if (turn->by_direction && !find_direction(interp, block, &turn->direction))
 		return false;
+	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR && !find_rotary(interp, column, turn->direction, target))
+		return false;
+	turns = turn->by_direction && way == SINUMERIK_ORI_VECTOR;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		turns = turns || fabs(target->v[slot] - place->v[slot]) > SAME_DEGREES;
 	if (!turns)
 		return true;
-	switch (way_in_force(interp)) {
+	switch (way) {
 	case SINUMERIK_ORI_AXES:
 		return true;
 	case SINUMERIK_ORI_UNKNOWN:
@@ -222,8 +236,11 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 			     "in the program says it, or orientation_interpolation=\"axes\" or \"vector\" of the machine's "
 			     "<controller>");
 	default:
-		return fault(&interp->at, column,
-			     "the way of the rotary axes on a great circle (ORIVECT) is not supported yet; ORIAXES turns "
-			     "them evenly");
+		break;
 	}
+	if (sinumerik_of(interp)->machine_orientation)
+		return fault(&interp->at, column,
+			     "a great circle (ORIVECT) in the machine's coordinates (ORIMKS) is not supported; use ORIWKS");
+	turn->on_circle = true;
+	return true;
 }

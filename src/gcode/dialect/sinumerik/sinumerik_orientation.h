@@ -7,10 +7,18 @@
 /* Carries out TRAORI, TRAFOOF, ORIWKS, ORIAXES and the like of the block. False: reported. */
 bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_block *block);
 
+/* How a block turns the tool. */
+struct sinumerik_turn {
+	bool on_circle;	/* in the plane of its two directions (sinumerik_great_circle.h), else the axes turn evenly */
+	bool by_direction;	/* A3= B3= C3= */
+	vec3 direction;	/* a unit, as kinematics_orientation has it */
+};
+
 /*
- * Under TRAORI: the rotary axes of the target where the block gives a direction (A3= B3= C3=), and whether the way
- * there is one that can be followed. False: reported.
+ * Under TRAORI: how the tool turns, and the rotary axes of the target where the block gives a direction and they turn
+ * evenly. False: reported.
  */
-bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
+bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
+				struct sinumerik_turn *turn);
 
 #endif
