@@ -21,7 +21,7 @@ status fivecheck --parse-only k.xml p.h
 fivecheck --dump-path --include=more --include=. k.xml - <p.h | cut -f 1,4-6 | tail -n 1
 
 # The fault stands two calls deep.
-printf '0 BEGIN PGM SUB MM\n1 L IX+1 RL\n2 END PGM SUB MM\n' >sub.h
+printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0\n2 END PGM SUB MM\n' >sub.h
 status fivecheck --parse-only --include=more k.xml p.h
 
 printf 'BEGIN PGM P MM\nLBL 1\nL X+0 FMAX\nCALL LBL 2\nFN 9: IF 1 EQU 1 GOTO LBL 1\nM2\nLBL 2\nLBL 0\nEND PGM P MM\n' >p.h
