@@ -44,6 +44,10 @@ static const struct program regions[] = {
 	/* LN with a direction: M128 turns the axes; without words of axes, too. */
 	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",
 	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"},
+	/* AXIS SPAT: the same by angles, each of which counts until it changes; M128 takes positions of the axes again. */
+	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL X+1 Y+2 A-30 B+0 C+0 F100\nL A+0\nM128\nL A+5\n",
+	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"
+	 "feed 1 2 0 5 0 tcp\n"},
 };
 
 #define DRILL "CYCL DEF 200 DRILLING Q200=2 Q201=-10 Q206=150 Q202=10 Q203=+0 Q204=20\n"

@@ -98,7 +98,7 @@ static const struct code_word words[] = {
     {"PLANE RESET", CODE_READ, "end of the tilted plane"},
     {"PLANE PROJECTED", CODE_REFUSED, "tilted plane by projected angles"},
     {"PLANE AXIAL", CODE_REFUSED, "tilted plane by axis angles"},
-    {"FUNCTION TCPM", CODE_READ, "tool centre point control with AXIS POS and PATHCTRL AXIS"},
+    {"FUNCTION TCPM", CODE_READ, "tool centre point control with AXIS POS or SPAT and PATHCTRL AXIS"},
     {"LBL", CODE_READ, "label"},
     {"CALL LBL", CODE_READ, "subprogram; with REP a program section repeat"},
     {"CALL PGM", CODE_READ, "another program"},

@@ -1,5 +1,7 @@
 #include "gcode/dialect/klartext/klartext_function.h"
 
+#include <string.h>
+
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_formula.h"
@@ -76,7 +78,7 @@ static bool read_tcpm(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	int column = klartext_column(lexer);
-	bool positions = false, linear = false;
+	bool positions = false, linear = false, spatial = false;
 
 	while (!klartext_ends(lexer)) {
 		int word = klartext_column(lexer);
@@ -85,10 +87,8 @@ static bool read_tcpm(struct lexer *lexer)
 			if (!klartext_take(lexer, "TCP") && !klartext_take(lexer, "CONT"))
 				return fault(lexer->at, word, "F of TCPM is TCP or CONT");
 		} else if (klartext_take(lexer, "AXIS")) {
-			if (klartext_take(lexer, "SPAT"))
-				return fault(lexer->at, word,
-					     "AXIS SPAT: rotary words as spatial angles are not supported yet");
-			positions = klartext_take(lexer, "POS");
+			spatial = klartext_take(lexer, "SPAT");
+			positions = spatial || klartext_take(lexer, "POS");
 			if (!positions)
 				return fault(lexer->at, word, "AXIS of TCPM is POS or SPAT");
 		} else if (klartext_take(lexer, "PATHCTRL")) {
@@ -105,8 +105,12 @@ static bool read_tcpm(struct lexer *lexer)
 		}
 	}
 	if (!positions || !linear)
-		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS and PATHCTRL AXIS");
-	return switch_tcpm(interp, true, column);
+		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS or SPAT, and PATHCTRL AXIS");
+	if (!switch_tcpm(interp, true, column))
+		return false;
+	klartext_of(interp)->spatial = spatial;
+	memset(klartext_of(interp)->spatial_given, 0, sizeof(klartext_of(interp)->spatial_given));
+	return true;
 }
 
 bool klartext_function_mode(struct lexer *lexer)
@@ -115,8 +119,10 @@ bool klartext_function_mode(struct lexer *lexer)
 
 	if (klartext_take(lexer, "TCPM"))
 		return read_tcpm(lexer);
-	if (klartext_take(lexer, "RESET") && klartext_take(lexer, "TCPM"))
+	if (klartext_take(lexer, "RESET") && klartext_take(lexer, "TCPM")) {
+		klartext_of(lexer->context)->spatial = false;
 		return switch_tcpm(lexer->context, false, column);
+	}
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return true;
 	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");

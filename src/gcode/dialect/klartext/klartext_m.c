@@ -129,6 +129,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 {
 	struct klartext *klartext = klartext_of(interp);
 
+	klartext->spatial = false;
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
 	if (klartext->corner.waits)
@@ -256,6 +257,7 @@ static bool stand(struct interp *interp)
 
 static bool stop_tcp(struct interp *interp, const struct klartext_m *m)
 {
+	klartext_of(interp)->spatial = false;
 	return interp->state.tcp != TCP_BY_MCODE || klartext_move_end_tcp(interp, m->column);
 }
 

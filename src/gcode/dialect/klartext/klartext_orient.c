@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_tilt.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
@@ -53,24 +54,44 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 
 /*
  * "Three-dimensional tool compensation": TX, TY and TZ are the direction from the tip to the spindle, in coordinates of
- * the workpiece; M128 turns the rotary axes.
+ * the workpiece. "FUNCTION TCPM", AXIS SPAT: A, B and C turn it as PLANE SPATIAL does, and the first block has all three.
  */
+static bool find_direction(struct interp *interp, const struct klartext_words *words, vec3 *direction)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const int column = words->first_column;
+
+	if (words->has_tool && (words->has_spatial || words->axes >> SLOT_A))
+		return fault(&interp->at, column, "TX, TY and TZ beside words of rotary axes");
+	*direction = (vec3){words->tool[0], words->tool[1], words->tool[2]};
+	if (words->has_tool)
+		return fabs(vec3_norm(*direction) - 1) < NORMALISED ||
+		       fault(&interp->at, column, "TX, TY and TZ have to be a vector of length 1");
+	for (int i = 0; i < 3; i++) {
+		if (!klartext->spatial_given[i])
+			return fault(&interp->at, column,
+				     "the first block behind AXIS SPAT needs all of A, B and C: %c is missing",
+				     'A' + i);
+	}
+	*direction = klartext_tilt_spatial(klartext->spatial_angle).z;
+	return true;
+}
+
 bool klartext_orient_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)
 {
-	const vec3 tool = {words->tool[0], words->tool[1], words->tool[2]};
-	struct kinematics_orientation orientation = {
-	    .rotary_zero = tool_length_rotary_zero(interp), .rotary = interp->state.canonical, .command = "LN"};
+	struct kinematics_orientation orientation = {.rotary_zero = tool_length_rotary_zero(interp),
+						     .rotary = interp->state.canonical,
+						     .command = words->has_tool ? "LN" : "AXIS SPAT"};
 	struct kinematics_solutions solutions;
 	const struct kinematics_solution *chosen = NULL;
-	int column = words->first_column;
+	const int column = words->first_column;
+	vec3 tool;
 
 	if (interp->state.tcp != TCP_BY_MCODE)
 		return fault(&interp->at, column,
 			     "TX, TY and TZ turn the rotary axes while M128 or TCPM is in force only; write it before");
-	if (words->axes >> SLOT_A)
-		return fault(&interp->at, column, "TX, TY and TZ beside words of rotary axes");
-	if (!(fabs(vec3_norm(tool) - 1) < NORMALISED))
-		return fault(&interp->at, column, "TX, TY and TZ have to be a vector of length 1");
+	if (!find_direction(interp, words, &tool))
+		return false;
 	orientation.direction = vec3_unit(klartext_frame_direction(interp, tool));
 	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, column), &orientation,
 					      &solutions) ||

@@ -1,4 +1,4 @@
-/* klartext_orient.h - TX, TY, TZ of LN: the rotary axes that stand the tool in a direction. */
+/* klartext_orient.h - TX, TY, TZ of LN, and AXIS SPAT: the rotary axes that stand the tool in a direction. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_ORIENT_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_ORIENT_H
 

@@ -185,6 +185,9 @@ struct klartext {
 	struct klartext_approach approach;
 	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */
+	bool spatial; /* TCPM with AXIS SPAT: A, B and C are spatial angles */
+	bool spatial_given[3];
+	double spatial_angle[3]; /* degrees */
 	bool cautioned_wrap, preset_settled;
 	struct klartext_frame frame;
 	bool preset_in_plane; /* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */

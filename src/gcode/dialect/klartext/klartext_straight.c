@@ -93,7 +93,7 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 		return fault(&interp->at, words->first_column,
 			     "axes other than X, Y and Z under radius compensation are not supported");
 	if (!check_waiting(interp, words) || !klartext_move_target(interp, words, &target) ||
-	    (words->has_tool && !klartext_orient_target(interp, words, &target)) ||
+	    ((words->has_tool || words->has_spatial) && !klartext_orient_target(interp, words, &target)) ||
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
@@ -113,7 +113,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 		return false;
 	if (!words->axes && !klartext_comp_switch_standing(interp, words))
 		return false;
-	if (!words->axes && !words->has_tool) {
+	if (!words->axes && !words->has_tool && !words->has_spatial) {
 		/* F alone counts for what comes next. */
 		return (words->feed != KLARTEXT_FEED_VALUE && words->feed != KLARTEXT_FEED_AUTO) ||
 		       klartext_move_feed(interp, words, &rapid, &feed);

@@ -41,12 +41,26 @@ static char byte_after(const struct lexer *lexer, size_t distance)
 	return byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
 }
 
+/* TCPM with AXIS SPAT: the angle counts until another one is given. */
+static bool read_spatial(struct lexer *lexer, struct klartext_words *words, int slot, bool increment, int column)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+
+	if (increment)
+		return fault(lexer->at, column, "an increment of a spatial angle (AXIS SPAT) is not supported yet");
+	lexer_take(lexer);
+	words->has_spatial = klartext->spatial_given[slot - SLOT_A] = true;
+	return klartext_value(lexer, &klartext->spatial_angle[slot - SLOT_A]);
+}
+
 /* X, IX and so on; the letter of the axis comes next. */
 static bool read_axis(struct lexer *lexer, struct klartext_words *words, int slot, bool increment, int column)
 {
 	struct interp *interp = lexer->context;
 	double value;
 
+	if (slot_is_rotary(slot) && klartext_of(interp)->spatial)
+		return read_spatial(lexer, words, slot, increment, column);
 	if (!interp->config->has_axis[slot])
 		return fault(lexer->at, column, "the machine has no %c axis", AXIS_LETTERS[slot]);
 	if (words->axes & 1U << slot)

@@ -42,6 +42,7 @@ struct klartext_words {
 	bool feed_per_revolution; /* FU */
 	bool has_speed;
 	double speed;
+	bool has_spatial; /* A, B or C of AXIS SPAT */
 	bool has_normal, has_tool; /* LN */
 	double normal[3], tool[3];
 	struct klartext_m m[KLARTEXT_M_MAX];
