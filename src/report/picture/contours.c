@@ -147,19 +147,32 @@ static void add_loop(struct strbuf *out, struct tracer *tracer, double tolerance
 	free(tracer->kept);
 }
 
+/* The outlines that begin in this row. */
+static void add_row(struct strbuf *out, struct tracer *tracer, int y, double tolerance, int least)
+{
+	const uint8_t *row = tracer->raster->paints + (size_t)y * (size_t)tracer->raster->width;
+	const uint8_t *end = row + tracer->raster->width, *at = row;
+
+	for (; at < end && (at = memchr(at, tracer->paint, (size_t)(end - at))); at++) {
+		const int x = (int)(at - row);
+
+		if (is_inside(tracer, x, y - 1) || tracer->seen[y * tracer->raster->width + x])
+			continue;
+		if (labs(trace(tracer, x, y)) >= 2L * least)
+			add_loop(out, tracer, tolerance);
+	}
+}
+
 void contours_add(struct strbuf *out, const struct raster *raster, uint8_t paint, double tolerance, int least)
 {
+	const size_t count = (size_t)raster->width * (size_t)raster->height;
 	struct tracer tracer = {.raster = raster, .paint = paint};
 
-	tracer.seen = mem_zalloc((size_t)raster->width * (size_t)raster->height, sizeof(bool));
-	for (int y = 0; y < raster->height; y++) {
-		for (int x = 0; x < raster->width; x++) {
-			if (!is_inside(&tracer, x, y) || is_inside(&tracer, x, y - 1) || tracer.seen[y * raster->width + x])
-				continue;
-			if (labs(trace(&tracer, x, y)) >= 2L * least)
-				add_loop(out, &tracer, tolerance);
-		}
-	}
+	if (!memchr(raster->paints, paint, count))
+		return;
+	tracer.seen = mem_zalloc(count, sizeof(bool));
+	for (int y = 0; y < raster->height; y++)
+		add_row(out, &tracer, y, tolerance, least);
 	free(tracer.seen);
 	free(tracer.corners);
 }

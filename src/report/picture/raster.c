@@ -42,27 +42,66 @@ static void draw_pixel(struct raster *raster, int x, int y, float depth, uint8_t
 	raster->paints[i] = paint;
 }
 
+/* The pixels of a row, or of a column, whose centres are between low and high: from *first to the one before *end. */
+static void pixels_between(double low, double high, int most, int *first, int *end)
+{
+	*first = clamp(ceil(low - 0.5), most);
+	*end = clamp(floor(high - 0.5) + 1, most);
+}
+
+static void bounds_of(const struct raster *raster, const vec3 p[3], int x[2], int y[2])
+{
+	pixels_between(fmin(p[0].x, fmin(p[1].x, p[2].x)), fmax(p[0].x, fmax(p[1].x, p[2].x)), raster->width, &x[0], &x[1]);
+	pixels_between(fmin(p[0].y, fmin(p[1].y, p[2].y)), fmax(p[0].y, fmax(p[1].y, p[2].y)), raster->height, &y[0], &y[1]);
+}
+
+bool raster_may_show(const struct raster *raster, const vec3 p[3])
+{
+	int x[2], y[2];
+
+	bounds_of(raster, p, x, y);
+	return x[0] < x[1] && y[0] < y[1];
+}
+
+/* A share of a corner along a row: `at` in the first pixel, `step` more in each later one. */
+struct share {
+	double at, step;
+};
+
+/* Narrows the pixels *from to *to - 1 of a row to those where the share may be 0 or more. */
+static void narrow(struct share share, int *from, int *to)
+{
+	/* One pixel to spare: the share itself is tested later. */
+	const double zero = -share.at / share.step;
+	const int count = *to - *from;
+
+	if (share.step > 0 && zero > 1)
+		*from += zero - 1 < count ? (int)(zero - 1) : count;
+	else if (share.step < 0 && zero + 2 < count)
+		*to = zero + 2 > 0 ? *from + (int)(zero + 2) : *from;
+}
+
 void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
-	const int x0 = clamp(floor(fmin(p[0].x, fmin(p[1].x, p[2].x))), raster->width);
-	const int x1 = clamp(ceil(fmax(p[0].x, fmax(p[1].x, p[2].x))), raster->width);
-	const int y0 = clamp(floor(fmin(p[0].y, fmin(p[1].y, p[2].y))), raster->height);
-	const int y1 = clamp(ceil(fmax(p[0].y, fmax(p[1].y, p[2].y))), raster->height);
-
+	int columns[2], rows[2];
 	double a_step, b_step;
 
 	if (!(fabs(area) > 0))
 		return;
+	bounds_of(raster, p, columns, rows);
 	/* How a and b, the shares of the first two corners, change from pixel to pixel. */
 	a_step = (p[1].y - p[2].y) / area;
 	b_step = (p[2].y - p[0].y) / area;
-	for (int y = y0; y < y1; y++) {
-		const vec3 at = {x0 + 0.5, y + 0.5, 0};
+	for (int y = rows[0]; y < rows[1]; y++) {
+		const vec3 at = {columns[0] + 0.5, y + 0.5, 0};
 		const double a0 = area_of(p[1], p[2], at) / area, b0 = area_of(p[2], p[0], at) / area;
+		int from = columns[0], to = columns[1];
 
-		for (int x = x0; x < x1; x++) {
-			const double a = a0 + (x - x0) * a_step, b = b0 + (x - x0) * b_step;
+		narrow((struct share){a0, a_step}, &from, &to);
+		narrow((struct share){b0 + (from - columns[0]) * b_step, b_step}, &from, &to);
+		for (int x = from; x < to; x++) {
+			const double a = a0 + (x - columns[0]) * a_step, b = b0 + (x - columns[0]) * b_step;
 
 			if (a >= 0 && b >= 0 && a + b <= 1)
 				draw_pixel(raster, x, y, (float)(a * p[0].z + b * p[1].z + (1 - a - b) * p[2].z), paint);

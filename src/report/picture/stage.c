@@ -112,12 +112,6 @@ static bool is_there(const struct stage *stage, int body)
 	return it->bvh && (it->body->tool == 0 || it->body->tool == stage->tool);
 }
 
-static bool is_beside(const struct raster *raster, const vec3 at[3])
-{
-	return fmax(at[0].x, fmax(at[1].x, at[2].x)) < 0 || fmin(at[0].x, fmin(at[1].x, at[2].x)) > raster->width ||
-	       fmax(at[0].y, fmax(at[1].y, at[2].y)) < 0 || fmin(at[0].y, fmin(at[1].y, at[2].y)) > raster->height;
-}
-
 static void draw_triangle(const struct camera *camera, vec3 light, struct raster *raster, const vec3 p[3],
 			  enum paint_class class, double nearer)
 {
@@ -127,7 +121,7 @@ static void draw_triangle(const struct camera *camera, vec3 light, struct raster
 		at[k] = camera_project(camera, raster, p[k]);
 		at[k].z += nearer;
 	}
-	if (!is_beside(raster, at))
+	if (raster_may_show(raster, at))
 		raster_triangle(raster, at, paint_of(camera, light, class, p));
 }
 
