@@ -142,6 +142,8 @@ START_TEST(taps)
 
 	run(&dialect_fanuc, "F9 G0 Z5.\nM29 S100\nG98 G84 X1. Z-4. R2. Q1.\nG80\nM30\n", moves);
 	run(&dialect_haas, "F9 G0 Z5.\nG98 G84 X1. Z-4. R2. J2.\nG80\nM30\n", moves);
+	run(&dialect_fanuc, "F9 G0 Z5.\nG98 G84.2 X1. Z-4. R2.\nG80\nM30\n", moves);
+	run(&dialect_fanuc, "F9 G0 Z5.\nG98 G84.3 X1. Z-4. R2.\nG80\nM30\n", moves);
 	init(&c, &dialect_haas);
 	expect_fault(&c, "F9 G84 X1. Z-4. R2. Q1.\n", "no code in the block uses the word Q");
 }
@@ -199,6 +201,18 @@ START_TEST(tool_change_beside_move)
 }
 END_TEST
 
+/* Mazak's geometry compensation and Mitsubishi's high-accuracy control leave the path by what a parameter allows. */
+START_TEST(high_accuracy)
+{
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	c.show_blend = true;
+	case_expect(&c, "G61\nG0 X1.\nG61.1\nX2.\nG64\nX3.\nM30\n",
+		    "rapid 1 0 0 0 0 exact\nrapid 2 0 0 0 0 blend 0\nrapid 3 0 0 0 0 blend 0\n");
+}
+END_TEST
+
 /* A ';' ends a block, unless the machine file says that comments start with it. */
 START_TEST(semicolon)
 {
@@ -231,7 +245,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, semicolon, colon};
+	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

@@ -162,7 +162,9 @@ static bool execute_path(struct interp *interp)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
-	bool blends = block->g[G_PATH] == G62 || block->g[G_PATH] == G63 || block->g[G_PATH] == G64;
+	/* G61.1 keeps to the path on LinuxCNC; where G64 has no tolerance it has one that a parameter gives. */
+	bool blends = block->g[G_PATH] == G62 || block->g[G_PATH] == G63 || block->g[G_PATH] == G64 ||
+		      (block->g[G_PATH] == G61_1 && traits_of(interp)->g64_has_tolerance == ANSWER_NO);
 
 	if (block->g[G_PATH] == CODE_NONE)
 		return true;

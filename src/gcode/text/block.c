@@ -39,6 +39,12 @@ static bool gives_way(int group, int before, int number)
 	return group != G_CONTOUR && (group != G_MOTION || (before <= G3 && number <= G3));
 }
 
+/* Rigid taps are taps: what they do to the spindle moves no other axis. */
+static int as_executed(int number)
+{
+	return number == 842 ? G84 : number == 843 ? G74 : number;
+}
+
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,
 		  const struct dialect *dialect)
 {
@@ -71,6 +77,7 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 		block->idle_column = word->column;
 		return true;
 	}
+	number = as_executed(number);
 	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
 	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
 		return true;

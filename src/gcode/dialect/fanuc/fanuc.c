@@ -54,6 +54,8 @@ static const struct code g_codes[] = {
 	{G53_6, G_NONMODAL, CODE_READ, "tool axis direction control that keeps the tool centre point"},
 	{542, GROUP_NONE, CODE_REFUSED, "rotary table dynamic fixture offset"},
 	{544, GROUP_NONE, CODE_REFUSED, "work setting error compensation"},
+	/* Of controls that read the same programs (Mazak, Mitsubishi). Fanuc stops with an alarm. */
+	{G61_1, G_PATH, CODE_READ, "high-accuracy control"},
 	/* Cutting feed functions: like G64 they do not stop at corners. */
 	{G62, G_PATH, CODE_READ, "automatic corner override"},
 	{G63, G_PATH, CODE_READ, "tapping mode"},
@@ -66,6 +68,9 @@ static const struct code g_codes[] = {
 	{721, GROUP_NONE, CODE_REFUSED, "rotation copy"},
 	{722, GROUP_NONE, CODE_REFUSED, "linear copy"},
 	{811, GROUP_NONE, CODE_REFUSED, "chopping"},
+	/* B-63534EN, program format of Series 15, and Mazak: "Rigid Tapping". */
+	{842, G_MOTION, CODE_READ, "rigid tapping cycle, as G84"},
+	{843, G_MOTION, CODE_READ, "left-hand rigid tapping cycle, as G74"},
 	{G92_1, G_NONMODAL, CODE_READ, "workpiece coordinate system preset"},
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
 	/* The mode that is always in force here. */
