@@ -241,7 +241,8 @@ START_TEST(cuts_off_what_is_above_the_flutes)
 	ck_assert_uint_eq(s->body_count, 2);
 	ck_assert_str_eq(s->bodies[0].name, "T5 neck");
 	ck_assert_int_eq(s->bodies[0].role, ROLE_SHANK);
-	ck_assert_ptr_null(s->bodies[0].profile);
+	ck_assert_uint_eq(s->bodies[0].profile->count, 2);
+	ck_assert_int_eq(s->bodies[0].profile->tip, TIP_FLAT);
 	ck_assert_str_eq(s->bodies[1].name, "T5 cutter");
 	flutes = s->bodies[1].profile;
 	ck_assert_uint_eq(flutes->count, 1);
