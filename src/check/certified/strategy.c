@@ -28,7 +28,7 @@
  * When the smallest clearance is measured and a target does not hold, this share of its part beyond the clearance is
  * next.
  */
-#define MEASURE_SHARE 0.8
+#define MEASURE_SHARE 0.7
 
 /*
  * After queries that did not pay, at most so many steps are swept until the next one. Measured: 64 cost a tenth more
@@ -189,7 +189,7 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 /* Are travelling planes of use? A target that is to be found out is proved otherwise. */
 static bool uses_planes(const struct strategy *strategy)
 {
-	return WITH_PLANES && !strategy->measures;
+	return WITH_PLANES && !is_measuring_first(strategy);
 }
 
 /* By the kept planes, else by new ones if a search for them may pay. */
@@ -225,6 +225,23 @@ static enum query_answer sweep_step(struct strategy *strategy, struct sweep *swe
 	return answer;
 }
 
+/*
+ * Does a distance query show at once that a target beyond the clearance does not hold? It costs far less than a sweep
+ * that finds it out. *contact then has the distance of two triangles where the step ends.
+ */
+static bool is_target_missed(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
+			     struct contact *contact)
+{
+	struct pair_proof *proof = &strategy->proof;
+
+	if (!(proof->target > proof->clearance) || is_measuring_first(strategy))
+		return false;
+	sweep_distance(sweep, &proof->bodies, &step->span.q1, BUDGET_SHARE, proof->target, 0);
+	strategy->queries++;
+	contact->distance = proof->coherence.near;
+	return contact->distance <= proof->target;
+}
+
 /* Tries to prove the step for the present target. */
 static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep, const struct motion_step *step,
 				 struct contact *contact)
@@ -250,7 +267,8 @@ static enum query_answer attempt(struct strategy *strategy, struct sweep *sweep,
 		if (covered(strategy, step, &errors))
 			return QUERY_CLEAR;
 	}
-	answer = sweep_step(strategy, sweep, step, contact);
+	answer = is_target_missed(strategy, sweep, step, contact) ? QUERY_CONTACT
+								   : sweep_step(strategy, sweep, step, contact);
 	strategy->distance_pays = false;
 	return answer;
 }
