@@ -52,6 +52,7 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 void pair_check_release(struct pair_check *check)
 {
 	strategy_release(&check->strategy);
+	block_clearance_release(&check->block);
 	sampler_release(&check->sampler);
 	free(check->results);
 	free(check->clearances);
@@ -273,7 +274,7 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
 		if (i % CHUNK_STEPS == 0)
-			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors);
+			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS);
 		if (check->past_limits_only && !step->beyond)
 			continue;
 		start_room(check, step->block);

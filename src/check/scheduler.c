@@ -241,6 +241,7 @@ void scheduler_collect(const struct scheduler *scheduler, long last_block, struc
 		const struct pair_check *check = &scheduler->checks[i];
 
 		stats->budgets += check->strategy.covered_steps;
+		stats->planes += check->strategy.plane_steps;
 		stats->queries += check->strategy.queries;
 		stats->samples += check->sampler.samples;
 		if (check->unknown_block >= 0 && check->unknown_block <= last_block) {

@@ -14,6 +14,7 @@ struct check_stats {
 	size_t pairs_unknown;	/* their surfaces are apart, but one body may have been inside the other */
 	size_t first_unknown;	/* the first of those pairs, as an index of scene->pairs */
 	long budgets;	/* steps of pairs proved by a motion budget alone */
+	long planes;	/* the same by travelling planes */
 	long queries;	/* distance queries */
 	long certificates;	/* node and triangle pairs proved apart over an interval */
 	long bisections;	/* intervals halved */

@@ -139,6 +139,31 @@ bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *mot
 	return true;
 }
 
+static double cell_rest(const struct plane_cell *cell, const struct chain *chain, const struct plane_motion *motion)
+{
+	double most = -INFINITY;
+
+	for (int i = 0; i < cell->count; i++)
+		most = fmax(most, travelling_plane_rest(&cell->kept[i], chain, motion));
+	return most;
+}
+
+double plane_cells_rest(const struct plane_cells *cells, const struct plane_motion *motion)
+{
+	const struct chain *chain = cells->bodies->chain;
+	double whole, least = INFINITY;
+
+	if (!cells->cell_count)
+		return -INFINITY;
+	whole = cell_rest(&cells->cells[0], chain, motion);
+	if (!cells->cells[0].divided)
+		return whole;
+	for (size_t i = 1; i < cells->cell_count && least > whole; i++)
+		if (!cells->cells[i].divided)
+			least = fmin(least, cell_rest(&cells->cells[i], chain, motion));
+	return fmax(whole, least);
+}
+
 /* ------------------------------------------------------------------ search */
 
 struct search {

@@ -33,7 +33,10 @@ void plane_cells_copy(struct plane_cells *to, const struct plane_cells *from);
 /* Do kept planes leave gaps of more than `needed` mm throughout the motion? */
 bool plane_cells_cover(struct plane_cells *cells, const struct plane_motion *motion, double needed);
 
-/* The same; measures new planes at q in the cells where no kept plane does. */
+/* mm: kept planes leave gaps of more than this throughout the motion; -INFINITY: they leave none. */
+double plane_cells_rest(const struct plane_cells *cells, const struct plane_motion *motion);
+
+/* As plane_cells_cover; measures new planes at q in the cells where no kept plane does. */
 bool plane_cells_search(struct plane_cells *cells, const axis_values *q, const struct plane_motion *motion,
 			double needed);
 

@@ -111,29 +111,11 @@ bool pair_proof_step_by_budget(struct pair_proof *proof, const struct motion_ste
 	return proof->position_known;
 }
 
-/* mm: t + W + e, W at any position of the motion. */
-static double needed_over(const struct pair_proof *proof, const struct plane_motion *motion,
-			  const struct position_errors *errors)
-{
-	const struct body_pair *bodies = &proof->bodies;
-	struct chain_state state;
-	axis_values middle, half;
-
-	if (!errors->any)
-		return pair_proof_needed(proof);
-	for (int i = 0; i < SLOT_COUNT; i++) {
-		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
-		half.v[i] = 0.5 * fabs(motion->q1.v[i] - motion->q0.v[i]) + motion->chord_error.v[i];
-	}
-	chain_state_init(&state, bodies->chain, &middle, &bodies->ball_a, &bodies->ball_b);
-	return pair_proof_needed(proof) + box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
-}
-
 /* The kept planes, else new ones at q. The axes have gone on past what the budget in use has counted. */
 static bool by_planes(struct pair_proof *proof, const struct plane_motion *motion, const struct position_errors *errors,
 		      const axis_values *q, bool search)
 {
-	double needed = needed_over(proof, motion, errors);
+	double needed = pair_proof_needed(proof) + plane_motion_path(motion, &proof->bodies, errors);
 
 	if (!(search ? plane_cells_search(&proof->planes, q, motion, needed)
 		     : plane_cells_cover(&proof->planes, motion, needed)))

@@ -66,7 +66,7 @@ void strategy_fork(const struct strategy *whole, struct strategy *part)
 {
 	*part = *whole;
 	pair_proof_copy(&part->proof, &whole->proof);
-	part->covered_steps = part->queries = 0;
+	part->covered_steps = part->plane_steps = part->queries = 0;
 	strategy_forget_position(part);
 }
 
@@ -74,12 +74,14 @@ void strategy_join(struct strategy *whole, struct strategy *part)
 {
 	struct pair_proof proof = whole->proof;
 	long covered_steps = whole->covered_steps + part->covered_steps, queries = whole->queries + part->queries;
+	long plane_steps = whole->plane_steps + part->plane_steps;
 	double target = fmin(whole->proof.target, part->proof.target);
 
 	*whole = *part;
 	whole->proof = proof;
 	pair_proof_take(&whole->proof, &part->proof);
 	whole->covered_steps = covered_steps;
+	whole->plane_steps = plane_steps;
 	whole->queries = queries;
 	pair_proof_aim(&whole->proof, target);
 }
@@ -209,7 +211,7 @@ static bool covered_by_planes(struct strategy *strategy, const struct motion_ste
 	}
 	if (held) {
 		plane_account_add_saved(&strategy->planes, 1);
-		strategy->covered_steps++;
+		strategy->plane_steps++;
 	}
 	return held;
 }
@@ -382,12 +384,14 @@ static bool box_by_planes(struct strategy *strategy, const axis_values *low, con
 bool strategy_advance_box(struct strategy *strategy, const axis_values *low, const axis_values *high,
 			  const struct position_errors *errors, const axis_values *end, size_t steps)
 {
-	if (pair_proof_box(&strategy->proof, low, high, errors, end))
+	if (pair_proof_box(&strategy->proof, low, high, errors, end)) {
 		strategy->distance_pays = true;
-	else if (box_by_planes(strategy, low, high, errors))
-		plane_account_add_saved(&strategy->planes, steps);
-	else
+		strategy->covered_steps += (long)steps;
+		return true;
+	}
+	if (!box_by_planes(strategy, low, high, errors))
 		return false;
-	strategy->covered_steps += (long)steps;
+	plane_account_add_saved(&strategy->planes, steps);
+	strategy->plane_steps += (long)steps;
 	return true;
 }

@@ -19,7 +19,8 @@ struct strategy {
 	size_t merge_count;	/* steps that were merged last time; 0: none yet */
 	struct plane_account planes;
 	long sweep_visits;	/* node pairs that sweeps looked at since the last sharp query (strategy.c) */
-	long covered_steps, queries;
+	long covered_steps, plane_steps;	/* proved by a budget, by travelling planes */
+	long queries;
 };
 
 /*

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/minmax.h"
+#include "check/step.h"
 #include "geom/tolerance.h"
 
 void plane_pose_init(struct plane_pose *pose, const struct body_pair *bodies, const axis_values *q)
@@ -64,6 +65,22 @@ void travelling_plane_init(struct travelling_plane *plane, const struct plane_po
 			add_rotary(plane, pose, part, i, n, visits);
 		}
 	}
+}
+
+double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
+			 const struct position_errors *errors)
+{
+	struct chain_state state;
+	axis_values middle, half;
+
+	if (!errors->any)
+		return 0;
+	for (int i = 0; i < SLOT_COUNT; i++) {
+		middle.v[i] = 0.5 * motion->q0.v[i] + 0.5 * motion->q1.v[i];
+		half.v[i] = 0.5 * fabs(motion->q1.v[i] - motion->q0.v[i]) + motion->chord_error.v[i];
+	}
+	chain_state_init(&state, bodies->chain, &middle, &bodies->ball_a, &bodies->ball_b);
+	return box_path_displacement(bodies->chain, &state, &half, &errors->path) * BOUND_SLACK;
 }
 
 /* mm: how much smaller joint i makes the gap, to first order; below 0: larger. */

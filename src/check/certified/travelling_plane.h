@@ -8,6 +8,8 @@
 #include "scene/convex.h"
 #include "scene/motion_interval.h"
 
+struct position_errors;
+
 /*
  * A unit vector n is fixed in the frame of link k: the first k joints of the chain lie between it and body A, the others
  * between it and body B. Seen from the link, the gap is g(q) = min n.b - max n.a over the points a of A and b of B; the
@@ -74,6 +76,10 @@ struct plane_motion {
 	bool straight;
 	axis_values q0, q1, chord_error;
 };
+
+/* mm: no path displacement (motion_bound.h) of the bodies is larger at any position of the motion. */
+double plane_motion_path(const struct plane_motion *motion, const struct body_pair *bodies,
+			 const struct position_errors *errors);
 
 /* mm: the gap is larger than this, at every position of the motion. */
 double travelling_plane_rest(const struct travelling_plane *plane, const struct chain *chain,

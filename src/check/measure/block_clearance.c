@@ -2,11 +2,18 @@
 
 #include <math.h>
 
+#include "base/ablation.h"
 #include "check/certified/clearance_query.h"
 #include "check/step.h"
+#include "geom/moved_tri.h"
 
-/* A distance query asks for this share of the distance. More costs far more than asking whether a distance holds. */
+/*
+ * A distance query asks for this share of the distance. More costs far more than asking whether a distance holds.
+ * Only where that is too little for a short step nearly all is asked for: then fewer sweeps follow, which cost more
+ * still.
+ */
 #define DISTANCE_SHARE 0.2
+#define SHARP_SHARE 0.95
 
 /*
  * The search is done once this share of the smallest distance that was seen is proved. GRAIN: how exactly each query
@@ -26,6 +33,13 @@ void block_clearance_init(struct block_clearance *block, const struct body_pair 
 	*block = (struct block_clearance){.bodies = *bodies, .cap = cap, .bound = cap};
 	block->bodies.coherence = &block->coherence;
 	motion_budget_init(&block->budget, bodies->chain);
+	plane_cells_init(&block->planes, &block->bodies);
+	plane_account_init(&block->account, bodies->a->mesh.count + bodies->b->mesh.count);
+}
+
+void block_clearance_release(struct block_clearance *block)
+{
+	plane_cells_release(&block->planes);
 }
 
 void block_clearance_start(struct block_clearance *block)
@@ -33,18 +47,78 @@ void block_clearance_start(struct block_clearance *block)
 	block->bound = block->cap;
 }
 
-bool block_clearance_clears(const struct block_clearance *block, const axis_values *low, const axis_values *high,
-		  const struct position_errors *errors)
+/* Do travelling planes keep the bodies more than `needed` mm apart? New ones are measured at q if that may pay. */
+static bool planes_cover(struct block_clearance *block, const struct plane_motion *motion, const axis_values *q,
+			 double needed, bool chunk)
 {
-	return !block->maybe_inside && motion_budget_rest(&block->budget, low, high, errors) > block->cap;
+	long before = block->planes.visits;
+	bool held;
+
+	if (!WITH_PLANES)
+		return false;
+	held = plane_cells_cover(&block->planes, motion, needed);
+	if (held || !(chunk ? plane_account_allows_chunk(&block->account) : plane_account_allows(&block->account)))
+		return held;
+	held = plane_cells_search(&block->planes, q, motion, needed);
+	plane_account_add_search(&block->account, block->planes.visits - before);
+	if (chunk)
+		plane_account_add_chunk(&block->account, held);
+	return held;
+}
+
+bool block_clearance_clears(struct block_clearance *block, const axis_values *low, const axis_values *high,
+		  const struct position_errors *errors, size_t steps)
+{
+	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
+	axis_values middle;
+
+	if (block->maybe_inside)
+		return false;
+	if (motion_budget_rest(&block->budget, low, high, errors) > block->cap)
+		return true;
+	for (int i = 0; i < SLOT_COUNT; i++)
+		middle.v[i] = 0.5 * low->v[i] + 0.5 * high->v[i];
+	if (!planes_cover(block, &motion, &middle, block->cap + plane_motion_path(&motion, &block->bodies, errors), true))
+		return false;
+	plane_account_add_saved(&block->account, steps);
+	return true;
+}
+
+/* mm: the two triangles that were nearest last are this close at q: the bodies are no farther apart. */
+static double distance_seen(const struct block_clearance *block, const axis_values *q)
+{
+	const struct body_pair *bodies = &block->bodies;
+	xform pose = body_pair_pose(bodies, q);
+	tri a = tri_of(&bodies->a->mesh, block->coherence.near_a), b = tri_of(&bodies->b->mesh, block->coherence.near_b);
+	vec3 on_a, on_b;
+
+	b = tri_transform(&b, &pose);
+	return tri_distance(&a, &b, &on_a, &on_b);
+}
+
+/* Do travelling planes prove as much for the step as the block has, or nearly all that there is? They give the bound. */
+static bool by_planes(struct block_clearance *block, const struct motion_step *step,
+		      const struct position_errors *errors)
+{
+	const axis_values *q = &step->span.q1;
+	const struct plane_motion motion = {.straight = !step_is_box(step), .q0 = step->span.q0, .q1 = *q,
+					    .chord_error = errors->chord};
+	double path = plane_motion_path(&motion, &block->bodies, errors);
+	double wanted = fmin(block->bound, ENOUGH * (distance_seen(block, q) - path));
+
+	if (!(wanted > 0) || !planes_cover(block, &motion, q, wanted + path, false))
+		return false;
+	block->bound = fmin(block->bound, plane_cells_rest(&block->planes, &motion) - path);
+	plane_account_add_saved(&block->account, 1);
+	return true;
 }
 
 /* Makes a budget at the end of the step, where the next step can use it. */
-static void renew(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
+static void renew(struct block_clearance *block, struct sweep *sweep, const axis_values *q, double share)
 {
 	const struct body_pair *bodies = &block->bodies;
 	struct chain_state state;
-	double proven = sweep_distance(sweep, bodies, q, DISTANCE_SHARE, 0, 0);
+	double proven = sweep_distance(sweep, bodies, q, share, 0, 0);
 
 	block->found = block->coherence.near;
 	chain_state_init(&state, bodies->chain, q, &bodies->ball_a, &bodies->ball_b);
@@ -110,13 +184,24 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 	const struct position_errors errors = step_errors(block->bodies.chain, step);
 	axis_values low, high;
 	double rest;
+	long before;
+	bool held;
 
 	if (!(block->bound > 0))
 		return;
 	step_box(step, &low, &high);
 	if (spend(block, &low, &high, &errors, &rest))
 		return;
-	renew(block, sweep, &step->span.q1);
-	if (!spend(block, &low, &high, &errors, &rest))
+	if (by_planes(block, step, &errors))
+		return;
+	before = sweep->visits;
+	renew(block, sweep, &step->span.q1, DISTANCE_SHARE);
+	held = spend(block, &low, &high, &errors, &rest);
+	if (!held && SHARP_SHARE * block->found < block->bound) {
+		renew(block, sweep, &step->span.q1, SHARP_SHARE);
+		held = spend(block, &low, &high, &errors, &rest);
+	}
+	if (!held)
 		prove(block, sweep, step, rest, tolerance);
+	plane_account_add_sweep(&block->account, sweep->visits - before);
 }

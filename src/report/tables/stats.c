@@ -21,6 +21,7 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 	to->motion.seconds += stats->motion.seconds;
 	to->findings += stats->findings;
 	to->budgets += stats->budgets;
+	to->planes += stats->planes;
 	to->queries += stats->queries;
 	to->certificates += stats->certificates;
 	to->bisections += stats->bisections;
@@ -66,6 +67,7 @@ static void add_pairs(struct strbuf *out, const struct scene *scene)
 static void add_work(struct strbuf *out, const struct check_stats *stats, enum check_method method)
 {
 	strbuf_addf(out, "  budgets       %ld steps of pairs passed on a proven distance\n", stats->budgets);
+	strbuf_addf(out, "  planes        %ld steps of pairs passed by planes that travel with a link\n", stats->planes);
 	strbuf_addf(out, "  queries       %ld\n", stats->queries);
 	strbuf_addf(out, "  certificates  %ld\n", stats->certificates);
 	strbuf_addf(out, "  bisections    %ld\n", stats->bisections);
