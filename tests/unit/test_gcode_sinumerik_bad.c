@@ -124,7 +124,7 @@ static const struct bad programs[] = {
 	{"X=SIN 30\n", 1, 3,
 	 "SIN is no variable of this program; DEF makes one, and those that the machine's maker has defined "
 	 "are not known here"},
-	{"X=R1000\n", 1, 7,
+	{"X=R1000\n", 1, 8,
 	 "R parameters have numbers up to 999"},
 	{"X=R[1.5]\n", 1, 5,
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1.5"},

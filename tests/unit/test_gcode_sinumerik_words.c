@@ -33,6 +33,11 @@ static const struct program {
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\nfeed 2 2 0 0 0\n"},
 	{"%_N_MAIN_MPF\nF6 G500\nX1\n%_N_SUB_A_SPF\nX2\n",
 	 "feed 1 0 0 0 0\n"},
+	/* Blanks before '=' are none: R1 and not R0 gets the value. */
+	{"F6 G500\nR1 = 4\nR2= 5 R3 =6\nR[4] = 7\nX = R1 Y = R2 Z =  R3\nX=R [ 4 ] Y=R0\n",
+	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
+	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
+	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
 	/* "Position pattern": without a modal cycle it only goes there. */
 	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,1,-2)\nCYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)\nMCALL\n"
 	 "HOLES1(0,0,0,10,5,2)\n",

@@ -107,14 +107,8 @@ static bool set_r(struct interp *interp, struct lexer *lexer, const char *name)
 {
 	int number = 0;
 
-	if (name[1]) {
-		lexer->position -= strlen(name + 1);
-		if (!sinumerik_expr_r_number(interp, lexer, &number))
-			return false;
-	} else if (!sinumerik_expr_r_number(interp, lexer, &number)) {
-		return false;
-	}
-	return sinumerik_expr_need(lexer, '=', "an R parameter") &&
+	return sinumerik_expr_r_number(interp, lexer, name, &number) &&
+	       sinumerik_expr_need(lexer, '=', "an R parameter") &&
 	       sinumerik_expr_number(interp, lexer, &sinumerik_of(interp)->r[number]);
 }
 

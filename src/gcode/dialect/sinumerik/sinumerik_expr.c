@@ -212,22 +212,20 @@ bool sinumerik_expr_element(struct interp *interp, struct lexer *lexer, const st
 	return sinumerik_expr_need(lexer, ']', "the indices");
 }
 
-bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, int *number)
+bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, const char *name, int *number)
 {
-	const bool computed = lexer_peek(lexer) == '[';
+	const int column = expr_column(lexer);
 
-	if (computed) {
-		lexer_take(lexer);
-		return sinumerik_expr_whole(interp, lexer, "the number of an R parameter", 0, SINUMERIK_R_COUNT - 1,
+	if (name[1] == '\0')
+		return sinumerik_expr_need(lexer, '[', "R") &&
+		       sinumerik_expr_whole(interp, lexer, "the number of an R parameter", 0, SINUMERIK_R_COUNT - 1,
 					    number) &&
 		       sinumerik_expr_need(lexer, ']', "the number of an R parameter");
-	}
 	*number = 0;
-	for (; sinumerik_is_digit(lexer->at->text[lexer->position]); lexer_take(lexer)) {
-		*number = 10 * *number + (lexer->at->text[lexer->position] - '0');
+	for (const char *digit = name + 1; *digit; digit++) {
+		*number = 10 * *number + (*digit - '0');
 		if (*number >= SINUMERIK_R_COUNT)
-			return fault(lexer->at, lexer_column(lexer), "R parameters have numbers up to %d",
-				     SINUMERIK_R_COUNT - 1);
+			return fault(lexer->at, column, "R parameters have numbers up to %d", SINUMERIK_R_COUNT - 1);
 	}
 	return true;
 }
@@ -300,7 +298,6 @@ static bool variable_value(struct expr *expr, struct expr_operand *value)
 	struct interp *interp = expr->context;
 	struct lexer *lexer = expr->lexer;
 	const int column = expr_column(lexer);
-	const size_t position = lexer->position;
 	char name[SINUMERIK_NAME + 1];
 	int number;
 
@@ -310,8 +307,7 @@ static bool variable_value(struct expr *expr, struct expr_operand *value)
 		return fault(lexer->at, column, "a value is needed here");
 	if (!is_r(name) || (name[1] == '\0' && lexer_peek(lexer) != '['))
 		return named(expr, name, column, value);
-	lexer->position = position + 1;
-	if (!sinumerik_expr_r_number(interp, lexer, &number))
+	if (!sinumerik_expr_r_number(interp, lexer, name, &number))
 		return false;
 	value->number = sinumerik_of(interp)->r[number];
 	return true;

@@ -38,8 +38,8 @@ bool sinumerik_expr_need(struct lexer *lexer, char byte, const char *after);
 bool sinumerik_expr_element(struct interp *interp, struct lexer *lexer, const struct sinumerik_variable *variable,
 			    size_t *element);
 
-/* The number of an R parameter, behind its R: digits or [...]. */
-bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, int *number);
+/* The number of the R parameter with this name, R or R1; of R it comes next, in brackets. */
+bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, const char *name, int *number);
 
 /* An axis of the machine in brackets or parentheses: its slot. */
 bool sinumerik_expr_axis(struct interp *interp, struct lexer *lexer, int *slot);

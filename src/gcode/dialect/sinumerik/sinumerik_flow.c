@@ -101,15 +101,13 @@ static bool run_loop(struct flow *flow)
 static bool counter(const struct flow *flow, double **value)
 {
 	const int column = expr_column(flow->lexer);
-	const size_t position = flow->lexer->position;
 	char name[SINUMERIK_NAME + 1];
 	int found, number;
 
 	if (!sinumerik_expr_name(flow->lexer, name))
 		return fault(flow->lexer->at, column, "FOR needs a variable");
 	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0') {
-		flow->lexer->position = position + strspn(flow->lexer->at->text + position, " \t") + 1;
-		if (!sinumerik_expr_r_number(flow->interp, flow->lexer, &number))
+		if (!sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number))
 			return false;
 		*value = &flow->sinumerik->r[number];
 		return true;
