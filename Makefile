@@ -82,9 +82,18 @@ web:
 	@sh scripts/install-deps web
 	@+$(MAKE) --no-print-directory -f src/wasi/Makefile $(PARALLEL)
 
+# On http://127.0.0.1:8080/, until it is interrupted; PORT=n another port.
+demo-web: web
+	@sh scripts/demo-web build-web/app
+
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
+<<<<<<< HEAD
 TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-stock campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-program check-quick check-reproducible check-rs274 check-short check-tsan \
+=======
+TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
+	check-install check-layers check-long check-machines check-man check-math check-page check-program check-quick check-reproducible check-rs274 check-short check-tsan \
+>>>>>>> 787e510 (Check in the browser: a page with files, findings, reports and a form for the machine)
 	check-unit check-valgrind check-wasm check-wasm-long coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@
@@ -118,6 +127,6 @@ help:
 	@$(MAKE) --no-print-directory -f tests/Makefile help
 	@echo 'Variables: CC=clang, HARDEN=, SANITIZE=address,undefined, BUILD=folder, OPTIMISE="-O3 -g", V=1, JOBS=n, NO_INSTALL=1.'
 
-.PHONY: all clean dist help install uninstall web $(TEST_TARGETS)
+.PHONY: all clean demo-web dist help install uninstall web $(TEST_TARGETS)
 
 -include $(OBJECTS:.o=.d) $(BUILD)/src/main.d

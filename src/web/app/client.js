@@ -1,0 +1,101 @@
+// @ts-check
+/**
+ * client.js - jobs of the checker in workers of their own: the page stays alive, and a job can be cancelled.
+ */
+
+/** @typedef {import('./fivecheck.js').Result} Result */
+/**
+ * Whom a job tells.
+ * @typedef {object} Listener
+ * @property {(event: Record<string, any>) => void} [onEvent]
+ * @property {(message: string) => void} [onMessage]
+ * @property {(part: number) => void} [onProgress]
+ */
+
+/** A job was cancelled. */
+export class Cancelled extends Error {}
+
+export class Client {
+	/** @param {string | URL} address of fivecheck.wasm */
+	constructor(address) {
+		this.module = WebAssembly.compileStreaming(fetch(address));
+		/** @type {Set<(reason: Error) => void>} */
+		this.running = new Set();
+		/** @type {{start: () => void, cancel: (reason: Error) => void}[]} jobs that wait for a processor */
+		this.waiting = [];
+		this.free = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8) - 1);
+	}
+
+	/** Waits for a processor. */
+	async begin() {
+		if (this.free > 0)
+			this.free--;
+		else
+			await new Promise((/** @type {(value?: unknown) => void} */ start, cancel) => this.waiting.push({start, cancel}));
+	}
+
+	end() {
+		const next = this.waiting.shift();
+		if (next)
+			next.start();
+		else
+			this.free++;
+	}
+
+	/**
+	 * @param {Record<string, any>} message
+	 * @param {Listener} listener
+	 * @returns {Promise<any>}
+	 */
+	async post(message, listener = {}) {
+		await this.begin();
+		const module = await this.module, worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+		/** @type {((reason: Error) => void) | undefined} */
+		let cancel;
+		try {
+			return await new Promise((resolve, reject) => {
+				cancel = reject;
+				this.running.add(reject);
+				worker.onerror = (event) => reject(new Error(event.message || 'the worker has ended'));
+				worker.onmessage = ({data}) => {
+					if (data.event) listener.onEvent?.(data.event);
+					if (data.message) listener.onMessage?.(data.message);
+					if (data.progress) listener.onProgress?.(data.progress);
+					if (data.done) resolve(data.done);
+					if (data.failed) reject(new Error(data.failed));
+				};
+				worker.postMessage({...message, module});
+			});
+		} finally {
+			worker.terminate();
+			if (cancel) this.running.delete(cancel);
+			this.end();
+		}
+	}
+
+	/**
+	 * Checks one job: `Job` of fivecheck.js, with its files as pairs of a path and a File or a text.
+	 * @param {Omit<import('./fivecheck.js').Job, 'files'> & {files: [string, string | Blob][]}} job
+	 * @param {Listener} listener
+	 * @returns {Promise<Result>}
+	 */
+	check({files, ...job}, listener) {
+		return this.post({files, job}, listener);
+	}
+
+	/**
+	 * Runs a command line.
+	 * @param {string[]} args
+	 * @param {[string, string | Blob][]} files
+	 * @returns {Promise<{status: number, out: string, err: string}>}
+	 */
+	run(args, files = []) {
+		return this.post({files, args});
+	}
+
+	/** Ends all jobs that run, and those that wait. */
+	cancel() {
+		for (const reject of [...this.waiting.splice(0).map(({cancel}) => cancel), ...this.running])
+			reject(new Cancelled('cancelled'));
+	}
+}

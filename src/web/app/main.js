@@ -1,0 +1,252 @@
+// @ts-check
+/** main.js - the page: the files of the job, the check, its findings and reports, and the form for a machine. */
+import {Cancelled, Client} from './client.js';
+import {jobFile, nameOf, withMeshes} from './job_files.js';
+import {MachineForm} from './machine_form.js';
+import {byId, element} from './page.js';
+
+/** @typedef {import('./job_files.js').JobFile} JobFile */
+
+const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
+const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
+
+class Page {
+	constructor() {
+		/** @type {JobFile[]} */
+		this.files = [];
+		this.client = new Client(new URL('fivecheck.wasm', import.meta.url));
+		this.running = 0;
+		/** @type {Map<string, Blob>} by the path of the program */
+		this.reports = new Map();
+		this.form = new MachineForm(/** @type {HTMLFormElement} */ (byId('machine-form')), this.client, (xml) => this.useMachine(xml));
+		byId('check').addEventListener('click', () => this.check());
+		byId('cancel').addEventListener('click', () => this.client.cancel());
+		byId('empty').addEventListener('click', () => this.setFiles([]));
+		byId('options').addEventListener('submit', (event) => event.preventDefault());
+		for (const id of ['choose', 'choose-folder']) {
+			const input = /** @type {HTMLInputElement} */ (byId(id));
+			input.addEventListener('change', () => {
+				this.add([...(input.files ?? [])].map((file) => [file.webkitRelativePath || file.name, file]));
+				input.value = '';
+			});
+		}
+		this.takeDrops();
+		this.offerExamples();
+	}
+
+	takeDrops() {
+		const drop = byId('drop');
+		addEventListener('dragover', (event) => {
+			event.preventDefault();
+			drop.classList.add('over');
+		});
+		addEventListener('dragleave', () => drop.classList.remove('over'));
+		addEventListener('drop', async (event) => {
+			event.preventDefault();
+			drop.classList.remove('over');
+			const entries = [...(event.dataTransfer?.items ?? [])].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+			this.add((await Promise.all(entries.map((entry) => filesBelow(entry)))).flat());
+		});
+	}
+
+	async offerExamples() {
+		const examples = await (await fetch('examples/index.json')).json();
+		for (const [name, paths] of Object.entries(examples)) {
+			const button = element('button', {type: 'button'}, name);
+			button.addEventListener('click', () => this.openExample(paths));
+			byId('examples').append(button);
+		}
+		document.dispatchEvent(new Event('fivecheck-ready'));
+	}
+
+	/** @param {string[]} paths */
+	async openExample(paths) {
+		const blobs = await Promise.all(paths.map(async (path) => (await fetch(`examples/${path}`)).blob()));
+		this.setFiles(await Promise.all(paths.map((path, i) => jobFile(path, blobs[i]))));
+		document.dispatchEvent(new Event('example-open'));
+	}
+
+	/** @param {[string, Blob][]} found */
+	async add(found) {
+		const files = await Promise.all(found.map(([path, blob]) => jobFile(path, blob)));
+		const once = files.some(({role}) => role === 'machine') ? 'machine' : '', paths = new Set(files.map(({path}) => path));
+		const setup = files.some(({role}) => role === 'setup');
+		this.setFiles([...this.files.filter((file) => !paths.has(file.path) && file.role !== once && !(setup && file.role === 'setup')), ...files]);
+	}
+
+	/** @param {string} xml */
+	async useMachine(xml) {
+		await this.add([['machine.xml', new Blob([xml], {type: 'application/xml'})]]);
+		byId('files').scrollIntoView();
+	}
+
+	/** @param {JobFile[]} files */
+	setFiles(files) {
+		this.files = files;
+		byId('file-list').replaceChildren(...files.map((file) => element('li', {dataset: {role: file.role}},
+			element('span', {className: 'role'}, file.role), element('span', {}, file.path), this.removeButton(file))));
+		byId('empty').hidden = files.length === 0;
+		this.showButtons();
+	}
+
+	/** @param {JobFile} file */
+	removeButton(file) {
+		const button = element('button', {type: 'button', title: `Remove ${file.path}`, ariaLabel: `Remove ${file.path}`}, '×');
+		button.addEventListener('click', () => this.setFiles(this.files.filter((other) => other !== file)));
+		return button;
+	}
+
+	/** @param {import('./job_files.js').Role} role */
+	of(role) {
+		return this.files.filter((file) => file.role === role);
+	}
+
+	showButtons() {
+		const machines = this.of('machine').length, programs = this.of('program').length;
+		const why = machines === 0 ? 'A machine file is missing.' : machines > 1 ? 'There is more than one machine file.'
+			: programs === 0 ? 'A program is missing.' : '';
+		byId('why-not').textContent = this.files.length ? why : '';
+		/** @type {HTMLButtonElement} */ (byId('check')).disabled = why !== '' || this.running > 0;
+		byId('cancel').hidden = this.running === 0;
+	}
+
+	optionsOf() {
+		const data = new FormData(/** @type {HTMLFormElement} */ (byId('options')));
+		return [`--clearance=${data.get('clearance') || 0}`, `--method=${data.get('method')}`, ...(data.get('all') ? ['--all'] : [])];
+	}
+
+	/** Every program in a worker of its own. */
+	async check() {
+		const files = withMeshes(this.files), machine = this.of('machine')[0].path, setup = this.of('setup')[0]?.path;
+		const options = this.optionsOf();
+		byId('results').replaceChildren();
+		this.reports.clear();
+		const checks = this.of('program').map(async ({path}) => {
+			const result = new ProgramResult(path);
+			byId('results').append(result.card);
+			this.running++;
+			this.showButtons();
+			try {
+				const checked = await this.client.check({files, machine, setup, programs: [path], options, report: true}, result);
+				const report = checked.reports.get(path), blob = report && new Blob([/** @type {any} */ (report)], {type: 'text/html'});
+				result.show(checked, blob);
+				if (blob)
+					this.reports.set(path, blob);
+			} catch (error) {
+				result.fail(error instanceof Cancelled ? 'Cancelled: nothing is known of this program.' : String(error));
+			}
+			this.running--;
+			this.showButtons();
+		});
+		await Promise.all(checks);
+		document.dispatchEvent(new Event('checked'));
+	}
+}
+
+/** A program's card: progress, findings as they come, the verdict, the report. */
+class ProgramResult {
+	/** @param {string} path */
+	constructor(path) {
+		this.path = path;
+		this.progress = element('progress', {max: 1, value: 0, ariaLabel: `Progress of ${path}`});
+		this.verdict = element('p', {className: 'verdict'}, 'checking …');
+		this.findings = element('ul', {className: 'findings'});
+		this.more = element('div', {});
+		this.card = element('article', {className: 'program', dataset: {path}}, element('h3', {}, nameOf(path)), this.verdict, this.progress,
+			this.findings, this.more);
+	}
+
+	/** @param {number} part */
+	onProgress(part) {
+		/** @type {HTMLProgressElement} */ (this.progress).value = part;
+	}
+
+	/** @param {Record<string, any>} event */
+	onEvent(event) {
+		if (FINDINGS.has(event.kind))
+			this.findings.append(element('li', {className: event.kind}, wordsOf(event)));
+		for (const caution of event.kind === 'program' ? event.cautions ?? [] : [])
+			this.onMessage(caution);
+	}
+
+	/** @param {string} message */
+	onMessage(message) {
+		if (message)
+			this.findings.append(element('li', {className: 'message'}, message));
+	}
+
+	/**
+	 * @param {import('./fivecheck.js').Result} result
+	 * @param {Blob | undefined} report
+	 */
+	show(result, report) {
+		const verdict = VERDICTS[result.status];
+		this.progress.remove();
+		this.card.dataset.verdict = verdict;
+		this.verdict.textContent = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found: the machine hits itself.',
+			incomplete: 'Incomplete: not everything could be checked.'}[verdict] ?? '';
+		if (verdict === 'found' && result.events.every(({kind}) => kind !== 'collision'))
+			this.verdict.textContent = 'Found: see below.';
+		this.more.append(element('details', {}, element('summary', {}, 'The verdict in words'), element('pre', {className: 'words'}, result.text)));
+		if (report)
+			this.showReport(report);
+	}
+
+	/** @param {Blob} report */
+	showReport(report) {
+		const frame = /** @type {HTMLIFrameElement} */ (element('iframe', {title: `Report of ${this.path}`, src: 'report.html', className: 'report'}));
+		frame.setAttribute('sandbox', 'allow-scripts');
+		const save = element('a', {className: 'button save', href: URL.createObjectURL(report), download: nameOf(this.path).replace(/\.[^.]*$/, '') + '.html'},
+			'Save the report');
+		addEventListener('message', async ({source, data}) => {
+			if (source === frame.contentWindow && data === 'report-frame-ready')
+				frame.contentWindow?.postMessage(await report.text(), '*');
+			if (source === frame.contentWindow && data === 'report-shown')
+				document.dispatchEvent(new Event('report-shown'));
+		});
+		this.more.append(element('p', {}, save), frame);
+	}
+
+	/** @param {string} text */
+	fail(text) {
+		this.progress.remove();
+		this.card.dataset.verdict = 'incomplete';
+		this.verdict.textContent = text;
+	}
+}
+
+/**
+ * A finding in words.
+ * @param {Record<string, any>} event
+ */
+function wordsOf(event) {
+	const axes = Object.entries(event.axes ?? {}).map(([axis, value]) => `${axis} ${Number(value).toFixed(3)}`).join(', ');
+	const what = event.b ? `${event.a} and ${event.b}` : event.a ?? '';
+	return `Line ${event.line}: ${event.kind}${what ? `: ${what}` : ''} (${axes})`;
+}
+
+/**
+ * All files below a dropped entry.
+ * @param {FileSystemEntry} entry
+ * @returns {Promise<[string, Blob][]>}
+ */
+async function filesBelow(entry) {
+	if (entry.isFile) {
+		/** @type {File} */
+		const file = await new Promise((done, failed) => /** @type {FileSystemFileEntry} */ (entry).file(done, failed));
+		return [[entry.fullPath.replace(/^\//, ''), file]];
+	}
+	const reader = /** @type {FileSystemDirectoryEntry} */ (entry).createReader(), all = [];
+	for (;;) {
+		/** @type {FileSystemEntry[]} */
+		const some = await new Promise((done, failed) => reader.readEntries(done, failed));
+		if (some.length === 0)
+			break;
+		all.push(...some);
+	}
+	return (await Promise.all(all.map(filesBelow))).flat();
+}
+
+Object.assign(window, {fivecheckPage: new Page()});
+if ('serviceWorker' in navigator)
+	navigator.serviceWorker.register('service_worker.js');

@@ -1,0 +1,25 @@
+// @ts-check
+/** page.js - small helpers for elements. Strangers' text goes in as text alone. */
+
+/**
+ * An element with properties and children.
+ * @param {string} tag
+ * @param {Record<string, any>} [properties]
+ * @param {(Node | string)[]} children
+ */
+export function element(tag, properties = {}, ...children) {
+	const {dataset, role, ...plain} = properties, made = Object.assign(document.createElement(tag), plain);
+	Object.assign(made.dataset, dataset);
+	if (role)
+		made.setAttribute('role', role);
+	made.append(...children);
+	return made;
+}
+
+/** @param {string} id */
+export function byId(id) {
+	const found = document.getElementById(id);
+	if (!found)
+		throw new Error(`no element ${id}`);
+	return found;
+}

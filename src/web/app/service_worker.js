@@ -1,0 +1,31 @@
+// @ts-check
+/** service_worker.js - the page works offline after the first visit. What the network has is newer and is taken first. */
+const CACHE = 'fivecheck';
+const CORE = ['./', 'index.html', 'report.html', 'page.css', 'main.js', 'client.js', 'worker.js', 'fivecheck.js', 'files.js', 'wasi.js', 'job_files.js',
+	'machine_form.js', 'page.js', 'fivecheck.wasm', 'examples/index.json'];
+
+addEventListener('install', (event) => {
+	/** @type {any} */ (event).waitUntil(caches.open(CACHE).then((cache) => cache.addAll(CORE)));
+});
+
+/** @param {Request} request */
+async function answer(request) {
+	const cache = await caches.open(CACHE);
+	try {
+		const fresh = await fetch(request);
+		if (fresh.ok)
+			await cache.put(request, fresh.clone());
+		return fresh;
+	} catch (error) {
+		const kept = await cache.match(request);
+		if (kept)
+			return kept;
+		throw error;
+	}
+}
+
+addEventListener('fetch', (event) => {
+	const {request} = /** @type {any} */ (event);
+	if (request.method === 'GET')
+		/** @type {any} */ (event).respondWith(answer(request));
+});

@@ -1,0 +1,268 @@
+"""Uses the page of the checker (make web) in a real Chromium, as a person would: make check-page. Pictures go to --keep.
+
+usage: check_page.py --fivecheck PROGRAM --page FOLDER --keep FOLDER [TEST...]
+"""
+import argparse
+import functools
+import http.server
+import json
+import os
+import subprocess
+import sys
+import threading
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from driver import Browser  # noqa: E402
+
+PHONE = {"width": 390, "height": 800, "scale": 2, "mobile": True}
+TESTS = []
+
+
+def test(function):
+    TESTS.append(function)
+    return function
+
+
+def same(what, found, wanted):
+    if found != wanted:
+        raise AssertionError(f"{what}: {found!r} instead of {wanted!r}")
+
+
+def true(what, condition):
+    if not condition:
+        raise AssertionError(what)
+
+
+class Site:
+    """The folder on 127.0.0.1, with a log of what was asked for."""
+
+    def __init__(self, folder):
+        self.asked = []
+        site = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm",
+                              ".js": "text/javascript"}
+
+            def log_message(self, *_):
+                site.asked.append((self.command, self.path, int(self.headers.get("Content-Length") or 0)))
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
+        self.address = f"http://127.0.0.1:{self.server.server_port}/"
+        self.thread = threading.Thread(target=self.server.serve_forever, daemon=True)
+        self.thread.start()
+
+    def close(self):
+        self.server.shutdown()
+        self.server.server_close()
+        self.thread.join()
+
+
+EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown"]
+# Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
+WATCH = """
+window.counts = {};
+window.waiters = {};
+for (const name of %s) {
+    counts[name] = 0;
+    document.addEventListener(name, () => { counts[name]++; (waiters[name] || []).splice(0).forEach((done) => done()); });
+}
+window.until = (name, count) => counts[name] >= count ? Promise.resolve()
+    : new Promise((done) => (waiters[name] ||= []).push(done)).then(() => until(name, count));
+""" % json.dumps(EVENTS)
+
+
+class Bench:
+    def __init__(self, arguments, site, browser):
+        self.fivecheck = arguments.fivecheck
+        self.keep = arguments.keep
+        self.site = site
+        self.browser = browser
+
+    def open(self, **options):
+        page = self.browser.page(**options)
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
+        page.call("Page.navigate", url=self.site.address)
+        page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+        page.run("await until('fivecheck-ready', 1)")
+        return page
+
+    def example(self, page, name):
+        page.run(f"[...document.querySelectorAll('#examples button')].find((b) => b.textContent === {json.dumps(name)}).click()")
+        page.run("await until('example-open', 1)")
+
+    def check(self, page, count=1):
+        page.run("document.querySelector('#check').click()")
+        page.run(f"await until('checked', {count})")
+
+    def native(self, name, program, *options):
+        return subprocess.run([self.fivecheck, *options, f"--setup=examples/{name}/setup.xml", f"machines/{name}/machine.xml",
+                               f"examples/{name}/{program}.nc"], capture_output=True, text=True, check=False)
+
+    def done(self, page, picture=None):
+        """Nothing was thrown or said, and nothing but files of the page was asked for, without a body."""
+        if picture:
+            page.picture(os.path.join(self.keep, f"{picture}.png"))
+        same("exceptions", page.exceptions(), [])
+        same("foreign requests", [url for url in page.requests() if not url.startswith(self.site.address)], [])
+        same("requests with a body", [entry for entry in self.site.asked if entry[0] != "GET" or entry[2]], [])
+        page.close()
+
+
+def untimed(text):
+    return "\n".join(line for line in text.splitlines() if " blocks" not in line or "; time " not in line)
+
+
+VERDICTS = "[...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.dataset.verdict])"
+WORDS = "Object.fromEntries([...document.querySelectorAll('.program')].map((card) => [card.dataset.path, card.querySelector('.words').textContent]))"
+
+
+def verdicts_are_those_of_the_command_line(bench, name):
+    page = bench.open()
+    bench.example(page, name)
+    bench.check(page)
+    same("verdicts", sorted(page.run(VERDICTS)), [[f"examples/{name}/clear.nc", "clear"], [f"examples/{name}/collision.nc", "found"]])
+    words = page.run(WORDS)
+    for program in ("clear", "collision"):
+        same(f"words of {program}", untimed(words[f"examples/{name}/{program}.nc"]), untimed(bench.native(name, program).stdout))
+    bench.done(page, f"page-{name}")
+
+
+@test
+def ac_trunnion(bench):
+    verdicts_are_those_of_the_command_line(bench, "ac-trunnion")
+
+
+@test
+def b_head_c_table(bench):
+    verdicts_are_those_of_the_command_line(bench, "b-head-c-table")
+
+
+@test
+def cb_head(bench):
+    verdicts_are_those_of_the_command_line(bench, "cb-head")
+
+
+@test
+def report(bench):
+    """The report shows itself in its frame, and what is saved has the bytes of the command line's."""
+    page = bench.open()
+    bench.example(page, "cb-head")
+    bench.check(page)
+    saved = page.run("""await window.fivecheckPage.reports.get('examples/cb-head/collision.nc').text()""")
+    path = os.path.join(bench.keep, "page-report.html")
+    bench.native("cb-head", "collision", f"--report={path}")
+    with open(path, encoding="utf-8") as file:
+        same("report", saved, file.read())
+    same("reports in frames", page.run("document.querySelectorAll('iframe.report').length"), 2)
+    page.run("await until('report-shown', 2)")
+    bench.done(page, "page-report")
+
+
+@test
+def cancel(bench):
+    """A check can be cancelled, and another one started."""
+    page = bench.open()
+    bench.example(page, "ac-trunnion")
+    page.run("document.querySelector('#check').click()")
+    page.run("document.querySelector('#cancel').click()")
+    page.run("await until('checked', 1)")
+    same("verdicts", [verdict for _, verdict in page.run(VERDICTS)], ["incomplete", "incomplete"])
+    bench.done(page)
+
+
+@test
+def form(bench):
+    """From the form to the XML, with an error at its field first, and to a check with it."""
+    page = bench.open()
+    page.run("document.querySelector('#form-details').open = true")
+    page.run("document.querySelector('[name=\"Z.min\"]').value = '400'")
+    page.run("document.querySelector('#write-machine').click()")
+    page.run("await until('machine-written', 1)")
+    true("the fault stands at Z", "MIN is less than MAX" in page.run("document.querySelector('[data-axis=Z] .fault').textContent"))
+    same("faults elsewhere", page.run("[...document.querySelectorAll('.fault')].filter((f) => f.textContent).length"), 1)
+    true("nothing to download", page.run("document.querySelector('#machine-made').hidden"))
+    page.run("document.querySelector('[name=\"Z.min\"]').value = '-400'")
+    page.run("document.querySelector('[name=\"A.title\"]').value = 'First <b>axis</b>'")
+    page.run("document.querySelector('#write-machine').click()")
+    page.run("await until('machine-written', 2)")
+    xml = page.run("document.querySelector('#machine-xml').textContent")
+    native = subprocess.run(
+        [bench.fivecheck, "init", "table-table", "--rotary=A,C", "--limits=X=-300:300", "--limits=Y=-250:250", "--limits=Z=-400:0",
+         "--limits=A=-120:30", "--title=A=First <b>axis</b>", "--location=A=0,0,120", "--limits=C=none", "--location=C=0,0,120",
+         "--spindle=0,0,520", "--dialect=linuxcnc"], capture_output=True, text=True, check=False)
+    same("XML", xml, native.stdout)
+    page.run("document.querySelector('#use-machine').click()")
+    page.run("await new Promise((done) => setTimeout(done))")
+    page.run("await window.fivecheckPage.add([['part.nc', new Blob(['G0 X10\\n'])]])")
+    bench.check(page)
+    same("verdict", page.run(VERDICTS), [["part.nc", "incomplete"]])
+    true("the missing meshes are named", ".stl" in page.run("document.querySelector('.findings').textContent"))
+    bench.done(page, "page-form")
+
+
+@test
+def phone(bench):
+    """Nothing is wider than a phone, and everything has a name."""
+    page = bench.open(**PHONE)
+    bench.example(page, "cb-head")
+    bench.check(page)
+    page.run("document.querySelector('#form-details').open = true")
+    same("sideways", page.run("document.documentElement.scrollWidth"), 390)
+    nameless = page.run("""[...document.querySelectorAll('button, input, select, a')].filter((e) => e.offsetParent
+        && !(e.textContent.trim() || e.ariaLabel || e.closest('label')?.textContent.trim())).map((e) => e.outerHTML)""")
+    same("controls without a name", nameless, [])
+    bench.done(page, "page-phone")
+
+
+@test
+def offline(bench):
+    """After the first visit the page works without the network."""
+    page = bench.open()
+    page.run("await navigator.serviceWorker.ready")
+    bench.example(page, "cb-head")
+    page.call("Page.reload")
+    page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+    page.run("await until('fivecheck-ready', 1)")
+    bench.example(page, "cb-head")
+    page.call("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
+    bench.site.close()
+    page.call("Page.reload")
+    page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+    page.run("await until('fivecheck-ready', 1)")
+    bench.example(page, "cb-head")
+    bench.check(page)
+    same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
+    page.close()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--fivecheck", required=True)
+    parser.add_argument("--page", required=True)
+    parser.add_argument("--keep", required=True)
+    parser.add_argument("tests", nargs="*")
+    arguments = parser.parse_args()
+    os.makedirs(arguments.keep, exist_ok=True)
+    failed = 0
+    with Browser(timeout=600) as browser:
+        for function in TESTS:
+            if arguments.tests and function.__name__ not in arguments.tests:
+                continue
+            site = Site(arguments.page)
+            try:
+                function(Bench(arguments, site, browser))
+                print(f"ok   {function.__name__}", flush=True)
+            except Exception:  # noqa: BLE001 - every failure is told, and the rest goes on
+                failed += 1
+                print(f"FAIL {function.__name__}", flush=True)
+                traceback.print_exc()
+            finally:
+                if site.thread.is_alive():
+                    site.close()
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
