@@ -41,7 +41,7 @@ static const struct code m_codes[] = {
     {116, GROUP_NONE, CODE_IGNORED, "feed rate of rotary axes in mm/min"},
     {117, GROUP_NONE, CODE_IGNORED, "end of M116"},
     {118, GROUP_NONE, CODE_REFUSED, "handwheel moves during the program"},
-    {120, GROUP_NONE, CODE_IGNORED, "look-ahead of radius compensation; under it refused"},
+    {120, M_OUTPUT, CODE_READ, "look-ahead of radius compensation, which is refused with it"},
     {124, GROUP_NONE, CODE_REFUSED, "contour filter"},
     {126, M_OUTPUT, CODE_READ, "shorter way of rotary axes"},
     {127, M_OUTPUT, CODE_READ, "end of M126"},

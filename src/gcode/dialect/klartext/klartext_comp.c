@@ -62,6 +62,7 @@ static void leave(struct interp *interp)
 {
 	interp->comp.side = 0;
 	interp->comp.entered = interp->comp.leaving = interp->comp.starting = false;
+	klartext_of(interp)->looks_ahead = false;
 	interp->state.frame = (struct rotated_frame){.on = false};
 }
 
@@ -81,6 +82,11 @@ static bool check_start(struct interp *interp, int column)
 		return fault(&interp->at, column,
 			     "radius compensation while M128 is in force is not supported; post the path of the tool's "
 			     "centre with R0");
+	if (klartext->looks_ahead)
+		return fault(
+		    &interp->at, column,
+		    "radius compensation with M120: it leaves out what the tool cannot reach, which is not supported "
+		    "yet; post the path of the tool's centre with R0");
 	if (klartext->waits)
 		return fault(&interp->at, column,
 			     "radius compensation before the rotary axes stand where PLANE ... STAY needs them");

@@ -124,6 +124,7 @@ bool klartext_function_mode(struct lexer *lexer)
 		return switch_tcpm(lexer->context, false, column);
 	}
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
-		return true;
+		return klartext_ends(lexer) || fault(lexer->at, klartext_column(lexer),
+						     "FUNCTION MODE MILL with another kinematics is not supported");
 	return fault(lexer->at, column, "this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are");
 }

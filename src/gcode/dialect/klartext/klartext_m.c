@@ -29,6 +29,7 @@ enum m_action {
 	M_RETRACT,
 	M_TILT_AXES,
 	M_REDUCE,
+	M_LOOK_AHEAD,
 	M_PER_REVOLUTION,
 	M_PER_MINUTE
 };
@@ -40,10 +41,13 @@ static enum m_action action_of(int number)
 		short number;
 		short action;
 	} actions[] = {
-	    {0, M_HALT},	 {1, M_HALT},	    {2, M_END},		{3, M_TURN_RIGHT}, {4, M_TURN_LEFT},
-	    {5, M_STAND},	 {6, M_CHANGE},	    {13, M_TURN_RIGHT}, {14, M_TURN_LEFT}, {30, M_END},
-	    {89, M_CALL_MODAL},	 {94, M_REDUCE},    {99, M_CALL},	{126, M_SHORTEST}, {127, M_PLAIN},
-	    {128, M_TCP_START},	 {129, M_TCP_STOP}, {138, M_TILT_AXES}, {140, M_RETRACT},  {136, M_PER_REVOLUTION},
+	    {0, M_HALT},	 {1, M_HALT},	     {2, M_END},
+	    {3, M_TURN_RIGHT},	 {4, M_TURN_LEFT},   {5, M_STAND},
+	    {6, M_CHANGE},	 {13, M_TURN_RIGHT}, {14, M_TURN_LEFT},
+	    {30, M_END},	 {89, M_CALL_MODAL}, {94, M_REDUCE},
+	    {99, M_CALL},	 {126, M_SHORTEST},  {127, M_PLAIN},
+	    {120, M_LOOK_AHEAD}, {128, M_TCP_START}, {129, M_TCP_STOP},
+	    {138, M_TILT_AXES},	 {140, M_RETRACT},   {136, M_PER_REVOLUTION},
 	    {137, M_PER_MINUTE},
 	};
 
@@ -89,7 +93,11 @@ static bool check_comp(struct interp *interp, const struct klartext_m *m, enum m
 		return true;
 	switch (action) {
 	case M_HARMLESS:
-		if (m->number == 98 || m->number == 120)
+		if (m->number == 98)
+			break;
+		return true;
+	case M_LOOK_AHEAD:
+		if (m->way > 0)
 			break;
 		return true;
 	case M_TURN_RIGHT:
@@ -219,6 +227,9 @@ static bool start(struct interp *interp, const struct klartext_words *words, con
 		return start_tcp(interp, m);
 	case M_REDUCE:
 		return reduce(interp, m);
+	case M_LOOK_AHEAD:
+		klartext_of(interp)->looks_ahead = m->way > 0;
+		return true;
 	case M_PER_REVOLUTION:
 	case M_PER_MINUTE:
 		klartext_of(interp)->per_revolution = action == M_PER_REVOLUTION;

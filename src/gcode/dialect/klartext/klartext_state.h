@@ -183,6 +183,7 @@ struct klartext {
 	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
 	struct klartext_approach approach;
+	bool looks_ahead; /* M120 LA: radius compensation leaves out what the tool cannot reach */
 	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */
 	bool spatial; /* TCPM with AXIS SPAT: A, B and C are spatial angles */

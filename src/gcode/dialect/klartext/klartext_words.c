@@ -268,11 +268,23 @@ static bool read_length(struct lexer *lexer, struct klartext_words *words)
 	return true;
 }
 
-/* LEN, CCA, DR, DL: words of more letters. */
+/* LA, behind M120: blocks to look ahead. */
+static bool read_look_ahead(struct lexer *lexer, struct klartext_words *words, int column)
+{
+	struct klartext_m *m = words->m_count ? &words->m[words->m_count - 1] : NULL;
+
+	if (!m || m->number != 120)
+		return fault(lexer->at, column, "LA belongs to M120");
+	return klartext_value(lexer, &m->way);
+}
+
+/* LEN, LA, CCA, DR: words of more letters. */
 static bool read_long(struct lexer *lexer, struct klartext_words *words, int column)
 {
 	if (klartext_take(lexer, "LEN"))
 		return read_length(lexer, words);
+	if (klartext_take(lexer, "LA"))
+		return read_look_ahead(lexer, words, column);
 	if (klartext_take(lexer, "CCA")) {
 		words->has_centre_angle = true;
 		return klartext_value(lexer, &words->centre_angle);

@@ -15,7 +15,7 @@ enum klartext_feed { KLARTEXT_FEED_NONE, KLARTEXT_FEED_VALUE, KLARTEXT_FEED_MAX,
 struct klartext_m {
 	int number;
 	int column;
-	/* M140 */
+	/* M140; in `way` M120 has its LA, M94 and M138 the bits of their axes */
 	bool has_way, to_limit;
 	double way; /* mm */
 };
