@@ -87,13 +87,8 @@ demo-web: web
 	@sh scripts/demo-web build-web/app
 
 # Tests, fuzzers, the campaign, benchmarks and the demo: `make help`.
-<<<<<<< HEAD
 TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-stock campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
-	check-install check-layers check-long check-machines check-man check-math check-program check-quick check-reproducible check-rs274 check-short check-tsan \
-=======
-TEST_TARGETS := accept bench bench-quick build-units campaign campaign-dialects campaign-verdict check check-asan check-browser check-calls check-deb check-faults check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-page check-program check-quick check-reproducible check-rs274 check-short check-tsan \
->>>>>>> 787e510 (Check in the browser: a page with files, findings, reports and a form for the machine)
 	check-unit check-valgrind check-wasm check-wasm-long coverage demo fuzz lint stress stress-table
 $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@
