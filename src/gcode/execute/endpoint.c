@@ -1,6 +1,7 @@
 #include "gcode/execute/endpoint.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/same_double.h"
 #include "gcode/execute/coordinate_rotation.h"
@@ -71,8 +72,12 @@ bool endpoint_absolute(struct interp *interp, int slot, double value, double ori
  */
 static void caution_probe(struct interp *interp)
 {
+	static const bool none[SLOT_COUNT];
 	bool unknown = false, others = false;
 
+	/* In most programs no probe has ever stopped an axis. */
+	if (!memcmp(interp->state.probed, none, sizeof(none)))
+		return;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		unknown |= interp->state.probed[slot] && !interp->state.probe_bounded[slot];
 		others |= !interp->state.probed[slot] && block_has(&interp->block, AXIS_LETTERS[slot]);

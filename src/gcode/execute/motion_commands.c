@@ -41,12 +41,13 @@ bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item
 
 bool motion_commands_emit(struct interp *interp, const struct canon_move *move)
 {
-	struct comp_item item = {.kind = COMP_PAUSE, .move = *move};
+	struct canon_event event = {.kind = CANON_MOVE, .of.move = *move};
 
-	motion_commands_fill(interp, &item.move);
+	motion_commands_fill(interp, &event.of.move);
 	if (interp->comp.queue.count > 0)
-		return motion_commands_enqueue(interp, &item);
-	return canon_tell_move(interp->sink, &item.move);
+		return motion_commands_enqueue(interp,
+					       &(struct comp_item){.kind = COMP_PAUSE, .move = event.of.move});
+	return interp->sink->event(interp->sink->context, &event);
 }
 
 static bool go_to(struct interp *interp, const slot_values *position, struct canon_move *move)
