@@ -13,33 +13,33 @@ struct program {
 /* The centre of the tool, of radius 5 mm, may be anywhere in the region, until X and Y are commanded. */
 static const struct program regions[] = {
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS "L X+0 FMAX\nL X+0 Y+0 FMAX\nL X+1 FMAX\n",
-	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 25 10 0\nfeed 10 20 80 0 0 spread 25 10 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\nfeed 10 20 80 0 0 spread 25 10 0\n"
 	 "feed 10 20 102 0 0 spread 25 10 0\nrapid 10 20 150 0 0 spread 25 10 0\nrapid 0 20 150 0 0 spread 25 10 0\n"
 	 "rapid 0 0 150 0 0 spread 25 10 0\nrapid 1 0 150 0 0\n"},
 	/* Its lower left corner, turned by 90 degrees. */
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q224=90 Q367=1" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed -5 50 102 0 0 spread 10 25 0\nfeed -5 50 80 0 0 spread 10 25 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 25 55 0\nfeed -5 50 102 0 0 spread 10 25 0\nfeed -5 50 80 0 0 spread 10 25 0\n"
 	 "feed -5 50 102 0 0 spread 10 25 0\nrapid -5 50 150 0 0 spread 10 25 0\n"},
 	{START "CYCL DEF 252 POCKET Q223=40" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
 	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
 	{START "CYCL DEF 208 BORE MILLING Q335=40" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
 	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
 	{START "CYCL DEF 253 SLOT Q218=60 Q219=12 Q374=0 Q367=1" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed 40 20 102 0 0 spread 25 1 0\nfeed 40 20 80 0 0 spread 25 1 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 55 1 0\nfeed 40 20 102 0 0 spread 25 1 0\nfeed 40 20 80 0 0 spread 25 1 0\n"
 	 "feed 40 20 102 0 0 spread 25 1 0\nrapid 40 20 150 0 0 spread 25 1 0\n"},
 	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed 1 2 102 0 0 spread 31 31 0\nfeed 1 2 80 0 0 spread 31 31 0\n"
+	 STARTED "rapid 10 20 102 0 0 spread 40 49 0\nfeed 1 2 102 0 0 spread 31 31 0\nfeed 1 2 80 0 0 spread 31 31 0\n"
 	 "feed 1 2 102 0 0 spread 31 31 0\nrapid 1 2 150 0 0 spread 31 31 0\n"},
 	{START "CYCL DEF 262 THREAD Q335=20 Q239=1.5" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0\nfeed 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 80 0 0 spread 5 5 1.5\n"
+	 STARTED "rapid 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 80 0 0 spread 5 5 1.5\n"
 	 "feed 10 20 102 0 0 spread 5 5 1.5\nrapid 10 20 150 0 0 spread 5 5 1.5\n"},
 	/* A depth of 0 does nothing. */
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n", STARTED},
 	/* In turned coordinates the region lies across the axes. */
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
-	 "tool 1\nrapid -20 10 200 0 0\nrapid -20 10 102 0 0\nfeed -20 10 102 0 0 spread 10 25 0\n"
+	 "tool 1\nrapid -20 10 200 0 0\nrapid -20 10 102 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\n"
 	 "feed -20 10 80 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\nrapid -20 10 150 0 0 spread 10 25 0\n"},
 	/* LN with a direction: M128 turns the axes; without words of axes, too. */
 	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",

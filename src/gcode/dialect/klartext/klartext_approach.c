@@ -212,11 +212,14 @@ void klartext_approach_keep_line(struct interp *interp)
 
 bool klartext_approach_check_none(struct interp *interp)
 {
-	const struct klartext_approach *approach = &klartext_of(interp)->approach;
+	struct klartext_approach *approach = &klartext_of(interp)->approach;
 	const struct line_place at = {interp->at.diag, interp->at.file, approach->line, ""};
 
-	return !approach->waits ||
-	       fault(&at, 1, "APPR needs a straight line or a circle in the plane of X and Y right behind it");
+	if (!approach->waits)
+		return true;
+	/* It is reported once. */
+	approach->waits = false;
+	return fault(&at, 1, "APPR needs a straight line or a circle in the plane of X and Y right behind it");
 }
 
 /* The circle of CT and LCT at a point of the contour: its centre, and the sense in which it is gone round. */

@@ -58,11 +58,14 @@ bool klartext_corner_follows(struct interp *interp)
 
 bool klartext_corner_check_none(struct interp *interp)
 {
-	const struct klartext_corner *corner = &klartext_of(interp)->corner;
+	struct klartext_corner *corner = &klartext_of(interp)->corner;
 	const struct line_place at = {interp->at.diag, interp->at.file, corner->line, ""};
 
-	return !corner->waits ||
-	       fault(&at, corner->column, "RND and CHF need a line or a circle in the plane behind them");
+	if (!corner->waits)
+		return true;
+	/* It is reported once. */
+	corner->waits = false;
+	return fault(&at, corner->column, "RND and CHF need a line or a circle in the plane behind them");
 }
 
 bool klartext_corner_hold(struct interp *interp, const struct klartext_words *words,

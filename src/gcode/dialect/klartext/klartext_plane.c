@@ -101,6 +101,8 @@ static bool read_options(struct lexer *lexer, struct request *request)
 		if (!read_option(lexer, request))
 			return false;
 	}
+	if (request->retracts && request->positioning == POSITION_STAY)
+		return fault(lexer->at, request->column, "MB of PLANE needs TURN or MOVE");
 	return request->positioning != POSITION_UNKNOWN ||
 	       fault(lexer->at, request->column, "PLANE needs MOVE, TURN or STAY: what the rotary axes do");
 }
@@ -310,8 +312,15 @@ static bool move_rotary(struct interp *interp, const struct request *request, co
 	struct canon_move move = {0};
 	double length = state->length;
 	slot_values target;
-	bool good;
+	bool good, turns = false;
 
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		turns = turns || fabs(rotary->v[slot] - state->position.v[slot]) > degrees(TIE_TOLERANCE);
+	if (!turns && request->retracts)
+		return fault(
+		    &interp->at, request->column,
+		    "MB of PLANE where no rotary axis has to turn: whether the tool retracts is not known here; "
+		    "write M140 in a block before");
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
 	if (!find_feed(interp, request, &move) || !retract(interp, request))

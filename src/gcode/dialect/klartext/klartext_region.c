@@ -169,8 +169,8 @@ static bool find_heights(const struct klartext_call_of *call, struct region *reg
 	return true;
 }
 
-/* To a height over the centre of the region; anywhere in it, if `spread`. A feed of 0 is a rapid. */
-static bool go(const struct klartext_call_of *call, const struct region *region, vec3 point, double feed, bool spread)
+/* To a point, anywhere in the region about the way there. A feed of 0 is a rapid. */
+static bool go(const struct klartext_call_of *call, const struct region *region, vec3 point, double feed)
 {
 	struct interp *interp = call->interp;
 	const vec3 position = klartext_frame_position(interp, point);
@@ -181,7 +181,7 @@ static bool go(const struct klartext_call_of *call, const struct region *region,
 	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = interp->state.position;
 
-	for (int i = 0; i < 3 && spread; i++) {
+	for (int i = 0; i < 3; i++) {
 		move.spread[SLOT_X] += fabs(sides[i].x) * half[i];
 		move.spread[SLOT_Y] += fabs(sides[i].y) * half[i];
 		move.spread[SLOT_Z] += fabs(sides[i].z) * half[i];
@@ -207,22 +207,26 @@ static void leave_open(const struct klartext_call_of *call, const struct region 
 static bool carry_out(const struct klartext_call_of *call, const struct region *region)
 {
 	vec3 at = klartext_frame_point(call->interp);
+	struct region column = *region;
 
+	/* Down before it goes across, or across before it goes down: anywhere over the region and the way to it. */
+	column.half[0] += fabs(at.x - region->centre.x);
+	column.half[1] += fabs(at.y - region->centre.y);
 	at.z = region->top;
-	if (!go(call, region, at, 0, false))
+	if (!go(call, &column, at, 0))
 		return false;
 	at.x = region->centre.x;
 	at.y = region->centre.y;
-	if (!go(call, region, at, region->feed, true))
+	if (!go(call, region, at, region->feed))
 		return false;
 	at.z = region->bottom;
-	if (!go(call, region, at, region->feed, true))
+	if (!go(call, region, at, region->feed))
 		return false;
 	at.z = region->top;
-	if (!go(call, region, at, region->feed, true))
+	if (!go(call, region, at, region->feed))
 		return false;
 	at.z = region->clear;
-	if (!go(call, region, at, 0, true))
+	if (!go(call, region, at, 0))
 		return false;
 	leave_open(call, region);
 	return true;
