@@ -167,13 +167,14 @@ static bool go_on(struct stock_pair *check, const struct span *span, const struc
 {
 	double length = 1 - *s;
 
-	for (int i = 0; i < SHARE_HALVINGS; i++, length /= 2) {
+	for (int i = 0; i < SHARE_HALVINGS; i++) {
 		const axis_values q = between(span, *s + length);
 
 		if (motion_budget_covers(&check->budget, &q, errors)) {
 			*s += length;
 			return true;
 		}
+		length /= 2;
 	}
 	return false;
 }

@@ -1,5 +1,6 @@
 #include "stock/cutter.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -183,6 +184,31 @@ static double piece_removes(const struct revolved *piece, const struct cutter_wa
 	return cube_distance(piece, way, cube, s) <= -depth ? entry_time(piece, way, cube, depth, s) : INFINITY;
 }
 
+/* The same for the ball around the cube and a cutter of several pieces. */
+static double whole_removes(const struct revolved *whole, const struct cutter_way *way, const struct cube *cube,
+			    double depth)
+{
+	const double needed = -(1.7320508075688773 * cube->half * (1 + DBL_EPSILON) + depth);
+	double outside = 0, inside = deepest_time(whole, way, cube->centre);
+	struct cutter_place place = place_at(way, inside);
+
+	if (-needed > whole->radius || point_distance(whole, &place, cube->centre) > needed)
+		return INFINITY;
+	place = place_at(way, 0);
+	if (point_distance(whole, &place, cube->centre) <= needed)
+		return 0;
+	for (int i = 0; i < ENTRY_STEPS; i++) {
+		const double middle = 0.5 * (outside + inside);
+
+		place = place_at(way, middle);
+		if (point_distance(whole, &place, cube->centre) <= needed)
+			inside = middle;
+		else
+			outside = middle;
+	}
+	return inside;
+}
+
 /* Is the cube farther from the way of the cutter's axis than the cutter's radius, or above or below it all the way? */
 static bool is_beside(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube)
 {
@@ -211,5 +237,5 @@ double cutter_removes(const struct cutter *cutter, const struct cutter_way *way,
 		return INFINITY;
 	for (size_t i = 0; i < cutter->piece_count; i++)
 		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth));
-	return first;
+	return cutter->piece_count > 1 ? smaller(first, whole_removes(&cutter->whole, way, cube, depth)) : first;
 }

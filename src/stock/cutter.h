@@ -1,4 +1,4 @@
-/* cutter.h - what a turning cutter surely removes: cubes that lie inside one of its convex pieces. */
+/* cutter.h - what a turning cutter surely removes: cubes that lie inside it at one instant. */
 #ifndef FIVECHECK_STOCK_CUTTER_H
 #define FIVECHECK_STOCK_CUTTER_H
 
@@ -39,8 +39,9 @@ struct cutter_way {
 };
 
 /*
- * The first time, 0 to 1, at which the whole cube lies at least `depth` mm inside one convex piece of the cutter;
- * INFINITY if no such time was found. At the time that is returned it does. Pure: depends on nothing else.
+ * A time, 0 to 1, at which the whole cube lies at least `depth` mm inside the cutter, and before which it hardly does;
+ * INFINITY if none was found. Cubes are looked for inside each convex piece by their corners, and inside the whole
+ * cutter, across the seams of its pieces, by the ball around them. The answer depends on the arguments alone.
  */
 double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth);
 

@@ -432,6 +432,7 @@ int main(int argc, char **argv)
 		fprintf(stderr, "usage: stock_oracle FIVECHECK FOLDER JOBS [SEED]\n");
 		return 2;
 	}
+	setvbuf(stdout, NULL, _IOLBF, 0);
 	for (int i = 0; i < jobs; i++) {
 		struct job job = {0};
 		struct found found;

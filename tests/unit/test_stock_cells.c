@@ -140,6 +140,21 @@ START_TEST(removes_what_is_inside_at_one_time)
 }
 END_TEST
 
+/* A cube across the seam of two pieces, on the cutter's axis, is inside the cutter. */
+START_TEST(removes_across_seams)
+{
+	const struct cutter_way way = {{{-30, 0, 20}, {0, 0, 1}}, {{30, 0, 20}, {0, 0, 1}}};
+	const struct cube inside = {{0, 0, 20 - 8}, 0.2}, outside = {{0, 4, 20 - 8}, 0.2};
+	struct cutter cutter;
+
+	cutter_init(&cutter, &solids[4]);
+	ck_assert_uint_gt(cutter.piece_count, 1);
+	ck_assert_double_le(cutter_removes(&cutter, &way, &inside, 0), 0.5);
+	ck_assert(isinf(cutter_removes(&cutter, &way, &outside, 0)));
+	cutter_release(&cutter);
+}
+END_TEST
+
 /* A slot of a flat cutter has a known shape: no cell of it is there, and every cell beside it is. */
 START_TEST(slot_is_exact_to_a_cell)
 {
@@ -247,6 +262,7 @@ int main(void)
 
 	tcase_add_loop_test(cases, distance_is_that_to_the_outline, 0, SOLIDS);
 	tcase_add_loop_test(cases, removes_what_is_inside_at_one_time, 0, SOLIDS);
+	tcase_add_test(cases, removes_across_seams);
 	tcase_add_test(cases, slot_is_exact_to_a_cell);
 	tcase_add_loop_test(cases, passage_holds_all_places_of_the_way, 0, SOLIDS);
 	suite_add_tcase(suite, cases);
