@@ -55,9 +55,20 @@ static bool take_header(struct reading *reading, json_t *object)
 	return true;
 }
 
+/* Is the verdict one that a program with so many findings can have? */
+static bool fits(const char *verdict, size_t findings)
+{
+	if (!strcmp(verdict, "clear") || !strcmp(verdict, "passed"))
+		return !findings;
+	if (!strcmp(verdict, "found") || !strcmp(verdict, "accepted"))
+		return findings > 0;
+	return !strcmp(verdict, "incomplete");
+}
+
 /* The line of a program says how many lines of findings stand before it. */
 static bool take_program(struct reading *reading, const json_t *object)
 {
+	const char *verdict = ndjson_run_text(object, "verdict");
 	json_int_t findings = json_integer_value(json_object_get(object, "findings"));
 
 	if (!ndjson_run_text(object, "file"))
@@ -71,6 +82,8 @@ static bool take_program(struct reading *reading, const json_t *object)
 		    reading->pending);
 		return false;
 	}
+	if (!verdict || !fits(verdict, reading->pending))
+		return refuse(reading, "a program whose verdict does not belong to its findings");
 	reading->findings += reading->pending;
 	reading->programs++;
 	reading->pending = 0;

@@ -13,5 +13,12 @@ done
 echo '== a summary that says less'
 sed '$s/"findings":3/"findings":2/' whole.json >cut.json
 status fivecheck waive --reason=tried --until=2999-12-31 cut.json
+echo '== a verdict that does not belong to the findings, and none'
+for verdict in clear nonsense; do
+	sed "s/\"verdict\":\"found\"/\"verdict\":\"$verdict\"/" whole.json >cut.json
+	status fivecheck merge cut.json
+done
+sed 's/"verdict":"found",//' whole.json >cut.json
+status fivecheck merge cut.json
 echo '== as it was written'
 fivecheck waive --reason=tried --until=2999-12-31 whole.json | grep -c '<waiver '
