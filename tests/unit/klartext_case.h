@@ -43,4 +43,27 @@ static inline bool klartext_run(struct gcode_case *c, const char *blocks)
 	return good;
 }
 
+struct klartext_program {
+	const char *blocks;
+	const char *moves;
+};
+
+/* The blocks are accepted without a message, and make just these moves. */
+static inline void klartext_expect(const struct klartext_program *program, bool show_spread)
+{
+	struct gcode_case c;
+	bool good;
+
+	klartext_case(&c);
+	c.show_spread = show_spread;
+	good = klartext_run(&c, program->blocks);
+	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.messages), "");
+	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
+		      strbuf_text(&c.moves), program->moves);
+	case_release(&c);
+}
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
+
 #endif

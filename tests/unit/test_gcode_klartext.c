@@ -1,13 +1,8 @@
 /* test_gcode_klartext.c - Klartext: words, tools, Q parameters, program flow, against moves worked out by hand. */
 #include "klartext_case.h"
 
-struct program {
-	const char *blocks;
-	const char *moves;
-};
-
 /* Words, units, increments, tools, presets. */
-static const struct program lexis[] = {
+static const struct klartext_program lexis[] = {
 	{"L X+10 Y-3 R0 FMAX\n",
 	 "rapid 10 -3 0 0 0\n"},
 	{"12 L X+10,5 Y-3,25 R0 FMAX M3\n",
@@ -75,7 +70,7 @@ static const struct program lexis[] = {
 };
 
 /* Q parameters, FN 0 to 8 and 13, formulas. */
-static const struct program parameters[] = {
+static const struct klartext_program parameters[] = {
 	{"Q1 = 5\nL X+Q1 Y-Q1 FMAX\n",
 	 "rapid 5 -5 0 0 0\n"},
 	{"Q1=+2.5\n",
@@ -115,7 +110,7 @@ static const struct program parameters[] = {
 };
 
 /* Labels, subprograms, section repeats, jumps. */
-static const struct program flow[] = {
+static const struct klartext_program flow[] = {
 	{"CALL LBL 1\nL X+9 FMAX\nM30\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
 	 "rapid 1 0 0 0 0\nrapid 9 0 0 0 0\n"},
 	{"CALL LBL 1\nCALL LBL 1\nL M2\nLBL 1\nL IX+1 FMAX\nLBL 0\n",
@@ -157,35 +152,21 @@ static const struct program flow[] = {
 	 "rapid 1 0 0 0 0\n"},
 };
 
-static void expect(const struct program *program)
-{
-	struct gcode_case c;
-	bool good;
-
-	klartext_case(&c);
-	good = klartext_run(&c, program->blocks);
-	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
-	ck_assert_str_eq(strbuf_text(&c.messages), "");
-	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
-		      strbuf_text(&c.moves), program->moves);
-	case_release(&c);
-}
-
 START_TEST(lexis_table)
 {
-	expect(&lexis[_i]);
+	klartext_expect(&lexis[_i], false);
 }
 END_TEST
 
 START_TEST(parameters_table)
 {
-	expect(&parameters[_i]);
+	klartext_expect(&parameters[_i], false);
 }
 END_TEST
 
 START_TEST(flow_table)
 {
-	expect(&flow[_i]);
+	klartext_expect(&flow[_i], false);
 }
 END_TEST
 
@@ -346,8 +327,6 @@ START_TEST(long_program)
 	strbuf_release(&moves);
 }
 END_TEST
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 int main(void)
 {

@@ -724,8 +724,6 @@ START_TEST(all_faults)
 }
 END_TEST
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
-
 int main(void)
 {
 	Suite *suite = suite_create("gcode_klartext_bad");

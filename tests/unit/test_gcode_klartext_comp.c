@@ -1,16 +1,11 @@
 /* test_gcode_klartext_comp.c - Klartext: RL, RR, R0 and M97, RND and CHF beside circles; by hand and closed forms. */
 #include "klartext_case.h"
 
-struct program {
-	const char *blocks;
-	const char *moves;
-};
-
 #define START "TOOL CALL 1 Z\nL X-20 Y-20 R0 FMAX\n"
 #define STARTED "tool 1\nrapid -20 -20 0 0 0\n"
 
 /* T1 has a radius of 5 mm. */
-static const struct program paths[] = {
+static const struct klartext_program paths[] = {
 	/* The first block ends beside the start of the second, outside corners are rounded, the last one leaves. */
 	{START "L X+0 Y+0 RL F100\nL Y+50\nL X+50\nL X+50 Y-20 R0\n",
 	 STARTED "feed -5 0 0 0 0\nfeed -5 50 0 0 0\narc 0 55 0 0 0 centre 0 50 0 normal 0 0 1 sweep -90\n"
@@ -70,7 +65,7 @@ static const struct program paths[] = {
 };
 
 /* RND beside circles, without compensation: its centre is as far from both as its radius. */
-static const struct program corners[] = {
+static const struct klartext_program corners[] = {
 	{"F100\nL X+10\nRND R2\nCC X+10 Y+10\nC X+20 Y+10 DR+\n",
 	 "feed 10 0 0 0 0\narc 20 10 0 0 0 centre 10 10 0 normal 0 0 1 sweep 90\n"},
 	{"F100\nL X+20\nRND R2\nCC X+10 Y+0\nC X+10 Y+10 DR+\n",
@@ -87,7 +82,7 @@ static const struct program corners[] = {
 #define ROUND "feed -5 50 0 0 0\narc 0 55 0 0 0 centre 0 50 0 normal 0 0 1 sweep -90\nfeed 50 55 0 0 0\n"
 
 /* APPR and DEP, and PLANE with MB: the points by hand, the circle of LCT touches the straight line from PS. */
-static const struct program approaches[] = {
+static const struct klartext_program approaches[] = {
 	{OUTSIDE "APPR LT X+0 Y+0 LEN15 RL F100\n" CONTOUR "DEP LT LEN15\nL X+90 Y+90 FMAX\n",
 	 THERE "rapid -5 -15 0 0 0\nfeed -5 0 0 0 0\n" ROUND
 	 "feed 65 55 0 0 0\nfeed 65 50 0 0 0 spread 5 5 0\nrapid 90 90 0 0 0 spread 5 5 0\n"},
@@ -133,36 +128,21 @@ static const struct {
 	{"CYCL DEF 392 ATC~\n   Q240=0 ;TUNING MODE~\n   Q241=1 ;WEIGHT MODE\nL X+5 FMAX\n", "L X+5 FMAX\n"},
 };
 
-static void expect(const struct program *program)
-{
-	struct gcode_case c;
-	bool good;
-
-	klartext_case(&c);
-	c.show_spread = true;
-	good = klartext_run(&c, program->blocks);
-	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
-	ck_assert_str_eq(strbuf_text(&c.messages), "");
-	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
-		      strbuf_text(&c.moves), program->moves);
-	case_release(&c);
-}
-
 START_TEST(paths_table)
 {
-	expect(&paths[_i]);
+	klartext_expect(&paths[_i], true);
 }
 END_TEST
 
 START_TEST(corners_table)
 {
-	expect(&corners[_i]);
+	klartext_expect(&corners[_i], true);
 }
 END_TEST
 
 START_TEST(approaches_table)
 {
-	expect(&approaches[_i]);
+	klartext_expect(&approaches[_i], true);
 }
 END_TEST
 
@@ -216,8 +196,6 @@ START_TEST(blocks_in_order)
 	case_release(&c);
 }
 END_TEST
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 int main(void)
 {

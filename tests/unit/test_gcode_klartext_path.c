@@ -1,13 +1,8 @@
 /* test_gcode_klartext_path.c - Klartext: circles, corners, coordinates, planes, cycles, by hand and closed forms. */
 #include "klartext_case.h"
 
-struct program {
-	const char *blocks;
-	const char *moves;
-};
-
 /* CC, C, CR, CT, LP, CP, RND, CHF. */
-static const struct program circles[] = {
+static const struct klartext_program circles[] = {
 	{"L X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n",
 	 "feed 10 0 0 0 0\narc 0 10 0 0 0 centre 0 0 0 normal 0 0 1 sweep 90\n"},
 	{"L X+10 Y+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR-\n",
@@ -72,7 +67,7 @@ static const struct program circles[] = {
 };
 
 /* CYCL DEF 7, 8, 9, 10, 11, 13, 19, 26, 32. */
-static const struct program frames[] = {
+static const struct klartext_program frames[] = {
 	{"CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20\nCYCL DEF 7.3 Z-5\n"
 	 "L X+1 Y+1 Z+1 FMAX\n",
 	 "rapid 11 21 -4 0 0\n"},
@@ -116,7 +111,7 @@ static const struct program frames[] = {
 };
 
 /* PLANE, M128, TCPM, M91, M140: the case's A tilts the tool to (0, sin A, cos A), C turns the table. */
-static const struct program planes[] = {
+static const struct klartext_program planes[] = {
 	{"Q1 = SGN -4 + SGN 0\nQ2 = LOG 1000\nQ3 = LN EXP 2\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
 	 "rapid -1 3 2 0 0\n"},
 	{"CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA0.5\nL X+1 FMAX\n"
@@ -203,7 +198,7 @@ static const struct program planes[] = {
 };
 
 /* CYCL DEF 1, 2, 17, 200 to 207, 240, 241, with their calls. */
-static const struct program cycles[] = {
+static const struct klartext_program cycles[] = {
 	{"CYCL DEF 200 DRILLING ~\n Q200=2 ;SET-UP ~\n Q201=-10 ~\n Q206=150 ~\n Q202=5 ~\n Q210=0 ~\n"
 	 " Q203=+0 ~\n Q204=50 ~\n Q211=0.5\nL X+10 Y+20 R0 FMAX M99\n",
 	 "rapid 10 20 0 0 0\nrapid 10 20 2 0 0\nfeed 10 20 -5 0 0\nrapid 10 20 2 0 0\nrapid 10 20 -3 0 0\n"
@@ -291,45 +286,29 @@ static const struct program cycles[] = {
 	 "rapid 7 0 0 0 0\nrapid 7 0 2 0 0\nfeed 7 0 -4 0 0\nrapid 7 0 2 0 0\nrapid 7 0 9 0 0\n"},
 };
 
-static void expect(const struct program *program)
-{
-	struct gcode_case c;
-	bool good;
-
-	klartext_case(&c);
-	good = klartext_run(&c, program->blocks);
-	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
-	ck_assert_str_eq(strbuf_text(&c.messages), "");
-	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
-		      strbuf_text(&c.moves), program->moves);
-	case_release(&c);
-}
-
 START_TEST(circles_table)
 {
-	expect(&circles[_i]);
+	klartext_expect(&circles[_i], false);
 }
 END_TEST
 
 START_TEST(frames_table)
 {
-	expect(&frames[_i]);
+	klartext_expect(&frames[_i], false);
 }
 END_TEST
 
 START_TEST(planes_table)
 {
-	expect(&planes[_i]);
+	klartext_expect(&planes[_i], false);
 }
 END_TEST
 
 START_TEST(cycles_table)
 {
-	expect(&cycles[_i]);
+	klartext_expect(&cycles[_i], false);
 }
 END_TEST
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 int main(void)
 {

@@ -1,13 +1,7 @@
 /* test_gcode_sinumerik_bad.c - programs of the sinumerik dialect that are refused, each with message and place. */
-#include "sinumerik_case.h"
+#include "sinumerik_refused.h"
 
-struct bad {
-	const char *program;
-	int line, column;	/* column 0: the line as a whole */
-	const char *message;
-};
-
-static const struct bad programs[] = {
+static const struct refused_program programs[] = {
 	{"G500 X1 X=5\n", 1, 9,
 	 "the word X stands twice in the block, at columns 6 and 9"},
 	{"G500 X1\n", 1, 6,
@@ -232,26 +226,9 @@ static const struct bad programs[] = {
 	 "this returns, but no subprogram is being carried out"},
 };
 
-/* The message is the only one, and the caret stands below the column of the line that it names. */
 START_TEST(refused)
 {
-	const struct bad *bad = &programs[_i];
-	struct strbuf expected = {0};
-	const char *line = bad->program;
-	struct gcode_case c;
-
-	sinumerik_case_init(&c);
-	ck_assert_msg(!case_run(&c, bad->program), "accepted: %s", bad->program);
-	for (int i = 1; i < bad->line; i++)
-		line = strchr(line, '\n') + 1;
-	if (bad->column)
-		strbuf_addf(&expected, "p.nc:%d:%d: error: %s\n    %.*s\n    %*s\n", bad->line, bad->column, bad->message,
-			    (int)strcspn(line, "\n"), line, bad->column, "^");
-	else
-		strbuf_addf(&expected, "p.nc:%d: error: %s\n", bad->line, bad->message);
-	ck_assert_str_eq(strbuf_text(&c.messages), strbuf_text(&expected));
-	strbuf_release(&expected);
-	case_release(&c);
+	sinumerik_refuses(&programs[_i]);
 }
 END_TEST
 
