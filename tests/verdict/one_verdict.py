@@ -10,27 +10,35 @@ is kept. Only Python's standard library is needed.
 """
 
 import argparse
+import collections
 import json
-import math
 import os
 import random
 import re
 import resource
 import shutil
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 
+from shapes import box, drawn, prism, write_stl
+
 # The place at which the verdict turns is looked for at so many places at once, so many times.
 PLACES = 12
 ROUNDS = 5
 
-# Places from the turn on, towards clear, in mm, and in shares of e: near 0 the last place that is found and the first that is clear.
+# Places from the turn on, towards clear, in mm, and in shares of e: near 0 the last place found, the first clear one.
 BESIDE_MM = (-0.5, -0.05)
 BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
+
+# Options that measure clearances.
+MEASURING = ("--clearance", "--report", "--glb")
+
+# Of so many programs at least this share must have a cutter in a part: else that is not tried.
+MANY = 400
+SHARE_OF_CUTTING = 0.05
 
 # Seconds between two lines of progress.
 PROGRESS = 10
@@ -44,60 +52,15 @@ class TooSlow(Exception):
     pass
 
 
-def write_stl(path, triangles):
-    with open(path, "wb") as f:
-        f.write(b"\0" * 80 + struct.pack("<I", len(triangles)))
-        for t in triangles:
-            f.write(struct.pack("<12fH", 0, 0, 0, *t[0], *t[1], *t[2], 0))
-
-
-def box(low, high):
-    c = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
-    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    return [t for a, b, d, e in quads for t in ((c[a], c[b], c[d]), (c[a], c[d], c[e]))]
-
-
-def prism(radii, bottom, top):
-    """About Z, with one corner for each radius."""
-    n = len(radii)
-    ring = [(r * math.cos(2 * math.pi * i / n), r * math.sin(2 * math.pi * i / n)) for i, r in enumerate(radii)]
-    out = []
-    for i, p in enumerate(ring):
-        q = ring[(i + 1) % n]
-        out += [((*p, bottom), (*q, bottom), (*q, top)), ((*p, bottom), (*q, top), (*p, top))]
-        out += [((0, 0, top), (*p, top), (*q, top)), ((0, 0, bottom), (*q, bottom), (*p, bottom))]
-    return out
-
-
-def flipped(triangles):
-    return [(a, c, b) for a, b, c in triangles]
-
-
-def shrunk(triangles):
-    """Half as large, about the middle."""
-    corners = [p for t in triangles for p in t]
-    middle = [0.5 * (min(p[k] for p in corners) + max(p[k] for p in corners)) for k in range(3)]
-    return [tuple(tuple(middle[k] + 0.5 * (p[k] - middle[k]) for k in range(3)) for p in t) for t in triangles]
-
-
-def drawn(r, triangles):
-    """The same surface as drawings have it: mostly once, facing outwards."""
-    how = r.choice(["plain"] * 5 + ["doubled", "inverted", "nested", "hollow", "open"])
-    if how == "doubled":
-        return triangles + flipped(triangles)
-    if how == "inverted":
-        return flipped(triangles)
-    if how == "nested":
-        return triangles + shrunk(triangles)
-    if how == "hollow":
-        return triangles + flipped(shrunk(triangles))
-    return triangles[:-1] if how == "open" else triangles
+class Undecided(Exception):
+    """A rapid whose way is not known moves too many axes: the program is no case."""
 
 
 def axis_xml(name, kind, direction, inside, location=None, extra=""):
     place = f' location="{location}"' if location else ""
     rate = 7200 if kind == "rotary" else 30000
-    return (f'<axis name="{name}" type="{kind}" direction="{direction}"{place} rate_max="{rate}" {extra}>{inside}</axis>')
+    return (f'<axis name="{name}" type="{kind}" direction="{direction}"{place} rate_max="{rate}" {extra}>{inside}'
+            '</axis>')
 
 
 class Case:
@@ -105,6 +68,7 @@ class Case:
 
     prologue = ""
     tip = False  # the program guides the tool's tip
+    rapids = 0.05  # the share of the blocks that are rapids
 
     def __init__(self, seed, number, folder, most=5000):
         self.random = random.Random(f"{seed} {number}")
@@ -116,7 +80,7 @@ class Case:
         self.wrap = r.choice(["none", "shortest", "sign"])
         self.clearance = r.choice([0, 0, 0, 0.5])
         self.e = r.choice([0.001, 0.001, 0.01, 0.1])
-        r.choice([self.head_over_table, self.trunnion, self.tilting_head])()
+        r.choice([self.head_over_table, self.trunnion, self.tilting_head, self.cutting])()
         self.blocks = self.walk(min(most, r.randrange(3000, 5001) if r.random() < 0.8 else r.randrange(5, 200)))
 
     def controller(self):
@@ -152,13 +116,19 @@ class Case:
         self.approach, self.range = "X", (-25.0, 40.0)
         self.wander = {"C": 2.0, "Z": 3.0}
 
-    def trunnion(self):
+    def cutting(self):
+        """A cutter that comes to a part, which it may enter a little at rapid or standing."""
+        self.rapids = self.random.choice([0, 0.05, 0.5])
+        self.trunnion(cutting=True)
+
+    def trunnion(self, cutting=False):
         """A tool, or the bare spindle nose, above a table that tilts and turns."""
         r = self.random
-        tool = r.random() < 0.7
+        tool = cutting or r.random() < 0.7
         spindle = '<spindle location="0 0 300" direction="0 0 -1"/>' if tool else ""
         head = self.mesh("nose", box((-30, -30, 300), (30, 30, 400))) + spindle
-        tree = axis_xml("X", "linear", "1 0 0", axis_xml("Y", "linear", "0 1 0", axis_xml("Z", "linear", "0 0 1", head)))
+        z = axis_xml("Z", "linear", "0 0 1", head)
+        tree = axis_xml("X", "linear", "1 0 0", axis_xml("Y", "linear", "0 1 0", z))
         table = self.mesh("table", self.gear(120, 0, 20)) + '<workholding location="0 0 20"/>'
         cradle = self.mesh("cradle", box((-150, -40, -60), (150, 40, -10)))
         c = axis_xml("C", "rotary", "0 0 -1", table, "0 0 0", f'wrap="{self.wrap}"')
@@ -167,9 +137,10 @@ class Case:
         reach = 0
         if tool:
             reach = r.choice([60, 110])
-            setup = (f'<setup version="1">{self.part()}<tool number="1" length="{reach}">'
+            setup = (f'<setup version="1">{self.part(cutting)}<tool number="1" length="{reach}">'
                      f'<holder><section length="{reach - 30}" diameter="40"/></holder>'
-                     f'<cutter tip="{r.choice(["flat", "ball"])}"><section length="30" diameter="12"/></cutter></tool></setup>\n')
+                     f'<cutter tip="{r.choice(["flat", "ball"])}"><section length="30" diameter="12"/></cutter></tool>'
+                     '</setup>\n')
             self.prologue = "T1 M6\n" + r.choice(["", "M3 S1000\n"])
             if r.random() < 0.4:
                 self.prologue += "G43.4 H1\n"
@@ -178,13 +149,14 @@ class Case:
         self.approach, self.range = "Z", (-280.0 + reach - 140, -279.0 + reach + 160)
         self.wander = {"A": 1.0, "C": 2.0, "X": 3.0, "Y": 3.0}
 
-    def part(self):
+    def part(self, always):
         """On the table, or nothing. A cutter may enter it while it cuts."""
         r = self.random
-        if r.random() < 0.4:
+        if not always and r.random() < 0.4:
             return ""
         write_stl(os.path.join(self.folder, "part.stl"), drawn(r, box((-50, -45, 0), (50, 45, r.uniform(10, 60)))))
-        return '<part name="blank" mesh="part.stl"%s/>' % r.choice(["", ' rapid_allowance="0.02"', ' gouge="0.5"'])
+        depth = r.choice(["", ' rapid_allowance="0.02"', ' gouge="0.5"', ' gouge="0.05"'])
+        return f'<part name="blank" mesh="part.stl"{depth}/>'
 
     def tilting_head(self):
         """A head that tilts by B and turns by C over blocks on the base."""
@@ -211,7 +183,7 @@ class Case:
                 if r.random() < 0.8:
                     at[axis] += step * amount * r.uniform(-1, 1) - 0.02 * at[axis]
             retreat = r.choice([0, 0, r.uniform(0, 0.01 if slides else 2)]) if retreats else 0
-            kind = "G0" if r.random() < 0.05 else "G1"
+            kind = "G0" if r.random() < self.rapids else "G1"
             blocks.append((kind, retreat, dict(at), r.random() < 0.1))
         return blocks
 
@@ -238,6 +210,7 @@ class Asker:
     def __init__(self, fivecheck, case, patience=None):
         self.fivecheck, self.case, self.patience = fivecheck, case, patience
         self.runs = 0
+        self.settled = False  # the programs are known to be decidable
         self.began = seconds_used()
 
     def limit_time(self):
@@ -251,6 +224,8 @@ class Asker:
         if self.patience and (done.returncode in (-signal.SIGXCPU, -signal.SIGKILL) or
                               seconds_used() - self.began > self.patience):
             raise TooSlow()
+        if not self.settled and done.returncode == 2 and "cannot be decided with reasonable effort" in done.stderr:
+            raise Undecided()
         if done.returncode not in statuses:
             raise Fault(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()}")
         return done
@@ -303,12 +278,19 @@ class Asker:
 
 
 # Ways to ask that only tell more or only save time.
-def ways(levels):
+def ways(levels, with_glb):
     yield "-v", ["-v"], None
     yield "--timing", ["--timing=timing.csv"], None
     yield "--clearance-report", ["--clearance-report=near.csv"], None
     yield "--clearance-cap", ["--clearance-report=near.csv", "--clearance-cap=0.01"], None
     yield "--waivers", ["--waivers=none.xml"], None
+    yield "--report", ["--report=report.html"], None
+    yield "--report-code", ["--report=report.html", "--report-code=none", "--picture=picture.svg"], None
+    yield "--picture", ["--picture=picture.png", "--stats"], None
+    yield "--pose", ["--pose=pose.stl", "--record=run.record"], None
+    yield "--format", ["--format=sarif=run.sarif", "--format=junit=run.xml", "--format=github=run.txt"], None
+    if with_glb:
+        yield "--glb", ["--glb=scene.glb", "--report=report.html"], None
     for jobs in range(2, 6):
         yield f"-j{jobs}", [f"-j{jobs}"], None
     for level in levels:
@@ -350,7 +332,7 @@ def compare_shards(asker, programs, first, every):
 
 
 def compare_waived(asker, programs, every):
-    """With all findings waived the same ones are accepted; with the first waived the next one is the first that fails."""
+    """With all findings waived the same ones are accepted; with the first waived the next is the first that fails."""
     def bare(line):
         finding = json.loads(line)
         for key in ("accepted", "reason", "expires"):
@@ -367,25 +349,29 @@ def compare_waived(asker, programs, every):
     expect("the first waived", failing, {p: every[p][1][1:2] for p in programs})
 
 
-def compare(asker, programs, levels, count):
-    """count: of how many ways, drawn by lot; None: of all. Returns how many programs are clear."""
+def compare(asker, programs, levels, with_glb, count):
+    """count: of how many ways, drawn by lot; None: of all. Counts what is found first in programs, or their verdict."""
     r = asker.case.random
     plain = asker.run(programs)
     every = asker.run(programs, "-a", out="every.ndjson")
+    asker.settled = True
     expect("-a", (every[0], firsts(every[1])), (plain[0], firsts(plain[1])))
-    asked = list(ways(levels))
+    asked = list(ways(levels, with_glb))
     for name, options, simd in asked if count is None else r.sample(asked, count):
         # To measure takes long: it is asked for the two programs next to the turn.
-        some = programs[:2] if name.startswith("--clearance") else programs
+        some = programs[:2] if name.startswith(MEASURING) else programs
         for more, (_, wanted) in ([], plain), (["-a"], every):
-            expect(f"{name} {more}", asker.run(some, *options, *more, simd=simd)[1], {p: wanted[p] for p in some})
+            status = int(any(wanted[p][0] == "found" for p in some))
+            expect(f"{name} {more}", asker.run(some, *options, *more, simd=simd),
+                   (status, {p: wanted[p] for p in some}))
     if r.random() < 0.1:
         expect("--sensitivity", asker.run(programs[:2], "--sensitivity=0.01,0.01,0.01,0.01")[1],
                {p: plain[1][p] for p in programs[:2]})
     compare_shards(asker, programs, plain[1], every[1])
     if 0 < sum(len(findings) for _, findings in every[1].values()) < 1000:
         compare_waived(asker, programs, every[1])
-    return sum(verdict == "clear" for verdict, _ in plain[1].values())
+    return collections.Counter(json.loads(findings[0])["kind"] if findings else verdict
+                               for verdict, findings in plain[1].values())
 
 
 def find_turn(case, asker):
@@ -402,8 +388,8 @@ def find_turn(case, asker):
     return near, far
 
 
-def check(fivecheck, seed, number, folder, levels, most, count, patience):
-    """Returns how many programs were clear and how many were not, and the number of runs."""
+def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience):
+    """Returns what is found first in how many programs, and the number of runs."""
     case = Case(seed, number, folder, most)
     asker = Asker(fivecheck, case, patience)
 
@@ -418,18 +404,16 @@ def check(fivecheck, seed, number, folder, levels, most, count, patience):
     programs = [f"p{i}.nc" for i in range(len(places))]
     for place, program in zip(places, programs):
         case.program(place, program)
-    clear = compare(asker, programs, levels, count)
-    return (clear, len(programs) - clear), asker.runs
+    return compare(asker, programs, levels, with_glb, count), asker.runs
 
 
-def levels_of(fivecheck, folder):
+def abilities(fivecheck, folder):
+    """The levels of SIMD, and whether --glb was built in."""
     case = Case(0, 0, folder)
     case.program(case.range[1], "clear.nc")
-    levels = []
-    for level in ("scalar", "sse2", "avx2"):
-        if Asker(fivecheck, case).run(["clear.nc"], simd=level, statuses=(0, 1, 2))[0] != 2:
-            levels.append(level)
-    return levels
+    works = lambda *options, simd=None: Asker(fivecheck, case).run(["clear.nc"], *options, simd=simd,
+                                                                  statuses=(0, 1, 2))[0] != 2
+    return [level for level in ("scalar", "sse2", "avx2") if works(simd=level)], works("--glb=scene.glb")
 
 
 def main():
@@ -447,19 +431,23 @@ def main():
     arguments = parser.parse_args()
     fivecheck = os.path.abspath(arguments.fivecheck)
     numbers = [arguments.only] if arguments.only is not None else range(arguments.cases)
-    clear = found = runs = faults = slow = 0
+    kinds = collections.Counter()
+    runs = faults = slow = undecided = 0
     told = time.monotonic()
 
     with tempfile.TemporaryDirectory() as folder:
-        levels = levels_of(fivecheck, folder)
+        levels, with_glb = abilities(fivecheck, folder)
     for done, number in enumerate(numbers, 1):
         with tempfile.TemporaryDirectory() as folder:
             try:
-                counts, some = check(fivecheck, arguments.seed, number, folder, levels, arguments.blocks,
+                counts, some = check(fivecheck, arguments.seed, number, folder, levels, with_glb, arguments.blocks,
                                      arguments.ways, arguments.patience)
-                clear, found, runs = clear + counts[0], found + counts[1], runs + some
+                kinds.update(counts)
+                runs += some
             except TooSlow:
                 slow += 1
+            except Undecided:
+                undecided += 1
             except Fault as fault:
                 kept = os.path.join(arguments.keep, f"{arguments.seed}-{number}")
                 shutil.rmtree(kept, ignore_errors=True)
@@ -468,10 +456,16 @@ def main():
                 faults += 1
         if arguments.progress and (time.monotonic() - told > PROGRESS or done == len(numbers)):
             told = time.monotonic()
-            print(f"one_verdict: {done} of {len(numbers)} cases, {clear + found} programs, {runs} runs, "
+            print(f"one_verdict: {done} of {len(numbers)} cases, {sum(kinds.values())} programs, {runs} runs, "
                   f"{faults} disagreements", file=sys.stderr, flush=True)
-    print(f"one_verdict: {clear + found} programs near the turn of their verdict, {clear} clear, {found} not, "
-          f"levels {' '.join(levels)}, {runs} runs, {slow} cases left out as too slow, {faults} disagreements")
+    programs, cutting = sum(kinds.values()), kinds["rapid-contact"] + kinds["gouge"]
+    print(f"one_verdict: {programs} programs near the turn of their verdict, "
+          f"{', '.join(f'{number} {kind}' for kind, number in sorted(kinds.items()))}, "
+          f"levels {' '.join(levels)}, {runs} runs, {slow} cases left out as too slow, {undecided} as undecidable, "
+          f"{faults} disagreements")
+    if programs >= MANY and cutting < SHARE_OF_CUTTING * programs:
+        print(f"one_verdict: a cutter enters a part in {cutting} programs only: too few to try that")
+        return 1
     return 1 if faults else 0
 
 
