@@ -2,11 +2,11 @@
 
 #include <math.h>
 
-#include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "geom/tolerance.h"
 
 /* How far a direction may lean from an axis, as a part of its length. */
 #define ALONG 1e-9
@@ -106,7 +106,7 @@ static bool check_plane(struct interp *interp, int column)
 
 	if (state->tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "tool radius compensation while TRAORI is on is not supported");
-	if (state->frame.on && state->frame.distorts && !same_double(vec3_norm(state->frame.turn.x), 1))
+	if (state->frame.on && state->frame.distorts && fabs(vec3_norm(state->frame.turn.x) - 1) > DIRECTION_TOLERANCE)
 		return fault(&interp->at, column, "tool radius compensation while SCALE is in force is not supported yet");
 	if (sinumerik_of(interp)->turns_plane)
 		return true;

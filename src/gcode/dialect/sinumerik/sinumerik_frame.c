@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
 
 /* Factors of a scale are equal, and directions are at right angles, within this much. */
 #define SAME_SCALE 1e-12
@@ -110,7 +111,7 @@ static void describe_frame(struct rotated_frame *frame, const mat3 *matrix)
 	frame->turn = *matrix;
 	frame->back = (mat3){apply_inverse(matrix, xyz[0]), apply_inverse(matrix, xyz[1]), apply_inverse(matrix, xyz[2])};
 	frame->mirrors = vec3_dot(matrix->x, vec3_cross(matrix->y, matrix->z)) < 0;
-	frame->distorts = frame->mirrors || !sinumerik_frame_scale(matrix, &factor) || !same_double(factor, 1);
+	frame->distorts = frame->mirrors || !sinumerik_frame_scale(matrix, &factor) || fabs(factor - 1) > DIRECTION_TOLERANCE;
 	frame->growth = sqrt(vec3_norm2(matrix->x) + vec3_norm2(matrix->y) + vec3_norm2(matrix->z));
 }
 
