@@ -21,11 +21,6 @@ void raster_release(struct raster *raster)
 	*raster = (struct raster){0};
 }
 
-static int clamp(double value, int most)
-{
-	return value < 0 ? 0 : value > most ? most : (int)value;
-}
-
 /* Twice the area of the triangle a b c, positive if it turns from x to y. */
 static double area_of(vec3 a, vec3 b, vec3 c)
 {
@@ -42,17 +37,34 @@ static void draw_pixel(struct raster *raster, int x, int y, float depth, uint8_t
 	raster->paints[i] = paint;
 }
 
+static double least_of(double a, double b, double c)
+{
+	const double ab = a < b ? a : b;
+
+	return ab < c ? ab : c;
+}
+
+static double most_of(double a, double b, double c)
+{
+	const double ab = a > b ? a : b;
+
+	return ab > c ? ab : c;
+}
+
 /* The pixels of a row, or of a column, whose centres are between low and high: from *first to the one before *end. */
 static void pixels_between(double low, double high, int most, int *first, int *end)
 {
-	*first = clamp(ceil(low - 0.5), most);
-	*end = clamp(floor(high - 0.5) + 1, most);
+	const double from = low - 0.5, to = high - 0.5;
+
+	/* Casts instead of ceil and floor, which are calls: this is done for each triangle. */
+	*first = !(from > 0) ? 0 : from > most ? most : (int)from + (from > (int)from);
+	*end = !(to >= 0) ? 0 : to + 1 > most ? most : (int)to + 1;
 }
 
 static void bounds_of(const struct raster *raster, const vec3 p[3], int x[2], int y[2])
 {
-	pixels_between(fmin(p[0].x, fmin(p[1].x, p[2].x)), fmax(p[0].x, fmax(p[1].x, p[2].x)), raster->width, &x[0], &x[1]);
-	pixels_between(fmin(p[0].y, fmin(p[1].y, p[2].y)), fmax(p[0].y, fmax(p[1].y, p[2].y)), raster->height, &y[0], &y[1]);
+	pixels_between(least_of(p[0].x, p[1].x, p[2].x), most_of(p[0].x, p[1].x, p[2].x), raster->width, &x[0], &x[1]);
+	pixels_between(least_of(p[0].y, p[1].y, p[2].y), most_of(p[0].y, p[1].y, p[2].y), raster->height, &y[0], &y[1]);
 }
 
 bool raster_may_show(const struct raster *raster, const vec3 p[3])
@@ -100,6 +112,7 @@ void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 
 		narrow((struct share){a0, a_step}, &from, &to);
 		narrow((struct share){b0 + (from - columns[0]) * b_step, b_step}, &from, &to);
+		narrow((struct share){1 - a0 - b0 - (from - columns[0]) * (a_step + b_step), -a_step - b_step}, &from, &to);
 		for (int x = from; x < to; x++) {
 			const double a = a0 + (x - columns[0]) * a_step, b = b0 + (x - columns[0]) * b_step;
 

@@ -112,19 +112,6 @@ static bool is_there(const struct stage *stage, int body)
 	return it->bvh && (it->body->tool == 0 || it->body->tool == stage->tool);
 }
 
-static void draw_triangle(const struct camera *camera, vec3 light, struct raster *raster, const vec3 p[3],
-			  enum paint_class class, double nearer)
-{
-	vec3 at[3];
-
-	for (int k = 0; k < 3; k++) {
-		at[k] = camera_project(camera, raster, p[k]);
-		at[k].z += nearer;
-	}
-	if (raster_may_show(raster, at))
-		raster_triangle(raster, at, paint_of(camera, light, class, p));
-}
-
 /* The middle of a body as it stands, and the radius of a ball around it. */
 static vec3 middle_of(const struct stage *stage, int body, double *radius)
 {
@@ -145,34 +132,70 @@ static bool is_in_sight(const struct stage *stage, const struct camera *camera, 
 	return at.x + radius >= 0 && at.x - radius <= raster->width && at.y + radius >= 0 && at.y - radius <= raster->height;
 }
 
+/* From the coordinates of a mesh to the raster at once: rows of a matrix, and what is added. */
+struct screen {
+	vec3 x, y, z, shift;
+};
+
+static struct screen screen_of(const struct camera *camera, const struct raster *raster, const xform *pose)
+{
+	const double scale = camera->scale * raster->width;
+
+	return (struct screen){
+		vec3_scale(scale, mat3_apply_transposed(&pose->rotation, camera->right)),
+		vec3_scale(-scale, mat3_apply_transposed(&pose->rotation, camera->up)),
+		mat3_apply_transposed(&pose->rotation, camera->toward),
+		camera_project(camera, raster, pose->translation),
+	};
+}
+
+static vec3 screen_place(const struct screen *screen, vec3 p)
+{
+	return vec3_add(screen->shift, (vec3){vec3_dot(screen->x, p), vec3_dot(screen->y, p), vec3_dot(screen->z, p)});
+}
+
 static void draw_body(const struct stage *stage, const struct camera *camera, struct raster *raster, int body)
 {
 	const struct scene_body *it = &stage->scene->bodies[body];
 	const xform link = machine_pose(stage->scene->machine, it->body->link, &stage->axes);
 	const xform pose = xform_mul(&link, &it->body->placement);
+	const struct screen screen = screen_of(camera, raster, &pose);
 	const enum paint_class class = class_of(stage, body);
 	const vec3 light = light_of(camera);
 
 	for (size_t i = 0; i < it->bvh->mesh.count; i++) {
-		vec3 p[3];
+		vec3 p[3], at[3];
 
 		for (int k = 0; k < 3; k++)
+			at[k] = screen_place(&screen, mesh_corner(&it->bvh->mesh.triangles[i], k));
+		if (!raster_may_show(raster, at))
+			continue;
+		for (int k = 0; k < 3; k++)
 			p[k] = xform_apply(&pose, mesh_corner(&it->bvh->mesh.triangles[i], k));
-		draw_triangle(camera, light, raster, p, class, 0);
+		raster_triangle(raster, at, paint_of(camera, light, class, p));
 	}
+}
+
+/* A triangle of the contact, a little nearer than the body's own at the same place. */
+static void draw_contact(const struct camera *camera, struct raster *raster, const vec3 p[3], enum paint_class class)
+{
+	vec3 at[3];
+
+	for (int k = 0; k < 3; k++) {
+		at[k] = camera_project(camera, raster, p[k]);
+		at[k].z += 0.05;
+	}
+	raster_triangle(raster, at, paint_of(camera, light_of(camera), class, p));
 }
 
 void stage_draw(const struct stage *stage, const struct camera *camera, struct raster *raster)
 {
-	const vec3 light = light_of(camera);
-
 	for (int i = 0; (size_t)i < stage->scene->body_count; i++) {
 		if (is_there(stage, i) && is_in_sight(stage, camera, raster, i))
 			draw_body(stage, camera, raster, i);
 	}
-	/* A little nearer than the body's own triangle at the same place. */
 	for (int side = 0; stage->triangles && side < 2; side++)
-		draw_triangle(camera, light, raster, stage->triangles[side], side ? PAINT_CONTACT_B : PAINT_CONTACT_A, 0.05);
+		draw_contact(camera, raster, stage->triangles[side], side ? PAINT_CONTACT_B : PAINT_CONTACT_A);
 }
 
 /* ----------------------------------------------------------------- camera */
