@@ -222,8 +222,6 @@ static const struct refused_program programs[] = {
 	 "REPEAT stands at the start of its block"},
 	{"ELSE\n", 1, 1,
 	 "IF in line 1 has no ENDIF"},
-	{"RET\n", 1, 1,
-	 "this returns, but no subprogram is being carried out"},
 };
 
 START_TEST(refused)

@@ -8,16 +8,20 @@ static const struct refused_program programs[] = {
 	 "a value is needed here"},
 	{"CALL \"../.SPF\"\n", 1, 6,
 	 ".SPF is neither a word that is known nor a subprogram: no file .SPF.SPF (or .spf, .MPF, .mpf, in "
-	 "upper or lower case) lies beside the program or in a folder of --include"},
+	 "upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
+	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
 	{"EXTCALL \"NOSUCH\"\n", 1, 9,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
+	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
 	{"NOSUCH\n", 1, 1,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
+	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
 	{"NOSUCH(1,2)\n", 1, 1,
 	 "NOSUCH is neither a word that is known nor a subprogram: no file NOSUCH.SPF (or .spf, .MPF, .mpf, "
-	 "in upper or lower case) lies beside the program or in a folder of --include"},
+	 "in upper or lower case) lies beside the program or in a folder of --include; of a cycle of the machine's "
+	 "maker that moves no axis, a file with nothing but PROC and RET says so"},
 	{"L100 P2\n", 1, 1,
 	 "there is no file L100.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in "
 	 "a folder of --include; if L100 is the builder's and moves no axis, <macro program=\"100\" "

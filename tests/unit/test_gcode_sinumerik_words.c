@@ -38,6 +38,15 @@ static const struct program {
 	 "feed 4 5 6 0 0\nfeed 7 0 6 0 0\n"},
 	{"F6 G500\nDEF REAL AA = 3\nAA = AA * 2\nFOR R5 = 1 TO 2\nX = AA + R5\nENDFOR\n",
 	 "feed 7 0 0 0 0\nfeed 8 0 0 0 0\n"},
+	/* System variables: a settable work offset by its shift; timers and markers have no geometry. */
+	{"F6 $AC_TIMER[1]=0 $AC_MARKER[2]=R1\n$P_UIFR[1,X,TR]=5 $P_UIFR[1,Y,FI]=0\n$P_UIFR[2]=CTRANS(X,1,Z,R1+3)\nG54\nX1\n"
+	 "G55 X1 Z0\n",
+	 "feed 6 0 0 0 0\nfeed 2 0 3 0 0\n"},
+	/* ORISON and G60; K0 beside a circle in XY; RET of a subprogram that is started by itself. */
+	{"PROC ALONE(REAL AT) SAVE\nF6 G500 G17\nORISON G60 X1\nORISOF X2\nG2 X4 I1 J0 K0\nRET\nX9\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\narc 4 0 0 0 0 centre 3 0 0 normal 0 0 1 sweep -180\n"},
+	{"F6 G500 TOWSTD CUTCONOF TRAILOF(Y) FB=5\nWAITM(1,1,2)\nX1\n",
+	 "feed 1 0 0 0 0\n"},
 	/* "Position pattern": without a modal cycle it only goes there. */
 	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,1,-2)\nCYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)\nMCALL\n"
 	 "HOLES1(0,0,0,10,5,2)\n",
@@ -49,6 +58,13 @@ static const struct program {
 static const struct bad {
 	const char *text, *message;
 } bad[] = {
+	{"G54\n$P_UIFR[1,X,TR]=5\n",
+	 "$P_UIFR[1] is the work offset in force, and takes effect at its next selection; select G500 before it"},
+	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},
+	{"$P_UIFR[1]=CROT(X,5)\n",
+	 "$P_UIFR is given a shift, CTRANS(), here; other frames are not supported yet"},
+	{"$TC_DP3[1,1]=5\n", "$TC_DP3: a program that writes data of the control is not supported yet"},
+	{"CUTCONON\n", "CUTCONON: suspended cutter compensation is not supported yet"},
 	{"F6 G500\nAP=30\n", "AP= without any RP= before"},
 	{"F6 G500\nRP=30\n", "RP= without any AP= before"},
 	{"F6 G500\nRP=-3 AP=0\n", "RP= is an absolute radius that is not negative"},

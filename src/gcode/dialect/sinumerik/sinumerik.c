@@ -5,6 +5,7 @@
 #include "gcode/dialect/dialects.h"
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
+#include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
@@ -13,6 +14,7 @@
 #include "gcode/eval/expr.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/motion_commands.h"
 #include "gcode/program.h"
 
 /* At the first line: what the dialect has at power-on beside the modes of state_init. */
@@ -74,6 +76,11 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
 			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");
+		/* A subprogram that is started by itself ends with it. */
+		if (!sinumerik_call_is_inside(interp)) {
+			interp->ended = true;
+			return sinumerik_comp_stop(interp, column, true) && motion_commands_spindle_stops(interp);
+		}
 		return sinumerik_call_return(interp, column);
 	}
 	*done = false;

@@ -4,6 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 
@@ -122,7 +123,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 	if (is_r(name))
 		return set_r(interp, lexer, name);
 	if (name[0] == '$')
-		return fault(lexer->at, column, "%s: a program that writes data of the control is not supported yet", name);
+		return sinumerik_system_write(interp, lexer, name, column);
 	found = sinumerik_variables_find(sinumerik, name);
 	if (found < 0)
 		return fault(lexer->at, column,

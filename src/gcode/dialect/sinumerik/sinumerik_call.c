@@ -153,7 +153,8 @@ static bool fault_missing(struct interp *interp, const char *name, int column)
 			     name, name, name + 1);
 	return fault(&interp->at, column,
 		     "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
-		     "lower case) lies beside the program or in a folder of --include",
+		     "lower case) lies beside the program or in a folder of --include; of a cycle of the machine's maker that "
+		     "moves no axis, a file with nothing but PROC and RET says so",
 		     name, name);
 }
 

@@ -162,7 +162,9 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 	const int unused = c->plane->not_used - 'A';
 	double r0, r1;
 
-	if (sinumerik_block_has(block, c->plane->not_used))
+	/* 0 from the start is no way. */
+	if (sinumerik_block_has(block, c->plane->not_used) &&
+	    (fabs(block->value[unused]) > 0 || block->way[unused] == SINUMERIK_WAY_AC))
 		return fault(&interp->at, block->column[unused],
 			     "%c does not belong to the centre of a circle in the plane of G%d", c->plane->not_used,
 			     interp->state.plane / 10);

@@ -85,8 +85,8 @@
 	PLAIN_ROW(ROW, "ORIRPY", IGNORED, "what A2, B2 and C2 mean") \
 	PLAIN_ROW(ROW, "ORIRPY2", IGNORED, "what A2, B2 and C2 mean") \
 	PLAIN_ROW(ROW, "ORIEULER", IGNORED, "what A2, B2 and C2 mean") \
-	PLAIN_ROW(ROW, "ORISOF", IGNORED, "no smoothing of the orientation") \
-	REFUSED_ROW(ROW, "ORISON", "smoothing of the orientation") \
+	CODE_ROW(ROW, "ORISOF", ORI_SMOOTHING, SINUMERIK_ORISOF, "no smoothing of the orientation") \
+	CODE_ROW(ROW, "ORISON", ORI_SMOOTHING, SINUMERIK_ORISON, "smoothing of the orientation, within OTOL") \
 	REFUSED_ROW(ROW, "ORIVIRT1", "virtual orientation axes") \
 	REFUSED_ROW(ROW, "ORIVIRT2", "virtual orientation axes") \
 	REFUSED_ROW(ROW, "ORIPATH", "orientation by the path") \
@@ -205,6 +205,26 @@
 	PLAIN_ROW(ROW, "GROUP_BEGIN", IGNORED_CALL, "group of blocks in the editor") \
 	PLAIN_ROW(ROW, "GROUP_END", IGNORED_CALL, "group of blocks in the editor") \
 	PLAIN_ROW(ROW, "EXTERN", IGNORED_LINE, "declaration of a subprogram") \
+	PLAIN_ROW(ROW, "GROUP_ADDEND", IGNORED_CALL, "group of blocks in the editor") \
+	PLAIN_ROW(ROW, "TOWSTD", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "TOWMCS", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "TOWWCS", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "TOWBCS", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "TOWTCS", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "TOWKCS", IGNORED, "in which coordinates wear counts") \
+	PLAIN_ROW(ROW, "CUTCONOF", IGNORED, "no suspended cutter compensation") \
+	REFUSED_ROW(ROW, "CUTCONON", "suspended cutter compensation") \
+	PLAIN_ROW(ROW, "SCPARA", IGNORED_VALUE, "parameters of an axis' control") \
+	PLAIN_ROW(ROW, "GET", IGNORED_CALL, "axis of another channel") \
+	PLAIN_ROW(ROW, "GETD", IGNORED_CALL, "axis of another channel") \
+	PLAIN_ROW(ROW, "RELEASE", IGNORED_CALL, "axis for another channel") \
+	PLAIN_ROW(ROW, "WAITP", IGNORED_CALL, "wait for a positioning axis") \
+	PLAIN_ROW(ROW, "WAITM", IGNORED_CALL, "wait for another channel") \
+	PLAIN_ROW(ROW, "TRAILOF", IGNORED_CALL, "no coupling of axes") \
+	PLAIN_ROW(ROW, "LEADOF", IGNORED_CALL, "no coupling of axes") \
+	PLAIN_ROW(ROW, "COUPOF", IGNORED_CALL, "no coupling of spindles") \
+	PLAIN_ROW(ROW, "TANGOF", IGNORED_CALL, "no axis that follows the path") \
+	PLAIN_ROW(ROW, "FB", IGNORED_VALUE, "feed of the block alone") \
 	PLAIN_ROW(ROW, "WRITE", IGNORED_CALL, "text to a file") \
 	PLAIN_ROW(ROW, "DELDTG", IGNORED, "distance to go") \
 	ROW("MCALL", MODAL, MOTION, 0, CODE_READ, "modal call of a cycle or subprogram") \

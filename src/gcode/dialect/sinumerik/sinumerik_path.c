@@ -15,7 +15,7 @@ static void apply(struct interp *interp)
 	struct state *state = &interp->state;
 	const bool within_control = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(641);
 
-	state->blend = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(60);
+	state->blend = sinumerik->compresses || sinumerik->smooths_orientation || sinumerik->path_code != SINUMERIK_G(60);
 	state->blend_turn = radians(sinumerik->orientation_tolerance);
 	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
 	if (sinumerik->path_code == SINUMERIK_G(64) || sinumerik->path_code == SINUMERIK_G(644))
@@ -55,6 +55,8 @@ void sinumerik_path_set(struct interp *interp, const struct sinumerik_block *blo
 		sinumerik->path_code = block->code[SINUMERIK_PATH];
 	if (block->code[SINUMERIK_COMPRESSOR] != CODE_NONE)
 		sinumerik->compresses = block->code[SINUMERIK_COMPRESSOR] == SINUMERIK_COMPON;
+	if (block->code[SINUMERIK_ORI_SMOOTHING] != CODE_NONE)
+		sinumerik->smooths_orientation = block->code[SINUMERIK_ORI_SMOOTHING] == SINUMERIK_ORISON;
 	apply(interp);
 }
 

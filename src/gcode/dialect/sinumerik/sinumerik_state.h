@@ -154,6 +154,7 @@ struct sinumerik {
 	double orientation_tolerance;	/* degrees: OTOL or that of CYCLE832; 0: not known */
 	int path_code;	/* G60, G64, G641 ... */
 	double smoothing;	/* mm: the tolerance of CYCLE832 or CTOL; 0: not known */
+	bool smooths_orientation;	/* ORISON */
 	bool compresses;	/* COMPCAD and its like */
 	struct sinumerik_polar polar;
 	int approach;	/* NORM, KONT, or CODE_NONE: a parameter says */
