@@ -259,8 +259,8 @@ static void draw_point(uint64_t *random, double *y, double *x)
 		*y = nudged(random, *x * round(128 * fraction(random)) / 128);
 		return;
 	case 3: /* a quotient that is denormal, or nearly so */
-		*x = of_size(random, 900, 1023);
-		*y = of_size(random, -200, 0);
+		*x = of_size(random, 0, 1023);
+		*y = of_size(random, -1074, 0);
 		return;
 	default:
 		*y = sign(random) * 1000 * fraction(random);

@@ -100,6 +100,13 @@ START_TEST(special_values)
 		same(math_tan(infinite), NAN);
 		same(math_atan2(zero, 1), zero);
 		same(math_atan2(zero, 0.0), zero);
+		same(math_atan2(least, DBL_MAX), zero);
+		same(math_atan2(least, 1), least);
+		same(math_atan2_degrees(least, DBL_MAX), zero);
+		same(math_atan2_degrees(s * 0x1p-1022, 0x1p50), s * 0xe5p-1074);
+		same(math_sin_degrees(s * 0x1p-1070), zero);
+		same(math_exp(-745.1), 0x1p-1074);
+		same(math_exp(-750), 0.0);
 		same(math_atan2(zero, -0.0), s * PI);
 		same(math_atan2(zero, -1), s * PI);
 		same(math_atan2(s, 0), s * PI / 2);

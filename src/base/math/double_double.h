@@ -96,8 +96,8 @@ static inline dd dd_divide(dd a, dd b)
 }
 
 /*
- * (hi + lo) 2^exponent, rounded once also where the result is denormal. 2^-60 <= |hi| <= 2^60; the exponent is -1500 to
- * 1500. In math_exponential.c.
+ * (hi + lo) 2^exponent, rounded once also where the result is denormal. 2^-60 <= |hi| <= 2^60; the exponent is 1500
+ * at most. In math_exponential.c.
  */
 double dd_scaled(dd a, int exponent);
 

@@ -118,12 +118,15 @@ double dd_scaled(dd a, int exponent)
 {
 	const int size = (int)(bits_of(a.hi) >> 52 & 0x7ff) - 1023 + exponent, half = exponent / 2;
 
+	/* Less than half of the least number. */
+	if (size < -1076)
+		return copysign(0, a.hi);
 	if (size < -1022) {
 		/* Beside this number, the last place is that of the denormal numbers. */
 		const double large = copysign(power_of_two(-1022 - exponent), a.hi);
 		const dd sum = two_sum(large, a.hi);
 
-		a.hi = (sum.hi + (sum.lo + a.lo)) - large;
+		a.hi = copysign((sum.hi + (sum.lo + a.lo)) - large, a.hi);
 		a.lo = 0;
 	}
 	return (a.hi + a.lo) * power_of_two(half) * power_of_two(exponent - half);

@@ -201,13 +201,37 @@ static dd signed_as(dd value, unsigned negative)
 	return (dd){sign * value.hi, sign * value.lo};
 }
 
-static void sine_and_cosine(struct turn turn, dd *sine, dd *cosine)
+/* The table's values for the steps of the turn: the sine and the cosine of what lies before the rest. */
+static void look_up(struct turn turn, dd *sine, dd *cosine)
 {
 	const unsigned quadrant = turn.steps / 32, k = turn.steps % 32, odd = quadrant & 1;
-	const dd s = signed_as(sines[odd ? 32 - k : k], quadrant & 2);
-	const dd c = signed_as(sines[odd ? k : 32 - k], (quadrant + 1) & 2);
-	const struct small_angle small = small_angle_of(turn.rest);
 
+	*sine = signed_as(sines[odd ? 32 - k : k], quadrant & 2);
+	*cosine = signed_as(sines[odd ? k : 32 - k], (quadrant + 1) & 2);
+}
+
+static dd sine_of(struct turn turn)
+{
+	const struct small_angle small = small_angle_of(turn.rest);
+	dd s, c;
+
+	look_up(turn, &s, &c);
+	return added(s, c, &small);
+}
+
+/* The sine of a quarter more. */
+static dd cosine_of(struct turn turn)
+{
+	turn.steps = (turn.steps + 32) & 127;
+	return sine_of(turn);
+}
+
+static void sine_and_cosine(struct turn turn, dd *sine, dd *cosine)
+{
+	const struct small_angle small = small_angle_of(turn.rest);
+	dd s, c;
+
+	look_up(turn, &s, &c);
 	*sine = added(s, c, &small);
 	*cosine = added(c, dd_negative(s), &small);
 }
@@ -232,18 +256,22 @@ void math_sin_cos(double angle, double *sine, double *cosine)
 
 double math_sin(double angle)
 {
-	double sine, cosine;
+	dd sine;
 
-	math_sin_cos(angle, &sine, &cosine);
-	return sine;
+	if (fabs(angle) < SMALL_ANGLE || !isfinite(angle))
+		return isfinite(angle) ? angle : angle - angle;
+	sine = sine_of(turn_of(angle));
+	return sine.hi + sine.lo;
 }
 
 double math_cos(double angle)
 {
-	double sine, cosine;
+	dd cosine;
 
-	math_sin_cos(angle, &sine, &cosine);
-	return cosine;
+	if (fabs(angle) < SMALL_ANGLE || !isfinite(angle))
+		return isfinite(angle) ? 1 : angle - angle;
+	cosine = cosine_of(turn_of(angle));
+	return cosine.hi + cosine.lo;
 }
 
 static double tangent(struct turn turn)
@@ -272,21 +300,21 @@ static double tiny_radians(double angle)
 
 double math_sin_degrees(double angle)
 {
-	dd sine, cosine;
+	dd sine;
 
 	if (fabs(angle) < SMALL_ANGLE || !isfinite(angle))
 		return isfinite(angle) ? tiny_radians(angle) : angle - angle;
-	sine_and_cosine(turn_of_degrees(angle), &sine, &cosine);
+	sine = sine_of(turn_of_degrees(angle));
 	return sine.hi + sine.lo + 0;	/* no -0 */
 }
 
 double math_cos_degrees(double angle)
 {
-	dd sine, cosine;
+	dd cosine;
 
 	if (!isfinite(angle))
 		return angle - angle;
-	sine_and_cosine(turn_of_degrees(angle), &sine, &cosine);
+	cosine = cosine_of(turn_of_degrees(angle));
 	return cosine.hi + cosine.lo + 0;
 }
 
