@@ -127,7 +127,7 @@ double dd_scaled(dd a, int exponent)
 		const dd sum = two_sum(large, a.hi);
 
 		a.hi = copysign((sum.hi + (sum.lo + a.lo)) - large, a.hi);
-		a.lo = 0;
+		a.lo = -0.0;	/* which leaves -0 as it is */
 	}
 	return (a.hi + a.lo) * power_of_two(half) * power_of_two(exponent - half);
 }
