@@ -33,8 +33,8 @@ ROUNDS = 5
 BESIDE_MM = (-0.5, -0.05)
 BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
 
-# Options that measure clearances.
-MEASURING = ("--clearance", "--report", "--glb")
+# Options that take long.
+COSTLY = ("--clearance", "--report", "--glb", "--picture")
 
 # Of so many programs at least this share must have a cutter in a part: else that is not tried.
 MANY = 400
@@ -358,8 +358,8 @@ def compare(asker, programs, levels, with_glb, count):
     expect("-a", (every[0], firsts(every[1])), (plain[0], firsts(plain[1])))
     asked = list(ways(levels, with_glb))
     for name, options, simd in asked if count is None else r.sample(asked, count):
-        # To measure takes long: it is asked for the two programs next to the turn.
-        some = programs[:2] if name.startswith(MEASURING) else programs
+        # What takes long is asked for the two programs next to the turn.
+        some = programs[:2] if name.startswith(COSTLY) else programs
         for more, (_, wanted) in ([], plain), (["-a"], every):
             status = int(any(wanted[p][0] == "found" for p in some))
             expect(f"{name} {more}", asker.run(some, *options, *more, simd=simd),
