@@ -1,6 +1,6 @@
 /*
  * peer.cpp - the usual way: the bodies are posed every so many seconds, and FCL (OBB trees, `collide`, one contact)
- * looks at every pair that fivecheck follows.
+ * looks at every pair that fivecheck follows, the boxes around the bodies first.
  *
  *   peer SCENE PATH STEP LIMIT
  *     TOTAL LOOKED SECONDS BUILD A B LINE TIME
@@ -31,6 +31,18 @@ struct Peer {
 	std::vector<std::unique_ptr<fcl::BVHModel<Volume>>> models;
 	fcl::CollisionRequest<double> request{1, false};
 
+	/*
+	 * The oriented boxes around both bodies, before anything is set up for their trees. overlap takes the second
+	 * box at the given place as the first one sees it; its comment has it the other way round.
+	 */
+	bool boxes_meet(const solid_pair &pair, const fcl::Transform3<double> &a, const fcl::Transform3<double> &b) const
+	{
+		const fcl::Transform3<double> b_in_a = a.inverse(Eigen::Isometry) * b;
+
+		return fcl::overlap(b_in_a.linear(), b_in_a.translation(), models[(size_t)pair.a]->getBV(0).bv,
+				    models[(size_t)pair.b]->getBV(0).bv);
+	}
+
 	/* The first pair that meets, or NULL. */
 	const solid_pair *look(const double *q, int tool) const
 	{
@@ -44,7 +56,9 @@ struct Peer {
 			const solid_pair &pair = world->pairs[i];
 			fcl::CollisionResult<double> result;
 
-			if (!pair.looked || !is_there(world, &pair, tool))
+			if (!pair.looked || !is_there(world, &pair, tool) ||
+			    !boxes_meet(pair, transforms[world->solids[pair.a].link],
+					transforms[world->solids[pair.b].link]))
 				continue;
 			if (fcl::collide(models[(size_t)pair.a].get(), transforms[world->solids[pair.a].link],
 					 models[(size_t)pair.b].get(), transforms[world->solids[pair.b].link],
