@@ -28,7 +28,8 @@ static const char *unsupported(const struct check_options *options)
 {
 	if (options->method != CHECK_CERTIFIED)
 		return "the sampled methods do not know the stock; remove <stock>, or use --method=certified";
-	if (options->block_clearances)
+	/* A report's curve of clearances leaves the stock out; a table of every pair must not. */
+	if (options->block_clearances && !options->clearances_below_cap)
 		return "--clearance-report does not know the stock; remove <stock> to measure clearances";
 	if (options->change)
 		return "--sensitivity does not know the stock; remove <stock> to measure the sensitivity";

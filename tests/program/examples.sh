@@ -6,6 +6,11 @@ for machine in ac-trunnion cb-head b-head-c-table; do
 			<"$root/examples/$machine/$program.nc" | grep -E 'error|clear|block  |status'
 	done
 done
+# A block that is cut: in the right order, with a deep slot too early, with a rapid through material.
+for program in clear holder rapid; do
+	status fivecheck -q -s "$root/examples/stock/setup.xml" "$root/machines/ac-trunnion/machine.xml" - \
+		<"$root/examples/stock/$program.nc" | grep -E 'error|clear|block  |status'
+done
 paper=$root/machines/ac-trunnion/machine.xml
 # The paper's own block says Z twice; corrected, it is clear.
 status fivecheck -q "$paper" - <"$root/examples/paper-block.nc" 2>&1 | grep -E 'error|status'

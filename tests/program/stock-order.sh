@@ -75,3 +75,7 @@ for stock in '<stock/>' '<stock box="1 2"/>' '<stock box="1 2 -3"/>' '<stock box
 	"$FIVECHECK" -q -s bad.xml m.xml p.nc
 	echo "exit status $?"
 done
+
+echo '== a report is written, too'
+findings -s s.xml m.xml --report=r.html p.nc
+grep -c 'rapid-contact\|collision' r.html | awk '{ print ($1 > 0) }'

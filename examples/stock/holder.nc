@@ -1,0 +1,70 @@
+(The slot first: the holder, 20 mm above the tip, rubs on walls that are cut only later.)
+G21 G90 G94 G61 F1200
+T1 M6
+S8000 M3
+G0 X-60 Y0 A0 C0
+G43 H1 Z20
+(a slot along the middle, 28 mm deep)
+G0 X-60 Y0
+G0 Z-9
+G1 X60
+G0 Z20
+G0 X-60 Y0
+G0 Z-18
+G1 X60
+G0 Z20
+G0 X-60 Y0
+G0 Z-28
+G1 X60
+G0 Z20
+(the upper half, in passes of 10 mm)
+G0 X-60 Y-25
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y-15
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y-5
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y5
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y15
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y25
+G0 Z-10
+G1 X60
+G0 Z20
+G0 X-60 Y-25
+G0 Z-19
+G1 X60
+G0 Z20
+G0 X-60 Y-15
+G0 Z-19
+G1 X60
+G0 Z20
+G0 X-60 Y-5
+G0 Z-19
+G1 X60
+G0 Z20
+G0 X-60 Y5
+G0 Z-19
+G1 X60
+G0 Z20
+G0 X-60 Y15
+G0 Z-19
+G1 X60
+G0 Z20
+G0 X-60 Y25
+G0 Z-19
+G1 X60
+G0 Z20
+M5
+M2
