@@ -20,3 +20,11 @@ void xml_text_attribute(struct strbuf *out, const char *name, const char *value)
 	}
 	strbuf_addf(out, "\"");
 }
+
+void xml_text_comment(struct strbuf *out, const char *text)
+{
+	strbuf_addf(out, "<!-- ");
+	for (; *text; text++)
+		strbuf_add(out, *text == '-' && text[1] == '-' ? "=" : text, 1);
+	strbuf_addf(out, " -->\n");
+}

@@ -7,4 +7,7 @@
 /* Appends ` name="value"` with what may not stand in it escaped. */
 void xml_text_attribute(struct strbuf *out, const char *name, const char *value);
 
+/* Appends a line with a comment, whose text cannot end it. */
+void xml_text_comment(struct strbuf *out, const char *text);
+
 #endif

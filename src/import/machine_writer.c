@@ -197,21 +197,12 @@ static void add_controller(struct strbuf *out, const struct import_machine *mach
 	strbuf_addf(out, "/>\n");
 }
 
-/* What stands in a comment must not end it. */
-static void add_comment(struct strbuf *out, const char *text)
-{
-	strbuf_addf(out, "<!-- ");
-	for (; *text; text++)
-		strbuf_add(out, *text == '-' && text[1] == '-' ? "=" : text, 1);
-	strbuf_addf(out, " -->\n");
-}
-
 void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin)
 {
 	const struct machine_description *d = &machine->description;
 
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-	add_comment(out, origin);
+	xml_text_comment(out, origin);
 	strbuf_addf(out, "<machine version=\"1\"");
 	if (d->name)
 		xml_text_attribute(out, "name", d->name);

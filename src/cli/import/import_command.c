@@ -5,21 +5,26 @@
 #include "cli/argv_parser.h"
 #include "cli/import/import_output.h"
 #include "control/dialects.h"
+#include "import/file_kind.h"
+#include "import/fusion_tools.h"
 #include "import/vericut_machine.h"
+#include "import/vericut_tools.h"
 #include "machine/machine.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_DIALECT };
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT };
 
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	{'o', "output", "FOLDER", .kind = VALUE_TEXT,
-	 .help = "write machine.xml and the meshes into FOLDER, which is\nmade if it is not there; required"},
+	 .help = "write machine.xml and its meshes, or setup.xml, into\nFOLDER, which is made if it is not there; required"},
 	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT,
 	 .help = "search meshes below FOLDER first, then beside FILE"},
 	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG,
 	 .help = "leave bodies out whose meshes are not there"},
+	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG,
+	 .help = "give tools without a number one, in their order"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, .choices = dialect_names,
 	 .help = "how the control reads programs: %s"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
@@ -28,6 +33,7 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 struct request {
 	struct import_options options;
 	const char *file, *output;
+	bool number_tools;
 	size_t operands;
 	int dialect;	/* row of control/dialects.h; -1: not given */
 	bool help;
@@ -65,6 +71,9 @@ static enum argv_result take_option(void *context, const struct option_row *row,
 	case KEY_SKIP_MISSING:
 		request->options.skip_missing = true;
 		break;
+	case KEY_NUMBER_TOOLS:
+		request->number_tools = true;
+		break;
 	case KEY_DIALECT:
 		return take_dialect(request, argument);
 	default:
@@ -79,8 +88,9 @@ static enum run_status print_help(struct diag *diag)
 	struct strbuf text = {0};
 
 	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-			   "Makes a machine file and its meshes from the machine file of another program: VERICUT 7\n"
-			   "(.mch). Says what could not be taken over, and what has to be looked at.\n\n");
+			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), or a setup with\n"
+			   "tools from a tool library of VERICUT (.tls) or Fusion 360 (.json). Says what could not be\n"
+			   "taken over, and what has to be looked at.\n\n");
 	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"
 			   "fivecheck --check-machine dmu50/machine.xml\n");
@@ -131,6 +141,44 @@ static bool import_machine(const struct request *request)
 	return good;
 }
 
+static bool read_tools(const struct request *request, enum file_kind kind, struct import_tools *tools)
+{
+	if (kind == FILE_VERICUT_TOOLS)
+		return vericut_tools_read(tools, request->file, request->number_tools, request->diag);
+	return fusion_tools_read(tools, request->file, request->diag);
+}
+
+static bool import_tools(const struct request *request, enum file_kind kind)
+{
+	struct import_tools tools = {0};
+	struct strbuf path = {0};
+	bool good;
+
+	strbuf_addf(&path, "%s/setup.xml", request->output);
+	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, kind, &tools);
+	if (good && !tools.setup.tool_count) {
+		diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be taken over");
+		good = false;
+	}
+	good = good && import_output_write_tools(&tools, request->output, request->file, request->diag);
+	if (good)
+		diag_note(request->diag, nowhere, "wrote %s with %zu tools, and left %zu out; next: add the work offsets, "
+						  "fixtures and the part of the job",
+			  strbuf_text(&path), tools.setup.tool_count, tools.left_out);
+	import_tools_release(&tools);
+	strbuf_release(&path);
+	return good;
+}
+
+static bool import_file(const struct request *request)
+{
+	enum file_kind kind;
+
+	if (!file_kind_of(&kind, request->file, request->diag))
+		return false;
+	return kind == FILE_VERICUT_MACHINE ? import_machine(request) : import_tools(request, kind);
+}
+
 enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
 	struct request request = {.diag = &ui->diag, .dialect = -1};
@@ -141,7 +189,7 @@ enum run_status import_run(const struct command *all, int argc, char **argv, str
 	if (good && request.help)
 		return print_help(&ui->diag);
 	if (good && check(&request))
-		return import_machine(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
+		return import_file(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
 	diag_note(&ui->diag, nowhere, "'fivecheck import --help' lists the options");
 	return RUN_INCOMPLETE;
 }

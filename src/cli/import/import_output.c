@@ -60,21 +60,41 @@ static bool write_meshes(const struct import_machine *machine, const char *folde
 	return good;
 }
 
+static void add_origin(struct strbuf *out, const char *source)
+{
+	const char *slash = strrchr(source, '/');
+
+	strbuf_addf(out, "Made by fivecheck import from %s.", slash ? slash + 1 : source);
+}
+
 bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
 			 struct diag *diag)
 {
-	const char *slash = strrchr(source, '/');
-	struct strbuf text = {0}, meshes = {0};
+	struct strbuf text = {0}, meshes = {0}, origin = {0};
 	bool good;
 
 	strbuf_addf(&meshes, "%s/stl", folder);
 	good = make_folder(folder, diag) && make_folder(strbuf_text(&meshes), diag) &&
 	       write_meshes(machine, folder, diag);
-	strbuf_clear(&meshes);
-	strbuf_addf(&meshes, "Made by fivecheck import from %s.", slash ? slash + 1 : source);
-	machine_writer_xml(&text, machine, strbuf_text(&meshes));
+	add_origin(&origin, source);
+	machine_writer_xml(&text, machine, strbuf_text(&origin));
 	good = good && write_file(folder, "machine.xml", &text, diag);
 	strbuf_release(&text);
 	strbuf_release(&meshes);
+	strbuf_release(&origin);
+	return good;
+}
+
+bool import_output_write_tools(const struct import_tools *tools, const char *folder, const char *source,
+			       struct diag *diag)
+{
+	struct strbuf text = {0}, origin = {0};
+	bool good;
+
+	add_origin(&origin, source);
+	import_tools_write(&text, tools, strbuf_text(&origin));
+	good = make_folder(folder, diag) && write_file(folder, "setup.xml", &text, diag);
+	strbuf_release(&text);
+	strbuf_release(&origin);
 	return good;
 }

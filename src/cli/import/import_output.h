@@ -6,6 +6,7 @@
 
 #include "base/diag.h"
 #include "import/import.h"
+#include "import/import_tools.h"
 
 /* False, reported: the file is there already, and may have been edited. */
 bool import_output_is_new(const char *path, struct diag *diag);
@@ -15,5 +16,9 @@ bool import_output_is_new(const char *path, struct diag *diag);
  */
 bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
 			 struct diag *diag);
+
+/* The same for setup.xml. */
+bool import_output_write_tools(const struct import_tools *tools, const char *folder, const char *source,
+			       struct diag *diag);
 
 #endif

@@ -1,0 +1,18 @@
+/* file_kind.h - tells by its content what a file of another program is. */
+#ifndef FIVECHECK_IMPORT_FILE_KIND_H
+#define FIVECHECK_IMPORT_FILE_KIND_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+
+enum file_kind {
+	FILE_VERICUT_MACHINE,	/* XML with the root VcMachine */
+	FILE_VERICUT_TOOLS,	/* XML with the root CGTechToolLibrary */
+	FILE_FUSION_TOOLS	/* JSON */
+};
+
+/* False, reported: the file cannot be read, or is none of these. */
+bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag);
+
+#endif

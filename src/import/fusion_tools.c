@@ -1,0 +1,328 @@
+#include "import/fusion_tools.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "base/units.h"
+#include "import/file_bytes.h"
+#include "machine/tool_solid.h"
+
+/* What a type of tool is below its shank. */
+enum shape { SHAPE_CYLINDER, SHAPE_BALL, SHAPE_BULL, SHAPE_POINT, SHAPE_TAPER, SHAPE_SPHERE };
+
+static const struct type_row {
+	const char *name;
+	enum shape shape;
+	enum tool_kind kind;
+} type_rows[] = {
+	{"flat end mill", SHAPE_CYLINDER, TOOL_TURNS},
+	{"ball end mill", SHAPE_BALL, TOOL_TURNS},
+	{"bull nose end mill", SHAPE_BULL, TOOL_TURNS},
+	{"face mill", SHAPE_BULL, TOOL_TURNS},
+	{"slot mill", SHAPE_BULL, TOOL_TURNS},
+	{"reamer", SHAPE_CYLINDER, TOOL_TURNS},
+	{"counter bore", SHAPE_CYLINDER, TOOL_TURNS},
+	{"boring bar", SHAPE_CYLINDER, TOOL_TURNS},
+	{"thread mill", SHAPE_CYLINDER, TOOL_TURNS},
+	{"tap right hand", SHAPE_CYLINDER, TOOL_TURNS},
+	{"tap left hand", SHAPE_CYLINDER, TOOL_TURNS},
+	{"drill", SHAPE_POINT, TOOL_TURNS},
+	{"spot drill", SHAPE_POINT, TOOL_TURNS},
+	{"chamfer mill", SHAPE_TAPER, TOOL_TURNS},
+	{"lollipop mill", SHAPE_SPHERE, TOOL_TURNS},
+	{"probe", SHAPE_SPHERE, TOOL_STANDS},
+};
+
+struct reading {
+	struct import_tools *tools;
+	struct diag *diag;
+	const char *path;
+	size_t index;	/* of the tool in the list, from 1 */
+};
+
+static bool fault(const struct reading *r, const char *what)
+{
+	diag_error(r->diag, (struct srcloc){.file = r->path}, "tool %zu of the list: %s", r->index, what);
+	return false;
+}
+
+static void leave_out(const struct reading *r, const char *name, const char *why)
+{
+	diag_warning(r->diag, (struct srcloc){.file = r->path}, "tool %zu of the list (%.60s) is left out: %s", r->index,
+		     name, why);
+	r->tools->left_out++;
+}
+
+/* mm per unit; 0: the unit is unknown. */
+static double unit_of(const json_t *object, double fallback)
+{
+	const char *unit = json_string_value(json_object_get(object, "unit"));
+
+	if (!unit)
+		return fallback;
+	if (!strcmp(unit, "millimeters"))
+		return 1;
+	return !strcmp(unit, "inches") ? MM_PER_INCH : 0;
+}
+
+/* A number, which may be missing or null; then it is the fallback. False: it is something else, or not finite. */
+static bool read_number(const json_t *object, const char *name, double scale, double fallback, double *value)
+{
+	const json_t *at = json_object_get(object, name);
+
+	*value = fallback;
+	if (!at || json_is_null(at))
+		return true;
+	if (!json_is_number(at) || !isfinite(json_number_value(at)))
+		return false;
+	*value = scale * json_number_value(at);
+	return true;
+}
+
+struct geometry {
+	double diameter, corner, point_angle, taper_angle, tip_diameter;	/* mm; degrees */
+	double flutes, shoulder, shoulder_diameter, shank_diameter, below_holder, gauge;	/* gauge 0: not given */
+};
+
+static bool read_geometry(const json_t *geometry, double unit, struct geometry *g)
+{
+	return read_number(geometry, "DC", unit, 0, &g->diameter) && read_number(geometry, "RE", unit, 0, &g->corner) &&
+	       read_number(geometry, "SIG", 1, 0, &g->point_angle) && read_number(geometry, "TA", 1, 0, &g->taper_angle) &&
+	       read_number(geometry, "tip-diameter", unit, 0, &g->tip_diameter) &&
+	       read_number(geometry, "LCF", unit, 0, &g->flutes) &&
+	       read_number(geometry, "shoulder-length", unit, g->flutes, &g->shoulder) &&
+	       read_number(geometry, "shoulder-diameter", unit, g->diameter, &g->shoulder_diameter) &&
+	       read_number(geometry, "SFDM", unit, g->diameter, &g->shank_diameter) &&
+	       read_number(geometry, "LB", unit, 0, &g->below_holder) &&
+	       read_number(geometry, "assemblyGaugeLength", unit, 0, &g->gauge);
+}
+
+/* Adds the frustums of "segments" from the height on upwards, and raises it. */
+static bool add_segments(const json_t *part, double unit, struct tool_profile *profile, double *height)
+{
+	const json_t *list = json_object_get(part, "segments"), *segment;
+	size_t i;
+
+	if (!list || json_is_null(list))
+		return true;
+	if (!json_is_array(list))
+		return false;
+	json_array_foreach (list, i, segment) {
+		double length, lower, upper;
+
+		if (!read_number(segment, "height", unit, -1, &length) ||
+		    !read_number(segment, "lower-diameter", unit, -1, &lower) ||
+		    !read_number(segment, "upper-diameter", unit, -1, &upper) || length < 0 || lower < 0 || upper < 0)
+			return false;
+		tool_profile_add(profile, *height, lower / 2, *height + length, upper / 2);
+		*height += length;
+	}
+	return true;
+}
+
+/* ------------------------------------------------------------------- shapes */
+
+/* The height of a cone with the given half angle between two diameters. */
+static double cone_height(double from, double to, double half_degrees)
+{
+	return (to - from) / 2 / tan(half_degrees * acos(-1) / 180);
+}
+
+/* Why the shape cannot be taken over; NULL: it was. */
+static const char *add_cutter(struct tool_outline *tool, const struct geometry *g, enum shape shape)
+{
+	double r = g->diameter / 2, cone;
+
+	tool->has_tip = shape != SHAPE_TAPER && shape != SHAPE_SPHERE;
+	switch (shape) {
+	case SHAPE_CYLINDER:
+		tool->tip = TIP_FLAT;
+		break;
+	case SHAPE_BALL:
+		tool->tip = TIP_BALL;
+		break;
+	case SHAPE_BULL:
+		if (fabs(g->taper_angle) > 0)
+			return "its sides are tapered";
+		tool->tip = g->corner > 0 ? TIP_BULL : TIP_FLAT;
+		tool->corner = g->corner;
+		break;
+	case SHAPE_POINT:
+		if (!(g->point_angle >= 1 && g->point_angle <= 179))
+			return "its point angle SIG is missing, or not between 1 and 179 degrees";
+		tool->tip = TIP_CONE;
+		tool->angle = g->point_angle * acos(-1) / 180;
+		break;
+	case SHAPE_TAPER:
+		if (!(g->taper_angle >= 1 && g->taper_angle <= 89) || g->tip_diameter > g->diameter)
+			return "its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than it";
+		cone = cone_height(g->tip_diameter, g->diameter, g->taper_angle);
+		tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, cone, r);
+		tool_profile_add(&tool->cutter, cone, r, fmax(g->flutes, cone), r);
+		return NULL;
+	case SHAPE_SPHERE:
+		tool_profile_add_arc(&tool->cutter, 0, 0, r, r, r, 0, true);
+		tool_profile_add_arc(&tool->cutter, r, r, 2 * r, 0, r, 0, true);
+		return NULL;
+	}
+	tool_profile_add(&tool->cutter, 0, r, g->flutes, r);
+	return NULL;
+}
+
+/* Above the flutes: the shoulder and the shank, or what "shaft" says of them. */
+static bool add_shank(struct tool_outline *tool, const json_t *shaft, const struct geometry *g, double unit)
+{
+	double top = tool_profile_top(&tool->cutter), shoulder = fmax(g->shoulder, top);
+
+	if (json_array_size(json_object_get(shaft, "segments")))
+		return add_segments(shaft, unit, &tool->shank, &top);
+	if (shoulder < g->below_holder) {
+		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, shoulder, g->shoulder_diameter / 2);
+		tool_profile_add(&tool->shank, shoulder, g->shank_diameter / 2, g->below_holder, g->shank_diameter / 2);
+	} else if (top < g->below_holder) {
+		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, g->below_holder, g->shoulder_diameter / 2);
+	}
+	return true;
+}
+
+/*
+ * The holder stands at LB above the tip; its own gaugeLength says how far above its lower end its gauge line is.
+ * *known_to is the height up to which the library describes the tool.
+ */
+static bool add_holder(struct tool_outline *tool, const json_t *holder, const struct geometry *g, double unit,
+		       double *known_to)
+{
+	double top = g->below_holder, gauge = 0;
+
+	if (json_is_object(holder)) {
+		double own = unit_of(holder, unit);
+
+		if (!(own > 0) || !add_segments(holder, own, &tool->holder, &top) ||
+		    !read_number(holder, "gaugeLength", own, 0, &gauge))
+			return false;
+	}
+	tool->length = g->gauge > 0 ? g->gauge : gauge > 0 ? g->below_holder + gauge : top;
+	*known_to = top;
+	return true;
+}
+
+/* -------------------------------------------------------------------- tools */
+
+static const struct type_row *find_type(const char *name)
+{
+	for (size_t i = 0; i < sizeof(type_rows) / sizeof(*type_rows); i++)
+		if (!strcmp(type_rows[i].name, name))
+			return &type_rows[i];
+	return NULL;
+}
+
+/* Sizes that no tool has. NULL: they are as they should be. */
+static const char *judge(const struct geometry *g, const struct tool_outline *tool)
+{
+	if (!(g->diameter > 0))
+		return "it has no diameter DC";
+	if (!(g->below_holder > 0))
+		return "it has no length below the holder LB";
+	if (g->flutes < 0 || g->corner < 0 || g->corner > g->diameter / 2 || g->shank_diameter < 0 ||
+	    g->shoulder_diameter < 0)
+		return "its sizes contradict each other";
+	return tool->length >= TOOL_SECTION_MIN && tool->length <= TOOL_SIZE_MAX ?
+		       NULL :
+		       "its length up to the gauge line is not between 0.01 and 5000 mm";
+}
+
+static bool add_tool(struct reading *r, const json_t *item, const struct type_row *type, const char *name, long number)
+{
+	struct tool_outline tool = {.number = number, .name = name, .kind = type->kind};
+	double unit = unit_of(item, 1);
+	struct geometry g;
+	double known_to = 0;
+	const char *why;
+	bool good;
+
+	if (!(unit > 0))
+		return fault(r, "the unit must be millimeters or inches");
+	if (!read_geometry(json_object_get(item, "geometry"), unit, &g))
+		return fault(r, "a value of the geometry is not a number");
+	why = add_cutter(&tool, &g, type->shape);
+	good = add_shank(&tool, json_object_get(item, "shaft"), &g, unit) &&
+	       add_holder(&tool, json_object_get(item, "holder"), &g, unit, &known_to);
+	tool.diameter = g.diameter;
+	why = why ? why : good ? judge(&g, &tool) : NULL;
+	if (!good)
+		fault(r, "the segments of shaft or holder are not as they should be");
+	else if (why)
+		leave_out(r, name, why);
+	else
+		good = import_tools_add(r->tools, &tool, (struct srcloc){.file = r->path}, r->diag);
+	if (good && !why && known_to < tool.length - TOOL_SECTION_MIN)
+		diag_warning(r->diag, (struct srcloc){.file = r->path},
+			     "tool %ld: nothing is known of its holder between %g and %g mm above the tip; it is taken to be as "
+			     "thick as the cutter there, so add the holder",
+			     number, known_to, tool.length);
+	tool_outline_release(&tool);
+	return good;
+}
+
+static bool read_tool(struct reading *r, const json_t *item)
+{
+	const char *type = json_string_value(json_object_get(item, "type"));
+	const char *name = json_string_value(json_object_get(item, "description"));
+	const json_t *number = json_object_get(json_object_get(item, "post-process"), "number");
+	const struct type_row *row = type ? find_type(type) : NULL;
+
+	if (!type)
+		return fault(r, "it has no type");
+	name = name ? name : "";
+	if (!row)
+		leave_out(r, name, "a setup has no such type of tool");
+	else if (!json_is_integer(number) || json_integer_value(number) < 1)
+		leave_out(r, name, "its post-process properties give it no number");
+	else
+		return add_tool(r, item, row, name, (long)json_integer_value(number));
+	return true;
+}
+
+static bool read_list(struct reading *r, const json_t *root)
+{
+	const json_t *list = json_is_object(root) ? json_object_get(root, "data") : root, *item;
+	size_t i;
+
+	if (!json_is_array(list)) {
+		diag_error(r->diag, (struct srcloc){.file = r->path}, "a tool library of Fusion has a list of tools in \"data\"");
+		return false;
+	}
+	json_array_foreach (list, i, item) {
+		r->index = i + 1;
+		if (!read_tool(r, item))
+			return false;
+	}
+	return true;
+}
+
+bool fusion_tools_read(struct import_tools *tools, const char *path, struct diag *diag)
+{
+	struct reading r = {.tools = tools, .diag = diag, .path = path};
+	struct file_bytes file;
+	json_error_t error;
+	json_t *root;
+	bool good;
+
+	if (!file_bytes_read(&file, path, diag))
+		return false;
+	/* Running out of memory ends the program, as everywhere. */
+	json_set_alloc_funcs(mem_alloc, free);
+	root = json_loadb(file.bytes, file.count, JSON_REJECT_DUPLICATES, &error);
+	file_bytes_release(&file);
+	if (!root) {
+		diag_error(diag, (struct srcloc){.file = path, .line = error.line, .column = error.column},
+			   "this is not valid JSON: %s", error.text);
+		return false;
+	}
+	good = read_list(&r, root);
+	json_decref(root);
+	return good;
+}

@@ -1,0 +1,94 @@
+# Tool libraries: outlines with arcs and pieces that stand in each other (VERICUT), and the sizes of Fusion. What comes
+# out is a setup that a check takes.
+need python3
+small_machine
+cat >mills.tls <<'EOF'
+<?xml version="1.0"?>
+<CGTechToolLibrary Version="6.2">
+  <Tools>
+    <Tool ID="==== Mills ====" Units="Millimeter"><Type>Milling</Type></Tool>
+    <Tool ID="7" Units="Millimeter">
+      <Description>barrel &lt;12&gt;</Description>
+      <Cutter><SOR ID="C">
+        <Pt><X>0</X><Z>0</Z></Pt><Pt><X>3</X><Z>0</Z></Pt>
+        <Arc><X>3</X><Z>3</Z><Radius>3</Radius><Direction>CCW</Direction></Arc>
+        <Pt><X>3</X><Z>6</Z></Pt><Pt><X>0</X><Z>6</Z></Pt>
+      </SOR></Cutter>
+      <Holder>
+        <SOR ID="H"><Pt><X>0</X><Z>0</Z></Pt><Pt><X>4</X><Z>0</Z></Pt><Pt><X>4</X><Z>20</Z></Pt>
+          <Arc><X>14</X><Z>20</Z><Radius>10</Radius><Direction>CW</Direction></Arc>
+          <Pt><X>14</X><Z>30</Z></Pt><Pt><X>20</X><Z>41</Z></Pt><Pt><X>0</X><Z>41</Z></Pt>
+          <Origin><X>0</X><Y>0</Y><Z>-1</Z></Origin></SOR>
+        <Origin><X>0</X><Y>0</Y><Z>6</Z></Origin>
+      </Holder>
+      <GagePoint><X>0</X><Y>0</Y><Z>46</Z></GagePoint>
+    </Tool>
+    <Tool ID="8" Units="Inch">
+      <Cutter><Apt ID="C" Type="BALL END"><D>0.5</D><R>0.25</R><H>2</H></Apt></Cutter>
+      <GagePoint><X>0</X><Y>0</Y><Z>2</Z></GagePoint>
+    </Tool>
+    <Tool ID="9" Units="Millimeter">
+      <Cutter><Apt ID="C" Type="DRILL"><D>8.5</D><A>31</A><H>80</H><FluteLength>50</FluteLength>
+        <ShankDiameter>10</ShankDiameter></Apt></Cutter>
+      <Holder><SOR ID="H"><Pt><X>0</X><Z>60</Z></Pt><Pt><X>20</X><Z>60</Z></Pt><Pt><X>20</X><Z>110</Z></Pt></SOR></Holder>
+      <GagePoint><X>0</X><Y>0</Y><Z>110</Z></GagePoint>
+    </Tool>
+    <Tool ID="D10R1" Units="Millimeter">
+      <Cutter><Apt ID="C" Type="BULL NOSE"><D>10</D><R>1</R><H>70</H></Apt></Cutter>
+    </Tool>
+    <Tool ID="10" Units="Millimeter"><Cutter><Apt ID="C" Type="APT 7"><D>3</D><H>10</H></Apt></Cutter></Tool>
+    <Tool ID="11" Units="Millimeter"><Cutter><Insert Type="GENERAL INSERT C"/></Cutter></Tool>
+  </Tools>
+</CGTechToolLibrary>
+EOF
+fivecheck import --output v --number-tools mills.tls
+python3 "$(dirname "$LIB")/../import/tools_truth.py" mills.tls v/setup.xml
+"$FIVECHECK" --list-pairs -s v/setup.xml m.xml | grep -c '^[^	]*	T[0-9]* cutter'
+sed -n '/number="9"/,/<\/tool>/p' v/setup.xml
+fivecheck import --output w mills.tls 2>&1 | grep -v note
+cat >fusion.json <<'EOF'
+{"version": 2, "data": [
+ {"type": "flat end mill", "unit": "millimeters", "description": "6 mm \"flat\" <a&b>\u0007",
+  "geometry": {"DC": 6, "LB": 25, "LCF": 15, "OAL": 50, "SFDM": 6, "RE": 0, "shoulder-length": 18},
+  "post-process": {"number": 1},
+  "holder": {"unit": "millimeters", "gaugeLength": 45, "segments": [
+    {"height": 15, "lower-diameter": 20, "upper-diameter": 30},
+    {"height": 30, "lower-diameter": 40, "upper-diameter": 40},
+    {"height": 60, "lower-diameter": 44, "upper-diameter": 20}]}},
+ {"type": "drill", "unit": "inches", "geometry": {"DC": 0.25, "LB": 3, "LCF": 2, "SFDM": 0.25, "SIG": 118},
+  "post-process": {"number": 2}},
+ {"type": "chamfer mill", "unit": "millimeters", "geometry": {"DC": 10, "LB": 30, "LCF": 6, "SFDM": 8, "TA": 45,
+  "tip-diameter": 2}, "post-process": {"number": 3}},
+ {"type": "probe", "unit": "millimeters", "geometry": {"DC": 4, "LB": 50, "LCF": 4, "SFDM": 2},
+  "post-process": {"number": 4}, "shaft": {"segments": [{"height": 20, "lower-diameter": 2, "upper-diameter": 2},
+  {"height": 26, "lower-diameter": 2, "upper-diameter": 12}]}},
+ {"type": "bull nose end mill", "unit": "millimeters", "geometry": {"DC": 10, "LB": 40, "LCF": 20, "SFDM": 12,
+  "RE": 2, "assemblyGaugeLength": 100}, "post-process": {"number": 5}},
+ {"type": "dovetail mill", "geometry": {}, "post-process": {"number": 6}},
+ {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6, "LB": 25}, "post-process": {}},
+ {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6}, "post-process": {"number": 7}}
+]}
+EOF
+fivecheck import --output f fusion.json
+cat f/setup.xml
+"$FIVECHECK" --list-pairs -s f/setup.xml m.xml | grep -c '^[^	]*	T[0-9]* cutter'
+echo "faults:"
+fault() { # SED-SCRIPT FILE
+	sed "$1" "$2" >bad.x
+	"$FIVECHECK" import --output bad bad.x 2>&1 | grep -v warning
+	[ ! -e bad ] || { echo "a folder was written"; rm -r bad; }
+}
+fault 's/"DC": 6/"DC": "6"/' fusion.json
+fault 's/inches/feet/' fusion.json
+fault 's/"number": 2/"number": 1/' fusion.json
+fault 's/"height": 15/"height": -15/' fusion.json
+fault 's/"data"/"tools"/' fusion.json
+fault 's/"version": 2,/"version": 2/' fusion.json
+fault 's/ID="8" Units="Inch"/ID="8" Units="Ell"/' mills.tls
+fault 's/ID="8"/ID="7"/' mills.tls
+fault 's/<Z>46</<Z>far</' mills.tls
+fault 's/Tools>/Things>/' mills.tls
+printf 'G0 X1\n' >bad.nc
+fault '' bad.nc
+: >empty
+fault '' empty
