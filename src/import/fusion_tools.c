@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
 #include "import/file_bytes.h"
@@ -128,7 +129,7 @@ static bool add_segments(const json_t *part, double unit, struct tool_profile *p
 /* The height of a cone with the given half angle between two diameters. */
 static double cone_height(double from, double to, double half_degrees)
 {
-	return (to - from) / 2 / tan(half_degrees * acos(-1) / 180);
+	return (to - from) / 2 / math_tan(half_degrees * math_acos(-1) / 180);
 }
 
 /* Why the shape cannot be taken over; NULL: it was. */
@@ -154,7 +155,7 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		if (!(g->point_angle >= 1 && g->point_angle <= 179))
 			return "its point angle SIG is missing, or not between 1 and 179 degrees";
 		tool->tip = TIP_CONE;
-		tool->angle = g->point_angle * acos(-1) / 180;
+		tool->angle = g->point_angle * math_acos(-1) / 180;
 		break;
 	case SHAPE_TAPER:
 		if (!(g->taper_angle >= 1 && g->taper_angle <= 89) || g->tip_diameter > g->diameter)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/xml_text.h"
 #include "machine/tool_solid.h"
@@ -184,7 +185,7 @@ static void write_piece(struct strbuf *out, const char *name, const struct piece
 	if (piece->has_tip && piece->tip != TIP_FLAT)
 		xml_text_attribute(out, "tip", tips[piece->tip]);
 	if (piece->angle.given)
-		add_number(out, "angle", piece->angle.value * 180 / acos(-1));
+		add_number(out, "angle", piece->angle.value * 180 / math_acos(-1));
 	if (piece->corner.given)
 		add_number(out, "corner", piece->corner.value);
 	if (piece->flute_length.given)

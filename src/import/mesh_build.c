@@ -65,7 +65,7 @@ void mesh_build_block(struct mesh_build *build, vec3 size)
 	add_quad(build, p[1], p[3], p[7], p[5]);
 }
 
-/* So many facets that a circle's circumscribed polygon leaves it by the deviation at most: r (1/cos(pi/n) - 1). */
+/* So many facets that a circle's circumscribed polygon leaves it by the deviation at most: r (1 / cos(pi / n) - 1). */
 static int facets_of(double radius)
 {
 	const double pi = math_acos(-1);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "machine/tool_solid.h"
 
@@ -33,7 +34,7 @@ void tool_profile_add(struct tool_profile *profile, double z0, double r0, double
 /* The angle that the arc turns, in (0, 2 pi], with the sign of its sense. */
 static double turn_of(double from, double to, bool left)
 {
-	const double full = 2 * acos(-1);
+	const double full = 2 * math_acos(-1);
 	double turn = fmod(left ? to - from : from - to, full);
 
 	if (turn <= 0)
@@ -41,13 +42,13 @@ static double turn_of(double from, double to, bool left)
 	return left ? turn : -turn;
 }
 
-/* So many steps that tangents at their ends meet no farther than the deviation outside: r (1/cos(h/2) - 1), h a step. */
+/* So many steps that tangents at their ends meet no farther than the deviation outside: r (1 / cos(h / 2) - 1). */
 static int steps_of(double radius, double turn)
 {
 	for (int n = 1; n < ARC_STEPS_MAX; n++) {
 		double half = fabs(turn) / n / 2;
 
-		if (half < 1 && radius * (1 / cos(half) - 1) <= ARC_DEVIATION)
+		if (half < 1 && radius * (1 / math_cos(half) - 1) <= ARC_DEVIATION)
 			return n;
 	}
 	return ARC_STEPS_MAX;
@@ -56,22 +57,22 @@ static int steps_of(double radius, double turn)
 void tool_profile_add_arc(struct tool_profile *profile, double z0, double r0, double z1, double r1, double center_z,
 			  double center_r, bool left)
 {
-	double radius = hypot(r0 - center_r, z0 - center_z);
-	double from = atan2(z0 - center_z, r0 - center_r);
-	double turn = turn_of(from, atan2(z1 - center_z, r1 - center_r), left);
+	double radius = math_hypot(r0 - center_r, z0 - center_z);
+	double from = math_atan2(z0 - center_z, r0 - center_r);
+	double turn = turn_of(from, math_atan2(z1 - center_z, r1 - center_r), left);
 	int n = steps_of(radius, turn);
-	double step = turn / n, outer = radius / cos(step / 2);
+	double step = turn / n, outer = radius / math_cos(step / 2);
 	/* The middle of a bulge is farther out than its chord; the chords of a hollow are outside of it already. */
-	bool bulges = center_r + radius * cos(from + turn / 2) > (r0 + r1) / 2;
+	bool bulges = center_r + radius * math_cos(from + turn / 2) > (r0 + r1) / 2;
 	double z = z0, r = r0;
 
 	for (int i = 0; i < n; i++) {
 		double middle = from + (i + 0.5) * step, end = from + (i + 1) * step;
-		double next_z = i + 1 < n ? center_z + radius * sin(end) : z1;
-		double next_r = i + 1 < n ? center_r + radius * cos(end) : r1;
+		double next_z = i + 1 < n ? center_z + radius * math_sin(end) : z1;
+		double next_r = i + 1 < n ? center_r + radius * math_cos(end) : r1;
 
 		if (bulges) {
-			double corner_z = center_z + outer * sin(middle), corner_r = center_r + outer * cos(middle);
+			double corner_z = center_z + outer * math_sin(middle), corner_r = center_r + outer * math_cos(middle);
 
 			tool_profile_add(profile, z, r, corner_z, corner_r);
 			tool_profile_add(profile, corner_z, corner_r, next_z, next_r);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/math/math_functions.h"
 #include "base/units.h"
 #include "import/foreign_xml.h"
 #include "machine/tool_solid.h"
@@ -120,7 +121,7 @@ static enum taken read_apt(struct reading *r, const xmlNode *apt, struct tool_ou
 		tool->corner = unit * corner;
 	} else if (!strcasecmp(type, "DRILL") && angle > 0 && angle < 89) {
 		tool->tip = TIP_CONE;
-		tool->angle = (180 - 2 * angle) * acos(-1) / 180;
+		tool->angle = (180 - 2 * angle) * math_acos(-1) / 180;
 	} else {
 		return LEFT_OUT;
 	}
