@@ -77,6 +77,9 @@ enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERS
 /* Where a swivelled plane (CYCLE800, PLANE) leaves a rotary axis free, it goes to 0 or keeps its position. */
 enum swivel_pole { SWIVEL_POLE_UNKNOWN, SWIVEL_POLE_ZERO, SWIVEL_POLE_STAYS };
 
+/* A great circle of the tool that begins at a pole of the rotary axes, or leads near one: these axes turn evenly. */
+enum orientation_pole { ORIENTATION_POLE_UNKNOWN, ORIENTATION_POLE_AXES };
+
 /* What the angles of Heidenhain's cycle 19 are: spatial angles, or positions of the rotary axes. */
 enum cycle_19_angles { CYCLE_19_ANGLES_UNKNOWN, CYCLE_19_ANGLES_SPATIAL, CYCLE_19_ANGLES_AXES };
 
@@ -159,6 +162,7 @@ struct controller {
 	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
 	int swivel_axis;
 	enum swivel_pole swivel_pole;
+	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;
 	size_t mcode_count;
 	const struct builder_macro *macros;

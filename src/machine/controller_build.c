@@ -93,6 +93,7 @@ static void check_frames(struct description_file *file, const struct controller_
 		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
 		{(int)described->length_along_z, "tool_length_axis"},
 		{described->swivel_axis, "swivel_axis"},
+		{(int)described->orientation_pole, "orientation_pole"},
 		{described->power_on_work_offset, "power_on_work_offset"},
 		{(int)described->increments_after_shift, "increments_after_shift"},
 	};
@@ -254,6 +255,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->length_along_z = from->length_along_z;
 	to->swivel_axis = from->swivel_axis;
 	to->swivel_pole = from->swivel_pole;
+	to->orientation_pole = from->orientation_pole;
 	to->increments_after_shift = from->increments_after_shift;
 	to->power_on_work_offset = from->power_on_work_offset;
 	if (from->path_tolerance.given && to->path_tolerance <= 0)

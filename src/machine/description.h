@@ -113,6 +113,7 @@ struct controller_description {
 	int power_on_work_offset;	/* 1: G500, 2: G54 and so on; 0: not given */
 	int swivel_axis;	/* a slot; 0: not given */
 	enum swivel_pole swivel_pole;
+	enum orientation_pole orientation_pole;
 	struct mcode_description *mcodes;
 	size_t mcode_count;
 	struct macro_description *macros;

@@ -94,5 +94,11 @@ for name,rot in fam.items():
     # Rows inside of a piece lie on its chord, which may be beside the circle.
     good=worst['tip']<1e-6 and worst['plane']<5e-5 and worst['beside']<2.1e-5 and not bad
     print(name+(': as computed' if good else ': %s, %d refused, %s'%(worst,bad,last)))
+# From a pole, where the tool lies along C: a parameter says what the control does.
+open('tp.mpf','w').write('T1 D1 M6\nG54 G17 G71 G90\nTRAORI\nORIWKS ORIVECT\nF1000\nG1 X1 A3=0.1 B3=0.2 C3=1\nM30\n')
+for answer in '',' orientation_pole="axes"':
+    open('tm.xml','w').write(xml('AC table',fam['AC table']).replace(' swivel_axis',answer+' swivel_axis'))
+    o=subprocess.run([F,'-s','ts.xml','--dump-path','tm.xml','tp.mpf'],capture_output=True,text=True)
+    print([l for l in o.stderr.split('\n') if 'error' in l][0] if o.returncode else 'read')
 PYTHON
 FIVECHECK=$FIVECHECK python3 check.py

@@ -167,6 +167,7 @@ static const struct question {
      CHOICE(edge_after_tool_change, EDGE_AFTER_TOOL_CHANGE_FIRST)},
     {"frames_outlive_traori=\"", "frames_outlive_traori=\"yes\" or \"no\"", CHOICE(frames_outlive_traori, ANSWER_YES)},
     {"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
+    {"orientation_pole=\"", "orientation_pole=\"axes\"", CHOICE(orientation_pole, ORIENTATION_POLE_AXES)},
     {"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
     {"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };

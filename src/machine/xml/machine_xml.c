@@ -95,6 +95,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	static const char *const systems[] = {"G500", "G54", "G55", "G56", "G57", NULL};
 	static const char *const angles[] = {"spatial", "axes", NULL};
 	static const char *const poles[] = {"zero", "stays", NULL};
+	static const char *const pole_ways[] = {"axes", NULL};
 	const int swivel = xml_choice(xml, node, "swivel_axis", rotary, -1);
 
 	controller->rotation_order = (enum rotation_order)(xml_choice(xml, node, "rotation_order", orders, -1) + 1);
@@ -110,6 +111,8 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	    (enum increments_after_shift)(xml_choice(xml, node, "increments_after_shift", increments, -1) + 1);
 	controller->power_on_work_offset = xml_choice(xml, node, "power_on_work_offset", systems, -1) + 1;
 	controller->swivel_axis = swivel < 0 ? 0 : SLOT_A + swivel;
+	controller->orientation_pole =
+	    (enum orientation_pole)(xml_choice(xml, node, "orientation_pole", pole_ways, -1) + 1);
 	controller->swivel_pole = (enum swivel_pole)(xml_choice(xml, node, "swivel_pole", poles, -1) + 1);
 }
 

@@ -80,19 +80,6 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 		     sinumerik->edge);
 }
 
-/* The direction of the tool, as the machine's axes X, Y and Z lie. */
-static bool find_tool(struct interp *interp, int column, vec3 *direction)
-{
-	struct kinematics_retract along = {.distance = 1, .position = interp->state.canonical};
-
-	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, column), &along))
-		return false;
-	*direction = (vec3){along.position.v[SLOT_X] - interp->state.canonical.v[SLOT_X],
-			    along.position.v[SLOT_Y] - interp->state.canonical.v[SLOT_Y],
-			    along.position.v[SLOT_Z] - interp->state.canonical.v[SLOT_Z]};
-	return true;
-}
-
 /*
  * 840D sl, job planning, "CUT2D, CUT2DF": CUT2D corrects in the plane of the machine's axes, CUT2DF in that of the
  * frame. They are one where the frame does not tilt the plane, and after CYCLE800 where the table has turned.
@@ -110,11 +97,11 @@ static bool check_plane(struct interp *interp, int column)
 		return fault(&interp->at, column, "tool radius compensation while SCALE is in force is not supported yet");
 	if (sinumerik_of(interp)->turns_plane)
 		return true;
-	if (state->tcp == TCP_BY_PLANE && !find_tool(interp, column, &seen))
-		return false;
 	if (state->tcp == TCP_OFF && state->frame.on)
 		seen = mat3_apply(&state->frame.turn, normal);
-	return vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen) ||
+	if (state->tcp == TCP_BY_PLANE && sinumerik_of(interp)->tool_upright && state->plane == G17)
+		return true;
+	return (state->tcp == TCP_OFF && vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen)) ||
 	       fault(&interp->at, column,
 		     "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of "
 		     "the machine's axes; CUT2DF corrects in the tilted one");

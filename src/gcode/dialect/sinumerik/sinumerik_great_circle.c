@@ -81,6 +81,42 @@ static bool check_end(struct interp *interp, int column, const axis_values *rota
 	return true;
 }
 
+/* True: the block goes evenly, which its first piece finds out before anything has moved. */
+static bool near_pole(struct interp *interp, int column, bool *pole)
+{
+	*pole = interp->config->controller.orientation_pole == ORIENTATION_POLE_AXES;
+	return *pole || fault(&interp->at, column,
+			      "the great circle (ORIVECT) leads through or near a pole of the rotary axes, or out of their "
+			      "limits: a parameter of the control (MD21108) decides what it does there: orientation_pole=\"axes\" "
+			      "of the machine's <controller> says that the axes of such a block turn evenly, as with ORIAXES");
+}
+
+/* Can the whole way be followed? *pole: it cannot, and the block goes evenly. False: reported. */
+static bool try_way(struct interp *interp, int column, struct kinematics_great_circle piece, bool *pole)
+{
+	const struct kinematics *kinematics = interp->kinematics;
+	double step = 1;
+
+	*pole = false;
+	while (piece.s0 < 1) {
+		const axis_values before = piece.rotary;
+
+		piece.s1 = fmin(1, piece.s0 + step);
+		if (!kinematics->great_circle(kinematics->context, line_loc(&interp->at, column), &piece))
+			return false;
+		if (widest(&piece) > BESIDE) {
+			piece.rotary = before;
+			step /= 2;
+			if (step < SHORTEST)
+				return near_pole(interp, column, pole);
+			continue;
+		}
+		piece.s0 = piece.s1;
+		step *= 2;
+	}
+	return true;
+}
+
 static bool go_in_pieces(struct interp *interp, int column, const slot_values *target, const axis_values *last,
 			 struct kinematics_great_circle *piece, const struct canon_move *move)
 {
@@ -96,13 +132,9 @@ static bool go_in_pieces(struct interp *interp, int column, const slot_values *t
 		if (!kinematics->great_circle(kinematics->context, line_loc(&interp->at, column), piece))
 			return false;
 		if (widest(piece) > BESIDE) {
+			/* try_way has shown that this ends. */
 			piece->rotary = before;
 			step /= 2;
-			if (step < SHORTEST)
-				return fault(&interp->at, column,
-					     "the great circle (ORIVECT) leads through or near a pole of the rotary axes, or out of "
-					     "their limits: a parameter of the control (MD21108) decides what it does there; ORIAXES "
-					     "turns the axes evenly");
 			continue;
 		}
 		if (piece->s1 >= 1 && last && !check_end(interp, column, &piece->rotary, last))
@@ -119,7 +151,7 @@ static bool go_in_pieces(struct interp *interp, int column, const slot_values *t
 }
 
 bool sinumerik_great_circle_go(struct interp *interp, int column, const slot_values *target, const vec3 *direction,
-			       const struct canon_move *move)
+			       const struct canon_move *move, bool *evenly)
 {
 	const axis_values last = rotary_of(interp, target);
 	const slot_values start = *sinumerik_frame_place(interp);
@@ -127,6 +159,7 @@ bool sinumerik_great_circle_go(struct interp *interp, int column, const slot_val
 	struct canon_move whole = *move;
 	double angle;
 
+	*evenly = false;
 	if (interp->corner.on || interp->block.corner)
 		return fault(&interp->at, column, "CHF, CHR or RND in a block that turns the tool is not supported");
 	if (!find_ends(interp, column, &last, direction, &piece))
@@ -135,6 +168,10 @@ bool sinumerik_great_circle_go(struct interp *interp, int column, const slot_val
 	if (angle > PI - SAME_END)
 		return fault(&interp->at, column,
 			     "the tool turns round to the opposite direction: the plane of a great circle (ORIVECT) is not certain");
+	if (angle > SAME_DIRECTION && !try_way(interp, column, piece, evenly))
+		return false;
+	if (*evenly)
+		return true;
 	if (angle > SAME_DIRECTION)
 		return go_in_pieces(interp, column, target, direction ? NULL : &last, &piece, move);
 	/* The direction stays, and so do the axes, unless the block turns one that the tool lies along. */

@@ -141,9 +141,18 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 		return false;
 	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target, &turn))
 		return false;
-	if (turn.on_circle)
-		return sinumerik_great_circle_go(interp, sinumerik_block_axis_column(block), &target,
-						 turn.by_direction ? &turn.direction : NULL, &move);
+	if (turn.on_circle) {
+		const int column = sinumerik_block_axis_column(block);
+		bool evenly;
+
+		if (!sinumerik_great_circle_go(interp, column, &target, turn.by_direction ? &turn.direction : NULL, &move,
+					       &evenly))
+			return false;
+		if (!evenly)
+			return true;
+		if (turn.by_direction && !sinumerik_orientation_turn_to(interp, column, turn.direction, &target))
+			return false;
+	}
 	return arrive(interp, &target, &move, NULL);
 }
 

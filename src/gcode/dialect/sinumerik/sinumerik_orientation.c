@@ -171,8 +171,7 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 	return true;
 }
 
-/* The positions of the rotary axes that give the tool this direction. */
-static bool find_rotary(struct interp *interp, int column, vec3 direction, slot_values *target)
+bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direction, slot_values *target)
 {
 	const struct state *state = &interp->state;
 	const struct kinematics_orientation orientation = {.direction = direction,
@@ -220,7 +219,7 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	    .by_direction = block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)};
 	if (turn->by_direction && !find_direction(interp, block, &turn->direction))
 		return false;
-	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR && !find_rotary(interp, column, turn->direction, target))
+	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR && !sinumerik_orientation_turn_to(interp, column, turn->direction, target))
 		return false;
 	turns = turn->by_direction && way == SINUMERIK_ORI_VECTOR;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)

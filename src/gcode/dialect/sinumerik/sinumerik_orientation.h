@@ -21,4 +21,7 @@ struct sinumerik_turn {
 bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
 				struct sinumerik_turn *turn);
 
+/* Gives the target the nearest positions of the rotary axes that turn the tool into this direction. False: reported. */
+bool sinumerik_orientation_turn_to(struct interp *interp, int column, vec3 direction, slot_values *target);
+
 #endif

@@ -133,6 +133,7 @@ struct sinumerik {
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;
+	bool tool_upright;	/* while CYCLE800 has swivelled: the tool lies along the machine's Z */
 	bool frame_is_even;	/* the frames scale all directions alike */
 	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */
 	slot_values place;

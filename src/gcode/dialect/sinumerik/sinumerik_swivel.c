@@ -13,6 +13,9 @@
 /* Degrees: a program that turns the axes itself gives three decimals. */
 #define STANDS_ON_PLANE 0.001
 
+/* mm in 1 mm along the tool. */
+#define UPRIGHT 1e-9
+
 /* 840D sl, "Swivel plane (CYCLE800)": the arguments in their order. */
 enum { FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, FR_I, DMODE };
 
@@ -338,6 +341,20 @@ static bool check(const struct swivel *s, long status, long direction)
 	return true;
 }
 
+/* Does the tool lie along Z, as on a table that turns? Positions are those of the machine's axes here. */
+static bool look_at_tool(const struct swivel *s)
+{
+	struct interp *interp = s->interp;
+	struct kinematics_retract along = {.distance = 1, .position = interp->state.canonical};
+
+	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, s->column), &along))
+		return false;
+	sinumerik_of(interp)->tool_upright =
+	    fabs(along.position.v[SLOT_X] - interp->state.canonical.v[SLOT_X]) <= UPRIGHT &&
+	    fabs(along.position.v[SLOT_Y] - interp->state.canonical.v[SLOT_Y]) <= UPRIGHT;
+	return true;
+}
+
 bool sinumerik_swivel_run(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -355,7 +372,7 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	    !find_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
 	if (!lay_flat(&s) || !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
-	    (direction && !turn_axes(&s, &rotary)))
+	    (direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
 		return false;
 	sinumerik_frame_moved(interp);
 	sinumerik_frame_place(interp);
