@@ -6,6 +6,8 @@ import {BitModels, numberModels, RangeDecoder} from './range_decoder.js';
 
 /** What lies beyond an edge. */
 const NONE = 0, NEW = 1, BEFORE = 2, AFTER = 3, OLD = 4, BEYOND = 5;
+/** The order of questions. */
+const CHOICES = [NEW, BEFORE, AFTER, NONE];
 const MEMORY_BITS = 14;
 
 export class MeshReader {
@@ -38,11 +40,15 @@ export class MeshReader {
 		while (this.filled < this.corners.length) {
 			this.begin();
 			while (this.gates.length) {
-				const [a, b, opposite] = this.gates.splice(-3);
+				const opposite = this.pop(), b = this.pop(), a = this.pop();
 				if (this.open.has(this.edge(a, b))) this.lookBeyond(a, b, opposite);
 			}
 		}
 		return this;
+	}
+
+	pop() {
+		return /** @type {number} */ (this.gates.pop());
 	}
 
 	/** @param {number} from @param {number} to */
@@ -75,7 +81,7 @@ export class MeshReader {
 	/** @param {boolean} hasBefore @param {boolean} hasAfter */
 	beyond(hasBefore, hasAfter) {
 		let beyond = OLD;
-		for (const choice of [NEW, BEFORE, AFTER, NONE]) {
+		for (const choice of CHOICES) {
 			if (choice === BEFORE && !hasBefore || choice === AFTER && !hasAfter) continue;
 			if (!this.bits.bit(this.models.beyond, (4 * choice + 2 * Number(hasBefore) + Number(hasAfter)) * BEYOND ** 3 + this.history)) continue;
 			beyond = choice;
@@ -87,8 +93,9 @@ export class MeshReader {
 
 	/** @param {number} a @param {number} b @param {number} c */
 	take(a, b, c) {
-		this.corners.set([a, b, c], this.filled);
-		this.filled += 3;
+		this.corners[this.filled++] = a;
+		this.corners[this.filled++] = b;
+		this.corners[this.filled++] = c;
 		this.lie(a, b);
 		this.lie(b, c);
 		this.lie(c, a);
@@ -117,7 +124,7 @@ export class MeshReader {
 			for (let k = 0; k < 3; k++) points[at + k] = (near < 0 ? 0 : points[near + k]) + memory[slot + k];
 			memory[slot + 3] = Math.min(run + 1, 7);
 		} else {
-			this.inFull(corner, [follows, other, opposite].filter((vertex, i) => !i || vertex >= 0));
+			this.inFull(corner, follows, other, opposite);
 			memory[slot + 3] = 1;
 		}
 		for (let k = 0; k < 3; k++) memory[slot + k] = points[at + k] - (near < 0 ? 0 : points[near + k]);
@@ -126,14 +133,19 @@ export class MeshReader {
 		return this.seen++;
 	}
 
-	/** @param {number} corner @param {number[]} near */
-	inFull(corner, near) {
+	/** @param {number} corner @param {number} follows @param {number} other @param {number} opposite */
+	inFull(corner, follows, other, opposite) {
+		const {bits, points} = this, {equal: models} = this.models;
 		let equal = 0;
 		for (let k = 0; k < 3; k++) {
-			const values = near.map((vertex) => vertex < 0 ? 0 : this.points[3 * vertex + k]);
-			const same = values.findIndex((value, i) => values.indexOf(value) === i && this.bits.bit(this.models.equal, 36 * corner + 12 * k + 3 * equal + i));
-			this.points[3 * this.seen + k] = same >= 0 ? values[same] : this.value(corner, k, equal, values.length < 3 ? values[0] : values[0] + values[1] - values[2]);
-			equal = 2 * equal + Number(same >= 0) & 3;
+			const model = 36 * corner + 12 * k + 3 * equal;
+			const a = follows < 0 ? 0 : points[3 * follows + k], b = other < 0 ? a : points[3 * other + k], c = opposite < 0 ? a : points[3 * opposite + k];
+			// Each value is asked for once.
+			let value = a, same = bits.bit(models, model);
+			if (!same && b !== a) value = b, same = bits.bit(models, model + 1);
+			if (!same && c !== a && c !== b) value = c, same = bits.bit(models, model + 2);
+			points[3 * this.seen + k] = same ? value : this.value(corner, k, equal, opposite < 0 ? a : a + b - c);
+			equal = 2 * equal + same & 3;
 		}
 	}
 

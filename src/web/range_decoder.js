@@ -1,7 +1,10 @@
 // @ts-check
 // range_decoder.js - bits out of a range coder whose probabilities adapt (src/report/format/range_coder.h).
 
-const LEAST = 32, SLOWEST = 5, NUMBER_BITS = 34, NUMBER_MODELS = NUMBER_BITS * 4;
+const LEAST = 32, SEEN_MAX = 16, NUMBER_BITS = 34, NUMBER_MODELS = NUMBER_BITS * 4;
+
+/** How slowly a model learns, by the bits that it has seen. */
+const SHIFTS = Uint8Array.from({length: SEEN_MAX + 1}, (_, seen) => Math.min(5, 32 - Math.clz32(seen + 1)));
 
 /** What is expected of bits: `count` models, side by side. */
 export class BitModels {
@@ -24,8 +27,8 @@ export class RangeDecoder {
 
 	/** @param {BitModels} models @param {number} index @returns {0|1} */
 	bit({p, seen}, index) {
-		const bound = Math.floor(this.range / 65536) * p[index];
-		const shift = Math.min(SLOWEST, 32 - Math.clz32(seen[index] + 1));
+		const bound = (this.range >>> 16) * p[index];
+		const shift = SHIFTS[seen[index]];
 		const one = this.code < bound;
 		if (one) {
 			this.range = bound;
@@ -35,7 +38,7 @@ export class RangeDecoder {
 			this.range -= bound;
 			p[index] = Math.max(LEAST, p[index] - (p[index] >> shift));
 		}
-		if (seen[index] < 16) seen[index]++;
+		if (seen[index] < SEEN_MAX) seen[index]++;
 		while (this.range < 2 ** 24) {
 			this.range *= 256;
 			this.code = this.code * 256 + (this.bytes[this.at++] || 0);
