@@ -40,9 +40,11 @@ static bool circle_init(struct circle *circle, const struct machine *machine, st
 		count++;
 	}
 	if (count != 2) {
-		diag_error(diag, loc,
-			   "turning the tool on a great circle needs two rotary axes between the workpiece and the tool; this "
-			   "machine has %zu", count);
+		diag_error(
+		    diag, loc,
+		    "turning the tool on a great circle needs two rotary axes between the workpiece and the tool; this "
+		    "machine has %zu",
+		    count);
 		return false;
 	}
 	circle->tool = vec3_scale(-1, machine->spindle.direction);
@@ -60,7 +62,8 @@ bool great_circle_direction(const struct machine *machine, struct srcloc loc, st
 		return false;
 	alpha = mat3_turn(circle.a, rotary->v[circle.slots[0]]);
 	beta = mat3_turn(circle.b, rotary->v[circle.slots[1]]);
-	*direction = vec3_unit(mat3_apply_transposed(&circle.to_work, mat3_apply(&alpha, mat3_apply(&beta, circle.tool))));
+	*direction =
+	    vec3_unit(mat3_apply_transposed(&circle.to_work, mat3_apply(&alpha, mat3_apply(&beta, circle.tool))));
 	return true;
 }
 
@@ -76,7 +79,8 @@ static struct bounds find_bounds(const struct circle *circle, vec3 normal, vec3 
 	const double k = vec3_dot(circle->a, circle->b), p = vec3_dot(circle->b, circle->tool);
 	const double lean = math_acos(fmin(fmax(vec3_dot(circle->a, at), -1), 1));
 	const double least = fmax(lean - half, 0), most = fmin(lean + half, PI);
-	const double sine = fmin(math_sin(least), math_sin(most)), widest = least <= PI / 2 && most >= PI / 2 ? 1 : fmax(math_sin(least), math_sin(most));
+	const double sine = fmin(math_sin(least), math_sin(most)),
+		     widest = least <= PI / 2 && most >= PI / 2 ? 1 : fmax(math_sin(least), math_sin(most));
 	const double high = math_cos(least), low = math_cos(most), x = fmax(fabs(high), fabs(low));
 	const double r2 = (1 - k * k) * (1 - p * p), off = fmax(fabs(high - k * p), fabs(low - k * p));
 	const double d2 = r2 - off * off, q = fabs(k) + fabs(p) * x, m = speed * fabs(vec3_dot(circle->a, normal));
@@ -95,8 +99,8 @@ static struct bounds find_bounds(const struct circle *circle, vec3 normal, vec3 
 }
 
 /* Is this solution the one that the axes reach on the way, and is the other one none? */
-static bool is_reached(const struct circle *circle, const struct kinematics_great_circle *piece, const axis_values *rotary,
-		       const struct bounds *bounds)
+static bool is_reached(const struct circle *circle, const struct kinematics_great_circle *piece,
+		       const axis_values *rotary, const struct bounds *bounds)
 {
 	const double h = piece->s1 - piece->s0;
 

@@ -119,7 +119,8 @@ static bool take_percent(struct interp *interp)
 		interp->ended = true;
 		return sinumerik_call_end_of_file(interp);
 	}
-	return fault(&interp->at, 1, "'%%' ends the tape, but a subprogram is being carried out: M17 or RET is missing");
+	return fault(&interp->at, 1,
+		     "'%%' ends the tape, but a subprogram is being carried out: M17 or RET is missing");
 }
 
 static bool is_proc(const char *words)

@@ -126,10 +126,11 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 		return sinumerik_system_write(interp, lexer, name, column);
 	found = sinumerik_variables_find(sinumerik, name);
 	if (found < 0)
-		return fault(lexer->at, column,
-			     "%s is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
-			     "that the machine's maker has defined are not known here",
-			     name);
+		return fault(
+		    lexer->at, column,
+		    "%s is neither an axis of the machine nor a variable of this program; DEF makes one, and those "
+		    "that the machine's maker has defined are not known here",
+		    name);
 	variable = &sinumerik->variables[found];
 	return sinumerik_expr_element(interp, lexer, variable, &element) &&
 	       sinumerik_expr_need(lexer, '=', name) && set_values(interp, lexer, variable, element);
@@ -186,7 +187,8 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	int found;
 
 	if (!sinumerik_expr_name(lexer, made.name) || made.name[0] == '$')
-		return fault(lexer->at, column, "the name of a variable is needed here, of at most %d bytes", SINUMERIK_NAME);
+		return fault(lexer->at, column, "the name of a variable is needed here, of at most %d bytes",
+			     SINUMERIK_NAME);
 	/* An R parameter in DEF is one that the program only gives a value. */
 	if (is_r(made.name) && made.name[1] && lexer_peek(lexer) == '=')
 		return set_r(interp, lexer, made.name);

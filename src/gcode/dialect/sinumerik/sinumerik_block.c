@@ -97,8 +97,8 @@ static bool add_letter(struct reading *r, char letter, int column, double value,
 	if (slot >= 0 && !r->interp->config->has_axis[slot])
 		return fault(r->lexer->at, column, "the machine has no %c axis", letter);
 	if (sinumerik_block_has(block, letter))
-		return fault(r->lexer->at, column, "the word %c stands twice in the block, at columns %d and %d", letter,
-			     block->column[index], column);
+		return fault(r->lexer->at, column, "the word %c stands twice in the block, at columns %d and %d",
+			     letter, block->column[index], column);
 	block->letters |= letter_bit(letter);
 	block->value[index] = value;
 	block->way[index] = way;
@@ -130,9 +130,10 @@ static bool read_g(struct reading *r, double value, int column)
 		return set_code(r, SINUMERIK_SYSTEM, (int)tenths, column);
 	code = code_find(r->interp->config->dialect->g_codes, (int)tenths);
 	if (!code && is_iso(value))
-		return fault(r->lexer->at, column,
-			     "G%g is not known; it is a code of ISO mode (G291), the language of Fanuc, which is not read here",
-			     value);
+		return fault(
+		    r->lexer->at, column,
+		    "G%g is not known; it is a code of ISO mode (G291), the language of Fanuc, which is not read here",
+		    value);
 	if (!code)
 		return fault(r->lexer->at, column, "G%g is not known", value);
 	if (code->state == CODE_REFUSED)
@@ -234,14 +235,16 @@ static bool read_plain(struct reading *r, char letter, int column, bool *done)
 		return true;
 	}
 	if (has_blank(text, start, position))
-		return fault(lexer->at, column, "a blank inside the number of %c; what a control makes of it differs", letter);
+		return fault(lexer->at, column, "a blank inside the number of %c; what a control makes of it differs",
+			     letter);
 	if (text[position] == '=' || (text[position] == '[' && letter == 'R') || letter == 'R')
 		return true;
 	*done = true;
 	lexer->position = position;
 	if (letter == 'L')
 		return read_l(r, start, position, column);
-	if (letter == 'E' || ((text[position] == 'E' || text[position] == 'e') && sinumerik_upper(text[position + 1]) == 'X'))
+	if (letter == 'E' ||
+	    ((text[position] == 'E' || text[position] == 'e') && sinumerik_upper(text[position + 1]) == 'X'))
 		return fault(lexer->at, column, letter == 'E' ? "E is neither an axis of the machine nor an address"
 							       : "numbers with an exponent (EX) are not supported yet");
 	return take_word(r, letter, column, value, SINUMERIK_WAY_MODAL);
@@ -284,7 +287,8 @@ static bool read_assigned(struct reading *r, const char *name, int column, bool 
 	if (digits > 0 && name[1 + digits] == '\0' && (name[0] == 'M' || name[0] == 'S')) {
 		lexer_take(r->lexer);
 		if (strcmp(name + 1, "1") != 0)
-			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet", name);
+			return fault(r->lexer->at, column, "%s: other spindles than the first are not supported yet",
+				     name);
 		return read_value(r, &value, &way) && take_word(r, name[0], column, value, way);
 	}
 	if (name[1] == '1' && name[2] == '\0' && slot_of_letter(name[0]) >= 0) {

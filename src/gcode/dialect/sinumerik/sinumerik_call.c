@@ -146,16 +146,18 @@ static bool find_file(struct interp *interp, const char *name, int column, struc
 static bool fault_missing(struct interp *interp, const char *name, int column)
 {
 	if (is_numbered(name))
-		return fault(&interp->at, column,
-			     "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
-			     "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%s\" "
-			     "action=\"none\"/> in the machine's <controller> says so",
-			     name, name, name + 1);
-	return fault(&interp->at, column,
-		     "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
-		     "lower case) lies beside the program or in a folder of --include; of a cycle of the machine's maker that "
-		     "moves no axis, a file with nothing but PROC and RET says so",
-		     name, name);
+		return fault(
+		    &interp->at, column,
+		    "there is no file %s.SPF (or .spf, .MPF, .mpf, in upper or lower case) beside the program or in a "
+		    "folder of --include; if %s is the builder's and moves no axis, <macro program=\"%s\" "
+		    "action=\"none\"/> in the machine's <controller> says so",
+		    name, name, name + 1);
+	return fault(
+	    &interp->at, column,
+	    "%s is neither a word that is known nor a subprogram: no file %s.SPF (or .spf, .MPF, .mpf, in upper or "
+	    "lower case) lies beside the program or in a folder of --include; of a cycle of the machine's maker that "
+	    "moves no axis, a file with nothing but PROC and RET says so",
+	    name, name);
 }
 
 /* A file of its own, or another program in the file in hand. */
@@ -199,8 +201,9 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 	if (macro && macro->action == MACRO_NONE)
 		return true;
 	if (macro)
-		return fault(&interp->at, column,
-			     "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
+		return fault(
+		    &interp->at, column,
+		    "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
 	if (!find_program(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
 	sinumerik->level++;
@@ -350,9 +353,11 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 	if (by_reference) {
 		made.refers_to = given ? sinumerik->argument_variable[i] : -1;
 		if (made.refers_to < 0)
-			return fault(lexer->at, column, "the VAR parameter %s needs a variable of the caller", made.name);
+			return fault(lexer->at, column, "the VAR parameter %s needs a variable of the caller",
+				     made.name);
 		if (sinumerik->variables[made.refers_to].type != made.type)
-			return fault(lexer->at, column, "the VAR parameter %s and its variable differ in type", made.name);
+			return fault(lexer->at, column, "the VAR parameter %s and its variable differ in type",
+				     made.name);
 	}
 	variable = sinumerik_variables_add(interp, &made, column);
 	if (!variable)
@@ -429,7 +434,8 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 		return false;
 	}
 	if (sinumerik->depth && top_call(sinumerik)->last_line) {
-		diag_error(interp->diag, loc, "the file ends with the part that line %ld repeats; end the program with M30",
+		diag_error(interp->diag, loc,
+			   "the file ends with the part that line %ld repeats; end the program with M30",
 			   top_call(sinumerik)->line);
 		return false;
 	}

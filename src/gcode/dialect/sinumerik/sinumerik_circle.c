@@ -49,8 +49,8 @@ static int circle_column(const struct sinumerik_block *block)
 }
 
 /* An arc in program coordinates becomes one of positions: frames may turn, mirror and scale it. */
-static bool place_arc(struct interp *interp, const struct sinumerik_block *block, vec3 centre, vec3 normal, double sweep,
-		      struct canon_arc *arc)
+static bool place_arc(struct interp *interp, const struct sinumerik_block *block, vec3 centre, vec3 normal,
+		      double sweep, struct canon_arc *arc)
 {
 	const struct state *state = &interp->state;
 	const vec3 offset = linear(&state->offset);
@@ -62,8 +62,9 @@ static bool place_arc(struct interp *interp, const struct sinumerik_block *block
 	if (!state->frame.on)
 		return true;
 	if (!sinumerik_frame_scale(turn, &scale))
-		return fault(&interp->at, circle_column(block),
-			     "a circle where the frame scales its axes differently is none any more; SCALE all axes alike");
+		return fault(
+		    &interp->at, circle_column(block),
+		    "a circle where the frame scales its axes differently is none any more; SCALE all axes alike");
 	mirrored = vec3_dot(turn->x, vec3_cross(turn->y, turn->z)) < 0;
 	arc->centre = vec3_add(vec3_add(offset, state->frame.origin), mat3_apply(turn, centre));
 	arc->normal = vec3_scale(1 / scale, mat3_apply(turn, normal));
@@ -137,11 +138,13 @@ static bool by_radius(struct interp *interp, const struct sinumerik_block *block
 
 	switch (arc_find_centre(c->start, c->end, radius, c->clockwise, tolerance_of(interp), &c->centre)) {
 	case ARC_NO_CHORD:
-		return fault(&interp->at, column,
-			     "a circle by its radius (CR=) cannot end where it starts; a full circle has a centre (I, J, K)");
+		return fault(
+		    &interp->at, column,
+		    "a circle by its radius (CR=) cannot end where it starts; a full circle has a centre (I, J, K)");
 	case ARC_RADIUS_TOO_SMALL:
 		return fault(&interp->at, column,
-			     "a radius of %.6g mm does not reach from the start of the circle to its end", fabs(radius));
+			     "a radius of %.6g mm does not reach from the start of the circle to its end",
+			     fabs(radius));
 	default:
 		return true;
 	}
@@ -153,7 +156,8 @@ static double centre_word(const struct interp *interp, const struct sinumerik_bl
 
 	/* I, J and K count from the start, whatever G90 says (840D sl, "Circular interpolation"). */
 	return sinumerik_block_has(block, letter)
-		   ? sinumerik_target_centre(interp, block->value[index], (enum sinumerik_way)block->way[index], false, start)
+		   ? sinumerik_target_centre(interp, block->value[index], (enum sinumerik_way)block->way[index], false,
+					     start)
 		   : start;
 }
 
@@ -206,8 +210,9 @@ static bool by_angle(struct interp *interp, const struct sinumerik_block *block,
 		return true;
 	}
 	if (!(chord > SAME_POINT))
-		return fault(&interp->at, block->address_column[SINUMERIK_AR],
-			     "a circle by its opening angle (AR=) needs a centre (I, J, K), or an end that is not its start");
+		return fault(
+		    &interp->at, block->address_column[SINUMERIK_AR],
+		    "a circle by its opening angle (AR=) needs a centre (I, J, K), or an end that is not its start");
 	/* The centre lies beside the middle of the chord, left of it for G3. */
 	c->centre.a = (c->start.a + c->end.a) / 2 - sign * (c->end.b - c->start.b) / (2 * math_tan(angle / 2));
 	c->centre.b = (c->start.b + c->end.b) / 2 + sign * (c->end.a - c->start.a) / (2 * math_tan(angle / 2));
@@ -232,9 +237,10 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 		return fault(&interp->at, circle_column(block),
 			     "a circle to AP= and RP= has its centre at the pole, and no CR=, AR=, I, J or K");
 	if (radius + centred > 1 || (radius && angle))
-		return fault(&interp->at, circle_column(block),
-			     "a circle has a centre (I, J, K), a radius (CR=), or an opening angle (AR=) with one of end "
-			     "and centre");
+		return fault(
+		    &interp->at, circle_column(block),
+		    "a circle has a centre (I, J, K), a radius (CR=), or an opening angle (AR=) with one of end "
+		    "and centre");
 	if (!radius && !centred && !angle)
 		return fault(&interp->at, circle_column(block),
 			     "a circle needs a centre (I, J, K), a radius (CR=) or an opening angle (AR=)");

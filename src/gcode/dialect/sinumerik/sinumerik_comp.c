@@ -76,8 +76,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	*radius = diameter / 2;
 	return diameter > 0 ||
 	       fault(&interp->at, column,
-		     "the radius of T%d D%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"", number,
-		     sinumerik->edge);
+		     "the radius of T%d D%d is not known: give the tool of the setup a <cutter>, or diameter=\"\"",
+		     number, sinumerik->edge);
 }
 
 /*
@@ -94,7 +94,8 @@ static bool check_plane(struct interp *interp, int column)
 	if (state->tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "tool radius compensation while TRAORI is on is not supported");
 	if (state->frame.on && state->frame.distorts && fabs(vec3_norm(state->frame.turn.x) - 1) > DIRECTION_TOLERANCE)
-		return fault(&interp->at, column, "tool radius compensation while SCALE is in force is not supported yet");
+		return fault(&interp->at, column,
+			     "tool radius compensation while SCALE is in force is not supported yet");
 	if (sinumerik_of(interp)->turns_plane)
 		return true;
 	if (state->tcp == TCP_OFF && state->frame.on)
@@ -103,7 +104,8 @@ static bool check_plane(struct interp *interp, int column)
 		return true;
 	return (state->tcp == TCP_OFF && vec3_norm(vec3_cross(seen, normal)) <= ALONG * vec3_norm(seen)) ||
 	       fault(&interp->at, column,
-		     "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in the plane of "
+		     "tool radius compensation in a plane that a frame tilts: CUT2D, which is in force, corrects in "
+		     "the plane of "
 		     "the machine's axes; CUT2DF corrects in the tilted one");
 }
 
@@ -151,7 +153,8 @@ static void loosen_all(struct interp *interp)
 static bool switch_off(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct cutter_comp *comp = &interp->comp;
-	const int motion = block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code[SINUMERIK_MOTION] : interp->state.motion;
+	const int motion =
+	    block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code[SINUMERIK_MOTION] : interp->state.motion;
 
 	if (comp->side == 0)
 		return true;
@@ -213,8 +216,9 @@ bool sinumerik_comp_stop(struct interp *interp, int column, bool ends)
 	if (comp->side == 0 || comp->queue.count == 0)
 		return true;
 	if (comp->starting || !ends)
-		return fault(&interp->at, column,
-			     "the program stops under tool radius compensation: where the tool waits depends on the control; "
-			     "G40 first");
+		return fault(
+		    &interp->at, column,
+		    "the program stops under tool radius compensation: where the tool waits depends on the control; "
+		    "G40 first");
 	return comp_send_to(interp, comp->current);
 }

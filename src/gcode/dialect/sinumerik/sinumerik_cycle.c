@@ -306,12 +306,14 @@ static bool find_planes(struct drilling *d)
 	d->bottom = given(d, DPR) && fabs(d->arguments[DPR]) > 0 ? d->reference - fabs(length(d, DPR)) : length(d, DP);
 	if (given(d, DP) && given(d, DPR) && fabs(d->arguments[DPR]) > 0 && fabs(d->bottom - length(d, DP)) > 1e-6)
 		return fault(&d->interp->at, d->column,
-			     "the depths DP and DPR differ: %.9g and %.9g mm; give one of them", length(d, DP), d->bottom);
+			     "the depths DP and DPR differ: %.9g and %.9g mm; give one of them", length(d, DP),
+			     d->bottom);
 	if (d->clear < d->reference || d->bottom > d->reference)
-		return fault(&d->interp->at, d->column,
-			     "the return plane RTP must not lie below the reference plane RFP, and the depth not above it "
-			     "(the control's alarm 61101): RTP %.9g, RFP %.9g, depth %.9g mm",
-			     d->clear, d->reference, d->bottom);
+		return fault(
+		    &d->interp->at, d->column,
+		    "the return plane RTP must not lie below the reference plane RFP, and the depth not above it "
+		    "(the control's alarm 61101): RTP %.9g, RFP %.9g, depth %.9g mm",
+		    d->clear, d->reference, d->bottom);
 	return true;
 }
 
@@ -322,7 +324,8 @@ static bool check_axis(const struct drilling *d, size_t i)
 
 	return !(axis >= 1 && axis <= 3) || (int)axis - 1 + SLOT_X == (int)d->depth ||
 	       fault(&d->interp->at, d->column,
-		     "_AXN=%.15g has the cycle drill along %c, which is not the axis across the plane in force; select its "
+		     "_AXN=%.15g has the cycle drill along %c, which is not the axis across the plane in force; select "
+		     "its "
 		     "plane",
 		     axis, "XYZ"[(int)axis - 1]);
 }

@@ -170,7 +170,9 @@ static bool compare_texts(struct expr *expr, struct expr_operand *value)
 			return false;
 		order = strcmp(left.bytes, right.bytes);
 		value->truth = true;
-		value->number = order < 0 ? comparisons[i].less : order > 0 ? comparisons[i].greater : comparisons[i].equal;
+		value->number = order < 0   ? comparisons[i].less
+				: order > 0 ? comparisons[i].greater
+					    : comparisons[i].equal;
 		return true;
 	}
 	return fault(expr->lexer->at, column, "text stands here for a number; compare it with ==, <> or the like");

@@ -114,8 +114,8 @@ static bool counter(const struct flow *flow, double **value)
 	}
 	found = sinumerik_variables_find(flow->sinumerik, name);
 	if (found < 0 || !flow->sinumerik->variables[found].numbers || flow->sinumerik->variables[found].dimensions > 0)
-		return fault(flow->lexer->at, column, "%s is no variable of this program that FOR can count; DEF makes one",
-			     name);
+		return fault(flow->lexer->at, column,
+			     "%s is no variable of this program that FOR can count; DEF makes one", name);
 	*value = &flow->sinumerik->variables[found].numbers[0];
 	return true;
 }
@@ -136,9 +136,10 @@ static bool run_for(struct flow *flow)
 	if (!sinumerik_expr_number(flow->interp, flow->lexer, &last) || !at_end(flow))
 		return false;
 	if (loop->again && !(fabs(last - loop->last) <= 0))
-		return fault(flow->lexer->at, column,
-			     "the end of this count has changed since its first round; whether a control heeds that is not "
-			     "certain");
+		return fault(
+		    flow->lexer->at, column,
+		    "the end of this count has changed since its first round; whether a control heeds that is not "
+		    "certain");
 	*value = loop->again ? *value + 1 : first;
 	loop->last = last;
 	loop->again = false;
@@ -354,7 +355,8 @@ static bool run_case(struct flow *flow)
 		if (!read_jump(flow, &jump))
 			return false;
 		if (!jump.given)
-			return fault(flow->lexer->at, expr_column(flow->lexer), "GOTOF, GOTOB, GOTO or GOTOC is needed here");
+			return fault(flow->lexer->at, expr_column(flow->lexer),
+				     "GOTOF, GOTOB, GOTO or GOTOC is needed here");
 		if (!taken.given && (otherwise || fabs(value - constant) <= 0))
 			taken = jump;
 	}

@@ -109,9 +109,11 @@ static void describe_frame(struct rotated_frame *frame, const mat3 *matrix)
 	double factor;
 
 	frame->turn = *matrix;
-	frame->back = (mat3){apply_inverse(matrix, xyz[0]), apply_inverse(matrix, xyz[1]), apply_inverse(matrix, xyz[2])};
+	frame->back =
+	    (mat3){apply_inverse(matrix, xyz[0]), apply_inverse(matrix, xyz[1]), apply_inverse(matrix, xyz[2])};
 	frame->mirrors = vec3_dot(matrix->x, vec3_cross(matrix->y, matrix->z)) < 0;
-	frame->distorts = frame->mirrors || !sinumerik_frame_scale(matrix, &factor) || fabs(factor - 1) > DIRECTION_TOLERANCE;
+	frame->distorts =
+	    frame->mirrors || !sinumerik_frame_scale(matrix, &factor) || fabs(factor - 1) > DIRECTION_TOLERANCE;
 	frame->growth = sqrt(vec3_norm2(matrix->x) + vec3_norm2(matrix->y) + vec3_norm2(matrix->z));
 }
 
@@ -214,7 +216,8 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 	for (int slot = SLOT_A; slot < SLOT_COUNT && words->code != SINUMERIK_TRANS; slot++) {
 		if (words->has[slot])
 			return fault(&interp->at, words->column,
-				     "only X, Y and Z can be turned, scaled and mirrored here, not %c", AXIS_LETTERS[slot]);
+				     "only X, Y and Z can be turned, scaled and mirrored here, not %c",
+				     AXIS_LETTERS[slot]);
 	}
 	switch (words->code) {
 	case SINUMERIK_TRANS:

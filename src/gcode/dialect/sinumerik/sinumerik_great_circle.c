@@ -74,7 +74,8 @@ static bool check_end(struct interp *interp, int column, const axis_values *rota
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (fabs(rotary->v[slot] - last->v[slot]) > SAME_END)
 			return fault(&interp->at, column,
-				     "the great circle (ORIVECT) ends with %c at %.9g degrees, and the block gives %.9g: the control "
+				     "the great circle (ORIVECT) ends with %c at %.9g degrees, and the block gives "
+				     "%.9g: the control "
 				     "changes over at the pole or alarms; ORIAXES turns the axes evenly",
 				     AXIS_LETTERS[slot], degrees(rotary->v[slot]), degrees(last->v[slot]));
 	}
@@ -85,10 +86,12 @@ static bool check_end(struct interp *interp, int column, const axis_values *rota
 static bool near_pole(struct interp *interp, int column, bool *pole)
 {
 	*pole = interp->config->controller.orientation_pole == ORIENTATION_POLE_AXES;
-	return *pole || fault(&interp->at, column,
-			      "the great circle (ORIVECT) leads through or near a pole of the rotary axes, or out of their "
-			      "limits: a parameter of the control (MD21108) decides what it does there: orientation_pole=\"axes\" "
-			      "of the machine's <controller> says that the axes of such a block turn evenly, as with ORIAXES");
+	return *pole ||
+	       fault(
+		   &interp->at, column,
+		   "the great circle (ORIVECT) leads through or near a pole of the rotary axes, or out of their "
+		   "limits: a parameter of the control (MD21108) decides what it does there: orientation_pole=\"axes\" "
+		   "of the machine's <controller> says that the axes of such a block turn evenly, as with ORIAXES");
 }
 
 /* Can the whole way be followed? *pole: it cannot, and the block goes evenly. False: reported. */
@@ -167,7 +170,8 @@ bool sinumerik_great_circle_go(struct interp *interp, int column, const slot_val
 	angle = math_atan2(vec3_norm(vec3_cross(piece.from, piece.to)), vec3_dot(piece.from, piece.to));
 	if (angle > PI - SAME_END)
 		return fault(&interp->at, column,
-			     "the tool turns round to the opposite direction: the plane of a great circle (ORIVECT) is not certain");
+			     "the tool turns round to the opposite direction: the plane of a great circle (ORIVECT) is "
+			     "not certain");
 	if (angle > SAME_DIRECTION && !try_way(interp, column, piece, evenly))
 		return false;
 	if (*evenly)

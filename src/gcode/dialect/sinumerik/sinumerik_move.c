@@ -65,7 +65,8 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 						 .centre = circle ? circle->centre : (struct plane_point){0, 0}};
 
 		if (circle && !circle->in_plane)
-			return fault(&interp->at, interp->block.g_column[G_MOTION], "CIP beside CHF, CHR or RND is not supported");
+			return fault(&interp->at, interp->block.g_column[G_MOTION],
+				     "CIP beside CHF, CHR or RND is not supported");
 		if (!corner_insert_pass(interp, &next, &waits))
 			return false;
 	}
@@ -115,11 +116,13 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 		return fault(&interp->at, column,
 			     "positions of the machine's axes (SUPA, G53, G153) while TRAORI is on; TRAFOOF first");
 	if (state->tcp == TCP_BY_PLANE && !same_double(state->length, 0))
-		return fault(&interp->at, column,
-			     "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
-			     "swivelled; write D0 beside it");
-	if (!tool_length_suspend(interp, column, &suspended) || !sinumerik_target_find_machine(interp, block, &target) ||
-	    !motion_commands_go(interp, &target, move) || !tool_length_resume(interp, column, &suspended))
+		return fault(
+		    &interp->at, column,
+		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
+		    "swivelled; write D0 beside it");
+	if (!tool_length_suspend(interp, column, &suspended) ||
+	    !sinumerik_target_find_machine(interp, block, &target) || !motion_commands_go(interp, &target, move) ||
+	    !tool_length_resume(interp, column, &suspended))
 		return false;
 	sinumerik_frame_moved(interp);
 	sinumerik_frame_place(interp);
@@ -145,8 +148,8 @@ static bool run_line(struct interp *interp, const struct sinumerik_block *block,
 		const int column = sinumerik_block_axis_column(block);
 		bool evenly;
 
-		if (!sinumerik_great_circle_go(interp, column, &target, turn.by_direction ? &turn.direction : NULL, &move,
-					       &evenly))
+		if (!sinumerik_great_circle_go(interp, column, &target, turn.by_direction ? &turn.direction : NULL,
+					       &move, &evenly))
 			return false;
 		if (!evenly)
 			return true;

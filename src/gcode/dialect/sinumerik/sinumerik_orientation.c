@@ -44,10 +44,11 @@ static bool outlive(struct interp *interp, int column)
 	if (!has_frames(interp) || answer == ANSWER_YES)
 		return true;
 	if (answer == ANSWER_UNKNOWN && has_programmable_frame(interp))
-		return fault(&interp->at, column,
-			     "a parameter of the control (MD10602) decides whether TRANS, ROT and the like outlive TRAORI and "
-			     "TRAFOOF: write them behind it, or say frames_outlive_traori=\"yes\" or \"no\" in the machine's "
-			     "<controller>");
+		return fault(
+		    &interp->at, column,
+		    "a parameter of the control (MD10602) decides whether TRANS, ROT and the like outlive TRAORI and "
+		    "TRAFOOF: write them behind it, or say frames_outlive_traori=\"yes\" or \"no\" in the machine's "
+		    "<controller>");
 	if (answer == ANSWER_UNKNOWN) {
 		sinumerik->frames_unsure = true;
 		return true;
@@ -129,14 +130,17 @@ static bool choose_nearest(struct interp *interp, int column, const struct kinem
 	    fabs(ways[0] - ways[1]) <= radians(SAME_DEGREES) &&
 	    way_to(&found.items[0].rotary, &found.items[1].rotary) > radians(SAME_DEGREES))
 		return fault(&interp->at, column,
-			     "two positions of the rotary axes turn the tool into this direction, and are as near; turn the axes "
+			     "two positions of the rotary axes turn the tool into this direction, and are as near; "
+			     "turn the axes "
 			     "towards the one that is meant, in a block before");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (best->tie[slot])
-			return fault(&interp->at, column,
-				     "%c could turn either way to this direction, which is as near; turn it towards the position "
-				     "that is meant, in a block before, or give half_turn to the axis in the machine file",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, column,
+			    "%c could turn either way to this direction, which is as near; turn it towards the "
+			    "position "
+			    "that is meant, in a block before, or give half_turn to the axis in the machine file",
+			    AXIS_LETTERS[slot]);
 	}
 	*rotary = best->rotary;
 	return true;
@@ -159,10 +163,12 @@ static bool find_direction(struct interp *interp, const struct sinumerik_block *
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (sinumerik_block_has(block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block->column[AXIS_LETTERS[slot] - 'A'],
-				     "the block turns the tool by %c and by a direction (A3= B3= C3=)", AXIS_LETTERS[slot]);
+				     "the block turns the tool by %c and by a direction (A3= B3= C3=)",
+				     AXIS_LETTERS[slot]);
 	}
 	if (sinumerik_of(interp)->machine_orientation)
-		return fault(&interp->at, column, "a direction A3= B3= C3= with ORIMKS is not supported yet; use ORIWKS");
+		return fault(&interp->at, column,
+			     "a direction A3= B3= C3= with ORIMKS is not supported yet; use ORIWKS");
 	if (state->frame.on && !sinumerik_frame_scale(&state->frame.turn, &scale))
 		return fault(&interp->at, column, "a direction where the frame scales its axes differently");
 	if (state->frame.on)
@@ -219,7 +225,8 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	    .by_direction = block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)};
 	if (turn->by_direction && !find_direction(interp, block, &turn->direction))
 		return false;
-	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR && !sinumerik_orientation_turn_to(interp, column, turn->direction, target))
+	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR &&
+	    !sinumerik_orientation_turn_to(interp, column, turn->direction, target))
 		return false;
 	turns = turn->by_direction && way == SINUMERIK_ORI_VECTOR;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
@@ -230,16 +237,18 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	case SINUMERIK_ORI_AXES:
 		return true;
 	case SINUMERIK_ORI_UNKNOWN:
-		return fault(&interp->at, column,
-			     "a parameter of the control (MD21104) decides how TRAORI turns the tool: ORIAXES or ORIVECT "
-			     "in the program says it, or orientation_interpolation=\"axes\" or \"vector\" of the machine's "
-			     "<controller>");
+		return fault(
+		    &interp->at, column,
+		    "a parameter of the control (MD21104) decides how TRAORI turns the tool: ORIAXES or ORIVECT "
+		    "in the program says it, or orientation_interpolation=\"axes\" or \"vector\" of the machine's "
+		    "<controller>");
 	default:
 		break;
 	}
 	if (sinumerik_of(interp)->machine_orientation)
-		return fault(&interp->at, column,
-			     "a great circle (ORIVECT) in the machine's coordinates (ORIMKS) is not supported; use ORIWKS");
+		return fault(
+		    &interp->at, column,
+		    "a great circle (ORIVECT) in the machine's coordinates (ORIMKS) is not supported; use ORIWKS");
 	turn->on_circle = true;
 	return true;
 }

@@ -15,7 +15,8 @@ static void apply(struct interp *interp)
 	struct state *state = &interp->state;
 	const bool within_control = sinumerik->compresses || sinumerik->path_code != SINUMERIK_G(641);
 
-	state->blend = sinumerik->compresses || sinumerik->smooths_orientation || sinumerik->path_code != SINUMERIK_G(60);
+	state->blend =
+	    sinumerik->compresses || sinumerik->smooths_orientation || sinumerik->path_code != SINUMERIK_G(60);
 	state->blend_turn = radians(sinumerik->orientation_tolerance);
 	/* G64 and G644 go as the axes' dynamics allow, so that no tolerance of the program bounds them. */
 	if (sinumerik->path_code == SINUMERIK_G(64) || sinumerik->path_code == SINUMERIK_G(644))

@@ -73,9 +73,10 @@ static bool run_positions(struct interp *interp, int column, enum axis_slot a, e
 
 	for (size_t i = 0; i < 2 && i < sinumerik->argument_count; i++) {
 		if (fabs(sinumerik->arguments[i] - all_absolute) > 0)
-			return fault(&interp->at, column,
-				     "CYCLE802 with positions that are not all absolute (its first two arguments must be "
-				     "111111111) is not supported yet");
+			return fault(
+			    &interp->at, column,
+			    "CYCLE802 with positions that are not all absolute (its first two arguments must be "
+			    "111111111) is not supported yet");
 	}
 	for (size_t i = 2; i + 1 < sinumerik->argument_count && i < 2 + 2 * POSITIONS; i += 2) {
 		const double x = sinumerik->arguments[i], y = sinumerik->arguments[i + 1];
@@ -99,7 +100,8 @@ bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 	double n[6];
 
 	if (sinumerik->modal.on && !sinumerik->modal.cycle)
-		return fault(&interp->at, column, "%s with a modal subprogram is not supported yet, only with a cycle", name);
+		return fault(&interp->at, column, "%s with a modal subprogram is not supported yet, only with a cycle",
+			     name);
 	if (name[0] == 'C')
 		return run_positions(interp, column, a, b);
 	for (size_t i = 0; i < 6; i++)

@@ -72,7 +72,8 @@ bool sinumerik_polar_find(struct interp *interp, const struct sinumerik_block *b
 
 	if (sinumerik_block_has(block, letter_a(interp)) || sinumerik_block_has(block, letter_b(interp)))
 		return fault(&interp->at, sinumerik_block_axis_column(block),
-			     "AP= and RP= stand in place of the coordinates %c and %c", letter_a(interp), letter_b(interp));
+			     "AP= and RP= stand in place of the coordinates %c and %c", letter_a(interp),
+			     letter_b(interp));
 	if (!take_words(interp, block))
 		return false;
 	end = away(interp, sinumerik_polar_pole(interp));

@@ -98,7 +98,8 @@ static bool machine_m(struct interp *interp, enum mcode_action action, int colum
 		break;
 	}
 	if (tcp == TCP_BY_PLANE)
-		return fault(&interp->at, column, "tool centre point control while CYCLE800 has swivelled; CYCLE800() first");
+		return fault(&interp->at, column,
+			     "tool centre point control while CYCLE800 has swivelled; CYCLE800() first");
 	if ((action == MCODE_TCP_ON) == (tcp != TCP_OFF))
 		return true;
 	sinumerik_frame_place(interp);
@@ -252,7 +253,8 @@ static bool run_dwell(struct interp *interp, const struct sinumerik_block *block
 
 	if (!sinumerik_block_has(block, 'F')) {
 		if (!sinumerik_block_has(block, 'S'))
-			return fault(&interp->at, column, "G4 needs its time: F in seconds, or S in turns of the spindle");
+			return fault(&interp->at, column,
+				     "G4 needs its time: F in seconds, or S in turns of the spindle");
 		if (!(interp->state.speed > 0))
 			return fault(&interp->at, column, "G4 S counts turns of the spindle, whose speed is not known");
 		seconds = block->value['S' - 'A'] * SECONDS_PER_MINUTE / interp->state.speed;
@@ -279,7 +281,8 @@ static bool run_reference(struct interp *interp, const struct sinumerik_block *b
 	if (fixed && (!(point >= 1 && point < REFERENCES_MAX) || floor(point) < point))
 		return fault(&interp->at, column, "G75 FP= must be a whole number from 1 to %d", REFERENCES_MAX - 1);
 	if (!(block->letters & AXIS_BITS))
-		return fault(&interp->at, column, "G%d needs the axes that it moves: X1=0 and the like", fixed ? 75 : 74);
+		return fault(&interp->at, column, "G%d needs the axes that it moves: X1=0 and the like",
+			     fixed ? 75 : 74);
 	if (interp->state.tcp == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "G%d while TRAORI is on; TRAFOOF first", fixed ? 75 : 74);
 	place = &interp->config->controller.references[index];
@@ -291,7 +294,8 @@ static bool run_reference(struct interp *interp, const struct sinumerik_block *b
 			continue;
 		if (!place->given || !place->has[slot])
 			return fault(&interp->at, column,
-				     "where G%d takes %c is not known: <reference number=\"%d\" %c=\"\"/> in the <controller> of "
+				     "where G%d takes %c is not known: <reference number=\"%d\" %c=\"\"/> in the "
+				     "<controller> of "
 				     "the machine file says it",
 				     fixed ? 75 : 74, AXIS_LETTERS[slot], index + 1, AXIS_LETTERS[slot]);
 		target.v[slot] = state_from_canonical(slot, place->value.v[slot]);
@@ -309,10 +313,11 @@ static bool check_swivelled(struct interp *interp, const struct sinumerik_block 
 	for (int slot = SLOT_A; slot <= SLOT_C && interp->state.tcp == TCP_BY_PLANE; slot++) {
 		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) && block->code[SINUMERIK_FRAME] == CODE_NONE &&
 		    block->code[SINUMERIK_SUPPRESSION] == CODE_NONE)
-			return fault(&interp->at, block->column[AXIS_LETTERS[slot] - 'A'],
-				     "%c while CYCLE800 has swivelled: the tool would leave the direction of its plane; "
-				     "CYCLE800() first",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, block->column[AXIS_LETTERS[slot] - 'A'],
+			    "%c while CYCLE800 has swivelled: the tool would leave the direction of its plane; "
+			    "CYCLE800() first",
+			    AXIS_LETTERS[slot]);
 	}
 	return true;
 }
@@ -385,7 +390,8 @@ static bool has_more(const struct sinumerik_block *block)
 		    sinumerik_block_has(block, 'T') || sinumerik_block_has(block, 'D');
 
 	for (int group = 0; group < SINUMERIK_GROUPS; group++)
-		more = more || (group != SINUMERIK_MOTION && group != SINUMERIK_DISTANCE && block->code[group] != CODE_NONE);
+		more = more ||
+		       (group != SINUMERIK_MOTION && group != SINUMERIK_DISTANCE && block->code[group] != CODE_NONE);
 	return more;
 }
 
@@ -420,10 +426,10 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	interp->block.corner = '\0';
 	if (interp->corner.on && has_more(block))
 		return corner_insert_end_block(interp);
-	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) || !set_speed(interp, block) ||
-	    !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) || !set_modes(interp, block) ||
-	    !sinumerik_orientation_select(interp, block) || !select_system(interp, block) ||
-	    !run_once(interp, block, &done))
+	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
+	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||
+	    !set_modes(interp, block) || !sinumerik_orientation_select(interp, block) ||
+	    !select_system(interp, block) || !run_once(interp, block, &done))
 		return false;
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;

@@ -23,7 +23,8 @@ static size_t copy_name(const char *text, size_t at, char name[SINUMERIK_NAME + 
 	for (; sinumerik_is_name(text[at]); at++) {
 		if (length == SINUMERIK_NAME) {
 			name[0] = '\0';
-			return at + strspn(text + at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
+			return at +
+			       strspn(text + at, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789");
 		}
 		name[length++] = sinumerik_upper(text[at]);
 	}

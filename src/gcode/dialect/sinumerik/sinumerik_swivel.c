@@ -47,7 +47,8 @@ static bool whole(const struct swivel *s, size_t i, const char *name, long *numb
 	const double given = value(s, i);
 
 	if (fabs(given) > 1e9 || floor(given) < given)
-		return fault(&s->interp->at, s->column, "%s of CYCLE800 must be a whole number, not %.15g", name, given);
+		return fault(&s->interp->at, s->column, "%s of CYCLE800 must be a whole number, not %.15g", name,
+			     given);
 	*number = (long)given;
 	return true;
 }
@@ -80,7 +81,8 @@ static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
 		mat3 one;
 
 		if (axis == 0 && !same_double(angle, 0))
-			return fault(&s->interp->at, s->column, "MODE=%ld of CYCLE800 names no axis for angle %d", mode, i + 1);
+			return fault(&s->interp->at, s->column, "MODE=%ld of CYCLE800 names no axis for angle %d", mode,
+				     i + 1);
 		one = mat3_turn((vec3){axis == 1, axis == 2, axis == 3 || axis == 0}, radians(angle));
 		*turn = mat3_mul(turn, &one);
 	}
@@ -92,15 +94,17 @@ static bool find_plane(const struct swivel *s, long mode, bool added, struct sin
 	static const char *const modes[] = {
 		[BY_PROJECTION_ANGLES] = "projection angles", [BY_ROTARY_AXES] = "positions of the rotary axes"};
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
-	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(), after = shift_by(point(s, X1));
+	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(),
+			       after = shift_by(point(s, X1));
 
 	if (mode < 0 || mode > 255)
 		return fault(&s->interp->at, s->column, "MODE of CYCLE800 must lie between 0 and 255, not %ld", mode);
 	if (mode >> 6 == BY_PROJECTION_ANGLES || mode >> 6 == BY_ROTARY_AXES)
-		return fault(&s->interp->at, s->column,
-			     "MODE=%ld of CYCLE800, a plane by %s, is not supported: in which direction X of the plane then "
-			     "points is not certain; axis by axis (MODE=57 and the like) it is",
-			     mode, modes[mode >> 6]);
+		return fault(
+		    &s->interp->at, s->column,
+		    "MODE=%ld of CYCLE800, a plane by %s, is not supported: in which direction X of the plane then "
+		    "points is not certain; axis by axis (MODE=57 and the like) it is",
+		    mode, modes[mode >> 6]);
 	if (!find_turn(s, mode, &turn.matrix))
 		return false;
 	before = sinumerik_frame_chain(&before, &turn);
@@ -121,11 +125,13 @@ static bool settle_free(const struct swivel *s, struct kinematics_solution *solu
 		if (!solution->free[slot] || fabs(solution->rotary.v[slot]) <= radians(SAME_DEGREES))
 			continue;
 		if (controller->swivel_pole == SWIVEL_POLE_UNKNOWN)
-			return fault(&s->interp->at, s->column,
-				     "the tool stands on the plane of CYCLE800 whatever the position of %c: whether %c then goes "
-				     "to 0 is set up by the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's "
-				     "<controller> says it",
-				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+			return fault(
+			    &s->interp->at, s->column,
+			    "the tool stands on the plane of CYCLE800 whatever the position of %c: whether %c then "
+			    "goes "
+			    "to 0 is set up by the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's "
+			    "<controller> says it",
+			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
 		if (controller->swivel_pole == SWIVEL_POLE_ZERO)
 			solution->rotary.v[slot] = 0;
 	}
@@ -144,10 +150,11 @@ static bool choose_by_sign(const struct swivel *s, struct kinematics_solutions *
 	const int slot = interp->config->controller.swivel_axis;
 
 	if (!slot)
-		return fault(&interp->at, s->column,
-			     "DIR of CYCLE800 chooses one of two positions of the rotary axes by the sign of one of them: "
-			     "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
-			     "name");
+		return fault(
+		    &interp->at, s->column,
+		    "DIR of CYCLE800 chooses one of two positions of the rotary axes by the sign of one of them: "
+		    "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
+		    "name");
 	for (*chosen = 0; *chosen < found->count; ++*chosen) {
 		const struct kinematics_solution *item = &found->items[*chosen];
 
@@ -155,8 +162,8 @@ static bool choose_by_sign(const struct swivel *s, struct kinematics_solutions *
 			return true;
 	}
 	return fault(&interp->at, s->column,
-		     "CYCLE800 with DIR=%ld: no position within the limits stands the tool on the plane with %c %s", direction,
-		     AXIS_LETTERS[slot], direction > 0 ? "positive" : "negative");
+		     "CYCLE800 with DIR=%ld: no position within the limits stands the tool on the plane with %c %s",
+		     direction, AXIS_LETTERS[slot], direction > 0 ? "positive" : "negative");
 }
 
 /* DIR=0 moves no axis: the tool must stand on the plane already. */
@@ -173,9 +180,10 @@ static bool choose_present(const struct swivel *s, struct kinematics_solutions *
 			return true;
 		}
 	}
-	return fault(&s->interp->at, s->column,
-		     "CYCLE800 with DIR=0 moves no axis, and the tool does not stand on this plane; turn the rotary axes "
-		     "first, or give DIR 1 or -1");
+	return fault(
+	    &s->interp->at, s->column,
+	    "CYCLE800 with DIR=0 moves no axis, and the tool does not stand on this plane; turn the rotary axes "
+	    "first, or give DIR 1 or -1");
 }
 
 /* The rotary positions for the plane; a machine without a second solution needs no DIR to choose. */
@@ -190,8 +198,8 @@ static bool find_position(const struct swivel *s, const struct sinumerik_frame *
 	struct kinematics_solutions found;
 	size_t chosen;
 
-	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, s->column), &orientation,
-					      &found))
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, s->column),
+					      &orientation, &found))
 		return false;
 	if (found.count == 0)
 		return fault(&interp->at, s->column,
@@ -200,10 +208,11 @@ static bool find_position(const struct swivel *s, const struct sinumerik_frame *
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C && direction; slot++) {
 		if (found.items[chosen].tie[slot])
-			return fault(&interp->at, s->column,
-				     "CYCLE800 could turn %c either way, which is as near: turn it towards the position that is "
-				     "meant, in a block before",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, s->column,
+			    "CYCLE800 could turn %c either way, which is as near: turn it towards the position that is "
+			    "meant, in a block before",
+			    AXIS_LETTERS[slot]);
 	}
 	if (direction && !settle_free(s, &found.items[chosen]))
 		return false;
@@ -326,12 +335,14 @@ static bool check(const struct swivel *s, long status, long direction)
 	if (sinumerik->edge_unsure)
 		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
 	if (!is_none(&sinumerik->frame))
-		return refuse(s, "CYCLE800 while TRANS, ROT, SCALE or MIRROR is in force is not supported yet; give the shift "
-				 "in X0 Y0 Z0 or behind it");
+		return refuse(
+		    s, "CYCLE800 while TRANS, ROT, SCALE or MIRROR is in force is not supported yet; give the shift "
+		       "in X0 Y0 Z0 or behind it");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status / 10 % 10)
-		return refuse(s, "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");
+		return refuse(s,
+			      "CYCLE800 that guides the tool's tip while it swivels (tens of ST) is not supported yet");
 	if (status / 100 % 10)
 		return refuse(s, "CYCLE800 that sets the tool up (hundreds of ST) is not supported yet");
 	if (status / 100000 > 2)

@@ -102,7 +102,8 @@ static bool read_translation(struct interp *interp, struct lexer *lexer, int sys
 	double value;
 
 	if (!sinumerik_expr_take(lexer, "CTRANS"))
-		return fault(lexer->at, expr_column(lexer), "$P_UIFR is given a shift, CTRANS(), here; other frames are not "
+		return fault(lexer->at, expr_column(lexer),
+			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not "
 			     "supported yet");
 	for (slot = 0; slot < SLOT_COUNT; slot++)
 		set_component(interp, system, slot, 0);
@@ -132,7 +133,8 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 	system = system_of(n);
 	if (system == interp->state.system)
 		return fault(&interp->at, column,
-			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select G500 before it",
+			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select "
+			     "G500 before it",
 			     n);
 	if (sinumerik_expr_take_byte(lexer, ']'))
 		return sinumerik_expr_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);

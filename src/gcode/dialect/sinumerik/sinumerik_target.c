@@ -57,9 +57,10 @@ static bool check_modes(const struct interp *interp, const struct sinumerik_bloc
 			     "a parameter of the control decides whether lengths are mm or inches before any G70, G71, "
 			     "G700 or G710: power_on_units=\"mm\" or \"inch\" of the machine's <controller> says it");
 	if (asks(interp, G_DISTANCE) && has_modal_word(block))
-		return fault(&interp->at, column,
-			     "a parameter of the control decides whether coordinates are absolute before any G90 or G91: "
-			     "power_on_distance=\"absolute\" or \"incremental\" of the machine's <controller> says it");
+		return fault(
+		    &interp->at, column,
+		    "a parameter of the control decides whether coordinates are absolute before any G90 or G91: "
+		    "power_on_distance=\"absolute\" or \"incremental\" of the machine's <controller> says it");
 	if (arc && asks(interp, G_PLANE))
 		return fault(&interp->at, column,
 			     "a parameter of the control decides which plane is in force before any G17, G18 or G19: "
@@ -85,11 +86,12 @@ static bool check_length_axis(const struct interp *interp, int column)
 	if (state->plane == G17 || state->tcp != TCP_OFF || same_double(state->length, 0) ||
 	    interp->config->controller.length_along_z == ANSWER_YES)
 		return true;
-	return fault(&interp->at, column,
-		     "in the plane of G%d a parameter of the control (SD42940) decides along which axis the tool's "
-		     "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
-		     "the other way is not supported",
-		     state->plane / 10);
+	return fault(
+	    &interp->at, column,
+	    "in the plane of G%d a parameter of the control (SD42940) decides along which axis the tool's "
+	    "length acts: tool_length_axis=\"z\" of the machine's <controller> says that it is Z in every plane; "
+	    "the other way is not supported",
+	    state->plane / 10);
 }
 
 /* Does any work offset of the setup shift an axis of the block? X, Y and Z count as one: frames may turn them. */
@@ -114,15 +116,17 @@ static bool check_system(const struct interp *interp, const struct sinumerik_blo
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	if (sinumerik->frames_unsure)
-		return fault(&interp->at, column,
-			     "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
-			     "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
-			     "the machine's <controller>");
+		return fault(
+		    &interp->at, column,
+		    "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
+		    "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
+		    "the machine's <controller>");
 	if (sinumerik->work_selected || !is_shifted(interp, block))
 		return true;
-	return fault(&interp->at, column,
-		     "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
-		     "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
+	return fault(
+	    &interp->at, column,
+	    "a parameter of the control (MD20150) decides which work offset is in force at power-on: select G54 or "
+	    "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
 }
 
 bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc)
@@ -153,11 +157,13 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 	case INCREMENTS_FROM_POSITION:
 		break;
 	default:
-		return fault(&interp->at, column,
-			     "%c by an increment after a change of frames, offsets or the tool: settings of the control "
-			     "(SD42440, SD42442) decide whether the change is traversed, too: increments_after_shift=\"traverse\" "
-			     "or \"stay\" of the machine's <controller> says it",
-			     AXIS_LETTERS[slot]);
+		return fault(
+		    &interp->at, column,
+		    "%c by an increment after a change of frames, offsets or the tool: settings of the control "
+		    "(SD42440, SD42442) decide whether the change is traversed, too: "
+		    "increments_after_shift=\"traverse\" "
+		    "or \"stay\" of the machine's <controller> says it",
+		    AXIS_LETTERS[slot]);
 	}
 	sinumerik->shifted[slot] = false;
 	return true;
@@ -172,10 +178,11 @@ static bool way_of_turn(struct interp *interp, int slot, enum sinumerik_way sort
 
 	if (sort == SINUMERIK_WAY_DC && fabs(shortest) >= 180 - SAME_DEGREES) {
 		if (!half_turn)
-			return fault(&interp->at, column,
-				     "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
-				     "this axis in the machine file says which one the control takes",
-				     AXIS_LETTERS[slot]);
+			return fault(
+			    &interp->at, column,
+			    "half a turn of %c: either way is as short; half_turn=\"positive\" or \"negative\" of "
+			    "this axis in the machine file says which one the control takes",
+			    AXIS_LETTERS[slot]);
 		*way = half_turn * fabs(shortest);
 	} else if (fabs(shortest) <= SAME_DEGREES || sort == SINUMERIK_WAY_DC) {
 		*way = shortest;
@@ -213,10 +220,11 @@ static bool find_wrapped(struct interp *interp, int slot, double value, int colu
 	double target;
 
 	if (interp->config->wrap[slot] == WRAP_SIGN)
-		return fault(&interp->at, column,
-			     "a parameter of the control (MD30455) decides which way %c turns to an absolute position: "
-			     "write DC, ACP or ACN, or say wrap=\"shortest\" or \"none\" of this axis in the machine file",
-			     AXIS_LETTERS[slot]);
+		return fault(
+		    &interp->at, column,
+		    "a parameter of the control (MD30455) decides which way %c turns to an absolute position: "
+		    "write DC, ACP or ACN, or say wrap=\"shortest\" or \"none\" of this axis in the machine file",
+		    AXIS_LETTERS[slot]);
 	if (!endpoint_absolute(interp, slot, value, offset, column, &target))
 		return false;
 	*coordinate = target - offset;
@@ -274,9 +282,10 @@ bool sinumerik_target_find_machine(struct interp *interp, const struct sinumerik
 		value = block->value[index] * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (way == SINUMERIK_WAY_IC || way == SINUMERIK_WAY_ACP || way == SINUMERIK_WAY_ACN ||
 		    (way == SINUMERIK_WAY_MODAL && state->incremental))
-			return fault(&interp->at, column,
-				     "positions of the machine's axes are absolute; an increment beside SUPA, G53 or G153 "
-				     "is not supported");
+			return fault(
+			    &interp->at, column,
+			    "positions of the machine's axes are absolute; an increment beside SUPA, G53 or G153 "
+			    "is not supported");
 		if (way == SINUMERIK_WAY_DC) {
 			if (!find_turned(interp, slot, way, value, column, &target->v[slot]))
 				return false;

@@ -24,7 +24,8 @@ static bool number_name(struct interp *interp, const char *name, int column)
 	if (i >= NAMES_MAX)
 		return fault(&interp->at, column, "the program names more than %d tools", NAMES_MAX);
 	if (i == sinumerik->name_count) {
-		sinumerik->names = mem_grow(sinumerik->names, &sinumerik->name_capacity, i + 1, sizeof(*sinumerik->names));
+		sinumerik->names =
+		    mem_grow(sinumerik->names, &sinumerik->name_capacity, i + 1, sizeof(*sinumerik->names));
 		strcpy(sinumerik->names[sinumerik->name_count++].bytes, name);
 	}
 	interp->state.selected = (int)i + 1;
@@ -47,10 +48,11 @@ static bool select_by_name(struct interp *interp, const char *name, int column)
 	}
 	if (!interp->config->has_setup)
 		return number_name(interp, name, column);
-	return fault(&interp->at, column,
-		     "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what "
-		     "it is made of",
-		     name, name);
+	return fault(
+	    &interp->at, column,
+	    "the setup defines no tool of the name \"%s\": add <tool number=\"\" name=\"%s\" length=\"\"/> with what "
+	    "it is made of",
+	    name, name);
 }
 
 static bool select_tool(struct interp *interp, const struct sinumerik_block *block)
@@ -94,8 +96,8 @@ static bool find_length(struct interp *interp, int edge, int column, double *len
 		}
 	}
 	return fault(&interp->at, column,
-		     "the setup defines no edge D%d of tool T%d: add <edge number=\"%d\" length=\"\"/> to it", edge, number,
-		     edge);
+		     "the setup defines no edge D%d of tool T%d: add <edge number=\"%d\" length=\"\"/> to it", edge,
+		     number, edge);
 }
 
 static bool set_edge(struct interp *interp, int edge, int column)
@@ -124,7 +126,8 @@ static bool set_programmed_edge(struct interp *interp, const struct sinumerik_bl
 	if (!sinumerik_block_has(block, 'D'))
 		return true;
 	if (!(value >= 0 && value <= 32000) || floor(value) < value)
-		return fault(&interp->at, block->column[index], "D must be a whole number from 0 to 32000, not %.15g", value);
+		return fault(&interp->at, block->column[index], "D must be a whole number from 0 to 32000, not %.15g",
+			     value);
 	return set_edge(interp, (int)value, block->column[index]);
 }
 
