@@ -168,7 +168,7 @@ void stock_check_log(struct stock_check *check, const struct motion_step *step, 
 
 	while (tool < check->tool_count && check->tools[tool].tool != step->tool)
 		tool++;
-	if (tool == check->tool_count || step->step_class != STEP_FEED_TURNING || step_is_box(step))
+	if (tool == check->tool_count || step->step_class != STEP_FEED_TURNING || step->bounded || step_is_box(step))
 		return;
 	if (step->span.path->kind == PATH_STRAIGHT || !(length > 0)) {
 		log_piece(check, tool, step, &step->span, (double)number, (double)number + 1);

@@ -72,6 +72,7 @@ struct canon_move {
 	 * that the tip keeps its place.
 	 */
 	double turn_spread[3];
+	bool may_stop;	/* it may end anywhere on its way (a probe) */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
 	axis_values end;	/* RAPID, FEED, ARC */
 	struct canon_arc arc;

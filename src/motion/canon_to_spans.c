@@ -138,6 +138,15 @@ static bool swing_out(struct run *run, const struct path *box)
 	return true;
 }
 
+static bool is_bounded(const struct canon_move *move)
+{
+	bool bounded = move->may_stop;
+
+	for (int i = 0; i < 3; i++)
+		bounded = bounded || move->spread[i] > 0 || move->turn_spread[i] > 0;
+	return bounded;
+}
+
 /* How far the axes may be beside the path of the move because it is known only as a set of paths. */
 static void add_spread(struct run *run)
 {
@@ -309,6 +318,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->tool = converter->tool;
 	step->tolerance = run->tolerance;
 	step->outside = run->outside;
+	step->bounded = is_bounded(run->move);
 	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
 			   : run->move->spindle_turns	? STEP_FEED_TURNING
 							: STEP_FEED_STANDING;

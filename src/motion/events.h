@@ -21,6 +21,7 @@ struct motion_step {
 	/* mm, radians: how far the axes may be beside the path (G64, canon_move.spread); not in the chord error */
 	axis_values tolerance;
 	bool outside;	/* a part of the move is past an axis limit */
+	bool bounded;	/* known only as a set of ways, or as one that may end early: it cuts nothing for certain */
 	enum step_class step_class;
 };
 

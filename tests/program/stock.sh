@@ -77,6 +77,12 @@ G1 Z-15 F600
 G0 Z12
 NC
 
+check 'a slot by a move that may stop anywhere: nothing is cut for certain' <<'NC'
+G0 X-30 Z7
+G38.3 X10 F600
+G0 Z20
+NC
+
 job 'box="40 30 30" location="0 0 -20"'
 check 'a holder that comes down to the top of the stock' <<'NC'
 G0 X0 Z12

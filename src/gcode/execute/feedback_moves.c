@@ -93,6 +93,7 @@ static bool probe(struct interp *interp, const slot_values *target, struct canon
 		named[slot] = word || (slot <= SLOT_Z && (state->tcp != TCP_OFF || state->frame.on));
 		bounded = bounded && !(word && slot > SLOT_Z);
 	}
+	move->may_stop = true;
 	if (!motion_commands_go(interp, target, move))
 		return false;
 	probed_axes_stop(state, named, &before, bounded);
