@@ -4,7 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
-#include "gcode/dialect/sinumerik/sinumerik_system.h"
+#include "gcode/dialect/sinumerik/sinumerik_system_write.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 

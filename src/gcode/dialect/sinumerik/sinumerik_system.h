@@ -13,7 +13,4 @@ bool sinumerik_system_constant(const char *name, double *value);
  */
 bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value);
 
-/* "$P_UIFR[1,X,TR]=5" behind its name; what has no geometry is read and forgotten. False: reported. */
-bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column);
-
 #endif

@@ -1,0 +1,100 @@
+#include "gcode/dialect/sinumerik/sinumerik_system_write.h"
+
+#include <string.h>
+
+#include "base/same_double.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/eval/expr.h"
+
+/* The work offset of $P_UIFR[n]: 1 is G54. */
+static int system_of(int n)
+{
+	return n <= 4 ? n - 1 : SYSTEM_SETTABLE + n - 5;
+}
+
+static bool set_component(struct interp *interp, int system, int slot, double value)
+{
+	struct state *state = &interp->state;
+
+	state->work[system].v[slot] = slot_is_rotary(slot) ? value : value * state->scale;
+	state->work_known[system] = true;
+	return true;
+}
+
+/* CTRANS(X,1,Y,2): what is not named is 0. */
+static bool read_translation(struct interp *interp, struct lexer *lexer, int system)
+{
+	int slot;
+	double value;
+
+	if (!sinumerik_expr_take(lexer, "CTRANS"))
+		return fault(lexer->at, expr_column(lexer),
+			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not "
+			     "supported yet");
+	for (slot = 0; slot < SLOT_COUNT; slot++)
+		set_component(interp, system, slot, 0);
+	if (!sinumerik_expr_need(lexer, '(', "CTRANS") || sinumerik_expr_take_byte(lexer, ')'))
+		return lexer->at->text[lexer->position - 1] == ')';
+	do {
+		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_expr_need(lexer, ',', "the axis") ||
+		    !sinumerik_expr_number(interp, lexer, &value) || !set_component(interp, system, slot, value))
+			return false;
+	} while (sinumerik_expr_take_byte(lexer, ','));
+	return sinumerik_expr_need(lexer, ')', "CTRANS");
+}
+
+/*
+ * 840D sl, system variables, $P_UIFR: a settable work offset; TR is its shift, FI the fine one, RT its turn. It takes
+ * effect where the program selects the offset the next time.
+ */
+static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
+{
+	char component[SINUMERIK_NAME + 1] = "";
+	int n, slot, system;
+	double value;
+
+	if (!sinumerik_expr_need(lexer, '[', "$P_UIFR") ||
+	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n))
+		return false;
+	system = system_of(n);
+	if (system == interp->state.system)
+		return fault(&interp->at, column,
+			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select "
+			     "G500 before it",
+			     n);
+	if (sinumerik_expr_take_byte(lexer, ']'))
+		return sinumerik_expr_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);
+	if (!sinumerik_expr_need(lexer, ',', "the number of $P_UIFR") || !sinumerik_expr_axis(interp, lexer, &slot) ||
+	    !sinumerik_expr_need(lexer, ',', "the axis"))
+		return false;
+	sinumerik_expr_name(lexer, component);
+	if (!sinumerik_expr_need(lexer, ']', "TR") || !sinumerik_expr_need(lexer, '=', "$P_UIFR[]") ||
+	    !sinumerik_expr_number(interp, lexer, &value))
+		return false;
+	if (!strcmp(component, "TR"))
+		return set_component(interp, system, slot, value);
+	if ((!strcmp(component, "FI") || !strcmp(component, "RT") || !strcmp(component, "MI")) && same_double(value, 0))
+		return true;
+	return fault(&interp->at, column, "$P_UIFR with %s is not supported yet, only with TR",
+		     component[0] ? component : "no component");
+}
+
+bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column)
+{
+	static const char *const idle[] = {"$AC_TIMER", "$AC_MARKER", "$AC_PARAM"};
+	double value;
+	int index;
+
+	if (!strcmp(name, "$P_UIFR"))
+		return write_offset(interp, lexer, column);
+	for (size_t i = 0; i < sizeof(idle) / sizeof(idle[0]); i++) {
+		if (strcmp(idle[i], name) != 0)
+			continue;
+		if (sinumerik_expr_take_byte(lexer, '[') &&
+		    (!sinumerik_expr_whole(interp, lexer, "an index", 0, 32767, &index) ||
+		     !sinumerik_expr_need(lexer, ']', "an index")))
+			return false;
+		return sinumerik_expr_need(lexer, '=', name) && sinumerik_expr_number(interp, lexer, &value);
+	}
+	return fault(&interp->at, column, "%s: a program that writes data of the control is not supported yet", name);
+}

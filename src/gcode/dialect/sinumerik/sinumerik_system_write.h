@@ -1,0 +1,10 @@
+/* sinumerik_system_write.h - system variables ($...) that a program may write. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SYSTEM_WRITE_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_SYSTEM_WRITE_H
+
+#include "gcode/dialect/sinumerik/sinumerik_state.h"
+
+/* "$P_UIFR[1,X,TR]=5" behind its name; what has no geometry is read and forgotten. False: reported. */
+bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column);
+
+#endif
