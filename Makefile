@@ -59,7 +59,7 @@ $(BUILD)/src/report/html/viewer.o: $(BUILD)/gen/report/html/viewer_files.h
 # The library that is installed: one object, whose only global symbols are those of src/fivecheck.h. Neither the command
 # line nor the reports are in it.
 FACE_OBJECTS := $(filter-out $(BUILD)/src/cli/% $(BUILD)/src/import/% $(BUILD)/src/report/%,$(OBJECTS))
-$(BUILD)/installed/libfivecheck.a: $(FACE_OBJECTS) $(BUILD)/objects
+$(BUILD)/installed/libfivecheck.a: $(FACE_OBJECTS) $(BUILD)/objects Makefile
 	@mkdir -p $(@D)
 	@rm -f $@
 	@echo '  AR $@'
