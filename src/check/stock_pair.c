@@ -42,8 +42,18 @@ static bool init_obstacle(struct stock_pair *check, struct scene *scene, int bod
 		return true;
 	}
 	check->obstacle.topology = scene_body_topology(scene, body, diag);
-	check->open = check->obstacle.topology && topology_is_open(check->obstacle.topology);
-	return check->obstacle.topology != NULL;
+	if (!check->obstacle.topology)
+		return false;
+	check->open = topology_is_open(check->obstacle.topology);
+	/* Its surface alone would never be deep enough. */
+	if (check->open && check->obstacle.inset > 0) {
+		diag_error(diag, it->loc,
+			   "the mesh of '%s' is not closed, so how deep it enters the stock cannot be told; close the "
+			   "mesh, or give sections",
+			   it->name);
+		return false;
+	}
+	return true;
 }
 
 bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair, struct stock_cells *cells,

@@ -11,10 +11,13 @@ static double mesh_distance(const struct obstacle *obstacle, vec3 point)
 	const struct bvh *bvh = obstacle->bvh;
 	const double distance = mesh_point_distance(bvh, point);
 	const vec3 off = vec3_sub(point, bvh->origin);
+	enum inside side;
 
 	if (fabs(off.x) > bvh->half.x || fabs(off.y) > bvh->half.y || fabs(off.z) > bvh->half.z)
 		return distance;
-	return mesh_inside(bvh, obstacle->topology, point) == INSIDE_YES ? -distance : distance;
+	side = mesh_inside(bvh, obstacle->topology, point);
+	/* Who comes in passes the surface. A core has no surface of its own: what may be inside counts as inside. */
+	return side == INSIDE_YES || (side == INSIDE_UNKNOWN && obstacle->inset > 0) ? -distance : distance;
 }
 
 /*

@@ -19,7 +19,7 @@ struct obstacle {
 /*
  * mm: a lower bound on the signed distance of a point, in the body's mesh coordinates, to what counts of the body. It
  * falls short by rounding only, except near edges of a core. A ball about the point that is smaller contains nothing of
- * the body. The inside of an open mesh is unknown: of such a mesh only the surface counts.
+ * the body. The inside of an open mesh is unknown: of such a mesh only the surface counts. So its inset must be 0.
  */
 double obstacle_distance(const struct obstacle *obstacle, vec3 point);
 

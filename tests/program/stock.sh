@@ -120,6 +120,22 @@ for option in --method=conventional --clearance-report=c.csv --sensitivity=0.1,0
 	echo "exit status $?"
 done
 
+echo '== a cutter from a mesh'
+box closed -5 -5 -100 5 5 -80
+head -n -8 closed.stl >open.stl
+echo endsolid >>open.stl
+for mesh in closed open; do
+	setup s.xml <<XML
+  <work_offset name="G54"/>
+  <stock box="40 30 10"/>
+  <tool number="1" length="100"><cutter mesh="$mesh.stl"/></tool>
+XML
+	check "of which the mesh is $mesh" <<'NC'
+G0 Z-95
+G0 X-40
+NC
+done
+
 echo '== threads, shards, all findings: the same bytes'
 job 'box="40 30 10"'
 {
