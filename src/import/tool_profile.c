@@ -212,7 +212,7 @@ static struct section_description section_between(const struct tool_profile *pro
 						  double gap)
 {
 	const struct profile_piece *p = outermost(profile, low, high);
-	double at_low = gap / 2, at_high = gap / 2;
+	double at_low = gap / 2, at_high = at_low;
 
 	if (p) {
 		at_low = radius_at(p, fmax(low, p->low));
