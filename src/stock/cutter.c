@@ -189,11 +189,18 @@ static double whole_removes(const struct revolved *whole, const struct cutter_wa
 			    double depth)
 {
 	const double needed = -(1.7320508075688773 * cube->half * (1 + DBL_EPSILON) + depth);
-	double outside = 0, inside = deepest_time(whole, way, cube->centre);
+	double outside = 0, inside = 1;
 	struct cutter_place place = place_at(way, inside);
 
-	if (-needed > whole->radius || point_distance(whole, &place, cube->centre) > needed)
+	if (-needed > whole->radius)
 		return INFINITY;
+	/* Along a solid that is not convex the search may miss the deepest place, but the end is where cuts meet. */
+	if (point_distance(whole, &place, cube->centre) > needed) {
+		inside = deepest_time(whole, way, cube->centre);
+		place = place_at(way, inside);
+		if (point_distance(whole, &place, cube->centre) > needed)
+			return INFINITY;
+	}
 	place = place_at(way, 0);
 	if (point_distance(whole, &place, cube->centre) <= needed)
 		return 0;
