@@ -120,7 +120,7 @@ struct power_on {
 	int distance;	/* G90, G91 */
 	int plane;	/* G17, G18, G19 */
 	int feed_mode;	/* G93, G94, G95 */
-	int path;	/* G61, G64; 0: the program's path is kept until it says G64 */
+	int path;	/* G61, G64; 0: not known, so the control may leave the path until the program says G61 */
 	bool asks_motion;	/* a parameter decides between G0 and G1; else none is in force */
 };
 

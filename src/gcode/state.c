@@ -169,7 +169,8 @@ static void init_modes(struct state *state, const struct gcode_config *config)
 	state->arc_absolute = traits->arc_centre == ARC_CENTRE_ABSOLUTE;
 	state->scale = state_unit(on->units);
 	state->feed_mode = state_feed_mode(on->feed_mode);
-	state->blend = on->path == G64;
+	/* Where it is not known the control may leave the path. */
+	state->blend = on->path != G61;
 	state->unknown_modes = (on->units ? 0U : 1U << G_UNITS) | (on->distance ? 0U : 1U << G_DISTANCE) |
 			       (on->plane ? 0U : 1U << G_PLANE) | (on->feed_mode ? 0U : 1U << G_FEED_MODE) |
 			       (traits->arc_centre ? 0U : 1U << G_ARC_DISTANCE);

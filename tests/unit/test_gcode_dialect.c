@@ -28,6 +28,7 @@ static const struct code more_codes[] = {
     {G41, G_CUTTER, CODE_READ, "a code"},
     {G53_1, G_NONMODAL, CODE_READ, "a code"},
     {G54_1, G_SYSTEM, CODE_READ, "a code"},
+    {G92_1, G_NONMODAL, CODE_READ, "a code"},
     {1234, G_NONMODAL, CODE_READ, "a code"},
     {1235, G_MOTION, CODE_READ, "a code"},
 };
@@ -163,6 +164,9 @@ static const struct refusal usual_refusals[] = {
     {"G94 F9\nG95\n", 1, UNKNOWN("whether the feed rate outlives G93, G94 and G95")},
     {"G1 F9\n", 1, UNKNOWN("whether G1 without an axis word needs a feed rate")},
     {"G64 P1\n", 5, UNKNOWN("whether P of G64 is a path tolerance")},
+    {"G61.1\n", 1, UNKNOWN("whether G61.1 keeps to the path")},
+    {"G92.1\n", 1, UNKNOWN("whether G92.1 cancels the shift or presets coordinates")},
+    {"G20 G0 X1\n", 1, UNKNOWN("whether a unit holds for all words of its block")},
     {"F9\nG2 X1 R1 P2\n", 10, UNKNOWN("whether P of G2 and G3 is a number of turns")},
     {"F9\nG2 X2 I1\n", 1, UNKNOWN("whether I, J and K count from the start of an arc")},
     {"G0 C400\n", 4, UNKNOWN("where an absolute position of a turn or more leads a wrapped axis")},
@@ -208,6 +212,20 @@ START_TEST(silent_table)
 
 	dialect.traits = usual;
 	expect_refusal(&usual_refusals[_i], &dialect);
+}
+END_TEST
+
+/* A control of which it is not known may leave the path until the program says G61. */
+START_TEST(silent_path)
+{
+	struct dialect dialect = silent;
+	struct gcode_case c;
+
+	dialect.traits = usual;
+	case_init(&c);
+	c.config.dialect = &dialect;
+	c.show_blend = true;
+	case_expect(&c, "G0 X1\nG61 X2\nM2\n", "rapid 1 0 0 0 0 blend 0\nrapid 2 0 0 0 0 exact\n");
 }
 END_TEST
 
@@ -272,6 +290,7 @@ int main(void)
 	tcase_add_test(tcase, given_modes);
 	tcase_add_loop_test(tcase, silent_modes, 0, COUNT(silent_refusals));
 	tcase_add_loop_test(tcase, silent_table, 0, COUNT(usual_refusals));
+	tcase_add_test(tcase, silent_path);
 	tcase_add_test(tcase, half_answered_cycles);
 	tcase_add_test(tcase, rows);
 	suite_add_tcase(suite, tcase);

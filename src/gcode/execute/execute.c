@@ -168,6 +168,10 @@ static bool execute_path(struct interp *interp)
 
 	if (block->g[G_PATH] == CODE_NONE)
 		return true;
+	if (block->g[G_PATH] == G61_1 &&
+	    !is_answered(interp, block->g_column[G_PATH], traits_of(interp)->g64_has_tolerance,
+			 "whether G61.1 keeps to the path"))
+		return false;
 	if (state->contour && blends) {
 		state->blend_before = true;
 		return true;
@@ -358,6 +362,10 @@ bool execute_block(struct interp *interp)
 		return false;
 	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
 	    !cutter_comp_start_block(interp))
+		return false;
+	if (block->g[G_UNITS] != CODE_NONE && block->letters &&
+	    !is_answered(interp, block->g_column[G_UNITS], dialect->traits.known_order,
+			 "whether a unit holds for all words of its block"))
 		return false;
 	/* Fanuc and Haas: the unit stands at the head of the program, and holds for its whole block. */
 	if (block->g[G_UNITS] != CODE_NONE && dialect->traits.known_order != ANSWER_YES)

@@ -242,6 +242,9 @@ bool offsets_shift(struct interp *interp)
 	struct state *state = &interp->state;
 	int code = interp->block.g[G_NONMODAL], column = interp->block.g_column[G_NONMODAL];
 
+	if (code == G92_1 && !is_answered(interp, column, traits_of(interp)->one_shift,
+					  "whether G92.1 cancels the shift or presets coordinates"))
+		return false;
 	if (code == G92_1 && traits_of(interp)->one_shift == ANSWER_NO)
 		return preset(interp);
 	if (code == G92_1 || code == G92_2 || code == G92_3) {
