@@ -28,6 +28,7 @@ static const struct code more_codes[] = {
     {G41, G_CUTTER, CODE_READ, "a code"},
     {G53_1, G_NONMODAL, CODE_READ, "a code"},
     {G54_1, G_SYSTEM, CODE_READ, "a code"},
+    {G61_1, G_PATH, CODE_READ, "a code"},
     {G92_1, G_NONMODAL, CODE_READ, "a code"},
     {1234, G_NONMODAL, CODE_READ, "a code"},
     {1235, G_MOTION, CODE_READ, "a code"},
