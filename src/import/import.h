@@ -20,6 +20,7 @@ struct import_machine {
 	struct mesh *meshes;	/* the n-th belongs to the n-th body; owned */
 	size_t mesh_capacity, body_capacity, pair_capacity;
 	bool dialect_known, rapid_known;	/* else the file says nothing of it */
+	size_t left_out;	/* bodies whose meshes are not there */
 };
 
 /* All zero is an empty machine. */

@@ -306,6 +306,7 @@ static bool read_mesh(struct reading *r, const xmlNode *model, const char *writt
 				  "the body out with --skip-missing",
 				  xml_quote(written).text);
 		*left_out = r->options->skip_missing;
+		r->machine->left_out += r->options->skip_missing;
 		good = false;
 	}
 	good = good && mesh_file_read(mesh, strbuf_text(&path), unit, r->diag);
@@ -347,8 +348,8 @@ static bool read_cylinder(struct reading *r, const xmlNode *model, struct mesh *
 
 static bool is_model(const xmlNode *node)
 {
-	/* What every model has and nothing else of a component. */
-	return foreign_attribute(node, "Mirror") != NULL;
+	/* Each of these is in models only; a model that was not recognised would be a body that nobody misses. */
+	return foreign_attribute(node, "Mirror") || foreign_child(node, "File") || foreign_child(node, "Position");
 }
 
 static bool read_model(struct reading *r, const struct vericut_component *c, const xmlNode *model)
@@ -359,7 +360,7 @@ static bool read_model(struct reading *r, const struct vericut_component *c, con
 	bool good, left_out = false;
 	xform frame;
 
-	if (!foreign_attribute_is(model, "Mirror", "off")) {
+	if (foreign_attribute(model, "Mirror") && !foreign_attribute_is(model, "Mirror", "off")) {
 		xml_error(&r->xml, model, "Mirror", "mirrored models cannot be taken over: save it mirrored as STL");
 		return false;
 	}

@@ -64,6 +64,10 @@ echo "in inches:"
 machine inch >inch.mch
 fivecheck import --output inch --meshes models inch.mch 2>&1 | grep -c warning
 python3 "$(dirname "$LIB")/../import/vericut_truth.py" inch.mch inch
+echo "models without the word Mirror are bodies, too:"
+machine millimeter | sed 's/ Mirror="Off"//' >plain.mch
+fivecheck import --output plain plain.mch 2>/dev/null
+grep -c '<body' plain/machine.xml
 echo "nothing is overwritten:"
 fivecheck import --output new dmu.mch
 echo "faults:"
@@ -96,6 +100,7 @@ echo "meshes that are not there:"
 rm models/Z_Head.PLY
 fivecheck import --output less --skip-missing dmu.mch 2>&1 | grep left
 grep -c '<body' less/machine.xml
+grep TODO.*left less/machine.xml
 printf 'VERICUT-model\nversion-3.0\n' >models/Z_Head.PLY
 fivecheck import --output less2 dmu.mch 2>&1 | grep error
 printf 'VERICUT-model\nversion-2.0\n1\n0 1 0\n\003abc' >models/Z_Head.PLY
