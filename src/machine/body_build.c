@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "machine/tool_solid.h"
+
 bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
 		struct body *body)
 {
@@ -34,4 +36,15 @@ void body_check_name(struct description_file *file, const void *at, const char *
 			return;
 		}
 	}
+}
+
+double body_build_depth(struct description_file *file, const void *at, const char *element, const char *name,
+			struct optional_number described, double fallback)
+{
+	if (!described.given)
+		return fallback;
+	if (described.value < 0 || described.value > TOOL_SIZE_MAX)
+		description_fault(file, at, name, "%s=\"%s\" of <%s> is not between 0 and %g mm", name,
+				  description_quote(file, at, name).text, element, TOOL_SIZE_MAX);
+	return described.value;
 }

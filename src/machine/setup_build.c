@@ -71,18 +71,6 @@ static void build_work_offset(struct description_file *file, const struct work_o
 	setup->offsets[setup->offset_count++] = offset;
 }
 
-/* How deep a cutter may enter a part. */
-static double build_depth(struct description_file *file, const void *at, const char *name,
-			  struct optional_number described, double fallback)
-{
-	if (!described.given)
-		return fallback;
-	if (described.value < 0 || described.value > TOOL_SIZE_MAX)
-		description_fault(file, at, name, "%s=\"%s\" of <part> is not between 0 and %g mm", name,
-				  description_quote(file, at, name).text, TOOL_SIZE_MAX);
-	return described.value;
-}
-
 /* A fixture, a part or the stock. */
 static void build_mounted(struct description_file *file, const struct body_description *described,
 			  const struct machine *machine, struct setup *setup)
@@ -92,9 +80,9 @@ static void build_mounted(struct description_file *file, const struct body_descr
 	if (!body_build(file, described, &machine->workholding.frame, &body))
 		return;
 	if (body.role == ROLE_PART) {
-		body.rapid_allowance = build_depth(file, described->at, "rapid_allowance", described->rapid_allowance,
-						   RAPID_ALLOWANCE);
-		body.gouge = build_depth(file, described->at, "gouge", described->gouge, -1);
+		body.rapid_allowance = body_build_depth(file, described->at, "part", "rapid_allowance",
+							described->rapid_allowance, RAPID_ALLOWANCE);
+		body.gouge = body_build_depth(file, described->at, "part", "gouge", described->gouge, -1);
 	}
 	if (body.role == ROLE_STOCK)
 		stock_build(file, described, setup, &body);

@@ -3,6 +3,7 @@
 #include <float.h>
 
 #include "geom/tolerance.h"
+#include "machine/body_build.h"
 #include "machine/tool_solid.h"
 
 /* A corner of a box that stands on the origin, by the bits of its number. */
@@ -57,26 +58,14 @@ static bool has_size(struct description_file *file, const struct body_descriptio
 	return false;
 }
 
-/* A depth that the file may give: mm. */
-static double build_depth(struct description_file *file, const void *at, const char *name,
-			  struct optional_number described, double fallback)
-{
-	if (!described.given)
-		return fallback;
-	if (described.value < 0 || described.value > TOOL_SIZE_MAX)
-		description_fault(file, at, name, "%s=\"%s\" of <stock> is not between 0 and %g mm", name,
-				  description_quote(file, at, name).text, TOOL_SIZE_MAX);
-	return described.value;
-}
-
 void stock_build(struct description_file *file, const struct body_description *described, struct setup *setup,
 		 struct body *body)
 {
 	struct mesh *mesh;
 
-	body->rapid_allowance = build_depth(file, described->at, "rapid_allowance", described->rapid_allowance,
-					    STOCK_RAPID_ALLOWANCE);
-	body->uncertainty = build_depth(file, described->at, "uncertainty", described->uncertainty, 0);
+	body->rapid_allowance = body_build_depth(file, described->at, "stock", "rapid_allowance",
+						 described->rapid_allowance, STOCK_RAPID_ALLOWANCE);
+	body->uncertainty = body_build_depth(file, described->at, "stock", "uncertainty", described->uncertainty, 0);
 	if (described->shape == STOCK_MESH || !has_size(file, described))
 		return;
 	mesh = arena_alloc(&setup->arena, sizeof(*mesh));
