@@ -29,27 +29,17 @@ static bool find_tap_feed(const struct klartext_call_of *call, double pitch, dou
 
 /* ------------------------------------------------------------------ heights */
 
-/*
- * iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's surface, Q200 the set-up clearance
- * above it, Q204 the second one, Q201 the depth below the surface.
- */
 static bool find_heights(const struct klartext_call_of *call, struct klartext_hole *hole)
 {
-	double clearance, surface, depth, second;
+	struct klartext_heights heights;
 
-	if (!klartext_parameter_length(call, 200, &clearance) || !klartext_parameter_length(call, 201, &depth) ||
-	    !klartext_parameter_length(call, 203, &surface) || !klartext_parameter_length(call, 204, &second))
+	if (!klartext_parameter_heights(call, &heights))
 		return false;
-	if (clearance < 0 || second < 0)
-		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
-	if (depth > 0)
-		return fault(&call->interp->at, call->column,
-			     "Q201=%g: what a depth above the surface does depends on a machine parameter", depth);
-	hole->start = surface + clearance;
-	hole->bottom = surface + depth;
-	hole->clear = surface + fmax(second, clearance);
-	hole->clearance = clearance;
-	hole->nothing = same_double(depth, 0);
+	hole->start = heights.start;
+	hole->bottom = heights.bottom;
+	hole->clear = heights.clear;
+	hole->clearance = heights.clearance;
+	hole->nothing = heights.nothing;
 	return true;
 }
 

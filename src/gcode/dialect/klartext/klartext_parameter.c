@@ -1,7 +1,9 @@
 #include "gcode/dialect/klartext/klartext_parameter.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "base/units.h"
 
 /* ------------------------------------------------------------------- words */
@@ -79,5 +81,25 @@ bool klartext_parameter_feed(const struct klartext_call_of *call, int q, double 
 		return fault(&call->interp->at, call->column, "Q%d of CYCL DEF %d: a feed rate cannot be negative", q,
 			     call->cycle->number);
 	*feed = klartext_parameter_per_second(call, value);
+	return true;
+}
+
+bool klartext_parameter_heights(const struct klartext_call_of *call, struct klartext_heights *heights)
+{
+	double clearance, surface, depth, second;
+
+	if (!klartext_parameter_length(call, 200, &clearance) || !klartext_parameter_length(call, 201, &depth) ||
+	    !klartext_parameter_length(call, 203, &surface) || !klartext_parameter_length(call, 204, &second))
+		return false;
+	if (clearance < 0 || second < 0)
+		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
+	if (depth > 0)
+		return fault(&call->interp->at, call->column,
+			     "Q201=%g: what a depth above the surface does depends on a machine parameter", depth);
+	*heights = (struct klartext_heights){.start = surface + clearance,
+					     .bottom = surface + depth,
+					     .clear = surface + fmax(second, clearance),
+					     .clearance = clearance,
+					     .nothing = same_double(depth, 0)};
 	return true;
 }

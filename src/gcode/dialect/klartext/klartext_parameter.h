@@ -27,6 +27,19 @@ double klartext_parameter_length_or(const struct klartext_call_of *call, int q, 
 /* mm/s, of F in mm/min or tenths of an inch a minute. */
 double klartext_parameter_per_second(const struct klartext_call_of *call, double feed);
 
+/* Heights along the tool, mm, that nearly all cycles have. */
+struct klartext_heights {
+	double start, bottom, clear; /* set-up clearance, bottom, second set-up clearance */
+	double clearance; /* of `start` above the surface */
+	bool nothing; /* a depth of 0: the cycle is not carried out */
+};
+
+/*
+ * Q200, Q201, Q203 and Q204 of the cycle. iTNC 530 user's manual, cycles 200 to 209, 240, 241: Q203 is the workpiece's
+ * surface, Q200 the set-up clearance above it, Q204 the second one, Q201 the depth below the surface. False: reported.
+ */
+bool klartext_parameter_heights(const struct klartext_call_of *call, struct klartext_heights *heights);
+
 /* The feed Q<q>, mm/s. False: reported. */
 bool klartext_parameter_feed(const struct klartext_call_of *call, int q, double *feed);
 

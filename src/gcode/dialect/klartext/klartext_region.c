@@ -152,20 +152,14 @@ bool klartext_region_is(int number)
 
 static bool find_heights(const struct klartext_call_of *call, struct region *region)
 {
-	double clearance, depth, surface, second;
+	struct klartext_heights heights;
 
-	if (!klartext_parameter_length(call, 200, &clearance) || !klartext_parameter_length(call, 201, &depth) ||
-	    !klartext_parameter_length(call, 203, &surface) || !klartext_parameter_length(call, 204, &second))
+	if (!klartext_parameter_heights(call, &heights))
 		return false;
-	if (clearance < 0 || second < 0)
-		return fault(&call->interp->at, call->column, "a set-up clearance (Q200, Q204) cannot be negative");
-	if (depth > 0)
-		return fault(&call->interp->at, call->column,
-			     "Q201=%g: what a depth above the surface does depends on a machine parameter", depth);
-	region->nothing = same_double(depth, 0);
-	region->top = surface + clearance;
-	region->bottom = surface + depth;
-	region->clear = surface + fmax(second, clearance);
+	region->nothing = heights.nothing;
+	region->top = heights.start;
+	region->bottom = heights.bottom;
+	region->clear = heights.clear;
 	return true;
 }
 
