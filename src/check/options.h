@@ -27,7 +27,7 @@ struct check_options {
 	enum check_method method;
 	double step;	/* s between samples of the two sampled methods */
 	double tolerance;	/* mm: e of the verdict contract */
-	double stock_tolerance;	/* mm: how exactly the stock is known that cutters leave; 0: STOCK_TOLERANCE */
+	double stock_tolerance;	/* mm: the tolerance of the remaining stock; 0: STOCK_TOLERANCE */
 	bool all;	/* report the first finding of each pair in each block; false: stop at the first */
 	/* read.cancel is asked during a batch, too. If a batch is interrupted, none of its findings is reported. */
 	struct read_options read;

@@ -7,11 +7,11 @@
 #include "check/step.h"
 #include "motion/path.h"
 
-/* Of the stock's tolerance: how far points move in an instant, and the least distance that a budget begins with. */
+/* Shares of the stock's tolerance: the motion that counts as one instant, and the least distance worth a budget. */
 #define GRAIN_SHARE 0.0625
 #define MARGIN_SHARE 0.0625
 
-/* A look at a cell takes so many times as long as one at a pair of nodes, of which check_options.effort speaks. */
+/* Looking at a cell costs as much as this many pairs of nodes, the unit of check_options.effort. */
 #define CELL_EFFORT 8
 
 /* mm: distances beyond this are all alike. */

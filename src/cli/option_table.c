@@ -94,7 +94,7 @@ const struct option_row option_table[OPTION_COUNT] = {
     {KEY_CLEARANCE, "clearance", "MM", IN_CHECK | IN_PAIRS, NUMBER(clearance, 0, 1e5, "mm"),
      .help = "the distance that bodies must keep (0)"},
     {KEY_STOCK_TOLERANCE, "stock-tolerance", "MM", IN_CHECK, NUMBER(check.stock_tolerance, 0.001, 10, "mm"),
-     .help = "how exactly the stock is known that cutters leave (0.1)"},
+     .help = "the tolerance of the remaining stock (0.1)"},
     {'a', "all", NULL, IN_CHECK | IN_PARSE, FLAG(check.all),
      .help = "go on after the first finding; report the first of\neach block and pair"},
     {KEY_POSE, "pose", "FILE.stl", IN_CHECK, TEXT(pose), .help = "write all bodies as they stand at the first finding"},

@@ -1,4 +1,8 @@
-/* proof.h - what is proved of one pair of bodies. Every answer that a pair stays apart comes from here. */
+/*
+ * proof.h - what is proved of one pair of bodies: every answer of the certified method that two bodies stay apart comes from
+ * here. Bodies and stock are proved apart by check/stock_pair.h; pairs that can never meet, before any program is read, by
+ * scene/pairs.h. man/fivecheck.7 ("Certificates", "Budgets") derives the bounds.
+ */
 #ifndef FIVECHECK_CHECK_CERTIFIED_PROOF_H
 #define FIVECHECK_CHECK_CERTIFIED_PROOF_H
 
@@ -18,9 +22,9 @@
  * position that it passes. So it passes nothing that the sweep would report, and no verdict depends on which way was
  * tried (test_one_verdict).
  *
- * The proof counts nothing and chooses nothing: strategy.h asks, and decides what to ask next. The proof must be told
- * two things truly: that motion was left out (pair_proof_forget_position), and no distance that was not proved
- * (pair_proof_add_distance).
+ * The proof counts nothing and chooses nothing: strategy.h asks, and decides what to ask next. It must call
+ * pair_proof_forget_position whenever it leaves out motion, and may call pair_proof_add_distance with proved distances
+ * only.
  */
 struct pair_proof {
 	struct body_pair bodies;

@@ -188,7 +188,7 @@ static void renew(struct strategy *strategy, struct sweep *sweep, const struct m
 	}
 }
 
-/* Are travelling planes of use? A target that is to be found out is proved otherwise. */
+/* Are travelling planes of use? Not while the first target is still being measured. */
 static bool uses_planes(const struct strategy *strategy)
 {
 	return WITH_PLANES && !is_measuring_first(strategy);

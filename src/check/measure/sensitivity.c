@@ -9,9 +9,9 @@
 #include "check/measure/path_record.h"
 #include "motion/motion.h"
 
-/* A clearance may be measured this much too small: with less left, no larger change can be proved... */
+/* In tolerances: a measured clearance may be too small by this; with less left, no larger change can be proved. */
 #define STALL 2
-/* ...and a change that is larger by this must find the body that is in the way, if there is one. Both in tolerances. */
+/* In tolerances: a change that is larger by this must find the body that is in the way, if there is one. */
 #define PROBE 6
 
 /* The most runs for one quantity in one direction. */

@@ -121,7 +121,7 @@ static void answer_macro(struct scan_questions *q, int number)
 #define CHOICE(member, answer) .field = offsetof(struct controller, member), .choice = (answer)
 #define NUMBER(member, answer) .field = offsetof(struct controller, member), .number = (answer)
 
-/* How a message asks, the line of the machine file, and an answer: which one it is matters little. */
+/* The text that marks the question in a message, the line for the machine file to print, and any valid answer. */
 static const struct question {
 	const char *key;	/* in the message; a number may follow */
 	const char *line;	/* with %d: the number */
