@@ -100,6 +100,7 @@ cp head.keep head.stl
 stale options --block-delete
 stale options --dialect=fanuc
 stale options --tolerance=0.01
+stale options --stock-tolerance=0.5
 fivecheck -q -a --shard 1/2 -f ndjson=s1.json m.xml - <long.nc 2>/dev/null
 fivecheck -q -a --shard 2/2 -f ndjson=s2.json m.xml - <long.nc 2>/dev/null
 status fivecheck merge s1.json s2.json 2>&1

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "control/dialects.h"
+#include "geom/tolerance.h"
 #include "report/format/format_units.h"
 #include "report/format/json.h"
 #include "report/sensitivity_report.h"
@@ -33,6 +34,8 @@ void ndjson_put_options(json_t *object, const struct report_run *run)
 	json_put(object, "method", json_string(ndjson_method(options->method)));
 	json_put(object, "step", json_real(options->step));
 	json_put(object, "tolerance", json_real(options->tolerance));
+	json_put(object, "stock_tolerance",
+		 json_real(options->stock_tolerance > 0 ? options->stock_tolerance : STOCK_TOLERANCE));
 	json_put(object, "clearance", json_real(run->clearance));
 	json_put(object, "all", json_boolean(options->all));
 	json_put(object, "dialect", json_string(dialect_names[run->scene->machine->controller.dialect]));
