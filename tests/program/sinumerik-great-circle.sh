@@ -3,13 +3,11 @@
 need python3
 cat >check.py <<'PYTHON'
 import math, os, random, subprocess
-def R(axis,a):
-    l=math.sqrt(sum(c*c for c in axis)); x,y,z=[c/l for c in axis]; c,s=math.cos(a),math.sin(a); k=1-c
-    return [[c+k*x*x,k*x*y-s*z,k*x*z+s*y],[k*x*y+s*z,c+k*y*y,k*y*z-s*x],[k*x*z-s*y,k*y*z+s*x,c+k*z*z]]
-T=lambda m:[list(r) for r in zip(*m)]
-ap=lambda m,v:[sum(m[i][j]*v[j] for j in range(3)) for i in range(3)]
-mul=lambda a,b:[[sum(a[i][k]*b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
-def turn(p,axis,loc,a): return [x+y for x,y in zip(ap(R(axis,a),[q-l for q,l in zip(p,loc)]),loc)]
+# Rodrigues: v turned by a about the unit k
+def turn_vector(k,a,v):
+    c,s=math.cos(a),math.sin(a); d=(1-c)*(k[0]*v[0]+k[1]*v[1]+k[2]*v[2])
+    return [c*v[0]+s*(k[1]*v[2]-k[2]*v[1])+d*k[0],c*v[1]+s*(k[2]*v[0]-k[0]*v[2])+d*k[1],c*v[2]+s*(k[0]*v[1]-k[1]*v[0])+d*k[2]]
+def turn(p,axis,loc,a): return [x+y for x,y in zip(turn_vector(axis,a,[q-l for q,l in zip(p,loc)]),loc)]
 # families: list of (letter, axis, location, on) on table or head; order outermost first
 S=math.sqrt(.5)
 fam={
@@ -28,38 +26,40 @@ def xml(name,rot):
     s+=lin+''.join(map(ax,h))+'<spindle location="%g %g %g" direction="0 0 -1"/>'%tuple(gauge)+'</axis>'*(3+len(h))
     s+=''.join(map(ax,t))+'<workholding location="0 0 0"/>'+'</axis>'*len(t)+'</base></machine>'
     return s
+# in the order in which they turn the tool as the workpiece sees it: (letter, axis, location, sign)
+def turns(rot):
+    return [(q[0],q[1],q[2],1) for q in reversed(rot) if q[3]=='h']+[(q[0],q[1],q[2],-1) for q in rot if q[3]=='t']
 def tip(r,rot):
-    p=[gauge[0],gauge[1],gauge[2]-L]; d=[0,0,1]
-    for a in reversed([q for q in rot if q[3]=='h']):
-        p=turn(p,a[1],a[2],math.radians(r[a[0]])); d=ap(R(a[1],math.radians(r[a[0]])),d)
+    p=[gauge[0],gauge[1],gauge[2]-L]; last=[q for q in turns(rot) if q[3]>0]
+    for a in last: p=turn(p,a[1],a[2],math.radians(r[a[0]]))
     p=[p[0]+r['X'],p[1]+r['Y'],p[2]+r['Z']]
-    for a in [q for q in rot if q[3]=='t']:
-        p=turn(p,a[1],a[2],-math.radians(r[a[0]])); d=ap(R(a[1],-math.radians(r[a[0]])),d)
-    return p,d
+    for a in turns(rot)[len(last):]: p=turn(p,a[1],a[2],-math.radians(r[a[0]]))
+    return p
 random.seed(7)
 F = os.environ['FIVECHECK']
 open('ts.xml','w').write('<setup version="1" units="mm"><work_offset name="G54" X="11" Y="-7" Z="380"/><tool number="1" name="t" length="%g"><cutter tip="flat"><section length="%g" diameter="5"/></cutter></tool></setup>'%(L,L))
 def direction(r,rot):
-    return tip({'X':0,'Y':0,'Z':0,**r},rot)[1]
+    d=[0,0,1]
+    for a in turns(rot): d=turn_vector(a[1],a[3]*math.radians(r[a[0]]),d)
+    return d
 dot=lambda a,b: sum(x*y for x,y in zip(a,b))
 cross=lambda a,b: [a[1]*b[2]-a[2]*b[1],a[2]*b[0]-a[0]*b[2],a[0]*b[1]-a[1]*b[0]]
 norm=lambda a: math.sqrt(dot(a,a))
 unit=lambda a: [x/norm(a) for x in a]
 def on_circle(d0,d1,s):
     n=unit(cross(d0,d1)); w=math.atan2(norm(cross(d0,d1)),dot(d0,d1))
-    return ap(R(n,w*s),d0)
+    return turn_vector(n,w*s,d0)
 def solve(r,rot,d):
-    # Newton's method on two angles, by differences
-    r=dict(r); names=[q[0] for q in rot]
+    # Newton's method on two angles. The second axis turns what the first one has turned.
+    (first,k,_,si),(second,l,_,sj)=turns(rot); a,b=math.radians(r[first]),math.radians(r[second])
     for _ in range(30):
-        f=[x-y for x,y in zip(direction(r,rot),d)]
-        J=[]
-        for k in names:
-            e=dict(r); e[k]+=1e-4
-            J.append([(x-y)/1e-4 for x,y in zip(direction(e,rot),direction(r,rot))])
-        a,b,c=dot(J[0],J[0]),dot(J[0],J[1]),dot(J[1],J[1]); u,v=dot(J[0],f),dot(J[1],f); det=a*c-b*b
-        r[names[0]]-=(c*u-b*v)/det; r[names[1]]-=(a*v-b*u)/det
-    return r
+        once=turn_vector(k,si*a,[0,0,1]); now=turn_vector(l,sj*b,once)
+        f=[x-y for x,y in zip(now,d)]
+        J=[[si*x for x in turn_vector(l,sj*b,cross(k,once))],[sj*x for x in cross(l,now)]]
+        p,q,t=dot(J[0],J[0]),dot(J[0],J[1]),dot(J[1],J[1]); u,v=dot(J[0],f),dot(J[1],f); det=p*t-q*q
+        e=(t*u-q*v)/det,(p*v-q*u)/det; a-=e[0]; b-=e[1]
+        if max(map(abs,e))<1e-12: return {first:a,second:b}
+    raise ArithmeticError('Newton')
 for name,rot in fam.items():
     tilt=[q[0] for q in rot if q[0]!='C'][0]
     open('tm.xml','w').write(xml(name,rot))
@@ -82,15 +82,15 @@ for name,rot in fam.items():
         d0=direction(a0,rot); P0,P1=[[c['XYZ'[i]]+[11,-7,380][i]+gauge[i] for i in range(3)] for c in (c0,c1)]
         length=math.dist(P0,P1); before=None
         for r in rows:
-            t,d=tip(r,rot); s=math.dist(P0,t)/length; rows_seen+=1
+            t,d=tip(r,rot),direction(r,rot); s=math.dist(P0,t)/length; rows_seen+=1
             worst['tip']=max(worst['tip'],math.dist(t,[x+s*(y-x) for x,y in zip(P0,P1)]))
             worst['plane']=max(worst['plane'],math.dist(d,on_circle(d0,d1,s)))
             if before:
                 mid={k:(r[k]+before[0][k])/2 for k in (tilt,'C')}
                 e=solve(mid,rot,on_circle(d0,d1,(s+before[1])/2))
-                worst['beside']=max(worst['beside'],max(abs(math.radians(e[k]-mid[k])) for k in mid))
+                worst['beside']=max(worst['beside'],max(abs(e[k]-math.radians(mid[k])) for k in mid))
             before=(r,s)
-        worst['tip']=max(worst['tip'],math.dist(tip(rows[-1],rot)[0],P1))
+        worst['tip']=max(worst['tip'],math.dist(tip(rows[-1],rot),P1))
     # Rows inside of a piece lie on its chord, which may be beside the circle.
     good=worst['tip']<1e-6 and worst['plane']<5e-5 and worst['beside']<2.1e-5 and not bad
     print(name+(': as computed' if good else ': %s, %d refused, %s'%(worst,bad,last)))
