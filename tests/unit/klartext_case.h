@@ -64,6 +64,26 @@ static inline void klartext_expect(const struct klartext_program *program, bool 
 	case_release(&c);
 }
 
+struct klartext_fault {
+	const char *blocks;
+	const char *message; /* the first line of what is said */
+};
+
+/* The blocks are refused with one fault, just this one. */
+static inline void klartext_expect_fault(const struct klartext_fault *expected)
+{
+	const size_t length = strlen(expected->message);
+	struct gcode_case c;
+	const char *said;
+
+	klartext_case(&c);
+	ck_assert_msg(!klartext_run(&c, expected->blocks), "%s passes", expected->blocks);
+	said = strbuf_text(&c.messages);
+	ck_assert_msg(!strncmp(said, expected->message, length) && said[length] == '\n', "%s: %s", expected->blocks, said);
+	ck_assert_uint_eq(c.diag.errors, 1);
+	case_release(&c);
+}
+
 #define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
 
 #endif

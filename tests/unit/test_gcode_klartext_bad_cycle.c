@@ -1,0 +1,123 @@
+/* test_gcode_klartext_bad_cycle.c - what is wrong with cycles and patterns: the exact messages. */
+#include "klartext_case.h"
+
+static const struct klartext_fault faults[] = {
+	{"CYCL DEF 32.0\nCYCL DEF 32.1 T-1\n",
+	 "p.nc:3:10: error: a path tolerance cannot be negative"},
+	{"M99\n",
+	 "p.nc:2:1: error: no cycle has been defined that could be called"},
+	{"L M128\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:4:1: error: a cycle while M128 is in force is not supported yet"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 200 lacks Q201"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: Q201=4: what a depth above the surface does depends on a machine parameter"},
+	{"CYCL DEF 200 DRILLING Q200=-2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: a set-up clearance (Q200, Q204) cannot be negative"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=0 Q202=4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: a cycle without a feed rate"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=-4 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: Q202: a peck cannot be negative"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=0.00001 Q203=+0 Q204=9\nM99\n",
+	 "p.nc:3:1: error: Q202: more than 100000 pecks"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=FZ Q202=4 Q203=+0 Q204=9\n",
+	 "p.nc:2:38: error: Q206=FZ is not supported yet: give a number"},
+	{"CYCL DEF 200 DRILLING Q200 2\n",
+	 "p.nc:2:28: error: '=' is needed here"},
+	{"CYCL DEF 200 DRILLING Q200=2 X+5\n",
+	 "p.nc:2:33: error: '=' is needed here"},
+	{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q208=0 Q203=+0 Q204=20 Q214=7\nM99\n",
+	 "p.nc:3:1: error: Q214 is a whole number from 0 to 4"},
+	{"CYCL DEF 204 BACK BORING Q200=2 Q249=5\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 204: back boring is not supported yet"},
+	{"CYCL DEF 207 RIGID TAPPING Q200=2 Q201=-9 Q239=1 Q203=+0 Q204=20\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 207 without a spindle speed (S)"},
+	{"CYCL DEF 240 CENTERING Q200=2 Q343=1 Q201=-2 Q344=-10 Q206=100 Q211=0 Q203=+0 Q204=20\nM99\n",
+	 "p.nc:3:1: error: Q343=1: a centring by its diameter needs the point angle of the tool; give "
+	 "its depth in Q201"},
+	{"CYCL DEF 208 BORE MILLING Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 208 lacks Q335"},
+	{"CYCL DEF 251 POCKET Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q218=20 Q219=20 Q367=7\nM99\n",
+	 "p.nc:3:1: error: Q367 of CYCL DEF 251 is a whole number from 0 to 4"},
+	{"CYCL DEF 254 SLOT Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q375=20 Q219=2 Q216=0 Q217=0 Q367=1\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 254 with Q367 other than 0 is not supported yet"},
+	{"CYCL DEF 252 POCKET Q200=2 Q201=10 Q207=100 Q203=0 Q204=20 Q223=20\nM99\n",
+	 "p.nc:3:1: error: Q201=10: what a depth above the surface does depends on a machine parameter"},
+	{"CYCL DEF 252 POCKET Q200=2 Q201=-10 Q207=0 Q203=0 Q204=20 Q223=20\nM99\n",
+	 "p.nc:3:1: error: a cycle without a feed rate"},
+	{"CYCL DEF 220 POLAR PATTERN Q200=2\n",
+	 "p.nc:2:10: error: CYCL DEF 220 lacks Q216"},
+	{"CYCL DEF 256 RECTANGULAR STUD\n",
+	 "p.nc:2:10: error: CYCL DEF 256 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+	 "<macro program=\"256\" action=\"none\"/> in the machine's <controller> says so"},
+	{"CYCL DEF 413 DATUM\n",
+	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the "
+	 "program runs"},
+	{"CYCL DEF 385 OEM\n",
+	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+	 "<macro program=\"385\" action=\"none\"/> in the machine's <controller> says so"},
+	{"CYCL DEF X\n",
+	 "p.nc:2:10: error: CYCL DEF needs the number of a cycle"},
+	{"CYCL FOO\n",
+	 "p.nc:2:6: error: CYCL needs DEF or CALL"},
+	{"CYCL CALL PAT F100\n",
+	 "p.nc:2:15: error: CYCL CALL PAT has no coordinates, and FMAX or no feed"},
+	{"CYCL CALL PAT FMAX\n",
+	 "p.nc:2:11: error: CYCL CALL PAT, but no PATTERN DEF has given points"},
+	{"PATTERN DEF POS1 (X+0 Y+0)\nCYCL CALL PAT FMAX\n",
+	 "p.nc:3:11: error: a pattern needs a cycle with Q203 that has been defined before it"},
+	{"CYCL CALL X+5\n",
+	 "p.nc:2:11: error: CYCL CALL with coordinates is written as CYCL CALL POS"},
+	{"CYCL CALL POS X+5\n",
+	 "p.nc:2:15: error: CYCL CALL POS needs absolute coordinates of X, Y and Z"},
+	{"CYCL CALL POS X+5 Y+5 Z+5\n",
+	 "p.nc:2:23: error: a Z other than 0 shifts the cycle: that is not supported yet; put it into Q203"},
+	{"PATTERN DEF POS1\n",
+	 "p.nc:2:17: error: '(' is needed here"},
+	{"PATTERN DEF POS1 (X+1)\n",
+	 "p.nc:2:16: error: a word of this pattern is missing"},
+	{"PATTERN DEF POS1 (X+1 K+2)\n",
+	 "p.nc:2:23: error: this is no word of a pattern"},
+	{"PATTERN DEF ROW1 (X+1 Y+2 D+3 NUM1.5)\n",
+	 "p.nc:2:16: error: a number of points is a whole number from 1 to 1000"},
+	{"PATTERN DEF FRAME1 (X+1 Y+2 DX+3 DY+4 NUMX2 NUMY2)\n",
+	 "p.nc:2:13: error: PATTERN DEF reads POS, ROW, PAT, CIRC and PITCHCIRC"},
+	{"PATTERN DEF PAT1 (X+1 Y+2 DX+3 DY+4 NUMX2 NUMY2 ROTX+5)\n",
+	 "p.nc:2:16: error: PAT with ROTX or ROTY is not supported yet"},
+	{"PATTERN DEF PAT1 (X+1 Y+2 DX+3 DY+4 NUMX500 NUMY500)\n",
+	 "p.nc:2:16: error: a pattern has at most 1000 points"},
+	{"POS1 (X+1 Y+2)\n",
+	 "p.nc:2:1: error: points of a pattern belong behind PATTERN DEF"},
+	{"PATTERN TAB\n",
+	 "p.nc:2:9: error: PATTERN needs DEF"},
+	{"SEL PATTERN \"X\"\n",
+	 "p.nc:2:1: error: SEL: a selection of tables and contours is not supported yet"},
+	{"TCH PROBE 413\n",
+	 "p.nc:2:1: error: TCH PROBE: where the probe stops is not known before the program runs"},
+	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP -2\nM99\n",
+	 "p.nc:4:1: error: the set-up clearance of CYCL DEF 1 cannot be negative"},
+	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.2 DEPTH 2\nM99\n",
+	 "p.nc:4:1: error: the depth of CYCL DEF 1 is above the surface"},
+};
+
+START_TEST(fault_table)
+{
+	klartext_expect_fault(&faults[_i]);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_klartext_bad_cycle");
+	TCase *tcase = tcase_create("bad");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, fault_table, 0, COUNT(faults));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

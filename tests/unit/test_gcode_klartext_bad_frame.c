@@ -1,0 +1,228 @@
+/* test_gcode_klartext_bad_frame.c - what is wrong with datum shifts, tilted planes, TCPM and M-functions of moves: the exact messages. */
+#include "klartext_case.h"
+
+static const struct klartext_fault faults[] = {
+	{"FUNCTION MODE MILL \"HEAD2\"\n",
+	 "p.nc:2:20: error: FUNCTION MODE MILL with another kinematics is not supported"},
+	{"L M128\nTOOL CALL 1 Z\n",
+	 "p.nc:3:11: error: TOOL CALL while M128 is in force: the manual wants M129 first"},
+	{"CYCL DEF 7.1 X+5\n",
+	 "p.nc:2:10: error: CYCL DEF 7.1, but no 7.0 has begun the cycle"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X\n",
+	 "p.nc:3:14: error: DATUM SHIFT needs an axis and a value here"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 #5\n",
+	 "p.nc:3:14: error: a datum from a table is not supported yet: give its values in X, Y and Z"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 B+5\n",
+	 "p.nc:3:14: error: the machine has no B axis"},
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\n",
+	 "p.nc:5:14: error: a datum shift while a mirror image, a rotation or a scaling is in force: "
+	 "whether it is turned with them is not known here; shift the datum first"},
+	{"CYCL DEF 8.0\nCYCL DEF 8.1 X\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n",
+	 "p.nc:5:10: error: a mirror image and a rotation at a time: their order is not known here; "
+	 "cancel one of them first"},
+	{"CYCL DEF 8.0\nCYCL DEF 8.1 C\n",
+	 "p.nc:3:14: error: a mirror image of C is not supported yet"},
+	{"CYCL DEF 8.0\nCYCL DEF 8.1 X+5\n",
+	 "p.nc:3:14: error: MIRROR IMAGE needs axes without values here"},
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 X+5\n",
+	 "p.nc:3:15: error: ROTATION needs ROT and an angle here"},
+	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0.5\n",
+	 "p.nc:3:15: error: a machine parameter says whether SCALING changes Z, too; give the factors "
+	 "of X, Y and Z by CYCL DEF 26"},
+	{"CYCL DEF 11.0\nCYCL DEF 11.1 SCL 0\n",
+	 "p.nc:3:15: error: a scaling factor must be more than 0 and less than 100"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 A2\n",
+	 "p.nc:3:15: error: AXIS-SPECIFIC SCALING needs X, Y, Z or CCX, CCY, CCZ with a value here"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2\nF100\nL X+5\nCC X+0 Y+0\nC X+0 Y+5 DR+\n",
+	 "p.nc:7:3: error: a circle while the factors of its plane's axes differ would be an ellipse"},
+	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n",
+	 "p.nc:5:10: error: a rotation and factors that differ in X and Y at a time: their order is not "
+	 "known here; cancel one of them first"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 F1000 ABST50\n",
+	 "p.nc:3:20: error: F and a clearance of CYCL DEF 19 let the control turn the rotary axes "
+	 "itself: that is not supported yet; turn them by Q120 to Q122"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45\nL X+1 FMAX\n",
+	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
+	{"CYCL DEF 247 Q339=5\n",
+	 "p.nc:2:14: error: the setup defines no work offset G54.1 P5: add <work_offset name=\"G54.1 "
+	 "P5\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
+	{"CYCL DEF 247 Q339=0\n",
+	 "p.nc:2:14: error: presets from 1 to 99 are supported, as G54.1 P1 to P99 of the setup"},
+	{"CYCL DEF 247 Q338=1\n",
+	 "p.nc:2:10: error: DATUM SETTING needs Q339, the number of the preset"},
+	{"CYCL DEF 247\nL X+1 FMAX\n",
+	 "p.nc:2:10: error: DATUM SETTING needs Q339, the number of the preset"},
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 247 Q339=1\n",
+	 "p.nc:4:14: error: a preset while a datum shift, a mirror image, a rotation or a scaling is in "
+	 "force: which of them it cancels is not known here; cancel them first"},
+	{"CYCL DEF 9.0\nCYCL DEF 9.1 DWELL -1\n",
+	 "p.nc:3:10: error: a dwell cannot be negative"},
+	{"PLANE FOO\n",
+	 "p.nc:2:7: error: PLANE needs SPATIAL, EULER, VECTOR, POINTS, RELATIVE or RESET"},
+	{"PLANE SPATIAL SPA+5 TURN\n",
+	 "p.nc:2:21: error: SPB is needed here"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0\n",
+	 "p.nc:2:7: error: PLANE needs MOVE, TURN or STAY: what the rotary axes do"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN\n",
+	 "p.nc:2:7: error: PLANE ... TURN and MOVE need F or FMAX"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN FMAX SYM+\n",
+	 "p.nc:2:43: error: SYM is not supported yet: write SEQ+ or SEQ-"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 STAY MB50\n",
+	 "p.nc:2:7: error: MB of PLANE needs TURN or MOVE"},
+	{"PLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN MB50 FMAX\n",
+	 "p.nc:2:7: error: MB of PLANE where no rotary axis has to turn: whether the tool retracts is not known here; write "
+	 "M140 in a block before"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN MB-50 FMAX\n",
+	 "p.nc:2:40: error: the way of MB cannot be negative"},
+	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN FMAX HELLO\n",
+	 "p.nc:2:43: error: this is no word of PLANE"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX SEQ-\n",
+	 "p.nc:2:7: error: no position of the rotary axes within their limits has the tool stand on "
+	 "this plane with this SEQ"},
+	{"PLANE PROJECTED PROPR+5 PROMIN+5 ROT+0 TURN FMAX\n",
+	 "p.nc:2:7: error: PLANE PROJECTED is not supported yet: write the plane as PLANE SPATIAL"},
+	{"PLANE AXIAL A+5 STAY\n",
+	 "p.nc:2:7: error: PLANE AXIAL is not supported yet: write the plane as PLANE SPATIAL"},
+	{"PLANE VECTOR BX+0 BY+0 BZ+1 NX+0 NY+0 NZ+1 TURN FMAX\n",
+	 "p.nc:2:14: error: the base vector must not be parallel to the normal"},
+	{"PLANE VECTOR BX+0 BY+0 BZ+0 NX+0 NY+0 NZ+1 TURN FMAX\n",
+	 "p.nc:2:14: error: a vector of length 0 has no direction"},
+	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX\n",
+	 "p.nc:2:7: error: any angle of C suits this plane: write COORD ROT, which turns the "
+	 "coordinates alone"},
+	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX TABLE ROT\n",
+	 "p.nc:2:7: error: TABLE ROT where any angle of C suits the plane is not supported yet; write "
+	 "COORD ROT"},
+	{"L C+5 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX\n",
+	 "p.nc:3:7: error: any angle of C suits this plane, and it stands at 5: whether the control leaves it there or "
+	 "turns it to 0 depends on its generation: swivel_pole=\"stays\" or \"zero\" of the machine's <controller> "
+	 "says it, or turn C to 0 in a block before"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL X+1 FMAX\n",
+	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL A+30 X+1 FMAX\n",
+	 "p.nc:3:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 STAY\nL M128\n",
+	 "p.nc:3:3: error: M128 before the rotary axes stand where PLANE ... STAY needs them"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL A+5 FMAX\n",
+	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first, or M128"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL A+5 FMAX M91\n",
+	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first"},
+	{"L M128\nPLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\n",
+	 "p.nc:3:7: error: PLANE while M128 is in force is not supported; M129 first"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n"
+	 "PLANE RESET STAY\n",
+	 "p.nc:5:7: error: PLANE while a mirror image, a rotation, a scaling or a shift of tilted "
+	 "coordinates is in force: cancel it first, the last one first"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nCYCL DEF 247 Q339=1\nL X+1 FMAX\n",
+	 "p.nc:4:3: error: CYCL DEF 247 has selected a preset in a tilted plane: whether the plane "
+	 "stays tilted is not known here; write PLANE RESET first"},
+	{"PLANE RELATIVE A+5 TURN FMAX\n",
+	 "p.nc:2:16: error: PLANE RELATIVE needs SPA, SPB or SPC"},
+	{"L C+270 FMAX\nPLANE RESET TURN FMAX\n",
+	 "p.nc:3:7: error: whether PLANE RESET turns C to 0 or to a whole turn is not known here; turn "
+	 "it in a block before"},
+	{"M128\nL X+1 FMAX M91\n",
+	 "p.nc:3:12: error: M91 while M128 is in force: the manual wants M129 first"},
+	{"M140\n",
+	 "p.nc:2:1: error: M140 needs MB and a way, or MB MAX"},
+	{"M140 MB-5\n",
+	 "p.nc:2:1: error: the way of M140 cannot be negative"},
+	{"L X+1 M140 MB MAX FMAX\n",
+	 "p.nc:2:7: error: M140 beside axis words: which comes first is not known here; write two blocks"},
+	{"L C+720 FMAX\nM94\n",
+	 "p.nc:3:1: error: M94 where C stands a turn or more away from 0 is not supported yet"},
+	{"M138 A\nL X+1 FMAX\n",
+	 "p.nc:2:1: error: M138 that leaves C out is not supported yet"},
+	{"M94 B\n",
+	 "p.nc:2:5: error: the machine has no B axis"},
+	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL X+1 A+5 C+0 FMAX\n",
+	 "p.nc:3:3: error: the first block behind AXIS SPAT needs all of A, B and C: B is missing"},
+	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nL IA+5 FMAX\n",
+	 "p.nc:3:3: error: an increment of a spatial angle (AXIS SPAT) is not supported yet"},
+	{"FUNCTION TCPM F TCP AXIS SPAT PATHCTRL AXIS\nF100\nCR X+5 R+10 DR+ A+5\n",
+	 "p.nc:4:4: error: a spatial angle (AXIS SPAT) in a circle or in polar coordinates is not supported yet"},
+	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR\n",
+	 "p.nc:2:30: error: PATHCTRL VECTOR is not supported yet"},
+	{"FUNCTION TCPM\n",
+	 "p.nc:2:14: error: FUNCTION TCPM needs AXIS POS or SPAT, and PATHCTRL AXIS"},
+	{"FUNCTION TCPM AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\n",
+	 "p.nc:2:38: error: REFPNT other than TIP-TIP is not supported yet"},
+	{"FUNCTION MODE TURN\n",
+	 "p.nc:2:10: error: this FUNCTION is not supported yet; TCPM, RESET TCPM and MODE MILL are"},
+	{"FUNCTION TCPM FOO\n",
+	 "p.nc:2:15: error: this is no word of FUNCTION TCPM"},
+	{"FUNCTION TCPM F FOO\n",
+	 "p.nc:2:15: error: F of TCPM is TCP or CONT"},
+	{"LN X+1 TX+0 TY+0 TZ+1 F100\n",
+	 "p.nc:2:4: error: TX, TY and TZ turn the rotary axes while M128 or TCPM is in force only; write it before"},
+	{"M128\nLN X+1 TX+0 TY+0 TZ+0.9 F100\n",
+	 "p.nc:3:4: error: TX, TY and TZ have to be a vector of length 1"},
+	{"M128\nLN X+1 A+5 TX+0 TY+0 TZ+1 F100\n",
+	 "p.nc:3:4: error: TX, TY and TZ beside words of rotary axes"},
+	{"TOOL CALL 1 Z DL+1\nLN X+1 NX+0 NY+0 NZ+1 F100\n",
+	 "p.nc:3:4: error: LN with an oversize of the tool (DL, DR, DR2 of TOOL CALL): "
+	 "three-dimensional compensation is not supported yet"},
+	{"LN X+1 NQ+0 F100\n",
+	 "p.nc:2:8: error: NX, NY or NZ is needed here"},
+	{"CYCL DEF 7 DATUM SHIFT\n",
+	 "p.nc:2:10: error: CYCL DEF 7 is written in lines 7.0, 7.1 and on"},
+	{"TRANS DATUM TABLE\n",
+	 "p.nc:2:13: error: TRANS DATUM TABLE is not supported yet: write AXIS with values"},
+	{"TRANS ROTATION ROT+5\n",
+	 "p.nc:2:7: error: TRANS other than TRANS DATUM is not supported yet"},
+	{"TRANS DATUM AXIS X+5\nTRANS DATUM AXIS Y+5\n",
+	 "p.nc:3:7: error: TRANS DATUM without X, which is shifted: whether the shift stays is not known here; write X, too"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL C+360 FMAX\n",
+	 "p.nc:3:3: error: a rotary axis leaves the tilted plane: write PLANE RESET first, or M128"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL M128\nL A+10 FMAX\nM129\nL X+1 FMAX\n",
+	 "p.nc:6:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
+	 "plane (Q120 to Q122) is not supported"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL IX+1 FMAX\n",
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
+	{"M140 MB50\nL IZ-1 FMAX\n",
+	 "p.nc:3:3: error: an increment of Z after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give Z as an absolute "
+	 "coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC IX+5 IY+0\n",
+	 "p.nc:4:4: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCC\n",
+	 "p.nc:4:3: error: an increment of X after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give X as an absolute "
+	 "coordinate first"},
+	{"CC X+0 Y+0\nCYCL DEF 7.0\nCYCL DEF 7.1 Y+10\nLP IPR+5 PA+0 FMAX\n",
+	 "p.nc:5:4: error: an increment of Y after a change of coordinates or a move that was not "
+	 "programmed in them: from where the control counts is not known here; give Y as an absolute "
+	 "coordinate first"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 C+10\nL IC+5 FMAX\n",
+	 "p.nc:4:3: error: an increment of C after its datum was shifted: from where the control counts "
+	 "is not known here; give C as an absolute coordinate first"},
+};
+
+START_TEST(fault_table)
+{
+	klartext_expect_fault(&faults[_i]);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_klartext_bad_frame");
+	TCase *tcase = tcase_create("bad");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_loop_test(tcase, fault_table, 0, COUNT(faults));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
