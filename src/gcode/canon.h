@@ -64,7 +64,8 @@ struct canon_move {
 	double blend_tolerance;	/* mm; 0: G64 without P */
 	/* radians: of the axes that turn the tool; 0: as blend_path_tolerance (blend.h) takes it */
 	double blend_turn;
-	double spread[3];	/* mm: how far X, Y and Z may be beside the path, in a direction that is not known */
+	/* mm: how far X, Y and Z may be beside the path; under TCP X, Y and Z of the workpiece, as `end` means them */
+	double spread[3];
 	/* the axis stays between places that other moves cover, spread and all: of straight moves */
 	bool between[3];
 	/*

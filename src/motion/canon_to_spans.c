@@ -152,16 +152,20 @@ static void add_spread(struct run *run)
 {
 	const struct machine *machine = run->converter->machine;
 	const struct canon_move *move = run->move;
+	axis_values spread = {{move->spread[0], move->spread[1], move->spread[2]}};
 
+	/* Under TCP it lies along X, Y and Z of the workpiece, which a table turns. */
+	if (move->tcp && is_bounded(move))
+		spread = tcp_spread(&run->converter->tcp, &run->converter->position, &move->end, move->spread);
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const int slot = machine->axes[i].slot;
 
-		if (slot > SLOT_Z || !(move->spread[slot] > 0))
+		if (slot > SLOT_Z || !(spread.v[slot] > 0))
 			continue;
-		run->tolerance.v[slot] += move->spread[slot];
+		run->tolerance.v[slot] += spread.v[slot];
 		if (move->between[slot] && move->kind != CANON_ARC && !move->tcp)
 			continue;
-		run->room.v[slot] = move->spread[slot];
+		run->room.v[slot] = spread.v[slot];
 		run->has_room = true;
 	}
 }

@@ -1,5 +1,6 @@
 #include "motion/tcp.h"
 
+#include "base/same_double.h"
 #include "geom/tolerance.h"
 
 #include <float.h>
@@ -269,6 +270,37 @@ axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const ax
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
 		follow.v[slot] = vec3_norm(tcp->rows[slot]) * swing;
 	return follow;
+}
+
+static bool turns_between(const struct chain *chain, const axis_values *start, const axis_values *end)
+{
+	for (size_t k = 0; k < chain->count; k++) {
+		const int slot = chain->joints[k].slot;
+
+		if (!same_double(start->v[slot], end->v[slot]))
+			return true;
+	}
+	return false;
+}
+
+axis_values tcp_spread(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double spread[3])
+{
+	const vec3 columns[3] = {tcp->matrix.x, tcp->matrix.y, tcp->matrix.z};
+	const bool turns = turns_between(&tcp->table, start, end);
+	const xform table = chain_pose(&tcp->table, start);
+	axis_values most = {{0}};
+
+	for (int i = 0; i < 3; i++) {
+		const vec3 side = vec3_scale(spread[i], columns[i]);
+		const vec3 turned =
+		    mat3_apply(&table.rotation, mat3_apply(&tcp->table_zero_inverse.rotation, side));
+
+		/* While the table turns, the side may have any direction. */
+		for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+			most.v[slot] += turns ? vec3_norm(tcp->rows[slot]) * vec3_norm(side)
+					      : fabs(vec3_dot(tcp->rows[slot], turned));
+	}
+	return most;
 }
 
 /* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */

@@ -59,6 +59,12 @@ axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axi
  */
 axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double turn[3]);
 
+/*
+ * How far X Y Z go, at most, while a controller position is beside its path by at most this much in each of X, Y and Z
+ * (mm), on a way from `start` to `end`, of which only the rotary slots count. Other slots are 0.
+ */
+axis_values tcp_spread(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double spread[3]);
+
 /* How far rounding takes X Y Z of tcp_to_machine, for positions whose values are at most `reach`. */
 axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach);
 

@@ -275,6 +275,32 @@ START_TEST(tcp_on_and_off_moves_nothing)
 }
 END_TEST
 
+/* A spread in Y of the workpiece is one in Z of the machine where A stands at 90 degrees; while C turns, it is anywhere. */
+START_TEST(spread_turns_with_the_table)
+{
+	struct machine machine = rig_trunnion();
+	struct canon_move move = move_to(CANON_FEED, (axis_values){{0, 0, 0, radians(90)}});
+	struct record record;
+
+	start(&record, &machine);
+	go(&record, move);
+	guide(&record, 50);
+	move = move_to(CANON_FEED, (axis_values){{1, 0, 0, radians(90)}});
+	move.tcp = true;
+	move.spread[SLOT_Y] = 10;
+	record.step_count = 0;
+	go(&record, move);
+	ck_assert_double_eq_tol(record.steps[0].tolerance.v[SLOT_X], 0, 1e-9);
+	ck_assert_double_eq_tol(record.steps[0].tolerance.v[SLOT_Y], 0, 1e-9);
+	ck_assert_double_eq_tol(record.steps[0].tolerance.v[SLOT_Z], 10, 1e-9);
+	move.end.v[SLOT_C] = radians(90);
+	record.step_count = 0;
+	go(&record, move);
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		ck_assert_double_ge(record.steps[0].tolerance.v[slot], 10);
+}
+END_TEST
+
 START_TEST(tcp_without_the_kinematics_is_an_error)
 {
 	struct machine machine = rig_trunnion();
@@ -443,6 +469,7 @@ int main(void)
 	tcase_add_test(tests, dogleg_of_all_axes);
 	tcase_add_test(tests, unknown_rapids_are_boxes);
 	tcase_add_test(tests, tcp_on_and_off_moves_nothing);
+	tcase_add_test(tests, spread_turns_with_the_table);
 	tcase_add_test(tests, tcp_without_the_kinematics_is_an_error);
 	tcase_add_test(tests, dwells_tools_and_blocks);
 	tcase_add_test(tests, moves_of_no_length_make_no_step);

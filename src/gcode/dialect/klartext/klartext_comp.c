@@ -336,6 +336,14 @@ void klartext_comp_settle(struct interp *interp, const struct klartext_words *wo
 		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
 }
 
+void klartext_comp_turn_open(struct interp *interp)
+{
+	double *loose = interp->comp.loose;
+	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
+
+	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
+}
+
 bool klartext_comp_check_known(struct interp *interp, int column, const char *what)
 {
 	const double *loose = interp->comp.loose;

@@ -35,6 +35,9 @@ bool klartext_comp_go(struct interp *interp, const struct klartext_target *targe
 /* A block has moved the axes named: where the tool stands in the plane may be known again behind R0. */
 void klartext_comp_settle(struct interp *interp, const struct klartext_words *words);
 
+/* The coordinates turn: what was open along one of their axes may be open along any. */
+void klartext_comp_turn_open(struct interp *interp);
+
 /* No path may be counted from where the tool stands behind R0 without a move. False: reported. */
 bool klartext_comp_check_known(struct interp *interp, int column, const char *what);
 

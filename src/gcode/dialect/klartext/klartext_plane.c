@@ -351,6 +351,7 @@ static bool leave_plane(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 
+	klartext_comp_turn_open(interp);
 	if (interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, column, TCP_OFF))
 		return false;
 	klartext->frame.tilted = klartext->waits = klartext->preset_in_plane = false;

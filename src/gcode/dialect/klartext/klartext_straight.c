@@ -35,6 +35,8 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 	if (klartext_of(interp)->waits)
 		return fault(&interp->at, column,
 			     "M91 between PLANE ... STAY and the rotary axes' way to the plane is not supported");
+	if (interp->state.tcp != TCP_OFF)
+		klartext_comp_turn_open(interp);
 	if (!tool_length_suspend(interp, column, &suspended))
 		return false;
 	target = interp->state.position;

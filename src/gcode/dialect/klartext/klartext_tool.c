@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/dialect/klartext/klartext_state.h"
@@ -212,6 +213,8 @@ static bool change(struct interp *interp, const struct request *request)
 			    AXIS_LETTERS[slot]);
 	}
 	interp->block.m_column[M_TOOL] = request->column;
+	if (tcp != TCP_OFF)
+		klartext_comp_turn_open(interp);
 	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
 		return false;
 	klartext->last.known = false;
