@@ -95,9 +95,17 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:4:11: error: Z does not belong to the plane of this circle; a helix is written as CP"},
 	{"L X+5 F100\nCC X+0 Y+0\nC X+0 Y+5 DR+ FMAX\n",
 	 "p.nc:4:15: error: a circle cannot be moved at FMAX; it needs F"},
-	{"CC X+0 Y+0 Z+0\n",
-	 "p.nc:2:4: error: CC with X, Y and Z: two of them say in which plane the circle lies; leave "
-	 "the third out"},
+	{"L X+10 F100\nCC X+0 Y+0 Z+0\nC X+3 Y+3 DR+\n",
+	 "p.nc:4:3: error: the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or it leaves "
+	 "the plane; a helix is written as CP"},
+	{"L X+10 F100\nCC X+0 Y+0 Z+0\nC X+0 Y+10 Z+5 DR+\n",
+	 "p.nc:4:3: error: the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or it leaves "
+	 "the plane; a helix is written as CP"},
+	{"L Z+10 F100\nCC X+0 Y+0 Z+5\nC Z+0 DR+\nRND R1\nL X+5\n",
+	 "p.nc:4:3: error: CC with X, Y and Z leaves open in which plane this circle lies: under radius compensation and "
+	 "beside RND and CHF it has to be known; leave one of them out"},
+	{"L Z+10 F100\nCC X+0 Y+0 Z+5\nC Z+0 DR+\nCT X+5\n",
+	 "p.nc:5:4: error: CT needs a path block before it that moves in the plane, to start in its direction"},
 	{"CC X+0 F100\n",
 	 "p.nc:2:4: error: CC has coordinates of X, Y and Z alone"},
 	{"F100\nCT X+5\n",

@@ -41,6 +41,10 @@ static const struct program regions[] = {
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
 	 "tool 1\nrapid -20 10 200 0 0\nrapid -20 10 102 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\n"
 	 "feed -20 10 80 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\nrapid -20 10 150 0 0 spread 10 25 0\n"},
+	/* A circle that may lie in YZ or in ZX: anywhere about its centre; also where CC names Z no more. */
+	{"L X+1 Y+2 Z+10 F100\nCC X+1 Y+2 Z+5\nC X+1 Y+2 Z+0 DR+\nC Z+0 DR-\nCC X+1 Y+2\nC X+1 Y+2 Z+10 DR-\n",
+	 "feed 1 2 10 0 0\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\n"
+	 "feed 1 2 10 0 0 spread 5.016 5.016 10.016\n"},
 	/* LN with a direction: M128 turns the axes; without words of axes, too. */
 	{"M128\nLN X+1 Y+2 NX+0 NY+0 NZ+1 TX+0 TY+0.5 TZ+0.866025404 F100\nLN TX+0 TY+0 TZ+1\n",
 	 "tcp on length 0 zero A0 C0\norient 0 0.5 0.866025404\nfeed 1 2 0 30 0 tcp\norient 0 0 1\nfeed 1 2 0 0 0 tcp\n"},

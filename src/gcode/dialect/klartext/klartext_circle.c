@@ -51,7 +51,8 @@ static bool check_across(struct interp *interp, const struct klartext_words *wor
 
 /*
  * iTNC 530 user's manual, "Circle center CC": coordinates that are left out stay; without any the present position is
- * the centre; I values count from the present position.
+ * the centre; I values count from the present position. Two coordinates name the plane. With all three, it is that of
+ * the tool axis (TNC 407 user's manual, "Circles in the main planes") where the circle fits into it.
  */
 bool klartext_circle_pole(struct lexer *lexer)
 {
@@ -67,9 +68,6 @@ bool klartext_circle_pole(struct lexer *lexer)
 		return fault(lexer->at, words.first_column, "CC in polar coordinates is not supported yet");
 	if (words.axes & ~plane || words.m_count || words.feed || words.has_size || words.direction || words.comp)
 		return fault(lexer->at, words.first_column, "CC has coordinates of X, Y and Z alone");
-	if (words.axes == plane)
-		return fault(lexer->at, words.first_column,
-			     "CC with X, Y and Z: two of them say in which plane the circle lies; leave the third out");
 	if (!words.axes) {
 		if (!klartext_frame_check_increment(interp, SLOT_X, words.first_column) ||
 		    !klartext_frame_check_increment(interp, SLOT_Y, words.first_column))
@@ -77,8 +75,10 @@ bool klartext_circle_pole(struct lexer *lexer)
 		klartext->pole = here;
 		klartext->across = SLOT_Z;
 		klartext->has_pole[SLOT_X] = klartext->has_pole[SLOT_Y] = true;
+		klartext->spatial_pole = false;
 		return true;
 	}
+	klartext->spatial_pole = words.axes == plane;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		bool increment = words.increments & 1U << slot;
 		double from = increment ? klartext_pole_coordinate(here, slot) : 0;
@@ -90,7 +90,9 @@ bool klartext_circle_pole(struct lexer *lexer)
 			klartext->has_pole[slot] = true;
 		}
 	}
-	if (klartext_words_has(&words, SLOT_Z))
+	if (words.axes == plane)
+		klartext->across = SLOT_Z;
+	else if (klartext_words_has(&words, SLOT_Z))
 		klartext->across = klartext_words_has(&words, SLOT_X)	? SLOT_Y
 				   : klartext_words_has(&words, SLOT_Y) ? SLOT_X
 									: klartext->across;
@@ -123,15 +125,68 @@ static bool fill_arc(struct interp *interp, struct klartext_path *path, vec3 end
 	return true;
 }
 
+/* Does a circle from start to end about the pole lie in the plane across this axis? */
+static bool fits(const struct klartext *klartext, const struct klartext_path *path, vec3 end, int across)
+{
+	const struct plane_point centre = klartext_pole_flat(klartext->pole, across);
+	const struct plane_point from = klartext_pole_flat(path->start, across), to = klartext_pole_flat(end, across);
+	const double r0 = math_hypot(from.a - centre.a, from.b - centre.b),
+		     r1 = math_hypot(to.a - centre.a, to.b - centre.b);
+
+	return r0 > RADIUS_TOLERANCE && r1 > RADIUS_TOLERANCE && fabs(r0 - r1) <= RADIUS_TOLERANCE &&
+	       fabs(klartext_pole_coordinate(path->start, across) - klartext_pole_coordinate(end, across)) <=
+		   RADIUS_TOLERANCE;
+}
+
+/* In any of the planes in which it fits, it lies in this cube about the pole: how far that is from the straight line. */
+static void bound_circle(const struct klartext *klartext, struct klartext_path *path, vec3 end)
+{
+	const double radius = vec3_norm(vec3_sub(path->start, klartext->pole)) + RADIUS_TOLERANCE;
+
+	path->open = true;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		const double from = klartext_pole_coordinate(path->start, slot), to = klartext_pole_coordinate(end, slot),
+			     pole = klartext_pole_coordinate(klartext->pole, slot);
+
+		path->half[slot] = fmax(pole + radius - fmin(from, to), fmax(from, to) - (pole - radius));
+	}
+}
+
+/*
+ * The pole has X, Y and Z, and the circle does not lie in the plane of the tool axis: where it fits into one other
+ * plane, it lies there, or the control refuses it; where it fits into two, it stays bounded. False: it fits nowhere.
+ */
+static bool find_plane(const struct klartext *klartext, struct klartext_path *path, vec3 end, int *across)
+{
+	const bool along_x = fits(klartext, path, end, SLOT_X), along_y = fits(klartext, path, end, SLOT_Y);
+
+	if (along_x && along_y)
+		bound_circle(klartext, path, end);
+	*across = along_x ? SLOT_X : SLOT_Y;
+	return along_x || along_y;
+}
+
 static bool shape_about_pole(struct interp *interp, const struct klartext_words *words, struct klartext_target *target,
 			     struct klartext_path *path)
 {
-	int across = klartext_of(interp)->across;
+	const struct klartext *klartext = klartext_of(interp);
+	bool whole = klartext->has_pole[SLOT_X] && klartext->has_pole[SLOT_Y] && klartext->has_pole[SLOT_Z];
+	int across = klartext->across;
 	struct plane_point centre;
 
-	return check_direction(interp, words, "C") && check_across(interp, words, across, "circle") &&
-	       klartext_pole_find(interp, words->first_column, &centre) &&
-	       fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
+	if (!check_direction(interp, words, "C") || !klartext_pole_find(interp, words->first_column, &centre))
+		return false;
+	if (whole && across == SLOT_Z && (klartext->spatial_pole || klartext_words_has(words, SLOT_Z)) &&
+	    !fits(klartext, path, target->point, SLOT_Z)) {
+		if (!find_plane(klartext, path, target->point, &across))
+			return fault(&interp->at, words->first_column,
+				     "the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or "
+				     "it leaves the plane; a helix is written as CP");
+		centre = klartext_pole_flat(klartext->pole, across);
+	} else if (!klartext->spatial_pole && !check_across(interp, words, across, "circle")) {
+		return false;
+	}
+	return path->open || fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
 }
 
 bool klartext_circle_about_pole(struct lexer *lexer)

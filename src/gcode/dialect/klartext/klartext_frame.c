@@ -105,6 +105,23 @@ vec3 klartext_frame_direction(const struct interp *interp, vec3 direction)
 	return frame->any ? mat3_apply(&frame->turn, direction) : direction;
 }
 
+vec3 klartext_frame_box(const struct interp *interp, const double half[3])
+{
+	const vec3 x = klartext_frame_direction(interp, (vec3){half[0], 0, 0});
+	const vec3 y = klartext_frame_direction(interp, (vec3){0, half[1], 0});
+	const vec3 z = klartext_frame_direction(interp, (vec3){0, 0, half[2]});
+
+	return (vec3){fabs(x.x) + fabs(y.x) + fabs(z.x), fabs(x.y) + fabs(y.y) + fabs(z.y),
+		      fabs(x.z) + fabs(y.z) + fabs(z.z)};
+}
+
+bool klartext_frame_is_scaled(const struct interp *interp)
+{
+	const vec3 factor = klartext_of(interp)->frame.factor;
+
+	return !is_one(factor.x) || !is_one(factor.y) || !is_one(factor.z);
+}
+
 /* ------------------------------------------------------------------ cycles */
 
 static struct line_place place_of(const struct interp *interp, long line)

@@ -22,6 +22,12 @@ bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
 /* A direction of programmed coordinates as one of positions; no scaling. */
 vec3 klartext_frame_direction(const struct interp *interp, vec3 direction);
 
+/* The box along the axes of positions about a box of these half sides in programmed coordinates; no scaling. */
+vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
+
+/* Has SCALING (CYCL DEF 11, 26) factors other than 1? */
+bool klartext_frame_is_scaled(const struct interp *interp);
+
 /*
  * CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation), 11 and 26 (scaling), 247 (preset): takes effect where
  * its definition ends. False: reported.

@@ -243,6 +243,19 @@ bool klartext_move_line(struct interp *interp, const struct klartext_target *tar
 	return go(interp, target, &move);
 }
 
+bool klartext_move_within(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
+{
+	const vec3 factor = klartext_of(interp)->frame.scale;
+	const vec3 spread = klartext_frame_box(
+	    interp, (const double[3]){path->half[0] * factor.x, path->half[1] * factor.y, path->half[2] * factor.z});
+	struct canon_move move = {.kind = CANON_FEED, .feed = path->feed};
+
+	move.spread[SLOT_X] = spread.x;
+	move.spread[SLOT_Y] = spread.y;
+	move.spread[SLOT_Z] = spread.z;
+	return go(interp, target, &move);
+}
+
 bool klartext_move_check_arc(struct interp *interp, const struct klartext_path *path, int column)
 {
 	const struct klartext_frame *frame = &klartext_of(interp)->frame;

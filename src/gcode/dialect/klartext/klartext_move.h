@@ -43,6 +43,10 @@ bool klartext_move_end_tcp(struct interp *interp, int column);
 bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
 			const struct canon_feed *feed);
 
+/* The same of a path that is open: anywhere in the box about the straight line. */
+bool klartext_move_within(struct interp *interp, const struct klartext_target *target,
+			  const struct klartext_path *path);
+
 /* May an arc be made with the scaling in force? False: reported. */
 bool klartext_move_check_arc(struct interp *interp, const struct klartext_path *path, int column);
 

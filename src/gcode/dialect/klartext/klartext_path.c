@@ -11,11 +11,31 @@
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "geom/tolerance.h"
 
+/* A circle whose plane is open: nothing that needs its direction may stand beside it. */
+static bool make_open(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
+		      struct klartext_path *path)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (klartext_comp_is_selected(interp) || words->comp == KLARTEXT_RL || words->comp == KLARTEXT_RR ||
+	    klartext->corner.waits || klartext->approach.waits || klartext_corner_follows(interp))
+		return fault(&interp->at, words->first_column,
+			     "CC with X, Y and Z leaves open in which plane this circle lies: under radius compensation "
+			     "and beside RND and CHF it has to be known; leave one of them out");
+	if (!klartext_comp_check_known(interp, words->first_column, "a circle"))
+		return false;
+	path->known = false;
+	klartext->last = *path;
+	return klartext_move_within(interp, target, path);
+}
+
 bool klartext_path_make(struct interp *interp, const struct klartext_words *words, const struct klartext_target *target,
 			struct klartext_path *path)
 {
 	struct klartext *klartext = klartext_of(interp);
 
+	if (path->open)
+		return make_open(interp, words, target, path);
 	path->crossing = words->m_count && klartext_words_m(words, 97);
 	path->column = words->first_column;
 	if (path->arc && !klartext_comp_check_known(interp, words->first_column, "a circle"))

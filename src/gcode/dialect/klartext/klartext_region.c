@@ -168,18 +168,14 @@ static bool go(const struct klartext_call_of *call, const struct region *region,
 {
 	struct interp *interp = call->interp;
 	const vec3 position = klartext_frame_position(interp, point);
-	const vec3 sides[3] = {klartext_frame_direction(interp, (vec3){1, 0, 0}),
-			       klartext_frame_direction(interp, (vec3){0, 1, 0}),
-			       klartext_frame_direction(interp, (vec3){0, 0, 1})};
-	const double half[3] = {region->half[0], region->half[1], region->beyond};
+	const vec3 spread =
+	    klartext_frame_box(interp, (const double[3]){region->half[0], region->half[1], region->beyond});
 	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = interp->state.position;
 
-	for (int i = 0; i < 3; i++) {
-		move.spread[SLOT_X] += fabs(sides[i].x) * half[i];
-		move.spread[SLOT_Y] += fabs(sides[i].y) * half[i];
-		move.spread[SLOT_Z] += fabs(sides[i].z) * half[i];
-	}
+	move.spread[SLOT_X] = spread.x;
+	move.spread[SLOT_Y] = spread.y;
+	move.spread[SLOT_Z] = spread.z;
 	target.v[SLOT_X] = position.x;
 	target.v[SLOT_Y] = position.y;
 	target.v[SLOT_Z] = position.z;
@@ -189,13 +185,12 @@ static bool go(const struct klartext_call_of *call, const struct region *region,
 /* Over the region the tool may stand anywhere, until X and Y are commanded. */
 static void leave_open(const struct klartext_call_of *call, const struct region *region)
 {
-	const vec3 x = klartext_frame_direction(call->interp, (vec3){1, 0, 0});
-	const vec3 y = klartext_frame_direction(call->interp, (vec3){0, 1, 0});
+	const vec3 box = klartext_frame_box(call->interp, (const double[3]){region->half[0], region->half[1], 0});
 	double *loose = call->interp->comp.loose;
 
-	loose[SLOT_X] += fabs(x.x) * region->half[0] + fabs(y.x) * region->half[1];
-	loose[SLOT_Y] += fabs(x.y) * region->half[0] + fabs(y.y) * region->half[1];
-	loose[SLOT_Z] += fabs(x.z) * region->half[0] + fabs(y.z) * region->half[1];
+	loose[SLOT_X] += box.x;
+	loose[SLOT_Y] += box.y;
+	loose[SLOT_Z] += box.z;
 }
 
 static bool carry_out(const struct klartext_call_of *call, const struct region *region)
@@ -230,6 +225,11 @@ bool klartext_region_make(const struct klartext_call_of *call)
 {
 	struct region region = {.centre = klartext_frame_point(call->interp)};
 
+	if (klartext_frame_is_scaled(call->interp))
+		return fault(&call->interp->at, call->column,
+			     "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known "
+			     "here; cancel the scaling first",
+			     call->cycle->number);
 	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
 		if (cycles[i].number != call->cycle->number)
 			continue;

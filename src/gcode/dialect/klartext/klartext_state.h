@@ -102,6 +102,8 @@ struct klartext_path {
 	bool rapid;
 	struct canon_feed feed;
 	double doubt; /* mm in the plane: how far the tool may be beside it under radius compensation */
+	bool open; /* a circle whose plane is open: the tool is at most `half` mm beside this straight line */
+	double half[3];
 	bool crossing; /* M97: under radius compensation it is drawn out to where it crosses the next one */
 	int column; /* of its words */
 };
@@ -180,6 +182,7 @@ struct klartext {
 	vec3 pole;
 	bool has_pole[3];
 	int across; /* slot of the axis across the plane of CC: Z, or X or Y */
+	bool spatial_pole; /* CC has named X, Y and Z: the plane is that of the tool axis, if its circle fits */
 	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
 	struct klartext_approach approach;
