@@ -184,6 +184,15 @@ long fivecheck_finding_line(const fivecheck_finding *finding)
 	return finding->line;
 }
 
+bool fivecheck_finding_caller(const fivecheck_finding *finding, size_t level, const char **file, long *line)
+{
+	if (level >= finding->caller_count)
+		return false;
+	*file = finding->callers[level].file;
+	*line = finding->callers[level].line;
+	return true;
+}
+
 const char *fivecheck_finding_block(const fivecheck_finding *finding)
 {
 	return finding->text;

@@ -36,6 +36,9 @@ struct block_record *block_log_complete(struct block_log *log, const struct bloc
 	copy = &log->blocks[log->block_count++];
 	*copy = *block;
 	copy->text = arena_strdup(&log->texts, block->text);
+	if (block->caller_count)
+		copy->callers =
+		    arena_copy(&log->texts, block->callers, block->caller_count * sizeof(*block->callers));
 	return copy;
 }
 
@@ -99,6 +102,8 @@ bool block_log_finding(const struct block_log *log, size_t i, struct finding *ou
 	out->column = 1;
 	out->text = block->text;
 	out->moves = block->moves;
+	out->callers = block->callers;
+	out->caller_count = block->caller_count;
 	out->fraction = block->seconds > 0 ? fmin(finding->block_time / block->seconds, 1) : 0;
 	return true;
 }

@@ -31,6 +31,8 @@ struct block_record {
 	const char *text;
 	double seconds;	/* of motion */
 	int moves;
+	const struct srcloc *callers;	/* of the subprogram that it stands in: call_chain.h */
+	size_t caller_count;
 	bool measured;	/* it is handed to check_sink.block, with steps, interpret and check */
 	long steps;
 	double interpret, check;	/* s */
@@ -60,7 +62,7 @@ void block_log_begin(struct block_log *log, long block);
 void block_log_add_finding(struct block_log *log, const struct block_finding *finding);
 void block_log_add_clearance(struct block_log *log, long block, const struct pair_clearance *least);
 
-/* The block is complete. Its text is copied. The result may be changed until the log is used again. */
+/* The block is complete. Its text and its callers are copied. The result may be changed until the log is used again. */
 struct block_record *block_log_complete(struct block_log *log, const struct block_record *block);
 
 /* Orders the findings by block, time, then rank. */

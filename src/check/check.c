@@ -130,6 +130,7 @@ static void on_block(struct checker *c, const struct motion_block *block)
 {
 	const struct block_record complete = {.block = c->block, .file = block->file, .line = block->line,
 					      .text = block->text, .seconds = block->seconds, .moves = block->moves,
+					      .callers = block->callers, .caller_count = block->caller_count,
 					      .measured = true, .steps = c->steps};
 	struct block_record *record = block_log_complete(&c->log, &complete);
 	bool ours = checker_owns(c, c->block);

@@ -88,6 +88,16 @@ static const char *keep_text(struct part *part, const char *text)
 	return text ? arena_copy(&part->texts, text, size) : NULL;
 }
 
+static void keep_block(struct part *part, struct motion_block *block)
+{
+	const size_t size = block->caller_count * sizeof(*block->callers);
+
+	block->text = keep_text(part, block->text);
+	part->text_size += size;
+	if (size)
+		block->callers = arena_copy(&part->texts, block->callers, size);
+}
+
 /* Gives the open part to the receiver and waits for an empty one. */
 static void hand_over(struct event_queue *queue)
 {
@@ -108,7 +118,7 @@ bool event_queue_add(struct event_queue *queue, const struct motion_event *event
 	if (event->kind == MOTION_STEP)
 		copy->of.step.span.path = path_copies_add(&part->paths, &event->of.step.span);
 	else if (event->kind == MOTION_BLOCK)
-		copy->of.block.text = keep_text(part, event->of.block.text);
+		keep_block(part, &copy->of.block);
 	if (part->count >= PART_ENTRIES || part->text_size >= PART_TEXT)
 		hand_over(queue);
 	return !queue->stopped;

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/axes.h"
+#include "base/diag.h"
 #include "geom/vec3.h"
 #include "scene/scene.h"
 #include "scene/tri_pair.h"
@@ -29,6 +30,9 @@ struct finding {
 	long line;
 	int column;	/* 1 */
 	const char *text;	/* of the block */
+	/* The block stands in a subprogram, which was called from here; the call of its caller comes next, and so on. */
+	const struct srcloc *callers;
+	size_t caller_count;	/* 0: it stands in the program itself */
 	int move, moves;	/* which of the block's moves, from 1 */
 	double fraction;	/* of the block's motion, by time, 0 to 1 */
 	double time;	/* s since the start of the program */

@@ -9,6 +9,7 @@
 #include "report/glb/glb.h"
 #include "report/format/uri.h"
 #include "report/html/html_report.h"
+#include "report/html/index_page.h"
 #include "report/html/report_data.h"
 #include "report/output.h"
 #include "report/picture/picture.h"
@@ -354,7 +355,7 @@ bool program_reports_write(struct program_reports *reports, size_t index, struct
 bool program_reports_finish(struct program_reports *reports, struct diag *diag)
 {
 	const struct options *options = reports->options;
-	struct html_index_row *rows;
+	struct index_page_row *rows;
 	struct strbuf *links;
 	bool good;
 
@@ -371,14 +372,14 @@ bool program_reports_finish(struct program_reports *reports, struct diag *diag)
 		add_path(&file, slash ? slash + 1 : options->report, it->name);
 		uri_add(&links[i], strbuf_text(&file));
 		strbuf_release(&file);
-		rows[i] = (struct html_index_row){
+		rows[i] = (struct index_page_row){
 			.program = options->programs[i],
 			.link = it->written ? strbuf_text(&links[i]) : NULL,
 			.word = it->word ? it->word : "incomplete",
 			.sentence = it->sentence ? it->sentence : "it was not checked",
 		};
 	}
-	good = html_index_write(options->report, rows, options->program_count, diag);
+	good = index_page_write(options->report, rows, options->program_count, diag);
 	for (size_t i = 0; i < options->program_count; i++)
 		strbuf_release(&links[i]);
 	free(links);

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "base/axes.h"
-#include "base/diag.h"
+#include "base/call_chain.h"
 #include "geom/vec3.h"
 
 /*
@@ -90,6 +90,7 @@ struct canon_block {
 	long line;
 	const char *text;	/* the line as it stands in the file; valid during the call */
 	int moves;
+	const struct call_chain *callers;	/* valid during the call; NULL: as an empty one */
 };
 
 enum canon_event_kind { CANON_MOVE, CANON_BLOCK };

@@ -216,8 +216,11 @@ struct dialect {
 	bool (*after_block)(struct interp *interp);
 	/* The file in hand has ended: false if something in it is not closed. */
 	bool (*end_of_file)(struct interp *interp);
-	/* Adds notes to the message just reported: from where the block in hand was called. */
-	void (*note_callers)(struct interp *interp);
+	/*
+	 * The calls that are under way: 0 is the call of the subprogram in hand, 1 the call of the one that called it.
+	 * *at is where the call stands; *title, unless NULL, receives what is called. False: there are not so many.
+	 */
+	bool (*caller)(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 };
 
 /*

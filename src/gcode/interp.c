@@ -138,17 +138,40 @@ static bool run_line(struct interp *interp)
 	return *text == '%' ? take_percent(interp, text) : run_block(interp);
 }
 
+/* Adds notes to the message just reported: from where the block in hand was called. */
 static void note_callers(struct interp *interp)
 {
-	if (interp->config->dialect->note_callers)
-		interp->config->dialect->note_callers(interp);
+	const struct dialect *dialect = interp->config->dialect;
+	struct strbuf title = {0};
+	struct srcloc at;
+
+	for (size_t level = 0; dialect->caller && dialect->caller(interp, level, &at, &title); level++) {
+		diag_note(interp->diag, at, "%s is called from here", strbuf_text(&title));
+		strbuf_clear(&title);
+	}
+	strbuf_release(&title);
+}
+
+/* Before a line is carried out, which may call or return itself. */
+static void find_callers(struct interp *interp)
+{
+	const struct dialect *dialect = interp->config->dialect;
+	struct call_chain *chain = &interp->callers;
+
+	chain->count = 0;
+	while (dialect->caller && chain->count < CALLS_MAX &&
+	       dialect->caller(interp, chain->count, &chain->calls[chain->count], NULL))
+		chain->count++;
 }
 
 /* A line with its messages: in a subprogram, they are followed by the calls that led there. */
 static bool run_line_called(struct interp *interp)
 {
 	size_t said = interp->diag->errors + interp->diag->warnings;
-	bool good = run_line(interp);
+	bool good;
+
+	find_callers(interp);
+	good = run_line(interp);
 
 	if (interp->diag->errors + interp->diag->warnings > said)
 		note_callers(interp);

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "base/call_chain.h"
 #include "gcode/canon.h"
 #include "gcode/config.h"
 #include "gcode/execute/cutter_comp/comp_corner.h"
@@ -180,6 +181,7 @@ struct pending_corner {
 	struct block block;
 	struct line_place at;
 	char *text;	/* of the line; owned */
+	struct call_chain callers;
 	struct canon_move move;	/* its kind and feed */
 	slot_values start;	/* straight */
 	struct comp_way way;
@@ -193,6 +195,7 @@ struct interp {
 	struct program program;
 	void *dialect_state;	/* what the dialect's hooks remember; NULL: nothing */
 	struct line_place at;	/* the block being carried out */
+	struct call_chain callers;	/* of that block */
 	struct block block;
 	struct state state;
 	struct tool_table tools;

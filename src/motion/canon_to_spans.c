@@ -406,8 +406,15 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 
 static bool end_block(struct canon_to_spans *converter, const struct canon_block *block)
 {
-	converter->event.of.block = (struct motion_block){block->file, block->line, block->text, converter->block_time,
-						      block->moves};
+	converter->event.of.block = (struct motion_block){
+		.file = block->file,
+		.line = block->line,
+		.text = block->text,
+		.seconds = converter->block_time,
+		.moves = block->moves,
+		.callers = block->callers ? block->callers->calls : NULL,
+		.caller_count = block->callers ? block->callers->count : 0,
+	};
 	converter->event.summary.blocks++;
 	converter->block_time = 0;
 	return tell(converter, MOTION_BLOCK);

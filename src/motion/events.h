@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/axes.h"
+#include "base/call_chain.h"
 #include "control/step_class.h"
 #include "motion/span.h"
 
@@ -66,6 +67,8 @@ struct motion_block {
 	const char *text;	/* the line as it stands in the file */
 	double seconds;	/* of motion, dwells excluded */
 	int moves;
+	const struct srcloc *callers;	/* of the subprogram that it stands in: call_chain.h */
+	size_t caller_count;	/* 0: it stands in the program itself */
 };
 
 /* Totals of a run so far, or of the whole run. */
@@ -81,8 +84,8 @@ struct motion_summary {
 enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_BLOCK };
 
 /*
- * Plain data that can be copied. Two pointers are valid during the call only: step.span.path with its tcp, and
- * block.text. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File names live
+ * Plain data that can be copied. Three pointers are valid during the call only: step.span.path with its tcp, block.text and
+ * block.callers. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File names live
  * as long as the table that contains them.
  */
 struct motion_event {

@@ -53,6 +53,7 @@ export class App {
 		this.state.watch((what) => {
 			// Another finding: the camera goes there.
 			if (what === 'look') this.stage.lookAtFocus();
+			if (what === 'read') document.getElementById('tab-0')?.click();
 		});
 	}
 }

@@ -135,7 +135,14 @@ export class FindingsView {
 		if (finding.kind === 'limit') text.push(`The block leads ${finding.axis} to ${axisValue(finding.target ?? 0)}; its limit is ${axisValue(finding.bound ?? 0)}: ${finding.path_tolerance ? 'up to ' : ''}${axisValue(finding.excess ?? 0)} too far.`);
 		else if (finding.clearance && finding.clearance >= 0.0005) text.push(`They are ${fixed(finding.clearance, 3)} mm apart here.`);
 		if (finding.accepted) text.push(`Accepted: ${finding.reason || 'by --fail-on'}${finding.expires ? `, until ${finding.expires}` : ''}.`);
-		return text.map((line) => h('p', {}, line));
+		return [this.callers(finding), ...text.map((line) => h('p', {}, line))];
+	}
+
+	/** The calls that led into the block's subprogram. @param {Finding} finding */
+	callers(finding) {
+		if (!finding.callers) return null;
+		const place = (/** @type {{file: string, line: number}} */ {file, line}) => h('button.call', {onclick: () => this.state.readLine(file, line)}, `${file}:${line}`);
+		return h('p.callers', {}, `In ${finding.file}, called from `, ...finding.callers.flatMap((call, i) => [i ? ' from ' : '', place(call)]));
 	}
 
 	mark() {

@@ -41,6 +41,7 @@
  * @property {Vec3|null} point
  * @property {number|null} clearance
  * @property {string|null} block
+ * @property {{file: string, line: number, column: number}[]} [callers]	of a subprogram: the call of it, the call of its caller ...
  * @property {string} [accepted]
  * @property {string} [reason]
  * @property {string} [expires]

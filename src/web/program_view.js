@@ -59,11 +59,18 @@ export class ProgramView {
 		}).observe(this.list);
 		this.state.watch((what) => {
 			if (what === 'time') this.follow();
+			if (what === 'read') this.showRead();
 		});
 	}
 
 	/** @param {number} file */
 	open(file) {
+		this.show(file);
+		this.follow();
+	}
+
+	/** Another file, from its first line on. @param {number} file */
+	show(file) {
 		this.file = file;
 		this.first = 0;
 		this.files.replaceChildren(...this.model.sources.map((source, i) => h('option', {selected: i === file}, source.name)));
@@ -74,7 +81,13 @@ export class ProgramView {
 		});
 		this.space.style.height = `${Math.min(TALLEST, this.lines() * ROW)}px`;
 		this.tellMissing();
-		this.follow();
+	}
+
+	/** A line that the user wants to read. */
+	showRead() {
+		const {file, line} = this.state.read;
+		if (file !== this.file) this.show(file);
+		this.scrollTo(line - 1 - (this.visible() >> 1));
 	}
 
 	source() {
@@ -157,7 +170,9 @@ export class ProgramView {
 	row(line, here) {
 		const text = this.text(line);
 		const finding = this.found.get(line);
-		const kind = `${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${text === null ? '.absent' : ''}`;
+		const {read} = this.state;
+		const calls = read.line === line && read.file === this.file;
+		const kind = `${calls ? '.read' : ''}${here ? '.here' : ''}${finding === undefined ? '' : '.found'}${text === null ? '.absent' : ''}`;
 		return h(`div.row${kind}`, {role: 'option', 'data-line': line, 'aria-selected': String(here)},
 			h('span.number', {}, grouped(line)), h('span.text', {}, text === null ? '\u00b7\u00b7\u00b7' : text));
 	}

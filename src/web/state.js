@@ -4,6 +4,8 @@
 /** @typedef {import('./model.js').Model} Model */
 /** @typedef {import('./model.js').Pose} Pose */
 
+/** @typedef {'time'|'playing'|'look'|'read'} Change */
+
 /** How long before a finding its approach begins to be worth a look, in seconds. */
 const LEAD = 2;
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100];
@@ -21,18 +23,20 @@ export class State {
 		this.speed = 1;
 		/** Where to stop when played from before a finding. */
 		this.stopAt = Infinity;
-		/** @type {((what: 'time'|'playing'|'look') => void)[]} */
+		/** A line that is to be read, such as a call; it need not move anything. */
+		this.read = {file: 0, line: 0};
+		/** @type {((what: Change) => void)[]} */
 		this.listeners = [];
 		/** @type {Pose} */
 		this.pose = model.path.pose(0);
 	}
 
-	/** @param {(what: 'time'|'playing'|'look') => void} listener */
+	/** @param {(what: Change) => void} listener */
 	watch(listener) {
 		this.listeners.push(listener);
 	}
 
-	/** @param {'time'|'playing'|'look'} what */
+	/** @param {Change} what */
 	tell(what) {
 		for (const listener of this.listeners) listener(what);
 	}
@@ -106,6 +110,14 @@ export class State {
 		this.pause();
 		const time = await this.model.path.timeOf(file, line);
 		if (time >= 0) this.seek(time);
+	}
+
+	/** Shows a line of a file without going there. @param {string} name of the file @param {number} line */
+	readLine(name, line) {
+		const file = this.model.sources.findIndex((source) => source.name === name);
+		if (file < 0) return;
+		this.read = {file, line};
+		this.tell('read');
 	}
 
 	/** @param {number} by places in SPEEDS */

@@ -481,13 +481,20 @@ def windows(bench):
 
 @test
 def subprograms(bench):
-    """The lines of a subprogram are shown in its file."""
+    """The lines of a subprogram are shown in its file; the card says from where it is called, and a click shows that line."""
     machine, setup, program = fixtures.boxes(bench.work, subprogram=True)
     path, findings = bench.report("sub", machine, setup, program, "--all")
     page = bench.open(path)
     same("file of the finding", page.run("fivecheck.state.model.sources[fivecheck.program.file].name"), findings[0]["file"])
     same("line of the finding", page.run(HERE), findings[0]["line"])
-    bench.done(page)
+    same("callers", findings[0]["callers"], [{"file": program, "line": 5, "column": 1}])
+    same("caller", page.run("document.querySelector('.call').textContent"), f"{program}:5")
+    page.run("document.querySelector('.call').click()")
+    page.frames()
+    same("the call is shown", page.run("document.querySelector('.row.read').textContent"), "5o<approach> call")
+    page.press("n")
+    same("and the finding again", page.run(HERE), findings[0]["line"])
+    bench.done(page, "subprograms")
 
 
 @test

@@ -16,6 +16,8 @@ status fivecheck -a -f sarif=out.sarif -f junit=out.xml -f ndjson=out.json --wai
 status fivecheck -q -o /dev/null --waivers waivers.xml --record out.record m.xml 'a b,c:d%.nc' good.nc bad.nc limits.nc 2>/dev/null
 status fivecheck -f sarif=clear.sarif -f junit=clear.xml -f ndjson=clear.json --record clear.record --shard 1/2 \
 	--max-blocks 7 m.xml good.nc 2>/dev/null
+printf 'o<far> sub\nG0 X300\no<far> endsub\no<far> call\nM2\n' >call.nc
+status fivecheck --parse-only -f sarif=call.sarif -f ndjson=call.json m.xml call.nc 2>/dev/null
 fivecheck -f ndjson=turns.json --sensitivity 1,0,1000,0 m.xml good.nc 2>/dev/null
 
 if command -v xmllint >/dev/null; then
@@ -37,7 +39,7 @@ if ! python3 -c 'import jsonschema' 2>/dev/null; then
 else
 	[ -e "${SARIF_SCHEMA:-}" ] || leave_out "SARIF_SCHEMA does not name the published schema: only the narrower one of this folder"
 	for schema in "$(dirname "$LIB")/sarif.schema.json" ${SARIF_SCHEMA:+"$SARIF_SCHEMA"}; do
-		python3 - "$schema" out.sarif clear.sarif <<'PY'
+		python3 - "$schema" out.sarif clear.sarif call.sarif <<'PY'
 import json, sys, jsonschema
 schema = json.load(open(sys.argv[1]))
 kind = jsonschema.validators.validator_for(schema)
@@ -62,7 +64,7 @@ def validator(name):
     kind = jsonschema.validators.validator_for(schema)
     kind.check_schema(schema)
     return kind(schema)
-lines = [json.loads(line) for name in ('out.json', 'clear.json', 'turns.json') for line in open(name, encoding='utf-8')]
+lines = [json.loads(line) for name in ('out.json', 'clear.json', 'turns.json', 'call.json') for line in open(name, encoding='utf-8')]
 ndjson, record = validator('ndjson.schema.json'), validator('record.schema.json')
 records = [json.load(open(name, encoding='utf-8')) for name in ('out.record', 'clear.record')]
 for schema, documents in (ndjson, lines), (record, records):
@@ -72,12 +74,14 @@ for schema, documents in (ndjson, lines), (record, records):
         # Every key is needed, and no other is known; what cannot fail proves nothing.
         for key in document:
             wrong = {k: v for k, v in document.items() if k != key}
-            if schema.is_valid(wrong) and key not in ('accepted', 'sensitivity'):
+            if schema.is_valid(wrong) and key not in ('accepted', 'sensitivity', 'callers'):
                 print(document, 'is valid without', key)
         if schema.is_valid({**document, 'more': 1}):
             print('the schema accepts anything')
 if not any('sensitivity' in line for line in lines):
     print('no sensitivity was looked at')
+if not any('callers' in line for line in lines):
+    print('no callers were looked at')
 kinds = {line['kind'] for line in lines}
 if kinds != {'header', 'collision', 'limit', 'program', 'summary'}:
     print('not everything was looked at:', kinds)

@@ -93,6 +93,8 @@ static bool on_collision(void *context, const fivecheck_finding *finding)
 {
 	struct seen *seen = context;
 	double point[3] = {9, 9, 9};
+	const char *file;
+	long line;
 
 	ck_assert(pthread_equal(pthread_self(), seen->thread));
 	seen->findings++;
@@ -100,6 +102,7 @@ static bool on_collision(void *context, const fivecheck_finding *finding)
 	seen->line = fivecheck_finding_line(finding);
 	ck_assert_str_eq(fivecheck_finding_file(finding), "a.nc");
 	ck_assert_str_eq(fivecheck_finding_block(finding), "G1 Z-120 F6000");
+	ck_assert(!fivecheck_finding_caller(finding, 0, &file, &line));
 	/* 100 of 120 mm at 100 mm/s, after 10 mm of the rapid move before. */
 	ck_assert_double_eq_tol(fivecheck_finding_fraction(finding), 90.0 / 110, 1e-4);
 	ck_assert_double_eq_tol(fivecheck_finding_time(finding), 1, 1e-3);
@@ -121,6 +124,8 @@ static bool on_limit(void *context, const fivecheck_finding *finding)
 {
 	struct seen *seen = context;
 	double point[3] = {9, 9, 9};
+	const char *file;
+	long line;
 
 	seen->findings++;
 	seen->kind = fivecheck_finding_kind(finding);
@@ -130,6 +135,11 @@ static bool on_limit(void *context, const fivecheck_finding *finding)
 	ck_assert_ptr_null(fivecheck_finding_body_b(finding));
 	ck_assert_int_eq(fivecheck_finding_limit_axis(finding), 'Z');
 	ck_assert(fivecheck_finding_limit(finding) == 50);
+	ck_assert_int_eq(fivecheck_finding_line(finding), 2);
+	ck_assert(fivecheck_finding_caller(finding, 0, &file, &line));
+	ck_assert_str_eq(file, "a.nc");
+	ck_assert_int_eq(line, 5);
+	ck_assert(!fivecheck_finding_caller(finding, 1, &file, &line));
 	return true;
 }
 
@@ -193,7 +203,7 @@ START_TEST(parses_without_bodies)
 	struct seen seen = {.thread = pthread_self()};
 	const struct fivecheck_events events = {.context = &seen, .finding = on_limit};
 
-	write_text("a.nc", "G1 Z-120 F6000\n/G1 Z60\n");
+	write_text("a.nc", "o<up> sub\n/G1 Z60\no<up> endsub\nG1 Z-120 F6000\no<up> call\n");
 	ck_assert_int_eq((int)fivecheck_check_file(model, options, "a.nc", NULL, diag, NULL, NULL), FIVECHECK_INCOMPLETE);
 	assert_messages("error -:0:0 the model was not prepared: its bodies are not known\n");
 	fivecheck_options_set_parse_only(options, true);

@@ -95,6 +95,10 @@ static void mix_block(struct log *log, const struct motion_block *block)
 	mix(log, &block->seconds, sizeof(block->seconds));
 	mix_text(log, block->file);
 	mix_text(log, block->text);
+	for (size_t i = 0; i < block->caller_count; i++) {
+		mix(log, &block->callers[i].line, sizeof(block->callers[i].line));
+		mix_text(log, block->callers[i].file);
+	}
 }
 
 static bool on_event(void *context, const struct motion_event *event)
@@ -141,7 +145,8 @@ static char *random_program(struct random *random)
 	struct strbuf text = {0};
 	int lines = (int)random_size(random, 1, 20000);
 
-	strbuf_addf(&text, "G21 G90 G17 F1000\n");
+	strbuf_addf(&text, "o<over> sub\nG1 X#1\no<over> endsub\no<up> sub\nG1 Z10\no<over> call [#1]\no<up> endsub\n"
+			   "G21 G90 G17 F1000\n");
 	for (int i = 0; i < lines; i++) {
 		double x = random_in(random, -100, 100), y = random_in(random, -100, 100);
 
@@ -154,6 +159,9 @@ static char *random_program(struct random *random)
 			break;
 		case 2:
 			strbuf_addf(&text, "G4 P0.5\n");
+			break;
+		case 4:
+			strbuf_addf(&text, "o<up> call [%.3f]\n", x);
 			break;
 		case 3:
 			strbuf_addf(&text, "G0 Z%.3f\n", random_in(random, -60, 60));

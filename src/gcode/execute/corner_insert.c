@@ -228,11 +228,13 @@ static bool make_waiting(struct interp *interp, const struct insertion *insertio
 	struct pending_corner corner = interp->corner;
 	const struct block block = interp->block;
 	const struct line_place at = interp->at;
+	const struct call_chain callers = interp->callers;
 	int moves = interp->moves;
 	bool good;
 
 	interp->block = corner.block;
 	interp->at = corner.at;
+	interp->callers = corner.callers;
 	interp->moves = 0;
 	put_at(interp, &corner.start);
 	good = go(interp, insertion->first, corner.way.is_arc, corner.way.centre);
@@ -242,6 +244,7 @@ static bool make_waiting(struct interp *interp, const struct insertion *insertio
 	good = good && cutter_comp_end_block(interp);
 	interp->block = block;
 	interp->at = at;
+	interp->callers = callers;
 	interp->moves = moves;
 	free(interp->corner.text);
 	interp->corner.text = NULL;
@@ -276,6 +279,7 @@ bool corner_insert_pass(struct interp *interp, const struct corner_move *next, b
 	    .size = block->corner_value * interp->state.scale,
 	    .block = *block,
 	    .at = interp->at,
+	    .callers = interp->callers,
 	    .move = *next->move,
 	    .start = rotated_frame_straight(&interp->state),
 	    .way = {.is_arc = next->is_arc, .centre = next->centre, .clockwise = block->motion == G2},

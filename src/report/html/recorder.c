@@ -242,6 +242,9 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 	};
 	if (it->a >= 0 && it->b >= 0)
 		add_triangles(recorder, it);
+	/* A file that only calls moves nothing, and would not be among them. */
+	for (size_t i = 0; i < finding->caller_count; i++)
+		file_index(recorder, finding->callers[i].file);
 }
 
 const struct recorded_finding *recorder_first(const struct recorder *recorder)

@@ -44,7 +44,7 @@
  *   pairs         [{a, b, status, clearance, reason}]: a, b: indices of bodies; status: "checked" "rigid" "adjacent" "out of reach"
  *                 "waived" "cutting"
  *   findings      [finding]: as in --format=ndjson (kind file line column move fraction a b axes time point clearance block, and
- *                 accepted, reason, expires, axis, bound, target, excess ... where they apply) and besides:
+ *                 callers, accepted, reason, expires, axis, bound, target, excess ... where they apply) and besides:
  *     bodies      [a, b]: indices of bodies; null for a limit
  *     tool        number of the tool in the spindle
  *     triangles   [[9 numbers of a triangle of a], [of b]], machine coordinates at the finding's pose; null for a limit. They touch, or
@@ -97,7 +97,7 @@
  * distance: of both triangles at that time. pair -1: nothing is near (farther than the cap).
  *
  * CODE. {mode: "all" | "windows" | "none", files: [{name, sha256|null, lines, windows: [{first, lines, blob}]}]}. lines: of the whole file; -1: not known.
- * A window's blob, inflated, is UTF-8 text of `lines` lines from line `first` on (from 1), separated by \n. files are in the order of path.files.
+ * A window's blob, inflated, is UTF-8 text of `lines` lines from line `first` on (from 1), separated by \n. files are in the order of path.files, which names callers, too.
  *
  * TURNED. A turned body has for each corner (r, z) of its profile, from the top down and in whole numbers of 0.001 mm, a ring of `facets` vertices: number
  * k at r cos(a), r sin(a), z with a = 2 pi k / facets; v of these is drawn at origin + v.x x + v.y y + v.z z. Between a ring and the next one, for each

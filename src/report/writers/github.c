@@ -56,6 +56,8 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	format_units_add(&text, 100 * f->fraction);
 	strbuf_addf(&text, " %% of the block: ");
 	format_units_add_axes(&text, run->scene->machine, &f->axes);
+	for (size_t i = 0; i < f->caller_count; i++)
+		strbuf_addf(&text, "; called from %s:%ld", f->callers[i].file, f->callers[i].line);
 	add_command(out, style.status == FINDING_FAILS ? "error" : "warning", f->file, f->line, f->column,
 		    finding_kind_name(f->kind), strbuf_text(&text));
 	strbuf_release(&text);

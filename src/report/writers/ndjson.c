@@ -101,6 +101,21 @@ void ndjson_put_limit(json_t *object, const struct finding *f)
 	json_put(object, "tool_length", f->work_offset && f->length_acts ? json_real(f->length) : json_null());
 }
 
+static json_t *callers_of(const struct finding *f)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < f->caller_count; i++) {
+		json_t *object = json_object();
+
+		json_put(object, "file", json_text(f->callers[i].file));
+		json_put(object, "line", json_integer(f->callers[i].line));
+		json_put(object, "column", json_integer(f->callers[i].column));
+		json_push(array, object);
+	}
+	return array;
+}
+
 json_t *ndjson_finding_object(const struct machine *machine, const struct finding *f, struct finding_style style)
 {
 	bool bodies = f->kind != FINDING_LIMIT;
@@ -125,6 +140,8 @@ json_t *ndjson_finding_object(const struct machine *machine, const struct findin
 	if (!bodies)
 		ndjson_put_limit(object, f);
 	json_put(object, "block", json_text(f->text));
+	if (f->caller_count)
+		json_put(object, "callers", callers_of(f));
 	if (accepted[style.status])
 		json_put(object, "accepted", json_string(accepted[style.status]));
 	if (style.waiver) {

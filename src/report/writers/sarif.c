@@ -112,8 +112,9 @@ static const char *level_of(int rule, struct finding_style style)
 	return style.status == FINDING_LEFT_OUT ? "warning" : "error";
 }
 
+/* One result. `related` and `properties` may be NULL. */
 static void add_result(struct strbuf *out, int rule, struct finding_style style, const char *text, json_t *location,
-		       json_t *properties)
+		       json_t *related, json_t *properties)
 {
 	json_t *result = json_object(), *locations = json_array();
 
@@ -123,11 +124,28 @@ static void add_result(struct strbuf *out, int rule, struct finding_style style,
 	json_put(result, "message", message_of(text));
 	json_push(locations, location);
 	json_put(result, "locations", locations);
+	if (related)
+		json_put(result, "relatedLocations", related);
 	if (properties)
 		json_put(result, "properties", properties);
 	if (style.status == FINDING_WAIVED)
 		add_suppression(result, style);
 	json_add_line(out, result);
+}
+
+/* NULL: the block stands in the program itself. */
+static json_t *callers_of(const struct finding *f)
+{
+	json_t *array = f->caller_count ? json_array() : NULL;
+
+	for (size_t i = 0; i < f->caller_count; i++) {
+		json_t *location = location_of(f->callers[i].file, f->callers[i].line, 0, 0, NULL);
+
+		json_put(location, "id", json_integer((json_int_t)i));
+		json_put(location, "message", message_of("called from here"));
+		json_push(array, location);
+	}
+	return array;
 }
 
 static json_t *properties_of(const struct machine *machine, const struct finding *f)
@@ -164,7 +182,7 @@ static void add_finding(struct strbuf *out, const struct report_run *run, const 
 	add_result(out, (int)f->kind, style, strbuf_text(&text),
 		   location_of(f->file, f->line, (size_t)f->column, utf8_units(strbuf_text(&block)) + 1,
 			       strbuf_text(&block)),
-		   properties_of(machine, f));
+		   callers_of(f), properties_of(machine, f));
 	strbuf_release(&text);
 	strbuf_release(&block);
 }
@@ -198,14 +216,15 @@ static void add_program(struct strbuf *out, const struct report_run *run, const 
 	(void)run;
 	for (size_t i = 0; i < program->error_count; i++)
 		add_result(out, RULE_INCOMPLETE, (struct finding_style){0}, program->errors[i].text,
-			   location_of_error(program, &program->errors[i]), NULL);
+			   location_of_error(program, &program->errors[i]), NULL, NULL);
 	for (int i = 0; program->verdict && i < VERDICT_CAUTIONS; i++) {
 		struct strbuf text = {0};
 		const int name = TOPIC_CAUTIONS + (i < CAUTION_DOUBT ? i : CAUTION_DOUBT);
 
 		if (verdict_add_caution(&text, program->verdict, i))
 			add_result(out, RULE_CAUTION, (struct finding_style){0}, strbuf_text(&text),
-				   location_of(program->name, 0, 0, 0, NULL), properties_of_caution(topic_names[name]));
+				   location_of(program->name, 0, 0, 0, NULL), NULL,
+				   properties_of_caution(topic_names[name]));
 		strbuf_release(&text);
 	}
 }

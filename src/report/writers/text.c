@@ -174,6 +174,16 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 	}
 }
 
+/* "called   from part.nc:12", a line for each call */
+static void add_callers(struct strbuf *out, const struct finding *f)
+{
+	for (size_t i = 0; i < f->caller_count; i++) {
+		strbuf_addf(out, "    called   from ");
+		strbuf_add_visible(out, f->callers[i].file);
+		strbuf_addf(out, ":%ld\n", f->callers[i].line);
+	}
+}
+
 /* "part.nc:118:1: error: collision: "; a finding that does not fail the run is a warning. */
 static void add_head(struct strbuf *out, const struct finding *f, struct finding_style style)
 {
@@ -207,6 +217,7 @@ void text_finding(struct strbuf *out, const struct machine *machine, const struc
 	strbuf_addf(out, "\n    block    ");
 	format_units_add_plain(out, f->text ? f->text : "");
 	strbuf_addf(out, "\n");
+	add_callers(out, f);
 	add_place(out, f);
 	strbuf_addf(out, "    axes     ");
 	format_units_add_axes(out, machine, &f->axes);

@@ -200,5 +200,5 @@ const struct dialect dialect_fanuc = {
 	.read_block = macro_b_read_block,
 	.after_block = macro_b_call_after_block,
 	.end_of_file = macro_b_call_end_of_file,
-	.note_callers = macro_b_call_note_callers,
+	.caller = macro_b_call_caller,
 };

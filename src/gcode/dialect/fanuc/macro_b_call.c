@@ -423,14 +423,19 @@ bool macro_b_call_end_of_file(struct interp *interp)
 	return false;
 }
 
-void macro_b_call_note_callers(struct interp *interp)
+_Static_assert(MACRO_B_CALLS_MAX <= CALLS_MAX, "every call has its place in a chain");
+
+bool macro_b_call_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title)
 {
-	char title[MACRO_B_TITLE];
+	const struct macro_b *macro = macro_b_of(interp);
+	const struct macro_b_call *call;
+	char buffer[MACRO_B_TITLE];
 
-	for (int level = macro_b_of(interp)->level; level > 0; level--) {
-		const struct macro_b_call *call = &macro_b_of(interp)->calls[level];
-
-		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
-			  macro_b_call_title(call, title));
-	}
+	if ((size_t)macro->level <= level)
+		return false;
+	call = &macro->calls[macro->level - (int)level];
+	*at = (struct srcloc){call->file, call->line, call->column};
+	if (title)
+		strbuf_addf(title, "%s", macro_b_call_title(call, buffer));
+	return true;
 }

@@ -27,7 +27,7 @@ bool macro_b_call_after_block(struct interp *interp);
 /* The file in hand has ended. False: inside of a subprogram, which was reported. */
 bool macro_b_call_end_of_file(struct interp *interp);
 
-/* Notes below what has just been reported: from where the block in hand was called. */
-void macro_b_call_note_callers(struct interp *interp);
+/* The calls under way (struct dialect). */
+bool macro_b_call_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 #endif

@@ -37,5 +37,5 @@ const struct dialect dialect_klartext = {
     .state_free = klartext_state_free,
     .statement = klartext_line_run,
     .end_of_file = klartext_flow_end_of_file,
-    .note_callers = klartext_flow_note_callers,
+    .caller = klartext_flow_caller,
 };

@@ -396,14 +396,18 @@ bool klartext_flow_end_of_file(struct interp *interp)
 	return false;
 }
 
-void klartext_flow_note_callers(struct interp *interp)
+_Static_assert(KLARTEXT_CALLS_MAX <= CALLS_MAX, "every call has its place in a chain");
+
+bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title)
 {
 	const struct klartext *klartext = klartext_of(interp);
+	const struct klartext_call *call;
 
-	for (int level = klartext->level; level > 0; level--) {
-		const struct klartext_call *call = &klartext->calls[level];
-
-		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
-			  call->title);
-	}
+	if ((size_t)klartext->level <= level)
+		return false;
+	call = &klartext->calls[klartext->level - (int)level];
+	*at = (struct srcloc){call->file, call->line, call->column};
+	if (title)
+		strbuf_addf(title, "%s", call->title);
+	return true;
 }

@@ -22,7 +22,7 @@ bool klartext_flow_end(struct lexer *lexer);
 /* The file in hand has ended without END PGM. */
 bool klartext_flow_end_of_file(struct interp *interp);
 
-/* Adds notes: from where the block in hand was called. */
-void klartext_flow_note_callers(struct interp *interp);
+/* The calls under way (struct dialect). */
+bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 #endif

@@ -124,16 +124,21 @@ bool control_flow_end_of_file(struct interp *interp)
 	return false;
 }
 
-void control_flow_note_callers(struct interp *interp)
+_Static_assert(PARAM_LEVELS - 1 <= CALLS_MAX, "every call has its place in a chain");
+
+bool control_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title)
 {
-	char title[OWORD_TITLE];
+	const struct linuxcnc *linuxcnc = linuxcnc_of(interp);
+	const struct call *call;
+	char buffer[OWORD_TITLE];
 
-	for (int level = linuxcnc_of(interp)->params.level; level > 0; level--) {
-		const struct call *call = &linuxcnc_of(interp)->flow.calls[level];
-
-		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
-			  oword_title(call->name, title));
-	}
+	if ((size_t)linuxcnc->params.level <= level)
+		return false;
+	call = &linuxcnc->flow.calls[linuxcnc->params.level - (int)level];
+	*at = (struct srcloc){call->file, call->line, call->column};
+	if (title)
+		strbuf_addf(title, "%s", oword_title(call->name, buffer));
+	return true;
 }
 
 /* ------------------------------------------------------------ the whole anew */

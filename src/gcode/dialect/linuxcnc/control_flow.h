@@ -3,6 +3,10 @@
 #define FIVECHECK_GCODE_DIALECT_LINUXCNC_CONTROL_FLOW_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
 
 struct interp;
 
@@ -18,7 +22,7 @@ bool control_flow_after_block(struct interp *interp);
 /* The file in hand has ended. False: something is not closed, which was reported. */
 bool control_flow_end_of_file(struct interp *interp);
 
-/* Notes below what has just been reported: from where the block in hand was called. */
-void control_flow_note_callers(struct interp *interp);
+/* The calls under way (struct dialect). */
+bool control_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 #endif

@@ -195,5 +195,5 @@ const struct dialect dialect_linuxcnc = {
 	.before_block = system_params_assign,
 	.after_block = control_flow_after_block,
 	.end_of_file = control_flow_end_of_file,
-	.note_callers = control_flow_note_callers,
+	.caller = control_flow_caller,
 };

@@ -224,5 +224,5 @@ const struct dialect dialect_sinumerik = {
 	.state_free = free_state,
 	.statement = read_line,
 	.end_of_file = sinumerik_call_end_of_file,
-	.note_callers = sinumerik_call_note_callers,
+	.caller = sinumerik_call_caller,
 };

@@ -445,14 +445,18 @@ bool sinumerik_call_end_of_file(struct interp *interp)
 	return false;
 }
 
-void sinumerik_call_note_callers(struct interp *interp)
+_Static_assert(SINUMERIK_LEVELS_MAX <= CALLS_MAX, "every call has its place in a chain");
+
+bool sinumerik_call_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const struct sinumerik_call *call;
 
-	for (int i = sinumerik->depth; i > 0; i--) {
-		const struct sinumerik_call *call = &sinumerik->calls[i - 1];
-
-		diag_note(interp->diag, (struct srcloc){call->file, call->line, call->column}, "%s is called from here",
-			  call->title);
-	}
+	if ((size_t)sinumerik->depth <= level)
+		return false;
+	call = &sinumerik->calls[(size_t)sinumerik->depth - 1 - level];
+	*at = (struct srcloc){call->file, call->line, call->column};
+	if (title)
+		strbuf_addf(title, "%s", call->title);
+	return true;
 }

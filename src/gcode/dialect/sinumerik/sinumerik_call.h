@@ -38,6 +38,8 @@ bool sinumerik_call_round(struct interp *interp, bool *left);
 void sinumerik_call_jumped(struct interp *interp, long line);
 
 bool sinumerik_call_end_of_file(struct interp *interp);
-void sinumerik_call_note_callers(struct interp *interp);
+
+/* The calls under way (struct dialect). */
+bool sinumerik_call_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
 #endif

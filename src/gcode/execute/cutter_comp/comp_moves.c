@@ -72,7 +72,8 @@ static bool tell_item(struct interp *interp, const struct comp_item *item)
 	}
 	if (item->kind == COMP_PAUSE)
 		return canon_tell_move(interp->sink, move);
-	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number});
+	return canon_tell_block(interp->sink, &(struct canon_block){move->file, move->line, item->text, move->number,
+								    &item->callers});
 }
 
 bool comp_send_all(struct interp *interp, struct plane_point start)

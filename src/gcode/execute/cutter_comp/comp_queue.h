@@ -25,6 +25,7 @@ struct comp_item {
 	int turns;
 	double programmed_sweep;	/* radians; the compensated arc may not turn farther. 0: it may */
 	char *text;	/* BLOCK; owned */
+	struct call_chain callers;	/* BLOCK */
 };
 
 /* One plane move and what follows it up to the next. */

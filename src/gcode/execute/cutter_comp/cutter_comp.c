@@ -285,12 +285,14 @@ bool cutter_comp_end_block(struct interp *interp)
 	const struct line_place *at = &interp->at;
 	struct cutter_comp *comp = &interp->comp;
 	struct comp_item item = {.kind = COMP_BLOCK,
-				 .move = {.file = at->file, .line = at->line, .number = interp->moves}};
+				 .move = {.file = at->file, .line = at->line, .number = interp->moves},
+				 .callers = interp->callers};
 
 	tighten(interp);
 	if (!comp->queue.count)
 		return canon_tell_block(interp->sink,
-					&(struct canon_block){at->file, at->line, at->text, interp->moves});
+					&(struct canon_block){at->file, at->line, at->text, interp->moves,
+							      &interp->callers});
 	comp->idle_blocks += comp->entered && !comp->moved;
 	comp->moved = false;
 	item.text = mem_strndup(at->text, strlen(at->text));
