@@ -59,6 +59,8 @@ void input_files_add_files(struct input_files *inputs, const struct options *opt
 	add(inputs, "machine", options->machine);
 	if (options->setup)
 		add(inputs, "setup", options->setup);
+	for (size_t i = 0; setup && i < setup->library_count; i++)
+		add(inputs, "tools", setup->libraries[i]);
 	if (options->waivers)
 		add(inputs, "waivers", options->waivers);
 	if (meshes)

@@ -1,8 +1,10 @@
 #include "import/file_kind.h"
 
 #include <string.h>
+#include <strings.h>
 
-#include "import/file_bytes.h"
+#include "base/file_bytes.h"
+#include "machine/library/library_file.h"
 
 /* What stands between the start of an XML file and its root element is short. */
 #define HEAD_MAX 4096
@@ -12,7 +14,6 @@ static const struct {
 	enum file_kind kind;
 } xml_roots[] = {
 	{"VcMachine", FILE_VERICUT_MACHINE},
-	{"CGTechToolLibrary", FILE_VERICUT_TOOLS},
 };
 
 static const char *skip_space(const char *at)
@@ -35,7 +36,7 @@ static const char *root_name(const char *text)
 
 static bool tell(enum file_kind *kind, const char *text)
 {
-	const char *root = root_name(text), *first = skip_space(text);
+	const char *root = root_name(text);
 
 	for (size_t i = 0; root && i < sizeof(xml_roots) / sizeof(*xml_roots); i++) {
 		size_t length = strlen(xml_roots[i].root);
@@ -44,8 +45,32 @@ static bool tell(enum file_kind *kind, const char *text)
 		if (!strncmp(root, xml_roots[i].root, length) && strchr(" \t\r\n/>", root[length]))
 			return true;
 	}
-	*kind = FILE_FUSION_TOOLS;
-	return *first == '{' || *first == '[';
+	*kind = FILE_TOOLS;
+	return library_kind_of(text) != LIBRARY_NONE;
+}
+
+static bool ends_with(const char *path, const char *end)
+{
+	size_t length = strlen(path);
+
+	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
+}
+
+/* What is known of a file that cannot be imported, so that its owner knows what to do. */
+static const char *advice(const char *path, const char *text)
+{
+	static const char *const vericut[] = {".mch", ".vcproject", ".usr", ".tls", ".ctl"};
+
+	for (size_t i = 0; i < sizeof(vericut) / sizeof(*vericut); i++)
+		if (ends_with(path, vericut[i]) && *skip_space(text) != '<')
+			return "this is a file of VERICUT in its text form, of version 6 or before: its format is not published, so it "
+			       "is not read. Open it in VERICUT 7 or later and save it again: then it is XML, which can be "
+			       "imported";
+	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
+		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, with all axes "
+		       "at 0, and name the meshes in a machine file ('fivecheck init' writes one to begin with)";
+	return "this is no file that can be imported: a machine or a tool library of VERICUT 7 (XML), a tool library of Fusion 360 "
+	       "(JSON), a table of tools (CSV, tool.tbl) or a listing of offsets (G10)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)
@@ -56,10 +81,8 @@ bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)
 	if (!file_bytes_read(&file, path, diag))
 		return false;
 	known = tell(kind, file.bytes);
-	file_bytes_release(&file);
 	if (!known)
-		diag_error(diag, (struct srcloc){.file = path},
-			   "this is no file that can be imported: a machine or a tool library of VERICUT 7 (XML), or a tool "
-			   "library of Fusion 360 (JSON)");
+		diag_error(diag, (struct srcloc){.file = path}, "%s", advice(path, file.bytes));
+	file_bytes_release(&file);
 	return known;
 }

@@ -8,8 +8,7 @@
 
 enum file_kind {
 	FILE_VERICUT_MACHINE,	/* XML with the root VcMachine */
-	FILE_VERICUT_TOOLS,	/* XML with the root CGTechToolLibrary */
-	FILE_FUSION_TOOLS	/* JSON */
+	FILE_TOOLS	/* what machine/library/library_file.h reads */
 };
 
 /* False, reported: the file cannot be read, or is none of these. */

@@ -7,7 +7,7 @@
 
 #include "base/arena.h"
 #include "geom/xform.h"
-#include "import/foreign_xml.h"
+#include "machine/xml/foreign_xml.h"
 
 struct vericut_component {
 	const xmlNode *node;

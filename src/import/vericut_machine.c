@@ -8,7 +8,7 @@
 #include "base/axes.h"
 #include "base/math/math_functions.h"
 #include "base/units.h"
-#include "import/foreign_xml.h"
+#include "machine/xml/foreign_xml.h"
 #include "import/mesh_build.h"
 #include "import/mesh_file.h"
 #include "import/vericut_components.h"

@@ -252,6 +252,16 @@ struct length_offset_description {
 	const void *at;
 	long number;
 	struct optional_number length, radius;	/* at least one of them */
+	bool d_of_control;	/* the radius may be a diameter: the control's cutter_comp_d says which */
+	bool of_tool;	/* both are the control's values for the tool of this number: it has no others */
+};
+
+/* <tools>: a file of another program. */
+struct library_description {
+	const void *at;
+	const char *path;	/* as it can be opened */
+	double unit;	/* mm per unit of length, if the file does not say its own */
+	const char *numbers;	/* as in "1 3 10-20", or NULL: all */
 };
 
 struct setup_description {
@@ -269,6 +279,8 @@ struct setup_description {
 	size_t tool_count;
 	struct edge_description *edges;	/* of all tools */
 	size_t edge_count;
+	struct library_description *libraries;
+	size_t library_count;
 };
 
 struct waiver_description {

@@ -28,6 +28,8 @@ struct setup {
 	size_t radius_count;
 	struct body *bodies;	/* fixtures, parts and the stock in file order, then each tool's holder, shank, cutter */
 	size_t body_count;
+	const char **libraries;	/* the files that <tools> names, as they can be opened */
+	size_t library_count;
 	int initial_tool;	/* 0: the spindle is empty */
 };
 

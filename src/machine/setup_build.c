@@ -1,5 +1,6 @@
 #include "machine/setup_build.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/mem.h"
@@ -104,9 +105,32 @@ static bool is_given_before(const struct setup *setup, long number)
 	return false;
 }
 
-static void build_length(struct description_file *file, const struct length_offset_description *described,
-			 struct setup *setup)
+/* A control's D may count as a diameter; a 0 is one either way. False: reported. */
+static bool find_radius(struct description_file *file, const struct length_offset_description *described,
+			const struct machine *machine, double *radius)
 {
+	enum comp_d form = machine->controller.comp_d;
+
+	*radius = described->radius.value;
+	if (!described->d_of_control || !described->radius.given || !(fabs(*radius) > 0))
+		return true;
+	if (form == COMP_D_DIAMETER)
+		*radius /= 2;
+	if (form != COMP_D_UNKNOWN)
+		return true;
+	description_fault(file, described->at, "href",
+			  "D%ld is not 0: a parameter of the control decides whether D counts a radius or a diameter; "
+			  "cutter_comp_d=\"radius\" or \"diameter\" of the machine's <controller> says it",
+			  described->number);
+	return false;
+}
+
+static void build_length(struct description_file *file, const struct length_offset_description *described,
+			 const struct machine *machine, struct setup *setup)
+{
+	double radius;
+
+
 	if (described->number > TOOL_NUMBER_MAX) {
 		description_fault(file, described->at, "number", "number=\"%s\" of <offset> is not between 1 and %d",
 				  description_quote(file, described->at, "number").text, TOOL_NUMBER_MAX);
@@ -118,12 +142,14 @@ static void build_length(struct description_file *file, const struct length_offs
 	}
 	if (is_given_before(setup, described->number))
 		description_fault(file, described->at, "number", "<offset> %ld is given twice", described->number);
+	if (!find_radius(file, described, machine, &radius))
+		return;
 	if (described->length.given)
 		setup->lengths[setup->length_count++] =
 			(struct length_offset){.number = (int)described->number, .length = described->length.value};
 	if (described->radius.given)
 		setup->radii[setup->radius_count++] =
-			(struct radius_offset){.number = (int)described->number, .radius = described->radius.value};
+			(struct radius_offset){.number = (int)described->number, .radius = radius};
 }
 
 /* The first edge is the tool's own row, unless its number is given, too. */
@@ -181,6 +207,7 @@ static bool make_room(struct setup_description *described, struct setup *setup)
 	setup->edges = arena_alloc(&setup->arena, described->edge_count * sizeof(*setup->edges));
 	setup->lengths = arena_alloc(&setup->arena, (tools + lengths) * sizeof(*setup->lengths));
 	setup->radii = arena_alloc(&setup->arena, lengths * sizeof(*setup->radii));
+	setup->libraries = arena_alloc(&setup->arena, described->library_count * sizeof(*setup->libraries));
 	setup->bodies = arena_alloc(&setup->arena, (mounted + TOOL_BODIES_MAX * tools) * sizeof(*setup->bodies));
 	return true;
 }
@@ -202,10 +229,12 @@ static void build_content(struct setup_description *described, const struct mach
 	struct description_file *file = &described->file;
 	struct tool_builder tools = {.file = file, .machine = machine, .setup = setup, .diag = diag};
 
+	for (size_t i = 0; i < described->library_count; i++)
+		setup->libraries[setup->library_count++] = described->libraries[i].path;
 	for (size_t i = 0; i < described->offset_count; i++)
 		build_work_offset(file, &described->offsets[i], machine, setup);
 	for (size_t i = 0; i < described->length_count; i++)
-		build_length(file, &described->lengths[i], setup);
+		build_length(file, &described->lengths[i], machine, setup);
 	for (size_t i = 0; i < described->body_count; i++)
 		build_mounted(file, &described->bodies[i], machine, setup);
 	for (size_t i = 0; i < described->tool_count; i++)

@@ -24,6 +24,7 @@ static const char setup_text[] =
 	"<tool number='3' length='80' diameter='6'><cutter mesh='c.stl' units='inch'/>\n"
 	"<holder><section length='20' diameter='40'/></holder><shank mesh='s.stl'/></tool>\n"
 	"<offset number='12' length='131'/><offset number='7' length='-5'/>\n"
+	"<tools href='more.csv' units='inch' numbers='20-29'/>\n"
 	"</setup>";
 
 static const char waivers_text[] =
@@ -149,6 +150,7 @@ static void start(void)
 
 	enter_folder();
 	write_text("m.xml", trunnion);
+	write_text("more.csv", "number,length_offset\n20,5\n7,-5\n");
 	machine = load_good("m.xml");
 	strbuf_add(&machine_text, trunnion, (size_t)(questions - trunnion));
 	strbuf_add(&machine_text, rest, (size_t)(end - rest));
@@ -160,6 +162,7 @@ static void finish(void)
 {
 	machine_free(machine);
 	strbuf_release(&machine_text);
+	unlink("more.csv");
 	leave_folder();
 }
 

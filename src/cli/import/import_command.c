@@ -6,15 +6,17 @@
 #include "cli/import/import_output.h"
 #include "control/dialects.h"
 #include "import/file_kind.h"
-#include "import/fusion_tools.h"
 #include "import/vericut_machine.h"
-#include "import/vericut_tools.h"
+#include "base/units.h"
+#include "machine/library/library_file.h"
 #include "machine/machine.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT };
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS };
+
+static const char *const unit_names[] = {"mm", "inch", NULL};
 
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	{'o', "output", "FOLDER", .kind = VALUE_TEXT,
@@ -25,6 +27,8 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	 .help = "leave bodies out whose meshes are not there"},
 	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG,
 	 .help = "give tools without a number one, in their order"},
+	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, .choices = unit_names,
+	 .help = "lengths of a file that does not say its units: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, .choices = dialect_names,
 	 .help = "how the control reads programs: %s"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
@@ -33,7 +37,7 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 struct request {
 	struct import_options options;
 	const char *file, *output;
-	bool number_tools;
+	bool number_tools, inch;
 	size_t operands;
 	int dialect;	/* row of control/dialects.h; -1: not given */
 	bool help;
@@ -57,6 +61,15 @@ static enum argv_result take_dialect(struct request *request, const char *name)
 	return ARGV_FAULT;
 }
 
+static enum argv_result take_unit(struct request *request, const char *name)
+{
+	request->inch = !strcmp(name, unit_names[1]);
+	if (request->inch || !strcmp(name, unit_names[0]))
+		return ARGV_NEXT;
+	diag_error(request->diag, nowhere, "--units: '%s' is neither mm nor inch", name);
+	return ARGV_FAULT;
+}
+
 static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
 {
 	struct request *request = context;
@@ -74,6 +87,8 @@ static enum argv_result take_option(void *context, const struct option_row *row,
 	case KEY_NUMBER_TOOLS:
 		request->number_tools = true;
 		break;
+	case KEY_UNITS:
+		return take_unit(request, argument);
 	case KEY_DIALECT:
 		return take_dialect(request, argument);
 	default:
@@ -89,8 +104,9 @@ static enum run_status print_help(struct diag *diag)
 
 	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
 			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), or a setup with\n"
-			   "tools from a tool library of VERICUT (.tls) or Fusion 360 (.json). Says what could not be\n"
-			   "taken over, and what has to be looked at.\n\n");
+			   "tools from a tool library of VERICUT (.tls) or Fusion 360 (.json), a table of tools (CSV,\n"
+			   "tool.tbl) or a listing of offsets (G10). Says what could not be taken over, and what has to\n"
+			   "be looked at.\n\n");
 	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"
 			   "fivecheck --check-machine dmu50/machine.xml\n");
@@ -141,31 +157,35 @@ static bool import_machine(const struct request *request)
 	return good;
 }
 
-static bool read_tools(const struct request *request, enum file_kind kind, struct import_tools *tools)
+static bool read_tools(const struct request *request, struct tool_library *tools)
 {
-	if (kind == FILE_VERICUT_TOOLS)
-		return vericut_tools_read(tools, request->file, request->number_tools, request->diag);
-	return fusion_tools_read(tools, request->file, request->diag);
+	const struct library_options options = {.unit = request->inch ? MM_PER_INCH : 1,
+						.number_all = request->number_tools};
+	const struct setup_description *setup = &tools->setup;
+
+	if (!library_file_read(tools, request->file, &options, request->diag))
+		return false;
+	if (setup->tool_count || setup->length_count || setup->offset_count)
+		return true;
+	diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be taken over");
+	return false;
 }
 
-static bool import_tools(const struct request *request, enum file_kind kind)
+static bool import_tools(const struct request *request)
 {
-	struct import_tools tools = {0};
+	struct tool_library tools = {0};
 	struct strbuf path = {0};
 	bool good;
 
 	strbuf_addf(&path, "%s/setup.xml", request->output);
-	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, kind, &tools);
-	if (good && !tools.setup.tool_count) {
-		diag_error(request->diag, (struct srcloc){.file = request->file}, "no tool of the library can be taken over");
-		good = false;
-	}
-	good = good && import_output_write_tools(&tools, request->output, request->file, request->diag);
+	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, &tools) &&
+	       import_output_write_tools(&tools, request->output, request->file, request->diag);
 	if (good)
-		diag_note(request->diag, nowhere, "wrote %s with %zu tools, and left %zu out; next: add the work offsets, "
-						  "fixtures and the part of the job",
-			  strbuf_text(&path), tools.setup.tool_count, tools.left_out);
-	import_tools_release(&tools);
+		diag_note(request->diag, nowhere, "wrote %s with %zu tools and %zu offsets, and left %zu tools out; next: add "
+						  "what the job has besides: work offsets, fixtures, the part",
+			  strbuf_text(&path), tools.setup.tool_count,
+			  tools.setup.length_count + tools.setup.offset_count, tools.left_out);
+	tool_library_release(&tools);
 	strbuf_release(&path);
 	return good;
 }
@@ -176,7 +196,7 @@ static bool import_file(const struct request *request)
 
 	if (!file_kind_of(&kind, request->file, request->diag))
 		return false;
-	return kind == FILE_VERICUT_MACHINE ? import_machine(request) : import_tools(request, kind);
+	return kind == FILE_VERICUT_MACHINE ? import_machine(request) : import_tools(request);
 }
 
 enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)

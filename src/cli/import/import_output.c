@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "import/machine_writer.h"
+#include "import/setup_writer.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -85,14 +86,14 @@ bool import_output_write(const struct import_machine *machine, const char *folde
 	return good;
 }
 
-bool import_output_write_tools(const struct import_tools *tools, const char *folder, const char *source,
+bool import_output_write_tools(const struct tool_library *tools, const char *folder, const char *source,
 			       struct diag *diag)
 {
 	struct strbuf text = {0}, origin = {0};
 	bool good;
 
 	add_origin(&origin, source);
-	import_tools_write(&text, tools, strbuf_text(&origin));
+	setup_writer_xml(&text, &tools->setup, strbuf_text(&origin));
 	good = make_folder(folder, diag) && write_file(folder, "setup.xml", &text, diag);
 	strbuf_release(&text);
 	strbuf_release(&origin);

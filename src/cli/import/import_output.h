@@ -6,7 +6,7 @@
 
 #include "base/diag.h"
 #include "import/import.h"
-#include "import/import_tools.h"
+#include "machine/library/tool_library.h"
 
 /* False, reported: the file is there already, and may have been edited. */
 bool import_output_is_new(const char *path, struct diag *diag);
@@ -18,7 +18,7 @@ bool import_output_write(const struct import_machine *machine, const char *folde
 			 struct diag *diag);
 
 /* The same for setup.xml. */
-bool import_output_write_tools(const struct import_tools *tools, const char *folder, const char *source,
+bool import_output_write_tools(const struct tool_library *tools, const char *folder, const char *source,
 			       struct diag *diag);
 
 #endif

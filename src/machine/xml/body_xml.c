@@ -5,18 +5,23 @@
 #include "machine/xml/xml_attribute.h"
 #include "machine/xml/xml_element.h"
 
-const char *body_xml_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena)
+const char *body_xml_path(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena)
 {
-	const char *mesh = xml_name(xml, node, "mesh", arena), *slash = strrchr(xml->path, '/');
+	const char *file = xml_name(xml, node, name, arena), *slash = strrchr(xml->path, '/');
 	size_t folder = slash ? (size_t)(slash - xml->path) + 1 : 0;
 	char *path;
 
-	if (!mesh || mesh[0] == '/' || !folder)
-		return mesh;
-	path = arena_alloc(arena, folder + strlen(mesh) + 1);
+	if (!file || file[0] == '/' || !folder)
+		return file;
+	path = arena_alloc(arena, folder + strlen(file) + 1);
 	memcpy(path, xml->path, folder);
-	strcpy(path + folder, mesh);
+	strcpy(path + folder, file);
 	return path;
+}
+
+const char *body_xml_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena)
+{
+	return body_xml_path(xml, node, "mesh", arena);
 }
 
 void body_xml_read(struct xml_reader *xml, const xmlNode *node, struct arena *arena, struct body_description *body)

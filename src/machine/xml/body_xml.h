@@ -4,7 +4,10 @@
 
 #include "machine/xml/xml_reader.h"
 
-/* The path of the attribute `mesh`, relative to the folder of the file, as it can be opened; or NULL. */
+/* The path in an attribute, relative to the folder of the file, as it can be opened; or NULL. */
+const char *body_xml_path(struct xml_reader *xml, const xmlNode *node, const char *name, struct arena *arena);
+
+/* The same of the attribute `mesh`. */
 const char *body_xml_mesh(struct xml_reader *xml, const xmlNode *node, struct arena *arena);
 
 /* A <body>, <fixture> or <part>, with everything that it holds; role and link are the caller's. */

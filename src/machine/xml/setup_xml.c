@@ -1,5 +1,8 @@
 #include "machine/xml/setup_xml.h"
 
+#include <string.h>
+
+#include "machine/library/setup_library.h"
 #include "machine/setup_build.h"
 #include "machine/xml/body_xml.h"
 #include "machine/xml/xml_attribute.h"
@@ -193,6 +196,23 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	xml_read_children(xml, node, children, &tool);
 }
 
+/* ---------------------------------------------------------------- libraries */
+
+static void read_library(struct xml_reader *xml, const xmlNode *node, void *context)
+{
+	struct setup_description *described = context;
+	struct library_description *library = &described->libraries[described->library_count++];
+
+	xml_require(xml, node, "href", NULL);
+	library->at = node;
+	library->path = body_xml_path(xml, node, "href", &described->arena);
+	library->unit = xml_file_units(xml, node, xml->unit);
+	library->numbers = xml_name(xml, node, "numbers", &described->arena);
+	if (library->path && strstr(library->path, "://"))
+		xml_error(xml, node, "href", "href of <tools> must be the name of a file, not an address");
+	xml_read_nothing(xml, node);
+}
+
 /* ------------------------------------------------------------------- setup */
 
 static size_t count_edges(const xmlNode *setup)
@@ -213,6 +233,7 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 						    {"part", read_part, false, false},
 						    {"stock", read_stock, true, false},
 						    {"tool", read_tool, false, false},
+						    {"tools", read_library, false, false},
 						    {.name = NULL}};
 	struct arena *arena = &described->arena;
 	const size_t bodies = xml_count(node, "fixture") + xml_count(node, "part") + xml_count(node, "stock");
@@ -228,7 +249,10 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 	described->bodies = arena_alloc(arena, bodies * sizeof(*described->bodies));
 	described->tools = arena_alloc(arena, xml_count(node, "tool") * sizeof(*described->tools));
 	described->edges = arena_alloc(arena, count_edges(node) * sizeof(*described->edges));
+	described->libraries = arena_alloc(arena, xml_count(node, "tools") * sizeof(*described->libraries));
 	xml_read_children(xml, node, children, described);
+	if (!xml->errors)
+		setup_library_add(described, xml->diag);
 	xml->unit = unit;
 }
 

@@ -1,22 +1,24 @@
-#include "import/import_tools.h"
+#include "machine/library/tool_library.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "base/math/math_functions.h"
 #include "base/mem.h"
-#include "base/xml_text.h"
+#include "machine/tool_build.h"
 #include "machine/tool_solid.h"
 
 /* mm: heights that differ by less are one. */
 #define SAME_HEIGHT TOOL_SECTION_MIN
 enum { NAME_BYTES_MAX = 120 };
 
-void import_tools_release(struct import_tools *tools)
+void tool_library_release(struct tool_library *tools)
 {
 	free(tools->setup.tools);
+	free(tools->setup.lengths);
+	free(tools->setup.offsets);
 	arena_release(&tools->setup.arena);
-	*tools = (struct import_tools){0};
+	*tools = (struct tool_library){0};
 }
 
 void tool_outline_release(struct tool_outline *outline)
@@ -26,9 +28,22 @@ void tool_outline_release(struct tool_outline *outline)
 	tool_profile_release(&outline->holder);
 }
 
+bool tool_library_wants(struct tool_library *tools, long number)
+{
+	for (size_t i = 0; i < tools->wanted_count; i++) {
+		struct number_range *range = &tools->wanted[i];
+
+		if (number < range->first || number > range->last)
+			continue;
+		range->used = true;
+		return true;
+	}
+	return !tools->wanted;
+}
+
 /* ------------------------------------------------------------------ outlines */
 
-static bool is_known(const struct import_tools *tools, long number)
+static bool is_known(const struct tool_library *tools, long number)
 {
 	for (size_t i = 0; i < tools->setup.tool_count; i++)
 		if (tools->setup.tools[i].number == number)
@@ -37,7 +52,7 @@ static bool is_known(const struct import_tools *tools, long number)
 }
 
 /* The piece between two heights, if there is room for it. Where the outline has nothing the tool is as thick as its cutter. */
-static void add_piece(struct import_tools *tools, struct piece_description *piece, const struct tool_profile *profile,
+static void add_piece(struct tool_library *tools, struct piece_description *piece, const struct tool_profile *profile,
 		      double low, double high, double gap)
 {
 	if (high - low < SAME_HEIGHT)
@@ -67,7 +82,7 @@ static double bottom_of(const struct tool_profile *profile, double top)
  * lower piece as long as that hides the upper one; above, all that is there counts as the upper piece, which may touch
  * less. So nothing of the tool is lost, and nothing cuts that should not.
  */
-static void add_pieces(struct import_tools *tools, struct tool_description *tool, const struct tool_outline *outline)
+static void add_pieces(struct tool_library *tools, struct tool_description *tool, const struct tool_outline *outline)
 {
 	struct piece_description *pieces = tool->pieces;
 	struct tool_profile whole = {0}, lower = {0};
@@ -122,7 +137,7 @@ static const char *make_name(struct arena *arena, const char *text)
 	return length ? arena_strdup(arena, name) : NULL;
 }
 
-bool import_tools_add(struct import_tools *tools, const struct tool_outline *outline, struct srcloc at,
+bool tool_library_add(struct tool_library *tools, const struct tool_outline *outline, struct srcloc at,
 		      struct diag *diag)
 {
 	struct setup_description *setup = &tools->setup;
@@ -151,78 +166,41 @@ bool import_tools_add(struct import_tools *tools, const struct tool_outline *out
 	return true;
 }
 
-/* ----------------------------------------------------------------------- XML */
+/* ------------------------------------------------------------------- offsets */
 
-/* Rounded to what a reader of the file can check, and so that the lengths of sections still add up. */
-static double shown(double value)
+bool tool_library_add_offset(struct tool_library *tools, const struct length_offset_description *offset,
+			     struct srcloc at, struct diag *diag)
 {
-	return nearbyint(value * 1e9) / 1e9;
-}
+	struct setup_description *setup = &tools->setup;
 
-static void add_number(struct strbuf *out, const char *attribute, double value)
-{
-	strbuf_addf(out, " %s=\"%.12g\"", attribute, shown(value));
-}
-
-static void write_section(struct strbuf *out, const struct section_description *section)
-{
-	strbuf_addf(out, "<section");
-	add_number(out, "length", section->length);
-	add_number(out, "diameter", section->diameter);
-	if (fabs(section->diameter_end.value - section->diameter) > 1e-9)
-		add_number(out, "diameter_end", section->diameter_end.value);
-	strbuf_addf(out, "/>");
-}
-
-static void write_piece(struct strbuf *out, const char *name, const struct piece_description *piece)
-{
-	static const char *const tips[] = {
-		[TIP_FLAT] = "flat", [TIP_BALL] = "ball", [TIP_CONE] = "cone", [TIP_BULL] = "bull"};
-
-	if (!piece->at)
-		return;
-	strbuf_addf(out, "    <%s", name);
-	if (piece->has_tip && piece->tip != TIP_FLAT)
-		xml_text_attribute(out, "tip", tips[piece->tip]);
-	if (piece->angle.given)
-		add_number(out, "angle", piece->angle.value * 180 / math_acos(-1));
-	if (piece->corner.given)
-		add_number(out, "corner", piece->corner.value);
-	if (piece->flute_length.given)
-		add_number(out, "flute_length", piece->flute_length.value);
-	strbuf_addf(out, ">\n");
-	for (size_t i = 0; i < piece->section_count; i++) {
-		strbuf_addf(out, "      ");
-		write_section(out, &piece->sections[i]);
-		strbuf_addf(out, "\n");
+	if (offset->number < 1 || offset->number > TOOL_NUMBER_MAX) {
+		diag_error(diag, at, "the number %ld of an offset is not between 1 and %d", offset->number,
+			   TOOL_NUMBER_MAX);
+		return false;
 	}
-	strbuf_addf(out, "    </%s>\n", name);
+	if (!tool_library_wants(tools, offset->number))
+		return true;
+	for (size_t i = 0; i < setup->length_count; i++) {
+		if (setup->lengths[i].number == offset->number) {
+			diag_error(diag, at, "the offset number %ld is given twice", offset->number);
+			return false;
+		}
+	}
+	setup->lengths = mem_grow(setup->lengths, &tools->length_capacity, setup->length_count + 1, sizeof(*offset));
+	setup->lengths[setup->length_count++] = *offset;
+	return true;
 }
 
-static void write_tool(struct strbuf *out, const struct tool_description *tool)
+struct work_offset_description *tool_library_work_offset(struct tool_library *tools, const char *name)
 {
-	static const char *const names[TOOL_PIECES] = {
-		[PIECE_HOLDER] = "holder", [PIECE_SHANK] = "shank", [PIECE_CUTTER] = "cutter"};
+	struct setup_description *setup = &tools->setup;
 
-	strbuf_addf(out, "  <tool number=\"%ld\"", tool->number);
-	if (tool->name)
-		xml_text_attribute(out, "name", tool->name);
-	add_number(out, "length", tool->length);
-	if (tool->kind == TOOL_STANDS)
-		xml_text_attribute(out, "kind", "probe");
-	strbuf_addf(out, ">\n");
-	for (int i = 0; i < TOOL_PIECES; i++)
-		write_piece(out, names[i], &tool->pieces[i]);
-	strbuf_addf(out, "  </tool>\n");
-}
-
-void import_tools_write(struct strbuf *out, const struct import_tools *tools, const char *origin)
-{
-	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-	xml_text_comment(out, origin);
-	strbuf_addf(out, "<setup version=\"1\" units=\"mm\">\n"
-			 "  <!-- TODO The work offsets, fixtures and the part of the job. -->\n");
-	for (size_t i = 0; i < tools->setup.tool_count; i++)
-		write_tool(out, &tools->setup.tools[i]);
-	strbuf_addf(out, "</setup>\n");
+	for (size_t i = 0; i < setup->offset_count; i++)
+		if (!strcmp(setup->offsets[i].name, name))
+			return &setup->offsets[i];
+	setup->offsets =
+		mem_grow(setup->offsets, &tools->offset_capacity, setup->offset_count + 1, sizeof(*setup->offsets));
+	setup->offsets[setup->offset_count] =
+		(struct work_offset_description){.name = arena_strdup(&setup->arena, name)};
+	return &setup->offsets[setup->offset_count++];
 }

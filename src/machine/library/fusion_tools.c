@@ -1,4 +1,4 @@
-#include "import/fusion_tools.h"
+#include "machine/library/fusion_tools.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/units.h"
-#include "import/file_bytes.h"
+#include "base/file_bytes.h"
 #include "machine/tool_solid.h"
 
 /* What a type of tool is below its shank. */
@@ -38,7 +38,7 @@ static const struct type_row {
 };
 
 struct reading {
-	struct import_tools *tools;
+	struct tool_library *tools;
 	struct diag *diag;
 	const char *path;
 	size_t index;	/* of the tool in the list, from 1 */
@@ -52,8 +52,9 @@ static bool fault(const struct reading *r, const char *what)
 
 static void leave_out(const struct reading *r, const char *name, const char *why)
 {
-	diag_warning(r->diag, (struct srcloc){.file = r->path}, "tool %zu of the list (%.60s) is left out: %s", r->index,
-		     name, why);
+	if (!r->tools->counts_left_out)
+		diag_warning(r->diag, (struct srcloc){.file = r->path}, "tool %zu of the list (%.60s) is left out: %s",
+			     r->index, name, why);
 	r->tools->left_out++;
 }
 
@@ -258,7 +259,7 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 	else if (why)
 		leave_out(r, name, why);
 	else
-		good = import_tools_add(r->tools, &tool, (struct srcloc){.file = r->path}, r->diag);
+		good = tool_library_add(r->tools, &tool, (struct srcloc){.file = r->path}, r->diag);
 	if (good && !why && known_to < tool.length - TOOL_SECTION_MIN)
 		diag_warning(r->diag, (struct srcloc){.file = r->path},
 			     "tool %ld: nothing is known of its holder between %g and %g mm above the tip; it is taken to be as "
@@ -283,7 +284,8 @@ static bool read_tool(struct reading *r, const json_t *item)
 	else if (!json_is_integer(number) || json_integer_value(number) < 1)
 		leave_out(r, name, "its post-process properties give it no number");
 	else
-		return add_tool(r, item, row, name, (long)json_integer_value(number));
+		return !tool_library_wants(r->tools, (long)json_integer_value(number)) ||
+		       add_tool(r, item, row, name, (long)json_integer_value(number));
 	return true;
 }
 
@@ -304,7 +306,7 @@ static bool read_list(struct reading *r, const json_t *root)
 	return true;
 }
 
-bool fusion_tools_read(struct import_tools *tools, const char *path, struct diag *diag)
+bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag *diag)
 {
 	struct reading r = {.tools = tools, .diag = diag, .path = path};
 	struct file_bytes file;

@@ -1,6 +1,6 @@
 /* file_bytes.h - a whole file in memory. */
-#ifndef FIVECHECK_IMPORT_FILE_BYTES_H
-#define FIVECHECK_IMPORT_FILE_BYTES_H
+#ifndef FIVECHECK_BASE_FILE_BYTES_H
+#define FIVECHECK_BASE_FILE_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>

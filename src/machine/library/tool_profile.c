@@ -1,4 +1,4 @@
-#include "import/tool_profile.h"
+#include "machine/library/tool_profile.h"
 
 #include <math.h>
 #include <stdlib.h>

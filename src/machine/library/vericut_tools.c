@@ -1,4 +1,4 @@
-#include "import/vericut_tools.h"
+#include "machine/library/vericut_tools.h"
 
 #include <math.h>
 #include <string.h>
@@ -6,12 +6,12 @@
 
 #include "base/math/math_functions.h"
 #include "base/units.h"
-#include "import/foreign_xml.h"
+#include "machine/xml/foreign_xml.h"
 #include "machine/tool_solid.h"
 #include "machine/xml/xml_element.h"
 
 struct reading {
-	struct import_tools *tools;
+	struct tool_library *tools;
 	struct xml_reader xml;
 	struct diag *diag;
 	bool number_all;
@@ -258,7 +258,8 @@ static bool read_tool(struct reading *r, const xmlNode *node)
 		r->unnumbered++;
 	if (taken == TAKEN && !tool.number && r->number_all)
 		tool.number = r->next_number++;
-	if (taken == TAKEN && tool.number && !import_tools_add(r->tools, &tool, place_of(r, node), r->diag))
+	if (taken == TAKEN && tool.number && tool_library_wants(r->tools, tool.number) &&
+	    !tool_library_add(r->tools, &tool, place_of(r, node), r->diag))
 		taken = FAULTY;
 	tool_outline_release(&tool);
 	return taken != FAULTY;
@@ -305,7 +306,7 @@ static void tell_left_out(const struct reading *r)
 			     r->unknown_shape);
 }
 
-bool vericut_tools_read(struct import_tools *tools, const char *path, bool number_all, struct diag *diag)
+bool vericut_tools_read(struct tool_library *tools, const char *path, bool number_all, struct diag *diag)
 {
 	static const char *const elements[] = {"CGTechToolLibrary", NULL};
 	struct reading r = {.tools = tools, .diag = diag, .number_all = number_all};
@@ -314,9 +315,9 @@ bool vericut_tools_read(struct import_tools *tools, const char *path, bool numbe
 	if (!xml_open(&r.xml, path, elements, diag))
 		return false;
 	good = read_library(&r) && !r.xml.errors;
-	if (good)
+	if (good && !tools->counts_left_out)
 		tell_left_out(&r);
-	tools->left_out = r.unnumbered + r.unknown_shape;
+	tools->left_out += r.unnumbered + r.unknown_shape;
 	xml_close(&r.xml);
 	return good;
 }

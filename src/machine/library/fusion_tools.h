@@ -1,10 +1,10 @@
 /* fusion_tools.h - reads tool libraries of Fusion 360 and HSM (.json): a list of tools in "data". */
-#ifndef FIVECHECK_IMPORT_FUSION_TOOLS_H
-#define FIVECHECK_IMPORT_FUSION_TOOLS_H
+#ifndef FIVECHECK_MACHINE_LIBRARY_FUSION_TOOLS_H
+#define FIVECHECK_MACHINE_LIBRARY_FUSION_TOOLS_H
 
 #include <stdbool.h>
 
-#include "import/import_tools.h"
+#include "machine/library/tool_library.h"
 
 /*
  * A tool becomes one of the setup by the number of its post-process properties. Taken over are: of the geometry DC, RE,
@@ -13,6 +13,6 @@
  * would begin. Tools of shapes that a setup cannot have are left out with a warning each, and so are holders and the
  * tools of lathes. False, reported: the file is faulty.
  */
-bool fusion_tools_read(struct import_tools *tools, const char *path, struct diag *diag);
+bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag *diag);
 
 #endif

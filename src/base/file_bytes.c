@@ -1,4 +1,4 @@
-#include "import/file_bytes.h"
+#include "base/file_bytes.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 /* tool_profile.h - the outline of a solid of revolution, put together from pieces, and cut into the sections of a setup. */
-#ifndef FIVECHECK_IMPORT_TOOL_PROFILE_H
-#define FIVECHECK_IMPORT_TOOL_PROFILE_H
+#ifndef FIVECHECK_MACHINE_LIBRARY_TOOL_PROFILE_H
+#define FIVECHECK_MACHINE_LIBRARY_TOOL_PROFILE_H
 
 #include <stdbool.h>
 #include <stddef.h>

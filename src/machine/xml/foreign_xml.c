@@ -1,4 +1,4 @@
-#include "import/foreign_xml.h"
+#include "machine/xml/foreign_xml.h"
 
 #include <math.h>
 #include <string.h>

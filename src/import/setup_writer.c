@@ -1,0 +1,127 @@
+#include "import/setup_writer.h"
+
+#include <math.h>
+
+#include "base/axes.h"
+#include "base/units.h"
+#include "base/xml_text.h"
+
+/* Rounded to what a reader of the file can check, and so that the lengths of sections still add up. */
+static double shown(double value)
+{
+	return nearbyint(value * 1e9) / 1e9;
+}
+
+static void add_number(struct strbuf *out, const char *attribute, double value)
+{
+	strbuf_addf(out, " %s=\"%.12g\"", attribute, shown(value));
+}
+
+static void write_section(struct strbuf *out, const struct section_description *section)
+{
+	strbuf_addf(out, "<section");
+	add_number(out, "length", section->length);
+	add_number(out, "diameter", section->diameter);
+	if (fabs(section->diameter_end.value - section->diameter) > 1e-9)
+		add_number(out, "diameter_end", section->diameter_end.value);
+	strbuf_addf(out, "/>");
+}
+
+static void write_piece(struct strbuf *out, const char *name, const struct piece_description *piece)
+{
+	static const char *const tips[] = {
+		[TIP_FLAT] = "flat", [TIP_BALL] = "ball", [TIP_CONE] = "cone", [TIP_BULL] = "bull"};
+
+	if (!piece->at)
+		return;
+	strbuf_addf(out, "    <%s", name);
+	if (piece->has_tip && piece->tip != TIP_FLAT)
+		xml_text_attribute(out, "tip", tips[piece->tip]);
+	if (piece->angle.given)
+		add_number(out, "angle", degrees(piece->angle.value));
+	if (piece->corner.given)
+		add_number(out, "corner", piece->corner.value);
+	if (piece->flute_length.given)
+		add_number(out, "flute_length", piece->flute_length.value);
+	strbuf_addf(out, ">\n");
+	for (size_t i = 0; i < piece->section_count; i++) {
+		strbuf_addf(out, "      ");
+		write_section(out, &piece->sections[i]);
+		strbuf_addf(out, "\n");
+	}
+	strbuf_addf(out, "    </%s>\n", name);
+}
+
+static void write_tool(struct strbuf *out, const struct tool_description *tool)
+{
+	static const char *const names[TOOL_PIECES] = {
+		[PIECE_HOLDER] = "holder", [PIECE_SHANK] = "shank", [PIECE_CUTTER] = "cutter"};
+
+	strbuf_addf(out, "  <tool number=\"%ld\"", tool->number);
+	if (tool->name)
+		xml_text_attribute(out, "name", tool->name);
+	add_number(out, "length", tool->length);
+	if (tool->kind == TOOL_STANDS)
+		xml_text_attribute(out, "kind", "probe");
+	strbuf_addf(out, ">\n");
+	for (int i = 0; i < TOOL_PIECES; i++)
+		write_piece(out, names[i], &tool->pieces[i]);
+	strbuf_addf(out, "  </tool>\n");
+}
+
+/* A length or an angle, in the units of a setup file. */
+static void add_axis_value(struct strbuf *out, int slot, double value)
+{
+	const char letter[] = {AXIS_LETTERS[slot], '\0'};
+
+	add_number(out, letter, slot_is_rotary(slot) ? degrees(value) : value);
+}
+
+/* What a setup cannot take over without an answer stands in a comment. */
+static void write_offset(struct strbuf *out, const struct length_offset_description *offset)
+{
+	bool doubtful = offset->d_of_control && offset->radius.given && fabs(offset->radius.value) > 0;
+
+	if (offset->of_tool) {
+		strbuf_addf(out, "  <!-- TODO Describe tool %ld: its length_offset is %.12g and its diameter %.12g mm. -->\n",
+			    offset->number, shown(offset->length.value), shown(2 * offset->radius.value));
+		return;
+	}
+	if (doubtful)
+		strbuf_addf(out, "  <!-- TODO D%ld is %.12g mm: is that a radius or a diameter? -->\n", offset->number,
+			    shown(offset->radius.value));
+	if (!offset->length.given && (doubtful || !offset->radius.given))
+		return;
+	strbuf_addf(out, "  <offset number=\"%ld\"", offset->number);
+	if (offset->length.given)
+		add_number(out, "length", offset->length.value);
+	if (offset->radius.given && !doubtful)
+		add_number(out, "radius", offset->radius.value);
+	strbuf_addf(out, "/>\n");
+}
+
+static void write_offsets(struct strbuf *out, const struct setup_description *setup)
+{
+	for (size_t i = 0; i < setup->offset_count; i++) {
+		strbuf_addf(out, "  <work_offset");
+		xml_text_attribute(out, "name", setup->offsets[i].name);
+		for (int slot = 0; slot < SLOT_COUNT; slot++)
+			if (setup->offsets[i].value[slot].given)
+				add_axis_value(out, slot, setup->offsets[i].value[slot].value);
+		strbuf_addf(out, "/>\n");
+	}
+	for (size_t i = 0; i < setup->length_count; i++)
+		write_offset(out, &setup->lengths[i]);
+}
+
+void setup_writer_xml(struct strbuf *out, const struct setup_description *setup, const char *origin)
+{
+	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+	xml_text_comment(out, origin);
+	strbuf_addf(out, "<setup version=\"1\" units=\"mm\">\n"
+			 "  <!-- TODO The work offsets, fixtures and the part of the job. -->\n");
+	write_offsets(out, setup);
+	for (size_t i = 0; i < setup->tool_count; i++)
+		write_tool(out, &setup->tools[i]);
+	strbuf_addf(out, "</setup>\n");
+}

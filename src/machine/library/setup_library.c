@@ -1,0 +1,213 @@
+#include "machine/library/setup_library.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "geom/tolerance.h"
+#include "machine/library/library_file.h"
+#include "machine/tool_build.h"
+
+/* ---------------------------------------------------------------- numbers */
+
+/* A whole number, 1 or more, at *at, which moves past it; 0: there is none. */
+static long read_number(const char **at)
+{
+	long number = 0;
+
+	for (; **at >= '0' && **at <= '9' && number <= TOOL_NUMBER_MAX; ++*at)
+		number = 10 * number + (**at - '0');
+	return number <= TOOL_NUMBER_MAX ? number : 0;
+}
+
+/* Appends "7" or "10-20" at *at to the wanted numbers. */
+static bool read_range(struct tool_library *tools, size_t *capacity, const char **at)
+{
+	struct number_range range = {.first = read_number(at)};
+
+	range.last = range.first;
+	if (**at == '-') {
+		++*at;
+		range.last = read_number(at);
+	}
+	if (range.first < 1 || range.last < range.first || (**at && **at != ' '))
+		return false;
+	tools->wanted = mem_grow(tools->wanted, capacity, tools->wanted_count + 1, sizeof(range));
+	tools->wanted[tools->wanted_count++] = range;
+	*at += strspn(*at, " ");
+	return true;
+}
+
+static bool read_numbers(struct setup_description *described, const struct library_description *library,
+			 struct tool_library *tools)
+{
+	const char *at = library->numbers;
+	size_t capacity = 0;
+
+	if (!at)
+		return true;
+	at += strspn(at, " ");
+	while (*at && read_range(tools, &capacity, &at))
+		;
+	if (!*at && tools->wanted_count)
+		return true;
+	description_fault(&described->file, library->at, "numbers",
+			  "numbers=\"%s\" of <tools> must be numbers of tools, and ranges of them, as in \"1 3 10-20\"",
+			  description_quote(&described->file, library->at, "numbers").text);
+	return false;
+}
+
+/* A number that the library has not was written by mistake. */
+static void check_used(struct setup_description *described, const struct library_description *library,
+		       const struct tool_library *tools)
+{
+	for (size_t i = 0; i < tools->wanted_count; i++) {
+		const struct number_range *range = &tools->wanted[i];
+
+		if (!range->used)
+			description_fault(&described->file, library->at, "numbers",
+					  "%s has no tool %ld%s that can be taken over; 'fivecheck import' says what it has",
+					  library->path, range->first, range->last > range->first ? ", nor those behind it in the range" : "");
+	}
+}
+
+/* ------------------------------------------------------------------ values */
+
+static double cutter_diameter(const struct tool_description *tool)
+{
+	const struct piece_description *cutter = &tool->pieces[PIECE_CUTTER];
+	double largest = tool->diameter.value;
+
+	for (size_t i = 0; i < cutter->section_count; i++)
+		largest = fmax(largest, fmax(cutter->sections[i].diameter, cutter->sections[i].diameter_end.value));
+	return largest;
+}
+
+/* The control's values for a tool. Its diameter is told by its shape; the control may know another one. */
+static void set_values(struct setup_description *described, struct tool_description *tool,
+		       const struct length_offset_description *values, struct diag *diag)
+{
+	struct description_file *file = &described->file;
+	double diameter = cutter_diameter(tool), other = 2 * values->radius.value;
+
+	if (tool->length_offset.given && fabs(tool->length_offset.value - values->length.value) > TOOL_SUM_TOLERANCE)
+		description_fault(file, values->at, "href",
+				  "the table has the length %.9g mm for tool %ld, but its length_offset is %.9g mm",
+				  values->length.value, tool->number, tool->length_offset.value);
+	tool->length_offset = values->length;
+	if (other > 0 && diameter > 0 && fabs(other - diameter) > TOOL_SUM_TOLERANCE)
+		diag_warning(diag, description_place(file, values->at),
+			     "the table has the diameter %.9g mm for tool %ld, but its cutter has %.9g mm; cutter compensation is "
+			     "computed with the cutter's",
+			     other, tool->number, diameter);
+}
+
+static struct tool_description *find_tool(struct setup_description *described, long number)
+{
+	for (size_t i = 0; i < described->tool_count; i++)
+		if (described->tools[i].number == number)
+			return &described->tools[i];
+	return NULL;
+}
+
+/* Values of tools go to the tools, also to those of other libraries; what is left stays an offset. */
+static void spread_values(struct setup_description *described, struct diag *diag)
+{
+	size_t kept = 0;
+
+	for (size_t i = 0; i < described->length_count; i++) {
+		const struct length_offset_description offset = described->lengths[i];
+		struct tool_description *tool = offset.of_tool ? find_tool(described, offset.number) : NULL;
+
+		if (tool)
+			set_values(described, tool, &offset, diag);
+		else
+			described->lengths[kept++] = offset;
+	}
+	described->length_count = kept;
+}
+
+/* ------------------------------------------------------------------ joining */
+
+/* Both arrays, one behind the other, in the arena. */
+static void *join(struct arena *arena, const void *first, size_t first_count, const void *second, size_t second_count,
+		  size_t size)
+{
+	char *both = arena_alloc(arena, (first_count + second_count) * size);
+
+	if (first_count)
+		memcpy(both, first, first_count * size);
+	if (second_count)
+		memcpy(both + first_count * size, second, second_count * size);
+	return both;
+}
+
+/* Everything of a library has its place at the <tools> that names it. */
+static void set_places(struct setup_description *from, const void *at)
+{
+	for (size_t i = 0; i < from->tool_count; i++) {
+		from->tools[i].at = at;
+		for (int k = 0; k < TOOL_PIECES; k++) {
+			struct piece_description *piece = &from->tools[i].pieces[k];
+
+			piece->at = piece->at ? at : NULL;
+			for (size_t s = 0; s < piece->section_count; s++)
+				piece->sections[s].at = at;
+		}
+	}
+	for (size_t i = 0; i < from->length_count; i++)
+		from->lengths[i].at = at;
+	for (size_t i = 0; i < from->offset_count; i++)
+		from->offsets[i].at = at;
+}
+
+static void take_over(struct setup_description *to, struct setup_description *from, const void *at)
+{
+	set_places(from, at);
+	to->tools = join(&to->arena, to->tools, to->tool_count, from->tools, from->tool_count, sizeof(*to->tools));
+	to->tool_count += from->tool_count;
+	to->lengths = join(&to->arena, to->lengths, to->length_count, from->lengths, from->length_count,
+			   sizeof(*to->lengths));
+	to->length_count += from->length_count;
+	to->offsets = join(&to->arena, to->offsets, to->offset_count, from->offsets, from->offset_count,
+			   sizeof(*to->offsets));
+	to->offset_count += from->offset_count;
+}
+
+static bool read_library(struct setup_description *described, const struct library_description *library,
+			 struct tool_library *tools, struct diag *diag)
+{
+	const struct library_options options = {.unit = library->unit};
+	bool good;
+
+	/* What the library allocates must live as long as the setup. */
+	tools->setup.arena = described->arena;
+	good = library_file_read(tools, library->path, &options, diag);
+	described->arena = tools->setup.arena;
+	tools->setup.arena = (struct arena){0};
+	if (!good)
+		description_fault(&described->file, library->at, "href", "the tools of %s cannot be read", library->path);
+	return good;
+}
+
+static void add_library(struct setup_description *described, const struct library_description *library,
+			struct diag *diag)
+{
+	struct tool_library tools = {.counts_left_out = true};
+
+	if (read_numbers(described, library, &tools) && read_library(described, library, &tools, diag)) {
+		take_over(described, &tools.setup, library->at);
+		check_used(described, library, &tools);
+	}
+	free(tools.wanted);
+	tool_library_release(&tools);
+}
+
+void setup_library_add(struct setup_description *described, struct diag *diag)
+{
+	for (size_t i = 0; i < described->library_count; i++)
+		add_library(described, &described->libraries[i], diag);
+	if (described->library_count)
+		spread_values(described, diag);
+}

@@ -1,0 +1,15 @@
+/* setup_library.h - adds the tools and offsets of the files that a setup names with <tools>. */
+#ifndef FIVECHECK_MACHINE_LIBRARY_SETUP_LIBRARY_H
+#define FIVECHECK_MACHINE_LIBRARY_SETUP_LIBRARY_H
+
+#include "base/diag.h"
+#include "machine/description.h"
+
+/*
+ * Reads each library of the description and adds what it holds behind what the setup itself has. The values of a tool
+ * table become those of the tools with their numbers. Faults are reported through the description's file, at the
+ * <tools> that names the library; those inside of it before that, at their own place.
+ */
+void setup_library_add(struct setup_description *described, struct diag *diag);
+
+#endif

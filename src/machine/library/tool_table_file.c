@@ -1,0 +1,108 @@
+#include "machine/library/tool_table_file.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "machine/library/text_lines.h"
+#include "machine/tool_build.h"
+
+struct reading {
+	struct tool_library *tools;
+	struct diag *diag;
+	double unit;
+	struct srcloc at;
+};
+
+bool tool_table_file_is(const char *text)
+{
+	struct text_lines lines = {.next = text};
+
+	while (text_lines_next(&lines)) {
+		const char *at = lines.line, *end = lines.line + lines.length;
+		struct letter_word word;
+		bool number = false, pocket = false;
+		int found;
+
+		while ((found = letter_word_next(&at, end, &word)) > 0) {
+			number = number || word.letter == 'T';
+			pocket = pocket || strchr("PZD", word.letter);
+		}
+		if (found < 0 || number || pocket)
+			return found == 0 && number && pocket;
+	}
+	return false;
+}
+
+static bool fault(const struct reading *r, const char *what)
+{
+	diag_error(r->diag, r->at, "%s", what);
+	return false;
+}
+
+/* One word of a line. */
+static bool take(const struct reading *r, const struct letter_word *word, struct length_offset_description *offset)
+{
+	switch (word->letter) {
+	case 'T':
+		if (!(word->value >= 1 && word->value <= TOOL_NUMBER_MAX) || floor(word->value) < word->value)
+			return fault(r, "T is not the whole number of a tool, 1 or more");
+		offset->number = (long)word->value;
+		return true;
+	case 'Z':
+		offset->length = (struct optional_number){true, r->unit * word->value};
+		return true;
+	case 'D':
+		offset->radius = (struct optional_number){true, r->unit * word->value / 2};
+		return true;
+	case 'P':
+	case 'I':
+	case 'J':
+	case 'Q':
+		return true;
+	default:
+		break;
+	}
+	if (!strchr("XYABCUVW", word->letter))
+		return fault(r, "a line of a tool table has only T, P, D, I, J, Q and the letters of axes");
+	if (fabs(word->value) > 0) {
+		diag_error(r->diag, r->at, "the tool has an offset in %c: a setup has offsets along the tool (Z) only", word->letter);
+		return false;
+	}
+	return true;
+}
+
+static bool read_line(const struct reading *r, const struct text_lines *lines)
+{
+	const char *at = lines->line, *end = lines->line + lines->length;
+	struct length_offset_description offset = {.of_tool = true, .length = {true, 0}};
+	struct letter_word word;
+	bool any = false;
+	int found;
+
+	while ((found = letter_word_next(&at, end, &word)) > 0) {
+		if (!take(r, &word, &offset))
+			return false;
+		any = true;
+	}
+	if (found < 0)
+		return fault(r, "a line of a tool table has letters, each with a number, and a comment after a semicolon");
+	if (!any)
+		return true;
+	if (!offset.number)
+		return fault(r, "the line names no tool T");
+	return tool_library_add_offset(r->tools, &offset, r->at, r->diag);
+}
+
+bool tool_table_file_read(struct tool_library *tools, const char *text, const char *path, double unit,
+			  struct diag *diag)
+{
+	struct reading r = {.tools = tools, .diag = diag, .unit = unit, .at = {.file = path}};
+	struct text_lines lines = {.next = text};
+
+	while (text_lines_next(&lines)) {
+		r.at.line = lines.number;
+		if (!read_line(&r, &lines))
+			return false;
+	}
+	return true;
+}
