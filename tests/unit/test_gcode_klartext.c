@@ -103,6 +103,22 @@ static const struct klartext_program parameters[] = {
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\n"},
 	{"TOOL CALL 1 Z\nQ1 = Q108\nQ2 = Q114\nL X+Q1 Y+Q2 FMAX\n",
 	 "tool 1\nrapid 5 100 0 0 0\n"},
+	{"TOOL CALL 1 Z DR+0.5 DL-1\nL X+Q108 Y+Q114 Z+Q109 FMAX\n",
+	 "tool 1\nrapid 5.5 99 101 0 0\n"},
+	/* FN 18: what the program and the setup say; what is not known may be assigned, and does not matter unused. */
+	{"TOOL CALL 2 Z S500\nM4\nFN 18: SYSREAD Q1 = ID20 NR1\nFN18 : SYSREAD Q2=ID50 NR2 IDX1\n"
+	 "FN 18: SYSREAD Q3 = ID50 NR1 IDXQ1\nL X+Q1 Y+Q2 Z+Q3 FMAX\nFN 18: SYSREAD Q1 = ID20 NR4\n"
+	 "FN 18: SYSREAD Q2 = ID20 NR5\nFN 18: SYSREAD Q3 = ID10 NR1\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "tool 2\nrapid 2 5 80 0 0\nrapid 500 1 40 0 0\n"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+5\nCYCL DEF 7.2 Z-3\nFN 18: SYSREAD Q1 = ID220 NR2 IDX1\n"
+	 "FN 18: SYSREAD Q3 = ID220 NR2 IDX3\nFN 18: SYSREAD Q2 = ID210 NR6\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	 "rapid 10 0 -6 0 0\n"},
+	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\nFN 18: SYSREAD Q1 = ID210 NR2\nFN 18: SYSREAD Q2 = ID280 NR1\n"
+	 "FN 18: SYSREAD Q3 = ID210 NR3\nFN 18: SYSREAD Q4 = ID210 NR4 IDX2\nL X+Q4 Y+Q2 Z+Q1 FMAX\n",
+	 "rapid 0 1 90 0 0\n"},
+	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 28: TABREAD Q2 = 5/\"X,Y\"\nFN 26: TABOPEN TNC:\\A.TAB\n"
+	 "FN 27: TABWRITE 5/\"X\" = Q1\nFN 20: WAIT FOR SYNC\nFN 15: PRINT Q1\nFN 0: Q1 = +7\nL X+Q1 FMAX\n",
+	 "rapid 7 0 0 0 0\n"},
 	{"Q1 = 2\nQ1 = Q1 * Q1\nQ1 = Q1 * Q1\nL X+Q1 FMAX\n",
 	 "rapid 16 0 0 0 0\n"},
 	{"Q1=1\nL XQ1 FMAX\n",

@@ -12,6 +12,12 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:1: error: CYCL DEF 200 lacks Q201"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
 	 "p.nc:3:1: error: Q201=4: what a depth above the surface does depends on a machine parameter"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nQ201=-9\nM99\n",
+	 "p.nc:4:1: error: Q201 has been changed since CYCL DEF 200: whether the call takes its new value is not known here; "
+	 "define the cycle anew"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nFN 18: SYSREAD Q203 = ID270 NR1 IDX3\nM99\n",
+	 "p.nc:4:1: error: Q203 has been changed since CYCL DEF 200: whether the call takes its new value is not known here; "
+	 "define the cycle anew"},
 	{"CYCL DEF 200 DRILLING Q200=-2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nM99\n",
 	 "p.nc:3:1: error: a set-up clearance (Q200, Q204) cannot be negative"},
 	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=0 Q202=4 Q203=+0 Q204=9\nM99\n",

@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_cycle.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -227,7 +228,46 @@ static bool by_parts(const struct klartext_call_of *call)
 
 /* --------------------------------------------------------------------- calls */
 
+/*
+ * CYCL DEF has assigned the parameters of the cycle, and the program may have assigned others since: whether the call
+ * takes these is not in the manuals. `but` are left out.
+ */
+static bool check_values(struct interp *interp, int column, const char *const *but)
+{
+	const struct klartext_cycle *cycle = &klartext_of(interp)->cycle;
+
+	for (int i = 0; cycle->by_q && i < cycle->count; i++) {
+		const struct klartext_cycle_word *word = &cycle->words[i];
+		const char *const *left_out = but;
+		double value;
+
+		while (*left_out && strcmp(*left_out, word->name) != 0)
+			left_out++;
+		if (*left_out || !word->given)
+			continue;
+		if (!klartext_q_get(klartext_of(interp), atoi(word->name + 1), &value) ||
+		    !same_double(value, word->value))
+			return fault(&interp->at, column,
+				     "%s has been changed since CYCL DEF %d: whether the call takes its new value is not "
+				     "known here; define the cycle anew",
+				     word->name, cycle->number);
+	}
+	return true;
+}
+
+bool klartext_cycle_check_values(struct interp *interp, int column, bool heights)
+{
+	static const char *const all[] = {NULL}, *const but_heights[] = {"Q200", "Q203", "Q204", NULL};
+
+	return check_values(interp, column, heights ? all : but_heights);
+}
+
 bool klartext_cycle_call(struct interp *interp, int column)
+{
+	return klartext_cycle_check_values(interp, column, true) && klartext_cycle_carry_out(interp, column);
+}
+
+bool klartext_cycle_carry_out(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct klartext_call_of call = {.interp = interp, .cycle = &klartext->cycle, .column = column};

@@ -10,6 +10,15 @@
 /* Carries out the cycle that was defined last, where the tool stands. False: reported at the column, or the sink ... */
 bool klartext_cycle_call(struct interp *interp, int column);
 
+/* The same without a look at the parameters, at each point of a pattern. */
+bool klartext_cycle_carry_out(struct interp *interp, int column);
+
+/*
+ * Has the program left the parameters of the cycle alone since its definition? Without `heights` Q200, Q203 and Q204
+ * may be others. False: reported.
+ */
+bool klartext_cycle_check_values(struct interp *interp, int column, bool heights);
+
 /* The height of the set-up clearance over the workpiece, mm; false: the cycle has none. */
 bool klartext_cycle_start(struct interp *interp, double *height);
 

@@ -191,6 +191,7 @@ static bool read_q(struct lexer *lexer, struct klartext_cycle *cycle)
 	else
 		return fault(lexer->at, column, "Q%d=%s is not supported yet: give a number", number, text);
 	word->given = true;
+	klartext_q_set(klartext_of(interp), number, word->value);
 	return true;
 }
 

@@ -8,6 +8,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_move.h"
+#include "gcode/dialect/klartext/klartext_system.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/tool_length.h"
 
@@ -19,20 +20,28 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	switch (number) {
 	case 14:
 		return fault(lexer->at, column, "FN 14 stops the program here with an error of its own");
-	case 16: /* prints */
+	case 15: /* prints */
+	case 16:
+	case 26: /* opens a table */
+	case 27: /* writes into it */
 	case 29: /* tells the PLC */
 	case 38: /* sends */
 		return true;
-	case 18:
+	case 17:
 		return fault(lexer->at, column,
-			     "FN 18 reads data of the control, which is not known here; give the value by FN 0");
-	case 19:
+			     "FN 17 writes data of the control: what that changes is not known here; leave it out to check "
+			     "the program");
+	case 18:
+		return klartext_system_read(lexer);
 	case 20:
+		/* It waits until the axes have done what was read ahead. */
+		if (klartext_take(lexer, "WAIT") && klartext_take(lexer, "FOR") && klartext_take(lexer, "SYNC"))
+			return true;
 		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);
-	case 26:
-	case 27:
+	case 19:
+		return fault(lexer->at, column, "FN %d: what the machine's PLC does is not known here", number);
 	case 28:
-		return fault(lexer->at, column, "FN %d: freely definable tables are not supported yet", number);
+		return klartext_system_read_table(lexer);
 	default:
 		return fault(lexer->at, column, "FN %d is not supported yet", number);
 	}

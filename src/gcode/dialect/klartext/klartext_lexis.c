@@ -60,6 +60,15 @@ size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD])
 	return length;
 }
 
+/* "Q5", "QL5": a parameter may stand right behind a word, as in REPQ5. */
+static bool is_parameter(const char *text)
+{
+	if (klartext_upper(*text) != 'Q')
+		return false;
+	text += text[1] != '\0' && strchr("LlRr", text[1]) ? 2 : 1;
+	return *text >= '0' && *text <= '9';
+}
+
 bool klartext_take(struct lexer *lexer, const char *word)
 {
 	const char *text;
@@ -69,7 +78,9 @@ bool klartext_take(struct lexer *lexer, const char *word)
 	text = lexer->at->text + lexer->position;
 	while (word[length] && klartext_upper(text[length]) == word[length])
 		length++;
-	if (word[length] || (is_letter(text[length]) && is_letter(word[length - 1])))
+	if (word[length])
+		return false;
+	if (is_letter(text[length]) && is_letter(word[length - 1]) && !is_parameter(text + length))
 		return false;
 	lexer->position += length;
 	return true;

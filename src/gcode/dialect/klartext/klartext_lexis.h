@@ -34,7 +34,7 @@ int klartext_column(struct lexer *lexer);
 /* Takes the letters that come next, in upper case; longer words are cut off. Returns how many there are. */
 size_t klartext_word(struct lexer *lexer, char word[KLARTEXT_WORD]);
 
-/* Takes this word, given in upper case, if it comes next and no letter follows. */
+/* Takes this word, given in upper case, if it comes next and no letter follows but a parameter, as in REPQ5. */
 bool klartext_take(struct lexer *lexer, const char *word);
 
 /* A name in quotes, or up to the next blank. False: reported. */

@@ -102,7 +102,7 @@ static bool call_at_points(struct interp *interp, int column, double height, boo
 		good = good && rapid_to(interp, at);
 		memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
 		set_word(&klartext->cycle, "Q203", surface + point.z / interp->state.scale);
-		good = good && klartext_cycle_call(interp, column);
+		good = good && klartext_cycle_carry_out(interp, column);
 	}
 	klartext->cycle = defined;
 	return good;
@@ -120,6 +120,8 @@ bool klartext_pattern_call(struct interp *interp, int column)
 
 	if (klartext->points.count == 0)
 		return fault(&interp->at, column, "CYCL CALL PAT, but no PATTERN DEF has given points");
+	if (!klartext_cycle_check_values(interp, column, true))
+		return false;
 	if (klartext->cycle.number && klartext->cycle.by_q) {
 		if (!klartext_parameter_length(&call, 203, &surface) || !klartext_parameter_length(&call, 204, &second))
 			return false;
@@ -143,6 +145,8 @@ static bool call_with(struct interp *interp, const struct klartext_call_of *patt
 
 	if (!klartext_parameter_need(pattern, 200, &clearance) || !klartext_parameter_need(pattern, 203, &surface) ||
 	    !klartext_parameter_need(pattern, 204, &second))
+		return false;
+	if (!klartext_cycle_check_values(interp, pattern->column, false))
 		return false;
 	high = !same_double(klartext_parameter_or(pattern, 301, 1), 0);
 	set_word(&klartext->cycle, "Q200", clearance);

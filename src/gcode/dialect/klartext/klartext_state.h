@@ -25,6 +25,7 @@
 struct klartext_q {
 	double value;
 	bool given; /* by this program, or by the control */
+	bool read; /* from the control, by FN 18 or FN 28: it has a value, which is not known here */
 };
 
 enum klartext_call_kind { KLARTEXT_MAIN, KLARTEXT_LABEL, KLARTEXT_PROGRAM };
@@ -170,6 +171,7 @@ struct klartext {
 	/* Tools. */
 	bool change_pending; /* TOOL CALL was the last block: M6 belongs to it */
 	bool moved; /* axes have moved since TOOL CALL */
+	bool called; /* the program has called a tool */
 	bool shifted[SLOT_COUNT]; /* CYCL DEF 7 has shifted this rotary axis, and no absolute word came since */
 	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
 	double wider; /* mm: DR of TOOL CALL */

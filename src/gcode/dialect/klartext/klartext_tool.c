@@ -225,6 +225,7 @@ static bool change(struct interp *interp, const struct request *request)
 	klartext->wider = request->wider;
 	klartext->change_pending = true;
 	klartext->moved = false;
+	klartext->called = true;
 	if (!motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}))
 		return false;
 	state_update_offset(state);

@@ -5,10 +5,11 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/text/number.h"
+#include "geom/tolerance.h"
 
 void klartext_q_set(struct klartext *klartext, int number, double value)
 {
-	klartext->q[number] = (struct klartext_q){value, true};
+	klartext->q[number] = (struct klartext_q){.value = value, .given = true};
 }
 
 bool klartext_q_get(const struct klartext *klartext, int number, double *value)
@@ -19,27 +20,46 @@ bool klartext_q_get(const struct klartext *klartext, int number, double *value)
 
 /* ------------------------------------------------------------- parameters */
 
-/* iTNC 530 user's manual, "Preassigned Q parameters": what the control itself knows at any time. */
+static void set_unknown(struct klartext *klartext, int number)
+{
+	klartext->q[number] = (struct klartext_q){.read = true};
+}
+
+/* Q108: the radius with DR of TOOL CALL. */
+static void set_radius(struct interp *interp)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	const double radius = tool ? tool->diameter / 2 : 0;
+
+	if (!(radius > 0) || (klartext->defined_tool == interp->state.tool &&
+			      fabs(klartext->defined_radius - radius) > TOOL_SUM_TOLERANCE))
+		set_unknown(klartext, 108);
+	else
+		klartext_q_set(klartext, 108, (radius + klartext->wider) / interp->state.scale);
+}
+
+/*
+ * iTNC 530 user's manual, "Preassigned Q parameters": what the control itself knows at any time. Before the first TOOL
+ * CALL and M3 its values are those of before the program; Q110 tells M5 behind M3 from M5 behind M4.
+ */
 static void preassign(struct interp *interp, int number)
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct state *state = &interp->state;
-	const struct tool *tool = tool_table_find(&interp->tools, state->tool);
-	double unit = state->scale;
 
-	if (number == 108 && tool)
-		klartext_q_set(klartext, 108, tool->diameter / 2 / unit);
+	if (number == 113)
+		klartext_q_set(klartext, 113, klartext->inch);
+	else if (number == 110 && state->spindle != SPINDLE_STOPPED)
+		klartext_q_set(klartext, 110, state->spindle == SPINDLE_CLOCKWISE ? 0 : 1);
+	else if (number == 110 || ((number == 108 || number == 109 || number == 114) && !klartext->called))
+		set_unknown(klartext, number);
+	else if (number == 108)
+		set_radius(interp);
 	else if (number == 109)
 		klartext_q_set(klartext, 109, 2);
-	else if (number == 110)
-		klartext_q_set(klartext, 110,
-			       state->spindle == SPINDLE_CLOCKWISE	    ? 0
-			       : state->spindle == SPINDLE_COUNTERCLOCKWISE ? 1
-									    : -1);
-	else if (number == 113)
-		klartext_q_set(klartext, 113, klartext->inch);
 	else if (number == 114)
-		klartext_q_set(klartext, 114, state->length / unit);
+		klartext_q_set(klartext, 114, state->length / state->scale);
 }
 
 struct klartext_q *klartext_q_find(struct lexer *lexer, int *number)
@@ -91,6 +111,13 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 
 	if (!q)
 		return false;
+	if (q->read && number >= 100 && number < 200)
+		return fault(lexer->at, column, "%.*s is a value of the control that is not known here", length, name);
+	if (q->read)
+		return fault(lexer->at, column,
+			     "%.*s was read from the control (FN 18, FN 28), and that value is not known here: to check "
+			     "the program, assign the value by FN 0 behind it",
+			     length, name);
 	if (!q->given)
 		return fault(
 		    lexer->at, column,

@@ -1,0 +1,184 @@
+#include "gcode/dialect/klartext/klartext_system.h"
+
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+
+/* ID, NR and IDX of FN 18. */
+struct query {
+	int id, number, index;
+	bool has_index;
+};
+
+static double tool_value(const struct interp *interp, const struct query *query, bool *known)
+{
+	const int number = query->has_index && query->index > 0 ? query->index : interp->state.tool;
+	const struct tool *tool = tool_table_find(&interp->tools, number);
+
+	*known = tool && interp->config->has_setup && (query->number == 1 || tool->diameter > 0);
+	if (!*known)
+		return 0;
+	return query->number == 1 ? tool->length_offset : tool->diameter / 2;
+}
+
+static double axis_of(vec3 v, int index)
+{
+	return index == 1 ? v.x : index == 2 ? v.y : v.z;
+}
+
+static double frame_value(const struct klartext_frame *frame, const struct query *query, bool *known)
+{
+	const bool axis = query->has_index && query->index >= 1 && query->index <= 3;
+
+	*known = true;
+	if (query->id == 210 && query->number == 2)
+		return frame->rotation;
+	if (query->id == 210 && query->number == 3)
+		return frame->mirror[0] + 2 * frame->mirror[1] + 4 * frame->mirror[2];
+	if (query->id == 210 && query->number == 4 && axis)
+		return axis_of(frame->factor, query->index);
+	if (query->id == 210 && query->number == 6)
+		return frame->tilted ? -1 : 0;
+	*known = query->id == 220 && query->number == 2 && axis && !frame->tilted;
+	return *known ? axis_of(frame->shift, query->index) : 0;
+}
+
+static bool is_length(const struct query *query)
+{
+	return query->id == 50 || query->id == 220;
+}
+
+/* Machine status. Before the first TOOL CALL, M3 or S the control has values of its own. */
+static double status_value(const struct interp *interp, const struct query *query, bool *known)
+{
+	const struct state *state = &interp->state;
+	const bool called = klartext_of(interp)->called;
+
+	switch (query->number) {
+	case 1:
+		*known = called;
+		return state->tool;
+	case 3:
+		*known = called;
+		return 2; /* Z */
+	case 4:
+		*known = state->speed > 0 || state->speed_is_zero;
+		return state->speed;
+	case 5:
+		*known = state->spindle != SPINDLE_STOPPED;
+		return state->spindle == SPINDLE_CLOCKWISE ? 0 : 1;
+	default:
+		*known = false;
+		return 0;
+	}
+}
+
+/*
+ * iTNC 530 HSCI technical manual, "Data transfer NC > NC program (FN18: SYSREAD)". Lengths are in mm on newer controls,
+ * whatever the program's unit is (TNC7 user's manual, "System data"): in a program in inches they stay unknown.
+ */
+static double find_value(const struct interp *interp, const struct query *query, bool *known)
+{
+	const struct klartext *klartext = klartext_of(interp);
+	const bool m128 = interp->state.tcp == TCP_BY_MCODE;
+
+	*known = false;
+	if (is_length(query) && klartext->inch)
+		return 0;
+	switch (query->id) {
+	case 10:
+		*known = query->number == 1;
+		return klartext->inch;
+	case 20:
+		return status_value(interp, query, known);
+	case 50:
+		return query->number == 1 || query->number == 2 ? tool_value(interp, query, known) : 0;
+	case 210:
+	case 220:
+		return frame_value(&klartext->frame, query, known);
+	case 280:
+		*known = query->number == 1;
+		return m128 ? -1 : 0;
+	default:
+		return 0;
+	}
+}
+
+/* A name and the whole number behind it, which may be a parameter: "ID50", "IDX Q11". */
+static bool read_number(struct lexer *lexer, const char *name, int *value)
+{
+	return klartext_integer(lexer, name, -1, 100000, value);
+}
+
+static bool read_query(struct lexer *lexer, struct query *query)
+{
+	if (!klartext_take(lexer, "ID"))
+		return fault(lexer->at, klartext_column(lexer), "SYSREAD needs ID and its number");
+	if (!read_number(lexer, "ID", &query->id))
+		return false;
+	if (klartext_take(lexer, "NR") && !read_number(lexer, "NR", &query->number))
+		return false;
+	query->has_index = klartext_take(lexer, "IDX");
+	return !query->has_index || read_number(lexer, "IDX", &query->index);
+}
+
+/* "Q10 =" */
+static struct klartext_q *read_target(struct lexer *lexer, int *number)
+{
+	struct klartext_q *q;
+
+	if (klartext_upper(lexer_peek(lexer)) != 'Q') {
+		fault_report(lexer->at, klartext_column(lexer), "a Q parameter is needed here");
+		return NULL;
+	}
+	q = klartext_q_find(lexer, number);
+	if (q && lexer_peek(lexer) != '=') {
+		fault_report(lexer->at, lexer_column(lexer), "'=' is needed here");
+		return NULL;
+	}
+	if (q)
+		lexer_take(lexer);
+	return q;
+}
+
+bool klartext_system_read(struct lexer *lexer)
+{
+	struct query query = {0};
+	struct klartext_q *q;
+	double value;
+	bool known;
+	int number;
+
+	if (!klartext_take(lexer, "SYSREAD"))
+		return fault(lexer->at, klartext_column(lexer), "FN 18 needs SYSREAD here");
+	q = read_target(lexer, &number);
+	if (!q || !read_query(lexer, &query) || !klartext_expect_end(lexer))
+		return false;
+	value = find_value(lexer->context, &query, &known);
+	*q = known ? (struct klartext_q){.value = value, .given = true} : (struct klartext_q){.read = true};
+	return true;
+}
+
+/* "TABREAD Q10 = +5/"X,Y,D"": one parameter after the other for each column. */
+bool klartext_system_read_table(struct lexer *lexer)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+	const char *text = lexer->at->text;
+	struct klartext_q *q;
+	int number;
+
+	if (!klartext_take(lexer, "TABREAD"))
+		return fault(lexer->at, klartext_column(lexer), "FN 28 needs TABREAD here");
+	/* A text goes to a string parameter, which is unknown anyhow. */
+	if (klartext_take(lexer, "QS"))
+		return true;
+	q = read_target(lexer, &number);
+	if (!q)
+		return false;
+	*q = (struct klartext_q){.read = true};
+	for (size_t i = lexer->position; text[i]; i++) {
+		if (text[i] != ',' || q < klartext->q || q >= klartext->q + KLARTEXT_Q_COUNT - 1)
+			continue;
+		*++q = (struct klartext_q){.read = true};
+	}
+	return true;
+}
