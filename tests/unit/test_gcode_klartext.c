@@ -119,6 +119,10 @@ static const struct klartext_program parameters[] = {
 	{"FN 18: SYSREAD Q1 = ID270 NR1 IDX1\nFN 28: TABREAD Q2 = 5/\"X,Y\"\nFN 26: TABOPEN TNC:\\A.TAB\n"
 	 "FN 27: TABWRITE 5/\"X\" = Q1\nFN 20: WAIT FOR SYNC\nFN 15: PRINT Q1\nFN 0: Q1 = +7\nL X+Q1 FMAX\n",
 	 "rapid 7 0 0 0 0\n"},
+	{"Q1 = 5 * ~\n  ( 1 + ~ \n 1 ) ; twice\nL X+Q1 FMAX\n",
+	 "rapid 10 0 0 0 0\n"},
+	{"TOOL CALL 1 Z\nTOOL CALL DL-Q108 DR+1\nL Z+0 X+Q108 FMAX\nTOOL CALL DL+0 DR+0\nL X+Q108 Z+0 FMAX\n",
+	 "tool 1\nrapid 6 0 95 0 0\nrapid 5 0 100 0 0\n"},
 	{"Q1 = 2\nQ1 = Q1 * Q1\nQ1 = Q1 * Q1\nL X+Q1 FMAX\n",
 	 "rapid 16 0 0 0 0\n"},
 	{"Q1=1\nL XQ1 FMAX\n",

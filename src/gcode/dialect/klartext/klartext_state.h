@@ -168,13 +168,14 @@ struct klartext {
 	int repeat_count;
 	struct labels labels; /* of every source that was searched */
 	struct strbuf line; /* the line in hand, while others are read */
+	struct strbuf formula; /* of several lines, joined */
 	/* Tools. */
 	bool change_pending; /* TOOL CALL was the last block: M6 belongs to it */
 	bool moved; /* axes have moved since TOOL CALL */
 	bool called; /* the program has called a tool */
 	bool shifted[SLOT_COUNT]; /* CYCL DEF 7 has shifted this rotary axis, and no absolute word came since */
 	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
-	double wider; /* mm: DR of TOOL CALL */
+	double wider, longer; /* mm: DR and DL of TOOL CALL */
 	int defined_tool; /* TOOL DEF has given this tool a radius; 0: none */
 	double defined_radius; /* mm */
 	bool per_revolution; /* M136 */

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/dialect/klartext/klartext_state.h"
@@ -20,7 +22,7 @@ struct request {
 	bool has_speed, has_feed;
 	double speed, feed;
 	double longer, wider; /* DL, DR, mm */
-	bool oversize;
+	bool oversize, has_longer, has_wider;
 };
 
 /* ----------------------------------------------------------------- numbers */
@@ -125,6 +127,7 @@ static bool read_word(struct lexer *lexer, struct request *request)
 		if (!klartext_value(lexer, &value))
 			return false;
 		request->longer = value * interp->state.scale;
+		request->has_longer = true;
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
@@ -138,6 +141,7 @@ static bool read_word(struct lexer *lexer, struct request *request)
 		if (!klartext_value(lexer, &value))
 			return false;
 		request->wider = value * interp->state.scale;
+		request->has_wider = true;
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
@@ -223,11 +227,45 @@ static bool change(struct interp *interp, const struct request *request)
 	state->length = length;
 	klartext->oversize = request->oversize;
 	klartext->wider = request->wider;
+	klartext->longer = request->longer;
 	klartext->change_pending = true;
 	klartext->moved = false;
 	klartext->called = true;
 	if (!motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}))
 		return false;
+	state_update_offset(state);
+	return tcp == TCP_OFF || tool_length_switch_tcp(interp, request->column, tcp);
+}
+
+/*
+ * "Calling tool data": without a tool, DL and DR are those of the active one from here on; nothing moves. What becomes of
+ * an oversize that stands in the call before and not in this one is not in the manual.
+ */
+static bool change_oversize(struct interp *interp, struct request *request)
+{
+	struct klartext *klartext = klartext_of(interp);
+	struct state *state = &interp->state;
+	const enum tcp_source tcp = state->tcp;
+	double length;
+
+	if (!klartext->called || state->tool == 0)
+		return fault(&interp->at, request->column, "DL and DR without a tool: no TOOL CALL has named one");
+	if ((!request->has_longer && !same_double(klartext->longer, 0)) || (!request->has_wider && !same_double(klartext->wider, 0)))
+		return fault(&interp->at, request->column,
+			     "%s was given before and is left out here: whether it still counts is not known here; "
+			     "write it, too",
+			     request->has_longer ? "DR" : "DL");
+	if (tcp == TCP_BY_MCODE)
+		return fault(&interp->at, request->column,
+			     "TOOL CALL while M128 is in force: the manual wants M129 first");
+	request->number = state->tool;
+	if (!klartext_corner_check_none(interp) || !find_length(interp, request, &length))
+		return false;
+	klartext->oversize = request->oversize;
+	klartext->wider = request->wider;
+	klartext->longer = request->longer;
+	klartext->last.known = false;
+	state->length = length;
 	state_update_offset(state);
 	return tcp == TCP_OFF || tool_length_switch_tcp(interp, request->column, tcp);
 }
@@ -242,8 +280,9 @@ bool klartext_tool_call(struct lexer *lexer)
 		return false;
 	if (request.has_tool && !change(interp, &request))
 		return false;
-	if (!request.has_tool && request.oversize)
-		return fault(lexer->at, request.column, "DL and DR without a tool is not supported yet");
+	if (!request.has_tool && (request.has_longer || request.has_wider || request.oversize) &&
+	    !change_oversize(interp, &request))
+		return false;
 	if (request.has_speed) {
 		interp->state.speed = request.speed;
 		interp->state.speed_is_zero = !(request.speed > 0);
