@@ -1,0 +1,321 @@
+#include "oracle_judge.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define POINTS 4000
+#define STOCK_ERROR 0.1	/* mm: --stock-tolerance */
+#define SLACK 0.004	/* mm: distances over a motion are told apart by so much */
+#define CONTACTS 2	/* of a job that are looked at */
+
+/* ----------------------------------------------------------------- motion */
+
+/* A piece of a move, as a point of the workholding sees it. */
+struct motion {
+	const struct tool *tool;
+	const double *from, *to;
+	const double *point;
+	double speed;	/* mm: the point moves no farther over the whole move, as the tool sees it */
+};
+
+static double length3(const double v[3])
+{
+	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static struct motion motion_of(const struct job *job, int tool, const double from[4], const double to[4],
+			       const double point[3])
+{
+	const double way[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+	const double turn = fabs(to[3] - from[3]) * acos(-1) / 180;
+
+	return (struct motion){&job->tools[tool], from, to, point, length3(way) + turn * length3(point)};
+}
+
+/* The point as the tool sees it: radius from its axis and height over its tip. */
+static void seen_by_tool(const double p[3], const double q[4], double *r, double *z)
+{
+	const double b = q[3] * acos(-1) / 180, x = cos(b) * p[0] + sin(b) * p[2], h = -sin(b) * p[0] + cos(b) * p[2];
+
+	*r = hypot(x - q[0], p[1] - q[1]);
+	*z = h - q[2];
+}
+
+/*
+ * The first share of the move from `low` to `high`, to SLACK mm of way, at which the distance of the point to the piece
+ * is below `level`; INFINITY: it never is. What happens between is bounded by the speed.
+ */
+static double first_below(const struct motion *motion, enum piece piece, double level, double low, double high)
+{
+	const double middle = 0.5 * (low + high), reach = 0.5 * (high - low) * motion->speed;
+	double q[4], r, z, distance, found;
+
+	for (int i = 0; i < 4; i++)
+		q[i] = motion->from[i] + middle * (motion->to[i] - motion->from[i]);
+	seen_by_tool(motion->point, q, &r, &z);
+	distance = tool_least_distance(motion->tool, piece, r, z);
+	if (distance - reach >= level)
+		return INFINITY;
+	distance = tool_distance(motion->tool, piece, r, z);
+	if (distance - reach >= level)
+		return INFINITY;
+	if (reach < SLACK)
+		return distance < level ? low : INFINITY;
+	found = first_below(motion, piece, level, low, middle);
+	return isinf(found) ? first_below(motion, piece, level, middle, high) : found;
+}
+
+static bool cuts(const struct move *m)
+{
+	return !m->rapid && m->turning && !m->tool;
+}
+
+/* How deep may the piece be in the stock in this move? INFINITY: it cuts. */
+static double allowed_depth(const struct job *job, const struct move *m, enum piece piece)
+{
+	if (piece != CUTTER)
+		return 0;
+	return m->rapid || !m->turning ? job->allowance : INFINITY;
+}
+
+/* The first share of the move before `end` at which something is deeper at the point than is allowed, by `beyond`. */
+static double first_violation(const struct job *job, const struct move *m, const struct motion *motion, double beyond,
+			      double end)
+{
+	double first = INFINITY;
+
+	for (int i = 0; i < PIECES; i++) {
+		const double depth = allowed_depth(job, m, (enum piece)i);
+
+		if (!isinf(depth))
+			first = fmin(first, first_below(motion, (enum piece)i, -depth - beyond, 0, end));
+	}
+	return first;
+}
+
+/* ----------------------------------------------------------------- points */
+
+/* A point that only the probe reaches, deeper in it than is allowed. False: it is not, or not in the blank. */
+static bool probed_point(const struct job *job, struct oracle_random *random, const struct move *m, double p[3])
+{
+	const struct tool *tool = &job->tools[m->tool];
+	const double *q = m->to, b = q[3] * acos(-1) / 180, skin = m->tool ? 0.12 : 0.35;
+	const bool ground = uniform(random, 0, 1) < 0.3;
+	const double z = ground ? job->allowance + uniform(random, 0, skin)
+				: tool->length[CUTTER] * pow(uniform(random, 0, 1), m->tool ? 1 : 2);
+	const double here = tool_radius_at(tool, CUTTER, z);
+	const double r = ground ? here * sqrt(uniform(random, 0, 1)) : here - job->allowance - uniform(random, 0, skin);
+	const double ahead = atan2(q[1] - m->wall[1], q[0] - m->wall[0]);
+	const double around = ground ? uniform(random, 0, 2 * acos(-1)) : ahead + uniform(random, -1, 1);
+	const double x = q[0] + r * cos(around), h = q[2] + z;
+	double wall_r, wall_z;
+
+	p[0] = cos(b) * x - sin(b) * h;
+	p[1] = q[1] + r * sin(around);
+	p[2] = sin(b) * x + cos(b) * h;
+	if (!(r > 0) || !job_in_blank(job, p, -1e-6))
+		return false;
+	seen_by_tool(p, m->wall, &wall_r, &wall_z);
+	return tool_distance(&job->tools[0], CUTTER, wall_r, wall_z) > SLACK &&
+	       tool_distance(tool, CUTTER, r, z) < -job->allowance - SLACK;
+}
+
+static void make_points(const struct job *job, struct oracle_random *random, double (*points)[3])
+{
+	int n = 0;
+
+	for (int tries = 0; tries < 50 * POINTS && n < 3 * POINTS / 4; tries++) {
+		const struct move *m = &job->moves[(int)uniform(random, 0, job->count)];
+
+		n += m->probe && probed_point(job, random, m, points[n]);
+	}
+	for (; n < POINTS; n++) {
+		double inside[3];
+
+		for (int k = 0; k < 3; k++)
+			inside[k] = uniform(random, -0.5, 0.5) * job->size[k];
+		job_from_blank(job, inside, points[n]);
+	}
+}
+
+/* Marks the moves in which the point violates before any cutter can have removed it. */
+static void find_violations(const struct job *job, const double point[3], bool *violated)
+{
+	const double *at = job_home;
+
+	for (int i = 0; i < job->count; i++) {
+		const struct move *m = &job->moves[i];
+		const struct motion motion = motion_of(job, m->tool, at, m->to, point);
+		double gone = INFINITY;
+
+		/* A block without motion says nothing again. */
+		if (memcmp(at, m->to, sizeof(m->to)) != 0) {
+			if (cuts(m))
+				gone = first_below(&motion, CUTTER, SLACK, 0, 1);
+			violated[i] = violated[i] || first_violation(job, m, &motion, SLACK, fmin(gone, 1)) <= 1;
+			if (gone <= 1)
+				return;
+		}
+		at = m->to;
+	}
+}
+
+/* Has no cutter that is smaller by STOCK_ERROR removed the point before this share of the move? */
+static bool is_left(const struct job *job, const double point[3], int move, double share)
+{
+	const double *at = job_home;
+
+	for (int i = 0; i <= move; i++) {
+		const struct move *m = &job->moves[i];
+		const struct motion motion = motion_of(job, m->tool, at, m->to, point);
+
+		if (cuts(m) && first_below(&motion, CUTTER, -STOCK_ERROR - SLACK, 0, i < move ? 1 : share) <= 1)
+			return false;
+		at = m->to;
+	}
+	return true;
+}
+
+/* ---------------------------------------------------------------- verdict */
+
+struct contact {
+	int move;	/* from 0 */
+	double fraction, q[4], point[3];
+};
+
+struct found {
+	bool moves[MOVES];	/* in which something was found */
+	int count;	/* of all findings */
+	struct contact contacts[CONTACTS];	/* the first of them */
+};
+
+/* Reads one number after a key. */
+static double number_after(const char *text, const char *key)
+{
+	const char *at = strstr(text, key);
+
+	return at ? strtod(at + strlen(key), NULL) : NAN;
+}
+
+/* A line of the report. */
+static void take_finding(const char *line, struct found *found)
+{
+	static const char *const axes[] = {"\"X\":", "\"Y\":", "\"Z\":", "\"B\":"};
+	const int move = (int)number_after(line, "\"line\":") - 2;
+	const char *point = strstr(line, "\"point\":[");
+	struct contact *contact;
+
+	if (!point || move < 0 || move >= MOVES)
+		return;
+	found->moves[move] = true;
+	if (found->count++ >= CONTACTS || !strstr(line, "\"fraction\":"))
+		return;
+	contact = &found->contacts[found->count - 1];
+	contact->move = move;
+	contact->fraction = number_after(line, "\"fraction\":");
+	for (int i = 0; i < 4; i++)
+		contact->q[i] = number_after(line, axes[i]);
+	point = strchr(point, '[') + 1;
+	for (int i = 0; i < 3; i++) {
+		char *end;
+
+		contact->point[i] = strtod(point, &end);
+		point = end + 1;
+	}
+}
+
+/* False: fivecheck failed. */
+static bool ask(const char *program, const char *folder, struct found *found)
+{
+	char command[8192], line[65536];
+	bool complete = false;
+	FILE *in;
+
+	snprintf(command, sizeof(command), "%s -q -a -f ndjson -s %s/s.xml %s/m.xml %s/p.nc", program, folder, folder,
+		 folder);
+	in = popen(command, "r");
+	*found = (struct found){.count = 0};
+	while (in && fgets(line, sizeof(line), in)) {
+		if (strstr(line, "\"verdict\":\"clear\"") || strstr(line, "\"verdict\":\"found\""))
+			complete = true;
+		take_finding(line, found);
+	}
+	return in && pclose(in) != -1 && complete;
+}
+
+/* Is a piece that must not be there within `reach` mm of the point? */
+static bool is_near(const struct job *job, const struct contact *found, const double point[3], double reach)
+{
+	const struct move *m = &job->moves[found->move];
+	double r, z;
+
+	seen_by_tool(point, found->q, &r, &z);
+	for (int i = 0; i < PIECES; i++) {
+		const double depth = allowed_depth(job, m, (enum piece)i);
+
+		if (!isinf(depth) && tool_distance(&job->tools[m->tool], (enum piece)i, r, z) < reach - depth)
+			return true;
+	}
+	return false;
+}
+
+/* Is there, near the reported contact, a point of what may be left that is near enough to a body? */
+static bool is_true(const struct job *job, const struct contact *found)
+{
+	const double b = found->q[3] * acos(-1) / 180, reach = STOCK_ERROR;
+
+	for (int n = 0; n < 729; n++) {
+		const double m0 = found->point[0] + reach * (n % 9 - 4) / 4;
+		const double m1 = found->point[1] + reach * (n / 9 % 9 - 4) / 4;
+		const double m2 = found->point[2] + reach * (n / 81 - 4) / 4;
+		/* From the machine to the stock. */
+		const double p[3] = {cos(b) * m0 - sin(b) * m2, m1, sin(b) * m0 + cos(b) * m2};
+
+		if (job_in_blank(job, p, reach) && is_near(job, found, p, reach) &&
+		    is_left(job, p, found->move, found->fraction))
+			return true;
+	}
+	return false;
+}
+
+static void judge_contacts(const struct job *job, const struct found *found, long seed, struct judgement *sum)
+{
+	for (int i = 0; i < found->count && i < CONTACTS; i++) {
+		const struct contact *contact = &found->contacts[i];
+
+		/* The stem of the feeler is left out here. */
+		if (!job->moves[contact->move].tool && !is_true(job, contact)) {
+			printf("job %ld: false in line %d\n", seed, contact->move + 2);
+			sum->wrong++;
+		}
+	}
+}
+
+void judge(const struct job *job, struct oracle_random *random, const char *program, const char *folder, long seed,
+	   struct judgement *sum)
+{
+	static double points[POINTS][3];
+	bool violated[MOVES] = {false};
+	struct found found;
+
+	make_points(job, random, points);
+	job_write(job, folder);
+	if (!ask(program, folder, &found)) {
+		printf("job %ld: fivecheck failed\n", seed);
+		sum->failed++;
+		return;
+	}
+	for (int i = 0; i < POINTS; i++)
+		find_violations(job, points[i], violated);
+	for (int i = 0; i < job->count; i++) {
+		sum->violated += violated[i];
+		sum->found += found.moves[i];
+		if (violated[i] && !found.moves[i]) {
+			printf("job %ld: missed in line %d\n", seed, i + 2);
+			sum->missed++;
+		}
+	}
+	judge_contacts(job, &found, seed, sum);
+}

@@ -1,0 +1,17 @@
+/* oracle_judge.h - fivecheck's answers to a job, judged by brute force over points of the blank. */
+#ifndef ORACLE_JUDGE_H
+#define ORACLE_JUDGE_H
+
+#include "oracle_job.h"
+
+/* What is wrong with fivecheck's answers. */
+struct judgement {
+	int missed, wrong, failed;
+	int violated, found;	/* moves */
+};
+
+/* Checks the job with the program, with its files in the folder, and adds to the sums; says what is wrong. */
+void judge(const struct job *job, struct oracle_random *random, const char *program, const char *folder, long seed,
+	   struct judgement *sum);
+
+#endif
