@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/command_table.h"
 #include "cli/explain.h"
+#include "cli/jobs.h"
 #include "cli/stderr_ui.h"
 #include "cli/run.h"
 #include "geom/simd_level.h"
@@ -71,7 +72,7 @@ static enum run_status run_check(int argc, char **argv, struct stderr_ui *ui)
 		if (explain_add(&text, &options, &ui->diag))
 			status = print(&text, &ui->diag);
 	} else if (has_simd_level(&ui->diag)) {
-		status = run_options(&options, ui);
+		status = options.jobs ? jobs_run(&options, ui) : run_options(&options, ui);
 	}
 	options_release(&options);
 	return status;

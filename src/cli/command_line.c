@@ -11,6 +11,7 @@
 #include "cli/program_list.h"
 #include "cli/stderr_ui.h"
 #include "fivecheck.h"
+#include "machine/job_list.h"
 
 struct parser {
 	struct options *options;
@@ -126,6 +127,8 @@ static bool check_formats(const struct parser *parser)
 	struct options *o = parser->options;
 	int wanted = 0, unnamed = 0;
 
+	if (o->mode == RUN_DEPENDS)
+		return true;
 	if (o->mode == RUN_LIST_PAIRS || o->mode == RUN_CHECK_MACHINE)
 		return check_table_formats(parser);
 	if (o->formats[FORMAT_JSON].wanted) {
@@ -230,6 +233,22 @@ static bool check_combinations(const struct parser *parser)
 	return !fault;
 }
 
+/* A job file names its programs itself. */
+static bool check_jobs(const struct parser *parser)
+{
+	const struct options *o = parser->options;
+
+	if (o->program_count || o->files_from)
+		diag_error(parser->diag, nowhere, "%s is a job file, which names its programs itself: give no other",
+			   o->machine);
+	else if (o->mode != RUN_CHECK && o->mode != RUN_PARSE_ONLY && o->mode != RUN_DEPENDS)
+		diag_error(parser->diag, nowhere, "--%s takes a machine file, but %s is a job file", parser->mode->name,
+			   o->machine);
+	else
+		return true;
+	return false;
+}
+
 static bool check_operands(const struct parser *parser)
 {
 	const struct options *o = parser->options;
@@ -250,9 +269,11 @@ static bool check_operands(const struct parser *parser)
 	else if (!strcmp(o->machine, "-") || (o->setup && !strcmp(o->setup, "-")))
 		diag_error(parser->diag, nowhere,
 			   "the machine and the setup cannot be read from standard input, only a program can");
+	else if (o->jobs)
+		return check_jobs(parser);
 	else if (runs && !o->program_count && !o->files_from)
 		diag_error(parser->diag, nowhere, "no program was given (- is standard input)");
-	else if (!runs && o->program_count)
+	else if (!runs && o->program_count && o->mode != RUN_DEPENDS)
 		diag_error(parser->diag, nowhere, "--%s takes no program, but %s was given", parser->mode->name,
 			   o->programs[0]);
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
@@ -325,6 +346,7 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 	if (parser.operands) {
 		options->machine = parser.operand[0];
 		options->program_count = parser.operands - 1;
+		options->jobs = job_list_is(options->machine);
 		memmove(parser.operand, parser.operand + 1, options->program_count * sizeof(*parser.operand));
 	}
 	if (!good || is_final(options->mode))
@@ -356,7 +378,8 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 
 void command_line_help(struct strbuf *out, const struct command *commands)
 {
-	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n");
+	strbuf_addf(out, "Usage: fivecheck [OPTIONS] MACHINE.xml PART.nc...\n"
+			 "       fivecheck [OPTIONS] JOBS.xml\n");
 	for (const struct command *command = commands; command->name; command++)
 		strbuf_addf(out, "       fivecheck %-10s %-8s %s\n", command->name, command->operands,
 			    command->summary);

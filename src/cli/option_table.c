@@ -13,7 +13,7 @@ enum {
 	IN_DUMP = 1 << RUN_DUMP_PATH,
 	IN_PAIRS = 1 << RUN_LIST_PAIRS,
 	WITH_PROGRAM = IN_CHECK | IN_PARSE | IN_DUMP,
-	ANYWHERE = WITH_PROGRAM | IN_PAIRS | 1 << RUN_CHECK_MACHINE
+	ANYWHERE = WITH_PROGRAM | IN_PAIRS | 1 << RUN_CHECK_MACHINE | 1 << RUN_DEPENDS
 };
 
 /* Options without a letter. */
@@ -27,6 +27,7 @@ enum {
 	KEY_DUMP_PATH,
 	KEY_LIST_PAIRS,
 	KEY_CHECK_MACHINE,
+	KEY_DEPENDS,
 	KEY_EXPLAIN,
 	KEY_DIALECT,
 	KEY_DUPLICATES,
@@ -113,6 +114,8 @@ const struct option_row option_table[OPTION_COUNT] = {
     {KEY_LIST_PAIRS, "list-pairs", NULL, MODE(RUN_LIST_PAIRS), .help = "print every pair of bodies with its status"},
     {KEY_CHECK_MACHINE, "check-machine", NULL, MODE(RUN_CHECK_MACHINE),
      .help = "print how the machine file was understood and what is\nodd about it"},
+    {KEY_DEPENDS, "depends", NULL, MODE(RUN_DEPENDS),
+     .help = "print the names of the files that a check reads, as make\nhas them, but not those of subprograms"},
     {KEY_EXPLAIN, "explain", "WORD", 1 << RUN_EXPLAIN, .kind = VALUE_MODE, .mode = RUN_EXPLAIN, FIELD(explain),
      .choices = topic_names,
      .help = "print what a kind of finding, a verdict, a caution or\na code such as G43.4 means; codes: all codes"},

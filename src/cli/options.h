@@ -18,6 +18,7 @@ enum run_mode {
 	RUN_PARSE_ONLY,
 	RUN_DUMP_PATH,
 	RUN_LIST_PAIRS,
+	RUN_DEPENDS,
 	RUN_CHECK_MACHINE,
 	RUN_EXPLAIN,
 	RUN_HELP,
@@ -43,6 +44,7 @@ struct format_choice {
 struct options {
 	enum run_mode mode;
 	const char *machine;
+	bool jobs;	/* that is a job file */
 	const char *setup;	/* NULL: the machine's own, if it has one */
 	char **programs;	/* "-" is standard input, once at most; owned array */
 	size_t program_count;

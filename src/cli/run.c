@@ -14,6 +14,7 @@
 #include "cli/programs.h"
 #include "cli/report_date.h"
 #include "fivecheck.h"
+#include "report/depfile.h"
 #include "report/format/digest.h"
 #include "report/machine_json.h"
 #include "report/machine_report.h"
@@ -273,6 +274,27 @@ static enum run_status run_pairs(const struct job *job, bool as_json, struct out
 	return RUN_CLEAR;
 }
 
+/* The names of what a check reads, one a line. */
+static enum run_status run_depends(const struct job *job, const struct options *options, struct diag *diag,
+				   struct output *out)
+{
+	struct input_files inputs;
+	struct strbuf text = {0};
+	bool good = true;
+
+	input_files_init(&inputs);
+	input_files_add_files(&inputs, options, job->model->machine, job->model->setup, true);
+	input_files_sort(&inputs);
+	for (size_t i = 0; i < inputs.count; i++) {
+		good = depfile_add_name(&text, inputs.items[i].path, false, diag) && good;
+		strbuf_addf(&text, "\n");
+	}
+	output_text(out, &text);
+	strbuf_release(&text);
+	input_files_release(&inputs);
+	return good ? RUN_CLEAR : RUN_INCOMPLETE;
+}
+
 static enum run_status run_mode(const struct job *job, const struct options *options, struct diag *diag,
 				struct output *out)
 {
@@ -285,6 +307,8 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 		return run_pairs(job, as_json, out);
 	case RUN_CHECK_MACHINE:
 		return run_machine(job, as_json, diag, out);
+	case RUN_DEPENDS:
+		return run_depends(job, options, diag, out);
 	case RUN_CHECK:
 	case RUN_PARSE_ONLY:
 	case RUN_EXPLAIN:

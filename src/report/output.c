@@ -152,6 +152,17 @@ static void release(struct output *out)
 	*out = (struct output){0};
 }
 
+/* Standard output stays open for what is printed later; closing a copy tells what only closing tells. */
+static bool close_file(FILE *file)
+{
+	int copy;
+
+	if (file != stdout)
+		return fclose(file) == 0;
+	copy = dup(STDOUT_FILENO);
+	return copy >= 0 && close(copy) == 0;
+}
+
 bool output_commit(struct output *out, struct diag *diag)
 {
 	bool good = output_flush(out);
@@ -159,7 +170,7 @@ bool output_commit(struct output *out, struct diag *diag)
 	errno = 0;
 	if (out->target && !out->temporary && good)
 		good = succeeded(out, name_beside(out, fileno(out->file), 0) >= 0);
-	good = succeeded(out, fclose(out->file) == 0) && good;
+	good = succeeded(out, close_file(out->file)) && good;
 	if (out->temporary && good)
 		good = succeeded(out, rename(out->temporary, out->target) == 0);
 	if (out->temporary && !good)

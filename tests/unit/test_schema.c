@@ -6,6 +6,7 @@
 #include <libxml/relaxng.h>
 #include <libxml/tree.h>
 
+#include "machine/job_list.h"
 #include "machine/setup.h"
 #include "machine/waivers.h"
 #include "machine_case.h"
@@ -26,6 +27,12 @@ static const char setup_text[] =
 	"<offset number='12' length='131'/><offset number='7' length='-5'/>\n"
 	"<tools href='more.csv' units='inch' numbers='20-29'/>\n"
 	"</setup>";
+
+static const char jobs_text[] =
+	"<jobs version='1'>\n"
+	"<job name='op10' machine='m.xml' setup='s.xml' waivers='w.xml'><program file='a.nc'/><program file='b.nc'/></job>\n"
+	"<job name='op20' machine='m.xml'><program file='c.nc'/></job>\n"
+	"</jobs>";
 
 static const char waivers_text[] =
 	"<waivers version='1'>\n"
@@ -49,7 +56,7 @@ static const char questions_text[] =
 /* The machine's other file is the trunnion of machine_case.h, with a setup inside. */
 static struct strbuf machine_text;
 
-enum kind { MACHINE_FILE, QUESTIONS_FILE, SETUP_FILE, WAIVERS_FILE, KINDS };
+enum kind { MACHINE_FILE, QUESTIONS_FILE, SETUP_FILE, JOBS_FILE, WAIVERS_FILE, KINDS };
 
 static xmlRelaxNG *schemas[KINDS];
 static struct machine *machine;
@@ -63,6 +70,8 @@ static const char *text_of(enum kind kind)
 		return questions_text;
 	case SETUP_FILE:
 		return setup_text;
+	case JOBS_FILE:
+		return jobs_text;
 	case WAIVERS_FILE:
 	case KINDS:
 		break;
@@ -85,6 +94,11 @@ static bool reader_accepts(enum kind kind)
 
 		good = read;
 		setup_free(read);
+	} else if (kind == JOBS_FILE) {
+		struct job_list read = {0};
+
+		good = job_list_load(&read, "m.xml", &diag);
+		job_list_release(&read);
 	} else {
 		struct waivers *read = waivers_load("m.xml", machine, &diag);
 
@@ -116,7 +130,7 @@ static void silence(void *context, const char *format, ...)
 /* Tests leave the folder of the project; relative paths are no use there. */
 static void load_schemas(void)
 {
-	static const char *const names[KINDS] = {"machine.rng", "machine.rng", "setup.rng", "waivers.rng"};
+	static const char *const names[KINDS] = {"machine.rng", "machine.rng", "setup.rng", "jobs.rng", "waivers.rng"};
 	char path[4200], here[4096];
 
 	/* Outside of a test libcheck cannot be asked. */

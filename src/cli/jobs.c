@@ -1,0 +1,127 @@
+#include "cli/jobs.h"
+
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/strbuf.h"
+#include "cli/run.h"
+#include "machine/job_list.h"
+
+static const struct srcloc nowhere;
+
+/* The options that name a file to be written, beside the formats. */
+enum { NAMES = 8 };
+
+static void list_names(struct options *options, const char **names[NAMES], const char *labels[NAMES])
+{
+	const char **const members[NAMES] = {&options->output, &options->pose,    &options->report,
+					     &options->glb,    &options->picture, &options->depfile,
+					     &options->timing, &options->clearance_report};
+	static const char *const words[NAMES] = {"output",  "pose",    "report", "glb",
+						 "picture", "depfile", "timing", "clearance-report"};
+
+	memcpy(names, members, sizeof(members));
+	memcpy(labels, words, sizeof(words));
+}
+
+/* What belongs to a job stands in its file. False: reported. */
+static bool check_options(const struct options *options, struct diag *diag)
+{
+	const char *fault = NULL;
+
+	if (options->setup)
+		fault = "setup";
+	else if (options->waivers)
+		fault = "waivers";
+	else if (options->shards)
+		fault = "shard";
+	if (fault)
+		diag_error(diag, nowhere, "--%s cannot be used with a job file%s", fault,
+			   options->shards ? ": give its jobs to several computers instead" : ", which names it for each job");
+	return !fault;
+}
+
+static bool check_name(const char *name, const char *option, struct diag *diag)
+{
+	if (!name || strchr(name, '%'))
+		return true;
+	diag_error(diag, nowhere,
+		   "--%s: every job would write %s anew; put a %% into the name, which stands for the name of the job", option,
+		   name);
+	return false;
+}
+
+/* Several jobs must not write the same file. False: reported. */
+static bool check_names(const struct options *options, struct diag *diag)
+{
+	struct options copy = *options;
+	const char **names[NAMES];
+	const char *labels[NAMES];
+	bool good = true;
+
+	list_names(&copy, names, labels);
+	for (int i = 0; i < NAMES; i++)
+		good = check_name(*names[i], labels[i], diag) && good;
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		good = check_name(options->formats[i].path, i == FORMAT_RECORD ? "record" : "format", diag) && good;
+	return good;
+}
+
+/* The name with the job's in place of each %. */
+static const char *name_for(struct arena *arena, const char *name, const char *job)
+{
+	struct strbuf text = {0};
+	const char *kept;
+
+	if (!name)
+		return NULL;
+	for (; *name; name++)
+		strbuf_add(&text, *name == '%' ? job : name, *name == '%' ? strlen(job) : 1);
+	kept = arena_strdup(arena, strbuf_text(&text));
+	strbuf_release(&text);
+	return kept;
+}
+
+static enum run_status run_job(const struct options *options, const struct job_item *job, struct stderr_ui *ui)
+{
+	struct options one = *options;
+	struct arena arena = {0};
+	const char **names[NAMES];
+	const char *labels[NAMES];
+	enum run_status status;
+
+	list_names(&one, names, labels);
+	for (int i = 0; i < NAMES; i++)
+		*names[i] = name_for(&arena, *names[i], job->name);
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		one.formats[i].path = name_for(&arena, one.formats[i].path, job->name);
+	one.record = one.record ? one.formats[FORMAT_RECORD].path : NULL;
+	one.machine = job->machine;
+	one.setup = job->setup;
+	one.waivers = job->waivers;
+	one.program_count = job->program_count;
+	one.programs = arena_alloc(&arena, job->program_count * sizeof(*one.programs));
+	for (size_t i = 0; i < job->program_count; i++)
+		one.programs[i] = arena_strdup(&arena, job->programs[i]);
+	status = run_options(&one, ui);
+	arena_release(&arena);
+	return status;
+}
+
+enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
+{
+	enum run_status status = RUN_CLEAR;
+	struct job_list list;
+	bool good;
+
+	if (!check_options(options, &ui->diag) || !job_list_load(&list, options->machine, &ui->diag))
+		return RUN_INCOMPLETE;
+	good = list.count == 1 || check_names(options, &ui->diag);
+	for (size_t i = 0; good && i < list.count; i++) {
+		enum run_status one = run_job(options, &list.items[i], ui);
+
+		status = one > status ? one : status;
+	}
+	job_list_release(&list);
+	return good ? status : RUN_INCOMPLETE;
+}
