@@ -18,7 +18,15 @@ static const struct program programs[] = {
 	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 1 0 0\nrapid 0 0 -4.4 0 0\nfeed 0 0 -8 0 0\n"
 	 "rapid 0 0 1 0 0\nrapid 0 0 -7.4 0 0\nfeed 0 0 -10 0 0\nrapid 0 0 10 0 0\n"},
 	{"G500 F6 CYCLE83(10,0,1,-4,,,2,,,,,0)\n",
-	 "rapid 0 0 1 0 0\nfeed 0 0 -2 0 0\nfeed 0 0 -1 0 0\nfeed 0 0 -4 0 0\nrapid 0 0 10 0 0\n"},
+	 "rapid 0 0 1 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 -1 0 0\nfeed 0 0 -4 0 0\nrapid 0 0 10 0 0\n"},
+	/* _VRT is how far it lifts to break chips. */
+	{"G500 F6 CYCLE83(10,0,1,-4,,,2,,,,,0,,,1.5)\n",
+	 "rapid 0 0 1 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 -0.5 0 0\nfeed 0 0 -4 0 0\nrapid 0 0 10 0 0\n"},
+	/* Of two depths the relative one holds, and 0 is none; _AMODE chooses. */
+	{"G500 F6 CYCLE81(10,1,1,-5,3)\n", "rapid 0 0 2 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE81(10,1,1,-5,0)\n", "rapid 0 0 2 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE82(10,1,1,-5,3,0,0,1,12)\n", "rapid 0 0 2 0 0\nfeed 0 0 -5 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 CYCLE82(10,1,1,-5,3,0,0,10001,11)\n", "rapid 0 0 2 0 0\nfeed 0 0 -2 0 0\nrapid 0 0 10 0 0\n"},
 	{"G500 F6 CYCLE83(100,0,1,-80,,-60,,0,0,0,1,1)\n",
 	 "rapid 0 0 1 0 0\nfeed 0 0 -60 0 0\nrapid 0 0 1 0 0\nrapid 0 0 -58.4 0 0\n"
 	 "feed 0 0 -80 0 0\nrapid 0 0 100 0 0\n"},

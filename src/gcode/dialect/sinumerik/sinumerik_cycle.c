@@ -6,6 +6,7 @@
 
 #include "base/math/math_functions.h"
 #include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_argument.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/execute/motion_commands.h"
 
@@ -17,33 +18,30 @@
 /* Pecks of one hole. */
 #define PECKS_MAX 10000
 
-enum { RTP, RFP, SDIS, DP, DPR };	/* the first arguments of all of them */
-
 struct drilling {
 	struct interp *interp;
-	const double *arguments;
-	size_t count;
+	struct sinumerik_arguments of;
 	int column;
 	enum axis_slot a, b, depth;	/* the plane, and the axis that drills */
 	slot_values at;	/* program coordinates of the tool */
-	double clear, safe, reference, bottom;	/* coordinates: RTP, RFP + SDIS, RFP, DP */
+	struct sinumerik_heights height;
 	struct canon_feed feed;
 	bool turns;	/* the cycle itself has the spindle turn */
 };
 
 static bool given(const struct drilling *d, size_t i)
 {
-	return i < d->count && !isnan(d->arguments[i]);
+	return sinumerik_argument_given(&d->of, i);
 }
 
 static double argument(const struct drilling *d, size_t i, double otherwise)
 {
-	return given(d, i) ? d->arguments[i] : otherwise;
+	return sinumerik_argument_or(&d->of, i, otherwise);
 }
 
 static double length(const struct drilling *d, size_t i)
 {
-	return argument(d, i, 0) * d->interp->state.scale;
+	return sinumerik_argument_length(&d->of, i);
 }
 
 /* ------------------------------------------------------------------- moves */
@@ -120,12 +118,12 @@ static bool start_spindle(struct drilling *d, size_t i)
 
 static bool drill(struct drilling *d)
 {
-	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && rapid(d, d->clear);
+	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && rapid(d, d->height.clear);
 }
 
 static bool counterbore(struct drilling *d)
 {
-	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, 5) && rapid(d, d->clear);
+	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) && rapid(d, d->height.clear);
 }
 
 /* How deep the next peck goes: DAM takes something off each time, or is a factor if it is negative. */
@@ -146,25 +144,26 @@ static double next_peck(const struct drilling *d, double peck)
 static bool deep(struct drilling *d)
 {
 	const bool removes = argument(d, 11, 0) > 0;
-	const double first = given(d, 6) ? d->reference - length(d, 6) : given(d, 5) ? length(d, 5) : d->bottom;
-	const double whole = d->reference - d->bottom;
+	const double first = given(d, 6) ? d->height.reference - length(d, 6) : given(d, 5) ? length(d, 5) : d->height.bottom;
+	const double whole = d->height.reference - d->height.bottom;
 	const double above = whole <= PECK_SHALLOW ? PECK_LEAST : fmin(whole / PECK_SHARE, PECK_MOST);
-	double depth = fmax(first, d->bottom), peck = d->reference - depth;
+	const double lift = length(d, 14) > 0 ? length(d, 14) : 1;
+	double depth = fmax(first, d->height.bottom), peck = d->height.reference - depth;
 
-	if (!programmed_feed(d) || !rapid(d, d->safe))
+	if (!programmed_feed(d) || !rapid(d, d->height.safe))
 		return false;
-	for (int i = 0; depth > d->bottom; i++) {
+	for (int i = 0; depth > d->height.bottom; i++) {
 		if (!(peck > 0) || i == PECKS_MAX)
 			return fault(&d->interp->at, d->column, "the pecks of CYCLE83 never reach its depth");
 		if (!feed(d, depth) || !dwell(d, 8))
 			return false;
-		if (removes ? !rapid(d, d->safe) || !dwell(d, 9) || !rapid(d, fmin(depth + above, d->safe))
-			    : !feed(d, fmin(depth + 1, d->safe)))
+		if (removes ? !rapid(d, d->height.safe) || !dwell(d, 9) || !rapid(d, fmin(depth + above, d->height.safe))
+			    : !rapid(d, fmin(depth + lift, d->height.safe)))
 			return false;
 		peck = next_peck(d, peck);
-		depth = fmax(depth - peck, d->bottom);
+		depth = fmax(depth - peck, d->height.bottom);
 	}
-	return feed(d, d->bottom) && dwell(d, 8) && rapid(d, d->clear);
+	return feed(d, d->height.bottom) && dwell(d, 8) && rapid(d, d->height.clear);
 }
 
 /* The pitch of a metric thread by its size (MPIT): DIN 13, coarse. 0: not known. */
@@ -190,12 +189,12 @@ static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 			     "tapping needs a pitch (PIT), or a metric size (MPIT) from 3 to 48, and a speed");
 	own_feed(d, pitch * speed);
 	d->turns = true;
-	return rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, dwell_at) && feed(d, d->safe) && rapid(d, d->clear);
+	return rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, dwell_at) && feed(d, d->height.safe) && rapid(d, d->height.clear);
 }
 
 static double pitch_of(const struct drilling *d, size_t size, size_t pitch)
 {
-	return given(d, pitch) && fabs(d->arguments[pitch]) > 0 ? fabs(length(d, pitch))
+	return given(d, pitch) && fabs(d->of.values[pitch]) > 0 ? fabs(length(d, pitch))
 								 : metric_pitch(argument(d, size, 0));
 }
 
@@ -214,13 +213,13 @@ static bool ream(struct drilling *d)
 {
 	const double scale = sinumerik_of(d->interp)->feed_scale;
 
-	if (!given(d, 6) || !given(d, 7) || !(d->arguments[6] > 0 && d->arguments[7] > 0))
+	if (!given(d, 6) || !given(d, 7) || !(d->of.values[6] > 0 && d->of.values[7] > 0))
 		return fault(&d->interp->at, d->column, "CYCLE85 needs its feeds FFR and RFF");
-	own_feed(d, d->arguments[6] * scale);
-	if (!rapid(d, d->safe) || !feed(d, d->bottom) || !dwell(d, 5))
+	own_feed(d, d->of.values[6] * scale);
+	if (!rapid(d, d->height.safe) || !feed(d, d->height.bottom) || !dwell(d, 5))
 		return false;
-	own_feed(d, d->arguments[7] * scale);
-	return feed(d, d->safe) && rapid(d, d->clear);
+	own_feed(d, d->of.values[7] * scale);
+	return feed(d, d->height.safe) && rapid(d, d->height.clear);
 }
 
 /* CYCLE86: the spindle stops at an angle, the tool is lifted off the wall by RPA, RPO and RPAP, and leaves at G0. */
@@ -228,23 +227,23 @@ static bool bore_oriented(struct drilling *d)
 {
 	const slot_values start = d->at;
 
-	if (!programmed_feed(d) || !start_spindle(d, 6) || !rapid(d, d->safe) || !feed(d, d->bottom) || !dwell(d, 5) ||
+	if (!programmed_feed(d) || !start_spindle(d, 6) || !rapid(d, d->height.safe) || !feed(d, d->height.bottom) || !dwell(d, 5) ||
 	    !stop_spindle(d))
 		return false;
 	d->at.v[d->a] += length(d, 7);
 	d->at.v[d->b] += length(d, 8);
-	if (!rapid(d, d->bottom + length(d, 9)) || !rapid(d, d->clear))
+	if (!rapid(d, d->height.bottom + length(d, 9)) || !rapid(d, d->height.clear))
 		return false;
 	d->at.v[d->a] = start.v[d->a];
 	d->at.v[d->b] = start.v[d->b];
-	return rapid(d, d->clear);
+	return rapid(d, d->height.clear);
 }
 
 /* CYCLE87 and CYCLE88: M5 M0 at the bottom; then the tool leaves at G0. */
 static bool bore_stopped(struct drilling *d, bool dwells, size_t direction)
 {
-	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->safe) && feed(d, d->bottom) &&
-	       (!dwells || dwell(d, 5)) && stop_spindle(d) && rapid(d, d->clear);
+	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->height.safe) && feed(d, d->height.bottom) &&
+	       (!dwells || dwell(d, 5)) && stop_spindle(d) && rapid(d, d->height.clear);
 }
 
 static bool bore_stop(struct drilling *d)
@@ -259,8 +258,8 @@ static bool bore_stop_dwell(struct drilling *d)
 
 static bool bore_feed(struct drilling *d)
 {
-	return programmed_feed(d) && rapid(d, d->safe) && feed(d, d->bottom) && dwell(d, 5) && feed(d, d->safe) &&
-	       rapid(d, d->clear);
+	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) && feed(d, d->height.safe) &&
+	       rapid(d, d->height.clear);
 }
 
 /* 840D sl, "Drilling cycles". */
@@ -268,17 +267,18 @@ static const struct cycle {
 	const char *name;
 	bool (*run)(struct drilling *d);
 	size_t axis;	/* where _AXN is among its arguments; 0: it has none */
+	size_t modes;	/* where _GMODE is, with _DMODE and _AMODE behind it; 0: it has none of them */
 } cycles[] = {
-	{"CYCLE81", drill, 0},
-	{"CYCLE82", counterbore, 0},
-	{"CYCLE83", deep, 12},
-	{"CYCLE84", tap_rigid, 12},
-	{"CYCLE840", tap_floating, 11},
-	{"CYCLE85", ream, 0},
-	{"CYCLE86", bore_oriented, 0},
-	{"CYCLE87", bore_stop, 0},
-	{"CYCLE88", bore_stop_dwell, 0},
-	{"CYCLE89", bore_feed, 0},
+	{"CYCLE81", drill, 0, 6},
+	{"CYCLE82", counterbore, 0, 6},
+	{"CYCLE83", deep, 12, 17},
+	{"CYCLE84", tap_rigid, 12, 21},
+	{"CYCLE840", tap_floating, 11, 17},
+	{"CYCLE85", ream, 0, 8},
+	{"CYCLE86", bore_oriented, 0, 11},
+	{"CYCLE87", bore_stop, 0, 0},
+	{"CYCLE88", bore_stop_dwell, 0, 0},
+	{"CYCLE89", bore_feed, 0, 6},
 };
 
 static const struct cycle *find(const char *name)
@@ -295,28 +295,6 @@ bool sinumerik_cycle_drills(const char *name)
 	return find(name) != NULL;
 }
 
-/* The planes of the hole. Where both are given, the relative depth holds (840D sl, CYCLE81, DPR). */
-static bool find_planes(struct drilling *d)
-{
-	if (!given(d, RTP) || !given(d, RFP) || (!given(d, DP) && !given(d, DPR)))
-		return fault(&d->interp->at, d->column, "the cycle needs RTP, RFP and one of DP and DPR");
-	d->clear = length(d, RTP);
-	d->reference = length(d, RFP);
-	d->safe = d->reference + fabs(length(d, SDIS));
-	d->bottom = given(d, DPR) && fabs(d->arguments[DPR]) > 0 ? d->reference - fabs(length(d, DPR)) : length(d, DP);
-	if (given(d, DP) && given(d, DPR) && fabs(d->arguments[DPR]) > 0 && fabs(d->bottom - length(d, DP)) > 1e-6)
-		return fault(&d->interp->at, d->column,
-			     "the depths DP and DPR differ: %.9g and %.9g mm; give one of them", length(d, DP),
-			     d->bottom);
-	if (d->clear < d->reference || d->bottom > d->reference)
-		return fault(
-		    &d->interp->at, d->column,
-		    "the return plane RTP must not lie below the reference plane RFP, and the depth not above it "
-		    "(the control's alarm 61101): RTP %.9g, RFP %.9g, depth %.9g mm",
-		    d->clear, d->reference, d->bottom);
-	return true;
-}
-
 /* _AXN: 1, 2 and 3 name the geometry axis that drills, whatever the plane; 0 leaves it to the plane. */
 static bool check_axis(const struct drilling *d, size_t i)
 {
@@ -330,20 +308,36 @@ static bool check_axis(const struct drilling *d, size_t i)
 		     axis, "XYZ"[(int)axis - 1]);
 }
 
+/*
+ * _GMODE, tens: 1 is a depth by the diameter of the countersink (CYCLE81), or one of the drill's shank, which goes
+ * deeper by its tip: both need the angle of the tip.
+ */
+static bool check_geometry(const struct drilling *d, size_t i)
+{
+	return i == 0 || !sinumerik_argument_counts(&d->of, i) ||
+	       fault(&d->interp->at, d->column,
+		     "_GMODE=%.15g of %s is not supported, only 0: the depth is that of the tool's tip",
+		     argument(d, i, 0), d->of.cycle);
+}
+
 bool sinumerik_cycle_drill(struct interp *interp, const char *name, const double *arguments, size_t count, int column)
 {
+	const struct cycle *cycle = find(name);
+	const struct sinumerik_modes modes = {.display = cycle->modes ? cycle->modes + 1 : 0,
+					      .alternative = cycle->modes ? cycle->modes + 2 : 0,
+					      .has_relative = true};
 	const int plane = interp->state.plane;
-	struct drilling d = {.interp = interp, .arguments = arguments, .count = count, .column = column};
+	struct drilling d = {.interp = interp, .of = {interp, name, column, arguments, count}, .column = column};
 
 	d.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
 	d.a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
 	d.b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
 	if (!interp->config->has_axis[d.depth])
 		return fault(&interp->at, column, "the machine has no %c axis", AXIS_LETTERS[d.depth]);
-	if (!check_axis(&d, find(name)->axis))
+	if (!check_axis(&d, cycle->axis) || !check_geometry(&d, cycle->modes))
 		return false;
 	d.at = *sinumerik_frame_place(interp);
-	return find_planes(&d) && find(name)->run(&d);
+	return sinumerik_argument_heights(&d.of, &modes, &d.height) && cycle->run(&d);
 }
 
 const char *sinumerik_cycle_refused(const char *name)
