@@ -60,6 +60,16 @@ static const struct program programs[] = {
 	 "rapid 7.07106781 7.07106781 10 0 0\nrapid -7.07106781 -7.07106781 10 0 0\n"
 	 "rapid -7.07106781 -7.07106781 2 0 0\nfeed -7.07106781 -7.07106781 -8 0 0\n"
 	 "rapid -7.07106781 -7.07106781 10 0 0\n"},
+	/* A grid goes to and fro along its smaller distance, from the corner in whose quarter the tool is. */
+	{"G500 F6 G0 Z10\nCYCLE801(10,20,0,5,8,3,2)\n",
+	 "rapid 0 0 10 0 0\nrapid 10 20 10 0 0\nrapid 15 20 10 0 0\nrapid 20 20 10 0 0\nrapid 20 28 10 0 0\n"
+	 "rapid 15 28 10 0 0\nrapid 10 28 10 0 0\n"},
+	{"G500 F6 G0 X90 Y90 Z10\nCYCLE801(10,20,0,8,5,2,3,0,0,,,,,1)\n",
+	 "rapid 90 90 10 0 0\nrapid 18 30 10 0 0\nrapid 18 25 10 0 0\nrapid 18 20 10 0 0\nrapid 10 20 10 0 0\n"
+	 "rapid 10 25 10 0 0\nrapid 10 30 10 0 0\n"},
+	{"G500 F6 G0 Y90 Z10\nCYCLE801(10,0,90,5,8,2,2)\n",
+	 "rapid 0 90 10 0 0\nrapid 2 5 10 0 0\nrapid 2 0 10 0 0\nrapid 10 0 10 0 0\nrapid 10 5 10 0 0\n"},
+	{"G500 F6 G0 Z10\nHOLES2(0,0,10,0,30,2,1000)\n", "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nrapid -10 0 10 0 0\n"},
 	{"G500 F6 G18 G0 Y20\nCYCLE81(10,0,2,-8)\n",
 	 "rapid 0 20 0 0 0\nrapid 0 2 0 0 0\nfeed 0 -8 0 0 0\nrapid 0 10 0 0 0\n"},
 	{"G500 F6 TRANS Z100\nAROT Z90\nCYCLE81(10,0,2,-8)\n",

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
+
 /* mm: depths are the same within this much. */
 #define SAME_DEPTH 1e-6
 
@@ -38,10 +40,10 @@ int sinumerik_argument_digit(const struct sinumerik_arguments *arguments, size_t
 }
 
 /* _DMODE, units: the plane that the cycle selects for itself; 0 is the one in force. */
-static bool check_plane(const struct sinumerik_arguments *a, size_t display)
+bool sinumerik_argument_plane(const struct sinumerik_arguments *a, size_t display)
 {
 	static const int planes[] = {G17, G18, G19};
-	const int plane = display ? sinumerik_argument_digit(a, display, 0) : 0;
+	const int plane = sinumerik_argument_digit(a, display, 0);
 
 	if (plane > 3)
 		return fault(&a->interp->at, a->column, "the units of _DMODE of %s must be 0 to 3, not %d", a->cycle,
@@ -85,13 +87,15 @@ bool sinumerik_argument_heights(const struct sinumerik_arguments *a, const struc
 {
 	struct sinumerik_heights found;
 
+	if (!sinumerik_target_check_cycle(a->interp, a->column))
+		return false;
 	if (!sinumerik_argument_given(a, SINUMERIK_RTP) || !sinumerik_argument_given(a, SINUMERIK_RFP))
 		return fault(&a->interp->at, a->column, "%s needs RTP, RFP and %s", a->cycle,
 			     modes->has_relative ? "one of DP and DPR" : "DP");
 	found.clear = sinumerik_argument_length(a, SINUMERIK_RTP);
 	found.reference = sinumerik_argument_length(a, SINUMERIK_RFP);
 	found.safe = found.reference + fabs(sinumerik_argument_length(a, SINUMERIK_SDIS));
-	if (!check_plane(a, modes->display) || !find_bottom(a, modes, &found))
+	if ((modes->display && !sinumerik_argument_plane(a, modes->display)) || !find_bottom(a, modes, &found))
 		return false;
 	if (found.clear < found.reference || found.bottom > found.reference)
 		return fault(

@@ -34,6 +34,9 @@ struct sinumerik_modes {
 	bool has_relative;	/* DPR */
 };
 
+/* Is the plane that these units of _DMODE select the one in force? False: reported. */
+bool sinumerik_argument_plane(const struct sinumerik_arguments *arguments, size_t display);
+
 /* Heights above the plane: coordinates of the axis across the plane, mm. */
 struct sinumerik_heights {
 	double clear;	/* RTP */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/cutter_comp/comp_lookahead.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -206,6 +207,9 @@ bool sinumerik_comp_select(struct interp *interp, const struct sinumerik_block *
 		return true;
 	if (code[SINUMERIK_CUTTER] == G40)
 		return switch_off(interp, block);
+	if (!sinumerik_open_place_check(interp, column, "tool radius compensation"))
+		return false;
+	sinumerik->left_open = false;
 	return switch_on(interp, column, code[SINUMERIK_CUTTER] == G41 ? 1 : -1);
 }
 

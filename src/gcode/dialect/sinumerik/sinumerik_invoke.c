@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
+#include "gcode/dialect/sinumerik/sinumerik_region.h"
 #include "gcode/dialect/sinumerik/sinumerik_swivel.h"
 #include "gcode/eval/expr.h"
 
@@ -19,6 +20,9 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	if (!modal->on)
 		return true;
 	modal->cycle = sinumerik_cycle_drills(block->call);
+	if (sinumerik_region_is(block->call))
+		return fault(&interp->at, block->call_column,
+			     "MCALL %s: milling cycles are supported where they are called without MCALL", block->call);
 	modal->on = modal->cycle || !sinumerik_cycle_refused(block->call);
 	if (!modal->on)
 		return fault(&interp->at, block->call_column, "%s: %s is not supported yet", block->call,
@@ -49,12 +53,14 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	if (block->modal)
 		return set_modal(interp, block);
 	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) ||
-				       !strncmp(name, "CYCLE8", 6)))
+				       sinumerik_region_is(name) || !strncmp(name, "CYCLE8", 6)))
 		return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", name);
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (sinumerik_pattern_is(name))
 		return sinumerik_pattern_run(interp, name, column);
+	if (sinumerik_region_is(name))
+		return sinumerik_region_mill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (!strcmp(name, "CYCLE800"))
 		return sinumerik_swivel_run(interp, column);
 	if (!strcmp(name, "CYCLE832"))

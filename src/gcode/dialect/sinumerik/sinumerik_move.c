@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_circle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_great_circle.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
@@ -217,7 +218,8 @@ static bool run_circle(struct interp *interp, const struct sinumerik_block *bloc
 	struct sinumerik_circle circle;
 	slot_values target;
 
-	if (!motion_commands_feed(interp, &move.feed) || !sinumerik_target_find(interp, block, &target))
+	if (!sinumerik_open_place_check(interp, interp->block.g_column[G_MOTION], "a circle") ||
+	    !motion_commands_feed(interp, &move.feed) || !sinumerik_target_find(interp, block, &target))
 		return false;
 	if (interp->state.tcp == TCP_BY_LENGTH && !sinumerik_orientation_find(interp, block, &target, &turn))
 		return false;

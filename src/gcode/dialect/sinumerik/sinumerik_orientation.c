@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
 
@@ -73,6 +74,7 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 	if (sinumerik->edge_unsure && on)
 		return fault(&interp->at, column, "TRAORI needs the tool's edge: write D before it");
 	sinumerik_frame_place(interp);
+	sinumerik_open_place_turned(interp);
 	if (!tool_length_switch_tcp(interp, column, on ? TCP_BY_LENGTH : TCP_OFF))
 		return false;
 	return sinumerik_frame_changed(interp, column) && outlive(interp, column);

@@ -1,62 +1,151 @@
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_argument.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_move.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
 
 /* Of one CYCLE802. */
 #define POSITIONS 9
 
-bool sinumerik_pattern_is(const char *name)
+/* Holes of a pattern, or of one side of a grid. */
+#define HOLES_MAX 9999
+
+struct pattern {
+	struct sinumerik_arguments of;
+	enum axis_slot a, b;	/* the plane */
+};
+
+static double value(const struct pattern *p, size_t i)
 {
-	return !strcmp(name, "HOLES1") || !strcmp(name, "HOLES2") || !strcmp(name, "CYCLE802");
+	return sinumerik_argument_or(&p->of, i, 0);
 }
 
-static bool drill_at(struct interp *interp, enum axis_slot a, enum axis_slot b, double at_a, double at_b)
+static double length(const struct pattern *p, size_t i)
 {
+	return sinumerik_argument_length(&p->of, i);
+}
+
+static bool drill_at(const struct pattern *p, double at_a, double at_b)
+{
+	struct interp *interp = p->of.interp;
 	const struct sinumerik_modal *modal = &sinumerik_of(interp)->modal;
 	slot_values target = *sinumerik_frame_place(interp);
 
-	target.v[a] = at_a;
-	target.v[b] = at_b;
+	target.v[p->a] = at_a;
+	target.v[p->b] = at_b;
 	/* Without a modal cycle it only goes there. */
-	if (!sinumerik_move_to(interp, &target, true) || !modal->on)
-		return sinumerik_of(interp)->placed;
+	if (!sinumerik_move_to(interp, &target, true))
+		return false;
+	/* Both axes of the plane were commanded. */
+	if (!interp->state.frame.on)
+		interp->comp.loose[p->a] = interp->comp.loose[p->b] = 0;
+	if (!modal->on)
+		return true;
 	return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
 }
 
-/* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
-static bool run_row(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
+static bool count(const struct pattern *p, size_t i, const char *name, int *holes)
 {
-	const double scale = interp->state.scale, c = math_cos_degrees(n[2]), s = math_sin_degrees(n[2]), count = n[5];
-	const slot_values *place = sinumerik_frame_place(interp);
-	const double first = n[3] * scale, last = (n[3] + (count - 1) * n[4]) * scale;
-	const double along = (place->v[a] - n[0] * scale) * c + (place->v[b] - n[1] * scale) * s;
-	const bool backward = fabs(along - last) < fabs(along - first);
+	const double number = fabs(value(p, i));
 
-	for (int i = 0; i < (int)count; i++) {
-		const double step = backward ? count - 1 - i : i, at = (n[3] + step * n[4]) * scale;
+	if (!(number >= 1 && number <= HOLES_MAX) || floor(number) < number)
+		return fault(&p->of.interp->at, p->of.column, "%s needs a number of holes, %s, from 1 to %d",
+			     p->of.cycle, name, HOLES_MAX);
+	*holes = (int)number;
+	return true;
+}
 
-		if (!drill_at(interp, a, b, n[0] * scale + at * c, n[1] * scale + at * s))
+/* HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row; the control begins at the end that is nearer to the tool. */
+static bool run_row(const struct pattern *p)
+{
+	const double c = math_cos_degrees(value(p, 2)), s = math_sin_degrees(value(p, 2));
+	const slot_values *place = sinumerik_frame_place(p->of.interp);
+	const double along = (place->v[p->a] - length(p, 0)) * c + (place->v[p->b] - length(p, 1)) * s;
+	const double first = fabs(length(p, 3)), step = fabs(length(p, 4));
+	bool backward;
+	int holes;
+
+	if (!count(p, 5, "NUM", &holes))
+		return false;
+	backward = fabs(along - first - (holes - 1) * step) < fabs(along - first);
+	for (int i = 0; i < holes; i++) {
+		const double at = first + (backward ? holes - 1 - i : i) * step;
+
+		if (!drill_at(p, length(p, 0) + at * c, length(p, 1) + at * s))
 			return false;
 	}
 	return true;
 }
 
-/* HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): a circle; INDA 0 divides all of it. */
-static bool run_ring(struct interp *interp, const double *n, enum axis_slot a, enum axis_slot b)
+/*
+ * HOLES2(CPA, CPO, RAD, STA1, INDA, NUM, _VARI): a circle; INDA 0 divides all of it. _VARI: the tens have the tool go
+ * from hole to hole on the circle; the thousands say 1 all of the circle, 2 by INDA.
+ */
+static bool run_ring(const struct pattern *p)
 {
-	const double scale = interp->state.scale, step = fabs(n[4]) > 0 ? n[4] : 360 / n[5];
+	const double radius = fabs(length(p, 2));
+	double step = value(p, 4);
+	int holes;
 
-	for (int i = 0; i < (int)n[5]; i++) {
-		const double angle = n[3] + i * step;
-		const double x = n[0] + n[2] * math_cos_degrees(angle), y = n[1] + n[2] * math_sin_degrees(angle);
+	if (!count(p, 5, "NUM", &holes))
+		return false;
+	if (sinumerik_argument_digit(&p->of, 6, 1) == 1)
+		return fault(&p->of.interp->at, p->of.column,
+			     "HOLES2 whose holes are approached on a circle (the tens of _VARI) is not supported");
+	if (!(fabs(step) > 0) || sinumerik_argument_digit(&p->of, 6, 3) == 1)
+		step = 360.0 / holes;
+	for (int i = 0; i < holes; i++) {
+		const double angle = value(p, 3) + i * step;
 
-		if (!drill_at(interp, a, b, x * scale, y * scale))
+		if (!drill_at(p, length(p, 0) + radius * math_cos_degrees(angle),
+			      length(p, 1) + radius * math_sin_degrees(angle)))
+			return false;
+	}
+	return true;
+}
+
+/*
+ * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, turned by _STA. The tool goes
+ * to and fro along the side with the smaller distance, and begins at the corner whose quarter it is in.
+ */
+static bool run_grid(const struct pattern *p)
+{
+	const double c = math_cos_degrees(value(p, 2)), s = math_sin_degrees(value(p, 2));
+	const slot_values *place = sinumerik_frame_place(p->of.interp);
+	const double a = place->v[p->a] - length(p, 0), b = place->v[p->b] - length(p, 1);
+	const double here[2] = {a * c + b * s, b * c - a * s};
+	const double step[2] = {fabs(length(p, 3)), fabs(length(p, 4))};
+	const int row = step[0] <= step[1] ? 0 : 1;
+	bool back[2];
+	int holes[2];
+
+	if (!count(p, 5, "_NUM1", &holes[0]) || !count(p, 6, "_NUM2", &holes[1]))
+		return false;
+	if (sinumerik_argument_digit(&p->of, 7, 0) == 1)
+		return fault(&p->of.interp->at, p->of.column,
+			     "CYCLE801 as a frame of holes (the units of _VARI) is not supported: in which order the "
+			     "control goes is not known");
+	if (sinumerik_argument_counts(&p->of, 9) || sinumerik_argument_counts(&p->of, 10))
+		return fault(&p->of.interp->at, p->of.column,
+			     "CYCLE801 as a parallelogram (_ANG1, _ANG2) is not supported");
+	for (int i = 0; i < 2; i++)
+		back[i] = (holes[i] - 1) * step[i] / 2 < here[i];
+	for (int i = 0; i < holes[!row] * holes[row]; i++) {
+		const int line = i / holes[row], along = i % holes[row];
+		const bool returns = (line % 2 == 1) != back[row];
+		double at[2];
+
+		at[row] = (returns ? holes[row] - 1 - along : along) * step[row];
+		at[!row] = (back[!row] ? holes[!row] - 1 - line : line) * step[!row];
+		if (!drill_at(p, length(p, 0) + at[0] * c - at[1] * s, length(p, 1) + at[0] * s + at[1] * c))
 			return false;
 	}
 	return true;
@@ -66,47 +155,75 @@ static bool run_ring(struct interp *interp, const double *n, enum axis_slot a, e
  * CYCLE802(XA, YA, X0, Y0, X1, Y1, ...): up to nine positions, in their order. XA and YA have a digit for each of them,
  * 1 if it is absolute.
  */
-static bool run_positions(struct interp *interp, int column, enum axis_slot a, enum axis_slot b)
+static bool run_positions(const struct pattern *p)
 {
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const double all_absolute = 111111111, scale = interp->state.scale;
+	const double all_absolute = 111111111;
 
-	for (size_t i = 0; i < 2 && i < sinumerik->argument_count; i++) {
-		if (fabs(sinumerik->arguments[i] - all_absolute) > 0)
+	for (size_t i = 0; i < 2; i++) {
+		if (fabs(sinumerik_argument_or(&p->of, i, all_absolute) - all_absolute) > 0)
 			return fault(
-			    &interp->at, column,
+			    &p->of.interp->at, p->of.column,
 			    "CYCLE802 with positions that are not all absolute (its first two arguments must be "
 			    "111111111) is not supported yet");
 	}
-	for (size_t i = 2; i + 1 < sinumerik->argument_count && i < 2 + 2 * POSITIONS; i += 2) {
-		const double x = sinumerik->arguments[i], y = sinumerik->arguments[i + 1];
+	for (size_t i = 2; i < 2 + 2 * POSITIONS; i += 2) {
+		const bool x = sinumerik_argument_given(&p->of, i), y = sinumerik_argument_given(&p->of, i + 1);
 
-		if (isnan(x) && isnan(y))
+		if (!x && !y)
 			break;
-		if (isnan(x) || isnan(y))
-			return fault(&interp->at, column, "a position of CYCLE802 has one coordinate only");
-		if (!drill_at(interp, a, b, x * scale, y * scale))
+		if (!x || !y)
+			return fault(&p->of.interp->at, p->of.column,
+				     "a position of CYCLE802 has one coordinate only");
+		if (!drill_at(p, length(p, i), length(p, i + 1)))
 			return false;
 	}
 	return true;
+}
+
+/* Where _HIDE, which leaves holes out, and _DMODE are; 0: it has none. */
+static const struct {
+	const char *name;
+	bool (*run)(const struct pattern *p);
+	size_t hide, display;
+} patterns[] = {
+	{"HOLES1", run_row, 8, 10},
+	{"HOLES2", run_ring, 8, 10},
+	{"CYCLE801", run_grid, 11, 13},
+	{"CYCLE802", run_positions, 0, 0},
+};
+
+static size_t find(const char *name)
+{
+	size_t i = 0;
+
+	while (i < sizeof(patterns) / sizeof(patterns[0]) && strcmp(patterns[i].name, name) != 0)
+		i++;
+	return i;
+}
+
+bool sinumerik_pattern_is(const char *name)
+{
+	return find(name) < sizeof(patterns) / sizeof(patterns[0]);
 }
 
 bool sinumerik_pattern_run(struct interp *interp, const char *name, int column)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(interp);
 	const int plane = interp->state.plane;
-	const enum axis_slot a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
-	const enum axis_slot b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
-	double n[6];
+	/* The cycle at the holes has its own arguments. */
+	const struct pattern p = {{interp, name, column, sinumerik->arguments, sinumerik->argument_count},
+				  plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y,
+				  plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z};
+	const size_t at = find(name), hide = patterns[at].hide;
 
 	if (sinumerik->modal.on && !sinumerik->modal.cycle)
 		return fault(&interp->at, column, "%s with a modal subprogram is not supported yet, only with a cycle",
 			     name);
-	if (name[0] == 'C')
-		return run_positions(interp, column, a, b);
-	for (size_t i = 0; i < 6; i++)
-		n[i] = i < sinumerik->argument_count && !isnan(sinumerik->arguments[i]) ? sinumerik->arguments[i] : 0;
-	if (!(n[5] >= 1 && n[5] <= 9999) || floor(n[5]) < n[5])
-		return fault(&interp->at, column, "%s needs a number of holes, NUM, from 1 to 9999", name);
-	return name[5] == '1' ? run_row(interp, n, a, b) : run_ring(interp, n, a, b);
+	if (hide && hide < sinumerik->argument_count &&
+	    (sinumerik->argument_is_text[hide] ? sinumerik->argument_texts[hide].bytes[0] != '\0'
+					       : sinumerik_argument_counts(&p.of, hide)))
+		return fault(&interp->at, column, "%s that leaves holes out (_HIDE) is not supported yet", name);
+	return sinumerik_target_check_cycle(interp, column) && sinumerik_open_place_check(interp, column, name) &&
+	       sinumerik_argument_plane(&p.of, patterns[at].display ? patterns[at].display : SIZE_MAX) &&
+	       patterns[at].run(&p);
 }

@@ -3,6 +3,7 @@
 #include "base/math/math_functions.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/cutter_comp/comp_moves.h"
 
 static char letter_a(const struct interp *interp)
@@ -94,6 +95,8 @@ bool sinumerik_polar_set_pole(struct interp *interp, const struct sinumerik_bloc
 
 	if (interp->state.unknown_modes & (1U << G_PLANE | 1U << G_UNITS))
 		return fault(&interp->at, column, "a pole needs G17, G18 or G19, and G70, G71, G700 or G710 before it");
+	if (code == SINUMERIK_G(110) && !sinumerik_open_place_check(interp, column, "a pole (G110)"))
+		return false;
 	if (code == SINUMERIK_G(110))
 		from = (struct plane_point){place->v[comp_slot_a(interp)], place->v[comp_slot_b(interp)]};
 	else if (code == SINUMERIK_G(112))

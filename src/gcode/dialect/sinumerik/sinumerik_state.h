@@ -162,6 +162,7 @@ struct sinumerik {
 	int corner;	/* G450, G451, or CODE_NONE */
 	double disc;	/* DISC: 0 is a circle */
 	bool turns_plane;	/* CUT2DF */
+	bool left_open;	/* a milling cycle has left the tool somewhere over its region */
 	bool begun;	/* the first line has been read */
 	struct strbuf line;	/* the text of the line in hand while the file is searched */
 };

@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
 #include "geom/tolerance.h"
@@ -281,6 +282,7 @@ static bool lay_flat(const struct swivel *s)
 	struct sinumerik *sinumerik = sinumerik_of(s->interp);
 
 	sinumerik_frame_place(s->interp);
+	sinumerik_open_place_turned(s->interp);
 	if (s->interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(s->interp, s->column, TCP_OFF))
 		return false;
 	sinumerik->swivelled = false;

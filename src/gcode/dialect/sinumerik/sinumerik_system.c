@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/probed_axes.h"
 
 bool sinumerik_system_constant(const char *name, double *value)
@@ -34,7 +35,7 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 {
 	struct state *state = &interp->state;
 
-	if (!probed_axes_is_known(interp, slot, column))
+	if (!probed_axes_is_known(interp, slot, column) || !sinumerik_open_place_check(interp, column, "a position"))
 		return false;
 	if (!strcmp(name, "$AA_IM")) {
 		if (state->tcp != TCP_OFF && !slot_is_rotary(slot))

@@ -5,6 +5,7 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/execute/endpoint.h"
 #include "geom/tolerance.h"
@@ -141,6 +142,17 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 	return machine || check_system(interp, block, column);
 }
 
+bool sinumerik_target_check_cycle(struct interp *interp, int column)
+{
+	struct sinumerik_block block = {.letters = LINEAR_BITS};
+
+	for (const char *letter = "XYZ"; *letter; letter++) {
+		block.column[*letter - 'A'] = column;
+		block.way[*letter - 'A'] = SINUMERIK_WAY_AC;
+	}
+	return sinumerik_target_check(interp, &block, false, true);
+}
+
 /* -------------------------------------------------------------- coordinates */
 
 /* SD42440 and SD42442: does an increment after a change of offsets count from the program coordinate of before? */
@@ -243,6 +255,8 @@ static bool find_coordinate(struct interp *interp, const struct sinumerik_block 
 		return find_turned(interp, slot, way, value, column, coordinate);
 	}
 	if (counts_from_here(interp, way)) {
+		if (!slot_is_rotary(slot) && !sinumerik_open_place_check(interp, column, "an increment"))
+			return false;
 		if (!start_increment(interp, slot, column, coordinate))
 			return false;
 		*coordinate += value;

@@ -10,6 +10,9 @@
  */
 bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc);
 
+/* The same for a cycle, whose coordinates are absolute lengths in the plane in force. */
+bool sinumerik_target_check_cycle(struct interp *interp, int column);
+
 /* Program coordinates at the end of the block's motion, mm and degrees. Axes without a word stay. False: reported. */
 bool sinumerik_target_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target);
 

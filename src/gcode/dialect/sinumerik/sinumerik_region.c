@@ -1,0 +1,381 @@
+#include "gcode/dialect/sinumerik/sinumerik_region.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/math/math_functions.h"
+#include "base/units.h"
+#include "gcode/dialect/sinumerik/sinumerik_argument.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_target.h"
+#include "gcode/execute/motion_commands.h"
+
+/* Slots of one call. */
+#define PARTS_MAX 1000
+
+/* A box in the plane: the centre of the tool is in it. Program coordinates, mm. */
+struct box {
+	double low[2], high[2];
+};
+
+struct milling {
+	struct sinumerik_arguments of;
+	enum axis_slot a, b, depth;	/* the plane, and the axis across it */
+	struct sinumerik_heights height;
+	double beyond;	/* mm: how far the tool may go under the depth and over the safe height */
+	double radius;	/* mm: of the tool; 0 where it is not known, which makes the region larger */
+	double feed;	/* mm/s */
+};
+
+static double length(const struct milling *m, size_t i)
+{
+	return sinumerik_argument_length(&m->of, i);
+}
+
+/* A rectangle from low to high along axes that are turned by degrees about a point: the box about it. */
+static struct box turned(double at_a, double at_b, double degrees, const struct box *along)
+{
+	const double c = math_cos_degrees(degrees), s = math_sin_degrees(degrees);
+	const double middle[2] = {(along->low[0] + along->high[0]) / 2, (along->low[1] + along->high[1]) / 2};
+	const double half[2] = {(along->high[0] - along->low[0]) / 2, (along->high[1] - along->low[1]) / 2};
+	const double x = at_a + c * middle[0] - s * middle[1], y = at_b + s * middle[0] + c * middle[1];
+	const double half_x = fabs(c) * half[0] + fabs(s) * half[1], half_y = fabs(s) * half[0] + fabs(c) * half[1];
+
+	return (struct box){{x - half_x, y - half_y}, {x + half_x, y + half_y}};
+}
+
+static struct box about(double a, double b, double half_a, double half_b)
+{
+	return (struct box){{a - half_a, b - half_b}, {a + half_a, b + half_b}};
+}
+
+static struct box hull(const struct box *one, const struct box *other)
+{
+	struct box both;
+
+	for (int i = 0; i < 2; i++) {
+		both.low[i] = fmin(one->low[i], other->low[i]);
+		both.high[i] = fmax(one->high[i], other->high[i]);
+	}
+	return both;
+}
+
+/* Half of a length of which the tool keeps its radius clear. */
+static double inside(const struct milling *m, double whole)
+{
+	return fmax(0, fabs(whole) / 2 - m->radius);
+}
+
+/* ------------------------------------------------------------------- moves */
+
+/* How far a box of these half sides reaches along the axes of canonical positions, which frames may turn. */
+static void reach(const struct interp *interp, const double half[SLOT_Z + 1], double along[SLOT_Z + 1])
+{
+	const mat3 one = mat3_identity(), *turn = interp->state.frame.on ? &interp->state.frame.turn : &one;
+
+	along[SLOT_X] =
+	    fabs(turn->x.x) * half[SLOT_X] + fabs(turn->y.x) * half[SLOT_Y] + fabs(turn->z.x) * half[SLOT_Z];
+	along[SLOT_Y] =
+	    fabs(turn->x.y) * half[SLOT_X] + fabs(turn->y.y) * half[SLOT_Y] + fabs(turn->z.y) * half[SLOT_Z];
+	along[SLOT_Z] =
+	    fabs(turn->x.z) * half[SLOT_X] + fabs(turn->y.z) * half[SLOT_Y] + fabs(turn->z.z) * half[SLOT_Z];
+}
+
+/* To the middle of a box at a height, anywhere in the box about the way there. A feed of 0 is a rapid. */
+static bool go(struct milling *m, const struct box *box, double height, double beyond, double feed)
+{
+	struct interp *interp = m->of.interp;
+	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
+	slot_values target = *sinumerik_frame_place(interp), straight;
+	double half[SLOT_Z + 1] = {0};
+
+	target.v[m->a] = (box->low[0] + box->high[0]) / 2;
+	target.v[m->b] = (box->low[1] + box->high[1]) / 2;
+	target.v[m->depth] = height;
+	half[m->a] = (box->high[0] - box->low[0]) / 2;
+	half[m->b] = (box->high[1] - box->low[1]) / 2;
+	half[m->depth] = beyond;
+	reach(interp, half, move.spread);
+	straight = sinumerik_frame_straight(interp, &target);
+	if (!motion_commands_go(interp, &straight, &move))
+		return false;
+	memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
+	sinumerik_of(interp)->place = target;
+	sinumerik_of(interp)->placed = true;
+	return true;
+}
+
+/* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
+static bool approach(struct milling *m, const struct box *all)
+{
+	const slot_values *place = sinumerik_frame_place(m->of.interp);
+	const struct box here = about(place->v[m->a], place->v[m->b], 0, 0), both = hull(&here, all);
+	const double z = place->v[m->depth], low = fmin(z, m->height.clear), high = fmax(z, m->height.clear);
+
+	return go(m, &both, (low + high) / 2, (high - low) / 2, 0) && go(m, all, m->height.clear, 0, 0) &&
+	       go(m, all, m->height.safe, 0, 0);
+}
+
+/* Into one part and out of it. */
+static bool mill_part(struct milling *m, const struct box *part)
+{
+	return go(m, part, m->height.safe, 0, 0) && go(m, part, m->height.bottom, m->beyond, m->feed) &&
+	       go(m, part, m->height.safe, m->beyond, m->feed);
+}
+
+/* Over the region the tool may stand anywhere, until the axes of the plane are commanded. */
+static bool retract(struct milling *m, const struct box *all)
+{
+	struct interp *interp = m->of.interp;
+	double half[SLOT_Z + 1] = {0};
+
+	half[m->a] = (all->high[0] - all->low[0]) / 2;
+	half[m->b] = (all->high[1] - all->low[1]) / 2;
+	if (!go(m, all, m->height.safe, 0, 0) || !go(m, all, m->height.clear, 0, 0))
+		return false;
+	reach(interp, half, interp->comp.loose);
+	sinumerik_of(interp)->left_open = true;
+	return true;
+}
+
+static bool mill(struct milling *m, const struct box *parts, int count)
+{
+	struct box all = parts[0];
+
+	for (int i = 1; i < count; i++)
+		all = hull(&all, &parts[i]);
+	if (!approach(m, &all))
+		return false;
+	for (int i = 0; i < count; i++) {
+		if (!mill_part(m, &parts[i]))
+			return false;
+	}
+	return retract(m, &all);
+}
+
+/* ------------------------------------------------------------------ cycles */
+
+/* "POCKET1": LENG by WID about CPA, CPO, turned by STA1. */
+static bool rectangle(struct milling *m)
+{
+	const struct box along = about(0, 0, inside(m, length(m, 5)), inside(m, length(m, 6)));
+	const struct box part =
+	    turned(length(m, 8), length(m, 9), sinumerik_argument_or(&m->of, 10, 0), &along);
+
+	return mill(m, &part, 1);
+}
+
+/*
+ * "POCKET3": as POCKET1, by its centre, or by a corner and the signs of _LENG and _WID: the thousands of _GMODE say
+ * which; 0 leaves it to a setting of the control (_ZSD[2]).
+ */
+static bool rectangle_or_corner(struct milling *m)
+{
+	const bool centred = sinumerik_argument_digit(&m->of, 26, 3) == 1;
+	const double half_a = inside(m, length(m, 4)) + (centred ? 0 : fabs(length(m, 4)) / 2);
+	const double half_b = inside(m, length(m, 5)) + (centred ? 0 : fabs(length(m, 5)) / 2);
+	const struct box along = about(0, 0, half_a, half_b);
+	const struct box part = turned(length(m, 7), length(m, 8), sinumerik_argument_or(&m->of, 9, 0), &along);
+
+	return mill(m, &part, 1);
+}
+
+/* "POCKET2": PRAD about CPA, CPO. */
+static bool disc(struct milling *m)
+{
+	const double radius = inside(m, 2 * length(m, 5));
+	const struct box part = about(length(m, 6), length(m, 7), radius, radius);
+
+	return mill(m, &part, 1);
+}
+
+/* "POCKET4": a radius, or in newer versions a diameter: as a radius the region holds both. */
+static bool disc_or_half(struct milling *m)
+{
+	const double radius = inside(m, 2 * length(m, 4));
+	const struct box part = about(length(m, 5), length(m, 6), radius, radius);
+
+	return mill(m, &part, 1);
+}
+
+/* Where the arguments of LONGHOLE and SLOT1 are that both have. */
+struct slots {
+	size_t number, length, at_a, at_b, radius, start, step, geometry;
+	double half_width;
+};
+
+/*
+ * Slots that point away from a centre and begin at a radius, STA1 being the first one's angle and INDA the step, 0 for
+ * all of the circle. _GMODE may have them measured otherwise: then from as far to the other side.
+ */
+static bool radial_slots(struct milling *m, const struct slots *at)
+{
+	const double number = sinumerik_argument_or(&m->of, at->number, 0), step = sinumerik_argument_or(&m->of, at->step, 0);
+	const double radius = fabs(length(m, at->radius)), slot = fabs(length(m, at->length));
+	const bool otherwise = sinumerik_argument_counts(&m->of, at->geometry);
+	const struct box along = {{radius - (otherwise ? slot : 0), -at->half_width}, {radius + slot, at->half_width}};
+	struct box parts[PARTS_MAX];
+
+	if (!(number >= 1 && number <= PARTS_MAX) || floor(number) < number)
+		return fault(&m->of.interp->at, m->of.column, "%s needs a number of slots, NUM, from 1 to %d",
+			     m->of.cycle, PARTS_MAX);
+	for (int i = 0; i < (int)number; i++)
+		parts[i] = turned(length(m, at->at_a), length(m, at->at_b),
+				  sinumerik_argument_or(&m->of, at->start, 0) +
+				      i * (fabs(step) > 0 ? step : 360 / number),
+				  &along);
+	return mill(m, parts, (int)number);
+}
+
+/* "LONGHOLE": as wide as the tool. */
+static bool long_holes(struct milling *m)
+{
+	return radial_slots(m, &(struct slots){5, 6, 7, 8, 9, 10, 11, 17, 0});
+}
+
+static bool straight_slots(struct milling *m)
+{
+	return radial_slots(m, &(struct slots){5, 6, 8, 9, 10, 11, 12, 28, inside(m, length(m, 7))});
+}
+
+/* "SLOT2": WID wide, on a circle of radius RAD about CPA, CPO. */
+static bool circular_slots(struct milling *m)
+{
+	const double radius = fabs(length(m, 10)) + inside(m, length(m, 7));
+	const struct box part = about(length(m, 8), length(m, 9), radius, radius);
+
+	return mill(m, &part, 1);
+}
+
+/* "CYCLE71": from a corner, turned by _STA; the tool overruns the edges by _FDP and _FDP1, at most by its diameter more. */
+static bool turned_face(struct milling *m)
+{
+	const double over = fabs(length(m, 11)) + fabs(length(m, 15)) + 2 * m->radius;
+	const double a = length(m, 6), b = length(m, 7);
+	const struct box along = {{fmin(0, a) - over, fmin(0, b) - over}, {fmax(0, a) + over, fmax(0, b) + over}};
+	const struct box part = turned(length(m, 4), length(m, 5), sinumerik_argument_or(&m->of, 8, 0), &along);
+
+	return mill(m, &part, 1);
+}
+
+/*
+ * "CYCLE61": from one corner to another, which _AMODE has as a position or as a length: both are in the region. The tool
+ * begins and ends beside the face, at most by its diameter and the safety distance.
+ */
+static bool face(struct milling *m)
+{
+	const double over = 2 * m->radius + fabs(length(m, SINUMERIK_SDIS));
+	const double a = length(m, 4), b = length(m, 5), to_a = length(m, 6), to_b = length(m, 7);
+	const struct box corner = about(a, b, over, over), absolute = about(to_a, to_b, over, over);
+	const struct box relative = about(a + to_a, b + to_b, over, over);
+	struct box part = hull(&corner, &absolute);
+
+	part = hull(&part, &relative);
+	return mill(m, &part, 1);
+}
+
+/* A thread from within: the tool's ends of the helix may lie over and under the thread. */
+static bool thread(struct milling *m, size_t diameter, size_t pitch, size_t outside, size_t at_a)
+{
+	const double radius = inside(m, length(m, diameter));
+	const struct box part = about(length(m, at_a), length(m, at_a + 1), radius, radius);
+
+	if (sinumerik_argument_counts(&m->of, outside))
+		return fault(&m->of.interp->at, m->of.column,
+			     "%s on an outside thread: how far aside the tool goes is not known", m->of.cycle);
+	if (!(length(m, pitch) > 0))
+		return fault(&m->of.interp->at, m->of.column, "%s needs the pitch of its thread in mm or inches, PIT",
+			     m->of.cycle);
+	m->beyond = 2 * length(m, pitch);
+	return mill(m, &part, 1);
+}
+
+static bool thread_70(struct milling *m)
+{
+	return sinumerik_argument_digit(&m->of, 16, 0) > 1
+		   ? fault(&m->of.interp->at, m->of.column,
+			   "CYCLE70 with a pitch in threads an inch or in modules (_PITA) is not supported")
+		   : thread(m, 4, 7, 11, 12);
+}
+
+static bool thread_90(struct milling *m)
+{
+	return thread(m, 5, 7, 10, 11);
+}
+
+/* 840D sl, "Milling cycles": where their arguments are. */
+static const struct cycle {
+	const char *name;
+	bool (*mill)(struct milling *m);
+	size_t feed;	/* in the plane */
+	struct sinumerik_modes modes;
+} cycles[] = {
+	{"POCKET1", rectangle, 12, {0, 0, 0, true}},
+	{"POCKET2", disc, 9, {0, 0, 0, true}},
+	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}},
+	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}},
+	{"SLOT1", straight_slots, 14, {28, 29, 30, true}},
+	{"SLOT2", circular_slots, 14, {26, 27, 28, true}},
+	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}},
+	{"CYCLE61", face, 11, {0, 14, 15, false}},
+	{"CYCLE70", thread_70, 10, {20, 21, 22, false}},
+	{"CYCLE71", turned_face, 13, {0, 0, 0, false}},
+	{"CYCLE90", thread_90, 8, {0, 0, 0, true}},
+};
+
+static const struct cycle *find(const char *name)
+{
+	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
+		if (!strcmp(cycles[i].name, name))
+			return &cycles[i];
+	}
+	return NULL;
+}
+
+bool sinumerik_region_is(const char *name)
+{
+	return find(name) != NULL;
+}
+
+static double tool_radius(const struct interp *interp)
+{
+	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
+	const int edge = sinumerik_of(interp)->edge;
+	double diameter = tool ? tool->diameter : 0;
+
+	for (size_t i = 0; tool && i < interp->config->edge_count; i++) {
+		const struct tool_edge *found = &interp->config->edges[i];
+
+		if (found->tool == tool->number && found->number == edge && found->diameter > 0)
+			diameter = found->diameter;
+	}
+	return edge == 0 ? 0 : diameter / 2;
+}
+
+/* The cycle's own feed, or else the one in force. */
+static bool find_feed(struct milling *m, size_t i)
+{
+	const struct interp *interp = m->of.interp;
+
+	m->feed = sinumerik_argument_or(&m->of, i, 0) * sinumerik_of(interp)->feed_scale / SECONDS_PER_MINUTE;
+	if (!(m->feed > 0))
+		m->feed = interp->state.feed_linear / SECONDS_PER_MINUTE;
+	return m->feed > 0 || fault(&interp->at, m->of.column, "%s without a feed rate", m->of.cycle);
+}
+
+bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column)
+{
+	const struct cycle *cycle = find(name);
+	const int plane = interp->state.plane;
+	struct milling m = {.of = {interp, name, column, arguments, count}, .radius = tool_radius(interp)};
+
+	m.depth = plane == G17 ? SLOT_Z : plane == G18 ? SLOT_Y : SLOT_X;
+	m.a = plane == G17 ? SLOT_X : plane == G18 ? SLOT_Z : SLOT_Y;
+	m.b = plane == G17 ? SLOT_Y : plane == G18 ? SLOT_X : SLOT_Z;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		if (!interp->config->has_axis[slot])
+			return fault(&interp->at, column, "%s needs the axes X, Y and Z", name);
+	}
+	return sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) && find_feed(&m, cycle->feed) &&
+	       cycle->mill(&m);
+}
