@@ -20,6 +20,16 @@ static inline bool slot_is_rotary(int slot)
 	return slot >= SLOT_A && slot <= SLOT_C;
 }
 
+/* The share s of the straight way from a to b. */
+static inline axis_values axis_values_between(const axis_values *a, const axis_values *b, double s)
+{
+	axis_values q;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		q.v[i] = (1 - s) * a->v[i] + s * b->v[i];
+	return q;
+}
+
 /* The slot of an upper-case letter, or -1. */
 static inline int slot_of_letter(char letter)
 {

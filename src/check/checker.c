@@ -1,8 +1,10 @@
 #include "check/checker.h"
 
+#include <string.h>
 #include <time.h>
 
 #include "check/step.h"
+#include "check/stock_certainty.h"
 #include "scene/static_query.h"
 
 double checker_clock(void)
@@ -88,6 +90,7 @@ static void add_finding(struct checker *c, const struct block_finding *at, enum 
 	finding.finding.step_class = step_class;
 	finding.finding.move = move;
 	finding.finding.time = at->finding.time;
+	finding.finding.certain = at->finding.certain;
 	block_log_add_finding(&c->log, &finding);
 	c->found = true;
 }
@@ -98,8 +101,9 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	const struct batch_step *step = &c->batch.steps[result->step];
 	const struct motion_step *motion = &step->motion;
 	const double since = result->contact.s * motion->seconds;
-	const struct block_finding at = {.finding.time = motion->time + since, .block = step->block,
-					 .block_time = motion->block_time + since, .rank = (int)result->pair};
+	const struct block_finding at = {.finding.time = motion->time + since, .finding.certain = result->certain,
+					 .block = step->block, .block_time = motion->block_time + since,
+					 .rank = (int)result->pair};
 
 	add_finding(c, &at, pair->clearance > 0 ? FINDING_CLEARANCE : FINDING_COLLISION, motion->move,
 		    (int)motion->step_class, &result->contact,
@@ -200,6 +204,18 @@ static bool measure_blocks(struct checker *c)
 	return complete;
 }
 
+/* With cuts missing, what is clear would become a finding. */
+static void stop_at_log_fault(struct checker *c)
+{
+	if (!stock_check_fault(&c->stock) || c->stopped)
+		return;
+	diag_error(c->diag, (struct srcloc){c->file, 0, 0},
+		   "the cuts of the stock could not be kept in a temporary file: %s; the check stops here",
+		   strerror(stock_check_fault(&c->stock)));
+	c->failed = c->broken_off = c->stopped = true;
+	c->last_block = (c->batch.step_count ? c->batch.steps[0].block : c->block) - 1;
+}
+
 static void check_batch(struct checker *c)
 {
 	size_t last = c->batch.step_count - 1;
@@ -240,6 +256,7 @@ void checker_process(struct checker *c, struct block_record *timed)
 
 	if (!checker_has_enough(c) && !c->broken_off && c->batch.step_count)
 		check_batch(c);
+	stop_at_log_fault(c);
 	batch_clear(&c->batch);
 	/* In a batch that was interrupted, it is unknown which finding comes first. */
 	if (!c->broken_off) {
@@ -309,7 +326,7 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
-	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
+	struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
 					 .rank = (int)check->pair};
 	struct contact contact;
 	enum query_answer answer = stock_pair_stand(check, &c->position, c->number, &contact);
@@ -322,6 +339,7 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 		static_query_report_undecided(c->scene, pair, c->options->tolerance, &c->log.diags.diag);
 		return;
 	}
+	at.finding.certain = stock_certainty_at(check, &c->position, (double)c->number);
 	add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
 		    &contact, NULL);
 	stock_pair_found(check, c->block);

@@ -49,6 +49,8 @@ struct finding {
 	 */
 	double path_tolerance;
 	double required;	/* c */
+	bool with_stock;	/* one of the bodies is the stock: */
+	bool certain;	/* material that no cutter can have touched is met in this block; else it may be gone */
 	/* RAPID_CONTACT, GOUGE: */
 	bool b_is_cutter;	/* else a is */
 	double depth;	/* mm: how deep the cutter may enter the part */

@@ -97,7 +97,7 @@ static void add_result(struct pair_check *check, size_t step, enum query_answer 
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
 				   sizeof(*check->results));
 	check->results[check->result_count++] =
-	    (struct pair_check_result){check->pair, step, answer, exhausted, *contact};
+	    (struct pair_check_result){check->pair, step, answer, exhausted, *contact, false};
 }
 
 static enum query_answer pass(struct pair_check *check, struct sweep *sweep, const struct motion_step *step,

@@ -19,6 +19,7 @@ struct pair_check_result {
 	enum query_answer answer;	/* CONTACT or UNDECIDED */
 	bool exhausted;	/* undecided because check_options.effort was used up */
 	struct contact contact;
+	bool certain;	/* with the stock: it holds for every stock that the cuts can have left */
 };
 
 /* The clearance that the pair keeps in those steps of a block that are in the batch. */

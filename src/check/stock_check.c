@@ -5,6 +5,7 @@
 
 #include "base/mem.h"
 #include "check/step.h"
+#include "check/stock_certainty.h"
 #include "geom/tolerance.h"
 #include "motion/path.h"
 #include "stock/cutting.h"
@@ -43,6 +44,7 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 		.bvh = scene_body_bvh(scene, stock, diag),
 		.topology = scene_body_topology(scene, stock, diag),
 		.uncertainty = body->uncertainty,
+		.excess = body->excess,
 	};
 	vec3 half;
 
@@ -61,23 +63,21 @@ static bool init_cells(struct stock_check *check, struct scene *scene, int stock
 	return true;
 }
 
-static bool cuts(const struct scene *scene, const struct body *body)
-{
-	return body->role == ROLE_CUTTER && body->profile && setup_tool(scene->setup, body->tool)->kind == TOOL_TURNS;
-}
-
 /* A cutter comes after the stock in the scene, so the stock is a in their pair. */
 static bool add_tool(struct stock_check *check, struct scene *scene, const struct scene_pair *pair, struct diag *diag)
 {
 	const struct body *cutter = scene->bodies[pair->b].body;
 	struct stock_tool *tool = &check->tools[check->tool_count];
 
-	if (!cuts(scene, cutter))
+	if (cutter->role != ROLE_CUTTER)
 		return true;
 	if (!scene_pair_bodies(scene, pair, &tool->bodies, diag))
 		return false;
 	tool->tool = cutter->tool;
-	cutter_init(&check->cutters[check->tool_count++], cutter->profile);
+	tool->surely = cutter->profile && setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+	if (tool->surely)
+		cutter_init(&check->cutters[check->tool_count], cutter->profile);
+	check->tool_count++;
 	return true;
 }
 
@@ -156,7 +156,10 @@ static void log_piece(struct stock_check *check, size_t tool, const struct motio
 		.high = check->high,
 	};
 
-	cutting_log(&cutting, &check->log);
+	if (check->tools[tool].surely && !step->bounded && !step_is_box(step))
+		cutting_log(&cutting, &check->log);
+	else
+		cutting_log_region(&cutting, &check->log);
 }
 
 void stock_check_log(struct stock_check *check, const struct motion_step *step, long number)
@@ -168,9 +171,9 @@ void stock_check_log(struct stock_check *check, const struct motion_step *step, 
 
 	while (tool < check->tool_count && check->tools[tool].tool != step->tool)
 		tool++;
-	if (tool == check->tool_count || step->step_class != STEP_FEED_TURNING || step->bounded || step_is_box(step))
+	if (tool == check->tool_count || step->step_class != STEP_FEED_TURNING)
 		return;
-	if (step->span.path->kind == PATH_STRAIGHT || !(length > 0)) {
+	if (step->span.path->kind == PATH_STRAIGHT || step->bounded || step_is_box(step) || !(length > 0)) {
 		log_piece(check, tool, step, &step->span, (double)number, (double)number + 1);
 		return;
 	}
@@ -181,6 +184,11 @@ void stock_check_log(struct stock_check *check, const struct motion_step *step, 
 			  (double)number + (piece.u1 - step->span.u0) / length);
 }
 
+int stock_check_fault(const struct stock_check *check)
+{
+	return cut_log_fault(&check->log);
+}
+
 /* ------------------------------------------------------------------ check */
 
 void stock_check_jump(struct stock_check *check)
@@ -189,12 +197,17 @@ void stock_check_jump(struct stock_check *check)
 		check->pairs[i].clear_at_end = false;
 }
 
-static void add_results(struct stock_check *check, const struct stock_pair *pair)
+static void add_results(struct stock_check *check, struct stock_pair *pair, const struct batch *batch, size_t to)
 {
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + pair->result_count,
 				  sizeof(*check->results));
-	for (size_t i = 0; i < pair->result_count; i++)
-		check->results[check->result_count++] = pair->results[i];
+	for (size_t i = 0; i < pair->result_count; i++) {
+		struct pair_check_result *result = &check->results[check->result_count++];
+
+		*result = pair->results[i];
+		result->certain = result->answer == QUERY_CONTACT &&
+				  stock_certainty_from(pair, batch, result->step, result->contact.s, to);
+	}
 }
 
 bool stock_check_run(struct stock_check *check, const struct batch *batch, size_t last, int tool,
@@ -209,7 +222,7 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		stock_pair_run(pair, batch, last + 1, options);
 		if (pair->sweep.broken_off)
 			return false;
-		add_results(check, pair);
+		add_results(check, pair, batch, last + 1);
 		/* What comes after the first contact does not matter then. */
 		if (pair->result_count && !options->all)
 			last = pair->results[0].step;

@@ -24,6 +24,7 @@
 /* A tool that cuts, with the pair that tells how it moves over the stock. */
 struct stock_tool {
 	int tool;
+	bool surely;	/* what it removes is known: a cutter of sections; else it may remove what it passes */
 	struct body_pair bodies;	/* the stock is a, the cutter b */
 };
 
@@ -48,6 +49,12 @@ void stock_check_release(struct stock_check *check);
 
 /* Logs what the step cuts; `number` counts all steps of the program from 0. */
 void stock_check_log(struct stock_check *check, const struct motion_step *step, long number);
+
+/*
+ * errno of the first fault of the log's temporary file; 0: there was none. After one nothing that was found, or not
+ * found, holds.
+ */
+int stock_check_fault(const struct stock_check *check);
 
 /* The next step may not begin where a pair was looked at last: a tool was changed, or steps were left out. */
 void stock_check_jump(struct stock_check *check);

@@ -68,6 +68,7 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		.pair = pair,
 		.tool = scene->bodies[body].body->tool,
 		.steps = p->steps,
+		.feeds_too = (p->steps & STEP_FEED_TURNING) && scene->bodies[body].body->role == ROLE_CUTTER,
 		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
 		.found_block = -1,
 		.unknown_block = -1,
@@ -163,22 +164,13 @@ static bool start_budget(struct stock_pair *check, const axis_values *q, double 
 	return true;
 }
 
-static axis_values between(const struct span *span, double s)
-{
-	axis_values q;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		q.v[i] = (1 - s) * span->q0.v[i] + s * span->q1.v[i];
-	return q;
-}
-
 /* Goes on from s as far along the step as the budget covers. False: not far enough to matter. */
 static bool go_on(struct stock_pair *check, const struct span *span, const struct position_errors *errors, double *s)
 {
 	double length = 1 - *s;
 
 	for (int i = 0; i < SHARE_HALVINGS; i++) {
-		const axis_values q = between(span, *s + length);
+		const axis_values q = axis_values_between(&span->q0, &span->q1, *s + length);
 
 		if (motion_budget_covers(&check->budget, &q, errors)) {
 			*s += length;
@@ -205,7 +197,7 @@ static bool advance(struct stock_pair *check, const struct motion_step *step, lo
 	double s = 0;
 
 	while (s < 1) {
-		const axis_values q = between(&step->span, s);
+		const axis_values q = axis_values_between(&step->span.q0, &step->span.q1, s);
 
 		if (check->sweep.broken_off || !start_budget(check, &q, (double)number + s) ||
 		    !go_on(check, &step->span, &errors, &s))
@@ -273,7 +265,7 @@ static void add_result(struct stock_pair *check, size_t step, enum query_answer 
 	check->results = mem_grow(check->results, &check->result_capacity, check->result_count + 1,
 				  sizeof(*check->results));
 	check->results[check->result_count++] =
-	    (struct pair_check_result){check->pair, step, answer, check->sweep.exhausted, *contact};
+	    (struct pair_check_result){check->pair, step, answer, check->sweep.exhausted, *contact, false};
 }
 
 void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,

@@ -20,6 +20,7 @@ struct stock_pair {
 	int tool;	/* the tool that the body belongs to; 0: none */
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
+	bool feeds_too;	/* a cutter that must keep off at a feed, too (a rule of the user) */
 	bool open;	/* the body's mesh is open: what is inside it cannot be told */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which the stock may have been inside the body, unseen; -1: none */

@@ -24,6 +24,7 @@ struct body {
 	double rapid_allowance;	/* mm, of a part or the stock: how deep a cutter may enter it while it does not cut */
 	double gouge;	/* mm, of a part: how deep a cutter may enter it while it cuts; negative: any depth */
 	double uncertainty;	/* mm, of the stock: the true blank may be larger than its mesh by so much */
+	double excess;	/* mm, of the stock: the true blank may be smaller than its mesh by so much */
 	const char *checked;	/* why it is right though it looks wrong; or NULL */
 	double scale;	/* mm per unit of the mesh file */
 	xform placement;	/* mesh coordinates (after scale) -> machine coordinates at the zero pose */

@@ -135,7 +135,7 @@ struct body_description {
 	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it; the first of the stock, too */
 	enum stock_shape shape;	/* of the stock; a box or a cylinder stands on the origin of its frame, along Z */
 	vec3 size;	/* mm: of the box; of the cylinder: diameter, 0, height */
-	struct optional_number uncertainty;	/* of the stock */
+	struct optional_number uncertainty, excess;	/* of the stock */
 	const char *checked;	/* or NULL */
 	int link;	/* of a machine's own body: 0 the base, else 1 + the number of its axis in the description */
 };

@@ -66,6 +66,7 @@ void stock_build(struct description_file *file, const struct body_description *d
 	body->rapid_allowance = body_build_depth(file, described->at, "stock", "rapid_allowance",
 						 described->rapid_allowance, STOCK_RAPID_ALLOWANCE);
 	body->uncertainty = body_build_depth(file, described->at, "stock", "uncertainty", described->uncertainty, 0);
+	body->excess = body_build_depth(file, described->at, "stock", "excess", described->excess, 0);
 	if (described->shape == STOCK_MESH || !has_size(file, described))
 		return;
 	mesh = arena_alloc(&setup->arena, sizeof(*mesh));
@@ -73,6 +74,9 @@ void stock_build(struct description_file *file, const struct body_description *d
 		make_box(described->size, &setup->arena, mesh);
 	else
 		make_cylinder(described->size, &setup->arena, mesh);
+	/* The triangles of a cylinder enclose it. */
+	if (described->shape == STOCK_CYLINDER && body->excess < TOOL_SOLID_DEVIATION)
+		body->excess = TOOL_SOLID_DEVIATION;
 	body->mesh_path = NULL;
 	body->scale = 1;
 	body->solid = mesh;

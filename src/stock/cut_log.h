@@ -2,9 +2,11 @@
 #ifndef FIVECHECK_STOCK_CUT_LOG_H
 #define FIVECHECK_STOCK_CUT_LOG_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "stock/cut_store.h"
 #include "stock/cutter.h"
 
 /*
@@ -18,19 +20,11 @@ struct cut {
 	double error;	/* mm: no point of the true cutter is farther than this from where the way has it */
 };
 
-/* Cuts of one cutter, each beginning where the one before it ends. */
-enum { CUT_CHUNK = 16 };
-
-struct cut_end {
-	struct cutter_place place;
-	double time;
-	double error;	/* of the cut that ends here */
-};
-
-struct cut_chunk {
+/* A cutter may have been anywhere in a box: it removes nothing for certain, but perhaps everything. */
+struct cut_region {
 	int cutter;
-	int count;	/* cuts; they have count + 1 ends */
-	struct cut_end ends[CUT_CHUNK + 1];
+	double from, to;	/* when */
+	vec3 low, high;
 };
 
 /* The box around the cuts of some chunks, or of one. */
@@ -43,8 +37,9 @@ enum { CUT_LEVELS = 10, CUT_FAN = 8 };
 
 struct cut_log {
 	const struct cutter *cutters;	/* borrowed */
-	struct cut_chunk *chunks;
-	size_t chunk_count, chunk_capacity;
+	struct cut_store *store;	/* the chunks */
+	double *starts;	/* of each chunk: when it begins */
+	size_t start_capacity;
 	struct cut_box *boxes[CUT_LEVELS];
 	size_t box_count[CUT_LEVELS], box_capacity[CUT_LEVELS];
 };
@@ -52,8 +47,15 @@ struct cut_log {
 void cut_log_init(struct cut_log *log, const struct cutter *cutters);
 void cut_log_release(struct cut_log *log);
 
-/* Cuts are added in the order of time. */
+/* Cuts and regions are added in the order of time. */
 void cut_log_add(struct cut_log *log, const struct cut *cut);
+void cut_log_add_region(struct cut_log *log, const struct cut_region *region);
+
+/*
+ * errno of the first write to the temporary file, or read from it, that failed; 0: none did. After a fault cuts are
+ * missing, and what the log answers is of no use.
+ */
+int cut_log_fault(const struct cut_log *log);
 
 /* The place in the log behind all cuts that begin before `time`. */
 uint64_t cut_log_end(const struct cut_log *log, double time);
@@ -63,5 +65,11 @@ uint64_t cut_log_end(const struct cut_log *log, double time);
  * *place becomes `end` then.
  */
 double cut_log_search(const struct cut_log *log, const struct cube *cube, uint64_t *place, uint64_t end);
+
+/*
+ * May anything that begins before `time` have touched the ball? What is false here is certain: until then no cutter has
+ * been at any point of the ball.
+ */
+bool cut_log_reaches(const struct cut_log *log, vec3 centre, double radius, double time);
 
 #endif

@@ -43,7 +43,7 @@ static void widen(vec3 *low, vec3 *high, vec3 point, vec3 by)
 	*high = vec3_max(*high, vec3_add(point, by));
 }
 
-void cutter_bounds(const struct cutter *cutter, const struct cutter_place *place, vec3 *low, vec3 *high)
+static void bounds_at(const struct cutter *cutter, const struct cutter_place *place, vec3 *low, vec3 *high)
 {
 	const struct revolved *whole = &cutter->whole;
 	const vec3 up = place->up;
@@ -52,17 +52,27 @@ void cutter_bounds(const struct cutter *cutter, const struct cutter_place *place
 			    whole->radius * sqrt(larger(1 - up.y * up.y, 0)),
 			    whole->radius * sqrt(larger(1 - up.z * up.z, 0))};
 
-	*low = (vec3){INFINITY, INFINITY, INFINITY};
-	*high = (vec3){-INFINITY, -INFINITY, -INFINITY};
 	widen(low, high, vec3_mad(place->origin, whole->bands[0].top, up), reach);
 	widen(low, high, vec3_mad(place->origin, whole->bands[whole->count - 1].bottom, up), reach);
+}
+
+void cutter_way_bounds(const struct cutter *cutter, const struct cutter_way *way, vec3 *low, vec3 *high)
+{
+	*low = (vec3){INFINITY, INFINITY, INFINITY};
+	*high = (vec3){-INFINITY, -INFINITY, -INFINITY};
+	bounds_at(cutter, &way->from, low, high);
+	bounds_at(cutter, &way->to, low, high);
+}
+
+struct cutter_place cutter_place_between(const struct cutter_place *from, const struct cutter_place *to, double s)
+{
+	return (struct cutter_place){vec3_lerp(from->origin, to->origin, s), vec3_unit(vec3_lerp(from->up, to->up, s))};
 }
 
 /* The cutter's axis at a time: every point of it between its places at the ends. */
 static struct cutter_place place_at(const struct cutter_way *way, double s)
 {
-	return (struct cutter_place){vec3_lerp(way->from.origin, way->to.origin, s),
-				     vec3_unit(vec3_lerp(way->from.up, way->to.up, s))};
+	return cutter_place_between(&way->from, &way->to, s);
 }
 
 static double point_distance(const struct revolved *piece, const struct cutter_place *place, vec3 point)
@@ -245,4 +255,40 @@ double cutter_removes(const struct cutter *cutter, const struct cutter_way *way,
 	for (size_t i = 0; i < cutter->piece_count; i++)
 		first = smaller(first, piece_removes(&cutter->pieces[i], way, cube, depth));
 	return cutter->piece_count > 1 ? smaller(first, whole_removes(&cutter->whole, way, cube, depth)) : first;
+}
+
+/* A part of a way, and by how much the distance of a point from the cutter changes at most over the whole way, mm. */
+struct approach {
+	const struct cutter *cutter;
+	const struct cutter_way *way;
+	vec3 point;
+	double distance;
+	double change;
+};
+
+static bool comes_within(const struct approach *approach, double low, double high)
+{
+	const double middle = 0.5 * (low + high), reach = 0.5 * (high - low) * approach->change;
+	const struct cutter_place place = place_at(approach->way, middle);
+	const double distance = point_distance(&approach->cutter->whole, &place, approach->point);
+
+	if (distance - reach > approach->distance)
+		return false;
+	if (distance <= approach->distance || reach < 0.5 * COMES_WITHIN_SLACK)
+		return true;
+	return comes_within(approach, low, middle) || comes_within(approach, middle, high);
+}
+
+/* A point of the cutter moves with the origin and turns about it: fastest in the middle, where the direction is shortest. */
+bool cutter_comes_within(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double distance)
+{
+	const struct revolved *whole = &cutter->whole;
+	const double length = larger(fabs(whole->bands[0].top), fabs(whole->bands[whole->count - 1].bottom));
+	const double shortest = larger(0.5 * vec3_norm(vec3_add(way->to.up, way->from.up)), DBL_MIN);
+	const double turn = vec3_norm(vec3_sub(way->to.up, way->from.up)) / shortest;
+	const struct approach approach = {cutter, way, point, distance,
+					  vec3_norm(vec3_sub(way->to.origin, way->from.origin)) +
+					      turn * (length + whole->radius)};
+
+	return comes_within(&approach, 0, 1);
 }

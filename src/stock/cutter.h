@@ -24,9 +24,6 @@ struct cutter {
 void cutter_init(struct cutter *cutter, const struct tool_solid *solid);
 void cutter_release(struct cutter *cutter);
 
-/* The box around the cutter where it stands. */
-void cutter_bounds(const struct cutter *cutter, const struct cutter_place *place, vec3 *low, vec3 *high);
-
 /* A cube of the stock. */
 struct cube {
 	vec3 centre;
@@ -38,11 +35,24 @@ struct cutter_way {
 	struct cutter_place from, to;
 };
 
+/* Where the cutter is after the share s of its way. */
+struct cutter_place cutter_place_between(const struct cutter_place *from, const struct cutter_place *to, double s);
+
+/* The box around the cutter on its way. */
+void cutter_way_bounds(const struct cutter *cutter, const struct cutter_way *way, vec3 *low, vec3 *high);
+
 /*
  * A time, 0 to 1, at which the whole cube lies at least `depth` mm inside the cutter, and before which it hardly does;
  * INFINITY if none was found. Cubes are looked for inside each convex piece by their corners, and inside the whole
  * cutter, across the seams of its pieces, by the ball around them. The answer depends on the arguments alone.
  */
 double cutter_removes(const struct cutter *cutter, const struct cutter_way *way, const struct cube *cube, double depth);
+
+/*
+ * May the cutter come within `distance` mm of the point? False is certain; true may be wrong where it stays only some
+ * COMES_WITHIN_SLACK farther away.
+ */
+#define COMES_WITHIN_SLACK 1e-3
+bool cutter_comes_within(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double distance);
 
 #endif

@@ -33,15 +33,6 @@ static struct chord_bound bound_of(const struct cutting *cutting, const axis_val
 	return bound;
 }
 
-static axis_values between(const struct chord *chord, double s)
-{
-	axis_values q;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		q.v[i] = (1 - s) * chord->q0.v[i] + s * chord->q1.v[i];
-	return q;
-}
-
 /*
  * mm: how far a point of the true cutter may be from where the cut has it. Each point of the axis stays within
  * `chord_error` of the straight line between its ends. The cut takes the line through those points as its axis and
@@ -61,14 +52,8 @@ static double axis_error(const struct cutter *cutter, const struct cutter_way *w
 	return off > 0 ? 2 * off * (1 + whole->radius / (top - bottom)) : 0;
 }
 
-static bool misses_blank(const struct cutting *cutting, const struct cutter *cutter, const struct cutter_way *way)
+static bool misses_blank(const struct cutting *cutting, vec3 low, vec3 high)
 {
-	vec3 low, high, other_low, other_high;
-
-	cutter_bounds(cutter, &way->from, &low, &high);
-	cutter_bounds(cutter, &way->to, &other_low, &other_high);
-	low = vec3_min(low, other_low);
-	high = vec3_max(high, other_high);
 	return low.x > cutting->high.x || high.x < cutting->low.x || low.y > cutting->high.y ||
 	       high.y < cutting->low.y || low.z > cutting->high.z || high.z < cutting->low.z;
 }
@@ -76,7 +61,8 @@ static bool misses_blank(const struct cutting *cutting, const struct cutter *cut
 /* The stock is at rest in view 0 (motion_bound.h), in which the cutter moves. */
 static void log_piece(const struct cutting *cutting, struct cut_log *log, double s0, double s1)
 {
-	const axis_values q0 = between(&cutting->chord, s0), q1 = between(&cutting->chord, s1);
+	const axis_values q0 = axis_values_between(&cutting->chord.q0, &cutting->chord.q1, s0);
+	const axis_values q1 = axis_values_between(&cutting->chord.q0, &cutting->chord.q1, s1);
 	const struct chord_bound bound = bound_of(cutting, &q0, &q1);
 	const struct cutter *cutter = &log->cutters[cutting->cutter];
 	struct cut cut = {
@@ -87,10 +73,13 @@ static void log_piece(const struct cutting *cutting, struct cut_log *log, double
 	};
 	const double rounding = body_pair_rounding(cutting->bodies, &q0, cut.way.from.origin) +
 				body_pair_rounding(cutting->bodies, &q1, cut.way.to.origin);
+	vec3 low, high, error;
 
 	cut.error = axis_error(cutter, &cut.way, bound.chord_error[0]) + bound.displacement[0] + bound.path[0] +
 		    rounding;
-	if (!misses_blank(cutting, cutter, &cut.way))
+	cutter_way_bounds(cutter, &cut.way, &low, &high);
+	error = (vec3){cut.error, cut.error, cut.error};
+	if (!misses_blank(cutting, vec3_sub(low, error), vec3_add(high, error)))
 		cut_log_add(log, &cut);
 }
 
@@ -105,4 +94,30 @@ void cutting_log(const struct cutting *cutting, struct cut_log *log)
 
 	for (int i = 0; i < pieces; i++)
 		log_piece(cutting, log, (double)i / pieces, (double)(i + 1) / pieces);
+}
+
+void cutting_log_region(const struct cutting *cutting, struct cut_log *log)
+{
+	const struct body_pair *bodies = cutting->bodies;
+	const struct chord *chord = &cutting->chord;
+	const axis_values middle = axis_values_between(&chord->q0, &chord->q1, 0.5);
+	axis_values half;
+	struct chain_state state;
+	struct box_bound bound;
+	xform pose;
+	vec3 centre, size;
+	double reach;
+
+	for (int i = 0; i < SLOT_COUNT; i++)
+		half.v[i] = 0.5 * fabs(chord->q1.v[i] - chord->q0.v[i]) + chord->chord_error.v[i] +
+			    (chord->tolerance ? chord->tolerance->v[i] : 0);
+	state = state_at(cutting, &middle);
+	box_bound_init(&bound, bodies->chain, &state, &half);
+	pose = body_pair_pose(bodies, &middle);
+	reach = bodies->b->radius + bound.reach[0] + body_pair_rounding(bodies, &middle, pose.translation);
+	centre = xform_apply(&pose, bodies->b->origin);
+	size = (vec3){reach, reach, reach};
+	if (!misses_blank(cutting, vec3_sub(centre, size), vec3_add(centre, size)))
+		cut_log_add_region(log, &(struct cut_region){cutting->cutter, cutting->from, cutting->to,
+							     vec3_sub(centre, size), vec3_add(centre, size)});
 }

@@ -17,4 +17,10 @@ struct cutting {
 
 void cutting_log(const struct cutting *cutting, struct cut_log *log);
 
+/*
+ * The same for a step of which only the set of positions is known: everything between the chord's ends, axis by axis.
+ * It surely removes nothing. Only the cutter's mesh is used.
+ */
+void cutting_log_region(const struct cutting *cutting, struct cut_log *log);
+
 #endif

@@ -88,6 +88,9 @@ struct search {
 	double least;
 	double within, grain;	/* meet */
 	struct cube *found;
+	double depth;	/* prove */
+	long effort;
+	vec3 *point;
 };
 
 static bool is_there(struct search *search, size_t index, const struct cube *cube)
@@ -198,4 +201,58 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 
 	return gap_of(&search, &cells->root) <= within && is_there(&search, 0, &cells->root) &&
 	       meets(&search, 0, &cells->root);
+}
+
+/* Is the point certainly in the blank, and has no cutter been there? */
+static bool is_surely_there(const struct search *search, vec3 point)
+{
+	const struct blank *blank = &search->cells->blank;
+
+	return !cut_log_reaches(search->cells->log, point, 0, search->time) &&
+	       (!(blank->excess > 0) || mesh_point_distance(blank->bvh, point) > blank->excess) &&
+	       mesh_inside(blank->bvh, blank->topology, point) == INSIDE_YES;
+}
+
+/* The cell is there, and some of it may be deep enough. */
+static bool proves(struct search *search, size_t index, const struct cube *cube, double gap)
+{
+	struct children children;
+
+	if (search->cells->cells[index].kind == BLANK_INSIDE && gap + sqrt3 * cube->half <= -search->depth &&
+	    is_surely_there(search, cube->centre)) {
+		*search->point = cube->centre;
+		return true;
+	}
+	if (cube->half <= search->grain || search->effort-- <= 0)
+		return false;
+	look_at_children(search, index, cube, &children);
+	for (int turn = 0; turn < 8; turn++) {
+		const int i = children.order[turn];
+
+		if (children.gaps[i] > -search->depth)
+			return false;
+		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
+		    proves(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i]))
+			return true;
+	}
+	return false;
+}
+
+bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double depth,
+		       long effort, vec3 *point)
+{
+	struct search search = {.cells = cells, .placed = placed, .time = time,
+				.log_end = cut_log_end(cells->log, time), .depth = depth, .effort = effort,
+				.point = point};
+	const double gap = gap_of(&search, &cells->root);
+
+	if (gap > -depth || !is_there(&search, 0, &cells->root))
+		return false;
+	/* Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at. */
+	for (search.grain = cells->root.half / 8; search.grain > cells->least_half; search.grain /= 4) {
+		search.effort = effort;
+		if (proves(&search, 0, &cells->root, gap))
+			return true;
+	}
+	return false;
 }

@@ -26,6 +26,7 @@ struct blank {
 	const struct bvh *bvh;
 	const struct topology *topology;	/* of a closed mesh */
 	double uncertainty;	/* mm: the true blank may be larger by so much */
+	double excess;	/* mm: or smaller by so much */
 };
 
 struct stock_cell {
@@ -75,5 +76,12 @@ double stock_cells_distance(struct stock_cells *cells, const struct placed_obsta
  */
 bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double within,
 		      double grain, struct cube *found);
+
+/*
+ * Looks for a point of the stock that is certainly there at `time` (no cutter can have touched it) and lies at least
+ * `depth` mm inside the obstacle. It gives up after `effort` cells of each of some sizes: false proves nothing.
+ */
+bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double depth,
+		       long effort, vec3 *point);
 
 #endif

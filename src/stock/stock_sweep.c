@@ -59,19 +59,10 @@ static struct chain_state state_at(const struct stock_sweep *sweep, const axis_v
 	return state;
 }
 
-static axis_values middle_of(const axis_values *a, const axis_values *b)
-{
-	axis_values middle;
-
-	for (int i = 0; i < SLOT_COUNT; i++)
-		middle.v[i] = 0.5 * a->v[i] + 0.5 * b->v[i];
-	return middle;
-}
-
 static void halve_straight(const struct chord *whole, struct chord *first, struct chord *second)
 {
 	*first = *second = *whole;
-	first->q1 = second->q0 = middle_of(&whole->q0, &whole->q1);
+	first->q1 = second->q0 = axis_values_between(&whole->q0, &whole->q1, 0.5);
 }
 
 /* How far points may be from where they are in the middle of a piece of motion. */
@@ -90,6 +81,19 @@ static struct spread spread_of(const struct stock_sweep *sweep, const struct cho
 			 chord->tolerance);
 	return (struct spread){0.5 * bound.length, smaller(bound.displacement[0], bound.displacement[1]),
 			       smaller(bound.path[0], bound.path[1])};
+}
+
+/* Cells that one search for a certain place may look at: those that are deep are found first. */
+#define PROOF_EFFORT 400
+
+bool stock_sweep_proves(struct stock_sweep *sweep, const struct chord *chord, const axis_values *q, double time)
+{
+	const struct placed_obstacle placed = stock_sweep_place(sweep, q);
+	const struct spread spread = spread_of(sweep, chord);
+	const double doubt = spread.error + spread.path + rounding_at(sweep, q);
+	vec3 point;
+
+	return stock_cells_prove(sweep->cells, &placed, time, doubt - sweep->clearance, PROOF_EFFORT, &point);
 }
 
 /* The time of a piece of a chord: when it begins and how long it takes, of the whole. */
@@ -123,7 +127,7 @@ static bool meets_in_passage(const struct stock_sweep *sweep, const struct passa
 static bool meets(const struct stock_sweep *sweep, const struct chord *chord, const struct spread *spread, double time,
 		  bool final, struct cube *found)
 {
-	const axis_values middle = middle_of(&chord->q0, &chord->q1);
+	const axis_values middle = axis_values_between(&chord->q0, &chord->q1, 0.5);
 	const struct placed_obstacle placed = stock_sweep_place(sweep, &middle);
 	const double beside = spread->error + spread->path + rounding_at(sweep, &middle);
 	struct passage passage;
@@ -197,7 +201,7 @@ static int widest_slot(const struct stock_sweep *sweep, const struct chain_state
 static enum sweep_answer sweep_positions(struct stock_sweep *sweep, const axis_values *low, const axis_values *high,
 					 double number, int depth, long visits, struct contact *contact)
 {
-	const axis_values middle = middle_of(low, high);
+	const axis_values middle = axis_values_between(low, high, 0.5);
 	const struct chain_state state = state_at(sweep, &middle);
 	const struct placed_obstacle placed = stock_sweep_place(sweep, &middle);
 	axis_values half, mid_high = *high, mid_low = *low;

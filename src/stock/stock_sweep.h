@@ -27,6 +27,12 @@ struct stock_sweep {
 struct placed_obstacle stock_sweep_place(const struct stock_sweep *sweep, const axis_values *q);
 
 /*
+ * Is there, with the axes at q of the chord, stock nearer to the obstacle than the clearance? True is certain for every
+ * motion that the chord stands for: at this time (as the log counts it) no cutter can have touched that place.
+ */
+bool stock_sweep_proves(struct stock_sweep *sweep, const struct chord *chord, const axis_values *q, double time);
+
+/*
  * Sweeps the motion along a chord, which is the step with this number. The stock at an instant of it is what is left
  * by everything that was cut before that instant. APART: at every instant the body is farther from the stock than the
  * clearance. CONTACT: the first instant at which a smallest cell is not proved so far away; then the body is at most

@@ -155,6 +155,86 @@ START_TEST(removes_across_seams)
 }
 END_TEST
 
+/* Some random ways, one after the other in time; all directions are different. */
+static void log_ways(struct random *random, struct cut_log *log, struct cutter_way *ways, int count)
+{
+	for (int i = 0; i < count; i++) {
+		ways[i] = (struct cutter_way){some_place(random), some_place(random)};
+		cut_log_add(log, &(struct cut){.from = i, .to = i + 1, .way = ways[i], .error = 0.1});
+	}
+}
+
+/* mm: the distance of the point to the cutter on its way up to the share `end`, sampled. */
+static double least_distance(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double end)
+{
+	double least = INFINITY;
+
+	for (int i = 0; i <= 400; i++) {
+		const double s = end * i / 400;
+		const vec3 up = vec3_unit(vec3_lerp(way->from.up, way->to.up, s));
+		const vec3 off = vec3_sub(point, vec3_lerp(way->from.origin, way->to.origin, s));
+		const double z = vec3_dot(off, up);
+
+		least = fmin(least, revolved_distance(&cutter->whole, sqrt(fmax(vec3_norm2(off) - z * z, 0)), z));
+	}
+	return least;
+}
+
+/* What no cutter has reached is sure: held against the distance at many instants. */
+START_TEST(reaches_what_a_cutter_has_touched)
+{
+	enum { WAYS = 40 };
+	struct random random = random_case(5, _i);
+	struct cutter_way ways[WAYS];
+	struct cutter cutter;
+	struct cut_log log;
+	int clear = 0;
+
+	cutter_init(&cutter, &solids[_i]);
+	cut_log_init(&log, &cutter);
+	log_ways(&random, &log, ways, WAYS);
+	for (int n = 0; n < 400; n++) {
+		const vec3 point = random_point(&random, 40);
+		const double radius = random_in(&random, 0, 3), time = random_in(&random, 0, n % 2 ? 2 : WAYS);
+		const bool reaches = cut_log_reaches(&log, point, radius, time);
+		double least = INFINITY;
+
+		for (int i = 0; i < WAYS && i < time; i++)
+			least = fmin(least, least_distance(&cutter, &ways[i], point, fmin(time - i, 1)));
+		if (least <= radius + 0.1)
+			ck_assert(reaches);
+		/* Two samples are at most some tenths of a millimetre apart. */
+		if (least > radius + 0.1 + 0.5)
+			ck_assert(!reaches);
+		clear += !reaches;
+	}
+	ck_assert_int_gt(clear, 20);
+	cut_log_release(&log);
+	cutter_release(&cutter);
+}
+END_TEST
+
+/* A region removes nothing, and reaches everything in its box from its time on. */
+START_TEST(regions_are_doubt_alone)
+{
+	const struct cut_region region = {.from = 1, .to = 2, .low = {0, 0, 0}, .high = {10, 10, 10}};
+	const struct cube cube = {{5, 5, 5}, 0.1};
+	struct cutter cutter;
+	struct cut_log log;
+	uint64_t place = 0;
+
+	cutter_init(&cutter, &solids[0]);
+	cut_log_init(&log, &cutter);
+	cut_log_add_region(&log, &region);
+	ck_assert(isinf(cut_log_search(&log, &cube, &place, cut_log_end(&log, 3))));
+	ck_assert(cut_log_reaches(&log, cube.centre, 0, 3));
+	ck_assert(!cut_log_reaches(&log, cube.centre, 0, 1));
+	ck_assert(!cut_log_reaches(&log, (vec3){5, 5, 11}, 0.5, 3));
+	cut_log_release(&log);
+	cutter_release(&cutter);
+}
+END_TEST
+
 /* A slot of a flat cutter has a known shape: no cell of it is there, and every cell beside it is. */
 START_TEST(slot_is_exact_to_a_cell)
 {
@@ -263,6 +343,8 @@ int main(void)
 	tcase_add_loop_test(cases, distance_is_that_to_the_outline, 0, SOLIDS);
 	tcase_add_loop_test(cases, removes_what_is_inside_at_one_time, 0, SOLIDS);
 	tcase_add_test(cases, removes_across_seams);
+	tcase_add_loop_test(cases, reaches_what_a_cutter_has_touched, 0, SOLIDS);
+	tcase_add_test(cases, regions_are_doubt_alone);
 	tcase_add_test(cases, slot_is_exact_to_a_cell);
 	tcase_add_loop_test(cases, passage_holds_all_places_of_the_way, 0, SOLIDS);
 	suite_add_tcase(suite, cases);

@@ -86,6 +86,7 @@ static void read_stock(struct xml_reader *xml, const xmlNode *node, void *contex
 	body->checked = xml_name(xml, node, "checked", &described->arena);
 	body->rapid_allowance = xml_optional_length(xml, node, "rapid_allowance");
 	body->uncertainty = xml_optional_length(xml, node, "uncertainty");
+	body->excess = xml_optional_length(xml, node, "excess");
 	read_stock_shape(xml, node, body);
 	body->frame = xml_frame(xml, node);
 	body->mesh_path = body_xml_mesh(xml, node, &described->arena);

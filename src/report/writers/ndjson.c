@@ -137,6 +137,8 @@ json_t *ndjson_finding_object(const struct machine *machine, const struct findin
 		json_put(object, "allowed_depth", json_real(f->depth));
 	if (bodies && f->path_tolerance > 0)
 		json_put(object, "path_tolerance", json_real(f->path_tolerance));
+	if (f->with_stock)
+		json_put(object, "certain", json_boolean(f->certain));
 	if (!bodies)
 		ndjson_put_limit(object, f);
 	json_put(object, "block", json_text(f->text));

@@ -163,6 +163,8 @@ static json_t *properties_of(const struct machine *machine, const struct finding
 		json_put(object, "clearance", json_real(f->clearance));
 		if (f->path_tolerance > 0)
 			json_put(object, "path_tolerance", json_real(f->path_tolerance));
+		if (f->with_stock)
+			json_put(object, "certain", json_boolean(f->certain));
 	} else {
 		ndjson_put_limit(object, f);
 	}

@@ -165,6 +165,10 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 		format_units_add(out, f->clearance);
 		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
 	}
+	if (f->with_stock)
+		strbuf_addf(out, "    stock    %s\n",
+			    f->certain ? "certain: they meet in this block where no cutter has been"
+				       : "possible: all that they meet may have been cut, within the tolerances");
 	if (f->path_tolerance > 0) {
 		strbuf_addf(out, "    path     ");
 		format_units_add(out, f->clearance);
