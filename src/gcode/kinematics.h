@@ -7,7 +7,7 @@
 
 #include "base/axes.h"
 #include "base/diag.h"
-#include "geom/vec3.h"
+#include "geom/xform.h"
 
 /* Lengths in mm, angles in radians. */
 
@@ -52,6 +52,14 @@ struct kinematics_great_circle {
 	double beside[SLOT_COUNT];
 };
 
+/* How the rotary axes turn coordinates: with the head, and against the table. */
+struct kinematics_turn {
+	axis_values rotary_zero;
+	axis_values rotary;	/* where the axes are */
+	mat3 turn;	/* receives the directions of X Y Z, as positions under TCP are meant; identity at rotary zero */
+	vec3 tool;	/* receives the direction from the tip to the spindle, in the same coordinates; unit */
+};
+
 /* A retract along the tool's axis, from the tip to the spindle. */
 struct kinematics_retract {
 	bool to_limit;	/* as far as the first linear axis reaches the end of its travel */
@@ -81,6 +89,7 @@ struct kinematics {
 	/* The direction of the tool at these rotary positions, as kinematics_orientation means it. */
 	bool (*direction)(void *context, struct srcloc loc, const axis_values *rotary_zero, const axis_values *rotary,
 			  vec3 *direction);
+	bool (*turn)(void *context, struct srcloc loc, struct kinematics_turn *turn);
 	/* The way of the rotary axes while the tool turns on a great circle; it needs two of them. */
 	bool (*great_circle)(void *context, struct srcloc loc, struct kinematics_great_circle *piece);
 	bool (*retract)(void *context, struct srcloc loc, struct kinematics_retract *retract);

@@ -465,6 +465,18 @@ static bool direction(void *context, struct srcloc loc, const axis_values *rotar
 	return great_circle_direction(converter->machine, loc, converter->diag, rotary_zero, rotary, found);
 }
 
+static bool turn(void *context, struct srcloc loc, struct kinematics_turn *found)
+{
+	struct canon_to_spans *converter = context;
+	const struct kinematics_tcp state = {.on = true, .rotary_zero = found->rotary_zero};
+	struct tcp tcp;
+
+	if (!tcp_init(&tcp, converter->machine, &state, loc, converter->diag))
+		return false;
+	tcp_turn(&tcp, found);
+	return true;
+}
+
 static bool great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
 {
 	struct canon_to_spans *converter = context;
@@ -496,5 +508,6 @@ struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter)
 {
 	return (struct kinematics){
 	    .context = converter, .tcp = switch_tcp, .orient = orient, .orientations = orientations,
-	    .direction = direction, .great_circle = great_circle, .retract = retract, .table_point = table_point};
+	    .direction = direction, .turn = turn, .great_circle = great_circle, .retract = retract,
+	    .table_point = table_point};
 }

@@ -103,6 +103,7 @@ bool tcp_init(struct tcp *tcp, const struct machine *machine, const struct kinem
 	head = chain_pose(&made.head, &state->rotary_zero);
 	made.table_zero_inverse = xform_inverse(&table);
 	made.gauge_zero = xform_apply(&head, gauge);
+	made.spindle = machine->spindle.direction;
 	made.tip = vec3_mad(gauge, state->length, machine->spindle.direction);
 	*tcp = made;
 	return true;
@@ -301,6 +302,27 @@ axis_values tcp_spread(const struct tcp *tcp, const axis_values *start, const ax
 					      : fabs(vec3_dot(tcp->rows[slot], turned));
 	}
 	return most;
+}
+
+void tcp_turn(const struct tcp *tcp, struct kinematics_turn *turn)
+{
+	const xform table = chain_pose(&tcp->table, &turn->rotary), head = chain_pose(&tcp->head, &turn->rotary);
+	const xform head_zero = chain_pose(&tcp->head, &turn->rotary_zero);
+	const vec3 columns[3] = {tcp->matrix.x, tcp->matrix.y, tcp->matrix.z};
+	const vec3 spindle = vec3_scale(-1, tcp->spindle);
+	vec3 found[4];
+
+	for (int i = 0; i < 4; i++) {
+		/* The head carries the directions along, and the spindle. */
+		const vec3 at_head = i < 3 ? mat3_apply_transposed(&head_zero.rotation, columns[i]) : spindle;
+		const vec3 on_table = mat3_apply_transposed(&table.rotation, mat3_apply(&head.rotation, at_head));
+		const vec3 on_work = mat3_apply_transposed(&tcp->table_zero_inverse.rotation, on_table);
+
+		found[i] = (vec3){vec3_dot(tcp->rows[0], on_work), vec3_dot(tcp->rows[1], on_work),
+				  vec3_dot(tcp->rows[2], on_work)};
+	}
+	turn->turn = (mat3){found[0], found[1], found[2]};
+	turn->tool = vec3_unit(found[3]);
 }
 
 /* The lengths that a chain adds to a sum, and the angles whose rounding they are multiplied by. */

@@ -29,6 +29,7 @@ struct tcp {
 	xform table_zero_inverse;	/* T(theta0)^-1 */
 	vec3 gauge_zero;	/* H(theta0) gauge */
 	vec3 tip;	/* t */
+	vec3 spindle;	/* direction of the spindle at the zero pose, towards the tip */
 	struct kinematics_tcp state;
 };
 
@@ -64,6 +65,9 @@ axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const ax
  * (mm), on a way from `start` to `end`, of which only the rotary slots count. Other slots are 0.
  */
 axis_values tcp_spread(const struct tcp *tcp, const axis_values *start, const axis_values *end, const double spread[3]);
+
+/* Implements kinematics.turn for positions of the rotary axes; the length does not matter. */
+void tcp_turn(const struct tcp *tcp, struct kinematics_turn *turn);
 
 /* How far rounding takes X Y Z of tcp_to_machine, for positions whose values are at most `reach`. */
 axis_values tcp_rounding(const struct tcp *tcp, const axis_values *reach);

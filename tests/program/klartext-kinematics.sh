@@ -119,4 +119,9 @@ L X+10 Y+20 Z+5 $first+30 $second-50 F1000
 L X-10 Y+3 Z+1 $first-20 $second+70
 M129"
 	echo "$name, M128: $(tip $name 7), $(tip $name 8)"
+	# PLANE AXIAL: the tilted Z is the tool, and X is the machine's as the head turns it: 100 mm of each from the preset.
+	program "PLANE AXIAL $first+30 $second-50 TURN FMAX
+L X+0 Y+0 Z+100 R0 FMAX
+L X+100 Y+0 Z+0 R0 FMAX"
+	echo "$name, PLANE AXIAL: $(tip $name 7), $(tip $name 8)"
 done

@@ -187,6 +187,18 @@ static inline bool case_direction(void *context, struct srcloc loc, const axis_v
 	return true;
 }
 
+/* The table of case_turn on A, which tilts it about X. */
+static inline bool case_turn_of(void *context, struct srcloc loc, struct kinematics_turn *turn)
+{
+	const mat3 a = mat3_turn((vec3){1, 0, 0}, -turn->rotary.v[SLOT_A]), c = mat3_turn((vec3){0, 0, 1}, -turn->rotary.v[SLOT_C]);
+
+	(void)context;
+	(void)loc;
+	turn->turn = mat3_mul(&c, &a);
+	turn->tool = turn->turn.z;
+	return true;
+}
+
 /* A turns by as much as the tool, and never lies at a pole; pieces of more than a third are too long. */
 static inline bool case_great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
 {
@@ -212,7 +224,7 @@ static inline struct kinematics case_kinematics(struct gcode_case *c)
 {
 	return (struct kinematics){
 		.context = c, .tcp = case_tcp, .orient = case_orient, .orientations = case_orientations,
-		.direction = case_direction, .great_circle = case_great_circle, .retract = case_retract, .table_point = case_table_point};
+		.direction = case_direction, .turn = case_turn_of, .great_circle = case_great_circle, .retract = case_retract, .table_point = case_table_point};
 }
 
 static inline bool case_event(void *context, const struct canon_event *event)

@@ -137,6 +137,19 @@ static const struct klartext_program planes[] = {
 	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
 	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 8.66025404 -5 30 0 tcp\n"},
+	/* TABLE ROT turns the table until the tilted X lies along the machine's; its C turns the other way. */
+	{"PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX TABLE ROT\nL X+10 Y+0 Z+0 FMAX\n",
+	 "orient 0 0 1\nrapid 0 0 0 0 -30\ntcp on length 0 zero A0 C0\nrapid 8.66025404 5 0 0 -30 tcp\n"},
+	{"L C+20 FMAX\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN FMAX TABLE ROT\nL X+10 Y+0 Z+0 FMAX\n",
+	 "rapid 0 0 0 0 20\norient 0 0 1\nrapid 0 0 0 0 0\ntcp on length 0 zero A0 C0\nrapid 10 0 0 0 0 tcp\n"},
+	{"PLANE SPATIAL SPA-30 SPB+0 SPC+0 TURN FMAX SYM+\nL X+0 Y+10 Z+0 FMAX\n",
+	 "orient 0 0.5 0.866025404\nrapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 0 8.66025404 -5 30 0 tcp\n"},
+	/* By positions of the axes: the coordinates do not turn with the table. */
+	{"PLANE AXIAL A+30 TURN FMAX\nL X+0 Y+10 Z+0 FMAX\n",
+	 "rapid 0 0 0 30 0\ntcp on length 0 zero A0 C0\nrapid 0 8.66025404 -5 30 0 tcp\n"},
+	{"PLANE AXIAL A+0 C+90 STAY\nL C+90 FMAX\nL X+10 Y+0 FMAX\nPLANE RESET STAY\n",
+	 "rapid 0 0 0 0 90\ntcp on length 0 zero A0 C0\nrapid 0 -10 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 STAY\nL A+Q120 C+Q122 FMAX\nL X+1 Y+2 Z+3 FMAX\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 3 -2 90 0 tcp\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN F1000\nL X+1 Y+2 Z+3 FMAX\nPLANE RESET STAY\nL Z+9 FMAX\n"

@@ -204,6 +204,46 @@ START_TEST(common_carrier_does_not_count)
 }
 END_TEST
 
+/*
+ * While the rotary axes stand still, a step along the turned X, Y or Z of the workpiece is one that the head's rotation
+ * makes of X, Y or Z of the machine, and the tool points along the turned Z, where the spindle is vertical.
+ */
+START_TEST(turn_of_coordinates)
+{
+	const axis_values places[] = {{{1, 2, 3, 0.7, 0, 0.4}}, {{0, 0, 0, -0.3, 0.9, 2}}, {{5, 0, 0, 0, 0, 0}}};
+	struct machine machines[] = {rig_trunnion(), rig_three_axes()};
+	int link = rig_axis(&machines[1], SLOT_C, machines[1].spindle.link, rig_z, (vec3){3, 4, 0});
+
+	machines[1].spindle.link = rig_axis(&machines[1], SLOT_B, link, rig_y, (vec3){0, 0, 700});
+	for (size_t m = 0; m < 2; m++) {
+		const struct kinematics_tcp state = {.on = true, .length = 10, .rotary_zero = {{0}}};
+		struct tcp tcp = rig_tcp(&machines[m], &state);
+
+		for (size_t i = 0; i < 3; i++) {
+			struct kinematics_turn turn = {.rotary = places[i]};
+			const axis_values start = tcp_to_machine(&tcp, &places[i]);
+			const mat3 head = chain_pose(&tcp.head, &places[i]).rotation;
+
+			tcp_turn(&tcp, &turn);
+			for (int k = 0; k < 3; k++) {
+				const vec3 side = k == 0 ? turn.turn.x : k == 1 ? turn.turn.y : turn.turn.z;
+				const vec3 expected = k == 0 ? head.x : k == 1 ? head.y : head.z;
+				axis_values moved = places[i], end;
+
+				moved.v[SLOT_X] += side.x;
+				moved.v[SLOT_Y] += side.y;
+				moved.v[SLOT_Z] += side.z;
+				end = tcp_to_machine(&tcp, &moved);
+				ck_assert_double_eq_tol(end.v[SLOT_X] - start.v[SLOT_X], expected.x, 1e-9);
+				ck_assert_double_eq_tol(end.v[SLOT_Y] - start.v[SLOT_Y], expected.y, 1e-9);
+				ck_assert_double_eq_tol(end.v[SLOT_Z] - start.v[SLOT_Z], expected.z, 1e-9);
+			}
+			ck_assert_double_lt(vec3_norm(vec3_sub(turn.tool, turn.turn.z)), 1e-12);
+		}
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("tcp");
@@ -219,6 +259,7 @@ int main(void)
 	tcase_add_test(tests, round_trip);
 	tcase_add_test(tests, machines_without_tcp);
 	tcase_add_test(tests, common_carrier_does_not_count);
+	tcase_add_test(tests, turn_of_coordinates);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

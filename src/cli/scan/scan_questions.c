@@ -6,6 +6,7 @@
 
 #include "base/mem.h"
 #include "gcode/interp.h"
+#include "geom/xform.h"
 
 /* Questions that one set of programs can have; M-codes and programs of the builder are most of them. */
 #define QUESTIONS_MAX 400
@@ -300,6 +301,15 @@ static bool direction(void *context, struct srcloc loc, const axis_values *rotar
 	return true;
 }
 
+static bool turn(void *context, struct srcloc loc, struct kinematics_turn *found)
+{
+	(void)context;
+	(void)loc;
+	found->turn = mat3_identity();
+	found->tool = (vec3){0, 0, 1};
+	return true;
+}
+
 static bool great_circle(void *context, struct srcloc loc, struct kinematics_great_circle *piece)
 {
 	(void)context;
@@ -331,7 +341,7 @@ static bool read_once(const struct scan_questions *questions, FILE *in, const ch
 	static const struct canon_sink sink = {NULL, hear_nothing};
 	static const struct kinematics kinematics = {
 	    .tcp = switch_tcp, .orient = orient, .orientations = orientations, .direction = direction,
-	    .great_circle = great_circle, .retract = retract, .table_point = table_point};
+	    .turn = turn, .great_circle = great_circle, .retract = retract, .table_point = table_point};
 	struct interp *interp;
 	bool good;
 

@@ -130,28 +130,56 @@ static bool read_relative(struct lexer *lexer, const mat3 *before, mat3 *tilt)
 	return true;
 }
 
-bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, mat3 *tilt, bool *reset)
+/* "PLANE AXIAL A+45 C-30". */
+static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
+{
+	const struct interp *interp = lexer->context;
+
+	for (char byte = klartext_upper(lexer_peek(lexer)); byte == 'A' || byte == 'B' || byte == 'C' || byte == 'I';
+	     byte = klartext_upper(lexer_peek(lexer))) {
+		const int column = klartext_column(lexer), slot = slot_of_letter(byte);
+		struct lexer ahead = *lexer;
+
+		lexer_take(&ahead);
+		if (byte == 'I')
+			return fault(lexer->at, column, "an increment of PLANE AXIAL is not supported yet");
+		/* ABST and COORD are other words. */
+		if (!klartext_value_follows(&ahead))
+			break;
+		if (!interp->config->has_axis[slot])
+			return fault(lexer->at, column, "the machine has no %c axis", byte);
+		*lexer = ahead;
+		if (!klartext_value(lexer, &tilt->angle[slot]))
+			return false;
+		tilt->axes |= 1U << slot;
+	}
+	return tilt->axes || fault(lexer->at, klartext_column(lexer), "PLANE AXIAL needs A, B or C");
+}
+
+bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext_tilt *tilt)
 {
 	int column = klartext_column(lexer);
 	char kind[KLARTEXT_WORD];
 
 	klartext_word(lexer, kind);
-	*reset = !strcmp(kind, "RESET");
-	*tilt = mat3_identity();
-	if (*reset)
+	*tilt = (struct klartext_tilt){.reset = !strcmp(kind, "RESET"), .turn = mat3_identity()};
+	if (tilt->reset)
 		return true;
 	if (!strcmp(kind, "SPATIAL"))
-		return read_spatial(lexer, tilt);
+		return read_spatial(lexer, &tilt->turn);
 	if (!strcmp(kind, "EULER"))
-		return read_euler(lexer, tilt);
+		return read_euler(lexer, &tilt->turn);
 	if (!strcmp(kind, "VECTOR"))
-		return read_vector(lexer, tilt);
+		return read_vector(lexer, &tilt->turn);
 	if (!strcmp(kind, "POINTS"))
-		return read_points(lexer, tilt);
+		return read_points(lexer, &tilt->turn);
 	if (!strcmp(kind, "RELATIVE") || !strcmp(kind, "RELATIV"))
-		return read_relative(lexer, before, tilt);
-	if (!strcmp(kind, "PROJECTED") || !strcmp(kind, "AXIAL"))
-		return fault(lexer->at, column, "PLANE %s is not supported yet: write the plane as PLANE SPATIAL",
-			     kind);
-	return fault(lexer->at, column, "PLANE needs SPATIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
+		return read_relative(lexer, before, &tilt->turn);
+	if (!strcmp(kind, "AXIAL"))
+		return read_axial(lexer, tilt);
+	if (!strcmp(kind, "PROJECTED"))
+		return fault(lexer->at, column,
+			     "PLANE PROJECTED: in which direction its angles count is not known here; write the plane as "
+			     "PLANE SPATIAL");
+	return fault(lexer->at, column, "PLANE needs SPATIAL, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
 }

@@ -4,14 +4,21 @@
 
 #include <stdbool.h>
 
+#include "base/axes.h"
 #include "gcode/state.h"
 #include "gcode/text/lexer.h"
 
+struct klartext_tilt {
+	bool reset; /* PLANE RESET */
+	unsigned axes; /* PLANE AXIAL: bits 1 << slot of the axes whose positions say it; else 0 */
+	double angle[SLOT_COUNT]; /* of these, degrees */
+	mat3 turn; /* else: the columns are the directions of the tilted X, Y and Z */
+};
+
 /*
- * Reads the kind of plane and its values; the columns of *tilt are the directions of the tilted X, Y and Z. `before` is
- * the tilting in force, which RELATIVE adds to. *reset: PLANE RESET. False: reported.
+ * Reads the kind of plane and its values. `before` is the tilting in force, which RELATIVE adds to. False: reported.
  */
-bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, mat3 *tilt, bool *reset);
+bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext_tilt *tilt);
 
 /* "PLANE SPATIAL": about the machine's X by the first angle, then Y by the second, then Z by the third; degrees. */
 mat3 klartext_tilt_spatial(const double angle[3]);

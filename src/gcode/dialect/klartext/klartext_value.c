@@ -12,6 +12,11 @@ void klartext_q_set(struct klartext *klartext, int number, double value)
 	klartext->q[number] = (struct klartext_q){.value = value, .given = true};
 }
 
+void klartext_q_forget(struct klartext *klartext, int number)
+{
+	klartext->q[number] = (struct klartext_q){.read = true};
+}
+
 bool klartext_q_get(const struct klartext *klartext, int number, double *value)
 {
 	*value = klartext->q[number].value;
@@ -19,11 +24,6 @@ bool klartext_q_get(const struct klartext *klartext, int number, double *value)
 }
 
 /* ------------------------------------------------------------- parameters */
-
-static void set_unknown(struct klartext *klartext, int number)
-{
-	klartext->q[number] = (struct klartext_q){.read = true};
-}
 
 /* Q108: the radius with DR of TOOL CALL. */
 static void set_radius(struct interp *interp)
@@ -34,7 +34,7 @@ static void set_radius(struct interp *interp)
 
 	if (!(radius > 0) || (klartext->defined_tool == interp->state.tool &&
 			      fabs(klartext->defined_radius - radius) > TOOL_SUM_TOLERANCE))
-		set_unknown(klartext, 108);
+		klartext_q_forget(klartext, 108);
 	else
 		klartext_q_set(klartext, 108, (radius + klartext->wider) / interp->state.scale);
 }
@@ -53,7 +53,7 @@ static void preassign(struct interp *interp, int number)
 	else if (number == 110 && state->spindle != SPINDLE_STOPPED)
 		klartext_q_set(klartext, 110, state->spindle == SPINDLE_CLOCKWISE ? 0 : 1);
 	else if (number == 110 || ((number == 108 || number == 109 || number == 114) && !klartext->called))
-		set_unknown(klartext, number);
+		klartext_q_forget(klartext, number);
 	else if (number == 108)
 		set_radius(interp);
 	else if (number == 109)

@@ -16,6 +16,9 @@ bool klartext_q_read(struct lexer *lexer, double *value);
 /* Gives Q<number> a value, as the control itself does. */
 void klartext_q_set(struct klartext *klartext, int number, double value);
 
+/* The control has given Q<number> a value that is not known here: using it is an error. */
+void klartext_q_forget(struct klartext *klartext, int number);
+
 /* The value of Q<number>; false: none was given. */
 bool klartext_q_get(const struct klartext *klartext, int number, double *value);
 

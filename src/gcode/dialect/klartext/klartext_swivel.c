@@ -1,0 +1,432 @@
+#include "gcode/dialect/klartext/klartext_swivel.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/math/math_functions.h"
+#include "base/units.h"
+#include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_orient.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/tool_length.h"
+#include "geom/tolerance.h"
+
+/* -------------------------------------------------------------- the choice */
+
+static void write_axes(const struct interp *interp, const struct kinematics_solution *solution, char *text, size_t size)
+{
+	size_t length = 0;
+
+	text[0] = '\0';
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (!interp->config->has_axis[slot])
+			continue;
+		length += (size_t)snprintf(text + length, size - length, "%s%c%.6g", length ? " " : "",
+					   AXIS_LETTERS[slot], degrees(solution->rotary.v[slot]) + 0.0);
+		if (length >= size)
+			return;
+	}
+}
+
+static double angle_of(const struct interp *interp, const struct kinematics_solution *solution, int slot)
+{
+	return state_from_canonical(slot, solution->rotary.v[slot]) - interp->state.offset.v[slot];
+}
+
+/* "SEQ+": the first rotary axis as seen from the tool stands at a positive angle; "SEQ-": at a negative one. */
+static bool has_sign(const struct interp *interp, const struct kinematics_solutions *solutions, size_t i, int sign)
+{
+	double angle = angle_of(interp, &solutions->items[i], solutions->primary);
+
+	return sign == 0 || fabs(angle) < degrees(TIE_TOLERANCE) || (angle > 0) == (sign > 0);
+}
+
+/* "SYM": the sign counts from where the two positions are symmetrical, which is 0 on nearly all machines. */
+static bool check_symmetry(const struct interp *interp, const struct klartext_swivel *request,
+			   const struct kinematics_solutions *solutions)
+{
+	if (!request->symmetric || solutions->count < 2 ||
+	    fabs(remainder(angle_of(interp, &solutions->items[0], solutions->primary) +
+			       angle_of(interp, &solutions->items[1], solutions->primary),
+			   360)) <= SAME_DEGREES)
+		return true;
+	return fault(&interp->at, request->column,
+		     "SYM where the positions of %c are not symmetrical about 0 is not supported; write SEQ+ or SEQ-",
+		     AXIS_LETTERS[solutions->primary]);
+}
+
+/*
+ * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
+ * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
+ */
+static bool choose(struct interp *interp, const struct klartext_swivel *request, const struct kinematics_solutions *solutions,
+		   const struct kinematics_solution **chosen)
+{
+	size_t fitting[2] = {0, 0}, count = 0;
+	char texts[2][64];
+
+	if (!check_symmetry(interp, request, solutions))
+		return false;
+	for (size_t i = 0; i < solutions->count; i++) {
+		if (solutions->items[i].within_limits && has_sign(interp, solutions, i, request->sign))
+			fitting[count++] = i;
+	}
+	if (count == 0)
+		return fault(
+		    &interp->at, request->column,
+		    solutions->count == 0 ? "the rotary axes of this machine cannot stand the tool on this plane"
+		    : request->sign	  ? "no position of the rotary axes within their limits has the tool stand on "
+					    "this plane with this SEQ"
+				    : "within the limits of their travel, the rotary axes cannot stand the tool on "
+				      "this plane");
+	*chosen = &solutions->items[fitting[0]];
+	if (count == 1)
+		return true;
+	if (klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]], &solutions->items[fitting[1]]) !=
+	    klartext_orient_is_no_farther(interp, &solutions->items[fitting[1]], &solutions->items[fitting[0]])) {
+		*chosen = &solutions->items[klartext_orient_is_no_farther(interp, &solutions->items[fitting[0]],
+									  &solutions->items[fitting[1]])
+						? fitting[0]
+						: fitting[1]];
+		return true;
+	}
+	write_axes(interp, &solutions->items[0], texts[0], sizeof(texts[0]));
+	write_axes(interp, &solutions->items[1], texts[1], sizeof(texts[1]));
+	return fault(&interp->at, request->column,
+		     "PLANE could turn to %s or to %s: which one the control takes is not known here; write SEQ+ or "
+		     "SEQ-, or turn "
+		     "the rotary axes towards the one that is meant before",
+		     texts[0], texts[1]);
+}
+
+/* How far the machine's X, with this axis at this angle, lies along the tilted X. */
+static bool along_tilted_x(struct interp *interp, int column, struct kinematics_turn *turn, int slot, double angle,
+			   const mat3 *tilt, double *found)
+{
+	turn->rotary.v[slot] = radians(angle);
+	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, column), turn))
+		return false;
+	*found = vec3_dot(turn->turn.x, tilt->x);
+	return true;
+}
+
+/*
+ * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along those of the machine.
+ * The machine's X turns with the axis, so that two positions tell the angle.
+ */
+static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *request,
+			   const struct kinematics_solution *chosen, const mat3 *tilt, int slot, slot_values *rotary)
+{
+	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp), .rotary = chosen->rotary};
+	const double zero = interp->state.offset.v[slot], here = interp->state.position.v[slot];
+	double at_zero, at_quarter, reached, angle;
+
+	if (!along_tilted_x(interp, request->column, &turn, slot, zero, tilt, &at_zero) ||
+	    !along_tilted_x(interp, request->column, &turn, slot, zero + 90, tilt, &at_quarter))
+		return false;
+	angle = math_atan2_degrees(at_quarter, at_zero) + zero;
+	angle = here + remainder(angle - here, 360);
+	if (!along_tilted_x(interp, request->column, &turn, slot, angle, tilt, &reached))
+		return false;
+	if (reached < 1 - DIRECTION_REACHED || fabs(angle - here) > 180 - SAME_DEGREES)
+		return fault(&interp->at, request->column,
+			     "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
+			     AXIS_LETTERS[slot]);
+	if (interp->config->wrap[slot] == WRAP_NONE && fabs(angle - zero) > 180 + SAME_DEGREES)
+		return fault(&interp->at, request->column,
+			     "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
+			     "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
+			     "file",
+			     AXIS_LETTERS[slot], angle - zero, AXIS_LETTERS[slot]);
+	rotary->v[slot] = angle;
+	return true;
+}
+
+/*
+ * A rotary axis that any angle suits, and other turns of an axis. COORD ROT leaves a free axis where it is on some
+ * controls and takes it to 0 on others; TABLE ROT turns it.
+ */
+static bool check_free(struct interp *interp, const struct klartext_swivel *request, const struct kinematics_solution *chosen,
+		       const mat3 *tilt)
+{
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
+		double to = state_from_canonical(slot, chosen->rotary.v[slot]);
+
+		if (chosen->free[slot] && request->table_rot)
+			continue;
+		if (chosen->free[slot] && fabs(remainder(here, 360)) > SAME_DEGREES &&
+		    !interp->config->controller.swivel_pole)
+			return fault(&interp->at, request->column,
+				     "any angle of %c suits this plane, and it stands at %.6g: whether the control "
+				     "leaves it there or turns it to 0 depends on its generation: "
+				     "swivel_pole=\"stays\" or \"zero\" of the machine's <controller> says it, or turn "
+				     "%c to 0 in a block before",
+				     AXIS_LETTERS[slot], here, AXIS_LETTERS[slot]);
+		if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO &&
+		    fabs(here) > 180 + SAME_DEGREES)
+			return fault(&interp->at, request->column,
+				     "PLANE turns %c to 0 or to a whole turn: which one the control takes is not known "
+				     "here; turn %c towards 0 in a block before",
+				     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+		if (chosen->free[slot] && !request->coord_rot && fabs(tilt->x.y) + fabs(tilt->x.z) > DIRECTION_REACHED)
+			return fault(
+			    &interp->at, request->column,
+			    "any angle of %c suits this plane: write COORD ROT, which turns the coordinates alone",
+			    AXIS_LETTERS[slot]);
+		if (chosen->tie[slot])
+			return fault(&interp->at, request->column,
+				     "half a turn of %c: either way is as short; half_turn=\"positive\" or "
+				     "\"negative\" of this axis in "
+				     "the machine file says which one the control takes",
+				     AXIS_LETTERS[slot]);
+		if (interp->config->wrap[slot] == WRAP_NONE && !chosen->free[slot] &&
+		    fabs(to - interp->state.offset.v[slot]) > 180 + SAME_DEGREES)
+			return fault(
+			    &interp->at, request->column,
+			    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is "
+			    "not known "
+			    "here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine file",
+			    AXIS_LETTERS[slot], to, AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+static bool find_rotary(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt, slot_values *rotary)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct kinematics_orientation orientation = {.direction = tilt->z,
+							   .rotary_zero = tool_length_rotary_zero(interp),
+							   .rotary = interp->state.canonical,
+							   .command = "PLANE"};
+	struct kinematics_solutions solutions;
+	const struct kinematics_solution *chosen = NULL;
+
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, request->column),
+					      &orientation, &solutions) ||
+	    !choose(interp, request, &solutions, &chosen) || !check_free(interp, request, chosen, tilt))
+		return false;
+	*rotary = interp->state.position;
+	klartext->rotary = interp->state.canonical;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
+		if (!interp->config->has_axis[slot])
+			continue;
+		rotary->v[slot] = state_from_canonical(slot, chosen->rotary.v[slot]);
+		if (chosen->free[slot] && request->table_rot) {
+			if (!turn_free_axis(interp, request, chosen, tilt, slot, rotary))
+				return false;
+		} else if (chosen->free[slot] && interp->config->controller.swivel_pole == SWIVEL_POLE_ZERO) {
+			rotary->v[slot] = interp->state.offset.v[slot];
+		}
+		klartext->rotary.v[slot] = radians(rotary->v[slot]);
+		/* Q120 to Q122: the angles that the control has computed. */
+		klartext_q_set(klartext, 120 + slot - SLOT_A, rotary->v[slot] - interp->state.offset.v[slot]);
+	}
+	return true;
+}
+
+/* --------------------------------------------------------------- the motion */
+
+static bool find_feed(struct interp *interp, const struct klartext_swivel *request, struct canon_move *move)
+{
+	struct state *state = &interp->state;
+	double linear = request->feed * (state->scale > 1 ? state->scale / 10 : 1), angular = request->feed;
+
+	if (request->rapid) {
+		move->kind = CANON_RAPID;
+		return true;
+	}
+	if (!(request->feed > 0)) {
+		linear = state->feed_linear;
+		angular = state->feed_angular;
+	}
+	if (!(linear > 0))
+		return fault(&interp->at, request->column, "PLANE ... TURN and MOVE need F or FMAX");
+	move->kind = CANON_FEED;
+	move->feed.linear = linear / SECONDS_PER_MINUTE;
+	move->feed.angular = radians(angular) / SECONDS_PER_MINUTE;
+	return true;
+}
+
+/* MB. */
+static bool retract(struct interp *interp, const struct klartext_swivel *request)
+{
+	struct kinematics_retract way = request->retract;
+	struct canon_move move = {.kind = CANON_RAPID};
+	slot_values target = interp->state.position;
+
+	if (!request->retracts)
+		return true;
+	way.position = interp->state.canonical;
+	if (!interp->kinematics->retract(interp->kinematics->context, line_loc(&interp->at, request->column), &way))
+		return false;
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
+		target.v[slot] = way.position.v[slot];
+	return motion_commands_go(interp, &target, &move);
+}
+
+/*
+ * "TURN": the rotary axes alone; "MOVE": the linear axes with them, so that a point DIST in front of the tip keeps its
+ * place on the workpiece.
+ */
+static bool move_rotary(struct interp *interp, const struct klartext_swivel *request, const slot_values *rotary)
+{
+	struct state *state = &interp->state;
+	struct canon_move move = {0};
+	double length = state->length;
+	slot_values target;
+	bool good, turns = false;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		turns = turns || fabs(rotary->v[slot] - state->position.v[slot]) > degrees(TIE_TOLERANCE);
+	if (!turns && request->retracts)
+		return fault(
+		    &interp->at, request->column,
+		    "MB of PLANE where no rotary axis has to turn: whether the tool retracts is not known here; "
+		    "write M140 in a block before");
+	klartext_of(interp)->moved = true;
+	klartext_of(interp)->last.known = false;
+	if (!find_feed(interp, request, &move) || !retract(interp, request))
+		return false;
+	if (request->positioning == KLARTEXT_TURN_TURN) {
+		/* From where the retraction has ended. */
+		target = interp->state.position;
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+			target.v[slot] = rotary->v[slot];
+		return motion_commands_go(interp, &target, &move);
+	}
+	if (!klartext_comp_check_known(interp, request->column, "PLANE ... MOVE"))
+		return false;
+	state->length += request->distance;
+	if (!tool_length_switch_tcp(interp, request->column, TCP_BY_MCODE))
+		return false;
+	target = state->position;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		target.v[slot] = rotary->v[slot];
+	good = motion_commands_go(interp, &target, &move) && tool_length_switch_tcp(interp, request->column, TCP_OFF);
+	state->length = length;
+	state_update_offset(state);
+	return good;
+}
+
+/* Back to coordinates that are not tilted; the axes stand still. */
+bool klartext_swivel_leave(struct interp *interp, int column)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	klartext_comp_turn_open(interp);
+	if (interp->state.tcp == TCP_BY_PLANE && !tool_length_switch_tcp(interp, column, TCP_OFF))
+		return false;
+	klartext->frame.tilted = klartext->waits = klartext->preset_in_plane = false;
+	klartext->frame.tilt = mat3_identity();
+	klartext_frame_update(&klartext->frame);
+	return true;
+}
+
+/* "PLANE RESET": with TURN or MOVE the rotary axes go to 0. */
+bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request)
+{
+	slot_values rotary;
+
+	if (!klartext_swivel_leave(interp, request->column))
+		return false;
+	if (request->positioning == KLARTEXT_TURN_STAY)
+		return true;
+	rotary = interp->state.position;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		if (interp->config->has_axis[slot])
+			rotary.v[slot] = interp->state.offset.v[slot];
+		if (fabs(rotary.v[slot] - interp->state.position.v[slot]) > 180 + SAME_DEGREES)
+			return fault(&interp->at, request->column,
+				     "whether PLANE RESET turns %c to 0 or to a whole turn is not known here; turn it "
+				     "in a block before",
+				     AXIS_LETTERS[slot]);
+	}
+	return move_rotary(interp, request, &rotary);
+}
+
+/* Where PLANE AXIAL turns the axes: as it names them; others must stand at 0, where no rule is needed for them. */
+static bool find_named(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
+		       const double angle[SLOT_COUNT], slot_values *rotary)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	*rotary = interp->state.position;
+	klartext->rotary = interp->state.canonical;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
+
+		klartext->rotary_needed[slot] = interp->config->has_axis[slot];
+		if (!interp->config->has_axis[slot])
+			continue;
+		if (!(axes & 1U << slot) && fabs(here) > SAME_DEGREES)
+			return fault(&interp->at, request->column,
+				     "%c is not named here and stands at %.6g: what it does is not known here; name it, "
+				     "too",
+				     AXIS_LETTERS[slot], here);
+		if (axes & 1U << slot)
+			rotary->v[slot] = angle[slot] + interp->state.offset.v[slot];
+		if (interp->config->wrap[slot] != WRAP_NONE &&
+		    fabs(rotary->v[slot] - interp->state.position.v[slot]) > 180 - SAME_DEGREES)
+			return fault(&interp->at, request->column,
+				     "%c turns by 180 degrees or more: in which direction is not known here; turn it "
+				     "towards %.6g in a block before",
+				     AXIS_LETTERS[slot], angle[slot]);
+		klartext->rotary.v[slot] = radians(rotary->v[slot]);
+	}
+	/* Whether they have the positions then is not in the manuals. */
+	for (int number = 120; number <= 122; number++)
+		klartext_q_forget(klartext, number);
+	return true;
+}
+
+static bool tilt_to(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt,
+		    const slot_values *rotary)
+{
+	struct klartext *klartext = klartext_of(interp);
+	bool there = true;
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		there = there && fabs(rotary->v[slot] - interp->state.position.v[slot]) <= degrees(TIE_TOLERANCE);
+	if (request->positioning != KLARTEXT_TURN_STAY && !move_rotary(interp, request, rotary))
+		return false;
+	klartext->frame.tilted = true;
+	klartext->frame.tilt = *tilt;
+	klartext_frame_update(&klartext->frame);
+	klartext->waits = request->positioning == KLARTEXT_TURN_STAY && !there;
+	return klartext->waits || tool_length_switch_tcp(interp, request->column, TCP_BY_PLANE);
+}
+
+bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt)
+{
+	slot_values rotary;
+
+	return klartext_swivel_leave(interp, request->column) && find_rotary(interp, request, tilt, &rotary) &&
+	       tilt_to(interp, request, tilt, &rotary);
+}
+
+/*
+ * TNC 407 and 426 user's manuals, "WORKING PLANE (Cycle 19)": with a swivel head the coordinate system turns as the tool
+ * does; with a tilting table it does not turn in relation to the machine. That PLANE AXIAL does the same is from memory.
+ */
+bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
+			   const double angle[SLOT_COUNT])
+{
+	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp)};
+	slot_values rotary;
+
+	if (!klartext_swivel_leave(interp, request->column) ||
+	    !find_named(interp, request, axes, angle, &rotary))
+		return false;
+	turn.rotary = klartext_of(interp)->rotary;
+	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, request->column), &turn))
+		return false;
+	if (vec3_norm(vec3_sub(turn.turn.z, turn.tool)) > DIRECTION_REACHED)
+		return fault(&interp->at, request->column,
+			     "a plane by positions of the rotary axes where the spindle does not lie along Z while they "
+			     "stand at 0 is not supported");
+	return tilt_to(interp, request, &turn.turn, &rotary);
+}

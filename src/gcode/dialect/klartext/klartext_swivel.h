@@ -1,0 +1,42 @@
+/* klartext_swivel.h - PLANE and cycle 19, once the plane is known: where the rotary axes go, how, and what is tilted then. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SWIVEL_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SWIVEL_H
+
+#include <stdbool.h>
+
+#include "gcode/kinematics.h"
+#include "gcode/state.h"
+
+enum klartext_turning { KLARTEXT_TURN_UNKNOWN, KLARTEXT_TURN_MOVE, KLARTEXT_TURN_TURN, KLARTEXT_TURN_STAY };
+
+/* The words behind the plane itself. */
+struct klartext_swivel {
+	enum klartext_turning positioning;
+	double distance; /* DIST of MOVE, mm */
+	bool rapid;
+	double feed; /* bare; 0: that in force */
+	int sign; /* SEQ+ and SYM+ 1, SEQ- and SYM- -1, 0: none */
+	bool symmetric; /* by SYM */
+	bool table_rot, coord_rot;
+	bool retracts; /* MB: along the tool before the rotary axes turn */
+	struct kinematics_retract retract;
+	int column;
+};
+
+/* Tilts the plane and turns the rotary axes there as the words say. False: reported. */
+bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt);
+
+/*
+ * The same by positions of the rotary axes, degrees, of the slots whose bits are in `axes` (PLANE AXIAL, cycle 19): the
+ * coordinates turn with the head, and not with the table.
+ */
+bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
+			   const double angle[SLOT_COUNT]);
+
+/* "PLANE RESET": back to coordinates that are not tilted; with TURN or MOVE the rotary axes go to 0. False: reported. */
+bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request);
+
+/* Back to coordinates that are not tilted; the axes stand still. False: reported. */
+bool klartext_swivel_leave(struct interp *interp, int column);
+
+#endif
