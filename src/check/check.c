@@ -259,7 +259,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
-		scheduler_collect(&c.scheduler, c.last_block, stats, proven);
+		scheduler_collect(&c.scheduler, options, c.last_block, stats, proven);
 		stock_check_collect(&c.stock, scene, c.last_block, stats, proven);
 	}
 	stats->certificates += c.sweep.certificates;

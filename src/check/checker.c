@@ -302,7 +302,10 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
 					 .rank = (int)check->pair};
 	struct contact contact;
-	enum pose_state state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance,
+	enum pose_state state;
+
+	pair_check_prepare(check, c->options);
+	state = static_query_pose(c->scene, &c->sweep, pair, &c->position, c->options->tolerance,
 						  &contact, &c->log.diags.diag);
 
 	c->broken_off = c->sweep.broken_off || cancel_asked(c->options->read.cancel);

@@ -21,14 +21,10 @@ static bool starts_unseen(unsigned steps)
 	return !(steps & STEP_RAPID);
 }
 
-bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, const struct check_options *options,
-		 bool measure, struct diag *diag)
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure)
 {
 	const struct scene_pair *p = &scene->pairs[pair];
-	struct body_pair bodies;
 
-	if (!scene_pair_bodies(scene, p, &bodies, diag))
-		return false;
 	*check = (struct pair_check){
 		.scene = scene,
 		.pair = pair,
@@ -38,22 +34,36 @@ bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 		.found_block = -1,
 		.unknown_block = -1,
 		.maybe_inside = starts_unseen(p->steps),
+		/* The clearance of a cutter's core is of no interest. */
+		.measures = measure && p->status != PAIR_CUTTING,
 	};
-	/* The clearance of a cutter's core is of no interest. */
-	measure = measure && p->status != PAIR_CUTTING;
-	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, measure);
-	if (measure && options->measure_cap > 0)
+}
+
+void pair_check_prepare(struct pair_check *check, const struct check_options *options)
+{
+	const struct scene_pair *p = &check->scene->pairs[check->pair];
+	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
+	const bool started = check->sampler.started;
+	struct body_pair bodies;
+
+	if (check->ready || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
+		return;
+	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, check->measures);
+	if (check->measures && options->measure_cap > 0)
 		strategy_cap(&check->strategy, p->clearance + options->measure_cap);
 	sampler_init(&check->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
+	check->sampler.started = started;
 	block_clearance_init(&check->block, &bodies, options->block_clearance_cap);
-	return true;
+	check->ready = true;
 }
 
 void pair_check_release(struct pair_check *check)
 {
-	strategy_release(&check->strategy);
-	block_clearance_release(&check->block);
-	sampler_release(&check->sampler);
+	if (check->ready) {
+		strategy_release(&check->strategy);
+		block_clearance_release(&check->block);
+		sampler_release(&check->sampler);
+	}
 	free(check->results);
 	free(check->clearances);
 	check->results = NULL;

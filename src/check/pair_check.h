@@ -34,6 +34,8 @@ struct pair_check {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
+	bool measures;	/* find the smallest clearance */
+	bool ready;	/* pair_check_prepare was called */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
 	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
@@ -46,12 +48,14 @@ struct pair_check {
 	size_t clearance_count, clearance_capacity;
 };
 
+/* measure: find the smallest clearance (strategy_init). The meshes of the scene have been read (scene_build). */
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure);
+
 /*
- * measure: find the smallest clearance (strategy_init). Must not be moved afterwards. False: a mesh is faulty,
- * reported.
+ * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of tools
+ * that a program does not use. The check must not be moved afterwards.
  */
-bool pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, const struct check_options *options,
-		 bool measure, struct diag *diag);
+void pair_check_prepare(struct pair_check *check, const struct check_options *options);
 void pair_check_release(struct pair_check *check);
 
 /* Is the pair present while this tool is in the spindle? */

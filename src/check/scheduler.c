@@ -22,6 +22,8 @@
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
 		    const struct cancel *cancel, bool measure, struct diag *diag)
 {
+	if (!scene_build(scene, diag))
+		return false;
 	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
@@ -33,9 +35,7 @@ bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const stru
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		if (!scene_pair_needs_check(&scene->pairs[i]) || scene->pairs[i].stock)
 			continue;
-		if (!pair_check_init(&scheduler->checks[scheduler->count], scene, i, options, measure, diag))
-			return false;
-		scheduler->count++;
+		pair_check_init(&scheduler->checks[scheduler->count++], scene, i, measure);
 	}
 	return true;
 }
@@ -121,6 +121,7 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 		check->result_count = 0;
 		if (!pair_check_is_active(check, tool))
 			continue;
+		pair_check_prepare(check, options);
 		if (is_divisible(scheduler, check, options))
 			divide(scheduler, check, batch);
 		else
@@ -224,22 +225,28 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 	scheduler->job_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
 		scheduler->checks[i].clearance_count = 0;
-		if (pair_check_is_active(&scheduler->checks[i], tool))
-			add_job(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
+		if (!pair_check_is_active(&scheduler->checks[i], tool))
+			continue;
+		pair_check_prepare(&scheduler->checks[i], options);
+		add_job(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
 	}
 	parallel_for(scheduler->job_count, scheduler->threads, do_job, &work);
 	return is_complete(scheduler);
 }
 
-void scheduler_collect(const struct scheduler *scheduler, long last_block, struct check_stats *stats, double *proven)
+void scheduler_collect(struct scheduler *scheduler, const struct check_options *options, long last_block,
+		       struct check_stats *stats, double *proven)
 {
 	for (int i = 0; i < scheduler->threads; i++) {
 		stats->certificates += scheduler->sweeps[i].certificates;
 		stats->bisections += scheduler->sweeps[i].bisections;
 	}
 	for (size_t i = 0; i < scheduler->count; i++) {
-		const struct pair_check *check = &scheduler->checks[i];
+		struct pair_check *check = &scheduler->checks[i];
 
+		/* What is measured of a pair that was never checked is where measuring begins. */
+		if (proven)
+			pair_check_prepare(check, options);
 		stats->budgets += check->strategy.covered_steps;
 		stats->planes += check->strategy.plane_steps;
 		stats->queries += check->strategy.queries;

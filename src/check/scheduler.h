@@ -60,6 +60,7 @@ void scheduler_jump(struct scheduler *scheduler);
 /*
  * Adds up the counters, and the pairs that became unknown up to last_block, which ended the check. proven may be NULL.
  */
-void scheduler_collect(const struct scheduler *scheduler, long last_block, struct check_stats *stats, double *proven);
+void scheduler_collect(struct scheduler *scheduler, const struct check_options *options, long last_block,
+		       struct check_stats *stats, double *proven);
 
 #endif

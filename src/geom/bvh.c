@@ -96,6 +96,9 @@ static void swap_items(const struct builder *b, size_t i, size_t j)
 	b->triangle[j] = triangle;
 }
 
+/* A tree has about one node for so many triangles. */
+enum { LIKELY_SHARE = 3 };
+
 /* How many items are looked at before any is moved. */
 enum { BLOCK = 64 };
 
@@ -112,9 +115,11 @@ struct misplaced {
  */
 static size_t partition(const struct builder *b, const struct run *run, int axis, float bound)
 {
-	struct misplaced front = {.count = 0}, back = {.count = 0};
+	struct misplaced front, back;
 	size_t i = run->first, j = run->first + run->count;
 
+	/* One by one: an initialiser would clear the arrays, too, which costs more than small runs. */
+	front.first = front.count = back.first = back.count = 0;
 	while (j - i > 2 * BLOCK) {
 		if (front.first == front.count) {
 			front.first = front.count = 0;
@@ -355,6 +360,8 @@ struct bvh *bvh_new_by(struct mesh *mesh, int threads)
 	b.origin[0] = bvh->origin.x;
 	b.origin[1] = bvh->origin.y;
 	b.origin[2] = bvh->origin.z;
+	b.capacity = all.count / LIKELY_SHARE + 1;
+	b.nodes = mem_alloc(b.capacity * sizeof(*b.nodes));
 	if (threads > 1 && all.count >= BVH_LARGE)
 		build_together(&b, &all, threads);
 	else

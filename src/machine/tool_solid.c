@@ -263,16 +263,32 @@ static void add_triangle(struct mesh *mesh, struct vertex a, struct vertex b, st
 	mesh->count++;
 }
 
-static void fill_ring(struct vertex *ring, size_t count, struct corner corner)
-{
-	double r = corner.r / math_cos(PI / (double)count);
+/* The directions from the axis to the vertices of a ring. */
+struct circle {
+	double *cosine, *sine;
+	size_t count;
+};
 
+static void circle_init(struct circle *circle, size_t count)
+{
+	circle->count = count;
+	circle->cosine = mem_alloc(2 * count * sizeof(*circle->cosine));
+	circle->sine = circle->cosine + count;
 	for (size_t k = 0; k < count; k++) {
 		double angle = 2 * PI * (double)k / (double)count;
 
-		ring[k] =
-		    (struct vertex){{(float)(r * math_cos(angle)), (float)(r * math_sin(angle)), (float)corner.z}};
+		circle->cosine[k] = math_cos(angle);
+		circle->sine[k] = math_sin(angle);
 	}
+}
+
+static void fill_ring(struct vertex *ring, const struct circle *circle, struct corner corner)
+{
+	double r = corner.r / math_cos(PI / (double)circle->count);
+
+	for (size_t k = 0; k < circle->count; k++)
+		ring[k] = (struct vertex){
+			{(float)(r * circle->cosine[k]), (float)(r * circle->sine[k]), (float)corner.z}};
 }
 
 static void add_cap(struct mesh *mesh, const struct vertex *ring, size_t count, bool faces_up)
@@ -310,20 +326,23 @@ void tool_solid_mesh(const struct tool_solid *solid, struct arena *arena, struct
 	struct outline outline;
 	struct vertex *rings = mem_zalloc(2 * plan.ring, sizeof(*rings));
 	struct vertex *upper = rings, *lower = rings + plan.ring;
+	struct circle circle;
 
+	circle_init(&circle, plan.ring);
 	outline_init(&outline, solid, &plan);
 	*out = (struct mesh){.triangles = arena_alloc(arena, 2 * plan.ring * outline.count * sizeof(mesh_triangle))};
-	fill_ring(lower, plan.ring, outline.corners[0]);
+	fill_ring(lower, &circle, outline.corners[0]);
 	add_cap(out, lower, plan.ring, true);
 	for (size_t i = 1; i < outline.count; i++) {
 		struct vertex *spare = upper;
 
 		upper = lower;
 		lower = spare;
-		fill_ring(lower, plan.ring, outline.corners[i]);
+		fill_ring(lower, &circle, outline.corners[i]);
 		add_band(out, upper, lower, plan.ring);
 	}
 	add_cap(out, lower, plan.ring, false);
 	free(outline.corners);
+	free(circle.cosine);
 	free(rings);
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/minmax.h"
 #include "geom/moved_tri.h"
 #include "scene/coherence.h"
 
@@ -54,14 +55,99 @@ static axis_values sample(const struct look *look, int i)
 	return q;
 }
 
+/* Both bodies at one position. */
+struct pose_look {
+	const struct body_pair *pair;
+	xform pose;
+	struct box_motion boxes;
+	double clearance;
+};
+
+/* Are the corners of b on both sides of the plane of a? If not, the triangles hardly meet. */
+static bool plane_parts(const tri *a, const tri *b)
+{
+	vec3 n = vec3_cross(vec3_sub(a->p[1], a->p[0]), vec3_sub(a->p[2], a->p[0]));
+	double d0 = vec3_dot(n, vec3_sub(b->p[0], a->p[0])), d1 = vec3_dot(n, vec3_sub(b->p[1], a->p[0]));
+	double d2 = vec3_dot(n, vec3_sub(b->p[2], a->p[0]));
+
+	return smaller(d0, smaller(d1, d2)) <= 0 && larger(d0, larger(d1, d2)) >= 0;
+}
+
+static bool triangles_meet(const struct pose_look *at, const tri *a, const tri *b)
+{
+	vec3 on_a, on_b;
+
+	if (tri_box_gap(a, b, b) > at->clearance)
+		return false;
+	if (at->clearance > 0)
+		return tri_distance(a, b, &on_a, &on_b) <= at->clearance;
+	return plane_parts(a, b) && plane_parts(b, a) && tri_meet(a, b);
+}
+
+static bool leaves_meet(const struct pose_look *at, struct leaf a, struct leaf b)
+{
+	for (int j = 0; j < b.count; j++) {
+		tri of_b = tri_of(&at->pair->b->mesh, b.first + (size_t)j);
+
+		of_b = tri_transform(&of_b, &at->pose);
+		for (int i = 0; i < a.count; i++) {
+			tri of_a = tri_of(&at->pair->a->mesh, a.first + (size_t)i);
+
+			if (triangles_meet(at, &of_a, &of_b))
+				return true;
+		}
+	}
+	return false;
+}
+
+/* Queues the children of the larger subtree that may be near enough; returns how long the queue is then. */
+static size_t queue_children(struct sweep *sweep, const struct pose_look *at, const struct bvh_pair *entry, size_t depth)
+{
+	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
+	const struct subtree *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;
+	const struct bvh_node *node = &(open_a ? at->pair->a : at->pair->b)->nodes[opened->leaf.first];
+	struct bvh_pair *queue = sweep_queue_reserve(sweep, depth + BVH_WIDTH);
+	float apart[BVH_WIDTH], lost[BVH_WIDTH];
+
+	boxes_apart(&at->boxes, open_a ? 0 : 1, node, &kept->box, (float)at->clearance, apart, lost);
+	sweep->visits += node->used;
+	for (int i = 0; i < node->used; i++) {
+		struct subtree child;
+
+		if (apart[i] > at->clearance)
+			continue;
+		child = subtree_child(node, i);
+		queue[depth++] = open_a ? (struct bvh_pair){child, *kept, 0} : (struct bvh_pair){*kept, child, 0};
+	}
+	return depth;
+}
+
+/*
+ * Do the surfaces meet at q? A walk of its own: to know where bodies that are deep in each other meet first, or how
+ * far apart they are, costs several times as much.
+ */
 static bool meets_at(const struct look *look, const axis_values *q)
 {
-	struct chord still = {.q0 = *q, .q1 = *q};
-	struct body_pair pair = look->pair;
-	struct contact contact;
+	struct pose_look at = {.pair = &look->pair, .clearance = look->clearance};
+	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_stray[VIEWS] = {0, 0};
+	struct sweep *sweep = look->sweep;
+	xform ends[2];
+	size_t depth = 1;
 
-	pair.coherence = NULL;
-	return sweep_chord_any(look->sweep, &pair, &still, look->clearance, 1, &contact) == SWEEP_CONTACT;
+	at.pose = ends[0] = ends[1] = body_pair_pose(&look->pair, q);
+	box_motion_init(&at.boxes, look->pair.a, look->pair.b, ends, no_play, no_stray);
+	*sweep_queue_reserve(sweep, 1) =
+	    (struct bvh_pair){subtree_root(look->pair.a), subtree_root(look->pair.b), 0};
+	while (depth && !sweep_breaks_off(sweep)) {
+		const struct bvh_pair entry = sweep->queue[--depth];
+
+		if (!entry.a.leaf.count || !entry.b.leaf.count)
+			depth = queue_children(sweep, &at, &entry, depth);
+		else if (leaves_meet(&at, entry.a.leaf, entry.b.leaf))
+			return true;
+	}
+	return false;
 }
 
 /* mm per mm or radian: how fast each joint moves the point of b along n; all in the coordinates of a's link. */
@@ -113,11 +199,11 @@ static bool move_along(const struct look *look, const double *rates, double want
 }
 
 /* Moves the nearest triangles together, again and again; true: at *q they meet. */
-static bool descends(struct look *look, axis_values *q)
+static bool descends(struct look *look, int steps, axis_values *q)
 {
 	const struct body_pair *pair = &look->pair;
 
-	for (int step = 0; step < STEPS; step++) {
+	for (int step = 0; step < steps; step++) {
 		double rates[SLOT_COUNT];
 		struct chain_state state;
 		vec3 on_a, on_b, n;
@@ -126,7 +212,7 @@ static bool descends(struct look *look, axis_values *q)
 
 		sweep_distance(look->sweep, pair, q, 0.5, look->clearance, STEP_VISITS);
 		if (look->coherence.near <= look->clearance)
-			return meets_at(look, q);
+			return true;
 		pose = body_pair_pose(pair, q);
 		a = tri_of(&pair->a->mesh, look->coherence.near_a);
 		b = tri_of(&pair->b->mesh, look->coherence.near_b);
@@ -149,34 +235,48 @@ static void keep(struct contact_search *search, const axis_values *q)
 	search->met[0] = *q;
 }
 
-/* The kept position, moved into the travel: axes that did not count for the other bodies are at 0 in it. */
-static axis_values kept(const struct contact_search *search, int i, const struct look *look)
+/* The position, moved into the travel: axes that did not count for the other bodies are at 0 in it. */
+static axis_values within_travel(const axis_values *near, const struct look *look)
 {
 	axis_values q;
 
 	for (int k = 0; k < SLOT_COUNT; k++)
-		q.v[k] = fmin(fmax(search->met[i].v[k], look->low->v[k]), look->high->v[k]);
+		q.v[k] = fmin(fmax(near->v[k], look->low->v[k]), look->high->v[k]);
 	return q;
 }
 
 static bool look_around(const struct contact_search *search, struct look *look, axis_values *q)
 {
 	for (int i = 0; i < search->count; i++) {
-		*q = kept(search, i, look);
+		*q = within_travel(&search->met[i], look);
 		if (meets_at(look, q))
 			return true;
 	}
 	if (search->count) {
-		*q = kept(search, 0, look);
-		if (descends(look, q))
+		*q = within_travel(&search->met[0], look);
+		if (descends(look, STEPS, q))
 			return true;
 	}
 	for (int i = 1; i <= SAMPLES; i++) {
 		*q = sample(look, i);
-		if (meets_at(look, q) || (i <= DESCENTS && descends(look, q)))
+		if (meets_at(look, q) || (i <= DESCENTS && descends(look, STEPS, q)))
 			return true;
 	}
 	return false;
+}
+
+bool contact_search_recalls(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,
+			    double clearance, const axis_values *low, const axis_values *high, const axis_values *near,
+			    int steps)
+{
+	struct look look = {.sweep = sweep, .pair = *pair, .clearance = clearance, .low = low, .high = high};
+	axis_values q = within_travel(near, &look);
+
+	look.pair.coherence = &look.coherence;
+	if (!meets_at(&look, &q) && !descends(&look, steps, &q))
+		return false;
+	keep(search, &q);
+	return true;
 }
 
 bool contact_search_finds(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,

@@ -24,6 +24,12 @@
  */
 #define FIRST_VISITS 300
 
+/*
+ * So many steps are made from where similar bodies met. Measured on a setup with 30 tools: 3, 6 and 10 differ by a
+ * fortieth; with none a fifth more is spent in all.
+ */
+enum { RECALL_STEPS = 6 };
+
 /* mm: such a proof does not halve intervals of travel that are smaller than this. */
 #define REACH_GRAIN 1.0
 
@@ -64,23 +70,117 @@ static double uncertainty_of(const struct scene *scene, const struct scene_pair 
 	return scene->bodies[pair->a].body->uncertainty + scene->bodies[pair->b].body->uncertainty;
 }
 
-/* Is it proved that the pair stays apart over the whole travel? */
+/* Where a body last met one of each role. The holders of all tools meet a table at much the same place. */
+struct last_contact {
+	axis_values at;
+	bool known;
+};
+
+/* The derivation of all pairs. */
+struct derivation {
+	struct contact_search search;
+	struct last_contact *last;	/* ROLES of them for each body */
+};
+
+enum { ROLES = ROLE_CUTTER + 1 };
+
+static struct last_contact *last_contact_of(const struct derivation *derivation, const struct scene *scene, int body,
+					    int other)
+{
+	return &derivation->last[body * ROLES + (int)scene->bodies[other].body->role];
+}
+
+/* Do they meet near where either of them met a body like the other one? */
+static bool meets_again(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies, double apart,
+			const axis_values *low, const axis_values *high, struct derivation *derivation)
+{
+	const struct last_contact *last[2] = {last_contact_of(derivation, scene, pair->a, pair->b),
+					      last_contact_of(derivation, scene, pair->b, pair->a)};
+
+	for (int i = 0; i < 2; i++) {
+		if (last[i]->known && contact_search_recalls(&derivation->search, &scene->sweep, bodies, apart, low,
+							     high, &last[i]->at, RECALL_STEPS))
+			return true;
+	}
+	return false;
+}
+
+static void keep_contact(const struct scene *scene, const struct scene_pair *pair, struct derivation *derivation)
+{
+	const struct last_contact last = {derivation->search.met[0], true};
+
+	*last_contact_of(derivation, scene, pair->a, pair->b) = last;
+	*last_contact_of(derivation, scene, pair->b, pair->a) = last;
+}
+
+/* Are the boxes around the bodies apart in some corner of the travel? */
+static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *low, const axis_values *high)
+{
+	const struct box a = box_whole(bodies->a), b = box_whole(bodies->b);
+	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_stray[VIEWS] = {0, 0};
+
+	for (size_t corner = 0; corner < (size_t)1 << bodies->chain->count; corner++) {
+		struct box_motion boxes;
+		axis_values q = *low;
+		xform ends[2];
+		float lost;
+
+		for (size_t i = 0; i < bodies->chain->count; i++) {
+			int slot = bodies->chain->joints[i].slot;
+
+			q.v[slot] = (corner >> i & 1 ? high : low)->v[slot];
+		}
+		ends[0] = ends[1] = body_pair_pose(bodies, &q);
+		box_motion_init(&boxes, bodies->a, bodies->b, ends, no_play, no_stray);
+		if (box_pair_apart(&boxes, &a, &b, &lost) > 0)
+			return true;
+	}
+	return false;
+}
+
+/*
+ * Is neither body inside the other one, where their surfaces stay apart over the whole travel? Then that is the same
+ * everywhere: where the boxes are apart it is seen at once, without the topology of the meshes.
+ */
+static bool is_outside(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
+		       const axis_values *low, const axis_values *high, struct diag *diag)
+{
+	const axis_values home = machine_home(scene->machine);
+	vec3 point;
+
+	return are_boxes_parted(bodies, low, high) ||
+	       static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+}
+
+/*
+ * Is it proved that the pair stays apart over the whole travel? A contact shows that no proof is possible, and saves
+ * the time of looking for one.
+ */
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
-			 struct contact_search *search, struct diag *diag)
+			 struct derivation *derivation, struct diag *diag)
 {
 	const double apart = pair->clearance + uncertainty_of(scene, pair);
 	struct sweep *sweep = &scene->sweep;
-	axis_values low, high, home = machine_home(scene->machine);
+	axis_values low, high;
 	enum sweep_answer answer;
 	struct contact contact;
-	vec3 point;
 
 	if (!travel_of(scene, &pair->chain, &low, &high))
 		return false;
+	if (meets_again(scene, pair, bodies, apart, &low, &high, derivation)) {
+		keep_contact(scene, pair, derivation);
+		return false;
+	}
 	answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, FIRST_VISITS, &contact);
-	if (answer == SWEEP_UNDECIDED && !contact_search_finds(search, sweep, bodies, apart, &low, &high))
+	if (answer == SWEEP_UNDECIDED) {
+		if (contact_search_finds(&derivation->search, sweep, bodies, apart, &low, &high)) {
+			keep_contact(scene, pair, derivation);
+			return false;
+		}
 		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, REACH_VISITS, &contact);
-	return answer == SWEEP_APART && static_query_contained(scene, pair, &home, &point, diag) == INSIDE_NO;
+	}
+	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high, diag);
 }
 
 static bool is_with(const struct body *a, const struct body *b, enum body_role role)
@@ -94,7 +194,7 @@ static bool is_cutting(const struct body *a, const struct body *b)
 }
 
 /* Derives the pair's status from the joints and the meshes, which it reads. */
-static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct contact_search *search,
+static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, struct derivation *derivation,
 				 struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -118,7 +218,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 			return true;
 		}
 	}
-	if (out_of_reach(scene, pair, &bodies, search, diag))
+	if (out_of_reach(scene, pair, &bodies, derivation, diag))
 		decide(pair, PAIR_OUT_OF_REACH, "proved apart over the whole travel");
 	else
 		decide(pair, PAIR_CHECKED, "within reach of each other");
@@ -186,7 +286,7 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
 }
 
-static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct contact_search *search,
+static bool derive(struct scene *scene, struct scene_pair *pair, double clearance, struct derivation *derivation,
 		   struct diag *diag)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
@@ -208,7 +308,7 @@ static bool derive(struct scene *scene, struct scene_pair *pair, double clearanc
 	else if (pair->stock && is_with(a, b, ROLE_CUTTER))
 		derive_stock_cutting(scene, pair);
 	else
-		return derive_from_geometry(scene, pair, search, diag);
+		return derive_from_geometry(scene, pair, derivation, diag);
 	return true;
 }
 
@@ -252,7 +352,7 @@ void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
 bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 {
 	size_t n = scene->body_count;
-	struct contact_search search = {0};
+	struct derivation derivation = {.last = mem_zalloc(n * ROLES, sizeof(*derivation.last))};
 	bool good = true;
 
 	/* A cutter and a part may have two pairs. */
@@ -263,11 +363,12 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 
 			pair->a = (int)a;
 			pair->b = (int)b;
-			good &= derive(scene, pair, clearance, &search, diag);
+			good &= derive(scene, pair, clearance, &derivation, diag);
 			if (pair->status == PAIR_CUTTING && !pair->stock)
 				add_gouge(scene, pair);
 		}
 	}
+	free(derivation.last);
 	return good;
 }
 

@@ -15,9 +15,8 @@
 int scene_core(struct scene *scene, int body, double depth)
 {
 	const struct body *cutter = scene->bodies[body].body;
+	struct tool_solid *solid;
 	struct body *core;
-	struct tool_solid solid;
-	struct mesh *mesh;
 
 	for (size_t i = scene->body_count; i < scene->body_count + scene->core_count; i++) {
 		const struct scene_body *other = &scene->bodies[i];
@@ -25,13 +24,13 @@ int scene_core(struct scene *scene, int body, double depth)
 		if (other->body->profile == cutter->profile && same_double(other->depth, depth))
 			return (int)i;
 	}
-	solid = tool_core(cutter->profile, depth, &scene->cores);
-	mesh = arena_alloc(&scene->cores, sizeof(*mesh));
-	tool_solid_mesh(&solid, &scene->cores, mesh);
+	solid = arena_alloc(&scene->cores, sizeof(*solid));
+	*solid = tool_core(cutter->profile, depth, &scene->cores);
 	core = arena_alloc(&scene->cores, sizeof(*core));
 	*core = *cutter;
-	core->solid = mesh;
-	scene->bodies[scene->body_count + scene->core_count] = (struct scene_body){.body = core, .depth = depth};
+	core->solid = NULL;
+	scene->bodies[scene->body_count + scene->core_count] =
+	    (struct scene_body){.body = core, .depth = depth, .core = solid};
 	return (int)(scene->body_count + scene->core_count++);
 }
 
@@ -65,14 +64,21 @@ static bool within_bounds(const struct mesh *mesh)
 	       fmax(greatest.x, fmax(greatest.y, greatest.z)) <= COORDINATE_MAX;
 }
 
+static struct mesh copy_of(const struct mesh *mesh)
+{
+	struct mesh copy = *mesh;
+
+	copy.triangles = mem_realloc(NULL, mesh->count, sizeof(*copy.triangles));
+	memcpy(copy.triangles, mesh->triangles, mesh->count * sizeof(*copy.triangles));
+	return copy;
+}
+
 bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
 {
 	struct mesh mesh = {0};
 
 	if (body->solid) {
-		mesh = *body->solid;
-		mesh.triangles = mem_realloc(NULL, mesh.count, sizeof(*mesh.triangles));
-		memcpy(mesh.triangles, body->solid->triangles, mesh.count * sizeof(*mesh.triangles));
+		mesh = copy_of(body->solid);
 	} else {
 		if (!stl_read_below(&mesh, body->mesh_root, body->mesh_path, diag)) {
 			diag_note(diag, body->loc, "body '%s' names that mesh", body->name);
@@ -92,11 +98,37 @@ bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *dia
 	return true;
 }
 
+static bool is_core(const struct scene *scene, int body)
+{
+	return (size_t)body >= scene->body_count;
+}
+
+/* The core's tree. Any thread may be the first that needs it: only cutters that a program uses need theirs. */
+static const struct bvh *core_bvh(struct scene *scene, int body)
+{
+	struct scene_body *core = &scene->bodies[body];
+
+	pthread_mutex_lock(&scene->building);
+	if (!core->bvh) {
+		struct arena arena = {0};
+		struct mesh solid, mesh;
+
+		tool_solid_mesh(core->core, &arena, &solid);
+		mesh = copy_of(&solid);
+		core->bvh = bvh_new(&mesh);
+		arena_release(&arena);
+	}
+	pthread_mutex_unlock(&scene->building);
+	return core->bvh;
+}
+
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag)
 {
 	struct scene_body *b = &scene->bodies[body];
 	struct mesh mesh;
 
+	if (is_core(scene, body))
+		return core_bvh(scene, body);
 	if (b->bvh || b->failed)
 		return b->bvh;
 	if (!scene_read_mesh(b->body, &mesh, diag)) {
@@ -149,8 +181,13 @@ bool scene_build(struct scene *scene, struct diag *diag)
 	for (size_t i = 0; i < scene->pair_count; i++) {
 		const struct scene_pair *pair = &scene->pairs[i];
 
-		if (scene_pair_needs_check(pair))
-			good = scene_body_bvh(scene, pair->a, diag) && scene_body_bvh(scene, pair->b, diag) && good;
+		if (!scene_pair_needs_check(pair))
+			continue;
+		for (int k = 0; k < 2; k++) {
+			int body = k ? pair->b : pair->a;
+
+			good = (is_core(scene, body) || scene_body_bvh(scene, body, diag)) && good;
+		}
 	}
 	return good;
 }

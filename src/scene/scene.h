@@ -35,6 +35,7 @@ struct scene_body {
 	struct topology *topology;	/* NULL until asked for */
 	bool failed;	/* its mesh could not be read, and that was reported */
 	double depth;	/* mm, of a core */
+	const struct tool_solid *core;	/* a core's own sections; its tree is built when a check needs it */
 };
 
 struct scene_pair {
@@ -56,7 +57,7 @@ struct scene {
 	size_t body_count;
 	/*
 	 * After the bodies come cores: the inner part of a cutter (machine/tool_core.h). A pair of a cutter and a part
-	 * refers to the cutter's core. The core's struct body is the cutter's, except for its solid.
+	 * refers to the cutter's core. The core's struct body is the cutter's, without its solid.
 	 */
 	size_t core_count;
 	struct arena cores;
@@ -65,7 +66,7 @@ struct scene {
 	size_t meshes_read;
 	struct doubts doubts;	/* filled by model_check */
 	struct sweep sweep;	/* working storage for the derivation */
-	pthread_mutex_t building;	/* topologies are built when they are asked for, by any thread */
+	pthread_mutex_t building;	/* topologies and the trees of cores are built when they are asked for, by any thread */
 };
 
 /*
@@ -81,7 +82,7 @@ void scene_free(struct scene *scene);
 bool scene_pair_needs_check(const struct scene_pair *pair);
 
 /*
- * Reads and builds everything that is needed for the pairs to check. Afterwards several threads may check programs on
+ * Reads and builds everything that is needed for the pairs to check, but for cores. Afterwards several threads may check programs on
  * the scene. False: a mesh is faulty, reported.
  */
 bool scene_build(struct scene *scene, struct diag *diag);

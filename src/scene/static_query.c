@@ -12,15 +12,33 @@ static bool in_box(vec3 p, const struct bvh *bvh)
 	return fabs(off.x) <= bvh->half.x && fabs(off.y) <= bvh->half.y && fabs(off.z) <= bvh->half.z;
 }
 
+/* One vertex of each component of the body's surface; *own is where a single one can be. */
+static const vec3 *component_points(struct scene *scene, int body, vec3 *own, size_t *count, struct diag *diag)
+{
+	const struct topology *topology;
+
+	/* A tool's piece that is made of sections is one surface (tool_solid_mesh). */
+	if (scene->bodies[body].body->profile) {
+		*own = mesh_corner(&scene_body_bvh(scene, body, diag)->mesh.triangles[0], 0);
+		*count = 1;
+		return own;
+	}
+	topology = scene_body_topology(scene, body, diag);
+	*count = topology->component_count;
+	return topology->component_point;
+}
+
 /* Is a component of `inner` inside `outer`? `pose` takes inner's coordinates to outer's. */
 static enum inside holds(struct scene *scene, int outer, int inner, const xform *pose, vec3 *point, struct diag *diag)
 {
 	const struct bvh *solid = scene_body_bvh(scene, outer, diag);
-	const struct topology *parts = scene_body_topology(scene, inner, diag);
 	enum inside result = INSIDE_NO;
+	size_t count;
+	vec3 own;
+	const vec3 *points = component_points(scene, inner, &own, &count, diag);
 
-	for (size_t i = 0; i < parts->component_count; i++) {
-		vec3 p = xform_apply(pose, parts->component_point[i]);
+	for (size_t i = 0; i < count; i++) {
+		vec3 p = xform_apply(pose, points[i]);
 		enum inside inside = INSIDE_NO;
 
 		if (in_box(p, solid))

@@ -52,13 +52,55 @@ START_TEST(finds_contacts)
 			require(brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance + 1e-6,
 				"case %ld: no contact there", n);
 			found++;
-			/* The same bodies meet again where they met before. */
+			/* The same bodies meet again where they met before, and where they are moved to from nearby. */
+			require(contact_search_recalls(&search, &sweep, &duo.pair, clearance, &low, &high, q, 0),
+				"case %ld: not there again", n);
 			require(contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high), "case %ld", n);
 		}
 		sweep_release(&sweep);
 		duo_release(&duo);
 	}
 	require(4 * found >= 3 * there, "found %ld where at least %ld are", found, there);
+}
+END_TEST
+
+/* What is recalled from a place nearby is a contact, too, within the travel; most are found. */
+START_TEST(recalls_contacts)
+{
+	long found = 0, there = 0;
+
+	for (long n = 0; n < random_cases(400); n++) {
+		struct random random = random_case(2, n);
+		struct contact_search search = {0};
+		struct sweep sweep = {0};
+		axis_values low, high, meeting, near;
+		double clearance = n % 3 ? 0 : 1.5;
+		struct duo duo;
+		xform pose;
+
+		make_duo(&random, &duo, &low, &high, &meeting);
+		near = meeting;
+		for (int k = 0; k < SLOT_COUNT; k++)
+			near.v[k] += random_in(&random, -1, 1) * (slot_is_rotary(k) ? 0.05 : 10);
+		pose = duo_pose(&duo, &meeting, &meeting, 0, NULL);
+		there += brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance;
+		if (contact_search_recalls(&search, &sweep, &duo.pair, clearance, &low, &high, &near, 8)) {
+			const axis_values *q = &search.met[0];
+
+			for (size_t i = 0; i < duo.chain.count; i++) {
+				int slot = duo.chain.joints[i].slot;
+
+				require(q->v[slot] >= low.v[slot] && q->v[slot] <= high.v[slot], "case %ld: travel", n);
+			}
+			pose = duo_pose(&duo, q, q, 0, NULL);
+			require(brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance + 1e-6,
+				"case %ld: no contact there", n);
+			found++;
+		}
+		sweep_release(&sweep);
+		duo_release(&duo);
+	}
+	require(2 * found >= there, "recalled %ld where at least %ld are", found, there);
 }
 END_TEST
 
@@ -70,6 +112,7 @@ int main(void)
 	int failed;
 
 	tcase_add_test(tcase, finds_contacts);
+	tcase_add_test(tcase, recalls_contacts);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
