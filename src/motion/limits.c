@@ -125,6 +125,15 @@ static bool is_inside(const struct axis *axis, const struct span *whole, double 
 	return smaller(a, b) - beside >= axis->limit_min && larger(a, b) + beside <= axis->limit_max;
 }
 
+static bool all_inside(const struct axis *axis, const struct leg *legs, size_t leg_count, double room)
+{
+	for (size_t i = 0; i < leg_count; i++) {
+		if (!is_inside(axis, &legs[i].span, room))
+			return false;
+	}
+	return true;
+}
+
 /* The axis' first crossing in the move. */
 static bool find(const struct axis *axis, const struct leg *legs, size_t leg_count, double room,
 		 struct limit_crossing *crossing)
@@ -159,6 +168,9 @@ size_t limits_crossed(const struct machine *machine, const struct leg *legs, siz
 		struct limit_crossing crossing;
 		size_t at = count;
 
+		/* What stays inside with its room does so without it. */
+		if (all_inside(axis, legs, leg_count, room ? room->v[axis->slot] : 0))
+			continue;
 		if (!find(axis, legs, leg_count, 0, &crossing) &&
 		    !(room && find(axis, legs, leg_count, room->v[axis->slot], &crossing)))
 			continue;

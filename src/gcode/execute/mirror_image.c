@@ -107,10 +107,11 @@ bool mirror_image_switch(struct interp *interp)
 	bool was_on = state->frame.on && state->frame.distorts,
 	     ends = block->g[G_MIRROR] == G50_1 || block->g[G_MIRROR] == G100;
 	double sign[3] = {1, 1, 1}, at[3] = {0};
-	slot_values before = rotated_frame_straight(state);
+	slot_values before;
 
 	if (block->g[G_MIRROR] == CODE_NONE || (ends && !was_on))
 		return true;
+	before = rotated_frame_straight(state);
 	if ((state->frame.on && !was_on) || state->tcp != TCP_OFF)
 		return fault(
 		    &interp->at, block->g_column[G_MIRROR],

@@ -120,12 +120,13 @@ static bool start(struct interp *interp)
 bool scaling_switch(struct interp *interp)
 {
 	struct state *state = &interp->state;
-	slot_values before = rotated_frame_straight(state);
+	slot_values before;
 
 	if (interp->block.g[G_SCALING] == G51)
 		return start(interp);
 	if (interp->block.g[G_SCALING] == CODE_NONE || !state->frame.scales)
 		return true;
+	before = rotated_frame_straight(state);
 	state->frame = (struct rotated_frame){0};
 	state->cycle.turned = true;
 	rotated_frame_mark_unsure(state, &before, G50);

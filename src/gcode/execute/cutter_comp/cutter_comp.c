@@ -280,7 +280,8 @@ static void tighten(struct interp *interp)
 	}
 }
 
-bool cutter_comp_end_block(struct interp *interp)
+/* The end of a block whose moves wait for the end of a compensated one. */
+static bool enqueue_end(struct interp *interp)
 {
 	const struct line_place *at = &interp->at;
 	struct cutter_comp *comp = &interp->comp;
@@ -288,11 +289,6 @@ bool cutter_comp_end_block(struct interp *interp)
 				 .move = {.file = at->file, .line = at->line, .number = interp->moves},
 				 .callers = interp->callers};
 
-	tighten(interp);
-	if (!comp->queue.count)
-		return canon_tell_block(interp->sink,
-					&(struct canon_block){at->file, at->line, at->text, interp->moves,
-							      &interp->callers});
 	comp->idle_blocks += comp->entered && !comp->moved;
 	comp->moved = false;
 	item.text = mem_strndup(at->text, strlen(at->text));
@@ -300,6 +296,17 @@ bool cutter_comp_end_block(struct interp *interp)
 		return true;
 	free(item.text);
 	return false;
+}
+
+bool cutter_comp_end_block(struct interp *interp)
+{
+	const struct line_place *at = &interp->at;
+
+	tighten(interp);
+	if (interp->comp.queue.count > 0)
+		return enqueue_end(interp);
+	return canon_tell_block(interp->sink, &(struct canon_block){at->file, at->line, at->text, interp->moves,
+								   &interp->callers});
 }
 
 bool cutter_comp_stop(struct interp *interp)
