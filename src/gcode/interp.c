@@ -12,6 +12,7 @@
 #include "gcode/fault_list.h"
 #include "gcode/state.h"
 #include "gcode/text/leader.h"
+#include "gcode/text/line_shape.h"
 #include "gcode/text/rest_of_file.h"
 
 struct interp *interp_new(const struct gcode_config *config, const struct kinematics *kinematics,
@@ -48,13 +49,26 @@ long interp_lines(const struct interp *interp)
 	return sources->count ? sources->items[0]->reader.furthest : 0;
 }
 
+/*
+ * B-64484EN, "Program Components Other Than Program Sections", and Haas, "Program Numbers": what stands between the '%'
+ * that starts a file and the end of its line is a title, which no control carries out.
+ */
+static bool is_title(const struct interp *interp, const char *text)
+{
+	char squeezed[LINE_SHAPE_MAX];
+
+	line_shape_squeeze(text, squeezed);
+	return !interp->begun && traits_of(interp)->text_before_percent == ANSWER_YES &&
+	       !line_shape_moves_axes(squeezed);
+}
+
 /* A '%' line opens the program if it is the first that is not blank, and else closes it. */
 static bool take_percent(struct interp *interp, const char *text)
 {
 	const char *rest = text + 1;
 	int column = (int)(rest - interp->at.text);
 
-	if (rest[strspn(rest, " \t")] != '\0')
+	if (rest[strspn(rest, " \t")] != '\0' && !is_title(interp, rest))
 		return fault(&interp->at, column, "'%%' stands alone on its line");
 	if (!interp->begun) {
 		interp->begun = interp->percent = true;

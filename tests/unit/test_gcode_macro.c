@@ -208,6 +208,9 @@ static const struct {
 	{F, "G91 G0 X1.\nM98 P00020100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{F, "G91 G0 X1.\nM98 P20100\nM30\nO0100\nX2.\nM99\n", "1 3 5"},
 	{BOTH, "M98 P1\nM30\nO0001\nG0 X1.\nM98 P2\nX3.\nM99\nO2\nX2.\nM99\n", "1 2 3"},
+	/* B-64484EN, M98 with a sequence number: a block of the program in hand, up to M99 */
+	{F, "M98 Q7\nX5.\nM98 Q7 L2\nM30\nN7 G91 G0 X1.\nG90\nM99\n", "1 5 6 7"},
+	{F, "M98 P9\nM30\nN7 G0 X8.\nM99\nO9\nM98 Q7\nM99\nN7 G0 X3.\nM99\n", "3"},
 	/* M98 shares the caller's local variables, G65 does not (FM difference between G65 and M98) */
 	{BOTH, "#1=4.\nM98 P7\nG0 X#1\nM30\nO7\nG0 X#1\n#1=5.\nM99\n", "4 5"},
 	{BOTH, "#1=4.\nG65 P7 A2.\nG0 X#1\nM30\nO7\nG0 X#1\n#1=5.\nM99\n", "2 4"},

@@ -243,9 +243,41 @@ START_TEST(colon)
 }
 END_TEST
 
+/*
+ * B-64484EN, "Program Components Other Than Program Sections": the title of a file stands behind its first '%'. Where it
+ * looks like a move, somebody may mean one.
+ */
+START_TEST(title)
+{
+	struct gcode_case c;
+
+	run(&dialect_fanuc, "%1 PART-7\nG0 X5.\nM30\n%\n", "rapid 5 0 0 0 0\n");
+	run(&dialect_haas, "% (X1 OF 2)\nG0 X5.\nM30\n%\n", "rapid 5 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "% G0 X4.\nG0 X5.\nM30\n%\n", "p.nc:1:1: error: '%' stands alone on its line");
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "%\nG0 X5.\n% PART\n", "p.nc:3:1: error: '%' stands alone on its line");
+	init(&c, &dialect_linuxcnc);
+	expect_fault(&c, "%1\nG0 X5.\nM30\n", "p.nc:1:1: error: '%' stands alone on its line");
+}
+END_TEST
+
+/* B-64484EN, "Local Coordinate System (G52)": whether it counts increments in G91 is not said; zeros tell nothing else. */
+START_TEST(local_zero_in_g91)
+{
+	struct gcode_case c;
+
+	run(&dialect_fanuc, "G91 G52 X0. Y0.\nG90 G0 X5.\nM30\n", "rapid 5 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	expect_fault(&c, "G91 G52 X1.\n", "G52 in incremental distance mode (G91) is not supported yet");
+	init(&c, &dialect_haas);
+	expect_fault(&c, "G52 X1.\nG91 G52 X0.\n", "G52 in incremental distance mode (G91) is not supported yet");
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

@@ -70,9 +70,19 @@ bool offsets_select(struct interp *interp)
 /* The manuals disagree on these codes in G91. */
 static bool refuse_incremental(struct interp *interp)
 {
-	int code = interp->block.g[G_NONMODAL];
+	const struct block *block = &interp->block;
+	int code = block->g[G_NONMODAL];
+	bool same = code == G52;
 
 	if (traits_of(interp)->shifts_ignore_g91 == ANSWER_YES || !interp->state.incremental)
+		return true;
+	/* G52 with 0 for an axis that is not shifted: as a place and as an increment it changes nothing. */
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			same = same && same_double(block_value(block, AXIS_LETTERS[slot]), 0) &&
+			       same_double(interp->state.shift.v[slot], 0);
+	}
+	if (same)
 		return true;
 	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
 		     "G%d in incremental distance mode (G91) is not supported yet", code / 10);

@@ -71,6 +71,8 @@ static const struct code g_codes[] = {
 	/* B-63534EN, program format of Series 15, and Mazak: "Rigid Tapping". */
 	{842, G_MOTION, CODE_READ, "rigid tapping cycle, as G84"},
 	{843, G_MOTION, CODE_READ, "left-hand rigid tapping cycle, as G74"},
+	/* Of posts for several controls: I, J and K always count from the start here. Fanuc stops with an alarm. */
+	{911, G_ARC_DISTANCE, CODE_READ, "incremental arc centres"},
 	{G92_1, G_NONMODAL, CODE_READ, "workpiece coordinate system preset"},
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
 	/* The mode that is always in force here. */
@@ -191,7 +193,7 @@ const struct dialect dialect_fanuc = {
 		.length_never_moves = ANSWER_NO,
 		/* B-63844EN, see after_machine_move. */
 		.g49_finds_length_gone = ANSWER_YES,
-		.call_letters = "LP",
+		.call_letters = "LPQ",
 	},
 	.after_machine_move = after_machine_move,
 	.state_new = new_state,

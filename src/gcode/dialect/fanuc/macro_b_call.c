@@ -306,6 +306,19 @@ static bool call_modal(struct interp *interp)
 /* ------------------------------------------------------------ M97, M98, M99 */
 
 /*
+ * B-64484EN, "Subprogram (M98, M99)", call by a sequence number: M98 Q calls the block N of the program in hand up to
+ * its M99, as M97 P does on Haas. With P, Q would be a block of that program.
+ */
+static bool take_local(struct interp *interp, int *number)
+{
+	const struct block *block = &interp->block;
+
+	if (block_has(block, 'P'))
+		return fault(&interp->at, block_column(block, 'Q'), "M98 with both P and Q is not supported");
+	return block_integer(block, &interp->at, 'Q', 1, 99999999, number);
+}
+
+/*
  * B-63944EN, subprogram call: P is the number of the program. Without L, the last
  * four digits of a longer P are the program, and those before them the
  * repetitions. Haas, M98: P and L.
@@ -317,6 +330,10 @@ static bool read_m98(struct interp *interp, int *number, int *repeats)
 	int column = block->m_column[M_STOP];
 
 	*repeats = 1;
+	if (block_has(block, 'Q') && !take_local(interp, number))
+		return false;
+	if (block_has(block, 'Q'))
+		return !block_has(block, 'L') || block_integer(block, &interp->at, 'L', 1, 9999, repeats);
 	if (!block_has(block, 'P'))
 		return fault(&interp->at, column, "M%d needs P, the number of the %s", block->m[M_STOP],
 			     block->m[M_STOP] == 97 ? "block" : "program");
@@ -339,7 +356,7 @@ static bool do_m98(struct interp *interp, int column)
 {
 	int number, repeats;
 	struct position entry;
-	bool local = interp->block.m[M_STOP] == 97;
+	bool by_block = block_has(&interp->block, 'Q'), local = interp->block.m[M_STOP] == 97 || by_block;
 	const struct builder_macro *macro;
 
 	if (!read_m98(interp, &number, &repeats))
@@ -350,7 +367,7 @@ static bool do_m98(struct interp *interp, int column)
 			     number);
 	if (macro)
 		return macro->action == MACRO_NONE || builder_macro_around(interp, macro, column);
-	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, 'P'), &entry)
+	if (local ? !macro_b_seek_only(interp, number, block_column(&interp->block, by_block ? 'Q' : 'P'), &entry)
 		  : !macro_b_seek_program(interp, number, column, &entry))
 		return false;
 	return enter(interp, local ? MACRO_B_M97 : MACRO_B_M98, number, repeats, column, &entry);
