@@ -34,6 +34,9 @@ enum length_after_reference {
 /* M6 in a block that moves axes: the tool is changed behind the move, or before it. */
 enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
 
+/* M6 beside a T while a T of an earlier block waits: it loads the T of its block, or the one before, and selects the other. */
+enum m6_with_t { M6_WITH_T_UNKNOWN, M6_LOADS_OWN_T, M6_LOADS_T_BEFORE };
+
 /* What ';' does in a line, and what ':' with a number at its head is. */
 enum semicolon { SEMICOLON_UNKNOWN, SEMICOLON_STARTS_COMMENT, SEMICOLON_ENDS_BLOCK };
 enum colon { COLON_UNKNOWN, COLON_PROGRAM, COLON_BLOCK };
@@ -146,6 +149,7 @@ struct controller {
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
 	double arc_radius_tolerance;	/* mm: arcs whose radii differ by no more are spirals; 0: not known */
 	enum m6_with_move m6_with_move;
+	enum m6_with_t m6_with_t;
 	enum semicolon semicolon;
 	enum colon colon;
 	enum comp_d comp_d;

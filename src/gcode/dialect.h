@@ -164,6 +164,7 @@ struct dialect_traits {
 	enum answer g30_has_number;	/* in P */
 	enum turned_by_machine turned_by_machine;
 	enum t_word t_word;
+	enum answer m6_loads_own_t;	/* whichever T waits; no: the machine file says it */
 	enum answer tool_change_stays;	/* M6 moves no axis if the machine file names no place; no: it must */
 	/* Work offsets. */
 	int additional_offsets;	/* of G54.1 or G154 */

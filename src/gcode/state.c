@@ -182,6 +182,7 @@ void state_init(struct state *state, const struct gcode_config *config)
 				.path_motion = CODE_NONE,
 				.retract = CODE_NONE,
 				.selected = -1,
+				.selected_next = -1,
 				.length_number = -1,
 				.length_code = G49,
 				.length_doubt = CODE_NONE,

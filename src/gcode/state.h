@@ -142,6 +142,7 @@ struct state {
 	int tool;	/* in the spindle */
 	bool tool_by_m61;	/* M61 has said that it is there */
 	int selected;	/* by T, or -1 */
+	int selected_next;	/* by the T of a block whose M6 loads another, or -1 */
 	int length_number;	/* the H that was given last, or -1 */
 	bool blend;
 	double blend_tolerance;
@@ -202,7 +203,7 @@ struct interp {
 	struct cutter_comp comp;
 	struct pending_corner corner;
 	struct block_cautions cautions;
-	bool cautioned_feed, cautioned_order;
+	bool cautioned_feed, cautioned_order, cautioned_t;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear;
 	bool percent;	/* the program is enclosed in '%' lines */
 	bool begun;	/* a block has been read */

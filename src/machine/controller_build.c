@@ -114,6 +114,7 @@ static void check_lexis(struct description_file *file, const struct controller_d
 	} answers[] = {
 		{described->arc_radius_tolerance.given, "arc_radius_tolerance", "has no such parameter"},
 		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
+		{described->m6_with_t, "m6_with_t", "loads the T beside M6"},
 		{described->semicolon, "semicolon", "has comments behind ';'"},
 		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
 		{described->cycle_repeats, "cycle_repeats", "has no such parameter"},
@@ -236,6 +237,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->overrun = from->overrun.value;
 	to->arc_radius_tolerance = from->arc_radius_tolerance.value;
 	to->m6_with_move = from->m6_with_move;
+	to->m6_with_t = from->m6_with_t;
 	to->semicolon = from->semicolon;
 	to->colon = from->colon;
 	to->comp_d = from->comp_d;

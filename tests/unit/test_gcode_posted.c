@@ -275,9 +275,44 @@ START_TEST(local_zero_in_g91)
 }
 END_TEST
 
+/*
+ * B-64484EN, "Tool Function": what a T beside M6 does is the builder's. Only where another tool waits does it matter;
+ * Haas, "M06 Tool Change": M06 loads the T of its block.
+ */
+START_TEST(t_beside_m6)
+{
+	static const char waits[] = "T1\nM6 T2\nM6 T3\nM30\n";
+	struct gcode_case c;
+
+	run(&dialect_linuxcnc, waits, "tool 2\ntool 3\n");
+	init(&c, &dialect_haas);
+	c.config.controller.tool_change.given = true;
+	case_expect(&c, waits, "tool 2\ntool 3\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.tool_change.given = true;
+	case_expect(&c, "T1 M6\nT2\nT2 M6\nT3 M6\nM30\n", "tool 1\ntool 2\ntool 3\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.tool_change.given = true;
+	expect_caution(&c, waits, "tool 2\ntool 3\n",
+		       "p.nc:2:4: warning: T2 beside M6, while T1 waits: M6 is taken to load T2, but the builder may have it "
+		       "load T1; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_OWN_T;
+	c.config.controller.tool_change.given = true;
+	case_expect(&c, waits, "tool 2\ntool 3\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_T_BEFORE;
+	c.config.controller.tool_change.given = true;
+	case_expect(&c, "T1\nM6 T2\nM6 T3\nM6\nM30\n", "tool 1\ntool 2\ntool 3\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.m6_with_t = M6_LOADS_T_BEFORE;
+	expect_fault(&c, "M6 T2\n", "M6, but no T has selected a tool");
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {t_beside_m6, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

@@ -144,6 +144,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: cutter_comp_corner of <controller>: LinuxCNC always rounds outside corners\n"},
     {MACHINE("<controller m6_with_move='after'/><base/>"),
      "m.xml:2: error: m6_with_move of <controller>: LinuxCNC changes the tool before a block moves\n"},
+    {MACHINE("<controller m6_with_t='own'/><base/>"),
+     "m.xml:2: error: m6_with_t of <controller>: LinuxCNC loads the T beside M6\n"},
     {MACHINE("<controller colon='program'/><base/>"),
      "m.xml:2: error: colon of <controller>: LinuxCNC has no program numbers behind ':'\n"},
     {MACHINE("<controller dialect='fanuc' arc_radius_tolerance='0'/><base/>"),

@@ -6,13 +6,46 @@
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/tool_table.h"
 
+/*
+ * M6 and T in one block: where the builder has them carried out at once, M6 may load the tool that waits from an earlier
+ * T, and the T of the block then waits for the next M6. Only a T that waits makes a difference.
+ */
+static bool choose_own(struct interp *interp, int before)
+{
+	struct state *state = &interp->state;
+	const int own = state->selected, column = block_column(&interp->block, 'T');
+	const enum m6_with_t answer = interp->config->controller.m6_with_t;
+
+	if (interp->block.m[M_TOOL] != 6 || traits_of(interp)->m6_loads_own_t == ANSWER_YES)
+		return true;
+	if (!is_answered(interp, column, traits_of(interp)->m6_loads_own_t, "which tool M6 beside a T loads"))
+		return false;
+	if (answer == M6_LOADS_T_BEFORE) {
+		state->selected = before;
+		state->selected_next = own;
+		return true;
+	}
+	if (answer == M6_LOADS_OWN_T || before < 0 || before == state->tool || before == own)
+		return true;
+	if (!interp->cautioned_t)
+		caution(&interp->at, column,
+			"T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load T%d; "
+			"m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
+			own, before, own, before);
+	interp->cautioned_t = true;
+	return true;
+}
+
 bool tool_change_select(struct interp *interp)
 {
+	const int before = interp->state.selected;
+
 	if (!block_has(&interp->block, 'T'))
 		return true;
 	return is_answered(interp, block_column(&interp->block, 'T'), traits_of(interp)->t_word,
 			   "whether T changes the tool or selects it for M6") &&
-	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected);
+	       block_integer(&interp->block, &interp->at, 'T', 0, INT_MAX, &interp->state.selected) &&
+	       choose_own(interp, before);
 }
 
 /* "the setup defines no tool T5", unless it does, or there is no setup. */
@@ -59,6 +92,9 @@ bool tool_change_run(struct interp *interp)
 	if (!motion_commands_spindle_stops(interp) || !reference_return_change_tool(interp))
 		return false;
 	state->tool = state->selected;
+	if (state->selected_next >= 0)
+		state->selected = state->selected_next;
+	state->selected_next = -1;
 	state->tool_by_m61 = false;
 	state->spindle = SPINDLE_STOPPED;
 	return motion_commands_emit(interp, &(struct canon_move){.kind = CANON_TOOL_CHANGE, .tool = state->tool}) &&

@@ -130,6 +130,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	static const char *const units[] = {"mm", "inch", NULL};
 	static const char *const distances[] = {"absolute", "incremental", NULL};
 	static const char *const planes[] = {"xy", "zx", "yz", NULL};
+	static const char *const tools[] = {"own", "before", NULL};
 	static const char *const orders[] = {"after", "before", NULL};
 	static const char *const motions[] = {"rapid", "feed", NULL};
 	static const char *const repeats[] = {"K", "L", NULL};
@@ -169,6 +170,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->overrun = xml_optional_length(xml, node, "unidirectional_overrun");
 	controller->arc_radius_tolerance = xml_optional_length(xml, node, "arc_radius_tolerance");
 	controller->m6_with_move = (enum m6_with_move)(xml_choice(xml, node, "m6_with_move", orders, -1) + 1);
+	controller->m6_with_t = (enum m6_with_t)(xml_choice(xml, node, "m6_with_t", tools, -1) + 1);
 	controller->semicolon = (enum semicolon)(xml_choice(xml, node, "semicolon", semicolons, -1) + 1);
 	controller->colon = (enum colon)(xml_choice(xml, node, "colon", colons, -1) + 1);
 	preset = xml_attribute(xml, node, "preset");

@@ -167,6 +167,8 @@ const struct dialect dialect_fanuc = {
 		/* 16-C operator's manual (B-62764EN), "Coordinate system rotation". */
 		.turned_by_machine = TURNED_BY_MACHINE_REFUSED,
 		.t_word = T_WORD_SELECTS,
+		/* B-64484EN, "Tool Function": T and M reach the builder's ladder at once. */
+		.m6_loads_own_t = ANSWER_NO,
 		.tool_change_stays = ANSWER_NO,
 		/* G54.1 P1 to P48; G54 with P is the same. */
 		.additional_offsets = 48,

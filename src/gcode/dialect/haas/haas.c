@@ -178,6 +178,8 @@ const struct dialect dialect_haas = {
 		/* The manual says nothing of it. */
 		.turned_by_machine = TURNED_BY_MACHINE_ACROSS,
 		.t_word = T_WORD_SELECTS,
+		/* "M06 Tool Change": M06 Tnn loads tool nn. */
+		.m6_loads_own_t = ANSWER_YES,
 		.tool_change_stays = ANSWER_NO,
 		/* G154 P1 to P99; G110 to G129 are the first of them. */
 		.additional_offsets = EXTENDED_COUNT,

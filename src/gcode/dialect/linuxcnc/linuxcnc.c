@@ -171,6 +171,8 @@ const struct dialect dialect_linuxcnc = {
 		.references_in_parameters = ANSWER_YES,
 		.g30_has_number = ANSWER_NO,
 		.t_word = T_WORD_SELECTS,
+		/* "Order of Execution": T before M6. */
+		.m6_loads_own_t = ANSWER_YES,
 		.tool_change_stays = ANSWER_YES,
 		.g54_has_number = ANSWER_NO,
 		.g10_first = 0,
