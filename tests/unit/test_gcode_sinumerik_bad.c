@@ -66,8 +66,8 @@ static const struct refused_program programs[] = {
 	 "G34: thread cutting with a pitch that changes is not supported yet"},
 	{"G291\n", 1, 1,
 	 "G291: ISO mode, the language of Fanuc is not supported yet"},
-	{"G58 X1\n", 1, 1,
-	 "G58: axial shift of the programmable frame is not supported yet"},
+	{"G58 RPL=1\n", 1, 5,
+	 "RPL belongs to ROT and AROT"},
 	{"M77\n", 1, 1,
 	 "M77 is not known; if it moves no axis, <mcode number=\"77\" action=\"ignore\"/> in the machine's "
 	 "<controller> says so"},

@@ -47,6 +47,19 @@ static const struct program {
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\narc 4 0 0 0 0 centre 3 0 0 normal 0 0 1 sweep -180\n"},
 	{"F6 G500 TOWSTD CUTCONOF TRAILOF(Y) FB=5\nWAITM(1,1,2)\nX1\n",
 	 "feed 1 0 0 0 0\n"},
+	/* "Axial zero offset": G58 replaces what TRANS has shifted, G59 what ATRANS has added, of the axes named. */
+	{"F6 G500\nTRANS X10 Y20\nATRANS X1\nX0 Y0\nG58 X30\nX0 Y0\nG59 X2 Y3\nX0 Y0\nTRANS X5\nG59 X1\nX0 Y0\nTRANS\n"
+	 "X0\n",
+	 "feed 11 20 0 0 0\nfeed 31 20 0 0 0\nfeed 32 23 0 0 0\nfeed 6 0 0 0 0\nfeed 0 0 0 0 0\n"},
+	{"G700 F6 G500\nG58 X1\nX1\n", "feed 50.8 0 0 0 0\n"},
+	/* Words that take back what was never given, and those without geometry. */
+	{"F6 G500 TOFFL=0 OFFN=0 TCARR=0 CUTMOD=0 TOFF[Z]=0\nSETPIECE(1) CP ORIC TCOABS DRFOF LFOF NEWCONF\nOVRRAP=50 WAITE(1) X1\n",
+	 "feed 1 0 0 0 0\n"},
+	{"G500 TRAORI(1,0,0,1)\nG1 F6 X1\nTRAFOOF\nTRAORI(1,,,1)\nX2\n",
+	 "tcp on length 0 zero A0 C0\nfeed 1 0 0 0 0 tcp\ntcp off length 0 zero A0 C0\ntcp on length 0 zero A0 C0\n"
+	 "feed 2 0 0 0 0 tcp\n"},
+	/* "Constant cutting rate": G97 has feeds per revolution, G971 per minute. */
+	{"G500 S60\nG97 F1 X1\nG971 F60 X2\nG972 X3\n", "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
 	/* "Position pattern": without a modal cycle it only goes there. */
 	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,1,-2)\nCYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)\nMCALL\n"
 	 "HOLES1(0,0,0,10,5,2)\n",
@@ -58,6 +71,7 @@ static const struct program {
 static const struct bad {
 	const char *text, *message;
 } bad[] = {
+	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"G54\n$P_UIFR[1,X,TR]=5\n",
 	 "$P_UIFR[1] is the work offset in force, and takes effect at its next selection; select G500 before it"},
 	{"$P_UIFR[1,X,RT]=5\n", "$P_UIFR with RT is not supported yet, only with TR"},

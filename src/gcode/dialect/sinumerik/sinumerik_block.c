@@ -321,9 +321,8 @@ static bool step_over_call(struct reading *r)
 	return fault(r->lexer->at, column, "this '(' is not closed");
 }
 
-static bool step_over_value(struct reading *r, const char *name)
+static bool step_over_value(struct reading *r, const char *name, double *value)
 {
-	double value;
 	unsigned char way;
 
 	if (sinumerik_expr_take_byte(r->lexer, '[')) {
@@ -333,15 +332,55 @@ static bool step_over_value(struct reading *r, const char *name)
 			return fault(r->lexer->at, expr_column(r->lexer), "']' is needed here");
 		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
 	}
-	return sinumerik_expr_need(r->lexer, '=', name) && read_value(r, &value, &way);
+	return sinumerik_expr_need(r->lexer, '=', name) && read_value(r, value, &way);
+}
+
+/* TRAORI and TRAORI(1) are the first transformation that the machine's maker has set up; its tool lies along Z. */
+static bool read_traori(struct reading *r)
+{
+	const int column = expr_column(r->lexer);
+	double arguments[4] = {1, 0, 0, 1};
+	size_t count = 0;
+
+	if (!sinumerik_expr_take_byte(r->lexer, '(') || sinumerik_expr_take_byte(r->lexer, ')'))
+		return true;
+	do {
+		const char byte = lexer_peek(r->lexer);
+
+		if (count == sizeof(arguments) / sizeof(arguments[0]))
+			return fault(r->lexer->at, column, "TRAORI with so many arguments is not supported");
+		if (byte != ',' && byte != ')' && !sinumerik_expr_number(r->interp, r->lexer, &arguments[count]))
+			return false;
+		count++;
+	} while (sinumerik_expr_take_byte(r->lexer, ','));
+	if (!sinumerik_expr_need(r->lexer, ')', "TRAORI"))
+		return false;
+	if (fabs(arguments[0] - 1) > 0)
+		return fault(r->lexer->at, column,
+			     "TRAORI(%.15g): which axes another than the first transformation has is not known; only "
+			     "TRAORI(1) is supported",
+			     arguments[0]);
+	return (!(fabs(arguments[1]) + fabs(arguments[2]) > 0) && arguments[3] > 0) ||
+	       fault(r->lexer->at, column, "TRAORI whose tool does not lie along Z at first is not supported");
+}
+
+static bool read_zero(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
+{
+	double value;
+
+	if (!step_over_value(r, name, &value))
+		return false;
+	return !(fabs(value) > 0) || fault(r->lexer->at, column, "%s: %s is not supported yet, only %s=0", name,
+					   word->what, name);
 }
 
 static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
 {
+	double value;
+
 	switch (word->kind) {
 	case SINUMERIK_WORD_CODE:
-		/* TRAORI(1) and TRAORI() are the first transformation that the machine's maker has set up. */
-		if (word->code == SINUMERIK_TRAORI && lexer_peek(r->lexer) == '(' && !step_over_call(r))
+		if (word->code == SINUMERIK_TRAORI && !read_traori(r))
 			return false;
 		return set_code(r, (int)word->group, word->code, column);
 	case SINUMERIK_WORD_IGNORED:
@@ -349,7 +388,9 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_IGNORED_CALL:
 		return step_over_call(r);
 	case SINUMERIK_WORD_IGNORED_VALUE:
-		return step_over_value(r, name);
+		return step_over_value(r, name, &value);
+	case SINUMERIK_WORD_ZERO:
+		return read_zero(r, name, word, column);
 	case SINUMERIK_WORD_IGNORED_LINE:
 		r->lexer->position += strlen(r->lexer->at->text + r->lexer->position);
 		return true;
@@ -358,7 +399,7 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 		return true;
 	case SINUMERIK_WORD_SPINDLE_STANDS:
 		r->block->spindle_stands = true;
-		return step_over_value(r, name);
+		return step_over_value(r, name, &value);
 	case SINUMERIK_WORD_MODAL:
 		r->block->modal = true;
 		r->block->modal_column = column;

@@ -66,6 +66,7 @@ enum sinumerik_word_kind {
 	SINUMERIK_WORD_ADDRESS,	/* '=' and a value: an enum sinumerik_address */
 	SINUMERIK_WORD_IGNORED,	/* stands alone */
 	SINUMERIK_WORD_IGNORED_VALUE,	/* [axis] or not, '=' and a value, which are read */
+	SINUMERIK_WORD_ZERO,	/* [axis] or not, '=' and 0, which takes something back; anything else is refused */
 	SINUMERIK_WORD_IGNORED_CALL,	/* parentheses behind it or not; their contents are stepped over */
 	SINUMERIK_WORD_IGNORED_LINE,	/* the rest of its line is stepped over */
 	SINUMERIK_WORD_MODAL,	/* MCALL */

@@ -356,6 +356,7 @@ const char *sinumerik_cycle_refused(const char *name)
 		{"CYCLE78", "drilling and milling of a thread"},
 		{"CYCLE79", "milling round a polygon, from how far outside is not published,"},
 		{"CYCLE899", "milling of an open slot, from how far outside is not published,"},
+		{"CYCLE8", "cycle of the control"},
 		{"CYCLE9", "turning or measuring"},
 		{"CYCLE1", "measuring with a probe"},
 		{"CYCLE", "cycle of the control or of the machine's maker"},

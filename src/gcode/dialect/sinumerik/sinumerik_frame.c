@@ -41,8 +41,10 @@ struct sinumerik_frame sinumerik_frame_chain(const struct sinumerik_frame *outer
 {
 	struct sinumerik_frame total = {.matrix = mat3_mul(&outer->matrix, &inner->matrix)};
 
-	for (int slot = 0; slot < SLOT_COUNT; slot++)
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		total.shift.v[slot] = outer->shift.v[slot] + inner->shift.v[slot];
+		total.fine.v[slot] = outer->fine.v[slot] + inner->fine.v[slot];
+	}
 	set_linear(&total.shift,
 		   vec3_add(linear(&outer->shift), mat3_apply(&outer->matrix, linear(&inner->shift))));
 	return total;
@@ -213,7 +215,8 @@ static mat3 mirror_of(const struct sinumerik_frame_words *words)
 static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *words, struct sinumerik_frame *frame)
 {
 	*frame = sinumerik_frame_none();
-	for (int slot = SLOT_A; slot < SLOT_COUNT && words->code != SINUMERIK_TRANS; slot++) {
+	for (int slot = SLOT_A; slot < SLOT_COUNT && words->code != SINUMERIK_TRANS && words->code != SINUMERIK_AXIAL;
+	     slot++) {
 		if (words->has[slot])
 			return fault(&interp->at, words->column,
 				     "only X, Y and Z can be turned, scaled and mirrored here, not %c",
@@ -235,6 +238,29 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 }
 
 /*
+ * "Axial zero offset (G58, G59)": of the axes named, G58 replaces the shift of TRANS, and G59 what ATRANS has added; the
+ * other part stays.
+ */
+static bool set_axial(struct interp *interp, const struct sinumerik_frame_words *words)
+{
+	struct sinumerik_frame *frame = &sinumerik_of(interp)->frame;
+
+	if (!is_identity(&frame->matrix))
+		return fault(&interp->at, words->column,
+			     "G58 and G59 while ROT, SCALE or MIRROR is in force are not supported");
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		const double fine = frame->fine.v[slot], coarse = frame->shift.v[slot] - fine;
+
+		if (!words->has[slot])
+			continue;
+		frame->shift.v[slot] = words->value[slot] + (words->added ? coarse : fine);
+		if (words->added)
+			frame->fine.v[slot] = words->value[slot];
+	}
+	return sinumerik_frame_changed(interp, words->column);
+}
+
+/*
  * 840D sl, "Frame instructions": TRANS, ROT, SCALE and MIRROR delete the whole programmable frame first; without words
  * that is all they do. The forms with A add to it, in its own coordinates.
  */
@@ -243,8 +269,12 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_frame frame;
 
+	if (words->code == SINUMERIK_AXIAL)
+		return set_axial(interp, words);
 	if (!frame_of(interp, words, &frame))
 		return false;
+	if (words->code == SINUMERIK_TRANS && words->added)
+		frame.fine = frame.shift;
 	sinumerik->frame = words->added ? sinumerik_frame_chain(&sinumerik->frame, &frame) : frame;
 	return sinumerik_frame_changed(interp, words->column);
 }

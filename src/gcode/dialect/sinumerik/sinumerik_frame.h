@@ -36,13 +36,13 @@ bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
 struct sinumerik_frame sinumerik_frame_none(void);
 
-/* TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR. */
-enum sinumerik_frame_code { SINUMERIK_TRANS, SINUMERIK_ROT, SINUMERIK_SCALE, SINUMERIK_MIRROR };
+/* TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR; G58, G59. */
+enum sinumerik_frame_code { SINUMERIK_TRANS, SINUMERIK_ROT, SINUMERIK_SCALE, SINUMERIK_MIRROR, SINUMERIK_AXIAL };
 
 /* The words of such a statement. */
 struct sinumerik_frame_words {
 	enum sinumerik_frame_code code;
-	bool added;	/* the A... form: behind what is in force */
+	bool added;	/* the A... form: behind what is in force; G59 */
 	bool has[SLOT_COUNT];
 	double value[SLOT_COUNT];	/* TRANS: mm and degrees */
 	bool has_plane_angle;	/* RPL */

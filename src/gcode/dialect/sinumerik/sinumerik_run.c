@@ -27,7 +27,9 @@
 static bool set_feed(struct interp *interp, const struct sinumerik_block *block)
 {
 	struct state *state = &interp->state;
-	const int code = block->code[SINUMERIK_FEED];
+	const int given = block->code[SINUMERIK_FEED];
+	/* "Constant cutting rate": G97 has feeds as with G95 from then on, and G971 as with G94. */
+	const int code = given == SINUMERIK_G(97) ? G95 : given == SINUMERIK_G(971) ? G94 : given;
 	const double feed = block->value['F' - 'A'];
 
 	if (code != CODE_NONE && state_feed_mode(code) != state->feed_mode) {
@@ -210,9 +212,11 @@ static bool select_system(struct interp *interp, const struct sinumerik_block *b
 
 static bool run_frame(struct interp *interp, const struct sinumerik_block *block)
 {
-	const int number = block->code[SINUMERIK_FRAME] - SINUMERIK_FRAME_CODES;
+	const int code = block->code[SINUMERIK_FRAME], number = code - SINUMERIK_FRAME_CODES;
+	const bool axial = code < SINUMERIK_FRAME_CODES;
 	struct sinumerik_frame_words words = {
-		.code = (enum sinumerik_frame_code)(number / 2), .added = number % 2,
+		.code = axial ? SINUMERIK_AXIAL : (enum sinumerik_frame_code)(number / 2),
+		.added = axial ? code == SINUMERIK_G(59) : number % 2,
 		.has_plane_angle = sinumerik_block_has_address(block, SINUMERIK_RPL),
 		.plane_angle = block->address_value[SINUMERIK_RPL],
 		.column = block->code_column[SINUMERIK_FRAME]};
@@ -222,7 +226,8 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		const int index = AXIS_LETTERS[slot] - 'A';
-		const bool scaled = words.code == SINUMERIK_TRANS && !slot_is_rotary(slot);
+		const bool scaled =
+		    (words.code == SINUMERIK_TRANS || words.code == SINUMERIK_AXIAL) && !slot_is_rotary(slot);
 
 		words.has[slot] = sinumerik_block_has(block, AXIS_LETTERS[slot]);
 		if (!words.has[slot])

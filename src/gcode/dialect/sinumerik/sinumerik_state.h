@@ -53,6 +53,7 @@ struct sinumerik_loop {
 struct sinumerik_frame {
 	mat3 matrix;
 	slot_values shift;	/* X Y Z: translation behind the matrix */
+	slot_values fine;	/* of the shift: what ATRANS and G59 have put there, which G58 leaves */
 };
 
 /* Polar coordinates: sinumerik_polar.h. */
