@@ -286,7 +286,7 @@ START_TEST(all_faults)
 
 	klartext_case(&c);
 	c.config.read.all_faults = true;
-	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 3.0\n"));
+	ck_assert(!klartext_run(&c, "L X+1\nL Q5\nL X+2 FMAX\nFOO\nCYCL DEF 18.0\n"));
 	ck_assert_uint_eq(c.diag.errors, 4);
 	case_release(&c);
 }

@@ -35,6 +35,38 @@ static const struct program regions[] = {
 	{START "CYCL DEF 262 THREAD Q335=20 Q239=1.5" HEIGHTS,
 	 STARTED "rapid 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 80 0 0 spread 5 5 1.5\n"
 	 "feed 10 20 102 0 0 spread 5 5 1.5\nrapid 10 20 150 0 0 spread 5 5 1.5\n"},
+	/* A countersink at the front reaches farther than the thread, and the bore is deeper. */
+	{START "CYCL DEF 263 THREAD Q335=20 Q239=1.5 Q356=-25 Q358=-2 Q359=8" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0 spread 8 8 1.5\nfeed 10 20 102 0 0 spread 8 8 1.5\nfeed 10 20 75 0 0 spread 8 8 1.5\n"
+	 "feed 10 20 102 0 0 spread 8 8 1.5\nrapid 10 20 150 0 0 spread 8 8 1.5\n"},
+	/* Through a bore of 20, 3 beside its centre, to 2 below its end and 15 more of the tool. */
+	{START "CYCL DEF 204 BACK BORING Q249=5 Q250=20 Q251=3 Q252=15 Q253=700 Q254=200 Q214=1" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0 spread 3 3 0\nfeed 10 20 102 0 0 spread 3 3 0\nfeed 10 20 63 0 0 spread 3 3 0\n"
+	 "feed 10 20 102 0 0 spread 3 3 0\nrapid 10 20 150 0 0 spread 3 3 0\n"},
+	/* About a blank of 64 by 44, on all sides 3 radii and 2 mm. */
+	{START "CYCL DEF 256 STUD Q218=60 Q219=40 Q424=64 Q425=44" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0 spread 49 49 0\nfeed 10 20 102 0 0 spread 49 49 0\nfeed 10 20 80 0 0 spread 49 49 0\n"
+	 "feed 10 20 102 0 0 spread 49 49 0\nrapid 10 20 150 0 0 spread 49 49 0\n"},
+	{START "CYCL DEF 257 STUD Q223=60 Q222=64" HEIGHTS,
+	 STARTED "rapid 10 20 102 0 0 spread 49 49 0\nfeed 10 20 102 0 0 spread 49 49 0\nfeed 10 20 80 0 0 spread 49 49 0\n"
+	 "feed 10 20 102 0 0 spread 49 49 0\nrapid 10 20 150 0 0 spread 49 49 0\n"},
+	/* A face of 40 by -20 from (0, 10) on, from 3 down to 1: beside it a diameter and 4 mm. */
+	{START "CYCL DEF 232 FACE MILLING Q225=0 Q226=10 Q227=3 Q386=1 Q218=40 Q219=-20 Q357=4" HEIGHTS,
+	 STARTED "rapid 10 20 105 0 0 spread 44 44 0\nfeed 20 0 105 0 0 spread 34 24 0\nfeed 20 0 101 0 0 spread 34 24 0\n"
+	 "feed 20 0 105 0 0 spread 34 24 0\nrapid 20 0 153 0 0 spread 34 24 0\n"},
+	/* The older cycles start at the set-up clearance, 2 mm over the surface. */
+	{START "L Z+2 FMAX\nCYCL DEF 5.0 KREISTASCHE\nCYCL DEF 5.1 ABST+2\nCYCL DEF 5.2 TIEFE-20\n"
+	 "CYCL DEF 5.3 ZUSTLG+3 F100\nCYCL DEF 5.4 RADIUS20\nCYCL DEF 5.5 F450 DR+\nL M99\n",
+	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\n"
+	 "feed 10 20 80 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 102 0 0 spread 15 15 0\n"},
+	{START "L Z+2 FMAX\nCYCL DEF 4.0\nCYCL DEF 4.1 SET UP -2\nCYCL DEF 4.2 DEPTH -20\nCYCL DEF 4.3 PECKG -3 F100\n"
+	 "CYCL DEF 4.4 X60\nCYCL DEF 4.5 Y30\nCYCL DEF 4.6 F450 DR- RADIUS 5\nL M99\n",
+	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\n"
+	 "feed 10 20 80 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\nrapid 10 20 102 0 0 spread 25 10 0\n"},
+	{START "L Z+2 FMAX\nCYCL DEF 3.0\nCYCL DEF 3.1 SET UP 2\nCYCL DEF 3.2 DEPTH -20\nCYCL DEF 3.3 PECKG 3 F100\n"
+	 "CYCL DEF 3.4 Y60\nCYCL DEF 3.5 X12\nCYCL DEF 3.6 F450\nL M99\n",
+	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\n"
+	 "feed 10 20 80 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\nrapid 10 20 102 0 0 spread 12 60 0\n"},
 	/* A depth of 0 does nothing. */
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n", STARTED},
 	/* In turned coordinates the region lies across the axes. */

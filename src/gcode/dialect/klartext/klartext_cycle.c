@@ -10,7 +10,7 @@
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
-#include "gcode/dialect/klartext/klartext_region.h"
+#include "gcode/dialect/klartext/klartext_pocket.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* More pecks are a typing mistake, and carrying them out would seem to hang. */
@@ -143,19 +143,6 @@ static bool drill_deep(const struct klartext_call_of *call, struct klartext_hole
 	return true;
 }
 
-/* "BACK BORING (Cycle 204)" does nothing where the depth of its countersink, Q249, is 0. */
-static bool bore_back(const struct klartext_call_of *call, struct klartext_hole *hole)
-{
-	double depth;
-
-	if (!klartext_parameter_need(call, 249, &depth))
-		return false;
-	if (!same_double(depth, 0))
-		return fault(&call->interp->at, call->column, "CYCL DEF 204: back boring is not supported yet");
-	hole->nothing = true;
-	return true;
-}
-
 static bool by_q(const struct klartext_call_of *call)
 {
 	static const struct {
@@ -165,10 +152,8 @@ static bool by_q(const struct klartext_call_of *call)
 		      {206, tap},   {207, tap},	 {209, tap},  {240, drill}, {241, drill_deep}};
 	struct klartext_hole hole = {0};
 
-	if (call->cycle->number == 204)
-		return bore_back(call, &hole);
-	if (klartext_region_is(call->cycle->number))
-		return klartext_region_make(call);
+	if (klartext_pocket_is(call->cycle->number))
+		return klartext_pocket_make(call);
 	if (!find_heights(call, &hole))
 		return false;
 	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
@@ -176,16 +161,6 @@ static bool by_q(const struct klartext_call_of *call)
 			return cycles[i].find(call, &hole) && klartext_hole_make(call->interp, &hole, call->column);
 	}
 	return fault(&call->interp->at, call->column, "CYCL DEF %d is not supported yet", call->cycle->number);
-}
-
-/* The value of line n.<part> of an older cycle; lines without a value are 0. */
-static double part_of(const struct klartext_call_of *call, int part)
-{
-	for (int i = call->cycle->count; i-- > 0;) {
-		if (call->cycle->words[i].part == part && call->cycle->words[i].given)
-			return call->cycle->words[i].value;
-	}
-	return 0;
 }
 
 /*
@@ -197,21 +172,24 @@ static bool by_parts(const struct klartext_call_of *call)
 {
 	struct interp *interp = call->interp;
 	int number = call->cycle->number;
-	double scale = interp->state.scale, set_up = part_of(call, 1) * scale, depth = part_of(call, 2) * scale;
-	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = set_up};
+	double scale = interp->state.scale, set_up = klartext_parameter_part(call, 1) * scale, depth = klartext_parameter_part(call, 2) * scale;
+	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = fabs(set_up)};
 
-	if (set_up < 0)
+	/* The oldest controls take the sign of the direction of work for all of them. */
+	const bool all_down = set_up < 0 && depth < 0;
+
+	if (set_up < 0 && !all_down)
 		return fault(&interp->at, call->column, "the set-up clearance of CYCL DEF %d cannot be negative",
 			     number);
 	if (depth > 0)
 		return fault(&interp->at, call->column, "the depth of CYCL DEF %d is above the surface", number);
 	hole.clear = hole.start;
-	hole.bottom = hole.start - set_up + depth;
+	hole.bottom = hole.start - fabs(set_up) + depth;
 	hole.nothing = same_double(depth, 0);
-	hole.dwell = fmax(0, part_of(call, number == 1 ? 4 : 3));
-	hole.feed = klartext_parameter_per_second(call, part_of(call, number == 1 ? 5 : 4));
+	hole.dwell = fmax(0, klartext_parameter_part(call, number == 1 ? 4 : 3));
+	hole.feed = klartext_parameter_per_second(call, klartext_parameter_part(call, number == 1 ? 5 : 4));
 	if (number == 1) {
-		hole.peck = part_of(call, 3) * scale;
+		hole.peck = klartext_parameter_part(call, 3) * scale * (all_down ? -1 : 1);
 		if (hole.peck < 0 || (hole.start - hole.bottom) / hole.peck > PECKS_MAX)
 			hole.peck = 0;
 		return klartext_hole_make(interp, &hole, call->column);
@@ -219,7 +197,7 @@ static bool by_parts(const struct klartext_call_of *call)
 	hole.turns = true;
 	if (number == 17) {
 		hole.dwell = 0;
-		if (!find_tap_feed(call, part_of(call, 3), &hole.feed))
+		if (!find_tap_feed(call, klartext_parameter_part(call, 3), &hole.feed))
 			return false;
 	}
 	hole.out = hole.feed;
@@ -287,7 +265,10 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 		return fault(&interp->at, column, "RND and CHF need a straight line behind them");
 	klartext->last.known = false;
 	klartext->moved = true;
-	return klartext->cycle.by_q ? by_q(&call) : by_parts(&call);
+	if (klartext->cycle.by_q)
+		return by_q(&call);
+	return klartext->cycle.number >= 3 && klartext->cycle.number <= 5 ? klartext_pocket_make_old(&call)
+									   : by_parts(&call);
 }
 
 bool klartext_cycle_start(struct interp *interp, double *height)

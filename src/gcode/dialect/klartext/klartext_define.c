@@ -66,9 +66,9 @@ static bool tolerate(struct interp *interp, const struct klartext_cycle *cycle)
 static const struct cycle_row rows[] = {
     {1, USE_CALLED, NULL, NULL},
     {2, USE_CALLED, NULL, NULL},
-    {3, USE_REFUSED, NULL, "slot milling"},
-    {4, USE_REFUSED, NULL, "pocket milling"},
-    {5, USE_REFUSED, NULL, "circular pocket milling"},
+    {3, USE_CALLED, NULL, NULL},
+    {4, USE_CALLED, NULL, NULL},
+    {5, USE_CALLED, NULL, NULL},
     {7, USE_DEFINED, klartext_frame_shift, NULL},
     {8, USE_DEFINED, klartext_frame_mirror, NULL},
     {9, USE_DEFINED, dwell, NULL},
@@ -94,6 +94,10 @@ static const struct cycle_row rows[] = {
     {209, USE_CALLED, NULL, NULL},
     {220, USE_DEFINED, klartext_pattern_circle, NULL},
     {221, USE_DEFINED, klartext_pattern_lines, NULL},
+    {230, USE_CALLED, NULL, NULL},
+    {231, USE_REFUSED, NULL, "ruled surface"},
+    {232, USE_CALLED, NULL, NULL},
+    {233, USE_CALLED, NULL, NULL},
     {240, USE_CALLED, NULL, NULL},
     {241, USE_CALLED, NULL, NULL},
     {247, USE_DEFINED, klartext_frame_preset, NULL},
@@ -101,7 +105,14 @@ static const struct cycle_row rows[] = {
     {252, USE_CALLED, NULL, NULL},
     {253, USE_CALLED, NULL, NULL},
     {254, USE_CALLED, NULL, NULL},
+    {256, USE_CALLED, NULL, NULL},
+    {257, USE_CALLED, NULL, NULL},
+    {258, USE_REFUSED, NULL, "polygon stud"},
     {262, USE_CALLED, NULL, NULL},
+    {263, USE_CALLED, NULL, NULL},
+    {264, USE_CALLED, NULL, NULL},
+    {265, USE_CALLED, NULL, NULL},
+    {267, USE_REFUSED, NULL, "outside thread milling"},
 };
 
 /* A cycle of the machine's builder. */
@@ -230,8 +241,12 @@ static bool read_old(struct lexer *lexer, struct klartext_cycle *cycle)
 	}
 	if (lexer_peek(lexer) == ':' || lexer_peek(lexer) == '=')
 		lexer_take(lexer);
-	if (!klartext_value_follows(lexer))
+	/* DR+ */
+	if (!klartext_value_follows(lexer)) {
+		if (lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
+			lexer_take(lexer);
 		return true;
+	}
 	word->given = true;
 	return klartext_value(lexer, &word->value);
 }

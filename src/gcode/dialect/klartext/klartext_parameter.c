@@ -65,6 +65,15 @@ double klartext_parameter_per_second(const struct klartext_call_of *call, double
 	return feed * (scale > 1 ? scale / 10 : 1) / SECONDS_PER_MINUTE;
 }
 
+double klartext_parameter_part(const struct klartext_call_of *call, int part)
+{
+	for (int i = 0; i < call->cycle->count; i++) {
+		if (call->cycle->words[i].part == part && call->cycle->words[i].given)
+			return call->cycle->words[i].value;
+	}
+	return 0;
+}
+
 /* ------------------------------------------------------------------- feeds */
 
 /*

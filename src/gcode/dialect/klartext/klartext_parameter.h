@@ -27,6 +27,9 @@ double klartext_parameter_length_or(const struct klartext_call_of *call, int q, 
 /* mm/s, of F in mm/min or tenths of an inch a minute. */
 double klartext_parameter_per_second(const struct klartext_call_of *call, double feed);
 
+/* The first value of line n.<part> of an older cycle, as it stands; 0: it has none. */
+double klartext_parameter_part(const struct klartext_call_of *call, int part);
+
 /* Heights along the tool, mm, that nearly all cycles have. */
 struct klartext_heights {
 	double start, bottom, clear; /* set-up clearance, bottom, second set-up clearance */

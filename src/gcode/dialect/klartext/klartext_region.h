@@ -1,4 +1,4 @@
-/* klartext_region.h - milling cycles of which the region is known in which the tool stays, but not its path. */
+/* klartext_region.h - a milling cycle of which the region is known in which the tool stays, but not its path. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_REGION_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_REGION_H
 
@@ -6,14 +6,21 @@
 
 #include "gcode/dialect/klartext/klartext_parameter.h"
 
-/* Is it one of them: pockets, slots, bores and threads that are milled from within? */
-bool klartext_region_is(int number);
+/* A box about a point, both in programmed coordinates: the centre of the tool is in it. mm. */
+struct klartext_region {
+	vec3 centre; /* in the plane */
+	double half[2]; /* along X and Y */
+	double top, bottom, clear; /* heights: set-up clearance, depth, second set-up clearance */
+	double beyond; /* how far it may go over and under them */
+	double feed; /* mm/s */
+	bool nothing; /* a depth of 0: the cycle is not carried out */
+};
 
 /*
  * The tool goes to the set-up clearance, and from there on it may be anywhere in the region, down to the depth, until
  * it stands on the second clearance; where it stands over the region stays open. False: reported, or the sink wants no
  * more.
  */
-bool klartext_region_make(const struct klartext_call_of *call);
+bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *region);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
-#include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/dialect/klartext/klartext_state.h"
@@ -259,7 +258,9 @@ static bool change_oversize(struct interp *interp, struct request *request)
 		return fault(&interp->at, request->column,
 			     "TOOL CALL while M128 is in force: the manual wants M129 first");
 	request->number = state->tool;
-	if (!klartext_corner_check_none(interp) || !find_length(interp, request, &length))
+	if (klartext->corner.waits)
+		return fault(&interp->at, request->column, "RND and CHF need a straight line behind them");
+	if (!find_length(interp, request, &length))
 		return false;
 	klartext->oversize = request->oversize;
 	klartext->wider = request->wider;
