@@ -281,43 +281,45 @@ static bool is_beside_finding(const struct recorder *recorder, long number)
 	return false;
 }
 
-/* Halves the planes that stand at regular distances. */
-static void thin_planes(struct recorder *recorder)
+/* Halves the wishes that stand at regular distances. */
+static void thin_wishes(struct recorder *recorder)
 {
 	size_t kept = 0, turn = 0;
 
-	for (size_t i = 0; i < recorder->plane_count; i++) {
-		if (!recorder->forced[i] && turn++ % 2)
-			continue;
-		memcpy(recorder->planes[kept], recorder->planes[i], sizeof(*recorder->planes));
-		recorder->forced[kept++] = recorder->forced[i];
+	for (size_t i = 0; i < recorder->wish_count; i++) {
+		if (recorder->wishes[i].forced || turn++ % 2 == 0)
+			recorder->wishes[kept++] = recorder->wishes[i];
 	}
-	recorder->plane_count = kept;
+	recorder->wish_count = kept;
 	recorder->plane_stride *= 2;
 }
 
-static void add_plane(struct recorder *recorder, const struct block_end *end, size_t pair_index, bool forced)
+/* Most wishes are given up later: a plane is made when the rest of them is known. */
+static void wish_for_plane(struct recorder *recorder, const struct block_end *end, size_t pair, bool forced)
+{
+	if (recorder->wish_count - recorder->wishes_forced >= PLANES_MAX)
+		thin_wishes(recorder);
+	recorder->wishes = mem_grow(recorder->wishes, &recorder->wish_capacity, recorder->wish_count + 1, sizeof(*recorder->wishes));
+	recorder->wishes[recorder->wish_count++] = (struct plane_wish){*end, pair, forced};
+	recorder->wishes_forced += forced;
+}
+
+static void make_plane(struct recorder *recorder, const struct plane_wish *wish)
 {
 	const struct scene *scene = recorder->scene;
-	const struct scene_pair *pair = &scene->pairs[pair_index];
+	const struct scene_pair *pair = &scene->pairs[wish->pair];
 	struct nearest_triangles nearest;
 	vec3 middle, normal;
 	int64_t *row;
 
-	if (!nearest_of(recorder, pair, &end->axes, PLANE_SHARE, &nearest) || !(nearest.distance > RECORD_NORMAL))
+	if (!nearest_of(recorder, pair, &wish->at.axes, PLANE_SHARE, &nearest) || !(nearest.distance > RECORD_NORMAL))
 		return;
 	middle = xform_apply(&scene->bodies[pair->a].body->placement, vec3_lerp(nearest.on_a, nearest.on_b, 0.5));
 	normal = mat3_apply(&scene->bodies[pair->a].body->placement.rotation,
 			    vec3_scale(1 / nearest.distance, vec3_sub(nearest.on_b, nearest.on_a)));
-	if (recorder->plane_count - recorder->planes_forced >= PLANES_MAX)
-		thin_planes(recorder);
-	recorder->planes = mem_grow(recorder->planes, &recorder->plane_capacity, recorder->plane_count + 1, sizeof(*recorder->planes));
-	recorder->forced = mem_grow(recorder->forced, &recorder->forced_capacity, recorder->plane_count + 1, sizeof(*recorder->forced));
-	recorder->forced[recorder->plane_count] = forced;
 	row = recorder->planes[recorder->plane_count++];
-	recorder->planes_forced += forced;
-	row[PLANE_TIME] = whole(end->to, RECORD_TIME);
-	row[PLANE_PAIR] = (int64_t)pair_index;
+	row[PLANE_TIME] = whole(wish->at.to, RECORD_TIME);
+	row[PLANE_PAIR] = (int64_t)wish->pair;
 	row[PLANE_POINT] = whole(middle.x, RECORD_LENGTH);
 	row[PLANE_POINT + 1] = whole(middle.y, RECORD_LENGTH);
 	row[PLANE_POINT + 2] = whole(middle.z, RECORD_LENGTH);
@@ -325,6 +327,13 @@ static void add_plane(struct recorder *recorder, const struct block_end *end, si
 	row[PLANE_NORMAL + 1] = whole(normal.y, RECORD_NORMAL);
 	row[PLANE_NORMAL + 2] = whole(normal.z, RECORD_NORMAL);
 	row[PLANE_DISTANCE] = whole(nearest.distance, RECORD_CLEARANCE);
+}
+
+static void make_planes(struct recorder *recorder)
+{
+	recorder->planes = mem_alloc((recorder->wish_count + 1) * sizeof(*recorder->planes));
+	for (size_t i = 0; i < recorder->wish_count; i++)
+		make_plane(recorder, &recorder->wishes[i]);
 }
 
 void recorder_block(struct recorder *recorder, const struct check_block *block)
@@ -357,9 +366,9 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 		recorder->least_pair = pair;
 		recorder->least_at = *end;
 	}
-	beside = recorder->planes_forced < PLANES_MAX && is_beside_finding(recorder, block->number);
+	beside = recorder->wishes_forced < PLANES_MAX && is_beside_finding(recorder, block->number);
 	if (beside || block->number % recorder->plane_stride == 0)
-		add_plane(recorder, end, pair, beside);
+		wish_for_plane(recorder, end, pair, beside);
 }
 
 bool recorder_nearest_point(struct recorder *recorder, vec3 *point)
@@ -410,8 +419,8 @@ void recorder_release(struct recorder *recorder)
 	free(recorder->findings);
 	free(recorder->files);
 	free(recorder->ends);
+	free(recorder->wishes);
 	free(recorder->planes);
-	free(recorder->forced);
 	recorded_table_release(&recorder->path);
 	recorded_table_release(&recorder->clearance);
 	sweep_release(&recorder->sweep);
@@ -422,6 +431,7 @@ bool recorder_close(struct recorder *recorder, int *error)
 	const bool path = recorded_table_close(&recorder->path);
 	const bool clearance = recorded_table_close(&recorder->clearance);
 
+	make_planes(recorder);
 	if (!path || !clearance)
 		*error = path ? recorder->clearance.error : recorder->path.error;
 	return path && clearance;

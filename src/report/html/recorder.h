@@ -28,7 +28,7 @@ enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLAN
 #define RECORD_NORMAL 1e-6
 
 /* At most so many planes are kept, and so many more beside findings. */
-enum { PLANES_MAX = 128 };
+enum { PLANES_MAX = 64 };
 
 /* A finding, with what is drawn of it. */
 struct recorded_finding {
@@ -58,6 +58,13 @@ struct block_end {
 /* Blocks between being read and being checked are fewer. */
 enum { BLOCK_ENDS = 4096 };
 
+/* At the end of this block the plane between the bodies of this pair is to be shown. */
+struct plane_wish {
+	struct block_end at;
+	size_t pair;
+	bool forced;	/* it stands beside a finding */
+};
+
 /* The name of a file as the check calls it, and a copy that outlives the check. */
 struct recorded_file {
 	const char *interned;
@@ -85,11 +92,11 @@ struct recorder {
 	double least;	/* mm: the smallest clearance; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
-	int64_t (*planes)[PLANE_COLUMNS];
-	size_t plane_count, plane_capacity, planes_forced;
-	bool *forced;	/* by plane: it stands beside a finding */
-	size_t forced_capacity;
-	long plane_stride;	/* every so many blocks one is looked at */
+	struct plane_wish *wishes;	/* for planes, in the order of time */
+	size_t wish_count, wish_capacity, wishes_forced;
+	long plane_stride;	/* every so many blocks a plane is wished for */
+	int64_t (*planes)[PLANE_COLUMNS];	/* made when the recorder is closed */
+	size_t plane_count;
 	struct sweep sweep;
 };
 

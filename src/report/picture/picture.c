@@ -13,12 +13,15 @@ enum { WIDTH = 960, HEIGHT = 640, RING = 34 };
 
 /* ------------------------------------------------------------------- SVG */
 
+/* Pixels of a quick picture to one of its raster, in both directions: its outlines are a little coarser. */
+#define QUICK_PIXEL (4.0 / 3)
+
 static void add_areas(struct strbuf *out, const struct raster *raster, bool fine)
 {
 	for (int paint = PAINT_LEVELS; paint < PAINT_CLASSES * PAINT_LEVELS; paint++) {
 		struct strbuf outlines = {0};
 
-		contours_add(&outlines, raster, (uint8_t)paint, fine ? 0.9 : 1.2, fine ? 10 : 20);
+		contours_add(&outlines, raster, (uint8_t)paint, fine ? 0.9 : 1.1, fine ? 10 : 14);
 		if (outlines.length) {
 			const uint32_t colour = paint_colour((uint8_t)paint);
 
@@ -30,9 +33,9 @@ static void add_areas(struct strbuf *out, const struct raster *raster, bool fine
 	}
 }
 
-static void add_ring(struct strbuf *out, const struct raster *raster, const struct camera *camera, vec3 point)
+static void add_ring(struct strbuf *out, const struct camera *camera, vec3 point)
 {
-	const vec3 at = camera_project(camera, raster, point);
+	const vec3 at = camera_project(camera, &(struct raster){.width = WIDTH, .height = HEIGHT}, point);
 
 	strbuf_addf(out, "<g fill=\"none\"><circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#fff\" stroke-width=\"9\"/>"
 			 "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#7a00c8\" stroke-width=\"4\"/></g>\n",
@@ -54,19 +57,23 @@ static void add_label(struct strbuf *out, const struct stage *stage, int body, e
 void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *title, bool fine)
 {
 	const struct camera camera = stage_camera(stage);
+	const double pixel = fine ? 1 : QUICK_PIXEL;
 	struct raster raster;
 
-	raster_init(&raster, WIDTH, HEIGHT);
+	raster_init(&raster, (int)lround(WIDTH / pixel), (int)lround(HEIGHT / pixel));
 	stage_draw(stage, &camera, &raster);
 	strbuf_addf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\">\n<title>",
 		    WIDTH, HEIGHT, WIDTH, HEIGHT);
 	html_text_add(out, title);
 	strbuf_addf(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06x\"/>\n<g fill-rule=\"evenodd\" "
-			 "stroke-width=\"1\" stroke-linejoin=\"round\">\n", WIDTH, HEIGHT, (unsigned)paint_colour(0));
+			 "stroke-width=\"%g\" stroke-linejoin=\"round\"", WIDTH, HEIGHT, (unsigned)paint_colour(0), 1 / pixel);
+	if (!fine)
+		strbuf_addf(out, " transform=\"scale(%.6g)\"", pixel);
+	strbuf_addf(out, ">\n");
 	add_areas(out, &raster, fine);
 	strbuf_addf(out, "</g>\n");
 	if (stage->has_point)
-		add_ring(out, &raster, &camera, stage->point);
+		add_ring(out, &camera, stage->point);
 	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"17\" fill=\"#16202b\">\n");
 	if (stage->a >= 0 && stage->b >= 0) {
 		add_label(out, stage, stage->a, stage_class_a(stage), 0);

@@ -78,46 +78,58 @@ bool raster_may_show(const struct raster *raster, const vec3 p[3])
 /* A share of a corner along a row: `at` in the first pixel, `step` more in each later one. */
 struct share {
 	double at, step;
+	double pixels;	/* -1 / step */
 };
 
 /* Narrows the pixels *from to *to - 1 of a row to those where the share may be 0 or more. */
-static void narrow(struct share share, int *from, int *to)
+static void narrow(const struct share *share, int *from, int *to)
 {
 	/* One pixel to spare: the share itself is tested later. */
-	const double zero = -share.at / share.step;
-	const int count = *to - *from;
+	const double zero = share->at * share->pixels;
 
-	if (share.step > 0 && zero > 1)
-		*from += zero - 1 < count ? (int)(zero - 1) : count;
-	else if (share.step < 0 && zero + 2 < count)
-		*to = zero + 2 > 0 ? *from + (int)(zero + 2) : *from;
+	if (share->step > 0 && zero - 1 > *from)
+		*from = zero - 1 < *to ? (int)(zero - 1) : *to;
+	else if (share->step < 0 && zero + 2 < *to)
+		*to = zero + 2 > *from ? (int)(zero + 2) : *from;
+}
+
+/* How the share of the corner opposite the side from p to q changes; `at` is that in the first pixel of the first row. */
+static struct share share_of(vec3 p, vec3 q, double inverse_area, int x, int y, double *down)
+{
+	const double step = (p.y - q.y) * inverse_area;
+
+	*down = (q.x - p.x) * inverse_area;
+	return (struct share){area_of(p, q, (vec3){x + 0.5, y + 0.5, 0}) * inverse_area, step, -1 / step};
 }
 
 void raster_triangle(struct raster *raster, const vec3 p[3], uint8_t paint)
 {
 	const double area = area_of(p[0], p[1], p[2]);
 	int columns[2], rows[2];
-	double a_step, b_step;
+	double a_down, b_down;
+	struct share a, b, c;
 
 	if (!(fabs(area) > 0))
 		return;
 	bounds_of(raster, p, columns, rows);
-	/* How a and b, the shares of the first two corners, change from pixel to pixel. */
-	a_step = (p[1].y - p[2].y) / area;
-	b_step = (p[2].y - p[0].y) / area;
+	/* Shares of the first two corners; of the third there is what is left. */
+	a = share_of(p[1], p[2], 1 / area, 0, rows[0], &a_down);
+	b = share_of(p[2], p[0], 1 / area, 0, rows[0], &b_down);
+	c = (struct share){1 - a.at - b.at, -a.step - b.step, 1 / (a.step + b.step)};
 	for (int y = rows[0]; y < rows[1]; y++) {
-		const vec3 at = {columns[0] + 0.5, y + 0.5, 0};
-		const double a0 = area_of(p[1], p[2], at) / area, b0 = area_of(p[2], p[0], at) / area;
 		int from = columns[0], to = columns[1];
 
-		narrow((struct share){a0, a_step}, &from, &to);
-		narrow((struct share){b0 + (from - columns[0]) * b_step, b_step}, &from, &to);
-		narrow((struct share){1 - a0 - b0 - (from - columns[0]) * (a_step + b_step), -a_step - b_step}, &from, &to);
+		narrow(&a, &from, &to);
+		narrow(&b, &from, &to);
+		narrow(&c, &from, &to);
 		for (int x = from; x < to; x++) {
-			const double a = a0 + (x - columns[0]) * a_step, b = b0 + (x - columns[0]) * b_step;
+			const double of_a = a.at + x * a.step, of_b = b.at + x * b.step, of_c = 1 - of_a - of_b;
 
-			if (a >= 0 && b >= 0 && a + b <= 1)
-				draw_pixel(raster, x, y, (float)(a * p[0].z + b * p[1].z + (1 - a - b) * p[2].z), paint);
+			if (of_a >= 0 && of_b >= 0 && of_c >= 0)
+				draw_pixel(raster, x, y, (float)(of_a * p[0].z + of_b * p[1].z + of_c * p[2].z), paint);
 		}
+		a.at += a_down;
+		b.at += b_down;
+		c.at -= a_down + b_down;
 	}
 }

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #include "base/math/math_functions.h"
+#include "base/mem.h"
+#include "base/same_double.h"
 #include "machine/chain.h"
 
 /* ------------------------------------------------------------------ paints */
@@ -283,13 +285,85 @@ static bool sees_point(const struct stage *stage, const struct camera *camera, c
 	       raster->depths[y * raster->width + x] <= at.z + 1.5 / (camera->scale * raster->width);
 }
 
-static double judge(const struct stage *stage, const struct camera *camera)
+/* The size of a picture that is judged, and never shown. */
+enum { DRAFT_WIDTH = 64, DRAFT_HEIGHT = 42 };
+
+/* A triangle in machine coordinates. */
+struct draft_triangle {
+	vec3 p[3];
+	uint8_t paint;
+};
+
+/*
+ * What is there, as coarse as a draft can show it: corners stand on a grid of a draft's pixels, and triangles that shrink to a
+ * line or a point, as most of a fine mesh do, are left out. Neighbours share their corners, so that no gaps open.
+ */
+struct draft {
+	struct draft_triangle *triangles;	/* owned */
+	size_t count, capacity;
+};
+
+static vec3 snap(vec3 p, double grid)
+{
+	return (vec3){grid * rint(p.x / grid), grid * rint(p.y / grid), grid * rint(p.z / grid)};
+}
+
+static bool same_place(vec3 p, vec3 q)
+{
+	return same_double(p.x, q.x) && same_double(p.y, q.y) && same_double(p.z, q.z);
+}
+
+static void add_to_draft(struct draft *draft, const vec3 p[3], double grid, enum paint_class class)
+{
+	const struct draft_triangle triangle = {{snap(p[0], grid), snap(p[1], grid), snap(p[2], grid)},
+						(uint8_t)(class * PAINT_LEVELS)};
+	const vec3 *q = triangle.p;
+
+	if (same_place(q[0], q[1]) || same_place(q[1], q[2]) || same_place(q[2], q[0]))
+		return;
+	draft->triangles = mem_grow(draft->triangles, &draft->capacity, draft->count + 1, sizeof(*draft->triangles));
+	draft->triangles[draft->count++] = triangle;
+}
+
+static struct draft draft_of(const struct stage *stage, double grid)
+{
+	struct draft draft = {0};
+
+	for (int i = 0; (size_t)i < stage->scene->body_count; i++) {
+		const struct scene_body *it = &stage->scene->bodies[i];
+		const xform link = machine_pose(stage->scene->machine, it->body->link, &stage->axes);
+		const xform pose = xform_mul(&link, &it->body->placement);
+
+		for (size_t t = 0; is_there(stage, i) && t < it->bvh->mesh.count; t++) {
+			vec3 p[3];
+
+			for (int k = 0; k < 3; k++)
+				p[k] = xform_apply(&pose, mesh_corner(&it->bvh->mesh.triangles[t], k));
+			add_to_draft(&draft, p, grid, class_of(stage, i));
+		}
+	}
+	for (int side = 0; stage->triangles && side < 2; side++)
+		add_to_draft(&draft, stage->triangles[side], grid, side ? PAINT_CONTACT_B : PAINT_CONTACT_A);
+	return draft;
+}
+
+static double judge(const struct stage *stage, const struct draft *draft, const struct camera *camera)
 {
 	struct raster raster;
+	const xform here = xform_identity();
+	struct screen screen;
 	double result;
 
-	raster_init(&raster, 96, 64);
-	stage_draw(stage, camera, &raster);
+	raster_init(&raster, DRAFT_WIDTH, DRAFT_HEIGHT);
+	screen = screen_of(camera, &raster, &here);
+	for (size_t i = 0; i < draft->count; i++) {
+		vec3 at[3];
+
+		for (int k = 0; k < 3; k++)
+			at[k] = screen_place(&screen, draft->triangles[i].p[k]);
+		if (raster_may_show(&raster, at))
+			raster_triangle(&raster, at, draft->triangles[i].paint);
+	}
 	result = score(&raster) * (sees_point(stage, camera, &raster) ? 2 : 1);
 	raster_release(&raster);
 	return result;
@@ -300,6 +374,7 @@ static double judge(const struct stage *stage, const struct camera *camera)
 struct camera stage_camera(const struct stage *stage)
 {
 	struct camera best = look_from(-60 * DEGREE, 30 * DEGREE);
+	struct draft draft;
 	double most = -1;
 
 	if (stage->a < 0 || stage->b < 0 || !stage->has_point) {
@@ -307,6 +382,7 @@ struct camera stage_camera(const struct stage *stage)
 		return best;
 	}
 	frame_contact(stage, &best);
+	draft = draft_of(stage, 1 / (best.scale * DRAFT_WIDTH));
 	for (int rise = 15; rise <= 55; rise += 20) {
 		for (int turn = -60; turn < 300; turn += 30) {
 			struct camera camera = look_from(turn * DEGREE, rise * DEGREE);
@@ -314,12 +390,13 @@ struct camera stage_camera(const struct stage *stage)
 
 			frame_contact(stage, &camera);
 			/* A view from above the horizon, not from the top, is what people expect. */
-			good = judge(stage, &camera) * (rise == 35 ? 1.1 : 1);
+			good = judge(stage, &draft, &camera) * (rise == 35 ? 1.1 : 1);
 			if (good > most) {
 				most = good;
 				best = camera;
 			}
 		}
 	}
+	free(draft.triangles);
 	return best;
 }
