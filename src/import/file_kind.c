@@ -14,6 +14,7 @@ static const struct {
 	enum file_kind kind;
 } xml_roots[] = {
 	{"VcMachine", FILE_VERICUT_MACHINE},
+	{"robot", FILE_URDF},
 };
 
 static const char *skip_space(const char *at)
@@ -45,6 +46,9 @@ static bool tell(enum file_kind *kind, const char *text)
 		if (!strncmp(root, xml_roots[i].root, length) && strchr(" \t\r\n/>", root[length]))
 			return true;
 	}
+	*kind = FILE_EMC_MACHINE;
+	if (!root && (!strncmp(text, "[KINS]", 6) || strstr(text, "\n[KINS]")))
+		return true;
 	*kind = FILE_TOOLS;
 	return library_kind_of(text) != LIBRARY_NONE;
 }

@@ -1,6 +1,7 @@
 #include "import/import.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -21,6 +22,20 @@ void import_machine_release(struct import_machine *machine)
 	free(machine->description.pairs);
 	arena_release(&machine->description.arena);
 	*machine = (struct import_machine){0};
+}
+
+void import_machine_todo(struct import_machine *machine, const char *format, ...)
+{
+	struct strbuf text = {0};
+	va_list args;
+
+	if (machine->todo_count == IMPORT_TODO_MAX)
+		return;
+	va_start(args, format);
+	strbuf_addv(&text, format, args);
+	va_end(args);
+	machine->todo[machine->todo_count++] = arena_strdup(&machine->description.arena, strbuf_text(&text));
+	strbuf_release(&text);
 }
 
 /* ------------------------------------------------------------------- names */

@@ -10,6 +10,9 @@
 #include "geom/mesh.h"
 #include "machine/description.h"
 
+/* More things to do by hand than a reader notes. */
+enum { IMPORT_TODO_MAX = 24 };
+
 /*
  * A reader fills in the description as the reader of machine.xml would: lengths in mm, angles in radians, everything in
  * machine coordinates with every axis at 0. The paths of the bodies' meshes are those that the meshes will have beside
@@ -21,6 +24,8 @@ struct import_machine {
 	size_t mesh_capacity, body_capacity, pair_capacity;
 	bool dialect_known, rapid_known;	/* else the file says nothing of it */
 	size_t left_out;	/* bodies whose meshes are not there */
+	const char *todo[IMPORT_TODO_MAX];	/* what has to be done by hand, for comments of the machine file */
+	size_t todo_count;
 };
 
 /* All zero is an empty machine. */
@@ -30,6 +35,7 @@ void import_machine_release(struct import_machine *machine);
 struct import_options {
 	const char *meshes;	/* a folder in which meshes are searched first; or NULL */
 	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
+	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
 };
 
 /*
@@ -42,5 +48,8 @@ struct body_description *import_machine_add_body(struct import_machine *machine,
 
 /* Adds a pair that is always checked; a pair that is there already keeps the greater clearance. */
 void import_machine_add_pair(struct import_machine *machine, const char *a, const char *b, double clearance);
+
+/* Notes what has to be done by hand, as a printf does; notes beyond IMPORT_TODO_MAX are left out. */
+void import_machine_todo(struct import_machine *machine, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

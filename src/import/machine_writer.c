@@ -211,6 +211,14 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 	if (machine->left_out)
 		strbuf_addf(out, "  <!-- TODO Bodies whose meshes were not there are left out (%zu): what they hit is not found. -->\n",
 			    machine->left_out);
+	for (size_t i = 0; i < machine->todo_count; i++) {
+		struct strbuf todo = {0};
+
+		strbuf_addf(&todo, "TODO %s", machine->todo[i]);
+		strbuf_addf(out, "  ");
+		xml_text_comment(out, strbuf_text(&todo));
+		strbuf_release(&todo);
+	}
 	strbuf_addf(out, "  <base>\n");
 	add_link(out, d, 0, 2);
 	strbuf_addf(out, "  </base>\n");

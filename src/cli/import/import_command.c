@@ -5,7 +5,9 @@
 #include "cli/argv_parser.h"
 #include "cli/import/import_output.h"
 #include "control/dialects.h"
+#include "import/emc_machine.h"
 #include "import/file_kind.h"
+#include "import/urdf_machine.h"
 #include "import/vericut_machine.h"
 #include "base/units.h"
 #include "machine/library/library_file.h"
@@ -14,7 +16,7 @@
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS };
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE };
 
 static const char *const unit_names[] = {"mm", "inch", NULL};
 
@@ -27,6 +29,8 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	 .help = "leave bodies out whose meshes are not there"},
 	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG,
 	 .help = "give tools without a number one, in their order"},
+	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_TEXT,
+	 .help = "the axes that carry the work, from the base on, where\nthe file does not say it"},
 	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, .choices = unit_names,
 	 .help = "lengths of a file that does not say its units: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, .choices = dialect_names,
@@ -87,6 +91,9 @@ static enum argv_result take_option(void *context, const struct option_row *row,
 	case KEY_NUMBER_TOOLS:
 		request->number_tools = true;
 		break;
+	case KEY_TABLE:
+		request->options.table = argument;
+		break;
 	case KEY_UNITS:
 		return take_unit(request, argument);
 	case KEY_DIALECT:
@@ -139,7 +146,21 @@ static bool load(const char *path, struct diag *diag)
 	return true;
 }
 
-static bool import_machine(const struct request *request)
+static bool read_machine(const struct request *request, enum file_kind kind, struct import_machine *machine)
+{
+	switch (kind) {
+	case FILE_EMC_MACHINE:
+		return emc_machine_read(machine, request->file, &request->options, request->diag);
+	case FILE_URDF:
+		return urdf_machine_read(machine, request->file, &request->options, request->diag);
+	case FILE_VERICUT_MACHINE:
+	case FILE_TOOLS:
+		break;
+	}
+	return vericut_machine_read(machine, request->file, &request->options, request->diag);
+}
+
+static bool import_machine(const struct request *request, enum file_kind kind)
 {
 	struct import_machine machine = {0};
 	struct strbuf path = {0};
@@ -147,9 +168,11 @@ static bool import_machine(const struct request *request)
 
 	strbuf_addf(&path, "%s/machine.xml", request->output);
 	good = import_output_is_new(strbuf_text(&path), request->diag) &&
-	       vericut_machine_read(&machine, request->file, &request->options, request->diag);
-	machine.dialect_known = request->dialect >= 0;
-	machine.description.controller.dialect = machine.dialect_known ? request->dialect : 0;
+	       read_machine(request, kind, &machine);
+	if (request->dialect >= 0) {
+		machine.dialect_known = true;
+		machine.description.controller.dialect = request->dialect;
+	}
 	good = good && import_output_write(&machine, request->output, request->file, request->diag) &&
 	       load(strbuf_text(&path), request->diag);
 	import_machine_release(&machine);
@@ -196,7 +219,7 @@ static bool import_file(const struct request *request)
 
 	if (!file_kind_of(&kind, request->file, request->diag))
 		return false;
-	return kind == FILE_VERICUT_MACHINE ? import_machine(request) : import_tools(request);
+	return kind == FILE_TOOLS ? import_tools(request) : import_machine(request, kind);
 }
 
 enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)

@@ -178,7 +178,7 @@ static bool check_shape(struct xml_reader *xml, const xmlNode *node, int depth)
 }
 
 /* A file of another kind or of a later version gets one plain message. */
-static bool check_root(struct xml_reader *xml, const char *root)
+static bool check_root(struct xml_reader *xml, const char *root, bool own)
 {
 	const xmlNode *node = xml_root(xml);
 	const char *version;
@@ -196,7 +196,7 @@ static bool check_root(struct xml_reader *xml, const char *root)
 				  xml_quote((const char *)node->name).text, root, root);
 		return false;
 	}
-	version = xml_attribute(xml, node, "version");
+	version = own ? xml_attribute(xml, node, "version") : NULL;
 	if (version && strcmp(version, "1") != 0) {
 		xml_error(xml, node, "version",
 			  "version \"%s\" of the %s file is not supported; this program reads version 1",
@@ -206,14 +206,14 @@ static bool check_root(struct xml_reader *xml, const char *root)
 	return true;
 }
 
-bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag)
+static bool open_file(struct xml_reader *xml, const char *path, const char *const *elements, bool own, struct diag *diag)
 {
 	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .elements = elements};
 	if (xml_file_parse(xml)) {
 		/* The numbers of tags and elements must be equal; otherwise the places are not reliable. */
 		if (number_elements(xmlDocGetRootElement(xml->doc), 0) != xml->tag_count)
 			xml->tag_count = 0;
-		if (check_shape(xml, xml_root(xml), 1) && check_root(xml, elements[0]))
+		if (check_shape(xml, xml_root(xml), 1) && check_root(xml, elements[0], own))
 			return true;
 	}
 	xml_close(xml);
@@ -223,4 +223,14 @@ bool xml_open(struct xml_reader *xml, const char *path, const char *const *eleme
 void xml_close(struct xml_reader *xml)
 {
 	xml_reader_release(xml);
+}
+
+bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag)
+{
+	return open_file(xml, path, elements, true, diag);
+}
+
+bool xml_open_foreign(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag)
+{
+	return open_file(xml, path, elements, false, diag);
 }

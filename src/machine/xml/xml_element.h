@@ -21,6 +21,10 @@ struct xml_child {
  * nothing to close.
  */
 bool xml_open(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
+
+/* The same for a file of another program: its version is its own affair. */
+bool xml_open_foreign(struct xml_reader *xml, const char *path, const char *const *elements, struct diag *diag);
+
 void xml_close(struct xml_reader *xml);
 
 const xmlNode *xml_root(const struct xml_reader *xml);

@@ -1,0 +1,375 @@
+#include "import/emc_machine.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/axes.h"
+#include "base/decimal.h"
+#include "base/strbuf.h"
+#include "base/units.h"
+#include "import/hal_values.h"
+#include "import/ini_file.h"
+
+struct reading {
+	struct import_machine *machine;
+	const struct import_options *options;
+	struct diag *diag;
+	struct ini_file ini;
+	struct hal_values hal;
+	double unit;	/* mm per unit of length */
+	char joints[SLOT_COUNT * 2 + 1];	/* the letter of each joint */
+	char order[SLOT_COUNT + 1];	/* the letters of the axes, each once */
+};
+
+static const struct srcloc nowhere;
+
+static const double linear_limit = 1e6;
+
+static struct srcloc place(const struct reading *r)
+{
+	return (struct srcloc){.file = r->ini.count ? r->ini.entries[0].at.file : NULL};
+}
+
+static bool fault(const struct reading *r, const char *what)
+{
+	diag_error(r->diag, place(r), "%s", what);
+	return false;
+}
+
+/* ----------------------------------------------------------- kinematics */
+
+/* Where rotary axes are, and how what they carry turns for a positive value. */
+struct rotary {
+	char letter;
+	vec3 direction;
+	const char *pins[3];	/* their sum, and the next row's, is the location; or NULL */
+	const char *more[3];
+};
+
+/*
+ * The work follows the rotary axes of the trt modules: p = Rz(-c) (Rx(-a) (q - a0) + a0 ...), so that the table turns
+ * with a positive sense. The head of 5axiskins points to (sin b cos c, sin b sin c, -cos b). Source: trtfuncs.c and
+ * 5axiskins.c of LinuxCNC.
+ */
+static const struct module {
+	const char *name;
+	const char *table, *head;	/* letters of the rotary axes, from the base on */
+	struct rotary rotary[2];
+	double pivot;	/* mm or inch: the default of pivot-length; 0: it has none */
+} modules[] = {
+	{"xyzac-trt-kins", "AC", "",
+	 {{'A', {1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, "y-offset", "z-offset"}},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}}},
+	 0},
+	{"xyzbc-trt-kins", "BC", "",
+	 {{'B', {0, 1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {"x-offset", NULL, "z-offset"}},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}}},
+	 0},
+	{"5axiskins", "", "CB",
+	 {{'C', {0, 0, 1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}},
+	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}}},
+	 250},
+};
+
+/* The name of the module: the first word of KINEMATICS. NULL, reported: there is none. */
+static bool find_module(const struct reading *r, const struct module **module)
+{
+	const char *text = ini_file_text(&r->ini, "KINS", "KINEMATICS");
+	size_t length = text ? strcspn(text, " \t") : 0;
+
+	*module = NULL;
+	if (!length)
+		return fault(r, "[KINS] has no KINEMATICS: this is no ini file of a machine of release 2.5 or later");
+	for (size_t i = 0; i < sizeof(modules) / sizeof(*modules); i++)
+		if (strlen(modules[i].name) == length && !strncmp(text, modules[i].name, length))
+			*module = &modules[i];
+	if (!*module && strncmp(text, "trivkins", length) != 0)
+		diag_warning(r->diag, place(r), "the kinematics '%.*s' are not known: the joints are taken to be the axes that they are named after",
+			     (int)length, text);
+	return true;
+}
+
+/* Adds the value of a pin of the module. False: reported. */
+static bool add_pin(struct reading *r, const struct module *module, const char *pin, double *sum)
+{
+	struct strbuf name = {0};
+	double value = 0;
+	enum hal_found found;
+
+	if (!pin)
+		return true;
+	if (!strcmp(pin, "pivot-length"))
+		value = module->pivot;
+	strbuf_addf(&name, "%s.%s", module->name, pin);
+	found = hal_values_find(&r->hal, strbuf_text(&name), &value);
+	if (found == HAL_SIGNAL)
+		diag_warning(r->diag, place(r), "%s is set while the machine runs: it is taken as %g; correct the location of the axis",
+			     strbuf_text(&name), value);
+	if (found == HAL_DEFAULT && r->hal.scripts)
+		diag_warning(r->diag, place(r), "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is taken as %g",
+			     strbuf_text(&name), value);
+	strbuf_release(&name);
+	*sum += r->unit * value;
+	return found != HAL_FAULT;
+}
+
+static bool locate(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *location)
+{
+	double sum[3] = {0};
+
+	for (int i = 0; i < 3; i++)
+		if (!add_pin(r, module, rotary->pins[i], &sum[i]) || !add_pin(r, module, rotary->more[i], &sum[i]))
+			return false;
+	*location = (vec3){sum[0], sum[1], sum[2]};
+	return true;
+}
+
+/* ----------------------------------------------------------------- axes */
+
+/* Adds the letters of a text to the joints: blanks count for nothing. False: one is no axis. */
+static bool take_letters(struct reading *r, const char *text, size_t length)
+{
+	size_t joints = 0, axes = 0;
+
+	for (size_t i = 0; i < length; i++) {
+		char letter = (char)toupper((unsigned char)text[i]);
+
+		if (isspace((unsigned char)letter))
+			continue;
+		if (slot_of_letter(letter) < 0 || joints == sizeof(r->joints) - 1)
+			return false;
+		r->joints[joints++] = letter;
+		if (!memchr(r->order, letter, axes))
+			r->order[axes++] = letter;
+	}
+	return joints > 0;
+}
+
+/* coordinates= of the kinematics module says which joint moves which axis, else [TRAJ]COORDINATES. */
+static bool find_joints(struct reading *r)
+{
+	static const char word[] = "coordinates=";
+	const char *kinematics = ini_file_text(&r->ini, "KINS", "KINEMATICS"), *text = strstr(kinematics, word);
+	size_t length;
+
+	if (text) {
+		text += sizeof(word) - 1;
+		length = strcspn(text, " \t");
+	} else {
+		text = ini_file_text(&r->ini, "TRAJ", "COORDINATES");
+		length = text ? strcspn(text, "#;") : 0;
+	}
+	return (text && take_letters(r, text, length)) ||
+	       fault(r, "neither coordinates= of [KINS]KINEMATICS nor COORDINATES of [TRAJ] names the axes");
+}
+
+/* What [JOINT_n] of each joint of the axis, or [AXIS_L], says; the narrower of several travels. */
+static bool read_travel(struct reading *r, const char *section, double scale, struct axis_description *axis)
+{
+	double least = -INFINITY, most = INFINITY, rate = 0, home = NAN;
+
+	if (!ini_file_number(&r->ini, section, "MIN_LIMIT", &least, r->diag) ||
+	    !ini_file_number(&r->ini, section, "MAX_LIMIT", &most, r->diag) ||
+	    !ini_file_number(&r->ini, section, "MAX_VELOCITY", &rate, r->diag) ||
+	    !ini_file_number(&r->ini, section, "HOME", &home, r->diag))
+		return false;
+	axis->limit_min = fmax(axis->limit_min, scale * least);
+	axis->limit_max = fmin(axis->limit_max, scale * most);
+	rate *= 60 * (axis->rotary ? 1 : scale);
+	if (rate > 0 && (!(axis->rate_max > 0) || rate < axis->rate_max))
+		axis->rate_max = rate;
+	if (!isnan(home) && !axis->home.given && fabs(home) > 0)
+		axis->home = (struct optional_number){true, scale * home};
+	return true;
+}
+
+static bool read_axis(struct reading *r, char letter, bool identity, struct axis_description *axis)
+{
+	const double scale = axis->rotary ? radians(1) : r->unit;
+	struct strbuf section = {0};
+	bool good = true, joint = false;
+
+	axis->limit_min = -INFINITY;
+	axis->limit_max = INFINITY;
+	for (size_t i = 0; good && r->joints[i]; i++) {
+		if (r->joints[i] != letter)
+			continue;
+		strbuf_clear(&section);
+		strbuf_addf(&section, "JOINT_%zu", i);
+		joint = joint || ini_file_text(&r->ini, strbuf_text(&section), "MAX_LIMIT");
+		good = read_travel(r, strbuf_text(&section), scale, axis);
+	}
+	/* Where joints are not axes, the travel of an axis is that of the point that is programmed. */
+	strbuf_clear(&section);
+	strbuf_addf(&section, "AXIS_%c", letter);
+	if (good && (identity || !joint))
+		good = read_travel(r, strbuf_text(&section), scale, axis);
+	strbuf_release(&section);
+	if (good && axis->home.given)
+		axis->home.value = fmin(fmax(axis->home.value, axis->limit_min), axis->limit_max);
+	/* Axes without an end have limits that nobody reaches. */
+	if (axis->limit_min <= -linear_limit)
+		axis->limit_min = -INFINITY;
+	if (axis->limit_max >= linear_limit)
+		axis->limit_max = INFINITY;
+	return good && (axis->limit_min < axis->limit_max || fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
+}
+
+/* Axes that carry the work move against their letter, as controls count: the tool relative to the work. */
+static vec3 direction_of(int slot, bool carries_work)
+{
+	const double sign = carries_work ? -1 : 1;
+	const vec3 units[3] = {{sign, 0, 0}, {0, sign, 0}, {0, 0, sign}};
+
+	return units[slot % 3];
+}
+
+static bool add_axis(struct reading *r, const struct module *module, char letter, bool carries_work, int parent)
+{
+	struct machine_description *d = &r->machine->description;
+	struct axis_description axis = {.slot = slot_of_letter(letter), .parent = parent};
+	const struct rotary *known = NULL;
+
+	axis.rotary = slot_is_rotary(axis.slot);
+	axis.direction = direction_of(axis.slot, carries_work);
+	for (int i = 0; module && i < 2; i++)
+		known = module->rotary[i].letter == letter ? &module->rotary[i] : known;
+	if (known) {
+		axis.direction = known->direction;
+		axis.has_location = true;
+		if (!locate(r, module, known, &axis.location))
+			return false;
+	} else if (axis.rotary) {
+		axis.has_location = true;
+		import_machine_todo(r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is a guess.",
+				    letter);
+		diag_warning(r->diag, place(r), "where the axis %c is stands not in this file: correct its location", letter);
+	}
+	/* A quill moves along the tool, out for positive values. */
+	if (module && module->pivot > 0 && letter == 'W')
+		axis.direction = (vec3){0, 0, -1};
+	if (!read_axis(r, letter, !module, &axis))
+		return false;
+	d->axes[d->axis_count++] = axis;
+	return true;
+}
+
+/* ---------------------------------------------------------------- chain */
+
+static bool has(const char *letters, char letter)
+{
+	return letter && strchr(letters, letter);
+}
+
+/* Letters of the axes that carry the work, from the base on: the user's, else those that the module knows. */
+static bool find_table(const struct reading *r, const struct module *module, char table[SLOT_COUNT + 1])
+{
+	const char *asked = r->options->table;
+	size_t count = 0;
+
+	for (const char *at = asked; at && *at; at++) {
+		char letter = (char)toupper((unsigned char)*at);
+
+		if (!has(r->order, letter) || memchr(table, letter, count)) {
+			diag_error(r->diag, nowhere, "--table: '%c' is no axis of this machine, or stands twice; it has %s", *at, r->order);
+			return false;
+		}
+		table[count++] = letter;
+	}
+	table[count] = '\0';
+	if (!module && !asked)
+		return fault(r, "this file does not say which axes carry the work and which the tool: name those that carry the work, "
+				"from the base on, with --table=LETTERS, such as --table=YAC, or --table= for none");
+	for (const char *at = module ? module->table : ""; *at; at++)
+		if (!memchr(table, *at, count)) {
+			table[count++] = *at;
+			table[count] = '\0';
+		}
+	return true;
+}
+
+static bool add_chains(struct reading *r, const struct module *module, const char *table)
+{
+	struct machine_description *d = &r->machine->description;
+	const char *head = module ? module->head : "";
+	int link = 0;
+
+	d->axes = arena_alloc(&d->arena, SLOT_COUNT * sizeof(*d->axes));
+	for (const char *at = table; *at; at++, link = (int)d->axis_count)
+		if (!add_axis(r, module, *at, true, link))
+			return false;
+	d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
+	d->workholdings[d->workholding_count++] =
+		(struct workholding_description){.link = link, .frame = xform_identity()};
+	link = 0;
+	/* Linear axes come before rotary ones, and what moves along the tool comes last. */
+	for (int pass = 0; pass < 3; pass++) {
+		const char *letters = pass == 1 && *head ? head : r->order;
+
+		for (const char *at = letters; *at; at++) {
+			int turn = slot_of_letter(*at) < SLOT_A ? 0 : slot_is_rotary(slot_of_letter(*at)) ? 1 : 2;
+
+			if (turn != pass || has(table, *at) || !has(r->order, *at))
+				continue;
+			if (!add_axis(r, module, *at, false, link))
+				return false;
+			link = (int)d->axis_count;
+		}
+	}
+	d->spindles = arena_alloc(&d->arena, sizeof(*d->spindles));
+	d->spindles[d->spindle_count++] = (struct spindle_description){.link = link, .direction = {0, 0, -1}};
+	return true;
+}
+
+static bool find_unit(struct reading *r)
+{
+	const char *text = ini_file_text(&r->ini, "TRAJ", "LINEAR_UNITS");
+	double value;
+
+	r->unit = 1;
+	if (!text || !strncasecmp(text, "mm", 2) || !strncasecmp(text, "metric", 6))
+		return text || fault(r, "[TRAJ] has no LINEAR_UNITS");
+	if (!strncasecmp(text, "in", 2) || !strncasecmp(text, "imperial", 8)) {
+		r->unit = MM_PER_INCH;
+		return true;
+	}
+	/* A number is the count of units in a millimetre. */
+	if (!decimal_read(text, strcspn(text, " \t"), &value) || !(value > 1e-3 && value < 1e3))
+		return fault(r, "LINEAR_UNITS of [TRAJ] must be mm or inch");
+	r->unit = 1 / value;
+	return true;
+}
+
+static bool read_machine(struct reading *r)
+{
+	struct import_machine *machine = r->machine;
+	const char *name = ini_file_text(&r->ini, "EMC", "MACHINE");
+	char table[SLOT_COUNT + 1];
+	const struct module *module;
+
+	if (!find_module(r, &module) || !find_joints(r) || !find_unit(r) || !find_table(r, module, table) ||
+	    (module && !hal_values_read(&r->hal, &r->ini, r->diag)) || !add_chains(r, module, table))
+		return false;
+	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
+	machine->dialect_known = machine->rapid_known = true;
+	import_machine_todo(machine, "The ini file names no bodies: add <body> elements, drawn with every axis at 0.");
+	import_machine_todo(machine, "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
+	if (module && !r->options->table)
+		import_machine_todo(machine, "All linear axes carry the tool here: name those that carry the work with the option table of import.");
+	if (module && module->pivot > 0)
+		import_machine_todo(machine, "The pivot length is taken to reach from the axis B to the gauge point of the spindle.");
+	return true;
+}
+
+bool emc_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
+		      struct diag *diag)
+{
+	struct reading r = {.machine = machine, .options = options, .diag = diag};
+	bool good = ini_file_read(&r.ini, path, diag) && read_machine(&r);
+
+	hal_values_release(&r.hal);
+	ini_file_release(&r.ini);
+	return good;
+}

@@ -1,0 +1,38 @@
+/* hal_values.h - the values that LinuxCNC's HAL files and HALCMD entries give to pins before the machine runs. */
+#ifndef FIVECHECK_IMPORT_HAL_VALUES_H
+#define FIVECHECK_IMPORT_HAL_VALUES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "import/ini_file.h"
+
+struct hal_command;
+
+struct hal_values {
+	const struct ini_file *ini;
+	struct diag *diag;
+	struct arena arena;
+	struct hal_command *commands;	/* owned */
+	size_t count, capacity;
+	bool scripts;	/* some HAL files are no HAL files, but scripts, and were not read */
+};
+
+/*
+ * Reads the commands of [HAL]HALCMD and of the files of [HAL]HALFILE beside the ini file. Those of LIB: come with the
+ * control, know nothing of a machine, and are left out. False, reported: a file cannot be read. Release it in either case.
+ */
+bool hal_values_read(struct hal_values *hal, const struct ini_file *ini, struct diag *diag);
+void hal_values_release(struct hal_values *hal);
+
+enum hal_found {
+	HAL_DEFAULT,	/* nothing sets the pin */
+	HAL_SET,
+	HAL_SIGNAL,	/* a signal sets it while the machine runs */
+	HAL_FAULT	/* reported: its value is no number */
+};
+
+/* The value that setp gives to the pin, or sets to its signal. *value stays as it is unless it is HAL_SET. */
+enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, double *value);
+
+#endif
