@@ -200,6 +200,51 @@ static inline struct centred_tri centred(tri t)
 	return c;
 }
 
+/* mm: the gap between two triangles along n, less far more than its rounding; no gap along what is nearly no direction. */
+static inline double gap_along(const tri *a, const tri *b, vec3 n)
+{
+	double length = vec3_norm(n), least = INFINITY, greatest = -INFINITY;
+
+	if (!(length > 1e-9))
+		return -INFINITY;
+	for (int k = 0; k < 3; k++) {
+		least = fmin(least, vec3_dot(n, b->p[k]));
+		greatest = fmax(greatest, vec3_dot(n, a->p[k]));
+	}
+	return (least - greatest) / length - 1e-9;
+}
+
+static inline vec3 normal_of(const tri *t)
+{
+	return vec3_cross(vec3_sub(t->p[1], t->p[0]), vec3_sub(t->p[2], t->p[0]));
+}
+
+/*
+ * mm: the distance of two triangles is greater than this, or it is negative: the widest gap along five directions. It
+ * spares most pairs true_distance, which takes a hundred times as long.
+ */
+static inline double gap_between(const struct centred_tri *a, const struct centred_tri *b)
+{
+	const vec3 na = normal_of(&a->t), nb = normal_of(&b->t);
+	const vec3 directions[5] = {vec3_sub(b->centre, a->centre), na, vec3_scale(-1, na), nb, vec3_scale(-1, nb)};
+	double gap = -INFINITY;
+
+	for (int k = 0; k < 5; k++)
+		gap = fmax(gap, gap_along(&a->t, &b->t, directions[k]));
+	return gap;
+}
+
+/* Are two corners, or the middles, less than `most` mm apart? */
+static inline bool surely_within(const struct centred_tri *a, const struct centred_tri *b, double most)
+{
+	double least2 = vec3_norm2(vec3_sub(a->centre, b->centre));
+
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k < 3; k++)
+			least2 = fmin(least2, vec3_norm2(vec3_sub(a->t.p[i], b->t.p[k])));
+	return most > 0 && least2 < (1 - 1e-12) * most * most;
+}
+
 /* The least distance of all pairs of triangles, but no more than `most`. */
 static inline double brute_distance(const struct bvh *a, const struct bvh *b, const xform *pose, double most)
 {
@@ -215,7 +260,8 @@ static inline double brute_distance(const struct bvh *a, const struct bvh *b, co
 		for (size_t i = 0; i < a->mesh.count && best > 0; i++) {
 			double reach = best + of_a[i].radius + of_b.radius;
 
-			if (vec3_norm2(vec3_sub(of_a[i].centre, of_b.centre)) <= reach * reach)
+			if (vec3_norm2(vec3_sub(of_a[i].centre, of_b.centre)) <= reach * reach &&
+			    !(gap_between(&of_a[i], &of_b) >= best))
 				best = fmin(best, true_distance(&of_a[i].t, &of_b.t));
 		}
 	}

@@ -150,7 +150,8 @@ static axis_values random_off(struct random *random, const axis_values *amount)
 /* Where the control may leave the path, and where a rapid goes anywhere: what is clear is so all over. */
 START_TEST(clear_wherever_the_control_may_go)
 {
-	struct sweep sweep = {0};
+	/* Some rapids of unknown way take ten times as long as all others together; what is not decided proves nothing. */
+	struct sweep sweep = {.effort = 20000};
 	long clear = 0, boxes = 0, cases = random_cases(150);
 
 	for (long n = 0; n < cases; n++) {
@@ -187,8 +188,9 @@ START_TEST(clear_wherever_the_control_may_go)
 					at.v[j] +=
 					    (q1->v[j] - q0->v[j]) * (kind == PATH_BOX ? random_in(&p.random, 0, 1) : s);
 				pose = duo_pose(&p.duo, &at, &at, 0, &off);
-				d = brute_distance(p.duo.a, p.duo.b, &pose, p.clearance + 1);
-				require(d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);
+				/* Only whether it is less than the clearance counts, so nothing farther is measured. */
+				d = brute_distance(p.duo.a, p.duo.b, &pose, p.clearance + 1e-3);
+				require(d > 0 && d > p.clearance - 1e-9, "case %ld, step %d: %g apart", n, i, d);
 			}
 		}
 		strategy_release(&strategy);
