@@ -14,7 +14,7 @@
  */
 #define DIALECTS(ROW)                                                                                                  \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
-	ROW(fanuc, "Fanuc", .has_parameters = true, .presets = presets_of_parameters)                                  \
+	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true, .presets = presets_of_parameters)                                  \
 	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
 	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                            \
@@ -41,6 +41,8 @@ struct dialect_row {
 	 * power_on_work_offset, increments_after_shift.
 	 */
 	bool has_frames;
+	/* Blocks may give the direction of the tool (G43.5): orientation_interpolation. */
+	bool has_tool_vectors;
 	/*
 	 * PLANE and cycle 19 tilt the plane, and what the control does there depends on its parameters and its generation:
 	 * cycle_19_angles, swivel_pole. Cycles of the builder have numbers: <macro> says of one what it does.

@@ -24,6 +24,11 @@ const struct code *code_find(const struct code_set *const sets[CODE_SETS_MAX], i
 	return code;
 }
 
+bool code_tilts(int number)
+{
+	return number == G68_2 || number == G68_4;
+}
+
 bool code_is_cycle(int number)
 {
 	return number == G73 || number == G74 || number == G76 || number == G77 || (number >= G81 && number <= G89);

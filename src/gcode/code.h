@@ -45,6 +45,7 @@ enum {
 	G42_1 = 421,
 	G43 = 430,
 	G43_4 = 434,
+	G43_5 = 435,
 	G49 = 490,
 	G50 = 500,
 	G50_1 = 501,
@@ -65,7 +66,10 @@ enum {
 	G64 = 640,
 	G68 = 680,
 	G68_2 = 682,
+	G68_4 = 684,
 	G69 = 690,
+	G70 = 700,	/* bolt hole circle and arc of Haas */
+	G71 = 710,
 	G73 = 730,
 	G74 = 740,
 	G76 = 760,
@@ -185,5 +189,8 @@ const struct code *code_find(const struct code_set *const sets[CODE_SETS_MAX], i
 
 /* A canned cycle: it drills, taps or bores where the block's axis words lead. */
 bool code_is_cycle(int number);
+
+/* Is it a tilted working plane (G68.2, or G68.4, which tilts it on)? */
+bool code_tilts(int number);
 
 #endif

@@ -110,6 +110,7 @@ static bool run_block(struct interp *interp)
 	    .motion = interp->state.motion,
 	    .after_g80 = state_motion_after_g80(&interp->state, traits_of(interp)),
 	    .incremental = interp->state.incremental,
+	    .vectors = interp->state.length_code == G43_5,
 	};
 	const size_t errors = interp->diag->errors;
 	struct line_place checked = interp->at;

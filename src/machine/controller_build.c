@@ -83,12 +83,13 @@ static void build_macro(struct description_file *file, const struct macro_descri
 static void check_frames(struct description_file *file, const struct controller_description *described)
 {
 	const struct dialect_row *row = &dialect_rows[described->dialect];
+	enum { VECTORS };
 	const struct {
 		int given;
 		const char *name;
 	} answers[] = {
+		[VECTORS] = {(int)described->orientation_interpolation, "orientation_interpolation"},
 		{(int)described->rotation_order, "rotation_order"},
-		{(int)described->orientation_interpolation, "orientation_interpolation"},
 		{(int)described->edge_after_tool_change, "edge_after_tool_change"},
 		{(int)described->frames_outlive_traori, "frames_outlive_traori"},
 		{(int)described->length_along_z, "tool_length_axis"},
@@ -99,7 +100,7 @@ static void check_frames(struct description_file *file, const struct controller_
 	};
 
 	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]) && !row->has_frames; i++) {
-		if (answers[i].given)
+		if (answers[i].given && !(i == VECTORS && row->has_tool_vectors))
 			description_fault(file, described->at, answers[i].name,
 					  "%s of <controller>: %s has no such parameter", answers[i].name, row->title);
 	}

@@ -25,6 +25,28 @@ START_TEST(drilling)
 }
 END_TEST
 
+/*
+ * Haas mill operator's manual, "G70 Bolt Hole Circle": L holes evenly on a circle of radius I, the first at J degrees
+ * from three o'clock counter-clockwise; "G71 Bolt Hole Arc": K degrees apart. The tool stands in the centre before.
+ */
+START_TEST(bolt_holes)
+{
+	run(&dialect_haas, "F9. G0 X10. Y5. Z5.\nG99 G81 Z-1. R1. L0\nG70 I2. J90. L4\nG0 X0.\nM30\n",
+	    "rapid 10 5 5 0 0\n"
+	    "rapid 10 7 5 0 0\nrapid 10 7 1 0 0\nfeed 10 7 -1 0 0\nrapid 10 7 1 0 0\n"
+	    "rapid 8 5 1 0 0\nrapid 8 5 1 0 0\nfeed 8 5 -1 0 0\nrapid 8 5 1 0 0\n"
+	    "rapid 10 3 1 0 0\nrapid 10 3 1 0 0\nfeed 10 3 -1 0 0\nrapid 10 3 1 0 0\n"
+	    "rapid 12 5 1 0 0\nrapid 12 5 1 0 0\nfeed 12 5 -1 0 0\nrapid 12 5 1 0 0\n"
+	    "rapid 0 5 1 0 0\n");
+	/* In inches, with a work offset, and G98; a negative K goes clockwise. */
+	run(&dialect_haas,
+	    "G20 G10 L2 P1 X1. Y0.\nF9. G0 G54 X1. Y0. Z1.\nG98 G81 Z-1. R.5 L0\nG71 I1. J180. K-90. L2\nG80\nM30\n",
+	    "rapid 50.8 0 25.4 0 0\n"
+	    "rapid 25.4 0 25.4 0 0\nrapid 25.4 0 12.7 0 0\nfeed 25.4 0 -25.4 0 0\nrapid 25.4 0 25.4 0 0\n"
+	    "rapid 50.8 25.4 25.4 0 0\nrapid 50.8 25.4 12.7 0 0\nfeed 50.8 25.4 -25.4 0 0\nrapid 50.8 25.4 25.4 0 0\n");
+}
+END_TEST
+
 /* Haas mill operator's manual, "G76 Fine Boring Canned Cycle": I and J say which way and how far the tool steps aside. */
 START_TEST(fine_boring)
 {
@@ -365,6 +387,9 @@ static const struct bad bads[] = {
     {&dialect_haas, "G1 X5. T2 M6", 11, ORDER_OF_M6},
     {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER_OF_M6},
     {&dialect_haas, "T2 M6 G28", 4, ORDER_OF_M6},
+    {&dialect_haas, "G70 I2. J0. L4", 1, "G70 needs a canned cycle in force, which makes its holes"},
+    {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 9,
+     "G70 needs a canned cycle in force, which makes its holes"},
     {&dialect_fanuc, "G0 X5. M428", 8, "an M-code that switches TCP in a block that moves: whether it comes before or after the move depends on the "
      "control; write two blocks"},
 };
@@ -393,7 +418,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {drilling, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
+	const TTest *const tests[] = {drilling, bolt_holes, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
 					     planes,		 back_boring,	  repeats,	  threads_and_probes,
 					     default_retract,	 tool_change_moves, reference_positions,
 					     level_is_kept,	 drills_where_an_axis_is_named};

@@ -21,7 +21,6 @@ static const struct code g_codes[] = {
 	{G40, G_CUTTER, CODE_READ, "end of cutter compensation"},
 	{G43, G_LENGTH, CODE_READ, "tool length compensation"},
 	{G43_4, G_LENGTH, CODE_READ, "tool centre point control"},
-	{435, GROUP_NONE, CODE_REFUSED, "tool centre point control with tool vectors"},
 	{G49, G_LENGTH, CODE_READ, "end of tool length compensation"},
 	{G52, G_NONMODAL, CODE_READ, "local coordinate system"},
 	{G53, G_NONMODAL, CODE_READ, "move in machine coordinates"},

@@ -81,7 +81,7 @@ static bool turn_in_plane(struct interp *interp)
 	return true;
 }
 
-/* Fanuc 30i-B operator's manual, tilted working plane indexing (G68.2). */
+/* Fanuc 30i-B operator's manual, tilted working plane indexing (G68.2), and on top of the one in force (G68.4). */
 static bool tilt(struct interp *interp)
 {
 	struct state *state = &interp->state;
@@ -99,6 +99,10 @@ static bool tilt(struct interp *interp)
 	}
 	if (!tilted_plane_take(interp, &complete, &frame.turn, &frame.origin))
 		return false;
+	if (complete && block->g[G_ROTATION] == G68_4) {
+		frame.origin = vec3_add(state->frame.origin, mat3_apply(&state->frame.turn, frame.origin));
+		frame.turn = mat3_mul(&state->frame.turn, &frame.turn);
+	}
 	if (complete)
 		state->frame = frame;
 	return true;
@@ -177,7 +181,9 @@ bool coordinate_rotation_turn(struct interp *interp)
 	if (code == CODE_NONE || code == G69)
 		return true;
 	state->cycle.turned = true;
-	if (state->frame.on)
+	if (code == G68_4 && !(state->frame.on && state->frame.waits_for_tool))
+		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 whose G53.1 has not been yet");
+	if (state->frame.on && code != G68_4)
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
 	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
 	if (state->incremental)
@@ -288,7 +294,7 @@ bool coordinate_rotation_start_block(struct interp *interp)
 	if (changes_offsets(block))
 		return fault(&interp->at, block->g[G_SYSTEM] != CODE_NONE ? block->g_column[G_SYSTEM] : column,
 			     "a change of offsets while %s is in force is not supported; G69 first", name);
-	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
 			     "tool centre point control while %s is in force; G69 first", name);
 	if (block->m[M_TCP] == MCODE_TCP_ON || (block->m[M_TCP] != CODE_NONE && interp->state.tcp == TCP_BY_PLANE))

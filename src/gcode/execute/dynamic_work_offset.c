@@ -40,7 +40,7 @@ bool dynamic_work_offset_start_block(struct interp *interp)
 			     "G255 first");
 	if (block->g[G_ROTATION] == G68)
 		return fault(&interp->at, block->g_column[G_ROTATION], "G68 while G254 is in force; G255 first");
-	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+	if (block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 || block->g[G_LENGTH] == G234)
 		return fault(&interp->at, block->g_column[G_LENGTH],
 			     "tool centre point control while G254 is in force; G255 first");
 	if (block->m[M_TCP] == MCODE_TCP_ON)

@@ -2,6 +2,7 @@
 
 #include "base/same_double.h"
 #include "gcode/execute/arc_move.h"
+#include "gcode/execute/bolt_pattern.h"
 #include "gcode/execute/canned_cycle.h"
 #include "gcode/execute/circular_pocket.h"
 #include "gcode/execute/coordinate_rotation.h"
@@ -21,6 +22,7 @@
 #include "gcode/execute/straight_move.h"
 #include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
+#include "gcode/execute/tool_vector.h"
 #include "gcode/execute/work_offset_use.h"
 
 /* A mode that words of a block need. */
@@ -192,12 +194,14 @@ static bool execute_path(struct interp *interp)
 	return true;
 }
 
-/* R of G68 and G68.2, and I, J and K of G68.2. */
+/* R of G68 and G68.2, and I, J and K of G68.2; J and K of G70 and G71. */
 static bool is_angle(const struct block *block, char letter)
 {
-	int code = block->g[G_ROTATION];
+	int code = block->g[G_ROTATION], pattern = block->g[G_NONMODAL];
 
-	return ((code == G68 || code == G68_2) && letter == 'R') || (code == G68_2 && letter >= 'I' && letter <= 'K');
+	if ((pattern == G70 || pattern == G71) && (letter == 'J' || letter == 'K'))
+		return true;
+	return ((code == G68 || code_tilts(code)) && letter == 'R') || (code_tilts(code) && letter >= 'I' && letter <= 'K');
 }
 
 /* K of a canned cycle may be a number of holes, and Q and R of G5.1, R of M19 and Q of G68.2 are no lengths. */
@@ -207,7 +211,7 @@ static bool is_count(const struct block *block, const struct dialect_traits *tra
 		return true;
 	if (block->g[G_CONTOUR] != CODE_NONE && (letter == 'Q' || letter == 'R'))
 		return true;
-	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (block->g[G_ROTATION] == G68_2 && letter == 'Q'))
+	if ((block->m[M_SPINDLE] == 19 && letter == 'R') || (code_tilts(block->g[G_ROTATION]) && letter == 'Q'))
 		return true;
 	return letter == 'K' && traits->cycles && traits->cycles->repeat_letter == 'K' && block->motion != CODE_NONE &&
 	       code_is_cycle(block->motion);
@@ -280,6 +284,9 @@ static bool execute_nonmodal(struct interp *interp)
 	case G28_1:
 	case G30_1:
 		return reference_return_remember(interp);
+	case G70:
+	case G71:
+		return bolt_pattern_run(interp);
 	case G53_1:
 	case G53_6:
 		return coordinate_rotation_orient_tool(interp);
@@ -324,7 +331,7 @@ static bool execute_motion(struct interp *interp)
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
-	if (!dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
+	if (!tool_vector_check_block(interp) || !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
 		return false;
 	if (given >= G0 && given <= G3)
 		state->motion = state->path_motion = given;

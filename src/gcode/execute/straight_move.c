@@ -5,12 +5,13 @@
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
+#include "gcode/execute/tool_vector.h"
 
 static bool go_in_program(struct interp *interp, struct canon_move *move)
 {
 	slot_values target;
 
-	if (!endpoint_find(interp, false, &target))
+	if (!endpoint_find(interp, false, &target) || (interp->block.vectors && !tool_vector_take(interp, &target)))
 		return false;
 	if (corner_insert_concerns(interp)) {
 		bool waits = false;
@@ -107,7 +108,7 @@ bool straight_move_run(struct interp *interp)
 		return false;
 	if (machine && traits->g53_rate == G53_RATE_RAPID)
 		feeds = false;
-	if (feeds && !(block->letters & AXIS_BITS)) {
+	if (feeds && !(block->letters & AXIS_BITS) && !block->vectors) {
 		if (!is_answered(interp, block_motion_column(block), traits->empty_feed_move,
 				 "whether G1 without an axis word needs a feed rate"))
 			return false;

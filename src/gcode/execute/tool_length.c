@@ -2,6 +2,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "base/same_double.h"
 #include "base/units.h"
@@ -152,13 +153,14 @@ static bool find_length_number(struct interp *interp, int *number)
 {
 	const struct block *block = &interp->block;
 	enum h_missing missing = traits_of(interp)->h_missing;
-	const char *code = block->g[G_LENGTH] == G43 ? "43" : block->g[G_LENGTH] == G234 ? "234" : "43.4";
+	char code[16];
 
 	if (block_has(block, 'H'))
 		return block_integer(block, &interp->at, 'H', 0, INT_MAX, number);
 	if (!is_answered(interp, block->g_column[G_LENGTH], missing, "which length G43 without H takes"))
 		return false;
 	*number = missing == H_MISSING_SPINDLE ? 0 : interp->state.length_number;
+	snprintf(code, sizeof(code), "%g", block->g[G_LENGTH] / 10.0);
 	if (missing == H_MISSING_REFUSED)
 		return fault(&interp->at, block->g_column[G_LENGTH], "G%s needs H", code);
 	if (*number < 0)
@@ -285,8 +287,8 @@ bool tool_length_select(struct interp *interp)
 		return true;
 	state->length_doubt = CODE_NONE;
 	state->length_code = code;
-	/* Haas mill operator's manual, "G234 Tool Center Point Control". */
-	if (code == G234)
+	/* Haas mill operator's manual, "G234 Tool Center Point Control"; G43.5: execute/tool_vector.h. */
+	if (code == G234 || code == G43_5)
 		code = G43_4;
 	if (code != G49 && !find_length(interp, &length))
 		return false;

@@ -19,6 +19,7 @@ void block_clear(struct block *block)
 	block->motion = CODE_NONE;
 	block->idle = CODE_NONE;
 	block->corner = '\0';
+	block->vectors = false;
 	for (int i = 0; i < G_GROUPS; i++)
 		block->g[i] = CODE_NONE;
 	for (int i = 0; i < M_GROUPS; i++)

@@ -31,6 +31,7 @@ struct block {
 	int m_count;
 	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
+	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */
 };
 
 /* Warnings that a program gets only once. */
@@ -87,6 +88,7 @@ struct block_modes {
 	int motion;	/* CODE_NONE: cancelled */
 	int after_g80;	/* the motion that G80 brings back, or CODE_NONE */
 	bool incremental;
+	bool vectors;	/* G43.5 */
 };
 
 /* Finds the motion to be carried out and checks that every word has a code that uses it. */

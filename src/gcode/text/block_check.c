@@ -71,7 +71,7 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 			     "G60 positions its axes by itself; it needs a block without "
 			     "another motion or offset");
 	}
-	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2) {
+	if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION])) {
 		block->motion = CODE_NONE;
 		if (given != CODE_NONE || other != CODE_NONE)
 			return fault(at, block->g_column[given != CODE_NONE ? G_MOTION : G_NONMODAL],
@@ -101,7 +101,7 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 	if (axes && modes->motion == CODE_NONE)
 		return fault(at, first_column(block, AXIS_BITS),
 			     "axis words, but no motion code is in force (G0, G1, G2, G3)%s", parameter);
-	if (axes || (offsets && is_arc(modes->motion)))
+	if (axes || (offsets && (is_arc(modes->motion) || block->vectors)))
 		block->motion = modes->motion;
 	return true;
 }
@@ -346,18 +346,23 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
 		used |= letter_bit('P');
 	/* With those of the forms that execute/coordinate_rotation.c refuses. */
-	if (block->g[G_ROTATION] == G68 || block->g[G_ROTATION] == G68_2)
+	if (block->g[G_ROTATION] == G68 || code_tilts(block->g[G_ROTATION]))
 		used |= letter_bit('R') | letter_bit('I') | letter_bit('J') | letter_bit('K');
 	if (block->g[G_NONMODAL] == G12 || block->g[G_NONMODAL] == G13)
 		used |= bits_of("DIKLQ");
 	if (block->g[G_SCALING] == G51)
 		used |= bits_of("IJKP");
-	if (block->g[G_ROTATION] == G68_2)
+	if (code_tilts(block->g[G_ROTATION]))
 		used |= letter_bit('P') | letter_bit('Q');
 	if (block->g[G_SYSTEM] == G54 && traits->g54_has_number != ANSWER_NO)
 		used |= letter_bit('P');
-	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G234)
+	if (block->g[G_LENGTH] == G43 || block->g[G_LENGTH] == G43_4 || block->g[G_LENGTH] == G43_5 ||
+	    block->g[G_LENGTH] == G234)
 		used |= letter_bit('H');
+	if (block->vectors)
+		used |= bits_of("IJKQ");
+	if (block->g[G_NONMODAL] == G70 || block->g[G_NONMODAL] == G71)
+		used |= bits_of("IJKL");
 	if (block->m[M_TOOL] == 61)
 		used |= letter_bit('Q');
 	used |= traits->h_alone ? letter_bit('H') : 0;
@@ -424,8 +429,10 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 		 const struct block_modes *modes)
 {
 	const struct dialect *dialect = config->dialect;
+	int length = block->g[G_LENGTH];
 	uint32_t unused;
 
+	block->vectors = length == G43_5 || (modes->vectors && length == CODE_NONE);
 	if (!check_idle(block, at))
 		return false;
 	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) &&

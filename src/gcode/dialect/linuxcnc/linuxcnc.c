@@ -36,6 +36,7 @@ static const struct code g_codes[] = {
 	{G42_1, G_CUTTER, CODE_READ, "dynamic cutter compensation, right of the path"},
 	{431, GROUP_NONE, CODE_REFUSED, "dynamic tool length offset"},
 	{432, GROUP_NONE, CODE_REFUSED, "additional tool length offset"},
+	{G43_5, GROUP_NONE, CODE_REFUSED, "tool centre point control with tool vectors"},
 	{591, G_SYSTEM, CODE_READ, "work offset 7"},
 	{592, G_SYSTEM, CODE_READ, "work offset 8"},
 	{593, G_SYSTEM, CODE_READ, "work offset 9"},

@@ -1,0 +1,64 @@
+#include "gcode/execute/bolt_pattern.h"
+
+#include "base/math/math_functions.h"
+#include "gcode/execute/canned_cycle.h"
+#include "gcode/execute/rotated_frame.h"
+
+#define HOLES_MAX 9999
+
+static bool check(struct interp *interp)
+{
+	const struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+	int column = block->g_column[G_NONMODAL], code = block->g[G_NONMODAL] / 10;
+
+	if (state->motion == CODE_NONE || !code_is_cycle(state->motion))
+		return fault(&interp->at, column, "G%d needs a canned cycle in force, which makes its holes", code);
+	if (block->letters & AXIS_BITS)
+		return fault(&interp->at, column, "G%d needs a block without axis words: its centre is where the tool stands",
+			     code);
+	if (state->plane != G17 || state->incremental || state->polar.on)
+		return fault(&interp->at, column, "G%d in another plane than that of G17, in G91 or after G16 is not supported",
+			     code);
+	if (!block_has(block, 'I') || !(block_value(block, 'I') > 0))
+		return fault(&interp->at, column, "G%d needs I, the radius of its circle, which is more than 0", code);
+	if (!block_has(block, 'J') || !block_has(block, 'L'))
+		return fault(&interp->at, column, "G%d needs J, the angle of the first hole, and L, how many there are", code);
+	if (block_has(block, 'K') != (code == 71))
+		return fault(&interp->at, column, code == 71 ? "G71 needs K, the angle from hole to hole"
+							     : "K does not belong to G70");
+	return true;
+}
+
+/*
+ * Haas mill operator's manual, "G70 Bolt Hole Circle" and "G71 Bolt Hole Arc": I is the radius, J the angle of the first
+ * hole from three o'clock counter-clockwise, L the number of holes; G70 spaces them evenly, G71 by K.
+ */
+bool bolt_pattern_run(struct interp *interp)
+{
+	const struct block pattern = interp->block;
+	struct block *block = &interp->block;
+	const struct state *state = &interp->state;
+	const slot_values centre = rotated_frame_straight(state);
+	double radius, step;
+	int holes = 0;
+	bool good = true;
+
+	if (!check(interp) || !block_integer(block, &interp->at, 'L', 1, HOLES_MAX, &holes))
+		return false;
+	radius = block_value(&pattern, 'I') * state->scale;
+	step = pattern.g[G_NONMODAL] == G71 ? block_value(&pattern, 'K') : 360.0 / holes;
+	block->letters = (pattern.letters & letter_bit('F')) | letter_bit('X') | letter_bit('Y');
+	block->motion = state->motion;
+	for (int i = 0; i < holes && good; i++) {
+		double angle = block_value(&pattern, 'J') + i * step;
+		double x = centre.v[SLOT_X] + radius * math_cos_degrees(angle) - state->offset.v[SLOT_X];
+		double y = centre.v[SLOT_Y] + radius * math_sin_degrees(angle) - state->offset.v[SLOT_Y];
+
+		block->value['X' - 'A'] = x / state->scale;
+		block->value['Y' - 'A'] = y / state->scale;
+		good = canned_cycle_run(interp);
+	}
+	*block = pattern;
+	return good;
+}
