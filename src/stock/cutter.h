@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "geom/vec3.h"
+#include "stock/cube.h"
 #include "stock/revolved.h"
 
 /* Where a cutter stands in the stock's coordinates. */
@@ -23,12 +24,6 @@ struct cutter {
 
 void cutter_init(struct cutter *cutter, const struct tool_solid *solid);
 void cutter_release(struct cutter *cutter);
-
-/* A cube of the stock. */
-struct cube {
-	vec3 centre;
-	double half;	/* mm: half of an edge; the edges are those of the coordinates */
-};
 
 /* A cutter that goes from one place to another: each point of its axis goes straight and evenly. */
 struct cutter_way {

@@ -5,6 +5,7 @@
 #include "geom/bvh.h"
 #include "geom/topology.h"
 #include "geom/vec3.h"
+#include "geom/xform.h"
 #include "stock/revolved.h"
 
 /* Borrows everything. */
@@ -22,5 +23,11 @@ struct obstacle {
  * the body. The inside of an open mesh is unknown: of such a mesh only the surface counts. So its inset must be 0.
  */
 double obstacle_distance(const struct obstacle *obstacle, vec3 point);
+
+/*
+ * mm: the same of a whole box with this middle and these halves of its edges: a lower bound on the signed distance of
+ * each of its points. `to_obstacle` takes the box's coordinates to the body's.
+ */
+double obstacle_box_distance(const struct obstacle *obstacle, const xform *to_obstacle, vec3 centre, vec3 half);
 
 #endif

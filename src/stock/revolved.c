@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "base/minmax.h"
 
@@ -75,33 +74,51 @@ void revolved_release(struct revolved *revolved)
 	*revolved = (struct revolved){0};
 }
 
-static double to_line(const struct revolved_band *band, double r, double z)
+/* The place of the outline that is nearest to a point. */
+struct nearest {
+	double r, z;	/* the point */
+	double at_r, at_z;
+	double distance2;	/* mm^2 */
+};
+
+static void offer(struct nearest *nearest, double r, double z)
+{
+	const double dr = nearest->r - r, dz = nearest->z - z, distance2 = dr * dr + dz * dz;
+
+	if (!(distance2 < nearest->distance2))
+		return;
+	nearest->at_r = r;
+	nearest->at_z = z;
+	nearest->distance2 = distance2;
+}
+
+static void offer_line(struct nearest *nearest, const struct revolved_band *band)
 {
 	const double along_r = band->r_bottom - band->r_top, along_z = band->bottom - band->top;
-	const double off_r = r - band->r_top, off_z = z - band->top;
+	const double off_r = nearest->r - band->r_top, off_z = nearest->z - band->top;
 	const double s = (off_r * along_r + off_z * along_z) / (along_r * along_r + along_z * along_z);
 	const double at = smaller(larger(s, 0), 1);
-	const double dr = off_r - at * along_r, dz = off_z - at * along_z;
 
-	return sqrt(dr * dr + dz * dz);
+	offer(nearest, band->r_top + at * along_r, band->top + at * along_z);
 }
 
-static double to_arc(const struct revolved_band *band, double r, double z)
+static void offer_arc(struct nearest *nearest, const struct revolved_band *band)
 {
-	const double radius = band->top - band->bottom, dr = r - band->r_bottom, dz = z - band->top;
+	const double radius = band->top - band->bottom, dr = nearest->r - band->r_bottom, dz = nearest->z - band->top;
+	const double length = sqrt(dr * dr + dz * dz);
 
-	if (dr >= 0 && dz <= 0)
-		return fabs(sqrt(dr * dr + dz * dz) - radius);
-	return smaller(math_hypot(r - band->r_top, dz), math_hypot(dr, z - band->bottom));
+	if (dr >= 0 && dz <= 0 && length > 0) {
+		offer(nearest, band->r_bottom + dr * (radius / length), band->top + dz * (radius / length));
+		return;
+	}
+	offer(nearest, band->r_top, band->top);
+	offer(nearest, band->r_bottom, band->bottom);
 }
 
-/* To the level line from r0 to r1 at `height`. */
-static double to_level(double r0, double r1, double height, double r, double z)
+/* The level line from r0 to r1. */
+static void offer_level(struct nearest *nearest, double r0, double r1, double height)
 {
-	const double least = smaller(r0, r1), most = larger(r0, r1);
-	const double dr = r < least ? least - r : r > most ? r - most : 0, dz = z - height;
-
-	return sqrt(dr * dr + dz * dz);
+	offer(nearest, smaller(larger(nearest->r, smaller(r0, r1)), larger(r0, r1)), height);
 }
 
 static double radius_at(const struct revolved_band *band, double z)
@@ -114,22 +131,34 @@ static double radius_at(const struct revolved_band *band, double z)
 	return band->r_top + (band->r_bottom - band->r_top) * (band->top - z) / (band->top - band->bottom);
 }
 
-double revolved_distance(const struct revolved *revolved, double r, double z)
+double revolved_nearest(const struct revolved *revolved, double r, double z, double *out_r, double *out_z)
 {
 	const struct revolved_band *first = &revolved->bands[0], *last = &revolved->bands[revolved->count - 1];
-	double least = smaller(to_level(0, first->r_top, first->top, r, z),
-			       to_level(0, last->r_bottom, last->bottom, r, z));
+	struct nearest nearest = {.r = r, .z = z, .distance2 = INFINITY};
 	bool inside = false;
+	double distance;
 
+	offer_level(&nearest, 0, first->r_top, first->top);
+	offer_level(&nearest, 0, last->r_bottom, last->bottom);
 	for (size_t i = 0; i < revolved->count; i++) {
 		const struct revolved_band *band = &revolved->bands[i];
 
-		least = smaller(least, band->round ? to_arc(band, r, z) : to_line(band, r, z));
+		(band->round ? offer_arc : offer_line)(&nearest, band);
 		if (i > 0)
-			least = smaller(least, to_level(band[-1].r_bottom, band->r_top, band->top, r, z));
+			offer_level(&nearest, band[-1].r_bottom, band->r_top, band->top);
 		inside = inside || (z <= band->top && z >= band->bottom && r <= radius_at(band, z));
 	}
-	return inside ? -least : least;
+	distance = sqrt(nearest.distance2);
+	*out_r = inside ? nearest.at_r - r : r - nearest.at_r;
+	*out_z = inside ? nearest.at_z - z : z - nearest.at_z;
+	return inside ? -distance : distance;
+}
+
+double revolved_distance(const struct revolved *revolved, double r, double z)
+{
+	double out_r, out_z;
+
+	return revolved_nearest(revolved, r, z, &out_r, &out_z);
 }
 
 /* The change of the radius for each mm downwards. */

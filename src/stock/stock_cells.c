@@ -30,9 +30,14 @@ static enum blank_side side_of(const struct blank *blank, const struct cube *cub
 void stock_cells_init(struct stock_cells *cells, const struct blank *blank, const struct cut_log *log, double edge)
 {
 	const vec3 half = blank->bvh->half;
-	const double needed = larger(half.x, larger(half.y, half.z)) + blank->uncertainty;
+	const double size = vec3_norm(blank->bvh->origin) + blank->bvh->radius;
+	const double beyond = blank->uncertainty + blank->bvh->mesh.rounding + POSE_ROUNDING * size;
+	const double needed = larger(half.x, larger(half.y, half.z)) + beyond;
+	const vec3 reach = vec3_add(half, (vec3){beyond, beyond, beyond});
 
 	*cells = (struct stock_cells){.blank = *blank, .log = log, .group_count = 1};
+	cells->low = vec3_sub(blank->bvh->origin, reach);
+	cells->high = vec3_add(blank->bvh->origin, reach);
 	cells->least_half = 0.5 * edge;
 	cells->root = (struct cube){blank->bvh->origin, cells->least_half};
 	while (cells->root.half < needed * (1 + POSE_ROUNDING))
@@ -107,9 +112,15 @@ static bool is_there(struct search *search, size_t index, const struct cube *cub
 
 static double gap_of(const struct search *search, const struct cube *cube)
 {
-	const vec3 point = xform_apply(&search->placed->to_obstacle, cube->centre);
+	const vec3 reach = {cube->half, cube->half, cube->half};
+	/* What of the cell is beyond the blank's bounds does not count. */
+	const vec3 low = vec3_max(vec3_sub(cube->centre, reach), search->cells->low);
+	const vec3 high = vec3_min(vec3_add(cube->centre, reach), search->cells->high);
 
-	return obstacle_distance(search->placed->obstacle, point) - sqrt3 * cube->half;
+	if (low.x > high.x || low.y > high.y || low.z > high.z)
+		return INFINITY;
+	return obstacle_box_distance(search->placed->obstacle, &search->placed->to_obstacle,
+				     vec3_scale(0.5, vec3_add(low, high)), vec3_scale(0.5, vec3_sub(high, low)));
 }
 
 /* The children of a cell in the order of their distances; the first `index` of their group. */
@@ -213,12 +224,19 @@ static bool is_surely_there(const struct search *search, vec3 point)
 	       mesh_inside(blank->bvh, blank->topology, point) == INSIDE_YES;
 }
 
+static bool is_deep_enough(const struct search *search, vec3 point)
+{
+	const struct placed_obstacle *placed = search->placed;
+
+	return obstacle_distance(placed->obstacle, xform_apply(&placed->to_obstacle, point)) <= -search->depth;
+}
+
 /* The cell is there, and some of it may be deep enough. */
-static bool proves(struct search *search, size_t index, const struct cube *cube, double gap)
+static bool proves(struct search *search, size_t index, const struct cube *cube)
 {
 	struct children children;
 
-	if (search->cells->cells[index].kind == BLANK_INSIDE && gap + sqrt3 * cube->half <= -search->depth &&
+	if (search->cells->cells[index].kind == BLANK_INSIDE && is_deep_enough(search, cube->centre) &&
 	    is_surely_there(search, cube->centre)) {
 		*search->point = cube->centre;
 		return true;
@@ -232,7 +250,7 @@ static bool proves(struct search *search, size_t index, const struct cube *cube,
 		if (children.gaps[i] > -search->depth)
 			return false;
 		if (is_there(search, children.first + (size_t)i, &children.cubes[i]) &&
-		    proves(search, children.first + (size_t)i, &children.cubes[i], children.gaps[i]))
+		    proves(search, children.first + (size_t)i, &children.cubes[i]))
 			return true;
 	}
 	return false;
@@ -249,10 +267,11 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 	if (gap > -depth || !is_there(&search, 0, &cells->root))
 		return false;
 	/* Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at. */
-	for (search.grain = cells->root.half / 8; search.grain > cells->least_half; search.grain /= 4) {
+	for (search.grain = cells->root.half / 8;; search.grain /= 4) {
 		search.effort = effort;
-		if (proves(&search, 0, &cells->root, gap))
+		if (proves(&search, 0, &cells->root))
 			return true;
+		if (search.grain <= cells->least_half)
+			return false;
 	}
-	return false;
 }

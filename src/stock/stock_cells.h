@@ -43,6 +43,7 @@ struct stock_cells {
 	struct blank blank;
 	const struct cut_log *log;	/* borrowed */
 	struct cube root;
+	vec3 low, high;	/* the box around the blank; cells end there */
 	double least_half;	/* mm: half the edge of the smallest cells */
 	struct stock_cell *cells;	/* groups of eight; cell 0 is the root, group 0 has no other */
 	size_t group_count, group_capacity;

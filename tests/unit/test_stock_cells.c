@@ -260,7 +260,7 @@ START_TEST(slot_is_exact_to_a_cell)
 	cutter_init(&cutter, &solids[0]);
 	cut_log_init(&log, &cutter);
 	cut_log_add(&log, &cut);
-	blank = (struct blank){bvh, &topology, 0};
+	blank = (struct blank){bvh, &topology, 0, 0};
 	stock_cells_init(&cells, &blank, &log, 0.05);
 	revolved_init(&revolved, &probe);
 	for (int n = 0; n < 3000; n++) {
