@@ -132,6 +132,9 @@ static const struct refused_program programs[] = {
 	 "FR of CYCLE800 must be 0, 1, 2, 4 or 5, not 3"},
 	{"CYCLE800(5,\"\",0,57,0,0,0,0,0,0,0,0,0,1,-1)\n", 1, 1,
 	 "FR=5 of CYCLE800 needs a way FR_I that is not negative"},
+	{"CYCLE832(0.05,112113)\n", 1, 1,
+	 "the tens of 112113, the kind of machining of CYCLE832, may switch a transformation; write TRAORI or TRAFOOF and "
+	 "leave them 0"},
 	{"G500 CYCLE832(-1)\n", 1, 6,
 	 "the tolerance of CYCLE832 cannot be negative"},
 	{"CYCLE800(0,\"\",0,8,0,0,0,10,0,0,0,0,0,1)\n", 1, 1,

@@ -6,6 +6,15 @@ struct program {
 };
 
 static const struct program programs[] = {
+	/* "Program section repetition": up to the first ENDLABEL behind the label, which is looked for backward first. */
+	{"F6 G500\nAA: X=IC(1)\nENDLABEL:\nBB: Y=IC(1)\nENDLABEL:\nREPEAT AA P=2\nM30\n",
+	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nfeed 2 1 0 0 0\nfeed 3 1 0 0 0\n"},
+	{"F6 G500\nAA: X=IC(1)\nREPEATB AA\nAA: Y=IC(1)\nM30\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 2 1 0 0 0\n"},
+	/* Names of 32 bytes that differ in the last one only. */
+	{"F6 G500\nTOP: R1=R1+1\nIF R1==1 GOTOF A234567890123456789012345678901X IF R1==2 GOTOF A234567890123456789012345678901Y\n"
+	 "M30\nA234567890123456789012345678901X: X1\nGOTOB TOP\nA234567890123456789012345678901Y: X2\nM30\n",
+	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\n"},
 	{"G500 F6 R1=5 R2=R1*2\nR[R1]=7\nX=R1 Y=R2 Z=R5\n",
 	 "feed 5 10 7 0 0\n"},
 	{"DEF REAL A_1=2.5, BB[3]=SET(1,2,3), CC[2,2]=REP(7)\nF6 G500 X=A_1 Y=BB[1] Z=CC[1,1]\n"

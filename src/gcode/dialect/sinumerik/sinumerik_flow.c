@@ -365,16 +365,18 @@ static bool run_case(struct flow *flow)
 
 /* ----------------------------------------------------------------- repeats */
 
+/* "Program section repetition": the label is looked for towards the start of the program first. */
 static bool find_mark(const struct flow *flow, const char *name, int column, struct position *to)
 {
 	bool found;
 
-	if (!sinumerik_seek_label(flow->interp, name, SINUMERIK_ANYWHERE, column, to, &found))
+	if (!sinumerik_seek_label(flow->interp, name, SINUMERIK_BACKWARD, column, to, &found) ||
+	    (!found && !sinumerik_seek_label(flow->interp, name, SINUMERIK_FORWARD, column, to, &found)))
 		return false;
 	return found || fault(flow->lexer->at, column, "there is no label %s in this program", name);
 }
 
-/* Where a part ends that has a start label only: at ENDLABEL, or before this REPEAT. */
+/* Where a part ends that has a start label only: at the first ENDLABEL behind it, or before this REPEAT. */
 static bool find_last(const struct flow *flow, const struct position *first, int column, long *last)
 {
 	struct position end;
@@ -383,9 +385,9 @@ static bool find_last(const struct flow *flow, const struct position *first, int
 	if (first->line >= flow->interp->at.line)
 		return fault(flow->lexer->at, column,
 			     "a part behind its REPEAT is not supported yet without a second label");
-	if (!sinumerik_seek_label(flow->interp, "ENDLABEL", SINUMERIK_BACKWARD, column, &end, &found))
+	if (!sinumerik_seek_label_behind(flow->interp, "ENDLABEL", first, column, &end, &found))
 		return false;
-	*last = found && end.line >= first->line ? end.line : flow->interp->at.line - 1;
+	*last = found ? end.line : flow->interp->at.line - 1;
 	return true;
 }
 

@@ -78,6 +78,12 @@ bool sinumerik_path_smooth(struct interp *interp, int column)
 	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;
 	const bool turns = on && mode >= WITH_ORIENTATION && mode < MODES_END;
 
+	/* Before software 4, six digits, of which the tens might switch TRAORI on. */
+	if (fabs(mode) >= 100 && sinumerik_of(interp)->argument_count > 1 && fmod(floor(fabs(mode) / 10), 10) > 0)
+		return fault(&interp->at, column,
+			     "the tens of %.15g, the kind of machining of CYCLE832, may switch a transformation; write "
+			     "TRAORI or TRAFOOF and leave them 0",
+			     mode);
 	if (tolerance < 0)
 		return fault(&interp->at, column, "the tolerance of CYCLE832 cannot be negative");
 	sinumerik->smoothing = on ? tolerance * interp->state.scale : 0;

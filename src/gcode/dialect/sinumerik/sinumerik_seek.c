@@ -235,12 +235,11 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 			  struct position *to, bool *found)
 {
 	const long long from = interp->program.source->reader.start;
-	char key[SINUMERIK_NAME + 1];
+	char key[SINUMERIK_NAME + 2];
 	bool good;
 
 	key[0] = (char)('0' + direction);
-	strncpy(key + 1, name, SINUMERIK_NAME - 1);
-	key[SINUMERIK_NAME] = '\0';
+	strcpy(key + 1, name);
 	*found = true;
 	if (recall(interp, key, from, to))
 		return true;
@@ -251,14 +250,26 @@ bool sinumerik_seek_label(struct interp *interp, const char *name, enum sinumeri
 	return good;
 }
 
+bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const struct position *start, int column,
+				 struct position *to, bool *found)
+{
+	const struct position next = source_next(interp->program.source);
+	const long here = interp->at.line;
+
+	keep_line(interp);
+	*found = false;
+	return program_jump(&interp->program, start, &interp->at, column) && scan(interp, name, here, true, to, found) &&
+	       come_back(interp, &next, column);
+}
+
 bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found)
 {
 	struct source *source = interp->program.source;
 	const struct position next = source_next(source), top = {source, 0, 1};
 	const char *text;
-	char key[SINUMERIK_NAME + 1] = "%";
+	char key[SINUMERIK_NAME + 2] = "%";
 
-	strncat(key, name, SINUMERIK_NAME - 1);
+	strcat(key, name);
 	*found = true;
 	if (recall(interp, key, 0, to))
 		return true;

@@ -93,7 +93,7 @@ struct sinumerik_call {
 struct sinumerik_jump {
 	const struct source *source;
 	long long from;
-	char target[SINUMERIK_NAME + 1];
+	char target[SINUMERIK_NAME + 2];	/* a byte that says how it was looked for, and the name */
 	struct position to;
 };
 
