@@ -55,10 +55,12 @@ static void format_excerpt(struct strbuf *out, const char *excerpt, int column)
 	size_t length = strlen(excerpt);
 
 	strbuf_add(out, "    ", 4);
-	for (size_t i = 0; i < length; i++) {
-		unsigned char c = (unsigned char)excerpt[i];
+	/* The caret counts bytes. */
+	for (size_t i = 0; i < length;) {
+		const size_t controls = strbuf_control_bytes(&excerpt[i]);
 
-		strbuf_add(out, c < 0x20 || c == 0x7f ? " " : &excerpt[i], 1);
+		strbuf_add(out, controls ? "  " : &excerpt[i], controls ? controls : 1);
+		i += controls ? controls : 1;
 	}
 	strbuf_add(out, "\n", 1);
 	if (column > 0 && (size_t)column <= length + 1)

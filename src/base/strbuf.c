@@ -38,8 +38,7 @@ void strbuf_addv(struct strbuf *buf, const char *format, va_list args)
 	buf->length += (size_t)length;
 }
 
-/* The bytes of the control character that the text begins with; 0: it begins with something else. */
-static size_t control_bytes(const char *text)
+size_t strbuf_control_bytes(const char *text)
 {
 	const unsigned char first = (unsigned char)text[0], second = first ? (unsigned char)text[1] : 0;
 
@@ -52,7 +51,7 @@ static size_t control_bytes(const char *text)
 void strbuf_add_visible(struct strbuf *buf, const char *text)
 {
 	while (*text) {
-		const size_t controls = control_bytes(text);
+		const size_t controls = strbuf_control_bytes(text);
 
 		strbuf_add(buf, controls ? "?" : text, 1);
 		text += controls ? controls : 1;

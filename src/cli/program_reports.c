@@ -1,8 +1,10 @@
 #include "cli/program_reports.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/mem.h"
 #include "cli/path_checks.h"
@@ -88,6 +90,26 @@ static bool try_output(const char *path, struct diag *diag)
 	return true;
 }
 
+/* Is there a file that is no report, picture or scene? It might be a subprogram, of which nobody knows yet. */
+static bool holds_other(const char *path)
+{
+	static const char *const marks[] = {"<!doctype html>", "<svg ", "\x89PNG", "glTF"};
+	struct stat status;
+	char begin[16] = "";
+	size_t count;
+	FILE *file;
+
+	if (stat(path, &status) || !S_ISREG(status.st_mode) || !status.st_size || !(file = fopen(path, "rb")))
+		return false;
+	count = fread(begin, 1, sizeof(begin) - 1, file);
+	fclose(file);
+	for (size_t i = 0; i < sizeof(marks) / sizeof(*marks); i++) {
+		if (count >= strlen(marks[i]) && !memcmp(begin, marks[i], strlen(marks[i])))
+			return false;
+	}
+	return true;
+}
+
 /* No file of a program may be one that is read, or another output. False: reported. */
 static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path, struct diag *diag)
 {
@@ -98,7 +120,14 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 		struct strbuf name = {0};
 
 		add_path(&name, path, reports->programs[i].name);
-		good = path_checks_derived(options, option, strbuf_text(&name), reports->files, reports->file_count, diag);
+		if (options->program_count > 1)
+			good = path_checks_derived(options, option, strbuf_text(&name), reports->files, reports->file_count, diag);
+		if (good && holds_other(strbuf_text(&name))) {
+			diag_error(diag, (struct srcloc){0},
+				   "--%s would overwrite %s, which is no report or picture; remove it, or choose another name",
+				   option, strbuf_text(&name));
+			good = false;
+		}
 		strbuf_release(&name);
 	}
 	return good;
@@ -137,9 +166,8 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 		else
 			reports->programs[i].name = mem_strndup("", 0);
 	}
-	if (options->program_count < 2 || (spares_inputs(reports, "report", options->report, diag) &&
-					   spares_inputs(reports, "glb", options->glb, diag) &&
-					   spares_inputs(reports, "picture", options->picture, diag)))
+	if (spares_inputs(reports, "report", options->report, diag) && spares_inputs(reports, "glb", options->glb, diag) &&
+	    spares_inputs(reports, "picture", options->picture, diag))
 		return true;
 	program_reports_release(reports);
 	return false;

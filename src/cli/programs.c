@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 #include "base/mem.h"
@@ -9,6 +10,7 @@
 #include "cli/path_checks.h"
 #include "cli/interrupt.h"
 #include "cli/program.h"
+#include "report/output.h"
 #include "report/pose.h"
 
 /* What the threads share. */
@@ -51,6 +53,21 @@ static void tell_end(const struct session *session, double seconds, const struct
 		sums.waived += outcome->waived;
 	}
 	sinks_end(session->order.sinks, &session->context.run, &end);
+}
+
+/* A folder that is missing is named at once, not after hours and only with a finding. The file stays as it is. */
+static bool can_write_pose(const struct options *options, struct diag *diag)
+{
+	struct stat status;
+	struct output out;
+
+	/* A pipe is opened once. */
+	if (!options->pose || (!stat(options->pose, &status) && !S_ISREG(status.st_mode)))
+		return true;
+	if (!output_open(&out, options->pose, diag))
+		return false;
+	output_discard(&out);
+	return true;
 }
 
 /* --pose: the first finding of the first program that has one. False: reported. */
@@ -153,6 +170,8 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	/* Buffered rows of other programs would take much memory, and the times would be mixed up. */
 	if (tables)
 		threads = 1;
+	if (!can_write_pose(options, &ui->diag))
+		return RUN_INCOMPLETE;
 	if (options_want_visual(options)) {
 		if (!program_reports_init(&reports, options, scene, inputs->items, inputs->count, &ui->diag))
 			return RUN_INCOMPLETE;

@@ -176,7 +176,7 @@ def ask(fivecheck, folder):
     first = ""
     if run.returncode == 1:
         f = findings[0]
-        first = f"{f['kind']} in line {f['line']}" + (f": {f['a']} and {f['b']}" if "b" in f else f": {f.get('axis', '')}")
+        first = f"{f['kind']} in line {f['line']}" + (f" of {f['axis']}" if f["kind"] == "limit" else f": {f['a']} and {f['b']}")
     elif run.returncode:
         first = next((line.split("error: ", 1)[1] for line in run.stderr.splitlines() if "error: " in line), "error")
     return run.returncode, first, cautions

@@ -17,5 +17,10 @@ status fivecheck -q m.xml "$name" 2>&1
 echo '== a file that is not there'
 status fivecheck -q m.xml "no$name" 2>&1
 status fivecheck -q "no$name" bad.nc 2>&1
+echo '== a block'
+printf 'G1 Z-120 F6000 (\302\233 2J \303\251)\n' >block.nc
+status fivecheck -q m.xml block.nc 2>&1 | grep 'block  '
+printf 'G1 Z-1 F6000 (\302\233) G999\n' >block.nc
+status fivecheck -q m.xml block.nc 2>&1
 echo '== an option'
 status fivecheck -q --no"$escape" m.xml bad.nc 2>&1

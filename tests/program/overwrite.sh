@@ -37,3 +37,15 @@ cat messages report
 "$FIVECHECK" -q -f ndjson=/dev/stdout m.xml a.nc >report
 echo "status $?"
 grep -c '"kind"' report
+
+# Nor over a subprogram, which nobody has named: a report replaces only what is a report.
+printf 'o<sub> call\nM2\n' >p.ngc
+printf 'o<sub> sub\nG0 X11\no<sub> endsub\n' >sub.ngc
+cp sub.ngc sub-p.ngc
+for option in --report --glb; do
+	status fivecheck -q $option=sub.ngc m.xml p.ngc
+	status fivecheck -q $option=sub.ngc m.xml p.ngc a.nc
+done
+cmp sub.ngc sub-p.ngc
+status fivecheck -q --report=again.html m.xml p.ngc
+status fivecheck -q --report=again.html m.xml p.ngc

@@ -21,3 +21,5 @@ done | awk '
 status fivecheck --pose none.stl -f ndjson m.xml clear.nc 2>&1 | grep none.stl
 ls none.stl 2>/dev/null
 status fivecheck -q --pose nowhere/pose.stl m.xml a.nc | tail -n 1
+# What cannot be written is named before anything is checked, also where nothing will be found.
+status fivecheck -q --pose nowhere/pose.stl m.xml clear.nc

@@ -68,8 +68,12 @@ void format_units_add_plain(struct strbuf *out, const char *text)
 		text++;
 		length--;
 	}
-	for (size_t i = 0; i < length; i++)
-		strbuf_add(out, is_blank(text[i]) ? " " : &text[i], 1);
+	for (size_t i = 0; i < length;) {
+		const size_t controls = strbuf_control_bytes(&text[i]);
+
+		strbuf_add(out, controls ? " " : &text[i], 1);
+		i += controls ? controls : 1;
+	}
 }
 
 void format_units_add_count(struct strbuf *out, size_t count, const char *noun)
