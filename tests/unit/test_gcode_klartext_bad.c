@@ -46,7 +46,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:12: error: M92: coordinates from a point that the builder of the machine has set is "
 	 "not supported yet"},
 	{"L X+1 FMAX M101\n",
-	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet"},
+	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet; if it may be left out, "
+	 "<mcode number=\"101\" action=\"ignore\"/> in the machine's <controller> says so"},
 	{"L X+1 FU0.1\n",
 	 "p.nc:2:7: error: a feed per revolution (FU, M136) without a spindle speed (S)"},
 	{"L X+1 FZ0.1\n",

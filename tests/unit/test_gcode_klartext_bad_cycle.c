@@ -38,6 +38,29 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:1: error: CYCL DEF 204 lacks Q250"},
 	{"CYCL DEF 204 BACK BORING Q200=2 Q249=5 Q250=20 Q251=3 Q252=15 Q203=0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 204 lacks Q253"},
+	{"CYCL DEF 22 ROUGH-OUT Q10=-5 Q11=150 Q12=500\nM99\n",
+	 "p.nc:3:1: error: CYCL DEF 22 without CYCL DEF 20"},
+	{"CYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\nM99\n",
+	 "p.nc:4:1: error: CYCL DEF 22, but no CYCL DEF 14 has named contours"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\nM99\n",
+	 "p.nc:6:1: error: the program has no LBL 1"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\n"
+	 "Q1=-20\nM99\n",
+	 "p.nc:7:1: error: Q1 has been changed since CYCL DEF 20: whether the call takes its new value is not known here; "
+	 "define the cycle anew"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\n"
+	 "M99\nM30\nLBL 1\nL X+0 Y+0 RR\nFL X+5\nLBL 0\n",
+	 "p.nc:10:1: error: FL in a contour of CYCL DEF 14 is not supported yet"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\n"
+	 "M99\nM30\nLBL 1\nL X+0 RR\nLBL 0\n",
+	 "p.nc:9:3: error: a contour begins with coordinates of X and Y"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\n"
+	 "M99\nM30\nLBL 1\nL X+0 Y+0 RR\n",
+	 "p.nc:10:1: error: END in a contour of CYCL DEF 14 is not supported yet"},
+	{"CYCL DEF 14.0\nCYCL DEF 14.1 \"A\"\n",
+	 "p.nc:3:15: error: CYCL DEF 14.1 needs the numbers of labels, as in LABEL1 /2"},
+	{"CYCL DEF 25 CONTOUR TRAIN\n",
+	 "p.nc:2:10: error: CYCL DEF 25: contour train is not supported yet"},
 	{"CYCL DEF 256 STUD Q200=2 Q201=-10 Q203=0 Q204=20 Q207=100 Q218=60 Q219=40 Q424=64 Q425=44\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 256 needs the radius of the tool: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL CALL 1 Z\nCYCL DEF 232 FACE MILLING Q225=0 Q226=0 Q227=1 Q218=50 Q219=40 Q200=2\nM99\n",

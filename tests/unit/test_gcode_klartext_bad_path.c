@@ -141,6 +141,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:5:5: error: RND needs a line or a circle right before it"},
 	{"F100\nL X+10\nRND R2\n",
 	 "p.nc:4:5: error: RND and CHF need a line or a circle in the plane behind them"},
+	{"TOOL CALL 1 Z\nL X+10 RL F100\nRND R8\nL Y+10\n",
+	 "p.nc:3:8: error: RND and CHF right behind the block that starts radius compensation are not supported"},
 	{"F100\nL X+10\nRND\nL Y+10\n",
 	 "p.nc:4:4: error: RND needs its radius in R"},
 	{"F100\nL X+10\nRND R20\nL Y+10\n",

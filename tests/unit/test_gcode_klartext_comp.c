@@ -124,6 +124,9 @@ static const struct {
 	 "CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y-20\nCYCL DEF 7.3 Z+5\nL X+1 Y+2 FMAX\nCYCL DEF 7.0\n"
 	 "CYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nCYCL DEF 7.3 Z+0\nL X+1 FMAX\n"},
 	{"TRANS DATUM AXIS X+10\nTRANS DATUM AXIS IX+5\nL X+1 FMAX\n", "CYCL DEF 7.0\nCYCL DEF 7.1 X+15\nL X+1 FMAX\n"},
+	/* RL again in every block, as older posts write it. */
+	{"TOOL CALL 1 Z\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F100\nL Y+50 RL\nRND R8\nL X+50 RL\nL X+90 Y+80 R0\n",
+	 "TOOL CALL 1 Z\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F100\nL Y+50\nRND R8\nL X+50\nL X+90 Y+80 R0\n"},
 	{"/81 L X+5 FMAX\n/ L X+6 FMAX\n", "L X+5 FMAX\nL X+6 FMAX\n"},
 	{"CYCL DEF 392 ATC~\n   Q240=0 ;TUNING MODE~\n   Q241=1 ;WEIGHT MODE\nL X+5 FMAX\n", "L X+5 FMAX\n"},
 };

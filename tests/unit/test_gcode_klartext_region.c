@@ -10,6 +10,10 @@ struct program {
 #define STARTED "tool 1\nrapid 10 20 200 0 0\n"
 #define HEIGHTS " Q200=2 Q203=0 Q201=-20 Q204=50 Q206=100 Q207=500\nM99\n"
 
+#define CONTOURS \
+	"CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL1 /2\n" \
+	"CYCL DEF 20 CONTOUR DATA Q1=-15 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0.1 Q9=1\n"
+
 /* The centre of the tool, of radius 5 mm, may be anywhere in the region, until X and Y are commanded. */
 static const struct program regions[] = {
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS "L X+0 FMAX\nL X+0 Y+0 FMAX\nL X+1 FMAX\n",
@@ -67,6 +71,17 @@ static const struct program regions[] = {
 	 "CYCL DEF 3.4 Y60\nCYCL DEF 3.5 X12\nCYCL DEF 3.6 F450\nL M99\n",
 	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\n"
 	 "feed 10 20 80 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\nrapid 10 20 102 0 0 spread 12 60 0\n"},
+	/* Contours of subprograms: the box about them, circles whole, less the radius of the tool. */
+	{START CONTOURS "CYCL DEF 22 ROUGH-OUT Q10=-5 Q11=150 Q12=500\nL M99\nM30\n"
+	 "LBL 1\nL X+0 Y+50 RR\nL Y+100\nRND R5\nL X+80\nL IY-100\nL X+0\nL Y+50\nLBL 0\n"
+	 "LBL 2\nCC X+90 Y+50\nL X+90 Y+40 RL\nC X+90 Y+40 DR+\nLBL 0\n",
+	 STARTED "rapid 10 20 102 0 0 spread 85 75 0\nfeed 50 50 102 0 0 spread 45 45 0\nfeed 50 50 85 0 0 spread 45 45 0\n"
+	 "feed 50 50 102 0 0 spread 45 45 0\nrapid 50 50 150 0 0 spread 45 45 0\n"},
+	{START CONTOURS "CYCL DEF 24 SIDE Q9=1 Q10=-5 Q11=150 Q12=500 Q14=-1\nCYCL CALL M8\nM30\n"
+	 "LBL 1\nCC X+0 Y+0\nLP PR+20 PA+180 RR\nCP PA+0 DR+\nCP IPA+180 DR+\nLBL 0\n"
+	 "LBL 2\nL X+0 Y+0\nCR X+10 R+5 DR+\nLBL 0\n",
+	 STARTED "rapid 10 20 102 0 0 spread 26 36 0\nfeed 0 0 102 0 0 spread 16 16 0\nfeed 0 0 85 0 0 spread 16 16 0\n"
+	 "feed 0 0 102 0 0 spread 16 16 0\nrapid 0 0 150 0 0 spread 16 16 0\n"},
 	/* A depth of 0 does nothing. */
 	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n", STARTED},
 	/* In turned coordinates the region lies across the axes. */

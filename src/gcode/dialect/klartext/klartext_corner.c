@@ -77,9 +77,6 @@ bool klartext_corner_hold(struct interp *interp, const struct klartext_words *wo
 	if (target->turns || words->axes >> SLOT_A)
 		return fault(&interp->at, words->first_column,
 			     "RND and CHF behind a move of other axes than X, Y and Z are not supported");
-	if (words->comp == KLARTEXT_RL || words->comp == KLARTEXT_RR)
-		return fault(&interp->at, words->comp_column,
-			     "RND and CHF right behind the block that starts radius compensation are not supported");
 	if (!klartext_m_check_harmless(interp, words))
 		return false;
 	corner->waits = true;

@@ -7,6 +7,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
@@ -152,6 +153,8 @@ static bool by_q(const struct klartext_call_of *call)
 		      {206, tap},   {207, tap},	 {209, tap},  {240, drill}, {241, drill_deep}};
 	struct klartext_hole hole = {0};
 
+	if (klartext_contour_is(call->cycle->number))
+		return klartext_contour_make(call);
 	if (klartext_pocket_is(call->cycle->number))
 		return klartext_pocket_make(call);
 	if (!find_heights(call, &hole))
@@ -210,10 +213,9 @@ static bool by_parts(const struct klartext_call_of *call)
  * CYCL DEF has assigned the parameters of the cycle, and the program may have assigned others since: whether the call
  * takes these is not in the manuals. `but` are left out.
  */
-static bool check_values(struct interp *interp, int column, const char *const *but)
+static bool check_values(struct interp *interp, int column, const struct klartext_cycle *cycle,
+			 const char *const *but)
 {
-	const struct klartext_cycle *cycle = &klartext_of(interp)->cycle;
-
 	for (int i = 0; cycle->by_q && i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		const char *const *left_out = but;
@@ -237,7 +239,11 @@ bool klartext_cycle_check_values(struct interp *interp, int column, bool heights
 {
 	static const char *const all[] = {NULL}, *const but_heights[] = {"Q200", "Q203", "Q204", NULL};
 
-	return check_values(interp, column, heights ? all : but_heights);
+	const struct klartext *klartext = klartext_of(interp);
+
+	if (klartext_contour_is(klartext->cycle.number) && !check_values(interp, column, &klartext->contour_data, all))
+		return false;
+	return check_values(interp, column, &klartext->cycle, heights ? all : but_heights);
 }
 
 bool klartext_cycle_call(struct interp *interp, int column)

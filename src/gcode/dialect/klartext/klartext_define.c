@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
@@ -76,12 +77,22 @@ static const struct cycle_row rows[] = {
     {11, USE_DEFINED, klartext_frame_scale, NULL},
     {12, USE_REFUSED, NULL, "a program as a cycle"},
     {13, USE_IGNORED, NULL, NULL}, /* orients the spindle */
-    {14, USE_REFUSED, NULL, "contours of subprograms"},
+    {14, USE_DEFINED, NULL, NULL},
     {17, USE_CALLED, NULL, NULL},
     {18, USE_REFUSED, NULL, "thread cutting"},
     {19, USE_DEFINED, klartext_plane_cycle, NULL},
+    {20, USE_DEFINED, klartext_contour_data, NULL},
+    {21, USE_CALLED, NULL, NULL},
+    {22, USE_CALLED, NULL, NULL},
+    {23, USE_CALLED, NULL, NULL},
+    {24, USE_CALLED, NULL, NULL},
+    {25, USE_REFUSED, NULL, "contour train"},
     {26, USE_DEFINED, klartext_frame_scale_axes, NULL},
+    {27, USE_REFUSED, NULL, "cylinder surface"},
+    {28, USE_REFUSED, NULL, "cylinder surface"},
+    {29, USE_REFUSED, NULL, "cylinder surface"},
     {32, USE_DEFINED, tolerate, NULL},
+    {39, USE_REFUSED, NULL, "cylinder surface"},
     {200, USE_CALLED, NULL, NULL},
     {201, USE_CALLED, NULL, NULL},
     {202, USE_CALLED, NULL, NULL},
@@ -295,7 +306,8 @@ bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 
 	/* In a program without block numbers, Q200 and on are the cycle's. */
 	return definition->open && definition->by_q && !numbered && is_q_word(lexer) &&
-	       (definition->numbered || lexer->at->text[lexer->position + 1] >= '2');
+	       (definition->numbered || definition->number < 200 ||
+		lexer->at->text[lexer->position + 1] >= '2');
 }
 
 bool klartext_define_line(struct lexer *lexer)
@@ -310,6 +322,12 @@ static void skip_name(struct lexer *lexer)
 {
 	while (!klartext_ends(lexer) && !is_q_word(lexer))
 		lexer_take(lexer);
+}
+
+/* The contour cycles with Q parameters have numbers among the older ones. */
+static bool is_by_q(int number)
+{
+	return number >= 200 || (number >= 20 && number <= 25) || (number >= 27 && number <= 29) || number == 39;
 }
 
 /* Does the machine file say of a cycle of the builder that it moves no axis? */
@@ -349,7 +367,7 @@ static bool begin(struct lexer *lexer, int number, int column)
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
 								  .number = number,
 								  .open = true,
-								  .by_q = number >= 200,
+								  .by_q = is_by_q(number),
 								  .line = lexer->at->line,
 								  .column = column};
 	return true;
@@ -365,6 +383,8 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 	if (part == 0) {
 		if (!begin(lexer, number, column))
 			return false;
+		if (number == 14)
+			klartext_of(interp)->contour_count = 0;
 		skip_name(lexer);
 		return true;
 	}
@@ -375,6 +395,8 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 	definition->part = part;
 	definition->line = lexer->at->line;
 	definition->column = column;
+	if (number == 14)
+		return klartext_contour_labels(lexer);
 	if (!read_words(lexer, definition))
 		return false;
 	if (find_row(number) && find_row(number)->use == USE_DEFINED) {

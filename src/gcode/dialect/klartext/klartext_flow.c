@@ -143,6 +143,49 @@ static struct label *find_label(struct interp *interp, const char *name, int col
 	return label && label->kind == LABEL_FOUND ? label : NULL;
 }
 
+/* Is it "LBL 0"? */
+static bool ends_label(struct interp *interp, const char *text)
+{
+	struct diag unheard = {0};
+	const struct line_place at = {.diag = &unheard, .file = "", .text = text};
+	struct lexer lexer = klartext_lexer(interp);
+	char name[KLARTEXT_NAME];
+
+	lexer.at = &at;
+	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
+		lexer_take(&lexer);
+	return klartext_take(&lexer, "LBL") && read_label(&lexer, name) && !strcmp(name, "0");
+}
+
+bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,
+			      void *context)
+{
+	struct reader *reader = &interp->program.source->reader;
+	const struct position next = source_next(interp->program.source);
+	const struct label *label = find_label(interp, name, column);
+	const long furthest = reader->furthest;
+	const char *text;
+	bool good, ended = false;
+
+	if (!label)
+		return false;
+	keep_line(interp);
+	good = program_jump(&interp->program, &label->body, &interp->at, column);
+	while (good && !ended && reader_next(reader, &text) == READER_LINE) {
+		const struct line_place at = {
+		    .diag = interp->diag, .file = interp->at.file, .line = reader->line, .text = text};
+		struct lexer lexer = klartext_lexer(interp);
+
+		lexer.at = &at;
+		ended = ends_label(interp, text);
+		good = ended || line(context, &lexer);
+	}
+	reader->furthest = furthest;
+	if (good && !ended)
+		good = fault(&interp->at, column, "LBL %s has no LBL 0 that ends it", name);
+	return program_jump(&interp->program, &next, &interp->at, column) && good;
+}
+
 /* ------------------------------------------------------------------- levels */
 
 static bool enter(struct interp *interp, enum klartext_call_kind kind, const char *title, const struct position *to,

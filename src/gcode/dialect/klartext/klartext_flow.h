@@ -25,4 +25,12 @@ bool klartext_flow_end_of_file(struct interp *interp);
 /* The calls under way (struct dialect). */
 bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
+/*
+ * Hands the lines behind LBL <name> up to LBL 0 to `line`, each with its place, until one says false. The program goes on
+ * where it is. False: reported, or one said so.
+ */
+typedef bool (*klartext_flow_line)(void *context, struct lexer *lexer);
+bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,
+			      void *context);
+
 #endif

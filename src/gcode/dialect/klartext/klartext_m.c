@@ -58,6 +58,12 @@ static enum m_action action_of(int number)
 	return M_HARMLESS;
 }
 
+/* Left out, the tool would be elsewhere. */
+static bool changes_coordinates(int number)
+{
+	return number == 92 || number == 104 || number == 114 || number == 130 || number == 143 || number == 144;
+}
+
 /* What the machine file says of an M-function, or the control's own meaning. False: not known, which was reported. */
 static bool find_action(struct interp *interp, const struct klartext_m *m, enum m_action *action)
 {
@@ -80,8 +86,13 @@ static bool find_action(struct interp *interp, const struct klartext_m *m, enum 
 			     "M%d is not known; if it moves no axis, <mcode number=\"%d\" action=\"ignore\"/> in the "
 			     "machine's <controller> says so",
 			     m->number, m->number);
-	if (found->state == CODE_REFUSED)
+	if (found->state == CODE_REFUSED && changes_coordinates(m->number))
 		return fault(&interp->at, m->column, "M%d: %s is not supported yet", m->number, found->what);
+	if (found->state == CODE_REFUSED)
+		return fault(&interp->at, m->column,
+			     "M%d: %s is not supported yet; if it may be left out, <mcode number=\"%d\" "
+			     "action=\"ignore\"/> in the machine's <controller> says so",
+			     m->number, found->what, m->number);
 	*action = action_of(m->number);
 	return true;
 }

@@ -11,7 +11,7 @@
 bool klartext_parameter_find(const struct klartext_call_of *call, int q, double *value)
 {
 	char name[12] = "Q";
-	int digits = q >= 100 ? 3 : 2;
+	int digits = q >= 100 ? 3 : q >= 10 ? 2 : 1;
 
 	for (int i = digits; i > 0; i--, q /= 10)
 		name[i] = (char)('0' + q % 10);

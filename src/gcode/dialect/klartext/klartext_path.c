@@ -33,6 +33,8 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 			struct klartext_path *path)
 {
 	struct klartext *klartext = klartext_of(interp);
+	const bool beside = klartext_comp_is_selected(interp);
+	bool corner;
 
 	if (path->open)
 		return make_open(interp, words, target, path);
@@ -47,7 +49,11 @@ bool klartext_path_make(struct interp *interp, const struct klartext_words *word
 	if (!klartext_comp_switch(interp, words, path))
 		return false;
 	klartext->last = *path;
-	if (klartext_corner_follows(interp))
+	corner = klartext_corner_follows(interp);
+	if (corner && klartext_comp_is_selected(interp) && !beside)
+		return fault(&interp->at, words->comp_column,
+			     "RND and CHF right behind the block that starts radius compensation are not supported");
+	if (corner)
 		return klartext_corner_hold(interp, words, target, path);
 	if (!klartext_comp_go(interp, target, path))
 		return false;

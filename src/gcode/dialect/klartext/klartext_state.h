@@ -18,6 +18,8 @@
 #define KLARTEXT_REPEATS_MAX 100
 /* Parameters of one CYCL DEF: Q200 and the like, or the lines 7.1, 7.2 of older cycles. */
 #define KLARTEXT_CYCLE_WORDS 32
+/* iTNC 530 user's manual, "CONTOUR GEOMETRY (Cycle 14)": up to 12 subprograms. */
+#define KLARTEXT_CONTOURS_MAX 12
 /* A label's or a program's name. */
 #define KLARTEXT_NAME 128
 
@@ -205,6 +207,9 @@ struct klartext {
 	struct klartext_cycle definition; /* under way */
 	struct klartext_cycle cycle; /* that M99 and CYCL CALL carry out */
 	bool modal_call; /* M89 */
+	int contours[KLARTEXT_CONTOURS_MAX]; /* labels of CYCL DEF 14 */
+	int contour_count;
+	struct klartext_cycle contour_data; /* CYCL DEF 20 */
 	struct klartext_points points;
 };
 

@@ -1,0 +1,28 @@
+/* klartext_contour.h - contours of subprograms and the cycles that clear what lies inside: CYCL DEF 14 and 20 to 24. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CONTOUR_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_CONTOUR_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_parameter.h"
+#include "gcode/text/lexer.h"
+
+/* Behind CYCL DEF 14.1: the labels of the subprograms. False: reported. */
+bool klartext_contour_labels(struct lexer *lexer);
+
+/* CYCL DEF 20, the data of the contour cycles. */
+bool klartext_contour_data(struct interp *interp, const struct klartext_cycle *cycle);
+
+/* Is it one of the cycles 21 to 24? */
+static inline bool klartext_contour_is(int number)
+{
+	return number >= 21 && number <= 24;
+}
+
+/*
+ * Carries one out: the tool may be anywhere in the box about the contours, less its radius, between the depth and the
+ * clearance height. False: reported, or the sink wants no more.
+ */
+bool klartext_contour_make(const struct klartext_call_of *call);
+
+#endif
