@@ -83,6 +83,9 @@ def run_parts(tools, arguments):
     if 'series' in chosen:
         write(tools, 'cost.csv', series.COLUMNS, series.cost_rows(tools, scenes, 10))
         write(tools, 'steps.csv', series.STEP_COLUMNS, series.step_rows(tools, scenes))
+        rows = series.paper_rows(tools)
+        write(tools, 'paper.csv', series.PAPER_COLUMNS, rows)
+        show([series.PAPER_COLUMNS] + [[r[c] for c in series.PAPER_COLUMNS] for r in rows])
     if 'ablation' in chosen:
         rows = series.ablation_rows(tools, arguments.source, [
             trunnion.inside(os.path.join(scenes, 'ablate-blades'), tools), next(trunnion.examples(scenes)),

@@ -83,6 +83,23 @@ def step_rows(tools, out):
     return rows
 
 
+PAPER_COLUMNS = ['triangles', 'step', 'method', 'ms', 'times', 'false_alarms']
+
+
+def paper_rows(tools):
+    """The paper's comparison on its own terms: whole meshes, every pair, no trees (paper.c). `times`: as long as `kept`."""
+    rows = []
+    for triangles in (110, 330):
+        say('series: the paper\'s terms, %d x %d triangles' % (triangles, triangles))
+        runs = [[line.split('\t') for line in tools.run([os.path.join(tools.out, 'paper'), str(triangles), '0.01'])
+                 .out.splitlines()] for _ in range(min(tools.runs, 3))]
+        times = {run[i][0]: median([float(r[i][1]) for r in runs]) for run in runs for i in range(len(run))}
+        for name, _, _, meeting in runs[0]:
+            rows.append(dict(zip(PAPER_COLUMNS, (triangles, 0.01, name, '%.4g' % times[name],
+                                                 '%.3g' % (times[name] / times['kept']), meeting))))
+    return rows
+
+
 ABLATION_COLUMNS = ['without', 'scene', 'seconds_per_block', 'times', 'verdict']
 
 
