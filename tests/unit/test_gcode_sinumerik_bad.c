@@ -124,6 +124,12 @@ static const struct refused_program programs[] = {
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1.5"},
 	{"R[1000]=5\n", 1, 3,
 	 "the number of an R parameter must be a whole number from 0 to 999, not 1000"},
+	{"R1=5\nIF R1>3 AND R2==0 GOTOF LL\nLL:\n", 2, 4,
+	 "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than the other "
+	 "order: put the comparisons into parentheses"},
+	{"X=1<2 AND 3\n", 1, 3,
+	 "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than the other "
+	 "order: put the comparisons into parentheses"},
 	{"X=\"A\"\n", 1, 6,
 	 "text stands here for a number; compare it with ==, <> or the like"},
 	{"X=ATAN2(1)\n", 1, 10,

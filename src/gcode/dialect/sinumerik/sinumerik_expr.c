@@ -371,7 +371,11 @@ static bool apply(struct expr *expr, int column, const struct expr_operator *ope
 {
 	const enum expr_operation operation = operator->operation;
 	const bool a = fpclassify(left->number) != FP_ZERO, b = fpclassify(right->number) != FP_ZERO;
+	struct sinumerik *sinumerik = sinumerik_of(expr->context);
 
+	sinumerik->compares = sinumerik->compares || operation <= EXPR_LE;
+	sinumerik->joins =
+	    sinumerik->joins || operation == EXPR_AND || operation == EXPR_OR || operation == EXPR_XOR;
 	if (operation <= EXPR_LE) {
 		left->number = holds(operation, left->number, right->number);
 	} else if (operation == EXPR_AND || operation == EXPR_OR || operation == EXPR_XOR) {
@@ -400,6 +404,16 @@ static const struct expr_operator operators[] = {
 	{"/", EXPR_DIVIDE, 9, false}, {"div", EXPR_INTEGER_DIVIDE, 9, false}, {"mod", EXPR_MODULO, 9, false},
 };
 
+/* As people mean it who leave the parentheses out: comparisons before AND, XOR and OR. */
+static const struct expr_operator meant[] = {
+	{"or", EXPR_OR, 1, false},   {"xor", EXPR_XOR, 2, false},     {"and", EXPR_AND, 3, false},
+	{"==", EXPR_EQ, 4, false},   {"<>", EXPR_NE, 4, false},	      {">=", EXPR_GE, 4, false},
+	{"<=", EXPR_LE, 4, false},   {">", EXPR_GT, 4, false},	      {"<", EXPR_LT, 4, false},
+	{"b_or", EXPR_BIT_OR, 5, false}, {"b_xor", EXPR_BIT_XOR, 6, false}, {"b_and", EXPR_BIT_AND, 7, false},
+	{"+", EXPR_PLUS, 8, false},  {"-", EXPR_MINUS, 8, false},     {"*", EXPR_TIMES, 9, false},
+	{"/", EXPR_DIVIDE, 9, false}, {"div", EXPR_INTEGER_DIVIDE, 9, false}, {"mod", EXPR_MODULO, 9, false},
+};
+
 static bool no_function(struct expr *expr, int column, const struct function_name *function,
 			struct expr_operand *value)
 {
@@ -408,28 +422,57 @@ static bool no_function(struct expr *expr, int column, const struct function_nam
 	return fault(expr->lexer->at, column, "a value is needed here");
 }
 
-static const struct expr_rules rules = {
-	.open = '(',
-	.close = ')',
-	.variable_starts = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$\"",
-	.whole_words = true,
-	.operators = operators,
-	.operator_count = sizeof(operators) / sizeof(operators[0]),
-	.signs_repeat = true,
-	.depth_max = 64,
-	.nested = "brackets",
-	.apply = apply,
-	.function = no_function,
-	.variable = variable_value,
-};
+/* All but the operators. */
+#define RULES(table) \
+	.open = '(', \
+	.close = ')', \
+	.variable_starts = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$\"", \
+	.whole_words = true, \
+	.signs_repeat = true, \
+	.depth_max = 64, \
+	.nested = "brackets", \
+	.apply = apply, \
+	.function = no_function, \
+	.variable = variable_value, \
+	.operators = (table), .operator_count = sizeof(table) / sizeof((table)[0])
+
+static const struct expr_rules rules = {RULES(operators)};
+static const struct expr_rules meant_rules = {RULES(meant)};
+
+/*
+ * The manual's table has AND, XOR and OR before comparisons, which a program without parentheses hardly means: where both
+ * orders come to the same, that holds, and else the program must say it.
+ */
+static bool check_meant(struct interp *interp, struct lexer *lexer, size_t start, double value)
+{
+	struct lexer again = {.at = lexer->at, .position = start};
+	struct expr expr = {.lexer = &again, .rules = &meant_rules, .context = interp};
+	struct expr_operand operand;
+	const int column = expr_column(&again);
+
+	if (!expr_sum(&expr, &operand))
+		return false;
+	return (again.position == lexer->position && same(value, operand.number)) ||
+	       fault(lexer->at, column,
+		     "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than "
+		     "the other order: put the comparisons into parentheses");
+}
 
 bool sinumerik_expr_number(struct interp *interp, struct lexer *lexer, double *value)
 {
 	struct expr expr = {.lexer = lexer, .rules = &rules, .context = interp};
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const bool compares = sinumerik->compares, joins = sinumerik->joins;
+	const size_t start = lexer->position;
 	struct expr_operand operand;
+	bool both;
 
+	sinumerik->compares = sinumerik->joins = false;
 	if (!expr_sum(&expr, &operand))
 		return false;
+	both = sinumerik->compares && sinumerik->joins;
+	sinumerik->compares = compares || sinumerik->compares;
+	sinumerik->joins = joins || sinumerik->joins;
 	*value = operand.number;
-	return true;
+	return !both || check_meant(interp, lexer, start, operand.number);
 }

@@ -129,6 +129,7 @@ struct sinumerik {
 	struct sinumerik_text argument_texts[SINUMERIK_ARGUMENTS_MAX];
 	bool argument_is_text[SINUMERIK_ARGUMENTS_MAX];
 	int argument_variable[SINUMERIK_ARGUMENTS_MAX];	/* the caller's variable that stands alone as argument, or -1 */
+	bool compares, joins;	/* the expression in hand has a comparison; AND, OR or XOR */
 	struct sinumerik_jump jumps[SINUMERIK_JUMPS];
 	struct sinumerik_modal modal;
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
