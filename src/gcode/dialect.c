@@ -29,6 +29,7 @@ bool dialect_answers_cycles(const struct dialect *dialect, const struct line_pla
 		const char *question;
 	} questions[] = {
 		{traits->words_outlive_cycle, "whether words hold for the next canned cycle"},
+		{traits->words_keep_place, "where a kept R of a canned cycle lies after G90 or G91"},
 		{traits->without_axes, "what a canned cycle without axis words does"},
 		{traits->starts_at_r, "whether canned cycles retract to R before any G98 or G99"},
 		{traits->never_below_r, "whether canned cycles with G98 retract below R"},

@@ -89,6 +89,8 @@ enum g87 { G87_UNKNOWN, G87_BACK_BY_IJK, G87_BACK_BY_Q, G87_BY_HAND };
 /* How canned cycles drill: each answer is needed by each of them. */
 struct cycle_traits {
 	enum answer words_outlive_cycle;	/* words hold for the next cycle of another code, too */
+	/* R and the depth stay where they were, whichever of G90 and G91 follows; no: their words are read anew */
+	enum answer words_keep_place;
 	enum answer without_axes;	/* a cycle without axis words keeps its words, drills nothing; no: an error */
 	enum answer starts_at_r;	/* before any G98 or G99, the tool retracts to R; no: to the level before */
 	enum answer never_below_r;	/* with G98, the tool retracts to R where that lies higher */

@@ -82,6 +82,7 @@ struct polar_coordinates {
 struct cycle_memory {
 	uint32_t known;	/* letter bits */
 	double word[26];	/* Z is the depth, whatever the plane */
+	uint32_t increments;	/* letter bits of R and Z: they were given in G91 */
 	bool has_level;
 	double level;	/* program coordinate of the drilling axis before the first cycle */
 	double height;	/* its straight position there, mm */

@@ -26,6 +26,35 @@ START_TEST(drilling)
 END_TEST
 
 /*
+ * Haas mill operator's manual, "Looping Canned Cycles": "G81 Z-1.5 F15. R.1", then "G91 X1.0 L2" and so on drill a grid at
+ * one depth. LinuxCNC reads the kept words anew (its manual, "Canned Cycle Words").
+ */
+START_TEST(grid)
+{
+	static const char program[] = "F9. G0 X1. Y-1. Z5.\nG99 G81 Z-2. R1.\nG91 X10. %c2\nY-1.\nG90 G80\nM30\n";
+	static const char moves[] =
+		"rapid 1 -1 5 0 0\nrapid 1 -1 5 0 0\nrapid 1 -1 1 0 0\nfeed 1 -1 -2 0 0\nrapid 1 -1 1 0 0\n"
+		"rapid 11 -1 1 0 0\nrapid 11 -1 1 0 0\nfeed 11 -1 -2 0 0\nrapid 11 -1 1 0 0\n"
+		"rapid 21 -1 1 0 0\nrapid 21 -1 1 0 0\nfeed 21 -1 -2 0 0\nrapid 21 -1 1 0 0\n"
+		"rapid 21 -2 1 0 0\nrapid 21 -2 1 0 0\nfeed 21 -2 -2 0 0\nrapid 21 -2 1 0 0\n";
+	char text[128];
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = &dialect_fanuc;
+	ck_assert(!case_run(&c, "F9\nG91 G81 X1. Z-2. R-1.\nG90 X5.\n"));
+	ck_assert_str_eq(strbuf_text(&c.messages),
+			 "p.nc:3:5: error: R of G81 was an increment (G91): where it leads in G90 depends on the control; "
+			 "give it again\n    G90 X5.\n        ^\n");
+	case_release(&c);
+	snprintf(text, sizeof(text), program, 'L');
+	run(&dialect_haas, text, moves);
+	snprintf(text, sizeof(text), program, 'K');
+	run(&dialect_fanuc, text, moves);
+}
+END_TEST
+
+/*
  * Haas mill operator's manual, "G70 Bolt Hole Circle": L holes evenly on a circle of radius I, the first at J degrees
  * from three o'clock counter-clockwise; "G71 Bolt Hole Arc": K degrees apart. The tool stands in the centre before.
  */
@@ -418,7 +447,7 @@ END_TEST
 
 int main(void)
 {
-	const TTest *const tests[] = {drilling, bolt_holes, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
+	const TTest *const tests[] = {drilling, grid, bolt_holes, fine_boring, boring_by_hand,		 retract,	  pecking,	  dwell_and_feed_out,
 					     planes,		 back_boring,	  repeats,	  threads_and_probes,
 					     default_retract,	 tool_change_moves, reference_positions,
 					     level_is_kept,	 drills_where_an_axis_is_named};

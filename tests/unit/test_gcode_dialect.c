@@ -235,7 +235,8 @@ START_TEST(half_answered_cycles)
 {
 	static const struct refusal refusal = {
 	    "F9\nG81 X1 Z-5 R1\n", 1, UNKNOWN("what a canned cycle without axis words does")};
-	const struct cycle_traits cycles = {.words_outlive_cycle = ANSWER_NO, .repeat_letter = 'L'};
+	const struct cycle_traits cycles = {
+	    .words_outlive_cycle = ANSWER_NO, .words_keep_place = ANSWER_NO, .repeat_letter = 'L'};
 	struct dialect dialect = silent;
 
 	dialect.traits = usual;

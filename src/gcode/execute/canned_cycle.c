@@ -122,15 +122,40 @@ static bool cross_over(struct canned_cycle *cycle, double offset)
 	return fault(&interp->at, column, "R of G%d, %.6g mm, lies below the depth, %.6g mm", code, r, z);
 }
 
+/*
+ * Does R, or the depth under the letter Z, count from another height? That follows from the mode in which it was given,
+ * where it keeps its place. What an increment leads to after G90 is not said.
+ */
+static bool find_mode(struct canned_cycle *cycle, char letter, bool given, bool *incremental)
+{
+	struct interp *interp = cycle->interp;
+	struct state *state = &interp->state;
+	uint32_t bit = letter_bit(letter);
+
+	if (given)
+		state->cycle.increments = (state->cycle.increments & ~bit) | (state->incremental ? bit : 0);
+	*incremental = state->incremental;
+	if (given || cycle->traits->words_keep_place == ANSWER_NO)
+		return true;
+	*incremental = state->cycle.increments & bit;
+	if (!*incremental || state->incremental)
+		return true;
+	return fault(&interp->at, block_motion_column(&interp->block),
+		     "%s of G%d was an increment (G91): where it leads in G90 depends on the control; give it again",
+		     letter == 'R' ? "R" : "the depth", cycle->code / 10);
+}
+
 /* The heights of R, of the bottom and of the retract, from the level before the first of the cycles. */
 static bool find_heights(struct canned_cycle *cycle, bool kept)
 {
 	struct interp *interp = cycle->interp;
 	struct state *state = &interp->state;
 	double offset = state->offset.v[cycle->depth], scale = state->scale, r = 0, bottom = 0, level;
-	bool back = cycle_hole_bores_back(cycle);
+	bool back = cycle_hole_bores_back(cycle), r_counts = false, bottom_counts = false;
 
-	if (!cycle_words_take(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom))
+	if (!cycle_words_take(cycle, 'R', kept, &r) || !find_bottom(cycle, kept, &bottom) ||
+	    !find_mode(cycle, 'R', block_has(&interp->block, 'R'), &r_counts) ||
+	    !find_mode(cycle, 'Z', block_has(&interp->block, AXIS_LETTERS[cycle->depth]), &bottom_counts))
 		return false;
 	if (!state->cycle.has_level) {
 		state->cycle.level = (cycle->at.v[cycle->depth] - offset) / scale;
@@ -142,8 +167,8 @@ static bool find_heights(struct canned_cycle *cycle, bool kept)
 	level = state->cycle.level * scale + offset;
 	if (!check_level(cycle, level))
 		return false;
-	cycle->r = r * scale + (state->incremental ? level : offset);
-	cycle->bottom = bottom * scale + (state->incremental ? cycle->r : offset);
+	cycle->r = r * scale + (r_counts ? level : offset);
+	cycle->bottom = bottom * scale + (bottom_counts ? cycle->r : offset);
 	cycle->crosses = back ? cycle->r > cycle->bottom : cycle->r < cycle->bottom;
 	if (cycle->crosses && !cross_over(cycle, offset))
 		return false;

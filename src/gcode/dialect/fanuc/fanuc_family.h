@@ -13,6 +13,8 @@ extern const struct code_set fanuc_family_g_codes, fanuc_family_m_codes;
  */
 #define FANUC_FAMILY_CYCLES \
 	.words_outlive_cycle = ANSWER_YES, \
+	/* Haas, "Looping Canned Cycles": G91 behind a G81 in G90 changes the way between holes alone. */ \
+	.words_keep_place = ANSWER_YES, \
 	.without_axes = ANSWER_YES, \
 	.starts_at_r = ANSWER_NO, \
 	.never_below_r = ANSWER_NO, \

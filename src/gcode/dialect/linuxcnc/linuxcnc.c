@@ -100,6 +100,7 @@ static const struct code_word words[] = {
 /* LinuxCNC's manual, "Canned Cycles", and its 2.9 interpreter (interp_cycles.cc). */
 static const struct cycle_traits cycles = {
 	.words_outlive_cycle = ANSWER_NO,
+	.words_keep_place = ANSWER_NO,
 	.without_axes = ANSWER_NO,
 	.starts_at_r = ANSWER_YES,
 	.never_below_r = ANSWER_YES,
