@@ -20,6 +20,19 @@ fivecheck --dump-path --include=more k.xml p.h | cut -f 1,4-6
 status fivecheck --parse-only k.xml p.h
 fivecheck --dump-path --include=more --include=. k.xml - <p.h | cut -f 1,4-6 | tail -n 1
 
+# SEL PGM and CALL SELECTED PGM, and cycle 12 behind a move: the move comes first, and the rest behind the program.
+program q.h <<'NC'
+0 BEGIN PGM P MM
+1 SEL PGM "TNC:\NC\sub.h"
+2 CALL SELECTED PGM
+3 CYCL DEF 12.0 PGM CALL
+4 CYCL DEF 12.1 PGM sub
+5 L Z+7 FMAX M99
+6 L IZ+1
+7 END PGM P MM
+NC
+fivecheck --dump-path k.xml q.h | cut -f 1,4-6
+
 # The fault stands two calls deep.
 printf '0 BEGIN PGM SUB MM\n1 L IX+1 R0\n2 END PGM SUB MM\n' >sub.h
 status fivecheck --parse-only --include=more k.xml p.h

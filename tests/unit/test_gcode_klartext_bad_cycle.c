@@ -61,6 +61,9 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:15: error: CYCL DEF 14.1 needs the numbers of labels, as in LABEL1 /2"},
 	{"CYCL DEF 25 CONTOUR TRAIN\n",
 	 "p.nc:2:10: error: CYCL DEF 25: contour train is not supported yet"},
+	{"CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9 Q395=1\nM99\n",
+	 "p.nc:3:1: error: Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the "
+	 "depth of the tip in Q201 and Q395=0"},
 	{"CYCL DEF 256 STUD Q200=2 Q201=-10 Q203=0 Q204=20 Q207=100 Q218=60 Q219=40 Q424=64 Q425=44\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 256 needs the radius of the tool: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL CALL 1 Z\nCYCL DEF 232 FACE MILLING Q225=0 Q226=0 Q227=1 Q218=50 Q219=40 Q200=2\nM99\n",

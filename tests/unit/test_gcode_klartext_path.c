@@ -121,7 +121,7 @@ static const struct klartext_program frames[] = {
 
 /* PLANE, M128, TCPM, M91, M140: the case's A tilts the tool to (0, sin A, cos A), C turns the table. */
 static const struct klartext_program planes[] = {
-	{"Q1 = SGN -4 + SGN 0\nQ2 = LOG 1000\nQ3 = LN EXP 2\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
+	{"Q1 = SGN -4 * SGN 3\nQ2 = LOG 1000\nQ3 = LN EXP 2\nL X+Q1 Y+Q2 Z+Q3 FMAX\n",
 	 "rapid -1 3 2 0 0\n"},
 	{"CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA0.5\nL X+1 FMAX\n"
 	 "CYCL DEF 32.0\nCYCL DEF 32.1\nL X+2 FMAX\n",

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
+#include "gcode/dialect/klartext/klartext_flow.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_hole.h"
 #include "gcode/dialect/klartext/klartext_parameter.h"
@@ -144,6 +145,15 @@ static bool drill_deep(const struct klartext_call_of *call, struct klartext_hole
 	return true;
 }
 
+/* "DEPTH REFERENCE": 1 means the depth of the full diameter, so that the tip goes deeper. */
+static bool check_reference(const struct klartext_call_of *call)
+{
+	return same_double(klartext_parameter_or(call, 395, 0), 0) ||
+	       fault(&call->interp->at, call->column,
+		     "Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the depth of "
+		     "the tip in Q201 and Q395=0");
+}
+
 static bool by_q(const struct klartext_call_of *call)
 {
 	static const struct {
@@ -157,7 +167,7 @@ static bool by_q(const struct klartext_call_of *call)
 		return klartext_contour_make(call);
 	if (klartext_pocket_is(call->cycle->number))
 		return klartext_pocket_make(call);
-	if (!find_heights(call, &hole))
+	if (!check_reference(call) || !find_heights(call, &hole))
 		return false;
 	for (size_t i = 0; i < sizeof(cycles) / sizeof(cycles[0]); i++) {
 		if (cycles[i].number == call->cycle->number)
@@ -251,6 +261,17 @@ bool klartext_cycle_call(struct interp *interp, int column)
 	return klartext_cycle_check_values(interp, column, true) && klartext_cycle_carry_out(interp, column);
 }
 
+/* "PROGRAM CALL (Cycle 12)". Behind another M-function of the block the rest of it would come before the program. */
+static bool call_program(struct interp *interp, int column)
+{
+	const char *name = klartext_of(interp)->cycle_program;
+
+	if (klartext_of(interp)->modal_call)
+		return fault(&interp->at, column, "CYCL DEF 12 with M89 is not supported yet");
+	return name[0] != '\0' ? klartext_flow_call_program(interp, name, column)
+			       : fault(&interp->at, column, "CYCL DEF 12 has not named a program");
+}
+
 bool klartext_cycle_carry_out(struct interp *interp, int column)
 {
 	struct klartext *klartext = klartext_of(interp);
@@ -270,6 +291,8 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->corner.waits)
 		return fault(&interp->at, column, "RND and CHF need a straight line behind them");
 	klartext->last.known = false;
+	if (klartext->cycle.number == 12)
+		return call_program(interp, column);
 	klartext->moved = true;
 	if (klartext->cycle.by_q)
 		return by_q(&call);

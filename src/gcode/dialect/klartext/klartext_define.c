@@ -75,7 +75,7 @@ static const struct cycle_row rows[] = {
     {9, USE_DEFINED, dwell, NULL},
     {10, USE_DEFINED, klartext_frame_rotate, NULL},
     {11, USE_DEFINED, klartext_frame_scale, NULL},
-    {12, USE_REFUSED, NULL, "a program as a cycle"},
+    {12, USE_CALLED, NULL, NULL},
     {13, USE_IGNORED, NULL, NULL}, /* orients the spindle */
     {14, USE_DEFINED, NULL, NULL},
     {17, USE_CALLED, NULL, NULL},
@@ -373,6 +373,17 @@ static bool begin(struct lexer *lexer, int number, int column)
 	return true;
 }
 
+/* "12.1 PGM NAME". */
+static bool read_program(struct lexer *lexer)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+
+	if (!klartext_take(lexer, "PGM"))
+		return fault(lexer->at, klartext_column(lexer), "CYCL DEF 12.1 needs PGM and a name");
+	return klartext_name(lexer, "a program's name", klartext->cycle_program, KLARTEXT_NAME) &&
+	       klartext_expect_end(lexer);
+}
+
 /* 7.0 begins a definition, 7.1 and on add to it, and take effect at once: each line stands for itself. */
 static bool read_part(struct lexer *lexer, int number, int part, int column)
 {
@@ -385,6 +396,8 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 			return false;
 		if (number == 14)
 			klartext_of(interp)->contour_count = 0;
+		if (number == 12)
+			klartext_of(interp)->cycle_program[0] = '\0';
 		skip_name(lexer);
 		return true;
 	}
@@ -397,6 +410,8 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 	definition->column = column;
 	if (number == 14)
 		return klartext_contour_labels(lexer);
+	if (number == 12)
+		return read_program(lexer);
 	if (!read_words(lexer, definition))
 		return false;
 	if (find_row(number) && find_row(number)->use == USE_DEFINED) {

@@ -327,21 +327,49 @@ static bool find_program(struct interp *interp, const char *name, int column, st
 	return *source || fault(&interp->at, column, "there is no file of the program %s", name);
 }
 
-static bool call_program(struct lexer *lexer)
+bool klartext_flow_call_program(struct interp *interp, const char *name, int column)
 {
-	struct interp *interp = lexer->context;
-	int column = klartext_column(lexer);
-	char name[KLARTEXT_NAME];
 	struct source *source;
 	struct position start = {.line = 1};
 
 	if (klartext_comp_is_selected(interp))
-		return fault(lexer->at, column, "CALL PGM under radius compensation is not supported; R0 comes first");
-	if (!klartext_name(lexer, "a program's name", name, sizeof(name)) || !klartext_expect_end(lexer) ||
-	    !find_program(interp, name, column, &source))
+		return fault(&interp->at, column, "CALL PGM under radius compensation is not supported; R0 comes first");
+	if (!find_program(interp, name, column, &source))
 		return false;
 	start.source = source;
 	return enter(interp, KLARTEXT_PROGRAM, source->name, &start, column);
+}
+
+static bool call_program(struct lexer *lexer)
+{
+	int column = klartext_column(lexer);
+	char name[KLARTEXT_NAME];
+
+	return klartext_name(lexer, "a program's name", name, sizeof(name)) && klartext_expect_end(lexer) &&
+	       klartext_flow_call_program(lexer->context, name, column);
+}
+
+/* "SEL PGM" names the program that "CALL SELECTED PGM" calls. */
+bool klartext_flow_select(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+
+	if (!klartext_take(lexer, "PGM"))
+		return fault(lexer->at, 1, "SEL: a selection of tables and contours is not supported yet");
+	return klartext_name(lexer, "a program's name", klartext_of(interp)->selected, KLARTEXT_NAME) &&
+	       klartext_expect_end(lexer);
+}
+
+static bool call_selected(struct lexer *lexer)
+{
+	struct interp *interp = lexer->context;
+	int column = klartext_column(lexer);
+
+	if (!klartext_take(lexer, "PGM") || !klartext_expect_end(lexer))
+		return fault(lexer->at, column, "CALL SELECTED needs PGM");
+	return klartext_of(interp)->selected[0] != '\0'
+		   ? klartext_flow_call_program(interp, klartext_of(interp)->selected, column)
+		   : fault(lexer->at, column, "CALL SELECTED PGM, but no SEL PGM has named a program");
 }
 
 bool klartext_flow_call(struct lexer *lexer)
@@ -350,6 +378,8 @@ bool klartext_flow_call(struct lexer *lexer)
 		return call_label(lexer);
 	if (klartext_take(lexer, "PGM"))
 		return call_program(lexer);
+	if (klartext_take(lexer, "SELECTED"))
+		return call_selected(lexer);
 	return fault(lexer->at, klartext_column(lexer), "CALL needs LBL or PGM");
 }
 

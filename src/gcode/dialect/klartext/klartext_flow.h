@@ -25,6 +25,12 @@ bool klartext_flow_end_of_file(struct interp *interp);
 /* The calls under way (struct dialect). */
 bool klartext_flow_caller(const struct interp *interp, size_t level, struct srcloc *at, struct strbuf *title);
 
+/* SEL PGM. False: reported. */
+bool klartext_flow_select(struct lexer *lexer);
+
+/* Calls another program, as CALL PGM does. False: reported at the column. */
+bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
+
 /*
  * Hands the lines behind LBL <name> up to LBL 0 to `line`, each with its place, until one says false. The program goes on
  * where it is. False: reported, or one said so.

@@ -90,6 +90,8 @@ static bool compute(struct expr *expr, int column, const struct function_name *f
 		*x *= *x;
 		return true;
 	case FUNCTION_SIGN:
+		if (is_zero(*x))
+			return fault(expr->lexer->at, column, "SGN of 0 is 0 on newer controls and 1 on older ones");
 		*x = (*x > 0) - (*x < 0);
 		return true;
 	case FUNCTION_NEGATE:

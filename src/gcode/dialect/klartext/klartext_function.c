@@ -122,10 +122,27 @@ static bool read_tcpm(struct lexer *lexer)
 	return true;
 }
 
+/* TNC 640 user's manual: what moves no axis, and changes feed rates, speeds, monitoring or a counter at most. */
+static bool is_harmless(const char *word)
+{
+	static const char *const words[] = {"FEED", "DWELL", "S", "DCM", "AFC", "COUNT", "HEARTBEAT"};
+
+	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
+		if (!strcmp(word, words[i]))
+			return true;
+	}
+	return false;
+}
+
 bool klartext_function_mode(struct lexer *lexer)
 {
 	int column = klartext_column(lexer);
+	struct lexer ahead = *lexer;
+	char word[KLARTEXT_WORD];
 
+	klartext_word(&ahead, word);
+	if (is_harmless(word))
+		return true;
 	if (klartext_take(lexer, "TCPM"))
 		return read_tcpm(lexer);
 	if (klartext_take(lexer, "RESET") && klartext_take(lexer, "TCPM")) {

@@ -153,11 +153,6 @@ static bool probe(struct lexer *lexer)
 	return fault(lexer->at, 1, "TCH PROBE: where the probe stops is not known before the program runs");
 }
 
-static bool select_file(struct lexer *lexer)
-{
-	return refuse(lexer, "SEL: a selection of tables and contours");
-}
-
 static bool free_contour(struct lexer *lexer)
 {
 	return refuse(lexer, "FK free contour programming");
@@ -246,7 +241,7 @@ static const struct statement {
     {"PAT", klartext_pattern_go_on, true, false},
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
-    {"SEL", select_file, false, false},
+    {"SEL", klartext_flow_select, true, false},
     {"TRANS", transform, false, false},
     {"FL", free_contour, false, false},
     {"FLT", free_contour, false, false},

@@ -169,6 +169,8 @@ struct klartext {
 	struct klartext_repeat repeats[KLARTEXT_REPEATS_MAX];
 	int repeat_count;
 	struct labels labels; /* of every source that was searched */
+	char selected[KLARTEXT_NAME]; /* by SEL PGM; empty: none */
+	char cycle_program[KLARTEXT_NAME]; /* of CYCL DEF 12 */
 	struct strbuf line; /* the line in hand, while others are read */
 	struct strbuf formula; /* of several lines, joined */
 	/* Tools. */
