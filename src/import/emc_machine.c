@@ -73,6 +73,11 @@ static const struct module {
 	 250},
 };
 
+static bool is_word(const char *text, size_t length, const char *word)
+{
+	return strlen(word) == length && !strncmp(text, word, length);
+}
+
 /* The name of the module: the first word of KINEMATICS. NULL, reported: there is none. */
 static bool find_module(const struct reading *r, const struct module **module)
 {
@@ -83,12 +88,15 @@ static bool find_module(const struct reading *r, const struct module **module)
 	if (!length)
 		return fault(r, "[KINS] has no KINEMATICS: this is no ini file of a machine of release 2.5 or later");
 	for (size_t i = 0; i < sizeof(modules) / sizeof(*modules); i++)
-		if (strlen(modules[i].name) == length && !strncmp(text, modules[i].name, length))
+		if (is_word(text, length, modules[i].name))
 			*module = &modules[i];
-	if (!*module && strncmp(text, "trivkins", length) != 0)
-		diag_warning(r->diag, place(r), "the kinematics '%.*s' are not known: the joints are taken to be the axes that they are named after",
-			     (int)length, text);
-	return true;
+	if (*module || is_word(text, length, "trivkins") || is_word(text, length, "gantrykins"))
+		return true;
+	diag_error(r->diag, place(r),
+		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, xyzbc-trt-kins and "
+		   "5axiskins are",
+		   (int)length, text);
+	return false;
 }
 
 /* Adds the value of a pin of the module. False: reported. */
@@ -178,7 +186,8 @@ static bool read_travel(struct reading *r, const char *section, double scale, st
 	axis->limit_min = fmax(axis->limit_min, scale * least);
 	axis->limit_max = fmin(axis->limit_max, scale * most);
 	rate *= 60 * (axis->rotary ? 1 : scale);
-	if (rate > 0 && (!(axis->rate_max > 0) || rate < axis->rate_max))
+	/* Some files have a rate that stands for none. */
+	if (rate > 0 && rate < 1e9 && (!(axis->rate_max > 0) || rate < axis->rate_max))
 		axis->rate_max = rate;
 	if (!isnan(home) && !axis->home.given && fabs(home) > 0)
 		axis->home = (struct optional_number){true, scale * home};

@@ -35,6 +35,17 @@ static const char *root_name(const char *text)
 	return at && *at == '<' ? at + 1 : NULL;
 }
 
+/* Sections that an ini file of such a machine has; one of them may be in a file that it includes. */
+static bool is_ini(const char *text)
+{
+	static const char *const sections[] = {"\n[EMC]", "\n[KINS]", "\n[TRAJ]"};
+
+	for (size_t i = 0; i < sizeof(sections) / sizeof(*sections); i++)
+		if (strstr(text, sections[i]) || !strncmp(text, sections[i] + 1, strlen(sections[i]) - 1))
+			return true;
+	return false;
+}
+
 static bool tell(enum file_kind *kind, const char *text)
 {
 	const char *root = root_name(text);
@@ -47,7 +58,7 @@ static bool tell(enum file_kind *kind, const char *text)
 			return true;
 	}
 	*kind = FILE_EMC_MACHINE;
-	if (!root && (!strncmp(text, "[KINS]", 6) || strstr(text, "\n[KINS]")))
+	if (!root && is_ini(text))
 		return true;
 	*kind = FILE_TOOLS;
 	return library_kind_of(text) != LIBRARY_NONE;

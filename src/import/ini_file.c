@@ -117,6 +117,16 @@ static bool read_line(struct reading *r, const char *line, size_t length)
 	return true;
 }
 
+/* A line whose last character is a backslash goes on in the next one; *lines says how often. */
+static size_t line_length(const char *text, long *lines)
+{
+	size_t length = strcspn(text, "\n");
+
+	for (*lines = 0; length && text[length] && text[length - 1] == '\\'; ++*lines)
+		length += 1 + strcspn(text + length + 1, "\n");
+	return length;
+}
+
 /* NOLINTNEXTLINE(misc-no-recursion) */
 static bool read_file(struct reading *r, const char *path)
 {
@@ -128,10 +138,12 @@ static bool read_file(struct reading *r, const char *path)
 		return false;
 	r->at = (struct srcloc){.file = arena_strdup(&r->ini->arena, path)};
 	for (at = file.bytes; good && *at;) {
-		size_t length = strcspn(at, "\n");
+		long lines;
+		size_t length = line_length(at, &lines);
 
 		r->at.line++;
 		good = read_line(r, at, length);
+		r->at.line += lines;
 		at += length;
 		at += *at == '\n';
 	}
