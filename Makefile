@@ -10,7 +10,7 @@ LIBDIR ?= lib
 OBJCOPY ?= objcopy
 
 # Folders may be nested; main.c is not part of the library, nor is what WebAssembly lacks.
-SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c ! -path 'src/wasi/*'))
+SOURCES := $(sort $(shell find src -name '*.c' ! -path src/main.c ! -path 'src/mesh/*' ! -path 'src/wasi/*'))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 SCHEMAS := $(sort $(shell find src/machine -name '*.rng'))
 JSON_SCHEMAS := $(sort $(shell find src/report -name '*.schema.json'))
@@ -19,19 +19,25 @@ PLOTS := $(sort $(wildcard examples/plots/*.gnuplot))
 COMPLETIONS := $(patsubst %,$(BUILD)/completion/fivecheck.%,bash zsh fish)
 # Where zsh looks for functions differs: Debian's packages have share/zsh/vendor-completions.
 ZSH_FUNCTIONS ?= share/zsh/site-functions
+# The program that reads meshes of other formats for the import; without libassimp there is none.
+MESH_PROGRAM := $(if $(shell pkg-config --exists assimp 2>/dev/null && echo yes),fivecheck-mesh)
 # What install puts below PREFIX, all of it, and uninstall removes.
-INSTALLED := bin/fivecheck include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR)/pkgconfig/fivecheck.pc \
+INSTALLED := bin/fivecheck $(addprefix bin/,$(MESH_PROGRAM)) include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR)/pkgconfig/fivecheck.pc \
 	$(addprefix share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS))) \
 	$(foreach m,$(MANUALS),share/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m))) \
 	share/bash-completion/completions/fivecheck $(ZSH_FUNCTIONS)/_fivecheck share/fish/vendor_completions.d/fivecheck.fish
 
-all: $(BUILD)/fivecheck $(COMPLETIONS) $(BUILD)/man/fivecheck-gcode.5 $(BUILD)/installed/libfivecheck.a
+all: $(BUILD)/fivecheck $(addprefix $(BUILD)/,$(MESH_PROGRAM)) $(COMPLETIONS) $(BUILD)/man/fivecheck-gcode.5 $(BUILD)/installed/libfivecheck.a
 
 $(BUILD)/fivecheck: $(BUILD)/src/main.o $(BUILD)/libfivecheck.a
 	@echo '  LD $@'
 	$(Q)$(CC) $(C_FLAGS) $(LD_FLAGS) -o $@ $^ $(LDLIBS)
 
 # The list of objects is a prerequisite, too: a source that was moved or deleted leaves the archive.
+$(BUILD)/fivecheck-mesh: $(BUILD)/src/mesh/main.o
+	@echo '  LD $@'
+	$(Q)$(CC) $(C_FLAGS) $(LD_FLAGS) -o $@ $< $(shell pkg-config --libs assimp) -lm
+
 $(BUILD)/libfivecheck.a: $(OBJECTS) $(BUILD)/objects
 	@rm -f $@
 	@echo '  AR $@'
@@ -124,4 +130,4 @@ help:
 
 .PHONY: all clean demo-web dist help install uninstall web $(TEST_TARGETS)
 
--include $(OBJECTS:.o=.d) $(BUILD)/src/main.d
+-include $(OBJECTS:.o=.d) $(BUILD)/src/main.d $(BUILD)/src/mesh/main.d

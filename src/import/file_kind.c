@@ -4,6 +4,7 @@
 #include <strings.h>
 
 #include "base/file_bytes.h"
+#include "import/mesh_file.h"
 #include "machine/library/library_file.h"
 
 /* What stands between the start of an XML file and its root element is short. */
@@ -46,7 +47,7 @@ static bool is_ini(const char *text)
 	return false;
 }
 
-static bool tell(enum file_kind *kind, const char *text)
+static bool tell(enum file_kind *kind, const char *path, const char *text)
 {
 	const char *root = root_name(text);
 
@@ -57,6 +58,9 @@ static bool tell(enum file_kind *kind, const char *text)
 		if (!strncmp(root, xml_roots[i].root, length) && strchr(" \t\r\n/>", root[length]))
 			return true;
 	}
+	*kind = FILE_MESH;
+	if (mesh_file_format(path) != MESH_OTHER)
+		return true;
 	*kind = FILE_EMC_MACHINE;
 	if (!root && is_ini(text))
 		return true;
@@ -95,7 +99,7 @@ bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)
 
 	if (!file_bytes_read(&file, path, diag))
 		return false;
-	known = tell(kind, file.bytes);
+	known = tell(kind, path, file.bytes);
 	if (!known)
 		diag_error(diag, (struct srcloc){.file = path}, "%s", advice(path, file.bytes));
 	file_bytes_release(&file);

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "geom/stl.h"
+#include "import/mesh_helper.h"
+#include "import/ply_check.h"
 #include "import/vericut_mesh.h"
 
 /* The length of the next part of a path. */
@@ -92,10 +94,70 @@ static bool is_vericut(const char *path)
 	return vericut_mesh_is(bytes, count);
 }
 
+static bool ends_with(const char *path, const char *end)
+{
+	size_t length = strlen(path);
+
+	return length > strlen(end) && !strcasecmp(path + length - strlen(end), end);
+}
+
+enum mesh_format mesh_file_format(const char *path)
+{
+	char bytes[5] = "";
+	FILE *file = fopen(path, "re");
+	size_t count = file ? fread(bytes, 1, sizeof(bytes) - 1, file) : 0;
+
+	if (file)
+		fclose(file);
+	if (count == 4 && !memcmp(bytes, "glTF", 4))
+		return MESH_GLTF;
+	if (count == 4 && !memcmp(bytes, "PK\003\004", 4))
+		return ends_with(path, ".3mf") ? MESH_3MF : MESH_OTHER;
+	if (count == 4 && !memcmp(bytes, "ply", 3) && strchr("\r\n", bytes[3]))
+		return MESH_PLY;
+	if (ends_with(path, ".gltf"))
+		return MESH_GLTF;
+	return ends_with(path, ".obj") ? MESH_OBJ : MESH_OTHER;
+}
+
+/* All parts of the file as one mesh. */
+static bool read_parts(struct mesh *out, const char *path, double scale, struct diag *diag)
+{
+	struct mesh_build all = {.scale = 1};
+	struct mesh_parts parts = {0};
+	bool good = (mesh_file_format(path) != MESH_PLY || ply_check(path, diag)) &&
+		    mesh_helper_read(&parts, path, scale, false, diag);
+
+	for (size_t i = 0; good && i < parts.count; i++)
+		for (size_t t = 0; good && t < parts.items[i].build.mesh.count; t++) {
+			const mesh_triangle *triangle = &parts.items[i].build.mesh.triangles[t];
+			vec3 corners[3];
+
+			for (int k = 0; k < 3; k++)
+				corners[k] = mesh_corner(triangle, k);
+			good = mesh_build_add(&all, corners);
+		}
+	mesh_parts_release(&parts);
+	if (good)
+		mesh_build_finish(&all, out);
+	else
+		mesh_build_discard(&all);
+	return good;
+}
+
 bool mesh_file_read(struct mesh *out, const char *path, double scale, struct diag *diag)
 {
+	const enum mesh_format format = mesh_file_format(path);
+
 	if (is_vericut(path))
 		return vericut_mesh_read(out, path, scale, diag);
+	if (format == MESH_OBJ || format == MESH_PLY)
+		return read_parts(out, path, scale, diag);
+	if (format != MESH_OTHER) {
+		diag_error(diag, (struct srcloc){.file = path},
+			   "such a mesh says its own units: turn it into STL first, with 'fivecheck import', and name the STL");
+		return false;
+	}
 	if (!stl_read(out, path, diag))
 		return false;
 	mesh_scale(out, scale);

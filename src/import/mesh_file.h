@@ -15,7 +15,15 @@
  */
 bool mesh_file_find(struct strbuf *found, const char *folder, const char *file, const char *written);
 
-/* Reads a mesh of a known format, told by its content: STL or VERICUT-model. `scale`: mm per unit of the file. */
+/* The formats that mesh_helper.h reads; told by the content, OBJ and glTF as text by the name. */
+enum mesh_format { MESH_OTHER, MESH_OBJ, MESH_PLY, MESH_3MF, MESH_GLTF };
+
+enum mesh_format mesh_file_format(const char *path);
+
+/*
+ * Reads a mesh of a known format, told by its content: STL, VERICUT-model, OBJ or PLY, all parts of it together. `scale`: mm
+ * per unit of the file. False, reported.
+ */
 bool mesh_file_read(struct mesh *out, const char *path, double scale, struct diag *diag);
 
 #endif

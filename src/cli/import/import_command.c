@@ -7,6 +7,9 @@
 #include "control/dialects.h"
 #include "import/emc_machine.h"
 #include "import/file_kind.h"
+#include "import/mesh_file.h"
+#include "import/mesh_helper.h"
+#include "import/ply_check.h"
 #include "import/urdf_machine.h"
 #include "import/vericut_machine.h"
 #include "base/units.h"
@@ -41,7 +44,7 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 struct request {
 	struct import_options options;
 	const char *file, *output;
-	bool number_tools, inch;
+	bool number_tools, inch, unit_given;
 	size_t operands;
 	int dialect;	/* row of control/dialects.h; -1: not given */
 	bool help;
@@ -67,6 +70,7 @@ static enum argv_result take_dialect(struct request *request, const char *name)
 
 static enum argv_result take_unit(struct request *request, const char *name)
 {
+	request->unit_given = true;
 	request->inch = !strcmp(name, unit_names[1]);
 	if (request->inch || !strcmp(name, unit_names[0]))
 		return ARGV_NEXT;
@@ -154,6 +158,7 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	case FILE_URDF:
 		return urdf_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_VERICUT_MACHINE:
+	case FILE_MESH:
 	case FILE_TOOLS:
 		break;
 	}
@@ -213,12 +218,57 @@ static bool import_tools(const struct request *request)
 	return good;
 }
 
+/* Every part of the file as a body, without a machine. False: reported. */
+static bool read_parts(const struct request *request, struct import_machine *machine)
+{
+	const enum mesh_format format = mesh_file_format(request->file);
+	const double unit = format == MESH_GLTF ? 1000 : request->inch ? MM_PER_INCH : 1;
+	const xform frame = xform_identity();
+	struct mesh_parts parts = {0};
+	bool good;
+
+	if (format == MESH_3MF && !request->unit_given) {
+		diag_error(request->diag, (struct srcloc){.file = request->file},
+			   "the unit of such a file is not read: say with --units whether it is mm or inch");
+		return false;
+	}
+	good = (format != MESH_PLY || ply_check(request->file, request->diag)) &&
+	       mesh_helper_read(&parts, request->file, unit, format == MESH_GLTF, request->diag);
+	for (size_t i = 0; good && i < parts.count; i++) {
+		struct mesh mesh = {0};
+
+		mesh_build_finish(&parts.items[i].build, &mesh);
+		import_machine_add_body(machine, parts.items[i].name, "mesh", 0, &frame, &mesh);
+	}
+	mesh_parts_release(&parts);
+	return good;
+}
+
+static bool import_meshes(const struct request *request)
+{
+	struct import_machine machine = {0};
+	struct strbuf path = {0};
+	bool good;
+
+	strbuf_addf(&path, "%s/stl", request->output);
+	good = import_output_is_new(strbuf_text(&path), request->diag) && read_parts(request, &machine) &&
+	       import_output_write_meshes(&machine, request->output, request->diag);
+	for (size_t i = 0; good && i < machine.description.body_count; i++)
+		diag_note(request->diag, nowhere, "wrote %s/%s with %zu triangles, in mm", request->output,
+			  machine.description.bodies[i].mesh_path, machine.meshes[i].count);
+	import_machine_release(&machine);
+	strbuf_release(&path);
+	return good;
+}
+
 static bool import_file(const struct request *request)
 {
 	enum file_kind kind;
 
 	if (!file_kind_of(&kind, request->file, request->diag))
 		return false;
+	if (kind == FILE_MESH)
+		return import_meshes(request);
 	return kind == FILE_TOOLS ? import_tools(request) : import_machine(request, kind);
 }
 

@@ -68,20 +68,28 @@ static void add_origin(struct strbuf *out, const char *source)
 	strbuf_addf(out, "Made by fivecheck import from %s.", slash ? slash + 1 : source);
 }
 
-bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
-			 struct diag *diag)
+bool import_output_write_meshes(const struct import_machine *machine, const char *folder, struct diag *diag)
 {
-	struct strbuf text = {0}, meshes = {0}, origin = {0};
+	struct strbuf meshes = {0};
 	bool good;
 
 	strbuf_addf(&meshes, "%s/stl", folder);
 	good = make_folder(folder, diag) && make_folder(strbuf_text(&meshes), diag) &&
 	       write_meshes(machine, folder, diag);
+	strbuf_release(&meshes);
+	return good;
+}
+
+bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
+			 struct diag *diag)
+{
+	struct strbuf text = {0}, origin = {0};
+	bool good = import_output_write_meshes(machine, folder, diag);
+
 	add_origin(&origin, source);
 	machine_writer_xml(&text, machine, strbuf_text(&origin));
 	good = good && write_file(folder, "machine.xml", &text, diag);
 	strbuf_release(&text);
-	strbuf_release(&meshes);
 	strbuf_release(&origin);
 	return good;
 }

@@ -17,6 +17,9 @@ bool import_output_is_new(const char *path, struct diag *diag);
 bool import_output_write(const struct import_machine *machine, const char *folder, const char *source,
 			 struct diag *diag);
 
+/* Only the folder and the meshes. */
+bool import_output_write_meshes(const struct import_machine *machine, const char *folder, struct diag *diag);
+
 /* The same for setup.xml. */
 bool import_output_write_tools(const struct tool_library *tools, const char *folder, const char *source,
 			       struct diag *diag);
