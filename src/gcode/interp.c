@@ -37,6 +37,7 @@ void interp_free(struct interp *interp)
 	tool_table_release(&interp->tools);
 	comp_queue_release(&interp->comp.queue);
 	free(interp->corner.text);
+	free(interp->spline.points);
 	if (interp->dialect_state)
 		interp->config->dialect->state_free(interp->dialect_state);
 	free(interp);

@@ -189,6 +189,16 @@ struct pending_corner {
 	struct comp_way way;
 };
 
+/* LinuxCNC's splines: execute/spline_move.h. Lengths in mm. */
+struct spline_memory {
+	bool goes_on;	/* the last motion was a G5, which ended with P and Q */
+	double p, q;
+	bool open;	/* G5.2 has begun, and collects */
+	int order;
+	size_t count;
+	struct spline_point *points;	/* owned */
+};
+
 struct interp {
 	const struct gcode_config *config;
 	const struct kinematics *kinematics;
@@ -203,6 +213,7 @@ struct interp {
 	struct tool_table tools;
 	struct cutter_comp comp;
 	struct pending_corner corner;
+	struct spline_memory spline;
 	struct block_cautions cautions;
 	bool cautioned_feed, cautioned_order, cautioned_t;
 	bool cautioned_retract, cautioned_by_hand, cautioned_probe, cautioned_no_shift, cautioned_line, cautioned_wear;

@@ -79,7 +79,7 @@ static const struct bad codes[] = {
     {"G42.1\n", 1, 1, "G42.1 needs the tool's diameter in D"},
     {"G43.1 Z1\n", 1, 1, "G43.1: dynamic tool length offset is not supported yet"},
     {"G43.2 H1\n", 1, 1, "G43.2: additional tool length offset is not supported yet"},
-    {"G5.1 X1 I1 J1\n", 1, 1, "G5.1: quadratic spline is not supported yet"},
+    {"G6 X1 I1 J1\n", 1, 1, "G6: NURBS block is not supported yet"},
     {"G96 D100\n", 1, 1, "G96 needs S, the surface speed"},
     {"G97 D1\n", 1, 5, "no code in the block uses the word D"},
     {"G1 F1 X1 M62\n", 1, 10, "M62 needs P, the number of the output"},

@@ -19,6 +19,7 @@
 #include "gcode/execute/probed_axes.h"
 #include "gcode/execute/reference_return.h"
 #include "gcode/execute/scaling.h"
+#include "gcode/execute/spline_move.h"
 #include "gcode/execute/straight_move.h"
 #include "gcode/execute/tool_change.h"
 #include "gcode/execute/tool_length.h"
@@ -324,14 +325,15 @@ static bool execute_motion(struct interp *interp)
 	    {G0, straight_move_run},	 {G1, straight_move_run},     {G2, arc_move_run},
 	    {G3, arc_move_run},		 {G80, cancel_motion},	      {G33, feedback_moves_run},
 	    {G31, feedback_moves_run},	 {311, feedback_moves_run},   {312, feedback_moves_run},
-	    {G31_3, feedback_moves_run},
+	    {G31_3, feedback_moves_run}, {G5, spline_move_run},	      {G5_1, spline_move_run},
+	    {G5_2, spline_move_run},	 {G5_3, spline_move_run},
 	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
 	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
 	};
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
-	if (!tool_vector_check_block(interp) || !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
+	if (!tool_vector_check_block(interp) || !spline_move_check_block(interp) || !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
 		return false;
 	if (given >= G0 && given <= G3)
 		state->motion = state->path_motion = given;

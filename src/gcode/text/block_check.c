@@ -244,6 +244,21 @@ static uint32_t contour_letters(int code)
 			      : letter_bit('P');
 }
 
+/* Points of the curve, and of a NURBS its order and the weights of its points: execute/spline_move.c. */
+static uint32_t spline_letters(int motion)
+{
+	switch (motion) {
+	case G5:
+		return bits_of("IJPQ");
+	case G5_1:
+		return bits_of("IJ");
+	case G5_2:
+		return bits_of("LP");
+	default:
+		return 0;
+	}
+}
+
 /* What G10 sets, with the words of lathe tools, which execute/g10_tool_table.c refuses. */
 static uint32_t data_letters(const struct block *block, const struct dialect *dialect)
 {
@@ -331,6 +346,7 @@ static uint32_t used_letters(const struct block *block, const struct dialect *di
 	/* Fanuc B-64484EN, "Multi-step Skip": which signals are waited for. */
 	if (block->motion >= G31 && block->motion <= G31_3)
 		used |= letter_bit('P');
+	used |= spline_letters(block->motion);
 	if (block->motion == G33 || block->motion == G33_1)
 		used |= letter_bit('K');
 	if (block->motion == G33_1)
@@ -438,7 +454,8 @@ bool block_check(struct block *block, const struct line_place *at, const struct 
 	if (!(dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4) &&
 	    !find_motion(block, at, &dialect->traits, modes))
 		return false;
-	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && !(block->letters & AXIS_BITS) &&
+	if (block->g[G_MOTION] > G3 && block->g[G_MOTION] != G80 && block->g[G_MOTION] != G5_2 &&
+	    block->g[G_MOTION] != G5_3 && !(block->letters & AXIS_BITS) &&
 	    !(dialect->traits.cycles && dialect->traits.cycles->without_axes == ANSWER_YES))
 		return fault(at, block->g_column[G_MOTION], "G%g without an axis word", block->g[G_MOTION] / 10.0);
 	if (block->g[G_NONMODAL] != CODE_NONE && !check_nonmodal(block, at, config, modes))

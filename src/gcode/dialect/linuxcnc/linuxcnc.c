@@ -8,11 +8,11 @@
 
 /* LinuxCNC's manual, "G-Codes", "M-Codes". */
 static const struct code g_codes[] = {
-	/* Splines are made of arcs between points of the curve: how many, and how far beside it, differs by version. */
-	{50, GROUP_NONE, CODE_REFUSED, "cubic spline"},
-	{51, GROUP_NONE, CODE_REFUSED, "quadratic spline"},
-	{52, GROUP_NONE, CODE_REFUSED, "NURBS block"},
-	{53, GROUP_NONE, CODE_REFUSED, "NURBS block"},
+	/* Splines are made of arcs between points of the curve: spline.h. */
+	{G5, G_MOTION, CODE_BOUNDED, "cubic spline"},
+	{G5_1, G_MOTION, CODE_BOUNDED, "quadratic spline"},
+	{G5_2, G_MOTION, CODE_BOUNDED, "NURBS block"},
+	{G5_3, G_MOTION, CODE_BOUNDED, "end of the NURBS block"},
 	{60, GROUP_NONE, CODE_REFUSED, "NURBS block"},
 	{61, GROUP_NONE, CODE_REFUSED, "NURBS block"},
 	{62, GROUP_NONE, CODE_REFUSED, "NURBS block"},

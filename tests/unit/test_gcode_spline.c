@@ -1,0 +1,255 @@
+/*
+ * test_gcode_spline.c - LinuxCNC's splines against the curve by its definition, and against the arcs that join points of
+ * the curve: none of their points lies outside of the boxes.
+ */
+#include "gcode_case.h"
+#include "random.h"
+
+#define PIECES_MAX 64
+#define SAMPLES 40
+#define ROUNDING 1e-6
+
+struct piece {
+	double x0, y0, x1, y1, beside_x, beside_y;
+};
+
+static size_t run(const char *program, struct piece pieces[PIECES_MAX])
+{
+	struct gcode_case c;
+	size_t count = 0;
+	double x0 = 0, y0 = 0;
+	bool good;
+
+	case_init(&c);
+	c.show_spread = true;
+	good = case_run(&c, program);
+	ck_assert_msg(good, "%s: %s", program, strbuf_text(&c.messages));
+	for (const char *line = strbuf_text(&c.moves); line && *line; line = strchr(line, '\n') + 1) {
+		struct piece *piece = &pieces[count];
+		double z, a, b, beside;
+
+		ck_assert(count < PIECES_MAX);
+		*piece = (struct piece){.x0 = x0, .y0 = y0};
+		ck_assert_int_ge(sscanf(line, "feed %lf %lf %lf %lf %lf spread %lf %lf %lf", &piece->x1, &piece->y1, &z, &a, &b,
+					&piece->beside_x, &piece->beside_y, &beside), 5);
+		x0 = piece->x1, y0 = piece->y1;
+		count++;
+	}
+	case_release(&c);
+	return count;
+}
+
+/* Some point of the line whose box has this one. */
+static void expect_inside(const struct piece *piece, double x, double y)
+{
+	double low = 0, high = 1, wx = piece->x1 - piece->x0, wy = piece->y1 - piece->y0;
+	const double way[2] = {wx, wy}, at[2] = {x - piece->x0, y - piece->y0};
+	const double beside[2] = {piece->beside_x + ROUNDING, piece->beside_y + ROUNDING};
+
+	for (int i = 0; i < 2; i++) {
+		double a, b;
+
+		if (fabs(way[i]) < 1e-12) {
+			ck_assert_double_le(fabs(at[i]), beside[i]);
+			continue;
+		}
+		a = (at[i] - beside[i]) / way[i];
+		b = (at[i] + beside[i]) / way[i];
+		low = fmax(low, fmin(a, b));
+		high = fmin(high, fmax(a, b));
+	}
+	require(low <= high, "(%g, %g) is outside of the box from (%g, %g) to (%g, %g)", x, y, piece->x0, piece->y0,
+		      piece->x1, piece->y1);
+}
+
+/* Basis functions of Cox and de Boor over the knots 0 (order times), 1, 2, ..., by their recursion. */
+static double knot(int index, int order, int count)
+{
+	int value = index - order + 1, last = count - order + 1;
+
+	return value < 0 ? 0 : value > last ? last : value;
+}
+
+static double basis(int i, int k, double u, int order, int count)
+{
+	double a = knot(i, order, count), b = knot(i + 1, order, count), c = knot(i + k - 1, order, count),
+	       d = knot(i + k, order, count);
+
+	if (k == 1)
+		return a <= u && u < b ? 1 : 0;
+	return (c > a ? (u - a) / (c - a) * basis(i, k - 1, u, order, count) : 0) +
+	       (d > b ? (d - u) / (d - b) * basis(i + 1, k - 1, u, order, count) : 0);
+}
+
+struct control {
+	double x, y, w;
+};
+
+static void evaluate(const struct control *points, int count, int order, double u, double *x, double *y)
+{
+	double sum = 0;
+
+	*x = *y = 0;
+	for (int i = 0; i < count; i++) {
+		double part = basis(i, order, u, order, count) * points[i].w;
+
+		*x += part * points[i].x;
+		*y += part * points[i].y;
+		sum += part;
+	}
+	*x /= sum;
+	*y /= sum;
+}
+
+/* The joint of the two arcs: half way between the ends of tangents that are each half as long as what lies between them. */
+static void expect_joint(const struct piece *piece, const struct control *points, int count, int order, double u0,
+			 double u1)
+{
+	double ax, ay, bx, by, cx, cy, dx, dy, h = 1e-6 * (u1 - u0), low = 0, high = 1;
+
+	evaluate(points, count, order, u0, &ax, &ay);
+	evaluate(points, count, order, u0 + h, &bx, &by);
+	evaluate(points, count, order, u1 - h, &cx, &cy);
+	evaluate(points, count, order, u1 - 1e-12, &dx, &dy);
+	bx -= ax, by -= ay, cx = dx - cx, cy = dy - cy;
+	for (double *t[2] = {&bx, &cx}, *s[2] = {&by, &cy}, **p = t; p < t + 2; p++) {
+		double *q = s[p - t], length = sqrt(**p * **p + *q * *q);
+
+		**p /= length, *q /= length;
+	}
+	high = 2 * hypot(dx - ax, dy - ay);
+	for (int i = 0; i < 100; i++) {
+		double d = (low + high) / 2, gap = hypot(dx - d * cx - ax - d * bx, dy - d * cy - ay - d * by);
+
+		*(gap > 2 * d ? &low : &high) = d;
+	}
+	expect_inside(piece, (ax + low * bx + dx - low * cx) / 2, (ay + low * by + dy - low * cy) / 2);
+}
+
+static void expect_curve(const char *program, const struct control *points, int count, int order)
+{
+	struct piece pieces[PIECES_MAX];
+	const size_t found = run(program, pieces);
+	const double last = count - order + 1;
+
+	ck_assert_uint_eq(found, 4 * (size_t)count);
+	for (size_t i = 0; i < found; i++) {
+		double u0 = last * (double)i / (double)found, u1 = last * (double)(i + 1) / (double)found, x, y;
+
+		for (int k = 0; k < SAMPLES; k++) {
+			evaluate(points, count, order, u0 + (u1 - u0) * k / SAMPLES, &x, &y);
+			expect_inside(&pieces[i], x, y);
+		}
+		expect_joint(&pieces[i], points, count, order, u0, u1);
+	}
+	ck_assert_double_eq_tol(pieces[found - 1].x1, points[count - 1].x, ROUNDING);
+	ck_assert_double_eq_tol(pieces[found - 1].y1, points[count - 1].y, ROUNDING);
+}
+
+/* A way of points that turn less than a right angle, so that no tangent turns back. */
+static void walk(struct random *random, struct control *points, int count, bool weights)
+{
+	double angle = random_in(random, -3, 3);
+
+	points[0] = (struct control){0, 0, 1};
+	for (int i = 1; i < count; i++) {
+		double way = random_in(random, 5, 30);
+
+		angle += random_in(random, -0.7, 0.7);
+		points[i] = (struct control){points[i - 1].x + way * cos(angle), points[i - 1].y + way * sin(angle),
+					     weights ? random_in(random, 0.5, 2) : 1};
+	}
+}
+
+/* LinuxCNC's manual, "G5 Cubic Spline", "G5.1 Quadratic Spline", "G5.2 G5.3 NURBS Block". */
+START_TEST(curves)
+{
+	const long cases = random_cases(60);
+
+	for (long i = 0; i < cases; i++) {
+		struct random random = random_case(5, i);
+		struct strbuf text = {0};
+		struct control p[8];
+		int count = 4 + random_below(&random, 4), order = 3 + random_below(&random, 2);
+
+		walk(&random, p, 4, false);
+		strbuf_addf(&text, "F9\nG5 X%.12f Y%.12f I%.12f J%.12f P%.12f Q%.12f\nM2\n", p[3].x, p[3].y, p[1].x, p[1].y,
+			    p[2].x - p[3].x, p[2].y - p[3].y);
+		expect_curve(text.text, p, 4, 4);
+		strbuf_release(&text);
+		walk(&random, p, 3, false);
+		strbuf_addf(&text, "F9\nG5.1 X%.12f Y%.12f I%.12f J%.12f\nM2\n", p[2].x, p[2].y, p[1].x, p[1].y);
+		expect_curve(text.text, p, 3, 3);
+		strbuf_release(&text);
+		walk(&random, p, count, true);
+		strbuf_addf(&text, "F9\nG5.2 L%d\n", order);
+		for (int k = 1; k < count; k++)
+			strbuf_addf(&text, "X%.12f Y%.12f P%.12f\n", p[k].x, p[k].y, p[k].w);
+		strbuf_addf(&text, "G5.3\nM2\n");
+		expect_curve(text.text, p, count, order);
+		strbuf_release(&text);
+	}
+}
+END_TEST
+
+/* The manual's example: a second G5 without I and J goes on in the direction in which the first one ends. */
+START_TEST(goes_on)
+{
+	struct piece once[PIECES_MAX], again[PIECES_MAX];
+	const size_t count = run("G90 G17 F9\nG5 I0 J3 P0 Q-3 X1 Y1\nP0 Q3 X2 Y2\nM2\n", once);
+
+	ck_assert_uint_eq(count, 32);
+	ck_assert_uint_eq(run("G90 G17 F9\nG5 I0 J3 P0 Q-3 X1 Y1\nG5 I0 J3 P0 Q3 X2 Y2\nM2\n", again), 32);
+	ck_assert_mem_eq(once, again, count * sizeof(*once));
+}
+END_TEST
+
+static const struct bad {
+	const char *program, *message;
+} bads[] = {
+    {"G5 X1 Y1 P1 Q1", "p.nc:2:1: error: the first G5 of a row needs I and J"},
+    {"G5 X1 Y1 I1 P1 Q1", "p.nc:2:10: error: G5 needs both I and J, or none of them"},
+    {"G5 X1 Y1 I1 J1", "p.nc:2:1: error: G5 needs P and Q"},
+    {"G5.1 X1 Y1", "p.nc:2:1: error: G5.1 needs I or J"},
+    {"G5 X1 Y1 Z1 I1 J1 P1 Q1", "p.nc:2:10: error: Z with a spline, which moves X and Y"},
+    {"G18 G5.1 X1 Y1 I1", "p.nc:2:5: error: a spline needs the plane of G17"},
+    {"G91 G5.1 X1 Y1 I1", "p.nc:2:5: error: a spline in G91, under tool centre point control or cutter compensation is not"},
+    {"G5.1 X1 Y0 I10", "this spline turns back on itself, or has points that coincide"},
+    {"G5.3", "p.nc:2:1: error: G5.3 without a G5.2 before"},
+    {"G5.2\nX1 Y1\nG5.3", "p.nc:4:1: error: a spline of order 3 needs as many points"},
+    {"G5.2\nX1 Y1\nG1 X2", "p.nc:4:1: error: only points, with X, Y and P, stand between G5.2 and G5.3"},
+    {"G5.2\nX1 Y1 P0", "p.nc:3:7: error: P, the weight of a point, must be more than 0"},
+    {"G5.2 X1", "p.nc:2:1: error: G5.2 with axis words is not supported; the first point is where the tool stands"},
+};
+
+START_TEST(refused)
+{
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	case_init(&c);
+	strbuf_addf(&program, "F9\n%s\nM2\n", bads[_i].program);
+	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", bads[_i].program);
+	ck_assert_msg(strstr(strbuf_text(&c.messages), bads[_i].message), "%s", strbuf_text(&c.messages));
+	strbuf_release(&program);
+	case_release(&c);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("gcode_spline");
+	TCase *tcase = tcase_create("gcode_spline");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(tcase, curves);
+	tcase_add_test(tcase, goes_on);
+	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
+	suite_add_tcase(suite, tcase);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
