@@ -138,14 +138,15 @@ static bool fits(const struct klartext *klartext, const struct klartext_path *pa
 		   RADIUS_TOLERANCE;
 }
 
-/* In any of the planes in which it fits, it lies in this cube about the pole: how far that is from the straight line. */
+/* In any plane in which it fits, it lies in this cube about the pole: how far that is from the straight line. */
 static void bound_circle(const struct klartext *klartext, struct klartext_path *path, vec3 end)
 {
 	const double radius = vec3_norm(vec3_sub(path->start, klartext->pole)) + RADIUS_TOLERANCE;
 
 	path->open = true;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		const double from = klartext_pole_coordinate(path->start, slot), to = klartext_pole_coordinate(end, slot),
+		const double from = klartext_pole_coordinate(path->start, slot),
+			     to = klartext_pole_coordinate(end, slot),
 			     pole = klartext_pole_coordinate(klartext->pole, slot);
 
 		path->half[slot] = fmax(pole + radius - fmin(from, to), fmax(from, to) - (pole - radius));
@@ -179,14 +180,16 @@ static bool shape_about_pole(struct interp *interp, const struct klartext_words 
 	if (whole && across == SLOT_Z && (klartext->spatial_pole || klartext_words_has(words, SLOT_Z)) &&
 	    !fits(klartext, path, target->point, SLOT_Z)) {
 		if (!find_plane(klartext, path, target->point, &across))
-			return fault(&interp->at, words->first_column,
-				     "the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or "
-				     "it leaves the plane; a helix is written as CP");
+			return fault(
+			    &interp->at, words->first_column,
+			    "the circle about this CC lies in none of the planes XY, YZ and ZX: its radii differ, or "
+			    "it leaves the plane; a helix is written as CP");
 		centre = klartext_pole_flat(klartext->pole, across);
 	} else if (!klartext->spatial_pole && !check_across(interp, words, across, "circle")) {
 		return false;
 	}
-	return path->open || fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
+	return path->open ||
+	       fill_arc(interp, path, target->point, centre, across, words->direction, words->first_column);
 }
 
 bool klartext_circle_about_pole(struct lexer *lexer)

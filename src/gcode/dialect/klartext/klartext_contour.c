@@ -235,8 +235,7 @@ static bool find_heights(const struct klartext_call_of *data, struct klartext_re
 static bool check(const struct klartext_call_of *call, const struct klartext_call_of *data)
 {
 	if (data->cycle->number != 20)
-		return fault(&call->interp->at, call->column, "CYCL DEF %d without CYCL DEF 20",
-			     call->cycle->number);
+		return fault(&call->interp->at, call->column, "CYCL DEF %d without CYCL DEF 20", call->cycle->number);
 	if (klartext_frame_is_scaled(call->interp))
 		return fault(&call->interp->at, call->column,
 			     "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known "
@@ -256,8 +255,8 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	    .interp = interp, .cycle = &klartext_of(interp)->contour_data, .column = call->column};
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
 	const double radius = tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->wider)) : 0;
-	const double more = fmax(0, -klartext_parameter_length_or(&data, 3, 0)) +
-			    fmax(0, -klartext_parameter_length_or(call, 14, 0));
+	const double more =
+	    fmax(0, -klartext_parameter_length_or(&data, 3, 0)) + fmax(0, -klartext_parameter_length_or(call, 14, 0));
 	struct klartext_region region = {.centre = klartext_frame_point(interp)};
 	struct outline outline;
 

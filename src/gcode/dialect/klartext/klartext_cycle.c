@@ -150,7 +150,8 @@ static bool check_reference(const struct klartext_call_of *call)
 {
 	return same_double(klartext_parameter_or(call, 395, 0), 0) ||
 	       fault(&call->interp->at, call->column,
-		     "Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the depth of "
+		     "Q395=1: a depth that counts to the full diameter needs the point angle of the tool; give the "
+		     "depth of "
 		     "the tip in Q201 and Q395=0");
 }
 
@@ -185,7 +186,8 @@ static bool by_parts(const struct klartext_call_of *call)
 {
 	struct interp *interp = call->interp;
 	int number = call->cycle->number;
-	double scale = interp->state.scale, set_up = klartext_parameter_part(call, 1) * scale, depth = klartext_parameter_part(call, 2) * scale;
+	double scale = interp->state.scale, set_up = klartext_parameter_part(call, 1) * scale,
+	       depth = klartext_parameter_part(call, 2) * scale;
 	struct klartext_hole hole = {.start = klartext_frame_point(interp).z, .clearance = fabs(set_up)};
 
 	/* The oldest controls take the sign of the direction of work for all of them. */
@@ -223,8 +225,7 @@ static bool by_parts(const struct klartext_call_of *call)
  * CYCL DEF has assigned the parameters of the cycle, and the program may have assigned others since: whether the call
  * takes these is not in the manuals. `but` are left out.
  */
-static bool check_values(struct interp *interp, int column, const struct klartext_cycle *cycle,
-			 const char *const *but)
+static bool check_values(struct interp *interp, int column, const struct klartext_cycle *cycle, const char *const *but)
 {
 	for (int i = 0; cycle->by_q && i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
@@ -235,12 +236,13 @@ static bool check_values(struct interp *interp, int column, const struct klartex
 			left_out++;
 		if (*left_out || !word->given)
 			continue;
-		if (!klartext_q_get(klartext_of(interp), atoi(word->name + 1), &value) ||
+		if (!klartext_q_get(klartext_of(interp), (int)strtol(word->name + 1, NULL, 10), &value) ||
 		    !same_double(value, word->value))
-			return fault(&interp->at, column,
-				     "%s has been changed since CYCL DEF %d: whether the call takes its new value is not "
-				     "known here; define the cycle anew",
-				     word->name, cycle->number);
+			return fault(
+			    &interp->at, column,
+			    "%s has been changed since CYCL DEF %d: whether the call takes its new value is not "
+			    "known here; define the cycle anew",
+			    word->name, cycle->number);
 	}
 	return true;
 }
@@ -297,7 +299,7 @@ bool klartext_cycle_carry_out(struct interp *interp, int column)
 	if (klartext->cycle.by_q)
 		return by_q(&call);
 	return klartext->cycle.number >= 3 && klartext->cycle.number <= 5 ? klartext_pocket_make_old(&call)
-									   : by_parts(&call);
+									  : by_parts(&call);
 }
 
 bool klartext_cycle_start(struct interp *interp, double *height)

@@ -306,8 +306,7 @@ bool klartext_define_goes_on(struct lexer *lexer, bool numbered)
 
 	/* In a program without block numbers, Q200 and on are the cycle's. */
 	return definition->open && definition->by_q && !numbered && is_q_word(lexer) &&
-	       (definition->numbered || definition->number < 200 ||
-		lexer->at->text[lexer->position + 1] >= '2');
+	       (definition->numbered || definition->number < 200 || lexer->at->text[lexer->position + 1] >= '2');
 }
 
 bool klartext_define_line(struct lexer *lexer)

@@ -333,7 +333,8 @@ bool klartext_flow_call_program(struct interp *interp, const char *name, int col
 	struct position start = {.line = 1};
 
 	if (klartext_comp_is_selected(interp))
-		return fault(&interp->at, column, "CALL PGM under radius compensation is not supported; R0 comes first");
+		return fault(&interp->at, column,
+			     "CALL PGM under radius compensation is not supported; R0 comes first");
 	if (!find_program(interp, name, column, &source))
 		return false;
 	start.source = source;

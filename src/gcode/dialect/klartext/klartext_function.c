@@ -28,9 +28,10 @@ static bool run_other(struct lexer *lexer, int number, int column)
 	case 38: /* sends */
 		return true;
 	case 17:
-		return fault(lexer->at, column,
-			     "FN 17 writes data of the control: what that changes is not known here; leave it out to check "
-			     "the program");
+		return fault(
+		    lexer->at, column,
+		    "FN 17 writes data of the control: what that changes is not known here; leave it out to check "
+		    "the program");
 	case 18:
 		return klartext_system_read(lexer);
 	case 20:

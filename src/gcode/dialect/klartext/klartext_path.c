@@ -19,9 +19,10 @@ static bool make_open(struct interp *interp, const struct klartext_words *words,
 
 	if (klartext_comp_is_selected(interp) || words->comp == KLARTEXT_RL || words->comp == KLARTEXT_RR ||
 	    klartext->corner.waits || klartext->approach.waits || klartext_corner_follows(interp))
-		return fault(&interp->at, words->first_column,
-			     "CC with X, Y and Z leaves open in which plane this circle lies: under radius compensation "
-			     "and beside RND and CHF it has to be known; leave one of them out");
+		return fault(
+		    &interp->at, words->first_column,
+		    "CC with X, Y and Z leaves open in which plane this circle lies: under radius compensation "
+		    "and beside RND and CHF it has to be known; leave one of them out");
 	if (!klartext_comp_check_known(interp, words->first_column, "a circle"))
 		return false;
 	path->known = false;

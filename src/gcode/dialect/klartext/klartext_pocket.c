@@ -129,8 +129,7 @@ static bool thread(const struct klartext_call_of *call, struct klartext_region *
 }
 
 /*
- * "THREAD MILLING/COUNTERSINKING (Cycle 263)", "THREAD DRILLING/MILLING (264)", "HELICAL THREAD DRILLING/MILLING (265)":
- * Q356 is the depth of the bore, Q358 and Q359 the depth and the offset of the countersink at the front.
+ * "THREAD MILLING/COUNTERSINKING (Cycle 263)", "THREAD DRILLING/MILLING (264)", "HELICAL THREAD DRILLING (265)": Q356 is the depth of the bore, Q358 and Q359 the depth and the offset of the countersink at the front.
  */
 static bool deep_thread(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -146,8 +145,8 @@ static bool deep_thread(const struct klartext_call_of *call, struct klartext_reg
 }
 
 /*
- * "BACK BORING (Cycle 204)": through the bore, Q251 beside its centre, until the edge stands Q200 below the workpiece of
- * thickness Q250; the underside of the tool is Q252 lower. A depth Q249 of 0 does nothing.
+ * "BACK BORING (Cycle 204)": through the bore, Q251 beside its centre, until the edge stands Q200 below the workpiece
+ * of thickness Q250; the underside of the tool is Q252 lower. A depth Q249 of 0 does nothing.
  */
 static bool back_bore(const struct klartext_call_of *call, struct klartext_region *region)
 {
@@ -188,8 +187,8 @@ static bool need_radius(const struct klartext_call_of *call, double *radius)
 }
 
 /*
- * The tool comes to the blank from outside on a semicircle, for which the manual wants room of its diameter and 2 mm; on
- * some controls from the set-up clearance beside the blank.
+ * The tool comes to the blank from outside on a semicircle, for which the manual wants room of its diameter and 2 mm;
+ * on some controls from the set-up clearance beside the blank.
  */
 static double beside_stud(const struct klartext_call_of *call, double radius)
 {
@@ -263,11 +262,14 @@ static const struct {
 	bool levels;
 	bool (*find)(const struct klartext_call_of *call, struct klartext_region *region);
 } cycles[] = {
-    {204, 253, false, back_bore},	  {208, 206, true, circular_pocket}, {230, 207, false, face},
-    {232, 207, false, face},	  {233, 207, false, face},	     {251, 207, true, rectangular_pocket},
-    {252, 207, true, circular_pocket}, {253, 207, true, slot},		     {254, 207, true, circular_slot},
-    {256, 207, true, rectangular_stud}, {257, 207, true, circular_stud},     {262, 207, true, thread},
-    {263, 207, true, deep_thread},	  {264, 207, true, deep_thread},     {265, 207, true, deep_thread},
+    {204, 253, false, back_bore},      {208, 206, true, circular_pocket},
+    {230, 207, false, face},	       {232, 207, false, face},
+    {233, 207, false, face},	       {251, 207, true, rectangular_pocket},
+    {252, 207, true, circular_pocket}, {253, 207, true, slot},
+    {254, 207, true, circular_slot},   {256, 207, true, rectangular_stud},
+    {257, 207, true, circular_stud},   {262, 207, true, thread},
+    {263, 207, true, deep_thread},     {264, 207, true, deep_thread},
+    {265, 207, true, deep_thread},
 };
 
 bool klartext_pocket_is(int number)
@@ -295,10 +297,11 @@ static bool find_levels(const struct klartext_call_of *call, struct klartext_reg
 static bool check_scaling(const struct klartext_call_of *call)
 {
 	return !klartext_frame_is_scaled(call->interp) ||
-	       fault(&call->interp->at, call->column,
-		     "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known here; cancel "
-		     "the scaling first",
-		     call->cycle->number);
+	       fault(
+		   &call->interp->at, call->column,
+		   "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known here; cancel "
+		   "the scaling first",
+		   call->cycle->number);
 }
 
 static bool carry_out(const struct klartext_call_of *call, struct klartext_region *region)
@@ -352,14 +355,15 @@ static bool find_sides(const struct klartext_call_of *call, struct klartext_regi
 }
 
 /*
- * TNC 407 user's manual: "SLOT MILLING (Cycle 3)" from one end of a slot X by Y, in the direction of their signs; "POCKET
- * MILLING (Cycle 4)" X by Y, "CIRCULAR POCKET (Cycle 5)" of a radius, both about where the tool stands. Lines 1 and 2 are
- * set-up clearance and depth, the last one has F.
+ * TNC 407 user's manual: "SLOT MILLING (Cycle 3)" from one end of a slot X by Y, in the direction of their signs;
+ * "POCKET MILLING (Cycle 4)" X by Y, "CIRCULAR POCKET (Cycle 5)" of a radius, both about where the tool stands. Lines 1
+ * and 2 are set-up clearance and depth, the last one has F.
  */
 bool klartext_pocket_make_old(const struct klartext_call_of *call)
 {
 	const double scale = call->interp->state.scale, radius = tool_radius(call);
-	const double set_up = fabs(klartext_parameter_part(call, 1)) * scale, depth = klartext_parameter_part(call, 2) * scale;
+	const double set_up = fabs(klartext_parameter_part(call, 1)) * scale,
+		     depth = klartext_parameter_part(call, 2) * scale;
 	const int number = call->cycle->number;
 	struct klartext_region region = {.centre = klartext_frame_point(call->interp)};
 

@@ -1,4 +1,4 @@
-/* klartext_pocket.h - pockets, slots, bores, threads, studs and faces that a cycle mills: where the tool stays meanwhile. */
+/* klartext_pocket.h - pockets, slots, bores, threads, studs and faces that a cycle mills: where the tool stays. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POCKET_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_POCKET_H
 

@@ -61,8 +61,8 @@ static bool check_symmetry(const struct interp *interp, const struct klartext_sw
  * iTNC 530 user's manual, "Selection of alternate tilting possibilities": without SEQ the shorter way is taken, of
  * those within the limits. Which of two ways is shorter is certain only where no axis has a longer one.
  */
-static bool choose(struct interp *interp, const struct klartext_swivel *request, const struct kinematics_solutions *solutions,
-		   const struct kinematics_solution **chosen)
+static bool choose(struct interp *interp, const struct klartext_swivel *request,
+		   const struct kinematics_solutions *solutions, const struct kinematics_solution **chosen)
 {
 	size_t fitting[2] = {0, 0}, count = 0;
 	char texts[2][64];
@@ -113,8 +113,7 @@ static bool along_tilted_x(struct interp *interp, int column, struct kinematics_
 }
 
 /*
- * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along those of the machine.
- * The machine's X turns with the axis, so that two positions tell the angle.
+ * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's. The machine's X turns with the axis, so that two positions tell the angle.
  */
 static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *request,
 			   const struct kinematics_solution *chosen, const mat3 *tilt, int slot, slot_values *rotary)
@@ -131,15 +130,17 @@ static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *
 	if (!along_tilted_x(interp, request->column, &turn, slot, angle, tilt, &reached))
 		return false;
 	if (reached < 1 - DIRECTION_REACHED || fabs(angle - here) > 180 - SAME_DEGREES)
-		return fault(&interp->at, request->column,
-			     "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
-			     AXIS_LETTERS[slot]);
+		return fault(
+		    &interp->at, request->column,
+		    "TABLE ROT: how far %c turns is not known here; turn it in a block before, or write COORD ROT",
+		    AXIS_LETTERS[slot]);
 	if (interp->config->wrap[slot] == WRAP_NONE && fabs(angle - zero) > 180 + SAME_DEGREES)
-		return fault(&interp->at, request->column,
-			     "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
-			     "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
-			     "file",
-			     AXIS_LETTERS[slot], angle - zero, AXIS_LETTERS[slot]);
+		return fault(
+		    &interp->at, request->column,
+		    "PLANE turns %c to %.6g or to an angle whole turns away: which one the control takes is not "
+		    "known here; turn %c towards 0 before, or say wrap=\"shortest\" of this axis in the machine "
+		    "file",
+		    AXIS_LETTERS[slot], angle - zero, AXIS_LETTERS[slot]);
 	rotary->v[slot] = angle;
 	return true;
 }
@@ -148,8 +149,8 @@ static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *
  * A rotary axis that any angle suits, and other turns of an axis. COORD ROT leaves a free axis where it is on some
  * controls and takes it to 0 on others; TABLE ROT turns it.
  */
-static bool check_free(struct interp *interp, const struct klartext_swivel *request, const struct kinematics_solution *chosen,
-		       const mat3 *tilt)
+static bool check_free(struct interp *interp, const struct klartext_swivel *request,
+		       const struct kinematics_solution *chosen, const mat3 *tilt)
 {
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		double here = interp->state.position.v[slot] - interp->state.offset.v[slot];
@@ -194,7 +195,8 @@ static bool check_free(struct interp *interp, const struct klartext_swivel *requ
 	return true;
 }
 
-static bool find_rotary(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt, slot_values *rotary)
+static bool find_rotary(struct interp *interp, const struct klartext_swivel *request, const mat3 *tilt,
+			slot_values *rotary)
 {
 	struct klartext *klartext = klartext_of(interp);
 	const struct kinematics_orientation orientation = {.direction = tilt->z,
@@ -363,10 +365,11 @@ static bool find_named(struct interp *interp, const struct klartext_swivel *requ
 		if (!interp->config->has_axis[slot])
 			continue;
 		if (!(axes & 1U << slot) && fabs(here) > SAME_DEGREES)
-			return fault(&interp->at, request->column,
-				     "%c is not named here and stands at %.6g: what it does is not known here; name it, "
-				     "too",
-				     AXIS_LETTERS[slot], here);
+			return fault(
+			    &interp->at, request->column,
+			    "%c is not named here and stands at %.6g: what it does is not known here; name it, "
+			    "too",
+			    AXIS_LETTERS[slot], here);
 		if (axes & 1U << slot)
 			rotary->v[slot] = angle[slot] + interp->state.offset.v[slot];
 		if (interp->config->wrap[slot] != WRAP_NONE &&
@@ -409,8 +412,9 @@ bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *r
 }
 
 /*
- * TNC 407 and 426 user's manuals, "WORKING PLANE (Cycle 19)": with a swivel head the coordinate system turns as the tool
- * does; with a tilting table it does not turn in relation to the machine. That PLANE AXIAL does the same is from memory.
+ * TNC 407 and 426 user's manuals, "WORKING PLANE (Cycle 19)": with a swivel head the coordinate system turns as the
+ * tool does; with a tilting table it does not turn in relation to the machine. That PLANE AXIAL does the same is from
+ * memory.
  */
 bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
 			   const double angle[SLOT_COUNT])
@@ -418,15 +422,15 @@ bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *
 	struct kinematics_turn turn = {.rotary_zero = tool_length_rotary_zero(interp)};
 	slot_values rotary;
 
-	if (!klartext_swivel_leave(interp, request->column) ||
-	    !find_named(interp, request, axes, angle, &rotary))
+	if (!klartext_swivel_leave(interp, request->column) || !find_named(interp, request, axes, angle, &rotary))
 		return false;
 	turn.rotary = klartext_of(interp)->rotary;
 	if (!interp->kinematics->turn(interp->kinematics->context, line_loc(&interp->at, request->column), &turn))
 		return false;
 	if (vec3_norm(vec3_sub(turn.turn.z, turn.tool)) > DIRECTION_REACHED)
-		return fault(&interp->at, request->column,
-			     "a plane by positions of the rotary axes where the spindle does not lie along Z while they "
-			     "stand at 0 is not supported");
+		return fault(
+		    &interp->at, request->column,
+		    "a plane by positions of the rotary axes where the spindle does not lie along Z while they "
+		    "stand at 0 is not supported");
 	return tilt_to(interp, request, &turn.turn, &rotary);
 }

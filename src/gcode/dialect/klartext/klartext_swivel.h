@@ -1,4 +1,4 @@
-/* klartext_swivel.h - PLANE and cycle 19, once the plane is known: where the rotary axes go, how, and what is tilted then. */
+/* klartext_swivel.h - PLANE and cycle 19 once the plane is known: where the rotary axes go, and what is tilted then. */
 #ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SWIVEL_H
 #define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_SWIVEL_H
 
@@ -33,7 +33,7 @@ bool klartext_swivel_tilt(struct interp *interp, const struct klartext_swivel *r
 bool klartext_swivel_axial(struct interp *interp, const struct klartext_swivel *request, unsigned axes,
 			   const double angle[SLOT_COUNT]);
 
-/* "PLANE RESET": back to coordinates that are not tilted; with TURN or MOVE the rotary axes go to 0. False: reported. */
+/* "PLANE RESET": coordinates are not tilted; with TURN or MOVE the rotary axes go to 0. False: reported. */
 bool klartext_swivel_reset(struct interp *interp, const struct klartext_swivel *request);
 
 /* Back to coordinates that are not tilted; the axes stand still. False: reported. */

@@ -137,7 +137,7 @@ static bool read_axial(struct lexer *lexer, struct klartext_tilt *tilt)
 
 	for (char byte = klartext_upper(lexer_peek(lexer)); byte == 'A' || byte == 'B' || byte == 'C' || byte == 'I';
 	     byte = klartext_upper(lexer_peek(lexer))) {
-		const int column = klartext_column(lexer), slot = slot_of_letter(byte);
+		const int column = klartext_column(lexer), slot = byte == 'A' ? SLOT_A : byte == 'B' ? SLOT_B : SLOT_C;
 		struct lexer ahead = *lexer;
 
 		lexer_take(&ahead);
@@ -178,8 +178,9 @@ bool klartext_tilt_read(struct lexer *lexer, const mat3 *before, struct klartext
 	if (!strcmp(kind, "AXIAL"))
 		return read_axial(lexer, tilt);
 	if (!strcmp(kind, "PROJECTED"))
-		return fault(lexer->at, column,
-			     "PLANE PROJECTED: in which direction its angles count is not known here; write the plane as "
-			     "PLANE SPATIAL");
+		return fault(
+		    lexer->at, column,
+		    "PLANE PROJECTED: in which direction its angles count is not known here; write the plane as "
+		    "PLANE SPATIAL");
 	return fault(lexer->at, column, "PLANE needs SPATIAL, AXIAL, EULER, VECTOR, POINTS, RELATIVE or RESET");
 }

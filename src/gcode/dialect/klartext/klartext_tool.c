@@ -237,8 +237,8 @@ static bool change(struct interp *interp, const struct request *request)
 }
 
 /*
- * "Calling tool data": without a tool, DL and DR are those of the active one from here on; nothing moves. What becomes of
- * an oversize that stands in the call before and not in this one is not in the manual.
+ * "Calling tool data": without a tool, DL and DR are those of the active one from here on; nothing moves. What becomes
+ * of an oversize that stands in the call before and not in this one is not in the manual.
  */
 static bool change_oversize(struct interp *interp, struct request *request)
 {
@@ -249,7 +249,8 @@ static bool change_oversize(struct interp *interp, struct request *request)
 
 	if (!klartext->called || state->tool == 0)
 		return fault(&interp->at, request->column, "DL and DR without a tool: no TOOL CALL has named one");
-	if ((!request->has_longer && !same_double(klartext->longer, 0)) || (!request->has_wider && !same_double(klartext->wider, 0)))
+	if ((!request->has_longer && !same_double(klartext->longer, 0)) ||
+	    (!request->has_wider && !same_double(klartext->wider, 0)))
 		return fault(&interp->at, request->column,
 			     "%s was given before and is left out here: whether it still counts is not known here; "
 			     "write it, too",

@@ -114,10 +114,11 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 	if (q->read && number >= 100 && number < 200)
 		return fault(lexer->at, column, "%.*s is a value of the control that is not known here", length, name);
 	if (q->read)
-		return fault(lexer->at, column,
-			     "%.*s was read from the control (FN 18, FN 28), and that value is not known here: to check "
-			     "the program, assign the value by FN 0 behind it",
-			     length, name);
+		return fault(
+		    lexer->at, column,
+		    "%.*s was read from the control (FN 18, FN 28), and that value is not known here: to check "
+		    "the program, assign the value by FN 0 behind it",
+		    length, name);
 	if (!q->given)
 		return fault(
 		    lexer->at, column,
