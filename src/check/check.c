@@ -167,6 +167,9 @@ static bool on_event(void *context, const struct motion_event *event)
 	case MOTION_SPINDLE_STOP:
 		on_spindle_stop(c, &event->of.spindle_stop);
 		break;
+	case MOTION_MODES:
+		/* For the watcher alone. */
+		break;
 	case MOTION_BLOCK:
 		on_block(c, &event->of.block);
 		break;
@@ -206,6 +209,7 @@ static bool run_program(struct checker *c, FILE *in)
 		.read = c->options->read,
 		.names = &c->names,
 		.change = c->options->change,
+		.modes = c->options->watch != NULL,
 	};
 	const struct motion_sink sink = {c, on_event};
 	/* The time to read a block cannot be measured while another thread reads ahead. */

@@ -51,6 +51,7 @@ struct canon_origin {
 	axis_values work;	/* its values, mm and radians */
 	axis_values shift;	/* of G52 and G92 */
 	double length;	/* mm: of the tool, in force */
+	bool turned;	/* more than offsets lies between: coordinates are turned, mirrored or scaled, or CYCL DEF 7 moves them */
 };
 
 struct canon_move {
@@ -75,6 +76,7 @@ struct canon_move {
 	double turn_spread[3];
 	bool may_stop;	/* it may end anywhere on its way (a probe) */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
+	double spindle_speed;	/* revolutions per minute, by M4 below 0; 0: it stands, or nothing said how fast it turns */
 	axis_values end;	/* RAPID, FEED, ARC */
 	struct canon_arc arc;
 	struct canon_feed feed;	/* FEED, ARC */

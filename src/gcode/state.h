@@ -140,6 +140,7 @@ struct state {
 	bool probe_bounded[SLOT_COUNT];	/* and between which positions is known: execute/probed_axes.h */
 	slot_values probe_low, probe_high;
 	bool settles[SLOT_COUNT];	/* the block gives the axis an absolute coordinate */
+	bool own_frame;	/* a frame that only the dialect knows lies between programmed coordinates and offsets */
 	int tool;	/* in the spindle */
 	bool tool_by_m61;	/* M61 has said that it is there */
 	int selected;	/* by T, or -1 */

@@ -8,6 +8,7 @@
 #include "motion/dogleg.h"
 #include "motion/great_circle.h"
 #include "motion/limits.h"
+#include "motion/motion_modes.h"
 #include "motion/move_path.h"
 #include "motion/orient.h"
 #include "motion/retract.h"
@@ -375,9 +376,24 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 
 /* ------------------------------------------------------------- canon_sink */
 
+/* Tells what holds for this move if that is not what holds already. */
+static bool tell_modes(struct canon_to_spans *converter, const struct canon_move *move)
+{
+	const struct motion_modes modes = motion_modes_of(move);
+
+	if (converter->modes_told && motion_modes_same(&modes, &converter->modes))
+		return true;
+	converter->modes_told = true;
+	converter->event.of.modes = converter->modes = modes;
+	return tell(converter, MOTION_MODES);
+}
+
 static bool take_move(struct canon_to_spans *converter, const struct canon_move *move)
 {
 	bool ok = true;
+
+	if (converter->tells_modes && move->kind <= CANON_ARC && !tell_modes(converter, move))
+		return false;
 
 	switch (move->kind) {
 	case CANON_RAPID:

@@ -24,6 +24,9 @@ struct canon_to_spans {
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
 	double time, block_time;
+	bool tells_modes;
+	struct motion_modes modes;	/* that were told last */
+	bool modes_told;
 	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */
 };
 

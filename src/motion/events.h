@@ -60,6 +60,17 @@ struct motion_spindle_stop {
 	int move;	/* the block's last before it; 0: none */
 };
 
+/* What holds for the steps that follow, told before the first one and when it changes, if motion_options.modes asks for it. */
+struct motion_modes {
+	const char *work_offset;	/* in force, a constant: "G54"; NULL: machine coordinates are commanded */
+	axis_values work, shift;	/* its values, and what G52 and G92 add; mm and radians */
+	double length;	/* mm: of the tool, in force */
+	bool tcp;
+	bool turned;	/* as in canon_origin */
+	double feed;	/* mm/s that the program asks for; 0: a rapid, feed of rotary axes alone, or time (G93) */
+	double spindle_speed;	/* as in canon_move */
+};
+
 /* A block is complete. */
 struct motion_block {
 	const char *file;
@@ -81,7 +92,7 @@ struct motion_summary {
 	bool blend_unbounded;	/* G64 was in force with no tolerance from program or machine */
 };
 
-enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_BLOCK };
+enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_MODES, MOTION_BLOCK };
 
 /*
  * Plain data that can be copied. Three pointers are valid during the call only: step.span.path with its tcp, block.text and
@@ -96,6 +107,7 @@ struct motion_event {
 		struct motion_limit limit;
 		struct motion_tool tool;
 		struct motion_spindle_stop spindle_stop;
+		struct motion_modes modes;
 		struct motion_block block;
 	} of;
 };

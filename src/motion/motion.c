@@ -69,6 +69,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 	bool ok;
 
 	canon_to_spans_init(&run.converter, machine, setup, options->flatness, sink, diag, name);
+	run.converter.tells_modes = options->modes;
 	kinematics = canon_to_spans_kinematics(&run.converter);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);

@@ -23,6 +23,7 @@ struct motion_options {
 	struct read_options read;
 	struct file_names *names;	/* holds the events' file names; NULL: they live as long as the run */
 	const struct setup_change *change;	/* or NULL */
+	bool modes;	/* send MOTION_MODES */
 };
 
 /*

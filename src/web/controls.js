@@ -3,7 +3,7 @@
 
 import {SPEEDS} from './state.js';
 import {axisValue} from './findings.js';
-import {duration, h} from './elements.js';
+import {duration, grouped, h} from './elements.js';
 import {proofSentence} from './proof.js';
 
 /** @typedef {import('./stage.js').Stage} Stage */
@@ -11,28 +11,45 @@ import {proofSentence} from './proof.js';
 
 const MOTION = ['', 'rapid', 'feed', 'feed, spindle at rest', 'rapid, way not known'];
 
+/** Where an axis stands in work coordinates; '' where offsets alone do not say it. @param {import('./model.js').Modes|null} modes @param {string} letter @param {number} value */
+export function workValue(modes, letter, value) {
+	if (!modes?.work_offset || modes.turned || (modes.tcp && 'XYZUVW'.includes(letter))) return '';
+	return axisValue(value - (modes.work[letter] ?? 0) - (modes.shift[letter] ?? 0) - (letter === 'Z' ? modes.length : 0));
+}
+
+/** @param {import('./model.js').Modes} modes */
+function originText({work_offset, shift, tcp, turned}) {
+	const shifted = Object.values(shift).some((value) => value) ? ', shifted' : '';
+	return `work: ${work_offset}${shifted}${tcp ? ', TCP' : ''}${turned ? ', turned' : ''}`;
+}
+
 /** Axis positions as on a control. @param {State} state */
 export function readOut(state) {
 	const {model} = state;
 	const rows = model.readOut.map((letter) => {
-		const value = h('dd');
-		return {index: model.axes.findIndex((axis) => axis.letter === letter), value, row: h('div', {}, h('dt', {}, letter), value)};
+		const value = h('dd'), work = h('dd.work');
+		return {letter, index: model.axes.findIndex((axis) => axis.letter === letter), value, work, row: h('div', {}, h('dt', {}, letter), value, work)};
 	});
-	const tool = h('span'), time = h('span'), motion = h('span');
+	const tool = h('span'), time = h('span'), motion = h('span'), spindle = h('span'), origin = h('p.origin');
 	const show = () => {
 		const {pose} = state;
-		for (const {index, value} of rows) {
+		const {modes} = pose;
+		for (const {letter, index, value, work} of rows) {
 			value.textContent = axisValue(pose.values[index]);
+			work.textContent = workValue(modes, letter, pose.values[index]);
 			const {min, max} = model.axes[index];
 			value.classList.toggle('beyond', pose.values[index] < (min ?? -Infinity) - 1e-3 || pose.values[index] > (max ?? Infinity) + 1e-3);
 		}
 		tool.textContent = pose.tool ? `T${pose.tool}` : 'no tool';
 		time.textContent = duration(state.time);
-		motion.textContent = MOTION[pose.motion] || '';
+		motion.textContent = (MOTION[pose.motion] || '') + (pose.feed ? ` ${grouped(Math.round(pose.feed))} mm/min` : '');
+		spindle.textContent = modes?.spindle ? `S${grouped(Math.round(Math.abs(modes.spindle)))}${modes.spindle < 0 ? ' (M4)' : ''}` : '';
+		origin.textContent = modes?.work_offset ? originText(modes) : '';
 	};
 	state.watch(show);
 	show();
-	return h('div.readout', {'aria-label': 'Axis positions in machine coordinates'}, h('dl', {}, ...rows.map(({row}) => row)), h('p', {}, tool, time), h('p', {}, motion));
+	return h('div.readout', {'aria-label': 'Axis positions in machine coordinates, and beside them in work coordinates'},
+		h('dl', {}, ...rows.map(({row}) => row)), origin, h('p', {}, tool, time), h('p', {}, motion, spindle));
 }
 
 /** @param {string} text @param {string} title @param {() => void} act @param {Object<string, any>} [more] */

@@ -61,12 +61,23 @@
  * @property {number} clearance	that must be kept
  * @property {string} reason
  *
+ * @typedef {Object} Modes
+ * @property {string|null} work_offset	null: machine coordinates are commanded
+ * @property {Object<string, number>} work	its values
+ * @property {Object<string, number>} shift	what G52 and G92 add
+ * @property {number} length	mm: of the tool, in force
+ * @property {boolean} tcp
+ * @property {boolean} turned	the program has turned, mirrored or scaled its coordinates
+ * @property {number} spindle	revolutions per minute, by M4 below 0; 0: it stands, or its speed is not known
+ *
  * @typedef {Object} Pose
  * @property {number[]} values	by axis, in the order of model.axes; mm and degrees
  * @property {number} block	number of the block that runs, from 1; 0: none
  * @property {number} line	of that block
  * @property {number} file	index in model.sources
  * @property {number} tool
+ * @property {number} feed	mm/min that the program asks for; 0: a rapid, or a feed of rotary axes alone, or a time
+ * @property {Modes|null} modes	what holds there; null: not known
  * @property {number} motion	0 rest, 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way is unknown
  *
  * @typedef {Object} Path	what is not at hand yet is promised, and the coarse level answers meanwhile

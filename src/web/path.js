@@ -11,8 +11,8 @@ import {lowerBound} from './numbers.js';
 const SAME = 5e-6;
 
 export class ReportPath {
-	/** @param {Levels} levels @param {string[]} letters of the axes @param {number} end @param {number} checked */
-	constructor(levels, letters, end, checked) {
+	/** @param {Levels} levels @param {string[]} letters of the axes @param {number} end @param {number} checked @param {import('./model.js').Modes[]} modes */
+	constructor(levels, letters, end, checked, modes) {
 		this.levels = levels;
 		this.duration = end;
 		this.checked = checked;
@@ -23,6 +23,9 @@ export class ReportPath {
 		this.file = levels.column('file');
 		this.tool = levels.column('tool');
 		this.motion = levels.column('class');
+		this.mode = levels.column('modes');
+		this.feed = levels.column('feed');
+		this.modes = modes;
 	}
 
 	/** @param {number} time @returns {Pose} */
@@ -31,6 +34,7 @@ export class ReportPath {
 		return {
 			values: this.axes.map((axis) => before[axis] + (after[axis] - before[axis]) * share),
 			block: after[this.block], line: after[this.line], file: after[this.file], tool: after[this.tool], motion: after[this.motion],
+			feed: after[this.feed], modes: this.modes[after[this.mode]] ?? null,
 		};
 	}
 

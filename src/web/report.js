@@ -61,12 +61,12 @@ function readBody({name, role, link, tool, mesh}) {
 /** @param {any} head @returns {Promise<ReportPath>} */
 async function readPath({path, machine}) {
 	const letters = machine.axes.map((/** @type {any} */ axis) => axis.name);
-	if (path) return new ReportPath(await Levels.open(path, fetchBlob), letters, path.end, path.checked);
+	if (path) return new ReportPath(await Levels.open(path, fetchBlob), letters, path.end, path.checked, path.modes);
 	// Nothing moves: one row, at home.
-	const columns = ['time', 'block', 'line', 'file', 'tool', 'class', ...letters];
+	const columns = ['time', 'block', 'line', 'file', 'tool', 'class', 'modes', 'feed', ...letters];
 	const home = columns.map((name) => Float64Array.of(machine.axes[letters.indexOf(name)]?.home || 0));
 	const rows = {columns, scale: [], rows: 1, coarse: {blob: -1, rows: 1}, chunks: [], complete: true};
-	return new ReportPath(new Levels(rows, fetchBlob, home), letters, 0, 0);
+	return new ReportPath(new Levels(rows, fetchBlob, home), letters, 0, 0, []);
 }
 
 /** @param {any} head @returns {Promise<import('./model.js').Clearance|null>} */

@@ -498,6 +498,37 @@ def subprograms(bench):
 
 
 @test
+def read_outs(bench):
+    """Work coordinates by the offset in force, feed and spindle, as a control shows them: they are the program's own numbers."""
+    machine, setup, _ = fixtures.boxes(bench.work)
+    program = os.path.join(bench.work, "read-outs.nc")
+    with open(program, "w", encoding="utf-8") as file:
+        file.write("G21 G90 G17\nT1 M6\nS1200 M4\nG54 G43 H1\nG0 X-90 Y3 Z120\nG1 Z90 F600\nG92 X0\nX10 F450.5\nG53 G0 Z0\nM2\n")
+    path, findings = bench.report("read-outs", machine, setup, program, "--all")
+    same("findings", findings, [])
+    page = bench.open(path)
+    work = "Object.fromEntries([...document.querySelectorAll('.readout dl div')].map((row) => [row.children[0].textContent, row.children[2].textContent]))"
+    text = "[...document.querySelectorAll('.readout p')].map((line) => line.textContent)"
+    seen = {}
+    for line in (5, 6, 8, 9):
+        page.run(f"await fivecheck.state.showLine(0, {line})")
+        page.frames()
+        seen[line] = page.run(work), page.run(text)
+        if line == 8:
+            page.picture(os.path.join(bench.keep, "read-outs.png"))
+    same("rapid", seen[5][0], {"X": "-90.000", "Y": "3.000", "Z": "120.000"})
+    same("feed", list(seen[6]), [{"X": "-90.000", "Y": "3.000", "Z": "90.000"}, ["work: G54", seen[6][1][1], "feed 600 mm/minS1,200 (M4)"]])
+    same("shifted", list(seen[8]), [{"X": "10.000", "Y": "3.000", "Z": "90.000"}, ["work: G54, shifted", seen[8][1][1], "feed 451 mm/minS1,200 (M4)"]])
+    same("machine coordinates", seen[9][0], {"X": "", "Y": "", "Z": ""})
+    bench.done(page)
+    page = bench.open(path, **PHONE)
+    page.run("await fivecheck.state.showLine(0, 8)")
+    page.frames()
+    true("page is as wide as the screen", page.run("document.documentElement.scrollWidth") <= 390)
+    bench.done(page, "read-outs-phone")
+
+
+@test
 def million(bench):
     """1,000,000 blocks: at most 5 MB, and every moment can be reached."""
     machine, setup, program = fixtures.million(bench.work)

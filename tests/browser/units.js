@@ -111,10 +111,10 @@ check('edges of a triangle', featureEdges({positions: Float32Array.of(0, 0, 0, 1
 
 // A path of ten blocks of two rows each, at one level and in chunks of seven rows of which one is missing.
 const pathChecks = (async () => {
-	const names = ['time', 'block', 'line', 'file', 'tool', 'class', 'X'];
-	const rows = [[0, 0, 0, 0, 0, 0, 0]];
+	const names = ['time', 'block', 'line', 'file', 'tool', 'class', 'modes', 'feed', 'X'];
+	const rows = [[0, 0, 0, 0, 0, 0, -1, 0, 0]];
 	for (let block = 1; block <= 10; block++) {
-		for (const half of [0.5, 1]) rows.push([block - 1 + half, block, 10 * block, 0, block > 5 ? 2 : 1, 2, 100 * (block - 1 + half)]);
+		for (const half of [0.5, 1]) rows.push([block - 1 + half, block, 10 * block, 0, block > 5 ? 2 : 1, 2, -1, 600, 100 * (block - 1 + half)]);
 	}
 	const columns = (list) => names.map((_, k) => Float64Array.from(list, (row) => row[k]));
 	const whole = new Levels({columns: names, scale: [], rows: rows.length, coarse: {blob: 0, rows: rows.length}, chunks: [], complete: true}, null, columns(rows));
@@ -127,7 +127,7 @@ const pathChecks = (async () => {
 	windows.ready.set(0, columns(parts[0]));
 	windows.ready.set(1, columns(parts[2]));
 	for (const [name, levels] of Object.entries({whole, chunked})) {
-		const path = new ReportPath(levels, ['X'], 10, 10);
+		const path = new ReportPath(levels, ['X'], 10, 10, []);
 		for (let time = 0; time <= 10; time += 0.05) check(`${name}: pose at ${time}`, near(path.pose(time).values[0], 100 * time, 1e-6));
 		check(`${name}: block`, path.pose(3).block === 3 && path.pose(3.01).block === 4 && path.pose(5.2).tool === 2);
 		check(`${name}: next`, await path.blockEnd(3.2, 1) === 4 && await path.blockEnd(4, 1) === 5 && await path.blockEnd(9.9, 1) === 10 && await path.blockEnd(10, 1) === 10);
@@ -135,7 +135,7 @@ const pathChecks = (async () => {
 		check(`${name}: several`, await path.blockEnd(0, 4) === 4 && await path.blockEnd(10, -3) === 7);
 		check(`${name}: line`, await path.timeOf(0, 40) === 4 && await path.timeOf(0, 45) === 4 && await path.timeOf(0, 5) === -1);
 	}
-	const path = new ReportPath(windows, ['X'], 10, 10);
+	const path = new ReportPath(windows, ['X'], 10, 10, []);
 	check('windows: coarse between', near(path.pose(4.5).values[0], 450, 1e-6));
 	check('windows: fine', path.pose(8.7).block === 9 && path.load(8.7) === null);
 	check('windows: line in a chunk', await path.timeOf(0, 90) === 9);

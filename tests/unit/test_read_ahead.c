@@ -118,6 +118,12 @@ static bool on_event(void *context, const struct motion_event *event)
 	case MOTION_SPINDLE_STOP:
 		mix_tool(log, &(struct motion_tool){0, event->of.spindle_stop.position});
 		break;
+	case MOTION_MODES:
+		mix(log, &event->of.modes.feed, sizeof(event->of.modes.feed));
+		mix(log, &event->of.modes.spindle_speed, sizeof(event->of.modes.spindle_speed));
+		mix_axes(log, &event->of.modes.work);
+		mix_text(log, event->of.modes.work_offset ? event->of.modes.work_offset : "none");
+		break;
 	case MOTION_BLOCK:
 		mix_block(log, &event->of.block);
 		break;
@@ -163,6 +169,9 @@ static char *random_program(struct random *random)
 		case 4:
 			strbuf_addf(&text, "o<up> call [%.3f]\n", x);
 			break;
+		case 5:
+			strbuf_addf(&text, "F%.1f S%d M3\n", 500 + fabs(x), 100 * random_below(random, 90));
+			break;
 		case 3:
 			strbuf_addf(&text, "G0 Z%.3f\n", random_in(random, -60, 60));
 			break;
@@ -184,7 +193,7 @@ static bool run(run_fn *how, struct log *log, const char *program, size_t stop_a
 	struct tool tools[] = {{.number = 1, .name = "", .length = 80, .diameter = 6},
 			       {.number = 2, .name = "", .length = 70, .diameter = 6}};
 	struct setup setup = {.tools = tools, .tool_count = 2};
-	struct motion_options options = {.flatness = 0.01, .names = &log->names};
+	struct motion_options options = {.flatness = 0.01, .names = &log->names, .modes = true};
 	const struct motion_sink sink = {log, on_event};
 	FILE *in = fmemopen((void *)(uintptr_t)program, strlen(program), "r");
 	bool ok;

@@ -31,6 +31,9 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	}
 	move->origin = state->origin;
 	move->origin.length = state->length;
+	move->origin.turned = state->frame.on || state->own_frame;
+	if (state->spindle != SPINDLE_STOPPED)
+		move->spindle_speed = state->spindle == SPINDLE_CLOCKWISE ? state->speed : -state->speed;
 }
 
 bool motion_commands_enqueue(struct interp *interp, const struct comp_item *item)

@@ -13,7 +13,7 @@
 #include "base/axes.h"
 #include "base/strbuf.h"
 
-enum { RECORDED_COLUMNS_MAX = 6 + SLOT_COUNT };
+enum { RECORDED_COLUMNS_MAX = 8 + SLOT_COUNT };
 
 /* Joins a row of the coarse level with the next one. */
 typedef void merge_rows_fn(int64_t *row, const int64_t *next, size_t columns);

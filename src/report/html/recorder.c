@@ -7,6 +7,7 @@
 
 #include "base/mem.h"
 #include "check/step.h"
+#include "motion/motion_modes.h"
 #include "report/format/format_units.h"
 #include "report/html/report_data.h"
 #include "report/writers/ndjson.h"
@@ -17,6 +18,9 @@ enum { BESIDE_FINDING = 16 };
 
 /* The triangles beside a plane are nearest to within this share: the exact ones cost several times as much. */
 #define PLANE_SHARE 0.8
+
+/* mm/s: no axis is faster; a greater feed says nothing. */
+#define FEED_SHOWN 1e6
 
 /* ------------------------------------------------------------------- path */
 
@@ -63,6 +67,8 @@ static void add_row(struct recorder *recorder, const struct motion_step *step, d
 		[PATH_FILE] = (int64_t)file_index(recorder, step->file),
 		[PATH_TOOL] = step->tool,
 		[PATH_CLASS] = class,
+		[PATH_MODES] = recorder->mode,
+		[PATH_FEED] = whole(60 * fmin(recorder->feed, FEED_SHOWN), RECORD_FEED),
 	};
 
 	for (size_t i = 0; i < machine->axis_count; i++) {
@@ -92,6 +98,26 @@ static void on_step(struct recorder *recorder, const struct motion_step *step)
 	add_row(recorder, step, recorder->now, &step->span.q1, class_of(step));
 }
 
+static void on_modes(struct recorder *recorder, const struct motion_modes *told)
+{
+	struct motion_modes modes = *told;
+
+	recorder->feed = told->feed;
+	modes.feed = 0;
+	for (size_t i = recorder->mode_count; i-- > 0;) {
+		if (motion_modes_same(&recorder->modes[i], &modes)) {
+			recorder->mode = (int64_t)i;
+			return;
+		}
+	}
+	recorder->mode = -1;
+	if (recorder->mode_count == MODES_MAX)
+		return;
+	recorder->modes = mem_grow(recorder->modes, &recorder->mode_capacity, recorder->mode_count + 1, sizeof(*recorder->modes));
+	recorder->modes[recorder->mode_count] = modes;
+	recorder->mode = (int64_t)recorder->mode_count++;
+}
+
 static void on_block(struct recorder *recorder, const struct motion_block *block)
 {
 	const long number = ++recorder->blocks;
@@ -108,6 +134,8 @@ static bool on_event(void *context, const struct motion_event *event)
 
 	if (event->kind == MOTION_STEP)
 		on_step(recorder, &event->of.step);
+	else if (event->kind == MOTION_MODES)
+		on_modes(recorder, &event->of.modes);
 	else if (event->kind == MOTION_BLOCK)
 		on_block(recorder, &event->of.block);
 	return true;
@@ -398,6 +426,7 @@ void recorder_init(struct recorder *recorder, struct scene *scene, const char *p
 		.tool = scene->setup ? scene->setup->initial_tool : 0,
 		.ends = mem_zalloc(BLOCK_ENDS, sizeof(struct block_end)),
 		.plane_stride = 1,
+		.mode = -1,
 	};
 	file_index(recorder, program);
 	recorded_table_init(&recorder->path, PATH_AXES + scene->machine->axis_count, keep_later);
@@ -419,6 +448,7 @@ void recorder_release(struct recorder *recorder)
 	free(recorder->findings);
 	free(recorder->files);
 	free(recorder->ends);
+	free(recorder->modes);
 	free(recorder->wishes);
 	free(recorder->planes);
 	recorded_table_release(&recorder->path);

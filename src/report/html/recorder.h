@@ -16,7 +16,7 @@
 #include "scene/sweep.h"
 
 /* Columns of the path before the axes. */
-enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_AXES };
+enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_MODES, PATH_FEED, PATH_AXES };
 enum { CLEARANCE_TIME, CLEARANCE_LEAST, CLEARANCE_MOST, CLEARANCE_PAIR, CLEARANCE_COLUMNS };
 enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLANE_DISTANCE = PLANE_NORMAL + 3, PLANE_COLUMNS };
 
@@ -25,6 +25,7 @@ enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLAN
 #define RECORD_LENGTH 0.01	/* mm */
 #define RECORD_ANGLE 0.001	/* degrees */
 #define RECORD_CLEARANCE 0.001	/* mm */
+#define RECORD_FEED 0.1	/* mm/min */
 #define RECORD_NORMAL 1e-6
 
 /* At most so many planes are kept, and so many more beside findings. */
@@ -58,6 +59,9 @@ struct block_end {
 /* Blocks between being read and being checked are fewer. */
 enum { BLOCK_ENDS = 4096 };
 
+/* So many different modes are kept, feeds apart; in a program that has more, some rows name none. */
+enum { MODES_MAX = 512 };
+
 /* At the end of this block the plane between the bodies of this pair is to be shown. */
 struct plane_wish {
 	struct block_end at;
@@ -77,6 +81,10 @@ struct recorder {
 	struct scene *scene;
 	double cap;	/* mm: of the clearances */
 	struct recorded_table path, clearance;
+	struct motion_modes *modes;	/* different but for the feed */
+	size_t mode_count, mode_capacity;
+	int64_t mode;	/* in force: its index, from 0; -1: not known */
+	double feed;	/* mm/s: as in motion_modes */
 	struct recorded_file *files;
 	size_t file_count, file_capacity;
 	struct recorded_finding *findings;	/* the first FINDINGS_MAX */

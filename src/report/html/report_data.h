@@ -72,13 +72,19 @@
  * chunks hold all rows; coarse is null if they do and are few. Show the chunk where there is one, else the coarse level.
  *
  * PATH. A table; a row is an instant. Between two rows all axes are linear in time. The first row is where the program starts.
- * Columns: time (scale 1e-5 s), block, line, file, tool, class, then one column for each axis in the order of machine.axes, by its name (scale 0.01 mm
+ * Columns: time (scale 1e-5 s), block, line, file, tool, class, modes, feed (0.1 mm/min), then one column for each axis in the order of machine.axes, by its name (scale 0.01 mm
  * or 0.001 degrees). block: the number of the NC block that ends or passes here, counted from 1; blocks that move nothing have no row. line: of
  * that block in files[file]. tool: in the spindle on the way to this row. class: of the motion that ends here: 0 rest (a dwell or a tool change),
- * 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way between both rows is unknown (rapid="any").
+ * 1 rapid, 2 feed, 3 feed with the spindle at rest, 4 a rapid whose way between both rows is unknown (rapid="any"). modes: index in path.modes of what holds on the way to
+ * this row, -1: not kept. feed: that the program asks for; 0: a rapid, a feed of rotary axes alone, or a time (G93).
  * In the coarse level rows are left out; every row that is there is a row of the path.
  * Besides the table's keys:
  *   files       [name]: of the program and its subprograms
+ *   modes       [{work_offset: name|null, work: {X: ...}, shift: {X: ...}, length, tcp: bool, turned: bool, spindle}]: the work offset in
+ *               force (null: machine coordinates are commanded), its values, what G52 and G92 add, the tool length in force (mm),
+ *               tool centre point control; turned: the program has turned, mirrored or scaled its coordinates; spindle: revolutions
+ *               per minute, by M4 below 0; 0: it stands, or its speed is not known. With neither tcp nor turned an axis is at
+ *               position - work - shift (Z: - length) in work coordinates
  *   end         time of the last row
  *   checked     time up to which the program was checked: the end of the block of the first finding, or `end`. What comes later was read but
  *               not checked.

@@ -139,24 +139,46 @@ static double checked_until(const struct html_contents *report)
 	return all ? recorder->now : recorder->checked;
 }
 
+static json_t *modes_json(const struct recorder *recorder, const struct machine *machine)
+{
+	json_t *array = json_array();
+
+	for (size_t i = 0; i < recorder->mode_count; i++) {
+		const struct motion_modes *modes = &recorder->modes[i];
+		json_t *object = json_object();
+
+		json_put(object, "work_offset", json_text(modes->work_offset));
+		json_put(object, "work", json_axes(machine, &modes->work));
+		json_put(object, "shift", json_axes(machine, &modes->shift));
+		json_put(object, "length", json_real(modes->length));
+		json_put(object, "tcp", json_boolean(modes->tcp));
+		json_put(object, "turned", json_boolean(modes->turned));
+		json_put(object, "spindle", json_real(modes->spindle_speed));
+		json_push(array, object);
+	}
+	return array;
+}
+
 static json_t *path_json(const struct html_contents *report)
 {
 	static const char *const names[] = {
 		[PATH_TIME] = "time", [PATH_BLOCK] = "block", [PATH_LINE] = "line",
 		[PATH_FILE] = "file", [PATH_TOOL] = "tool", [PATH_CLASS] = "class",
+		[PATH_MODES] = "modes", [PATH_FEED] = "feed",
 	};
 	const struct recorder *recorder = report->recorder;
 	const struct machine *machine = report->run->scene->machine;
 	json_t *object = new_table(), *files = json_array();
 
 	for (int i = 0; i < PATH_AXES; i++)
-		push_column(object, names[i], i == PATH_TIME ? RECORD_TIME : 1);
+		push_column(object, names[i], i == PATH_TIME ? RECORD_TIME : i == PATH_FEED ? RECORD_FEED : 1);
 	for (size_t i = 0; i < machine->axis_count; i++)
 		push_column(object, machine->axes[i].name, recorder_axis_scale(&machine->axes[i]));
 	for (size_t i = 0; i < recorder->file_count; i++)
 		json_push(files, json_text(recorder->files[i].name));
 	json_put(object, "rows", json_integer(recorder->path.rows));
 	json_put(object, "files", files);
+	json_put(object, "modes", modes_json(recorder, machine));
 	json_put(object, "end", json_real(recorder->now));
 	json_put(object, "checked", json_real(checked_until(report)));
 	return object;

@@ -29,8 +29,9 @@ static vec3 times(vec3 a, vec3 b)
 	return (vec3){a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-void klartext_frame_update(struct klartext_frame *frame)
+void klartext_frame_update(struct interp *interp)
 {
+	struct klartext_frame *frame = &klartext_of(interp)->frame;
 	const double sign[3] = {frame->mirror[0] ? -1 : 1, frame->mirror[1] ? -1 : 1, frame->mirror[2] ? -1 : 1};
 	mat3 turn = mat3_turn((vec3){0, 0, 1}, radians(frame->rotation)), mirror = mat3_identity();
 	vec3 fixed = times(vec3_sub((vec3){1, 1, 1}, frame->factor), frame->centre);
@@ -48,6 +49,7 @@ void klartext_frame_update(struct klartext_frame *frame)
 	frame->turn = turn;
 	frame->origin = vec3_add(frame->origin, frame->shift);
 	frame->any = frame->tilted || klartext_frame_is_inner(frame) || !is_zero(frame->shift);
+	interp->state.own_frame = frame->any;
 }
 
 bool klartext_frame_is_inner(const struct klartext_frame *frame)
@@ -209,7 +211,7 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 		klartext_of(interp)->shifted[slot] |= !same_double(shift.v[slot], interp->state.shift.v[slot]);
 	*linear = (vec3){values[0], values[1], values[2]};
 	interp->state.shift = shift;
-	klartext_frame_update(frame);
+	klartext_frame_update(interp);
 	return tool_length_offsets_changed(interp, cycle->column);
 }
 
@@ -232,12 +234,12 @@ static bool check_order(struct interp *interp, const struct klartext_cycle *cycl
 	return true;
 }
 
-static bool put(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_frame *frame)
+static bool put(struct interp *interp, const struct klartext_cycle *cycle, const struct klartext_frame *frame)
 {
 	if (!check_order(interp, cycle, frame))
 		return false;
-	klartext_frame_update(frame);
 	klartext_of(interp)->frame = *frame;
+	klartext_frame_update(interp);
 	return true;
 }
 

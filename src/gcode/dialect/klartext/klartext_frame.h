@@ -6,8 +6,8 @@
 
 #include "gcode/dialect/klartext/klartext_state.h"
 
-/* Recomputes what the frame is made of. */
-void klartext_frame_update(struct klartext_frame *frame);
+/* Recomputes what the frame is made of, and tells the interpreter whether there is one. */
+void klartext_frame_update(struct interp *interp);
 
 /* The position of a programmed point, and back: X, Y, Z in mm. */
 vec3 klartext_frame_position(const struct interp *interp, vec3 point);

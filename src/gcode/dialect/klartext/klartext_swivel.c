@@ -324,7 +324,7 @@ bool klartext_swivel_leave(struct interp *interp, int column)
 		return false;
 	klartext->frame.tilted = klartext->waits = klartext->preset_in_plane = false;
 	klartext->frame.tilt = mat3_identity();
-	klartext_frame_update(&klartext->frame);
+	klartext_frame_update(interp);
 	return true;
 }
 
@@ -398,7 +398,7 @@ static bool tilt_to(struct interp *interp, const struct klartext_swivel *request
 		return false;
 	klartext->frame.tilted = true;
 	klartext->frame.tilt = *tilt;
-	klartext_frame_update(&klartext->frame);
+	klartext_frame_update(interp);
 	klartext->waits = request->positioning == KLARTEXT_TURN_STAY && !there;
 	return klartext->waits || tool_length_switch_tcp(interp, request->column, TCP_BY_PLANE);
 }
