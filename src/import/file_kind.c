@@ -88,6 +88,8 @@ static const char *advice(const char *path, const char *text)
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, with all axes "
 		       "at 0, and name the meshes in a machine file ('fivecheck init' writes one to begin with)";
+	if (!strncmp(text, "PK\003\004", 4))
+		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can be imported";
 	return "this is no file that can be imported: a machine or a tool library of VERICUT 7 (XML), a tool library of Fusion 360 "
 	       "(JSON), a table of tools (CSV, tool.tbl) or a listing of offsets (G10)";
 }

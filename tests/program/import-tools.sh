@@ -64,6 +64,8 @@ cat >fusion.json <<'EOF'
   {"height": 26, "lower-diameter": 2, "upper-diameter": 12}]}},
  {"type": "bull nose end mill", "unit": "millimeters", "geometry": {"DC": 10, "LB": 40, "LCF": 20, "SFDM": 12,
   "RE": 2, "assemblyGaugeLength": 100}, "post-process": {"number": 5}},
+ {"type": "chamfer mill", "unit": "inches", "description": "V-bit, cut off within its cone", "geometry": {"DC": 0.125,
+  "LB": 0.77, "LCF": 0.36, "SFDM": 0.125, "TA": 5, "tip-diameter": 0.004, "shoulder-length": 0.5}, "post-process": {"number": 8}},
  {"type": "dovetail mill", "geometry": {}, "post-process": {"number": 6}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6, "LB": 25}, "post-process": {}},
  {"type": "ball end mill", "unit": "millimeters", "geometry": {"DC": 6}, "post-process": {"number": 7}}
@@ -71,6 +73,7 @@ cat >fusion.json <<'EOF'
 EOF
 fivecheck import --output f fusion.json
 cat f/setup.xml
+python3 "$(dirname "$LIB")/../import/fusion_truth.py" fusion.json f/setup.xml
 "$FIVECHECK" --list-pairs -s f/setup.xml m.xml | grep -c '^[^	]*	T[0-9]* cutter'
 echo "faults:"
 fault() { # SED-SCRIPT FILE

@@ -162,6 +162,12 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		if (!(g->taper_angle >= 1 && g->taper_angle <= 89) || g->tip_diameter > g->diameter)
 			return "its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than it";
 		cone = cone_height(g->tip_diameter, g->diameter, g->taper_angle);
+		/* Some engraving tools end within the cone: above their flutes they are a shank. */
+		if (g->flutes > 0 && g->flutes < cone) {
+			tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, g->flutes,
+					 g->tip_diameter / 2 + (r - g->tip_diameter / 2) * g->flutes / cone);
+			return NULL;
+		}
 		tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, cone, r);
 		tool_profile_add(&tool->cutter, cone, r, fmax(g->flutes, cone), r);
 		return NULL;

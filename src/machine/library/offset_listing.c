@@ -235,8 +235,8 @@ static bool is_empty(const struct line *line)
 {
 	double end = given(line, 'M');
 
-	for (char letter = 'A'; letter <= 'Z'; letter++)
-		if (is_given(line, letter) && !is_frame(letter))
+	for (int i = 0; i < 26; i++)
+		if (is_given(line, (char)('A' + i)) && !is_frame((char)('A' + i)))
 			return false;
 	return isnan(end) || whole(line, 'M', 2, 2) > 0 || whole(line, 'M', 30, 30) > 0 || whole(line, 'M', 99, 99) > 0;
 }
