@@ -60,6 +60,19 @@ static const struct program {
 	 "feed 2 0 0 0 0 tcp\n"},
 	/* "Constant cutting rate": G97 has feeds per revolution, G971 per minute. */
 	{"G500 S60\nG97 F1 X1\nG971 F60 X2\nG972 X3\n", "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\n"},
+	/* The programmable frame as a variable: parts are chained as the forms with A are. */
+	{"F6 G500\nTRANS X1\n$P_PFRAME=CTRANS(X,10,Y,20):CROT(Z,90)\nX1 Y0\n$P_PFRAME=CMIRROR(X):CTRANS(X,5)\nX1 Y1\n"
+	 "$P_PFRAME=CSCALE(X,2,Y,2)\nX1 Y1\n$P_PFRAME=CTRANS()\nX1 Y1\n",
+	 "feed 10 21 0 0 0\nfeed -6 1 0 0 0\nfeed 2 2 0 0 0\nfeed 1 1 0 0 0\n"},
+	/* With G70 variables of the control stay in its own unit, with G700 they do not. */
+	{"F6 G500\nX25.4\nG70\nR1=$P_EP[X] R2=$AA_IW[X]\nG700\nR3=$P_EP[X]\nG710 X=R1+1 Y=R2 Z=R3\n",
+	 "feed 25.4 0 0 0 0\nfeed 26.4 25.4 1 0 0\n"},
+	{"F6 G500\nG70\n$P_UIFR[1]=CTRANS(X,1)\nG700\n$P_UIFR[2]=CTRANS(X,1)\nG710 G54 X0\nG55 X0\nG70\n$P_PFRAME=CTRANS(Y,2)\n"
+	 "G71 Y0\n",
+	 "feed 1 0 0 0 0\nfeed 25.4 0 0 0 0\nfeed 25.4 2 0 0 0\n"},
+	/* Lengths and radii of tools come from the setup, in the program's unit. */
+	{"F6 G500\nX=$TC_DP3[1,1] Y=$TC_DP6[1,1]\nX=$TC_DP3[1,2] Y=$TC_DP6[1,2]\nG700\nR1=$TC_DP3[1,1]\nG710 X=R1\nRNDM=0\n",
+	 "feed 100 5 0 0 0\nfeed 90 4 0 0 0\nfeed 3.93700787 4 0 0 0\n"},
 	/* "Position pattern": without a modal cycle it only goes there. */
 	{"F6 G500 G0 Z10\nMCALL CYCLE81(10,0,1,-2)\nCYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)\nMCALL\n"
 	 "HOLES1(0,0,0,10,5,2)\n",
@@ -71,6 +84,13 @@ static const struct program {
 static const struct bad {
 	const char *text, *message;
 } bad[] = {
+	{"X=$TC_DP6[9,1]\n", "$TC_DP6[9,1]: the setup defines no radius of edge D1 of tool T9"},
+	{"X=$TC_DP25[1,1]\n", "the value of $TC_DP25 is known to the control alone"},
+	{"X=$TC_DP3[1]\n", "',' is needed behind the tool"},
+	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
+	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},
+	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
+	{"RNDM=1\n", "RNDM: rounding between all blocks is not supported yet, only RNDM=0"},
 	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"G54\n$P_UIFR[1,X,TR]=5\n",
 	 "$P_UIFR[1] is the work offset in force, and takes effect at its next selection; select G500 before it"},

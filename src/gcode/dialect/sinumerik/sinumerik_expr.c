@@ -245,10 +245,26 @@ bool sinumerik_expr_axis(struct interp *interp, struct lexer *lexer, int *slot)
 	return true;
 }
 
+/* $TC_DP6[T, D] and the like: data of a tool's edge. */
+static bool tool_value(struct expr *expr, const char *name, int column, double *value)
+{
+	struct interp *interp = expr->context;
+	int tool, edge;
+
+	return sinumerik_expr_need(expr->lexer, '[', name) &&
+	       sinumerik_expr_whole(interp, expr->lexer, "the number of a tool", 1, 32000, &tool) &&
+	       sinumerik_expr_need(expr->lexer, ',', "the tool") &&
+	       sinumerik_expr_whole(interp, expr->lexer, "the number of an edge", 1, 32000, &edge) &&
+	       sinumerik_expr_need(expr->lexer, ']', "the edge") &&
+	       sinumerik_system_edge(interp, name, tool, edge, column, value);
+}
+
 static bool system_value(struct expr *expr, const char *name, int column, struct expr_operand *value)
 {
 	int slot = -1;
 
+	if (!strncmp(name, "$TC_DP", 6))
+		return tool_value(expr, name, column, &value->number);
 	if (sinumerik_expr_take_byte(expr->lexer, '[') &&
 	    (!sinumerik_expr_axis(expr->context, expr->lexer, &slot) ||
 	     !sinumerik_expr_need(expr->lexer, ']', "the axis")))

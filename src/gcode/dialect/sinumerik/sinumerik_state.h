@@ -151,7 +151,7 @@ struct sinumerik {
 	size_t name_count, name_capacity;
 	enum sinumerik_orientation orientation;
 	bool machine_orientation;	/* ORIMKS */
-	double feed_scale;	/* mm per unit of F */
+	double feed_scale;	/* mm per unit of F, and of lengths in variables of the control */
 	double rounding, rapid_rounding;	/* mm: ADIS and ADISPOS, for G641 */
 	double rapid_factor;	/* STOLF; 0: none was given */
 	double orientation_tolerance;	/* degrees: OTOL or that of CYCLE832; 0: not known */

@@ -25,9 +25,10 @@ bool sinumerik_system_constant(const char *name, double *value)
 	return false;
 }
 
-static double in_unit(const struct state *state, int slot, double value)
+/* "Inch or metric (G70, G700, G71, G710)": with G70 and G71 variables of the control stay in its own unit. */
+static double in_unit(const struct interp *interp, int slot, double value)
 {
-	return slot_is_rotary(slot) ? value : value / state->scale;
+	return slot_is_rotary(slot) ? value : value / sinumerik_of(interp)->feed_scale;
 }
 
 /* 840D sl, system variables: actual positions; the program is never ahead of the axes here. */
@@ -41,10 +42,10 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 		if (state->tcp != TCP_OFF && !slot_is_rotary(slot))
 			return fault(&interp->at, column, "$AA_IM of %c under TRAORI is not supported yet",
 				     AXIS_LETTERS[slot]);
-		*value = in_unit(state, slot, state->position.v[slot]);
+		*value = in_unit(interp, slot, state->position.v[slot]);
 		return true;
 	}
-	*value = in_unit(state, slot, sinumerik_frame_place(interp)->v[slot]);
+	*value = in_unit(interp, slot, sinumerik_frame_place(interp)->v[slot]);
 	return true;
 }
 
@@ -74,4 +75,29 @@ bool sinumerik_system_read(struct interp *interp, const char *name, int slot, in
 	if (!strcmp(name, "$P_TOOLL") && slot < 0)
 		return fault(&interp->at, column, "%s needs an index, and is not supported yet", name);
 	return fault(&interp->at, column, "the value of %s is known to the control alone", name);
+}
+
+bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, int edge, int column, double *value)
+{
+	const struct tool *found = tool_table_find(&interp->tools, tool);
+	const bool length = !strcmp(name, "$TC_DP3"), radius = !strcmp(name, "$TC_DP6");
+	double mm = -1;
+
+	if (!length && !radius)
+		return fault(&interp->at, column, "the value of %s is known to the control alone", name);
+	if (found && edge == 1)
+		mm = length ? found->length_offset : found->diameter / 2;
+	for (size_t i = 0; found && i < interp->config->edge_count && edge > 1; i++) {
+		const struct tool_edge *other = &interp->config->edges[i];
+
+		if (other->tool == tool && other->number == edge)
+			mm = length		       ? other->length + interp->config->length_change
+			     : other->diameter > 0 ? other->diameter / 2
+						   : found->diameter / 2;
+	}
+	if (mm < 0 || (radius && !(mm > 0)))
+		return fault(&interp->at, column, "%s[%d,%d]: the setup defines no %s of edge D%d of tool T%d", name, tool,
+			     edge, length ? "length" : "radius", edge, tool);
+	*value = in_unit(interp, SLOT_Z, mm);
+	return true;
 }

@@ -13,4 +13,7 @@ bool sinumerik_system_constant(const char *name, double *value);
  */
 bool sinumerik_system_read(struct interp *interp, const char *name, int slot, int column, double *value);
 
+/* $TC_DP3 and $TC_DP6: the length and the radius of a tool's edge, from the setup. False: reported. */
+bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, int edge, int column, double *value);
+
 #endif

@@ -4,6 +4,7 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/eval/expr.h"
 
 /* The work offset of $P_UIFR[n]: 1 is G54. */
@@ -16,7 +17,7 @@ static bool set_component(struct interp *interp, int system, int slot, double va
 {
 	struct state *state = &interp->state;
 
-	state->work[system].v[slot] = slot_is_rotary(slot) ? value : value * state->scale;
+	state->work[system].v[slot] = slot_is_rotary(slot) ? value : value * sinumerik_of(interp)->feed_scale;
 	state->work_known[system] = true;
 	return true;
 }
@@ -79,6 +80,61 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 		     component[0] ? component : "no component");
 }
 
+/* One part of $P_PFRAME: CTRANS(X,1,Y,2), CROT(Z,30), CSCALE(X,2), CMIRROR(X). */
+static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
+{
+	static const struct {
+		const char *name;
+		enum sinumerik_frame_code code;
+	} parts[] = {{"CTRANS", SINUMERIK_TRANS}, {"CROT", SINUMERIK_ROT}, {"CSCALE", SINUMERIK_SCALE},
+		     {"CMIRROR", SINUMERIK_MIRROR}};
+	const int column = expr_column(lexer);
+	struct sinumerik_frame_words words = {.added = !first, .column = column};
+	size_t i = 0;
+	int slot;
+
+	while (i < sizeof(parts) / sizeof(parts[0]) && !sinumerik_expr_take(lexer, parts[i].name))
+		i++;
+	if (i == sizeof(parts) / sizeof(parts[0]))
+		return fault(lexer->at, column, "CTRANS, CROT, CSCALE or CMIRROR is needed here");
+	words.code = parts[i].code;
+	if (!sinumerik_expr_need(lexer, '(', parts[i].name))
+		return false;
+	while (lexer_peek(lexer) != ')') {
+		if (!sinumerik_expr_axis(interp, lexer, &slot))
+			return false;
+		words.has[slot] = true;
+		if (words.code != SINUMERIK_MIRROR && (!sinumerik_expr_need(lexer, ',', "the axis") ||
+						       !sinumerik_expr_number(interp, lexer, &words.value[slot])))
+			return false;
+		if (words.code == SINUMERIK_TRANS && !slot_is_rotary(slot))
+			words.value[slot] *= sinumerik_of(interp)->feed_scale;
+		if (!sinumerik_expr_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
+			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
+	}
+	lexer_take(lexer);
+	return sinumerik_frame_set(interp, &words);
+}
+
+/* The programmable frame: parts that ':' chains, each in the coordinates of those before it. */
+static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
+{
+	bool first = true;
+
+	if (interp->state.unknown_modes & 1U << G_UNITS)
+		return fault(&interp->at, column, "$P_PFRAME needs G70, G71, G700 or G710 before it");
+	if (sinumerik_of(interp)->frames_unsure)
+		return fault(&interp->at, column, "frames after TRAORI or TRAFOOF: select the work offset again first");
+	if (!sinumerik_expr_need(lexer, '=', "$P_PFRAME"))
+		return false;
+	do {
+		if (!read_part(interp, lexer, first))
+			return false;
+		first = false;
+	} while (sinumerik_expr_take_byte(lexer, ':'));
+	return true;
+}
+
 bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const char *name, int column)
 {
 	static const char *const idle[] = {"$AC_TIMER", "$AC_MARKER", "$AC_PARAM"};
@@ -87,6 +143,8 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 
 	if (!strcmp(name, "$P_UIFR"))
 		return write_offset(interp, lexer, column);
+	if (!strcmp(name, "$P_PFRAME") && lexer_peek(lexer) == '=')
+		return write_frame(interp, lexer, column);
 	for (size_t i = 0; i < sizeof(idle) / sizeof(idle[0]); i++) {
 		if (strcmp(idle[i], name) != 0)
 			continue;

@@ -37,7 +37,7 @@
 	ADDRESS_ROW(ROW, "CHF", CHF, "chamfer by its length") \
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
 	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
-	REFUSED_ROW(ROW, "RNDM", "rounding between blocks") \
+	ZERO_ROW(ROW, "RNDM", "rounding between all blocks") \
 	REFUSED_ROW(ROW, "POS", "positioning axis") \
 	REFUSED_ROW(ROW, "POSA", "positioning axis") \
 	REFUSED_ROW(ROW, "POSP", "positioning axis") \
