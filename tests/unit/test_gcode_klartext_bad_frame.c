@@ -38,9 +38,8 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2\nCYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\n",
 	 "p.nc:5:10: error: a rotation and factors that differ in X and Y at a time: their order is not "
 	 "known here; cancel one of them first"},
-	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 F1000 ABST50\n",
-	 "p.nc:3:20: error: F and a clearance of CYCL DEF 19 let the control turn the rotary axes "
-	 "itself: that is not supported yet; turn them by Q120 to Q122"},
+	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45 ABST50\n",
+	 "p.nc:3:10: error: a set-up clearance of CYCL DEF 19 needs F beside it"},
 	{"CYCL DEF 19.0\nCYCL DEF 19.1 A-45\nL X+1 FMAX\n",
 	 "p.nc:4:3: error: a move of linear axes between PLANE ... STAY and the rotary axes' way to the "
 	 "plane (Q120 to Q122) is not supported"},

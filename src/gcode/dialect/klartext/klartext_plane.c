@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_plane.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
@@ -120,24 +121,37 @@ bool klartext_plane_run(struct lexer *lexer)
 			 : klartext_swivel_tilt(interp, &request, &tilt.turn);
 }
 
-/* The angles of cycle 19. False: reported. */
-static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt)
+/*
+ * The angles of cycle 19; with F the control turns the rotary axes itself, as PLANE ... MOVE does, about the point by
+ * which the set-up clearance (ABST) extends the tool. False: reported.
+ */
+static bool read_cycle(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_tilt *tilt,
+		       struct klartext_swivel *request)
 {
 	for (int i = 0; i < cycle->count; i++) {
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		int slot = word->name[1] == '\0' ? slot_of_letter(word->name[0]) : -1;
 
-		if (slot >= SLOT_A && slot <= SLOT_C && word->given) {
+		if (!strcmp(word->name, "FMAX")) {
+			/* A clearance behind it has become its value. */
+			request->positioning = KLARTEXT_TURN_MOVE;
+			request->rapid = true;
+			request->distance = word->given ? word->value * interp->state.scale : request->distance;
+		}
+		if (!word->given || !strcmp(word->name, "FMAX"))
+			continue;
+		if (slot >= SLOT_A && slot <= SLOT_C) {
 			tilt->angle[slot] = word->value;
 			tilt->axes |= 1U << slot;
-		} else if (word->given) {
-			return fault(
-			    &interp->at, word->column,
-			    "F and a clearance of CYCL DEF 19 let the control turn the rotary axes itself: that is not "
-			    "supported yet; turn them by Q120 to Q122");
+		} else if (!strcmp(word->name, "F")) {
+			request->positioning = KLARTEXT_TURN_MOVE;
+			request->feed = word->value;
+		} else {
+			request->distance = word->value * interp->state.scale;
 		}
 	}
-	return true;
+	return request->positioning == KLARTEXT_TURN_MOVE || same_double(request->distance, 0) ||
+	       fault(&interp->at, cycle->column, "a set-up clearance of CYCL DEF 19 needs F beside it");
 }
 
 static bool is_level(const struct klartext_tilt *tilt)
@@ -163,20 +177,20 @@ static bool tilt_by_axes(struct interp *interp, const struct klartext_swivel *re
 
 /*
  * "WORKING PLANE (Cycle 19)": a machine parameter says whether its angles are spatial angles or positions of the
- * rotary axes. Without angles, or with 0 alone, it takes the tilting back. No axis moves: the program turns the rotary
- * axes to Q120 to Q122.
+ * rotary axes. Without angles, or with 0 alone, it takes the tilting back. Without F no axis moves: the program turns
+ * the rotary axes to Q120 to Q122.
  */
 bool klartext_plane_cycle(struct interp *interp, const struct klartext_cycle *cycle)
 {
-	const struct klartext_swivel request = {
+	struct klartext_swivel request = {
 	    .positioning = KLARTEXT_TURN_STAY, .coord_rot = true, .column = cycle->column};
 	const enum cycle_19_angles angles = interp->config->controller.cycle_19_angles;
 	struct klartext_tilt tilt = {.axes = 0};
 
-	if (!read_cycle(interp, cycle, &tilt) || !check(interp, cycle->column))
+	if (!read_cycle(interp, cycle, &tilt, &request) || !check(interp, cycle->column))
 		return false;
 	if (is_level(&tilt))
-		return klartext_swivel_leave(interp, cycle->column);
+		return klartext_swivel_reset(interp, &request);
 	if (angles == CYCLE_19_ANGLES_UNKNOWN)
 		return fault(&interp->at, cycle->column,
 			     "a machine parameter says what the angles of CYCL DEF 19 are: cycle_19_angles=\"spatial\" "

@@ -129,7 +129,8 @@ static bool thread(const struct klartext_call_of *call, struct klartext_region *
 }
 
 /*
- * "THREAD MILLING/COUNTERSINKING (Cycle 263)", "THREAD DRILLING/MILLING (264)", "HELICAL THREAD DRILLING (265)": Q356 is the depth of the bore, Q358 and Q359 the depth and the offset of the countersink at the front.
+ * "THREAD MILLING/COUNTERSINKING (Cycle 263)", "THREAD DRILLING/MILLING (264)", "HELICAL THREAD DRILLING (265)": Q356
+ * is the depth of the bore, Q358 and Q359 the depth and the offset of the countersink at the front.
  */
 static bool deep_thread(const struct klartext_call_of *call, struct klartext_region *region)
 {

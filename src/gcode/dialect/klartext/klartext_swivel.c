@@ -113,7 +113,8 @@ static bool along_tilted_x(struct interp *interp, int column, struct kinematics_
 }
 
 /*
- * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's. The machine's X turns with the axis, so that two positions tell the angle.
+ * TNC7 user's manual, "TABLE ROT": a free rotary axis turns until the tilted coordinates lie along the machine's, whose
+ * X turns with the axis: two positions tell the angle.
  */
 static bool turn_free_axis(struct interp *interp, const struct klartext_swivel *request,
 			   const struct kinematics_solution *chosen, const mat3 *tilt, int slot, slot_values *rotary)
