@@ -431,19 +431,22 @@ static void make_tool(struct arena *arena, enum tool_tip tip, struct mesh *mesh)
 }
 
 /* How far the nearest vertex of the rings, or centre of a cap, is from the point. */
-static double from_rings(const struct turned *turned, const float p[3])
+static double from_rings(const struct turned *turned, const vec3 *circle, const float p[3])
 {
-	double best = fmin(hypot(hypot((double)p[0], (double)p[1]), (double)p[2] - turned->corners[0].z),
-			   hypot(hypot((double)p[0], (double)p[1]), (double)p[2] - turned->corners[turned->count - 1].z));
+	const double x = (double)p[0], y = (double)p[1], z = (double)p[2];
+	const double bottom = z - turned->corners[0].z, top = z - turned->corners[turned->count - 1].z;
+	double best = x * x + y * y + fmin(bottom * bottom, top * top);
 
 	for (size_t i = 0; i < turned->count; i++) {
-		for (size_t k = 0; k < turned->facets; k++) {
-			const double a = 2 * PI * (double)k / (double)turned->facets, r = turned->corners[i].r;
+		const double r = turned->corners[i].r, dz = z - turned->corners[i].z;
 
-			best = fmin(best, hypot(hypot((double)p[0] - r * cos(a), (double)p[1] - r * sin(a)), (double)p[2] - turned->corners[i].z));
+		for (size_t k = 0; k < turned->facets; k++) {
+			const double dx = x - r * circle[k].x, dy = y - r * circle[k].y;
+
+			best = fmin(best, dx * dx + dy * dy + dz * dz);
 		}
 	}
-	return best;
+	return sqrt(best);
 }
 
 START_TEST(tools_are_told_by_their_outline)
@@ -451,11 +454,19 @@ START_TEST(tools_are_told_by_their_outline)
 	struct arena arena = {0};
 	struct turned turned;
 	struct mesh mesh;
+	vec3 *circle;
 
 	make_tool(&arena, (enum tool_tip)_i, &mesh);
 	ck_assert(turned_init(&turned, &mesh));
+	circle = mem_alloc(turned.facets * sizeof(*circle));
+	for (size_t k = 0; k < turned.facets; k++) {
+		const double a = 2 * PI * (double)k / (double)turned.facets;
+
+		circle[k] = (vec3){cos(a), sin(a), 0};
+	}
 	for (size_t i = 0; i < 3 * mesh.count; i++)
-		ck_assert_double_le(from_rings(&turned, mesh.triangles[i / 3].v[i % 3]), TURNED_ERROR);
+		ck_assert_double_le(from_rings(&turned, circle, mesh.triangles[i / 3].v[i % 3]), TURNED_ERROR);
+	free(circle);
 	turned_release(&turned);
 	/* What lacks a triangle, or has a corner elsewhere, is no turned body. */
 	mesh.count--;

@@ -198,8 +198,13 @@ static inline real clamp01(real s)
 	return s < 0 ? 0 : s > 1 ? 1 : s;
 }
 
-/* The least of the four end-to-segment distances and, if it lies within both, of the common perpendicular. */
-static inline real true_segments(const real3 p[2], const real3 q[2])
+static inline real least(real a, real b)
+{
+	return b < a ? b : a;
+}
+
+/* The square of the least of the four end-to-segment distances and, if it lies within both, of the common perpendicular. */
+static inline real true_segments2(const real3 p[2], const real3 q[2])
 {
 	real3 d = real3_sub(p[1], p[0]), e = real3_sub(q[1], q[0]), n = real3_cross(d, e), r = real3_sub(q[0], p[0]);
 	real dd = real3_dot(d, d), ee = real3_dot(e, e), nn = real3_dot(n, n), best = INFINITY;
@@ -207,26 +212,25 @@ static inline real true_segments(const real3 p[2], const real3 q[2])
 	for (int i = 0; i < 2; i++) {
 		real t = ee > 0 ? clamp01(real3_dot(real3_sub(p[i], q[0]), e) / ee) : 0;
 		real s = dd > 0 ? clamp01(real3_dot(real3_sub(q[i], p[0]), d) / dd) : 0;
+		real3 from_p = real3_sub(real3_add(q[0], real3_scale(t, e)), p[i]);
+		real3 from_q = real3_sub(real3_add(p[0], real3_scale(s, d)), q[i]);
 
-		best = fminl(best, real3_norm(real3_sub(real3_add(q[0], real3_scale(t, e)), p[i])));
-		best = fminl(best, real3_norm(real3_sub(real3_add(p[0], real3_scale(s, d)), q[i])));
+		best = least(best, least(real3_dot(from_p, from_p), real3_dot(from_q, from_q)));
 	}
 	if (nn > 1e-24L * dd * ee) {
 		real s = real3_dot(real3_cross(r, e), n) / nn, t = real3_dot(real3_cross(r, d), n) / nn;
+		real along = real3_dot(r, n);
 
 		if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
-			best = fminl(best, fabsl(real3_dot(r, n)) / sqrtl(nn));
+			best = least(best, along * along / nn);
 	}
 	return best;
 }
 
-/* Is the foot of x in the triangle? Then *height is the signed height over it. */
-static inline bool true_over_face(const real3 t[3], real3 x, real *height)
+/* Is the foot of x in the triangle with the normal n? */
+static inline bool true_over_face(const real3 t[3], real3 n, real3 x)
 {
-	real3 n = real3_cross(real3_sub(t[1], t[0]), real3_sub(t[2], t[0]));
-	real norm = real3_norm(n);
-
-	if (!(norm > 0))
+	if (!(real3_dot(n, n) > 0))
 		return false;
 	for (int i = 0; i < 3; i++) {
 		real3 edge = real3_sub(t[(i + 1) % 3], t[i]);
@@ -234,26 +238,22 @@ static inline bool true_over_face(const real3 t[3], real3 x, real *height)
 		if (real3_dot(real3_cross(edge, real3_sub(x, t[i])), n) < 0)
 			return false;
 	}
-	*height = real3_dot(n, real3_sub(x, t[0])) / norm;
 	return true;
 }
 
-/* Does the segment pass through the triangle? */
-static inline bool true_pierces(const real3 t[3], const real3 p[2])
+/* Does the segment from p, h0 over the plane of the triangle with the normal n, to q, h1 over it, pass through the triangle? */
+static inline bool true_pierces(const real3 t[3], real3 n, real3 p, real h0, real3 q, real h1)
 {
-	real3 n = real3_cross(real3_sub(t[1], t[0]), real3_sub(t[2], t[0]));
-	real h0 = real3_dot(n, real3_sub(p[0], t[0])), h1 = real3_dot(n, real3_sub(p[1], t[0])), height;
-
 	if ((h0 > 0 && h1 > 0) || (h0 < 0 && h1 < 0) || !(fabsl(h0 - h1) > 0))
 		return false;
-	return true_over_face(t, real3_add(p[0], real3_scale(h0 / (h0 - h1), real3_sub(p[1], p[0]))), &height);
+	return true_over_face(t, n, real3_add(p, real3_scale(h0 / (h0 - h1), real3_sub(q, p))));
 }
 
 /* Feature by feature: nine pairs of edges, six corners over faces, six edges through faces. */
 static inline double true_distance(const tri *a, const tri *b)
 {
 	real3 t[2][3];
-	real best = INFINITY, height;
+	real best = INFINITY;
 
 	for (int i = 0; i < 3; i++) {
 		t[0][i] = real3_of(a->p[i]);
@@ -263,20 +263,26 @@ static inline double true_distance(const tri *a, const tri *b)
 		for (int j = 0; j < 3; j++) {
 			const real3 p[2] = {t[0][i], t[0][(i + 1) % 3]}, q[2] = {t[1][j], t[1][(j + 1) % 3]};
 
-			best = fminl(best, true_segments(p, q));
+			best = least(best, true_segments2(p, q));
 		}
 	}
 	for (int k = 0; k < 2; k++) {
-		for (int i = 0; i < 3; i++) {
-			const real3 p[2] = {t[1 - k][i], t[1 - k][(i + 1) % 3]};
+		const real3 *face = t[k], *other = t[1 - k];
+		const real3 n = real3_cross(real3_sub(face[1], face[0]), real3_sub(face[2], face[0]));
+		real h[3];
 
-			if (true_over_face(t[k], p[0], &height))
-				best = fminl(best, fabsl(height));
-			if (true_pierces(t[k], p))
+		for (int i = 0; i < 3; i++)
+			h[i] = real3_dot(n, real3_sub(other[i], face[0]));
+		for (int i = 0; i < 3; i++) {
+			const int to = (i + 1) % 3;
+
+			if (true_over_face(face, n, other[i]))
+				best = least(best, h[i] * h[i] / real3_dot(n, n));
+			if (true_pierces(face, n, other[i], h[i], other[to], h[to]))
 				return 0;
 		}
 	}
-	return (double)best;
+	return (double)sqrtl(best);
 }
 
 #endif
