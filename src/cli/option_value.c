@@ -170,9 +170,9 @@ static bool read_amounts(double out[CHANGES], const struct option_row *row, cons
 	return most > 0;
 }
 
-bool option_value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag)
+bool option_value_set(void *record, const struct option_row *row, const char *text, struct diag *diag)
 {
-	void *field = (char *)options + row->field;
+	void *field = (char *)record + row->field;
 	int index;
 
 	_Static_assert(sizeof(enum check_method) == sizeof(int),
@@ -182,9 +182,10 @@ bool option_value_set(struct options *options, const struct option_row *row, con
 		*(bool *)field = true;
 		return true;
 	case VALUE_TEXT:
+	case VALUE_OUTPUT:
 		if (!*text)
-			diag_error(diag, nowhere, "--%s: the name is empty", row->name);
-		*(const char **)field = text;
+			diag_error(diag, nowhere, "--%s: the argument is empty", row->name);
+		*(const char **)field = row->kind == VALUE_OUTPUT && !strcmp(text, "-") ? NULL : text;
 		return *text != '\0';
 	case VALUE_LIST:
 		return add_text(field, row, text, diag);

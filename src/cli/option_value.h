@@ -9,10 +9,10 @@
 #include "cli/options.h"
 
 /*
- * Sets the field of *options that the row names; the row may be of any kind but VALUE_MODE. Numbers are plain
- * decimals, with or without an exponent. False, reported: *options is untouched.
+ * Sets the field of *record that the row names. Numbers are plain decimals, with or without an exponent. False,
+ * reported: *record is untouched.
  */
-bool option_value_set(struct options *options, const struct option_row *row, const char *text, struct diag *diag);
+bool option_value_set(void *record, const struct option_row *row, const char *text, struct diag *diag);
 
 /* Reads a finite plain decimal number. False: the text is something else, *out is untouched. */
 bool option_value_number(double *out, const char *text);

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "cli/argv_parser.h"
+#include "cli/subcommand.h"
 #include "machine/waivers.h"
 #include "report/ndjson_run.h"
 #include "report/output.h"
@@ -12,66 +12,36 @@ static const struct srcloc nowhere;
 
 enum { KEY_REASON = 256, KEY_UNTIL };
 
+struct request {
+	const char *reason, *until, *output;	/* NULL: not given; no output: standard output */
+};
+
+#define FIELD(member) .field = offsetof(struct request, member)
+
 const struct option_row waive_options[WAIVE_OPTION_COUNT] = {
-	{KEY_REASON, "reason", "TEXT", .kind = VALUE_TEXT, .help = "why the findings are accepted; required"},
-	{KEY_UNTIL, "until", "DATE", .kind = VALUE_TEXT, .help = "the last day, like 2026-12-31; required"},
-	{'o', "output", "FILE", .kind = VALUE_TEXT,
+	{KEY_REASON, "reason", "TEXT", .kind = VALUE_TEXT, FIELD(reason),
+	 .help = "why the findings are accepted; required"},
+	{KEY_UNTIL, "until", "DATE", .kind = VALUE_TEXT, FIELD(until),
+	 .help = "the last day, like 2026-12-31; required"},
+	{'o', "output", "FILE", .kind = VALUE_OUTPUT, FIELD(output),
 	 .help = "write to FILE, which is replaced when complete; - is\nstandard output"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
-struct request {
-	const char *file, *reason, *until, *output;	/* NULL: not given; no output: standard output */
-	size_t operands;
-	bool help;
+static const struct subcommand subcommand = {
+	.name = "waive",
+	.usage = "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
+		 "Writes a file for --waivers that accepts every finding that failed the run whose results\n"
+		 "are FILE, made with --all --format=ndjson=FILE. The waivers hold for this machine file and\n"
+		 "this setup only.\n",
+	.options = waive_options,
+	.option_count = WAIVE_OPTION_COUNT,
 };
 
-static void take_operand(void *context, char *word)
-{
-	struct request *request = context;
-
-	request->file = word;
-	request->operands++;
-}
-
-static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
-{
-	struct request *request = context;
-
-	switch (row->key) {
-	case KEY_REASON:
-		request->reason = argument;
-		break;
-	case KEY_UNTIL:
-		request->until = argument;
-		break;
-	case 'o':
-		request->output = strcmp(argument, "-") ? argument : NULL;
-		break;
-	default:
-		request->help = true;
-		return ARGV_LAST;
-	}
-	return ARGV_NEXT;
-}
-
-static enum run_status print_help(struct diag *diag)
-{
-	struct strbuf text = {0};
-
-	strbuf_addf(&text,
-		    "Usage: fivecheck waive --reason=TEXT --until=DATE [OPTIONS] FILE\n"
-		    "Writes a file for --waivers that accepts every finding that failed the run whose results\n"
-		    "are FILE, made with --all --format=ndjson=FILE. The waivers hold for this machine file and\n"
-		    "this setup only.\n\n");
-	argv_parser_help(&text, waive_options, WAIVE_OPTION_COUNT);
-	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
-}
-
 /* False: reported. */
-static bool check(const struct request *request, struct diag *diag)
+static bool check(const struct request *request, const struct operands *operands, struct diag *diag)
 {
-	if (request->operands != 1)
+	if (operands->count != 1)
 		diag_error(diag, nowhere, "waive needs the NDJSON results of one run");
 	else if (!request->reason || !request->reason[strspn(request->reason, " \t\r\n")])
 		diag_error(diag, nowhere, "waive needs a reason: --reason=TEXT");
@@ -98,26 +68,31 @@ static bool write_waivers(const struct request *request, struct strbuf *text, lo
 	return true;
 }
 
-enum run_status waive_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
+static enum run_status waive(const struct request *request, const char *results, struct diag *diag)
 {
-	struct request request = {0};
-	const struct argv_parser parser = {waive_options, WAIVE_OPTION_COUNT, take_option, take_operand, &request};
 	struct ndjson_run run = {0};
 	struct strbuf text = {0};
 	long findings = -1;
-	bool good = argv_parser_run(&parser, argc, argv, &ui->diag);
+	bool good;
 
-	(void)all;
-	if (good && request.help)
-		return print_help(&ui->diag);
-	if (!good || !check(&request, &ui->diag)) {
-		diag_note(&ui->diag, nowhere, "'fivecheck waive --help' lists the options");
-		return RUN_INCOMPLETE;
-	}
-	if (ndjson_run_load(&run, request.file, &ui->diag))
-		findings = waiver_writer_add(&text, &run, request.reason, request.until, &ui->diag);
-	good = findings >= 0 && write_waivers(&request, &text, findings, &ui->diag);
+	if (ndjson_run_load(&run, results, diag))
+		findings = waiver_writer_add(&text, &run, request->reason, request->until, diag);
+	good = findings >= 0 && write_waivers(request, &text, findings, diag);
 	ndjson_run_release(&run);
 	strbuf_release(&text);
 	return good ? RUN_CLEAR : RUN_INCOMPLETE;
+}
+
+enum run_status waive_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
+{
+	struct request request = {0};
+	struct operands operands = {0};
+	enum run_status status;
+
+	(void)all;
+	if (subcommand_read(&subcommand, &request, &operands, argc, argv, &ui->diag, &status))
+		status = check(&request, &operands, &ui->diag) ? waive(&request, operands.items[0], &ui->diag)
+							       : subcommand_refuse(&subcommand, &ui->diag);
+	operands_release(&operands);
+	return status;
 }

@@ -1,0 +1,39 @@
+/* subcommand.h - reads the words of a subcommand into its request, and prints its help. */
+#ifndef FIVECHECK_CLI_SUBCOMMAND_H
+#define FIVECHECK_CLI_SUBCOMMAND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/diag.h"
+#include "cli/option_row.h"
+#include "cli/run_status.h"
+
+/* One of the options has the letter h: it prints the help. */
+struct subcommand {
+	const char *name;
+	const char *usage;	/* what the help says before the options */
+	const char *examples;	/* what it says behind them; NULL: nothing */
+	const struct option_row *options;
+	size_t option_count;
+};
+
+/* The words are borrowed from argv; the array is owned. All zero is empty. */
+struct operands {
+	char **items;
+	size_t count, capacity;
+};
+
+/*
+ * Sets the fields of *request that the options name and fills *operands; argv[0] is skipped. False: there is nothing left
+ * to do, and *status is the exit status: the help was printed, or a fault was reported.
+ */
+bool subcommand_read(const struct subcommand *subcommand, void *request, struct operands *operands, int argc,
+		     char **argv, struct diag *diag, enum run_status *status);
+
+/* Notes where the options are listed, behind an error about them. */
+enum run_status subcommand_refuse(const struct subcommand *subcommand, struct diag *diag);
+
+void operands_release(struct operands *operands);
+
+#endif
