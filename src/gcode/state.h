@@ -72,6 +72,13 @@ struct dynamic_work_offset {
 	bool unsure[SLOT_COUNT];	/* its offset has changed and no absolute coordinate led the axis on since */
 };
 
+/* G7.1: execute/cylinder.h. */
+struct cylinder {
+	bool on;
+	int slot;	/* the rotary axis whose angle is a way along the surface */
+	double radius;	/* mm */
+};
+
 /* G16: execute/polar_coordinates.h. */
 struct polar_coordinates {
 	bool on, has_radius, has_angle;
@@ -116,6 +123,7 @@ struct state {
 	struct rotated_frame frame;
 	struct plane_parts plane_parts;
 	struct polar_coordinates polar;
+	struct cylinder cylinder;
 	struct dynamic_work_offset dynamic;
 	/* G68, or the code that took a frame back, which made coordinates unsure; or CODE_NONE */
 	int unsure_code;

@@ -254,7 +254,7 @@ static const struct {
 	 "AN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[ATAN[AT"
 	 "AN[\n                                                                                               "
 	 "                                                                            ^\n"},
-	{BOTH, "G43.5 H1\n",
+	{H, "G43.5 H1\n",
 	 "p.nc:1:1: error: G43.5: tool centre point control with tool vectors is not supported yet\n    G43.5 "
 	 "H1\n    ^\n"},
 	{F, "G254 H1\n",
@@ -309,8 +309,10 @@ static const struct {
 	{BOTH, "M98 P7 G4\n",
 	 "p.nc:1:5: error: P belongs to M98 and to another code of the block; write two blocks\n    M98 P7 "
 	 "G4\n        ^\n"},
-	{F, "G0 X1. M98 P7 Q5\n",
+	{H, "G0 X1. M98 P7 Q5\n",
 	 "p.nc:1:15: error: no code in the block uses the word Q\n    G0 X1. M98 P7 Q5\n                  ^\n"},
+	{F, "G0 X1. M98 P7 Q5\n",
+	 "p.nc:1:15: error: M98 with both P and Q is not supported\n    G0 X1. M98 P7 Q5\n                  ^\n"},
 	{F, "M198 P1\n",
 	 "p.nc:1:1: error: M198: subprogram call from another memory is not supported yet\n    M198 P1\n    "
 	 "^\n"},

@@ -8,6 +8,7 @@
 #include "gcode/execute/arc.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/cylinder.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/probed_axes.h"
@@ -195,6 +196,8 @@ bool arc_move_run(struct interp *interp)
 	slot_values here = rotated_frame_straight(state), target;
 	int turns = 1;
 
+	if (state->cylinder.on)
+		return cylinder_arc(interp);
 	interp->state.motion = block->motion;
 	if (is_line(interp))
 		return go_straight(interp);

@@ -8,6 +8,7 @@
 #include "gcode/execute/coordinate_rotation.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
+#include "gcode/execute/cylinder.h"
 #include "gcode/execute/dynamic_work_offset.h"
 #include "gcode/execute/feedback_moves.h"
 #include "gcode/execute/length_change.h"
@@ -285,6 +286,8 @@ static bool execute_nonmodal(struct interp *interp)
 	case G28_1:
 	case G30_1:
 		return reference_return_remember(interp);
+	case G7_1:
+		return cylinder_switch(interp);
 	case G70:
 	case G71:
 		return bolt_pattern_run(interp);
@@ -367,7 +370,7 @@ bool execute_block(struct interp *interp)
 	if (state->unknown_modes && !check_modes(interp))
 		return false;
 	probed_axes_forget_turned(state);
-	if (corner_insert_concerns(interp) && !corner_insert_start_block(interp))
+	if (!cylinder_check_block(interp) || (corner_insert_concerns(interp) && !corner_insert_start_block(interp)))
 		return false;
 	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
 	    !cutter_comp_start_block(interp))

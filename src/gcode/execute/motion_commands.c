@@ -229,5 +229,8 @@ bool motion_commands_feed(struct interp *interp, struct canon_feed *feed)
 	}
 	feed->linear = state->feed_linear * per_second;
 	feed->angular = radians(state->feed_angular) * per_second;
+	/* F counts along the surface. */
+	if (state->cylinder.on)
+		feed->angular = feed->linear / state->cylinder.radius;
 	return true;
 }

@@ -40,10 +40,10 @@ static bool gives_way(int group, int before, int number)
 	return group != G_CONTOUR && (group != G_MOTION || (before <= G3 && number <= G3));
 }
 
-/* Rigid taps are taps: what they do to the spindle moves no other axis. */
+/* Rigid taps are taps: what they do to the spindle moves no other axis. G107 is another name of G7.1. */
 static int as_executed(int number)
 {
-	return number == 842 ? G84 : number == 843 ? G74 : number;
+	return number == 842 ? G84 : number == 843 ? G74 : number == 1070 ? G7_1 : number;
 }
 
 static bool add_g(struct block *block, const struct line_place *at, const struct word *word,

@@ -8,7 +8,8 @@
 /* Codes of group 0 that take the block's axis words for themselves (LinuxCNC's manual, "G Code Best Practices"). */
 static bool takes_axis_words(int code)
 {
-	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92;
+	return code == G10 || code == G12 || code == G13 || code == G28 || code == G30 || code == G52 || code == G92 ||
+	       code == G7_1;
 }
 
 static bool is_arc(int code)
@@ -85,8 +86,8 @@ static bool find_motion(struct block *block, const struct line_place *at, const 
 			block->motion = CODE_NONE;
 		else if (given != CODE_NONE && given != G80)
 			return fault(at, block->g_column[G_MOTION],
-				     "G%d and G%d both need the axis words of the block; write two blocks", given / 10,
-				     other / 10);
+				     "G%d and G%g both need the axis words of the block; write two blocks", given / 10,
+				     other / 10.0);
 		if (!axes && (other == G52 || other == G92))
 			return fault(at, block->g_column[G_NONMODAL], "G%d without an axis word", other / 10);
 		return true;

@@ -20,7 +20,7 @@ static const struct code g_codes[] = {
 	{54, GROUP_NONE, CODE_REFUSED, "high-speed high-precision contouring"},
 	{61, GROUP_NONE, CODE_REFUSED, "spline interpolation"},
 	{62, GROUP_NONE, CODE_REFUSED, "NURBS interpolation"},
-	{71, GROUP_NONE, CODE_REFUSED, "cylindrical interpolation"},
+	{G7_1, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
 	{G8, G_CONTOUR, CODE_READ, "AI advanced preview control"},
 	{106, GROUP_NONE, CODE_REFUSED, "tool retract and recover"},
 	{121, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
@@ -78,7 +78,7 @@ static const struct code g_codes[] = {
 	{G96, GROUP_NONE, CODE_REFUSED, "constant surface speed"},
 	/* The mode that is always in force here. */
 	{970, G_SPINDLE, CODE_READ, "spindle speed in revolutions per minute"},
-	{1070, GROUP_NONE, CODE_REFUSED, "cylindrical interpolation"},
+	{1070, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
 	{1120, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
 	{1130, GROUP_NONE, CODE_IGNORED, "end of polar coordinate interpolation"},
 };
