@@ -25,6 +25,22 @@ for family in table-table head-head head-table; do
 		done
 	done
 done | sort | uniq -c
+echo "nutating tables and heads:"
+nutating() { # FAMILY FIRST,SECOND [OPTION...]
+	first=${2%,*} second=${2#*,} family=$1 rotary=$2
+	shift 2
+	"$FIVECHECK" init "$family" --rotary "$rotary" --limits X=-300:300,Y=:250,Z=-400:0,$first=-30:120,$second=none \
+		--location $first=0,0,120 --location $second=0,0,120 --spindle 0,0,520 "$@" >n.xml 2>notes || { cat notes; return; }
+	make_meshes n.xml
+	grep '<axis name="[ABC]"\|45 degrees' n.xml
+	"$FIVECHECK" --check-machine n.xml | grep -c '^ *body '
+}
+nutating nutating-table B,C
+nutating nutating-table A,C --table Y
+nutating nutating-head C,B
+nutating nutating-head C,A --direction A=1,0,2
+nutating nutating-table C,B
+nutating nutating-head B,C
 # A title with everything that XML minds; an axis that is tilted; a home, as 0 is no place to start.
 init() {
 	status fivecheck init table-table --rotary B,C --limits X=-300:300,Y=-1:1,Z=-400:0,B=0:180,C=none \

@@ -63,7 +63,8 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 	list->count = 0;
 	add(list, plan->family < 0,
 	    (struct prompt){PLAN_FAMILY, -1,
-			      "the family: do both rotary axes turn the table, both the head, or one each",
+			      "the family, by what the rotary axes turn: table-table, head-head or head-table; nutating-table or "
+			      "nutating-head if one of them stands oblique",
 			      "table-table", false});
 	add(list, !plan->rotary.count,
 	    (struct prompt){PLAN_ROTARY, -1,
@@ -137,8 +138,7 @@ bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 		add_text(&text, plan, prompt);
 		add_answer(&example, prompt, prompt->example);
 		if (prompt->key == PLAN_FAMILY)
-			diag_error(diag, nowhere, "missing: %s; one of table-table, head-head, head-table",
-				   strbuf_text(&text));
+			diag_error(diag, nowhere, "missing: %s", strbuf_text(&text));
 		else
 			diag_error(diag, nowhere, "missing: %s; like --%s %s", strbuf_text(&text),
 				   init_options_row(prompt->key)->name, strbuf_text(&example));

@@ -7,6 +7,7 @@
 
 const char *const machine_plan_families[FAMILY_COUNT + 1] = {
 	[FAMILY_TABLE_TABLE] = "table-table", [FAMILY_HEAD_HEAD] = "head-head", [FAMILY_HEAD_TABLE] = "head-table",
+	[FAMILY_NUTATING_TABLE] = "nutating-table", [FAMILY_NUTATING_HEAD] = "nutating-head",
 };
 const char *const machine_plan_rapids[] = {
 	[RAPID_LINEAR] = "linear", [RAPID_DOGLEG] = "dogleg", [RAPID_ANY] = "any", NULL,
@@ -55,4 +56,11 @@ bool machine_plan_has_axis(const struct machine_plan *plan, int slot)
 bool machine_plan_turns_table(const struct machine_plan *plan, int slot)
 {
 	return machine_plan_chain_has(&plan->table, slot);
+}
+
+int machine_plan_tilted(const struct machine_plan *plan)
+{
+	if (plan->family == FAMILY_NUTATING_TABLE)
+		return plan->rotary.slots[0];
+	return plan->family == FAMILY_NUTATING_HEAD ? plan->rotary.slots[1] : -1;
 }

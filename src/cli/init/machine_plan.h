@@ -10,8 +10,18 @@
 #include "base/diag.h"
 #include "geom/vec3.h"
 
-/* What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. */
-enum family { FAMILY_TABLE_TABLE, FAMILY_HEAD_HEAD, FAMILY_HEAD_TABLE, FAMILY_COUNT };
+/*
+ * What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. A nutating table turns about an axis
+ * between two coordinate axes, and carries a second one; a nutating head is carried by another one.
+ */
+enum family {
+	FAMILY_TABLE_TABLE,
+	FAMILY_HEAD_HEAD,
+	FAMILY_HEAD_TABLE,
+	FAMILY_NUTATING_TABLE,
+	FAMILY_NUTATING_HEAD,
+	FAMILY_COUNT
+};
 
 extern const char *const machine_plan_families[FAMILY_COUNT + 1];	/* ends in NULL */
 extern const char *const machine_plan_rapids[], *const machine_plan_units[];	/* likewise */
@@ -71,6 +81,9 @@ void machine_plan_add_body(struct machine_plan *plan, int slot, const char *fold
 			   const char *ending);
 
 bool machine_plan_chain_has(const struct machine_plan_chain *chain, int slot);
+
+/* The slot of the axis that stands at 45 degrees between two others; -1: the family has none. */
+int machine_plan_tilted(const struct machine_plan *plan);
 
 /* Is the slot an axis of the machine? Valid as soon as the rotary axes are known. */
 bool machine_plan_has_axis(const struct machine_plan *plan, int slot);

@@ -41,7 +41,8 @@ static bool join_linear(struct machine_plan *plan, struct diag *diag)
 static void join_rotary(struct machine_plan *plan)
 {
 	for (size_t i = 0; i < plan->rotary.count; i++) {
-		bool table = plan->family == FAMILY_TABLE_TABLE || (plan->family == FAMILY_HEAD_TABLE && i == 1);
+		bool table = plan->family == FAMILY_TABLE_TABLE || plan->family == FAMILY_NUTATING_TABLE ||
+			     (plan->family == FAMILY_HEAD_TABLE && i == 1);
 		struct machine_plan_chain *chain = table ? &plan->table : &plan->head;
 
 		chain->slots[chain->count++] = plan->rotary.slots[i];
@@ -142,13 +143,26 @@ static void add_usual_bodies(struct machine_plan *plan)
 	}
 }
 
+/* C stands along Z already. */
+static bool check_tilted(const struct machine_plan *plan, struct diag *diag)
+{
+	int slot = machine_plan_tilted(plan);
+
+	if (slot != SLOT_C || plan->axes[slot].has_direction)
+		return true;
+	diag_error(diag, nowhere,
+		   "the oblique axis of a %s is its %s rotary axis, which is C here: exchange the axes, or give its --direction",
+		   machine_plan_families[plan->family], slot == plan->rotary.slots[0] ? "first" : "second");
+	return false;
+}
+
 bool machine_plan_finish(struct machine_plan *plan, struct diag *diag)
 {
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!check_axis(plan, slot, diag))
 			return false;
 	}
-	if (!join_linear(plan, diag))
+	if (!join_linear(plan, diag) || !check_tilted(plan, diag))
 		return false;
 	join_rotary(plan);
 	add_usual_bodies(plan);

@@ -38,6 +38,9 @@ static vec3 direction_of(const struct machine_plan *plan, int slot)
 
 	if (plan->axes[slot].has_direction)
 		return plan->axes[slot].direction;
+	/* Halfway between its own coordinate axis and Z, as usual heads and tables nutate. */
+	if (slot == machine_plan_tilted(plan))
+		return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, sense};
 	return (vec3){k == 0 ? sense : 0, k == 1 ? sense : 0, k == 2 ? sense : 0};
 }
 
@@ -81,6 +84,11 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	bool rotary = slot_is_rotary(slot);
 
 	add_jog(out, plan, slot, depth);
+	if (slot == machine_plan_tilted(plan) && !axis->has_direction) {
+		indent(out, depth);
+		strbuf_addf(out, "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
+			    AXIS_LETTERS[slot - SLOT_A + SLOT_X]);
+	}
 	indent(out, depth);
 	strbuf_addf(out, "<axis name=\"%c\"", AXIS_LETTERS[slot]);
 	add_text(out, "title", axis->title);
