@@ -11,7 +11,7 @@
 #define SEARCH_STEPS 24
 
 /* Halvings of the interval in which the cube comes to be inside. */
-#define ENTRY_STEPS 20
+#define ENTRY_STEPS 15
 
 void cutter_init(struct cutter *cutter, const struct tool_solid *solid)
 {
@@ -101,6 +101,21 @@ static double cube_distance(const struct revolved *piece, const struct cutter_wa
 	return most;
 }
 
+/* Is the whole cube at least `depth` mm inside the piece? */
+static bool is_cube_inside(const struct revolved *piece, const struct cutter_way *way, const struct cube *cube,
+			   double depth, double s)
+{
+	const struct cutter_place place = place_at(way, s);
+
+	for (int corner = 0; corner < 8; corner++) {
+		const vec3 sign = {corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1};
+
+		if (point_distance(piece, &place, vec3_mad(cube->centre, cube->half, sign)) > -depth)
+			return false;
+	}
+	return true;
+}
+
 /* Where the centre is deepest, as along a convex function (golden section). */
 static double deepest_time(const struct revolved *piece, const struct cutter_way *way, vec3 point)
 {
@@ -160,12 +175,12 @@ static double entry_time(const struct revolved *piece, const struct cutter_way *
 {
 	double outside = 0;
 
-	if (cube_distance(piece, way, cube, 0) <= -depth)
+	if (is_cube_inside(piece, way, cube, depth, 0))
 		return 0;
 	for (int i = 0; i < ENTRY_STEPS; i++) {
 		const double middle = 0.5 * (outside + inside);
 
-		if (cube_distance(piece, way, cube, middle) <= -depth)
+		if (is_cube_inside(piece, way, cube, depth, middle))
 			inside = middle;
 		else
 			outside = middle;
@@ -183,15 +198,15 @@ static double piece_removes(const struct revolved *piece, const struct cutter_wa
 
 	if (cube->half + depth > piece->radius)
 		return INFINITY;
-	if (cube_distance(piece, way, cube, 1) <= -depth)
+	if (is_cube_inside(piece, way, cube, depth, 1))
 		return entry_time(piece, way, cube, depth, 1);
 	s = deepest_time(piece, way, cube->centre);
 	place = place_at(way, s);
 	if (point_distance(piece, &place, cube->centre) > needed)
 		return INFINITY;
-	if (cube_distance(piece, way, cube, s) > -depth)
+	if (!is_cube_inside(piece, way, cube, depth, s))
 		s = deepest_cube_time(piece, way, cube);
-	return cube_distance(piece, way, cube, s) <= -depth ? entry_time(piece, way, cube, depth, s) : INFINITY;
+	return is_cube_inside(piece, way, cube, depth, s) ? entry_time(piece, way, cube, depth, s) : INFINITY;
 }
 
 /* The same for the ball around the cube and a cutter of several pieces. */
