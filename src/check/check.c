@@ -224,6 +224,17 @@ static bool run_program(struct checker *c, FILE *in)
 	return complete || c->stopped;
 }
 
+/* After a first finding nothing more was logged. */
+static void tell_remainder(struct checker *c, bool complete)
+{
+	struct stock_remainder *remainder = c->options->remainder;
+
+	if (complete && !c->stopped && !checker_has_enough(c))
+		stock_check_remainder(&c->stock, c->number, remainder);
+	else
+		*remainder = (struct stock_remainder){.stock = c->stock.cells.group_count > 0};
+}
+
 static void release(struct checker *c)
 {
 	scheduler_release(&c->scheduler);
@@ -263,6 +274,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
+		if (options->remainder)
+			tell_remainder(&c, complete);
 		scheduler_collect(&c.scheduler, options, c.last_block, stats, proven);
 		stock_check_collect(&c.stock, scene, c.last_block, stats, proven);
 	}

@@ -9,6 +9,7 @@
 struct motion_sink;
 struct setup_change;
 struct path_record;
+struct stock_remainder;
 
 enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
@@ -42,6 +43,7 @@ struct check_options {
 	/* is told every event before it is checked; its answer is ignored; or NULL */
 	const struct motion_sink *watch;
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
+	struct stock_remainder *remainder;	/* receives the stock that the program leaves; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.
 	 * Each shard interprets the whole program, and each block is checked by exactly one shard. Together the shards

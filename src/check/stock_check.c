@@ -247,3 +247,15 @@ void stock_check_collect(const struct stock_check *check, const struct scene *sc
 			proven[pair->pair] = scene->pairs[pair->pair].clearance;
 	}
 }
+
+/* Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease. */
+#define REMAINDER_PARTS 128
+
+void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder)
+{
+	*remainder = (struct stock_remainder){.stock = check->cells.group_count > 0};
+	if (!remainder->stock)
+		return;
+	remainder->edge = stock_mesh_build(&check->cells, (double)number, REMAINDER_PARTS, &remainder->mesh);
+	remainder->known = !stock_check_fault(check);
+}

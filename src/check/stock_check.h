@@ -20,6 +20,7 @@
 #include "check/stats.h"
 #include "check/stock_pair.h"
 #include "stock/cutter.h"
+#include "stock/stock_mesh.h"
 
 /* A tool that cuts, with the pair that tells how it moves over the stock. */
 struct stock_tool {
@@ -65,6 +66,9 @@ void stock_check_jump(struct stock_check *check);
  */
 bool stock_check_run(struct stock_check *check, const struct batch *batch, size_t last, int tool,
 		     const struct check_options *options);
+
+/* What remains of the stock before the step `number`. */
+void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);
 
 /* Adds up the counters and the pairs that became unknown up to last_block, which ended the check. proven may be NULL. */
 void stock_check_collect(const struct stock_check *check, const struct scene *scene, long last_block,

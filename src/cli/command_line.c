@@ -207,6 +207,8 @@ static bool check_combinations(const struct parser *parser)
 		fault = "--record needs the name of a file: standard output gets the report";
 	else if (o->pose && !strcmp(o->pose, "-"))
 		fault = "--pose needs the name of a file: standard output gets the report";
+	else if (o->stock_out && !strcmp(o->stock_out, "-"))
+		fault = "--stock-out needs the name of a file: standard output gets the report";
 	else if (o->clearance_report && o->check.method != CHECK_CERTIFIED)
 		fault = "--clearance-report lists proven clearances, but the sampled methods prove nothing";
 	else if (o->check.block_clearance_cap > 0 && !o->clearance_report)
@@ -278,6 +280,8 @@ static bool check_operands(const struct parser *parser)
 			   o->programs[0]);
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
+	else if (o->stock_out && o->program_count > 1)
+		diag_error(parser->diag, nowhere, "--stock-out takes one program: each begins with the blank of the setup");
 	else if (inputs > 0 && o->record)
 		diag_error(parser->diag, nowhere,
 			   "--record cannot name a program that is read from standard input: give it as a file");

@@ -10,15 +10,17 @@
 static const struct srcloc nowhere;
 
 /* The options that name a file to be written, beside the formats. */
-enum { NAMES = 8 };
+enum { NAMES = 9 };
 
 static void list_names(struct options *options, const char **names[NAMES], const char *labels[NAMES])
 {
 	const char **const members[NAMES] = {&options->output, &options->pose,    &options->report,
 					     &options->glb,    &options->picture, &options->depfile,
-					     &options->timing, &options->clearance_report};
+					     &options->timing, &options->clearance_report,
+					     &options->stock_out};
 	static const char *const words[NAMES] = {"output",  "pose",    "report", "glb",
-						 "picture", "depfile", "timing", "clearance-report"};
+						 "picture", "depfile", "timing", "clearance-report",
+						 "stock-out"};
 
 	memcpy(names, members, sizeof(members));
 	memcpy(labels, words, sizeof(words));

@@ -4,7 +4,7 @@
 
 #include "cli/option_row.h"
 
-enum { OPTION_COUNT = 45 };
+enum { OPTION_COUNT = 46 };
 
 /* The fields are offsets in struct options. */
 extern const struct option_row option_table[OPTION_COUNT];

@@ -60,6 +60,7 @@ struct options {
 	bool output_of_format;	/* it was given as the file of --format, for a table */
 	const char *explain;	/* the word that --explain asks about, or NULL */
 	const char *pose;	/* or NULL */
+	const char *stock_out;	/* or NULL */
 	const char *report;	/* or NULL */
 	const char *glb;	/* or NULL */
 	const char *picture;	/* or NULL; ends in .svg or .png */

@@ -45,7 +45,7 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 8 };
+enum { WRITTEN_MAX = FORMAT_COUNT + 9 };
 
 static size_t list_written(struct written *list, const struct options *options)
 {
@@ -72,6 +72,8 @@ static size_t list_written(struct written *list, const struct options *options)
 		list[count++] = (struct written){"picture", options->picture};
 	if (options->pose)
 		list[count++] = (struct written){"pose", options->pose};
+	if (options->stock_out)
+		list[count++] = (struct written){"stock-out", options->stock_out};
 	return count;
 }
 

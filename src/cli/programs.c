@@ -12,9 +12,11 @@
 #include "cli/program.h"
 #include "report/output.h"
 #include "report/pose.h"
+#include "report/stock_file.h"
 
 /* What the threads share. */
 struct session {
+	struct stock_remainder remainder;	/* with --stock-out */
 	const struct options *options;
 	struct program_context context;
 	struct ordered_output order;
@@ -110,7 +112,13 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 			  count == 1 ? "names" : "name");
 }
 
-/* The greatest status of the programs, of --pose, and of errors that concern no program. */
+/* --stock-out. False: reported. */
+static bool write_stock(const struct session *session)
+{
+	return stock_file_write(session->options->stock_out, &session->remainder, &session->order.ui->diag);
+}
+
+/* The greatest status of the programs, of --pose, of --stock-out, and of errors that concern no program. */
 static enum run_status status_of(const struct session *session)
 {
 	enum run_status status = RUN_CLEAR;
@@ -120,6 +128,8 @@ static enum run_status status_of(const struct session *session)
 			status = session->outcomes[i].status;
 	}
 	if (session->options->pose && session->order.sinks->count && !write_pose(session) && status < RUN_INCOMPLETE)
+		status = RUN_INCOMPLETE;
+	if (session->options->stock_out && session->order.sinks->count && !write_stock(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->order.ui->diag.errors && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
@@ -181,6 +191,8 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	session.context.check.read.cancel = &cancel;
 	/* The check must go on after an accepted finding. */
 	session.context.check.all = options->check.all || options->waivers || options->fail_on;
+	if (options->stock_out)
+		session.context.check.remainder = &session.remainder;
 	session.context.check.threads = options->check.threads / threads;
 	session.outcomes = mem_zalloc(options->program_count + 1, sizeof(*session.outcomes));
 	ordered_output_init(&session.order, options->program_count, ui, sinks);
@@ -204,5 +216,6 @@ enum run_status programs_check(const struct options *options, struct model *mode
 	ordered_output_release(&session.order);
 	free(session.outcomes);
 	program_reports_release(&reports);
+	mesh_release(&session.remainder.mesh);
 	return status;
 }

@@ -8,6 +8,7 @@
 #include "base/math/math_functions.h"
 #include "base/xml_text.h"
 #include "control/dialects.h"
+#include "geom/stl_bytes.h"
 
 /* Rates of a usual machining centre, mm and degrees a minute, where the file has none. Only times depend on them. */
 #define LINEAR_RATE 30000.0
@@ -228,29 +229,14 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 
 /* --------------------------------------------------------------------- STL */
 
-enum { STL_HEADER = 80, STL_TRIANGLE = 50 };
-
-static void put_u32(unsigned char *to, uint32_t value)
-{
-	for (int i = 0; i < 4; i++)
-		to[i] = (unsigned char)(value >> (8 * i));
-}
-
 void machine_writer_stl(struct strbuf *out, const struct mesh *mesh)
 {
-	unsigned char head[STL_HEADER + 4] = "fivecheck import, binary STL, mm";
+	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
 
-	put_u32(head + STL_HEADER, (uint32_t)mesh->count);
+	stl_bytes_head(head, "fivecheck import, binary STL, mm", (uint32_t)mesh->count);
 	strbuf_add(out, (const char *)head, sizeof(head));
 	for (size_t i = 0; i < mesh->count; i++) {
-		unsigned char bytes[STL_TRIANGLE] = {0};
-		uint32_t bits;
-
-		/* Readers compute a normal that is 0 0 0. */
-		for (int k = 0; k < 9; k++) {
-			memcpy(&bits, &mesh->triangles[i].v[k / 3][k % 3], sizeof(bits));
-			put_u32(bytes + 12 + 4 * k, bits);
-		}
+		stl_bytes_triangle(bytes, &mesh->triangles[i]);
 		strbuf_add(out, (const char *)bytes, sizeof(bytes));
 	}
 }

@@ -110,6 +110,16 @@ static bool is_there(struct search *search, size_t index, const struct cube *cub
 	return cell->removed > search->time;
 }
 
+/* Is the inner of the cell partly within the blank's bounds? */
+static bool has_part(const struct stock_cells *cells, const struct cube *cube)
+{
+	const vec3 c = cube->centre;
+	const double h = cube->half;
+
+	return c.x - h < cells->high.x && c.x + h > cells->low.x && c.y - h < cells->high.y && c.y + h > cells->low.y &&
+	       c.z - h < cells->high.z && c.z + h > cells->low.z;
+}
+
 static double gap_of(const struct search *search, const struct cube *cube)
 {
 	const vec3 reach = {cube->half, cube->half, cube->half};
@@ -274,4 +284,33 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 		if (search.grain <= cells->least_half)
 			return false;
 	}
+}
+
+static void visit_cell(struct search *search, size_t index, const struct cube *cube, stock_cells_visit_fn *visit,
+		       void *context)
+{
+	const struct stock_cells *cells = search->cells;
+	const bool whole = cells->cells[index].kind == BLANK_INSIDE &&
+			   !cut_log_reaches(cells->log, cube->centre, sqrt3 * cube->half, search->time);
+	size_t first;
+
+	if (!visit(context, cube, whole) || cube->half <= cells->least_half)
+		return;
+	if (!cells->cells[index].children)
+		divide(search->cells, index, cube);
+	first = 8 * (size_t)cells->cells[index].children;
+	for (int i = 0; i < 8; i++) {
+		const struct cube child = child_of(cube, i);
+
+		if (has_part(cells, &child) && is_there(search, first + (size_t)i, &child))
+			visit_cell(search, first + (size_t)i, &child, visit, context);
+	}
+}
+
+void stock_cells_visit(struct stock_cells *cells, double time, stock_cells_visit_fn *visit, void *context)
+{
+	struct search search = {.cells = cells, .time = time, .log_end = cut_log_end(cells->log, time)};
+
+	if (is_there(&search, 0, &cells->root))
+		visit_cell(&search, 0, &cells->root, visit, context);
 }

@@ -79,6 +79,13 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 		      double grain, struct cube *found);
 
 /*
+ * Hands on the cells that are there at `time`, from the root down. `whole`: the cell is in the blank, and no cutter can
+ * have touched it. True: the parts of the cell are wanted, too.
+ */
+typedef bool stock_cells_visit_fn(void *context, const struct cube *cell, bool whole);
+void stock_cells_visit(struct stock_cells *cells, double time, stock_cells_visit_fn *visit, void *context);
+
+/*
  * Looks for a point of the stock that is certainly there at `time` (no cutter can have touched it) and lies at least
  * `depth` mm inside the obstacle. It gives up after `effort` cells of each of some sizes: false proves nothing.
  */

@@ -1,0 +1,50 @@
+#include "report/stock_file.h"
+
+#include "geom/stl_bytes.h"
+#include "report/output.h"
+
+static const struct srcloc nowhere;
+
+/* False: no file is written; a note or an error says why. *good becomes false with an error. */
+static bool is_writable(const char *path, const struct stock_remainder *remainder, bool *good, struct diag *diag)
+{
+	const struct mesh *mesh = &remainder->mesh;
+
+	if (!remainder->stock)
+		diag_note(diag, nowhere, "the setup has no stock, so %s was not written", path);
+	else if (!remainder->known)
+		diag_note(diag, nowhere,
+			  "the program was not followed to its end, so %s was not written (--all goes on after a finding)",
+			  path);
+	else if (!mesh->count)
+		diag_note(diag, nowhere, "nothing remains of the stock, so %s was not written", path);
+	else if (mesh->count > UINT32_MAX)
+		diag_error(diag, nowhere, "what remains of the stock has too many triangles for an STL file");
+	*good = mesh->count <= UINT32_MAX;
+	return *good && mesh->count;
+}
+
+bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag)
+{
+	const struct mesh *mesh = &remainder->mesh;
+	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
+	struct output out;
+	bool good;
+
+	if (!is_writable(path, remainder, &good, diag))
+		return good;
+	if (!output_open(&out, path, diag))
+		return false;
+	stl_bytes_head(head, "fivecheck stock, binary STL, mm", (uint32_t)mesh->count);
+	output_write(&out, (const char *)head, sizeof(head));
+	for (size_t i = 0; i < mesh->count; i++) {
+		stl_bytes_triangle(bytes, &mesh->triangles[i]);
+		output_write(&out, (const char *)bytes, sizeof(bytes));
+	}
+	if (!output_commit(&out, diag))
+		return false;
+	diag_note(diag, nowhere,
+		  "%s holds all that remains of the stock and at most %.3g mm more: <stock mesh=\"%s\" excess=\"%.3g\"/>", path,
+		  2 * remainder->edge, path, 2 * remainder->edge);
+	return true;
+}

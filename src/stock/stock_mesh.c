@@ -1,0 +1,154 @@
+#include "stock/stock_mesh.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "base/minmax.h"
+
+/* Cells below a cube of the mesh, as a share of its edge. */
+#define FINE 0.125
+
+/* Cubes of the mesh, by their numbers along X, Y and Z from the corner of the root. */
+struct grid {
+	struct stock_cells *cells;
+	double time;
+	double edge;
+	int size;	/* cubes along each side of the root */
+	uint8_t *bits;
+	struct mesh *mesh;
+	size_t capacity;
+};
+
+struct cube_number {
+	int at[3];
+};
+
+static size_t bit_of(const struct grid *grid, struct cube_number n)
+{
+	return ((size_t)n.at[2] * (size_t)grid->size + (size_t)n.at[1]) * (size_t)grid->size + (size_t)n.at[0];
+}
+
+static bool is_full(const struct grid *grid, struct cube_number n)
+{
+	for (int k = 0; k < 3; k++)
+		if (n.at[k] < 0 || n.at[k] >= grid->size)
+			return false;
+	return grid->bits[bit_of(grid, n) / 8] >> bit_of(grid, n) % 8 & 1;
+}
+
+/* The cube at the lower corner of a cell, or around the cell. */
+static struct cube_number number_of(const struct grid *grid, const struct cube *cell)
+{
+	const struct cube *root = &grid->cells->root;
+	const double low[3] = {cell->centre.x - cell->half - (root->centre.x - root->half),
+			       cell->centre.y - cell->half - (root->centre.y - root->half),
+			       cell->centre.z - cell->half - (root->centre.z - root->half)};
+	struct cube_number n;
+
+	for (int k = 0; k < 3; k++)
+		n.at[k] = (int)(low[k] / grid->edge + FINE / 4);
+	return n;
+}
+
+/* Marks the cubes that a cell holds; smaller cells mark the cube that holds them. */
+static void fill(struct grid *grid, const struct cube *cell)
+{
+	const int count = (int)larger(1, 2 * cell->half / grid->edge + 0.5);
+	const struct cube_number first = number_of(grid, cell);
+
+	for (int i = 0; i < count * count * count; i++) {
+		const struct cube_number n = {{first.at[0] + i % count, first.at[1] + i / count % count,
+					       first.at[2] + i / (count * count)}};
+
+		grid->bits[bit_of(grid, n) / 8] |= (uint8_t)(1 << bit_of(grid, n) % 8);
+	}
+}
+
+/* stock_cells_visit_fn: a cell that is there. True: look at its parts. */
+static bool take(void *context, const struct cube *cell, bool whole)
+{
+	struct grid *grid = context;
+
+	if (cell->half < 0.75 * grid->edge && is_full(grid, number_of(grid, cell)))
+		return false;
+	if (!whole && cell->half > 0.75 * FINE * grid->edge)
+		return true;
+	fill(grid, cell);
+	return false;
+}
+
+/* The corner of a cube: bounded by the blank, so that a box keeps its faces. */
+static void corner_of(const struct grid *grid, struct cube_number n, const int corner[3], float out[3])
+{
+	const struct stock_cells *cells = grid->cells;
+	const double origin[3] = {cells->root.centre.x - cells->root.half, cells->root.centre.y - cells->root.half,
+				  cells->root.centre.z - cells->root.half};
+	const double low[3] = {cells->low.x, cells->low.y, cells->low.z};
+	const double high[3] = {cells->high.x, cells->high.y, cells->high.z};
+
+	for (int k = 0; k < 3; k++)
+		out[k] = (float)smaller(larger(origin[k] + grid->edge * (n.at[k] + corner[k]), low[k]), high[k]);
+}
+
+static void add_triangle(struct grid *grid, struct cube_number n, int corners[3][3])
+{
+	struct mesh *mesh = grid->mesh;
+
+	mesh->triangles = mem_grow(mesh->triangles, &grid->capacity, mesh->count + 1, sizeof(*mesh->triangles));
+	for (int i = 0; i < 3; i++)
+		corner_of(grid, n, corners[i], mesh->triangles[mesh->count].v[i]);
+	mesh->count++;
+}
+
+/* The face of a cube towards `side` along an axis, counter-clockwise seen from outside. */
+static void add_face(struct grid *grid, struct cube_number n, int axis, int side)
+{
+	const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+	int quad[4][3];
+
+	for (int i = 0; i < 4; i++) {
+		const int turn = side ? i : 3 - i;
+
+		quad[i][axis] = side;
+		quad[i][u] = turn == 1 || turn == 2;
+		quad[i][v] = turn >= 2;
+	}
+	add_triangle(grid, n, (int[3][3]){{quad[0][0], quad[0][1], quad[0][2]}, {quad[1][0], quad[1][1], quad[1][2]},
+					  {quad[2][0], quad[2][1], quad[2][2]}});
+	add_triangle(grid, n, (int[3][3]){{quad[0][0], quad[0][1], quad[0][2]}, {quad[2][0], quad[2][1], quad[2][2]},
+					  {quad[3][0], quad[3][1], quad[3][2]}});
+}
+
+static void add_faces(struct grid *grid, struct cube_number n)
+{
+	for (int face = 0; face < 6; face++) {
+		struct cube_number next = n;
+
+		next.at[face / 2] += face % 2 ? 1 : -1;
+		if (!is_full(grid, next))
+			add_face(grid, n, face / 2, face % 2);
+	}
+}
+
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, struct mesh *mesh)
+{
+	const vec3 size = vec3_sub(cells->high, cells->low);
+	const double longest = larger(size.x, larger(size.y, size.z));
+	struct grid grid = {.cells = cells, .time = time, .edge = 2 * cells->least_half, .mesh = mesh};
+
+	/* Smaller than the smallest cells times 1 / FINE there is nothing to look at. */
+	while (grid.edge * parts < longest)
+		grid.edge *= 2;
+	grid.size = (int)(2 * cells->root.half / grid.edge + 0.5);
+	grid.bits = mem_zalloc((size_t)grid.size * (size_t)grid.size * (size_t)grid.size / 8 + 1, 1);
+	*mesh = (struct mesh){.count = 0};
+	stock_cells_visit(cells, time, take, &grid);
+	for (int z = 0; z < grid.size; z++)
+		for (int y = 0; y < grid.size; y++)
+			for (int x = 0; x < grid.size; x++)
+				if (is_full(&grid, (struct cube_number){{x, y, z}}))
+					add_faces(&grid, (struct cube_number){{x, y, z}});
+	free(grid.bits);
+	return grid.edge;
+}

@@ -1,0 +1,26 @@
+/* stock_mesh.h - the stock that remains at a time, as a closed mesh of cube faces. */
+#ifndef FIVECHECK_STOCK_STOCK_MESH_H
+#define FIVECHECK_STOCK_STOCK_MESH_H
+
+#include <stdbool.h>
+
+#include "geom/mesh.h"
+#include "stock/stock_cells.h"
+
+/*
+ * Cubes with an edge of at most 1/`parts` of the blank's longest side, but not smaller than the smallest cells. A cube
+ * is left out if all of it was certainly cut, part by part, in cells of an eighth of its edge. So the mesh encloses the
+ * true stock, and no point of it is farther than twice the edge from what cutters leave that are smaller by a quarter of
+ * the edge. The mesh, in the stock's mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
+ */
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, struct mesh *mesh);
+
+/* What a program leaves. The owner releases the mesh. */
+struct stock_remainder {
+	bool stock;	/* the setup has one */
+	bool known;	/* the program was followed to its end: */
+	struct mesh mesh;
+	double edge;	/* mm: of its cubes */
+};
+
+#endif

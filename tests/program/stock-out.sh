@@ -1,0 +1,52 @@
+# What a program leaves of the stock is the blank of the next setup.
+machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
+      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
+        <spindle location="0 0 100" direction="0 0 -1"/>
+      </axis>
+    </axis>
+  </axis>
+  <workholding location="0 0 0"/>
+XML
+setup first.xml <<'XML'
+  <work_offset name="G54" X="0" Y="0" Z="-100"/>
+  <stock box="40 30 10"/>
+  <tool number="1" length="100"><shank><section length="80" diameter="6"/></shank><cutter><section length="20" diameter="10"/></cutter></tool>
+XML
+sed 's|box="40 30 10"|mesh="rest.stl" excess="1"|' first.xml >second.xml
+
+head='G21 G90 G94 G61 T1 M6
+M3 S1000
+G0 G43 H1 Z100'
+printf '%s\n' "$head" 'G0 X-30 Z5' 'G1 X30 F600' 'G0 Z20' >slot.nc
+"$FIVECHECK" -q --stock-out=rest.stl -s first.xml m.xml slot.nc
+echo "exit status $?"
+
+echo '== in the next setup the cutter goes through the slot at rapid, and not beside it'
+# The cubes of the mesh are 0.4 mm.
+printf '%s\n' "$head" 'G0 X-30 Z5.5' 'G0 X30' >again.nc
+sed 's/diameter="10"/diameter="9"/' second.xml >smaller.xml
+findings -s smaller.xml m.xml again.nc
+printf '%s\n' "$head" 'G0 X-30 Y3 Z5.5' 'G0 X30' >beside.nc
+"$FIVECHECK" -q -s smaller.xml m.xml beside.nc | grep -E 'rapid-contact|stock  '
+
+echo '== nothing to write'
+printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
+"$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note
+"$FIVECHECK" --stock-out=none.stl m.xml slot.nc 2>&1 | grep note
+"$FIVECHECK" -q --stock-out=none.stl -s first.xml m.xml slot.nc rapid.nc
+echo "exit status $?"
+"$FIVECHECK" -q --stock-out=slot.nc -s first.xml m.xml slot.nc
+echo "exit status $?"
+ls none.stl 2>&1 | grep -c '^none'
+"$FIVECHECK" -q --stock-out=missing/rest.stl -s first.xml m.xml slot.nc
+echo "exit status $?"
+
+echo '== the disk is full for the cuts of a long program: an error, and nothing is left behind'
+awk 'BEGIN { for (i = 0; i < 300000; i++) printf "G1 X%.3f Y%.3f Z%.3f\n", 15 * sin(i), 10 * cos(i), 9 + sin(i * i) }' >cuts
+(printf '%s\n' "$head" 'G0 X0 Y0 Z12'; echo 'G1 F600 Z10'; cat cuts; echo 'G0 Z20'; echo 'G0 X1') >long.nc
+mkdir tmp
+(trap '' XFSZ; ulimit -f 100; TMPDIR=$PWD/tmp "$FIVECHECK" -q -s first.xml m.xml long.nc)
+echo "exit status $?"
+ls tmp

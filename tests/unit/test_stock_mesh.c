@@ -1,0 +1,113 @@
+/* test_stock_mesh.c - the mesh of what remains is closed, holds all that is left, and little more. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "geom/inside.h"
+#include "geom/topology.h"
+#include "machine/tool_solid.h"
+#include "random.h"
+#include "solids.h"
+#include "stock/stock_mesh.h"
+
+/* A box of 40 x 30 x 10 mm with a slot of a flat cutter of 10 mm along X: its floor at z = 5, its round end at x = 5. */
+struct slotted {
+	struct mesh mesh;
+	struct topology topology;
+	struct cutter cutter;
+	struct cut_log log;
+	struct stock_cells cells;
+	struct bvh *bvh;
+};
+
+static void slotted_init(struct slotted *s)
+{
+	static const struct tool_section sections[] = {{20, 10, 10}};
+	static const struct tool_solid flat = {.sections = sections, .count = 1, .tip = TIP_FLAT};
+	const xform up = {mat3_identity(), {0, 0, 5}};
+	struct blank blank;
+
+	*s = (struct slotted){.bvh = NULL};
+	solid_box(&s->mesh, (vec3){20, 15, 5});
+	solid_place(&s->mesh, &up);
+	s->bvh = bvh_new(&s->mesh);
+	topology_init(&s->topology, &s->bvh->mesh);
+	cutter_init(&s->cutter, &flat);
+	cut_log_init(&s->log, &s->cutter);
+	/* In three cuts, so that cubes at their seams are removed part by part. */
+	for (int i = 0; i < 3; i++)
+		cut_log_add(&s->log, &(struct cut){.from = i, .to = i + 1,
+						   .way = {{{-40 + 15 * i, 0, 25}, {0, 0, 1}},
+							   {{-25 + 15 * i, 0, 25}, {0, 0, 1}}}});
+	blank = (struct blank){s->bvh, &s->topology, 0, 0};
+	stock_cells_init(&s->cells, &blank, &s->log, 0.05);
+}
+
+static void slotted_release(struct slotted *s)
+{
+	stock_cells_release(&s->cells);
+	cut_log_release(&s->log);
+	cutter_release(&s->cutter);
+	topology_release(&s->topology);
+	bvh_free(s->bvh);
+}
+
+/* mm: how far inside what remains (positive) or outside of it a point is, to within the corner of the slot. */
+static double depth_of(vec3 p, bool cut)
+{
+	const double past = p.x > 5 ? sqrt((p.x - 5) * (p.x - 5) + p.y * p.y) : fabs(p.y);
+	const double box = fmin(fmin(20 - fabs(p.x), 15 - fabs(p.y)), fmin(p.z, 10 - p.z));
+
+	return cut ? fmin(box, fmax(past - 5, 5 - p.z)) : box;
+}
+
+/* Before the cuts, and after them. */
+START_TEST(mesh_encloses_what_remains)
+{
+	const bool cut = _i;
+	struct random random = random_case(1, _i);
+	struct topology topology;
+	struct slotted s;
+	struct mesh mesh;
+	struct bvh *bvh;
+	double edge;
+	int inside = 0;
+
+	slotted_init(&s);
+	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, &mesh);
+	ck_assert_double_le(edge, 40.0 / 64);
+	bvh = bvh_new(&mesh);
+	topology_init(&topology, &bvh->mesh);
+	ck_assert(topology.closed && topology.open_edges == 0 && topology.degenerate == 0);
+	for (int n = 0; n < 20000; n++) {
+		const vec3 off = random_point(&random, 1), p = {22 * off.x, 17 * off.y, 5 + 6 * off.z};
+		const bool is_inside = mesh_inside(bvh, &topology, p) == INSIDE_YES;
+		const double depth = depth_of(p, cut);
+
+		inside += is_inside;
+		if (depth > 1e-3)
+			ck_assert(is_inside);
+		if (depth < -2 * edge)
+			ck_assert(!is_inside);
+	}
+	ck_assert_int_gt(inside, 1000);
+	topology_release(&topology);
+	bvh_free(bvh);
+	slotted_release(&s);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("stock_mesh");
+	TCase *cases = tcase_create("all");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_add_loop_test(cases, mesh_encloses_what_remains, 0, 2);
+	suite_add_tcase(suite, cases);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
