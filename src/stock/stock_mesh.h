@@ -8,7 +8,7 @@
 #include "stock/stock_cells.h"
 
 /*
- * Cubes with an edge of at most 1/`parts` of the blank's longest side, but not smaller than the smallest cells. A cube
+ * At most `parts` cubes along the blank's longest side, and more than half of that unless cells are larger. A cube
  * is left out if all of it was certainly cut, part by part, in cells of an eighth of its edge. So the mesh encloses the
  * true stock, and no point of it is farther than twice the edge from what cutters leave that are smaller by a quarter of
  * the edge. The mesh, in the stock's mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
