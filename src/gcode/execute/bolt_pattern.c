@@ -15,24 +15,25 @@ static bool check(struct interp *interp)
 	if (state->motion == CODE_NONE || !code_is_cycle(state->motion))
 		return fault(&interp->at, column, "G%d needs a canned cycle in force, which makes its holes", code);
 	if (block->letters & AXIS_BITS)
-		return fault(&interp->at, column, "G%d needs a block without axis words: its centre is where the tool stands",
-			     code);
+		return fault(&interp->at, column,
+			     "G%d needs a block without axis words: its centre is where the tool stands", code);
 	if (state->plane != G17 || state->incremental || state->polar.on)
-		return fault(&interp->at, column, "G%d in another plane than that of G17, in G91 or after G16 is not supported",
-			     code);
+		return fault(&interp->at, column,
+			     "G%d in another plane than that of G17, in G91 or after G16 is not supported", code);
 	if (!block_has(block, 'I') || !(block_value(block, 'I') > 0))
 		return fault(&interp->at, column, "G%d needs I, the radius of its circle, which is more than 0", code);
 	if (!block_has(block, 'J') || !block_has(block, 'L'))
-		return fault(&interp->at, column, "G%d needs J, the angle of the first hole, and L, how many there are", code);
+		return fault(&interp->at, column, "G%d needs J, the angle of the first hole, and L, how many there are",
+			     code);
 	if (block_has(block, 'K') != (code == 71))
-		return fault(&interp->at, column, code == 71 ? "G71 needs K, the angle from hole to hole"
-							     : "K does not belong to G70");
+		return fault(&interp->at, column,
+			     code == 71 ? "G71 needs K, the angle from hole to hole" : "K does not belong to G70");
 	return true;
 }
 
 /*
- * Haas mill operator's manual, "G70 Bolt Hole Circle" and "G71 Bolt Hole Arc": I is the radius, J the angle of the first
- * hole from three o'clock counter-clockwise, L the number of holes; G70 spaces them evenly, G71 by K.
+ * Haas mill operator's manual, "G70 Bolt Hole Circle" and "G71 Bolt Hole Arc": I is the radius, J the angle of the
+ * first hole from three o'clock counter-clockwise, L the number of holes; G70 spaces them evenly, G71 by K.
  */
 bool bolt_pattern_run(struct interp *interp)
 {

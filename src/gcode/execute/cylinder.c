@@ -11,13 +11,16 @@
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
 
-/* mm: how far a piece of an arc may be beside its chord. Smaller pieces prove more closely, and there are more of them. */
+/*
+ * mm: how far a piece of an arc may be beside its chord. Smaller pieces prove more closely, and there are more of
+ * them.
+ */
 #define BESIDE 0.002
 #define PIECES_MAX 100000
 
 /*
- * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it, with
- * 0 it ends. The word is a length.
+ * Fanuc B-64484EN, "Cylindrical Interpolation": G7.1 with the rotary axis and the radius of the cylinder starts it,
+ * with 0 it ends. The word is a length.
  */
 bool cylinder_switch(struct interp *interp)
 {
@@ -43,19 +46,24 @@ bool cylinder_switch(struct interp *interp)
 	radius = block_value(block, letter) * state->scale;
 	if (state->tcp != TCP_OFF || state->frame.on || state->polar.on || cutter_comp_is_on(interp))
 		return fault(&interp->at, column,
-			     "G7.1 in changed coordinates, under tool centre point control or cutter compensation is not supported");
+			     "G7.1 in changed coordinates, under tool centre point control or cutter compensation is "
+			     "not supported");
 	if (radius < 0 || (radius > 0 && state->cylinder.on))
-		return fault(&interp->at, column, radius < 0 ? "the radius of G7.1 cannot be negative"
-							     : "G7.1 while another one is in force; cancel that first");
+		return fault(&interp->at, column,
+			     radius < 0 ? "the radius of G7.1 cannot be negative"
+					: "G7.1 while another one is in force; cancel that first");
 	state->cylinder = (struct cylinder){.on = radius > 0, .slot = slot, .radius = radius};
 	return true;
 }
 
-/* The same section: no positioning, canned cycles, offsets or reference positions; compensation is not followed here. */
+/*
+ * The same section: no positioning, canned cycles, offsets or reference positions; compensation is not followed here.
+ */
 bool cylinder_check_block(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	const int groups[] = {G_CUTTER, G_LENGTH, G_SYSTEM, G_ROTATION, G_MIRROR, G_SCALING, G_POLAR, G_APPROACH, G_UNITS};
+	const int groups[] = {G_CUTTER,	 G_LENGTH, G_SYSTEM,   G_ROTATION, G_MIRROR,
+			      G_SCALING, G_POLAR,  G_APPROACH, G_UNITS};
 	int code = block->g[G_NONMODAL];
 
 	if (!interp->state.cylinder.on || code == G7_1)
@@ -72,11 +80,12 @@ bool cylinder_check_block(struct interp *interp)
 			     "G%g under cylindrical interpolation (G7.1); cancel it first", code / 10.0);
 	if (block->m[M_TOOL] != CODE_NONE || block->m[M_TCP] != CODE_NONE || block_has(block, 'H') || block->corner)
 		return fault(&interp->at, 1,
-			     "a tool, its length or a corner of ,C or ,R under cylindrical interpolation (G7.1) is not supported");
+			     "a tool, its length or a corner of ,C or ,R under cylindrical interpolation (G7.1) is not "
+			     "supported");
 	if (block->motion == CODE_NONE || block->motion == G80 || (block->motion >= G1 && block->motion <= G3))
 		return true;
-	return fault(&interp->at, block_motion_column(block), "G%g under cylindrical interpolation (G7.1), which needs feed moves",
-		     block->motion / 10.0);
+	return fault(&interp->at, block_motion_column(block),
+		     "G%g under cylindrical interpolation (G7.1), which needs feed moves", block->motion / 10.0);
 }
 
 /* The linear axis of the arc, and whether the rotary axis stands for the first axis of the plane. */
@@ -96,12 +105,14 @@ static bool find_axes(struct interp *interp, int *linear, bool *rotary_first)
 	if (words == 2 && has_first != has_second && block_has(block, AXIS_LETTERS[state->cylinder.slot]) &&
 	    block_has(block, 'R') && !block_has(block, 'I') && !block_has(block, 'J') && !block_has(block, 'K'))
 		return true;
-	return fault(&interp->at, block_motion_column(block),
-		     "an arc under cylindrical interpolation (G7.1) needs %c, one linear axis of its plane and a radius (R)",
-		     AXIS_LETTERS[state->cylinder.slot]);
+	return fault(
+	    &interp->at, block_motion_column(block),
+	    "an arc under cylindrical interpolation (G7.1) needs %c, one linear axis of its plane and a radius (R)",
+	    AXIS_LETTERS[state->cylinder.slot]);
 }
 
-static struct plane_point surface_point(const struct cylinder *cylinder, const slot_values *at, int linear, bool rotary_first)
+static struct plane_point surface_point(const struct cylinder *cylinder, const slot_values *at, int linear,
+					bool rotary_first)
 {
 	double way = radians(at->v[cylinder->slot]) * cylinder->radius;
 
@@ -109,8 +120,8 @@ static struct plane_point surface_point(const struct cylinder *cylinder, const s
 }
 
 /*
- * The same section: the angle times the radius is a length on the surface, where the arc lies. A chord of an arc of radius
- * R over the angle w is at most R w^2 / 8 beside it, at the same part of both.
+ * The same section: the angle times the radius is a length on the surface, where the arc lies. A chord of an arc of
+ * radius R over the angle w is at most R w^2 / 8 beside it, at the same part of both.
  */
 bool cylinder_arc(struct interp *interp)
 {
@@ -121,9 +132,9 @@ bool cylinder_arc(struct interp *interp)
 	struct canon_move move = {.kind = CANON_FEED};
 	struct plane_point start, end, centre;
 	slot_values target, place;
-	double radius, sweep, first, pieces, beside;
+	double radius, sweep, first, beside;
 	bool rotary_first = false;
-	int linear = 0;
+	int linear = 0, pieces;
 
 	interp->state.motion = block->motion;
 	if (!find_axes(interp, &linear, &rotary_first) || !motion_commands_feed(interp, &move.feed) ||
@@ -134,18 +145,18 @@ bool cylinder_arc(struct interp *interp)
 	if (arc_find_centre(start, end, block_value(block, 'R') * interp->state.scale, block->motion == G2, tolerance,
 			    &centre) != ARC_OK)
 		return fault(&interp->at, block_column(block, 'R'),
-			     "the radius does not reach from the start of the arc to its end on the surface, or they are one point");
+			     "the radius does not reach from the start of the arc to its end on the surface, or they "
+			     "are one point");
 	radius = math_hypot(start.a - centre.a, start.b - centre.b);
 	sweep = arc_sweep(start, end, centre, block->motion == G2, 1, 0);
-	pieces = fmin(ceil(fabs(sweep) / sqrt(8 * BESIDE / radius)), PIECES_MAX);
-	pieces = fmax(pieces, 1);
+	pieces = (int)fmax(fmin(ceil(fabs(sweep) / sqrt(8 * BESIDE / radius)), PIECES_MAX), 1);
 	beside = radius * (sweep / pieces) * (sweep / pieces) / 8;
 	move.spread[linear] = beside;
 	move.turn_spread[cylinder->slot - SLOT_A] = beside / cylinder->radius;
 	move.feed.seconds /= pieces;
 	first = math_atan2(start.b - centre.b, start.a - centre.a);
 	place = here;
-	for (double i = 1; i <= pieces; i++) {
+	for (int i = 1; i <= pieces; i++) {
 		double angle = first + sweep * i / pieces;
 		double a = centre.a + radius * math_cos(angle), b = centre.b + radius * math_sin(angle);
 

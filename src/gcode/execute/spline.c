@@ -161,11 +161,12 @@ bool spline_piece_find(const struct spline *spline, size_t index, struct spline_
 	if (!direction(&hull[spline->order - 1], spline->order, -1, &t1))
 		return false;
 	*piece = (struct spline_piece){.x0 = first.x, .y0 = first.y, .x1 = end.x, .y1 = end.y};
-	for (; from < u1; from = to) {
+	while (from < u1) {
 		to = fmin(u1, floor(from) + 1);
 		find_hull(spline, from, to, hull);
 		for (int i = 0; i < spline->order; i++)
 			hold(piece, hull[i]);
+		from = to;
 	}
 	return hold_arcs(piece, t0, t1);
 }

@@ -9,8 +9,8 @@
 #define SPLINE_ORDER_MAX 10
 
 struct spline_point {
-	double x, y;	/* mm */
-	double weight;	/* more than 0 */
+	double x, y; /* mm */
+	double weight; /* more than 0 */
 };
 
 /*
@@ -18,12 +18,14 @@ struct spline_point {
  * ends in the last one. 2 <= order <= count.
  */
 struct spline {
-	const struct spline_point *points;	/* borrowed */
+	const struct spline_point *points; /* borrowed */
 	size_t count;
-	int order;	/* degree + 1 */
+	int order; /* degree + 1 */
 };
 
-/* A piece of the curve, as a line from (x0, y0) to (x1, y1) with a box of these half widths about each of its points. */
+/*
+ * A piece of the curve, as a line from (x0, y0) to (x1, y1) with a box of these half widths about each of its points.
+ */
 struct spline_piece {
 	double x0, y0, x1, y1;
 	double beside_x, beside_y;

@@ -26,9 +26,10 @@ static bool follow(struct interp *interp, const struct spline *spline)
 	move.feed.seconds /= (double)pieces;
 	for (size_t i = 0; i < pieces; i++) {
 		if (!spline_piece_find(spline, i, &piece))
-			return fault(&interp->at, block_motion_column(&interp->block),
-				     "this spline turns back on itself, or has points that coincide: how the control follows it "
-				     "is not known");
+			return fault(
+			    &interp->at, block_motion_column(&interp->block),
+			    "this spline turns back on itself, or has points that coincide: how the control follows it "
+			    "is not known");
 		target.v[SLOT_X] = piece.x1;
 		target.v[SLOT_Y] = piece.y1;
 		move.spread[0] = piece.beside_x;
@@ -96,7 +97,8 @@ static bool add_point(struct interp *interp, struct spline_point point)
 	if (!(point.weight > 0))
 		return fault(&interp->at, block_column(block, 'P'), "P, the weight of a point, must be more than 0");
 	if (memory->count == SPLINE_POINTS_MAX)
-		return fault(&interp->at, block_motion_column(block), "more than %d points from G5.2 on", SPLINE_POINTS_MAX);
+		return fault(&interp->at, block_motion_column(block), "more than %d points from G5.2 on",
+			     SPLINE_POINTS_MAX);
 	if (!memory->points)
 		memory->points = mem_alloc(SPLINE_POINTS_MAX * sizeof(*memory->points));
 	memory->points[memory->count++] = point;
@@ -113,7 +115,8 @@ static bool begin(struct interp *interp, struct spline_point start)
 			     "G5.2 with axis words is not supported; the first point is where the tool stands");
 	interp->spline.count = 0;
 	interp->spline.order = 3;
-	if (block_has(block, 'L') && !block_integer(block, &interp->at, 'L', 2, SPLINE_ORDER_MAX, &interp->spline.order))
+	if (block_has(block, 'L') &&
+	    !block_integer(block, &interp->at, 'L', 2, SPLINE_ORDER_MAX, &interp->spline.order))
 		return false;
 	interp->spline.open = true;
 	interp->state.motion = G5_2;
@@ -129,8 +132,8 @@ static bool finish(struct interp *interp)
 	memory->open = false;
 	interp->state.motion = CODE_NONE;
 	if (memory->count < (size_t)memory->order)
-		return fault(&interp->at, block_motion_column(&interp->block), "a spline of order %d needs as many points",
-			     memory->order);
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "a spline of order %d needs as many points", memory->order);
 	return follow(interp, &(struct spline){memory->points, memory->count, memory->order});
 }
 
@@ -143,12 +146,13 @@ static bool check(struct interp *interp)
 	if (state->plane != G17)
 		return fault(&interp->at, column, "a spline needs the plane of G17");
 	if (state->incremental || state->tcp != TCP_OFF || cutter_comp_is_on(interp))
-		return fault(&interp->at, column,
-			     "a spline in G91, under tool centre point control or cutter compensation is not supported");
+		return fault(
+		    &interp->at, column,
+		    "a spline in G91, under tool centre point control or cutter compensation is not supported");
 	for (int slot = SLOT_Z; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
-			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]), "%c with a spline, which moves X and Y",
-				     AXIS_LETTERS[slot]);
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c with a spline, which moves X and Y", AXIS_LETTERS[slot]);
 	}
 	return true;
 }

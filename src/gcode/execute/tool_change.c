@@ -7,8 +7,8 @@
 #include "gcode/execute/tool_table.h"
 
 /*
- * M6 and T in one block: where the builder has them carried out at once, M6 may load the tool that waits from an earlier
- * T, and the T of the block then waits for the next M6. Only a T that waits makes a difference.
+ * M6 and T in one block: where the builder has them carried out at once, M6 may load the tool that waits from an
+ * earlier T, and the T of the block then waits for the next M6. Only a T that waits makes a difference.
  */
 static bool choose_own(struct interp *interp, int before)
 {
@@ -29,8 +29,8 @@ static bool choose_own(struct interp *interp, int before)
 		return true;
 	if (!interp->cautioned_t)
 		caution(&interp->at, column,
-			"T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load T%d; "
-			"m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
+			"T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load "
+			"T%d; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
 			own, before, own, before);
 	interp->cautioned_t = true;
 	return true;

@@ -52,14 +52,17 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 	bool both = found->count == 2 && items[0].within_limits && items[1].within_limits;
 	int by = both ? prefer(interp, found) : 0;
 
-	*chosen = found->count == 0 ? NULL : both ? &items[by > 0] : &items[found->count == 2 && !items[0].within_limits];
+	*chosen = found->count == 0 ? NULL
+		  : both	    ? &items[by > 0]
+				    : &items[found->count == 2 && !items[0].within_limits];
 	if (!*chosen || !(*chosen)->within_limits)
 		return fault(&interp->at, column,
 			     "the rotary axes of this machine cannot turn the tool into the direction of I, J and K%s",
 			     found->count ? " within their limits" : "");
 	if (both && by == 0 && compare(way_of(interp, &items[0], found->primary), 0) != 0)
-		return fault(&interp->at, column,
-			     "two positions of the rotary axes give the tool the direction of I, J and K, and are as near");
+		return fault(
+		    &interp->at, column,
+		    "two positions of the rotary axes give the tool the direction of I, J and K, and are as near");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if ((*chosen)->tie[slot])
 			return fault(&interp->at, column,
@@ -93,10 +96,11 @@ static bool check_way(struct interp *interp, int column)
 	case ORIENTATION_INTERPOLATION_VECTOR:
 		return fault(&interp->at, column, "a great circle of the tool under G43.5 is not supported");
 	default:
-		return fault(&interp->at, column,
-			     "how the tool turns under G43.5 is an option of the control: "
-			     "orientation_interpolation=\"axes\" of the machine's <controller> says that the rotary axes "
-			     "turn evenly, \"vector\" that the tool turns on a great circle (tool posture control)");
+		return fault(
+		    &interp->at, column,
+		    "how the tool turns under G43.5 is an option of the control: "
+		    "orientation_interpolation=\"axes\" of the machine's <controller> says that the rotary axes "
+		    "turn evenly, \"vector\" that the tool turns on a great circle (tool posture control)");
 	}
 }
 
@@ -106,9 +110,8 @@ bool tool_vector_take(struct interp *interp, slot_values *target)
 	const struct block *block = &interp->block;
 	const vec3 vector = {word_or_zero(block, 'I'), word_or_zero(block, 'J'), word_or_zero(block, 'K')};
 	const struct kinematics *kinematics = interp->kinematics;
-	struct kinematics_orientation orientation = {.rotary_zero = tool_length_rotary_zero(interp),
-						     .rotary = interp->state.canonical,
-						     .command = "G43.5"};
+	struct kinematics_orientation orientation = {
+	    .rotary_zero = tool_length_rotary_zero(interp), .rotary = interp->state.canonical, .command = "G43.5"};
 	const struct kinematics_solution *chosen = NULL;
 	struct kinematics_solutions found;
 	int column = block_motion_column(block);
