@@ -25,18 +25,15 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 {
 	const struct scene_pair *p = &scene->pairs[pair];
 
-	*check = (struct pair_check){
-		.scene = scene,
-		.pair = pair,
-		.tool = tool_of(scene, p),
-		.steps = p->steps,
-		.past_limits_only = p->status == PAIR_OUT_OF_REACH,
-		.found_block = -1,
-		.unknown_block = -1,
-		.maybe_inside = starts_unseen(p->steps),
-		/* The clearance of a cutter's core is of no interest. */
-		.measures = measure && p->status != PAIR_CUTTING,
-	};
+	check->scene = scene;
+	check->pair = pair;
+	check->tool = tool_of(scene, p);
+	check->steps = p->steps;
+	check->past_limits_only = p->status == PAIR_OUT_OF_REACH;
+	check->found_block = check->unknown_block = -1;
+	check->maybe_inside = starts_unseen(p->steps);
+	/* The clearance of a cutter's core is of no interest. */
+	check->measures = measure && p->status != PAIR_CUTTING;
 }
 
 void pair_check_prepare(struct pair_check *check, const struct check_options *options)
@@ -90,7 +87,8 @@ void pair_check_found(struct pair_check *check, long block)
 void pair_check_change_tool(struct pair_check *check)
 {
 	check->maybe_inside |= starts_unseen(check->steps);
-	strategy_forget_position(&check->strategy);
+	if (check->ready)
+		strategy_forget_position(&check->strategy);
 }
 
 void pair_check_jump(struct pair_check *check)
@@ -98,7 +96,8 @@ void pair_check_jump(struct pair_check *check)
 	check->maybe_inside = true;
 	/* Only the first step of a program samples its start, so that the samples do not depend on shards. */
 	check->sampler.started = true;
-	strategy_forget_position(&check->strategy);
+	if (check->ready)
+		strategy_forget_position(&check->strategy);
 }
 
 static void add_result(struct pair_check *check, size_t step, enum query_answer answer, bool exhausted,

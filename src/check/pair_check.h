@@ -39,16 +39,20 @@ struct pair_check {
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
 	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
-	struct strategy strategy;	/* CERTIFIED */
-	struct sampler sampler;	/* the sampled methods */
 	struct pair_check_result *results;	/* of this batch */
 	size_t result_count, result_capacity;
-	struct block_clearance block;
 	struct pair_check_clearance *clearances;	/* of this batch */
 	size_t clearance_count, clearance_capacity;
+	/* Large: until the check is ready only the first page of these is touched. */
+	struct sampler sampler;	/* the sampled methods */
+	struct strategy strategy;	/* CERTIFIED */
+	struct block_clearance block;
 };
 
-/* measure: find the smallest clearance (strategy_init). The meshes of the scene have been read (scene_build). */
+/*
+ * The check is all zero before. measure: find the smallest clearance (strategy_init). The meshes of the scene have been
+ * read (scene_build).
+ */
 void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure);
 
 /*

@@ -247,6 +247,8 @@ void scheduler_collect(struct scheduler *scheduler, const struct check_options *
 		/* What is measured of a pair that was never checked is where measuring begins. */
 		if (proven)
 			pair_check_prepare(check, options);
+		if (!check->ready)
+			continue;
 		stats->budgets += check->strategy.covered_steps;
 		stats->planes += check->strategy.plane_steps;
 		stats->queries += check->strategy.queries;
