@@ -94,7 +94,9 @@ def run_parts(tools, arguments):
         write(tools, 'ablation.csv', series.ABLATION_COLUMNS, rows)
         show([series.ABLATION_COLUMNS] + [[r[c] for c in series.ABLATION_COLUMNS] for r in rows])
     if 'real' in chosen and tools.real:
-        write(tools, 'real.csv', real.COLUMNS, real.rows(tools, scenes))
+        rows = real.rows(tools, scenes)
+        write(tools, 'real.csv', real.COLUMNS, rows)
+        show([real.COLUMNS] + [[r[c] for c in real.COLUMNS] for r in rows])
     figures.draw(tools.out, read(tools, 'accuracy.csv'), read(tools, 'cost.csv'), read(tools, 'steps.csv'))
     return results.get('wrong', [])
 

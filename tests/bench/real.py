@@ -5,7 +5,7 @@ import judge
 from measure import median, rounds, say
 from scene import Scene
 
-COLUMNS = ['program', 'blocks', 'certified', 'conventional', 'interpolated', 'parse_only', 'verdict']
+COLUMNS = ['program', 'blocks', 'certified', 'conventional', 'interpolated', 'parse_only', 'checked_by_read', 'fcl', 'verdict']
 
 
 def scenes(tools, out):
@@ -22,6 +22,15 @@ def scenes(tools, out):
             yield scene
 
 
+def fcl(tools, scene, verdict):
+    """Seconds a block of FCL at samples of 0.01 s; '' without FCL, or where it would stop at a contact."""
+    if not tools.peer or verdict != 'clear':
+        return ''
+    scene.prepare(tools)
+    clear = type('Clear', (), {'scene': scene, 'contact': None})
+    return judge.peer(tools, clear, 0.01, 20)[0]['seconds_per_block']
+
+
 def rows(tools, out):
     result = []
     for scene in scenes(tools, out):
@@ -31,6 +40,9 @@ def rows(tools, out):
         read = [tools.check(scene, ['--parse-only']).cpu for _ in range(tools.runs)]
         blocks = judge.blocks_until(scene, None)
         times = ['%.6g' % (median([s.phases()[2] for s in run]) / blocks) for run in runs]
+        whole = [s.cpu for s in runs[0]]
+        read_by = '%.3g' % (median(whole) / max(median(read), 1e-9))
         verdict = ('clear', 'contact', 'incomplete')[runs[0][0].status]
-        result.append(dict(zip(COLUMNS, [scene.name, blocks] + times + ['%.6g' % (median(read) / blocks), verdict])))
+        result.append(dict(zip(COLUMNS, [scene.name, blocks] + times +
+                               ['%.6g' % (median(read) / blocks), read_by, fcl(tools, scene, verdict), verdict])))
     return result

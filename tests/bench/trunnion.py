@@ -54,6 +54,30 @@ def job_setup(folder):
                        '  <part name="impeller" mesh="%s/impeller.stl" location="0 0 55"/>\n' % (JOB, JOB))
 
 
+def crowded_setup(folder, tools=30, fixtures=10):
+    """Ball cutters of several sizes and lengths in a magazine, clamps around the table, and the impeller."""
+    os.makedirs(folder, exist_ok=True)
+    meshes.write(os.path.join(folder, 'clamp.stl'), meshes.box((-10, -15, 0), (10, 15, 40)))
+    with open(os.path.join(folder, 'setup.xml'), 'w') as out:
+        out.write('<setup version="1" units="mm">\n  <work_offset name="G54"/>\n')
+        for i in range(fixtures):
+            angle = 2 * math.pi * i / fixtures
+            out.write('  <fixture name="clamp %d" mesh="clamp.stl" location="%.3f %.3f 0"/>\n' %
+                      (i + 1, 120 * math.cos(angle), 120 * math.sin(angle)))
+        out.write('  <part name="impeller" mesh="%s/impeller.stl" location="0 0 55"/>\n' % JOB)
+        for i in range(tools):
+            diameter, length = (4, 6, 8, 10, 12, 16, 20)[i % 7], 100 + 10 * (i * i % 6)
+            flutes = max(15, 2 * diameter)
+            out.write('  <tool number="%d" name="ball %d" length="%d">\n'
+                      '    <holder><section length="26" diameter="63"/>'
+                      '<section length="%d" diameter="40"/></holder>\n'
+                      '    <shank><section length="20" diameter="%d"/></shank>\n'
+                      '    <cutter tip="ball"><section length="%d" diameter="%d"/></cutter>\n  </tool>\n' %
+                      (i + 1, diameter, length, length - 46 - flutes, diameter, flutes, diameter))
+        out.write('</setup>\n')
+    return os.path.join(folder, 'setup.xml')
+
+
 def finishing(tools, tool):
     """The work of one tool of the example: axis positions at the ends of its spans, each with its seconds."""
     path = os.path.join(tools.out, 'example.tsv')
