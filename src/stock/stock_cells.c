@@ -31,11 +31,13 @@ void stock_cells_init(struct stock_cells *cells, const struct blank *blank, cons
 {
 	const vec3 half = blank->bvh->half;
 	const double size = vec3_norm(blank->bvh->origin) + blank->bvh->radius;
-	const double beyond = blank->uncertainty + blank->bvh->mesh.rounding + POSE_ROUNDING * size;
+	const double rounding = blank->bvh->mesh.rounding + POSE_ROUNDING * size;
+	const double beyond = blank->uncertainty + rounding;
 	const double needed = larger(half.x, larger(half.y, half.z)) + beyond;
 	const vec3 reach = vec3_add(half, (vec3){beyond, beyond, beyond});
 
 	*cells = (struct stock_cells){.blank = *blank, .log = log, .group_count = 1};
+	cells->rounding = rounding;
 	cells->low = vec3_sub(blank->bvh->origin, reach);
 	cells->high = vec3_add(blank->bvh->origin, reach);
 	cells->least_half = 0.5 * edge;
@@ -110,11 +112,11 @@ static bool is_there(struct search *search, size_t index, const struct cube *cub
 	return cell->removed > search->time;
 }
 
-/* Is the inner of the cell partly within the blank's bounds? */
+/* Is more of the cell within the blank's box than rounding? */
 static bool has_part(const struct stock_cells *cells, const struct cube *cube)
 {
 	const vec3 c = cube->centre;
-	const double h = cube->half;
+	const double h = cube->half - 3 * cells->rounding;
 
 	return c.x - h < cells->high.x && c.x + h > cells->low.x && c.y - h < cells->high.y && c.y + h > cells->low.y &&
 	       c.z - h < cells->high.z && c.z + h > cells->low.z;

@@ -44,6 +44,7 @@ struct stock_cells {
 	const struct cut_log *log;	/* borrowed */
 	struct cube root;
 	vec3 low, high;	/* the box around the blank; cells end there */
+	double rounding;	/* mm: the box is larger than the mesh by so much, uncertainty aside */
 	double least_half;	/* mm: half the edge of the smallest cells */
 	struct stock_cell *cells;	/* groups of eight; cell 0 is the root, group 0 has no other */
 	size_t group_count, group_capacity;
@@ -79,7 +80,8 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 		      double grain, struct cube *found);
 
 /*
- * Hands on the cells that are there at `time`, from the root down. `whole`: the cell is in the blank, and no cutter can
+ * Hands on the cells that are there at `time`, from the root down, but for those that only the box's rounding reaches.
+ * `whole`: the cell is in the blank, and no cutter can
  * have touched it. True: the parts of the cell are wanted, too.
  */
 typedef bool stock_cells_visit_fn(void *context, const struct cube *cell, bool whole);

@@ -78,7 +78,12 @@ static bool take(void *context, const struct cube *cell, bool whole)
 	return false;
 }
 
-/* The corner of a cube: bounded by the blank, so that a box keeps its faces. */
+/* Bounded by the blank, so that a box keeps its faces; what is as good as there is taken there. */
+static double bounded(double x, double low, double high, double rounding)
+{
+	return x < low + 3 * rounding ? low : x > high - 3 * rounding ? high : x;
+}
+
 static void corner_of(const struct grid *grid, struct cube_number n, const int corner[3], float out[3])
 {
 	const struct stock_cells *cells = grid->cells;
@@ -88,7 +93,7 @@ static void corner_of(const struct grid *grid, struct cube_number n, const int c
 	const double high[3] = {cells->high.x, cells->high.y, cells->high.z};
 
 	for (int k = 0; k < 3; k++)
-		out[k] = (float)smaller(larger(origin[k] + grid->edge * (n.at[k] + corner[k]), low[k]), high[k]);
+		out[k] = (float)bounded(origin[k] + grid->edge * (n.at[k] + corner[k]), low[k], high[k], cells->rounding);
 }
 
 static void add_triangle(struct grid *grid, struct cube_number n, int corners[3][3])
