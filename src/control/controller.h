@@ -77,6 +77,9 @@ enum edge_after_tool_change {
 /* An increment after a change of offsets: it traverses the change, too, or counts from where the axis stands. */
 enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERSE_SHIFT, INCREMENTS_FROM_POSITION };
 
+/* When MB of PLANE ... TURN retracts the tool: also where no rotary axis has to turn, or only where one has to. */
+enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
+
 /* Where a swivelled plane (CYCLE800, PLANE) leaves a rotary axis free, it goes to 0 or keeps its position. */
 enum swivel_pole { SWIVEL_POLE_UNKNOWN, SWIVEL_POLE_ZERO, SWIVEL_POLE_STAYS };
 
@@ -166,6 +169,7 @@ struct controller {
 	/* the rotary slot whose sign tells the solutions of a swivelled plane apart; 0: not known */
 	int swivel_axis;
 	enum swivel_pole swivel_pole;
+	enum plane_retract plane_retract;
 	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;
 	size_t mcode_count;

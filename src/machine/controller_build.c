@@ -138,6 +138,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->cycle_19_angles && !row->has_planes)
 		description_fault(file, described->at, "cycle_19_angles",
 				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
+	if (described->plane_retract && !row->has_planes)
+		description_fault(file, described->at, "plane_retract",
+				  "plane_retract of <controller>: %s has no such parameter", row->title);
 	if (described->swivel_pole && !row->has_planes && !row->has_frames)
 		description_fault(file, described->at, "swivel_pole",
 				  "swivel_pole of <controller>: %s has no such parameter", row->title);
@@ -258,6 +261,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->length_along_z = from->length_along_z;
 	to->swivel_axis = from->swivel_axis;
 	to->swivel_pole = from->swivel_pole;
+	to->plane_retract = from->plane_retract;
 	to->orientation_pole = from->orientation_pole;
 	to->increments_after_shift = from->increments_after_shift;
 	to->power_on_work_offset = from->power_on_work_offset;

@@ -114,6 +114,7 @@ struct controller_description {
 	int power_on_work_offset;	/* 1: G500, 2: G54 and so on; 0: not given */
 	int swivel_axis;	/* a slot; 0: not given */
 	enum swivel_pole swivel_pole;
+	enum plane_retract plane_retract;
 	enum orientation_pole orientation_pole;
 	struct mcode_description *mcodes;
 	size_t mcode_count;

@@ -70,8 +70,8 @@ static const struct klartext_fault faults[] = {
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 STAY MB50\n",
 	 "p.nc:2:7: error: MB of PLANE needs TURN or MOVE"},
 	{"PLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN MB50 FMAX\n",
-	 "p.nc:2:7: error: MB of PLANE where no rotary axis has to turn: whether the tool retracts is not known here; write "
-	 "M140 in a block before"},
+	 "p.nc:2:7: error: MB of PLANE where no rotary axis has to turn: plane_retract=\"always\" or \"turning\" of the "
+	 "machine's <controller> says whether the tool retracts, or write M140 in a block before"},
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN MB-50 FMAX\n",
 	 "p.nc:2:40: error: the way of MB cannot be negative"},
 	{"PLANE SPATIAL SPA+5 SPB+0 SPC+0 TURN FMAX HELLO\n",

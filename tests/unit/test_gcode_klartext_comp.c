@@ -195,6 +195,23 @@ START_TEST(free_axis)
 }
 END_TEST
 
+/* MB of PLANE where no rotary axis has to turn: up to the end of Z, or nothing. */
+START_TEST(retract_standing)
+{
+	static const char *const moves[] = {"", "rapid 0 0 500 0 0\nrapid 0 0 500 0 0\n", ""};
+
+	for (int way = PLANE_RETRACT_ALWAYS; way <= PLANE_RETRACT_TURNING; way++) {
+		struct gcode_case c;
+
+		klartext_case(&c);
+		c.config.controller.plane_retract = (enum plane_retract)way;
+		ck_assert(klartext_run(&c, "PLANE RESET TURN MB MAX FMAX\n"));
+		ck_assert_str_eq(strbuf_text(&c.moves), moves[way]);
+		case_release(&c);
+	}
+}
+END_TEST
+
 /* Every block is told once, in order, with its own moves. */
 START_TEST(blocks_in_order)
 {
@@ -219,6 +236,7 @@ int main(void)
 	tcase_add_loop_test(tcase, approaches_table, 0, COUNT(approaches));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, free_axis);
+	tcase_add_test(tcase, retract_standing);
 	tcase_add_test(tcase, blocks_in_order);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

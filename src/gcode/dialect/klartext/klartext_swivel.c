@@ -285,11 +285,13 @@ static bool move_rotary(struct interp *interp, const struct klartext_swivel *req
 
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
 		turns = turns || fabs(rotary->v[slot] - state->position.v[slot]) > degrees(TIE_TOLERANCE);
-	if (!turns && request->retracts)
-		return fault(
-		    &interp->at, request->column,
-		    "MB of PLANE where no rotary axis has to turn: whether the tool retracts is not known here; "
-		    "write M140 in a block before");
+	if (!turns && request->retracts && !interp->config->controller.plane_retract)
+		return fault(&interp->at, request->column,
+			     "MB of PLANE where no rotary axis has to turn: plane_retract=\"always\" or \"turning\" of "
+			     "the machine's "
+			     "<controller> says whether the tool retracts, or write M140 in a block before");
+	if (!turns && request->retracts && interp->config->controller.plane_retract == PLANE_RETRACT_TURNING)
+		return true;
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
 	if (!find_feed(interp, request, &move) || !retract(interp, request))
