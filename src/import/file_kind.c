@@ -36,6 +36,15 @@ static const char *root_name(const char *text)
 	return at && *at == '<' ? at + 1 : NULL;
 }
 
+/* Is the root element of the XML file the one of this name? */
+static bool is_root(const char *text, const char *name)
+{
+	const char *root = root_name(text);
+	size_t length = strlen(name);
+
+	return root && !strncmp(root, name, length) && root[length] && strchr(" \t\r\n/>", root[length]);
+}
+
 /* Sections that an ini file of such a machine has; one of them may be in a file that it includes. */
 static bool is_ini(const char *text)
 {
@@ -49,20 +58,16 @@ static bool is_ini(const char *text)
 
 static bool tell(enum file_kind *kind, const char *path, const char *text)
 {
-	const char *root = root_name(text);
-
-	for (size_t i = 0; root && i < sizeof(xml_roots) / sizeof(*xml_roots); i++) {
-		size_t length = strlen(xml_roots[i].root);
-
+	for (size_t i = 0; i < sizeof(xml_roots) / sizeof(*xml_roots); i++) {
 		*kind = xml_roots[i].kind;
-		if (!strncmp(root, xml_roots[i].root, length) && strchr(" \t\r\n/>", root[length]))
+		if (is_root(text, xml_roots[i].root))
 			return true;
 	}
 	*kind = FILE_MESH;
 	if (mesh_file_format(path) != MESH_OTHER)
 		return true;
 	*kind = FILE_EMC_MACHINE;
-	if (!root && is_ini(text))
+	if (!root_name(text) && is_ini(text))
 		return true;
 	*kind = FILE_TOOLS;
 	return library_kind_of(text) != LIBRARY_NONE;
@@ -88,10 +93,16 @@ static const char *advice(const char *path, const char *text)
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, with all axes "
 		       "at 0, and name the meshes in a machine file ('fivecheck init' writes one to begin with)";
+	if (is_root(text, "VcProject"))
+		return "this is a project of VERICUT: import the machine (.mch) and the tool library (.tls) that it names, each by itself, "
+		       "and put the work offsets, fixtures and the part into a setup";
+	if (is_root(text, "MTConnectDevices"))
+		return "this is a device description of MTConnect, which does not say which axis carries which: use 'fivecheck init' with "
+		       "the axes and travels that it names";
 	if (!strncmp(text, "PK\003\004", 4))
 		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can be imported";
-	return "this is no file that can be imported: a machine or a tool library of VERICUT 7 (XML), a tool library of Fusion 360 "
-	       "(JSON), a table of tools (CSV, tool.tbl) or a listing of offsets (G10)";
+	return "this is no file that can be imported: a machine of VERICUT 7 (XML), an ini file or URDF; a tool library of VERICUT or "
+	       "Fusion 360 (JSON), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

@@ -114,10 +114,10 @@ static enum run_status print_help(struct diag *diag)
 	struct strbuf text = {0};
 
 	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), or a setup with\n"
-			   "tools from a tool library of VERICUT (.tls) or Fusion 360 (.json), a table of tools (CSV,\n"
-			   "tool.tbl) or a listing of offsets (G10). Says what could not be taken over, and what has to\n"
-			   "be looked at.\n\n");
+			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file of a control,\n"
+			   "or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360 (.json), a\n"
+			   "table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from another mesh.\n"
+			   "Says what could not be taken over, and what has to be looked at.\n\n");
 	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"
 			   "fivecheck --check-machine dmu50/machine.xml\n");

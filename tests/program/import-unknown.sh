@@ -1,0 +1,15 @@
+# Files that cannot be imported: each is told what to do instead.
+told() { # NAME - standard input is the file
+	cat >"$1"
+	status "$FIVECHECK" import --output out "$1" 2>&1 | sed 's/: error: /:\n  /'
+	[ ! -e out ] || echo "a folder was written"
+}
+printf 'any text of an old machine\n' | told old.mch
+printf 'any text\n' | told JOB.VCPROJECT
+printf '<?xml version="1.0"?>\n<VcProject Version="7.0"><Setup/></VcProject>\n' | told job.vcproject
+printf '<MTConnectDevices xmlns="urn:mtconnect.org:MTConnectDevices:1.7"/>' | told device.xml
+printf 'ISO-10303-21;\n' | told arm.STEP
+printf 'PK\003\004zip' | told library.tools
+printf '\000\001\002' | told bytes.bin
+printf '' | told empty.mch
+printf '<VcMachineX/>' | told other.mch
