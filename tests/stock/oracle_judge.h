@@ -8,6 +8,7 @@
 struct judgement {
 	int missed, wrong, failed;
 	int violated, found;	/* moves */
+	int certain, confirmed;	/* contacts that are told as certain, and of them those in which a point was found */
 };
 
 /* Checks the job with the program, with its files in the folder, and adds to the sums; says what is wrong. */
