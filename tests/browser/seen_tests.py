@@ -1,0 +1,210 @@
+"""What a report shows: the contact in words and in red, on a desk, on a phone's screen, on paper, and whatever names say."""
+import os
+
+import fixtures
+from bench import HERE, PHONE, READ_OUT, RED, same, test, true
+
+
+@test
+def units(bench):
+    """The modules by themselves."""
+    with open(bench.viewer, encoding="utf-8") as file:
+        script = file.read()
+    with open(os.path.join(os.path.dirname(__file__), "units.js"), encoding="utf-8") as file:
+        checks = file.read()
+    path = os.path.join(bench.work, "units.html")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("<!doctype html><meta charset=utf-8><script>" + script[:script.rindex("main();")] + checks + "})();</script>")
+    page = bench.browser.page()
+    page.open(path, ready="units-done")
+    same("failures", page.run("window.unitFailures"), [])
+    bench.done(page)
+
+
+@test
+def collision(bench):
+    """The example opens at its collision: in words, in red, at the very axis positions."""
+    path, findings = bench.example("ac-trunnion", "collision", "--all")
+    page = bench.open(path)
+    headline = page.run("document.querySelector('.app h1').textContent")
+    for word in (findings[0]["a"], findings[0]["b"], str(findings[0]["line"])):
+        true(f"{word} in the headline: {headline}", word in headline)
+    true("red pixels", page.run(RED) > 2000)
+    read = page.run(READ_OUT)
+    same("axes", sorted(read), sorted(findings[0]["axes"]))
+    for letter, value in findings[0]["axes"].items():
+        true(f"{letter} {read[letter]} as in NDJSON {value}", abs(read[letter] - value) <= 0.000500001)
+        exact = page.run(f"fivecheck.state.pose.values[fivecheck.state.model.axes.findIndex((axis) => axis.letter === '{letter}')]")
+        true(f"{letter} {exact} to four digits", abs(exact - value) < 5e-5)
+    same("line", page.run(HERE), findings[0]["line"])
+    size = os.path.getsize(path)
+    print(f"  {size / 1000:.0f} kB, shown after {page.shown_after / 1000:.2f} s")
+    true(f"{size} bytes", size <= 150_000)
+    bench.done(page, "collision-desk")
+    for name, options in {"collision-dark": {"dark": True}, "collision-phone": PHONE}.items():
+        bench.done(bench.open(path, **options), name)
+
+
+@test
+def clear(bench):
+    """Nothing was found: nothing is red."""
+    for name in ("ac-trunnion", "b-head-c-table", "cb-head"):
+        path, findings = bench.example(name, "clear")
+        same("findings", findings, [])
+        page = bench.open(path)
+        headline = page.run("document.querySelector('.app h1').textContent")
+        true(headline, headline.startswith("Clear"))
+        same("red pixels", page.run(RED), 0)
+        page.run("fivecheck.state.seek(fivecheck.state.model.path.duration * 0.6)")
+        page.frames()
+        same("red pixels in the middle", page.run(RED), 0)
+        bench.done(page, f"clear-{name}")
+
+
+@test
+def other_examples(bench):
+    """The contact is seen on the other machines, too."""
+    for name in ("b-head-c-table", "cb-head"):
+        path, _ = bench.example(name, "collision", "--all")
+        page = bench.open(path)
+        true("red pixels", page.run(RED) > 500)
+        bench.done(page, f"collision-{name}")
+
+
+@test
+def sensitivity(bench):
+    """With --sensitivity the card says what the setup lacks: the block is 40 high, the tool passes 10 above its foot."""
+    machine, setup, program = fixtures.boxes(bench.work)
+    path, _ = bench.report("sensitivity", machine, setup, program, "--sensitivity=0,0,0,50")
+    page = bench.open(path)
+    text = page.run("document.querySelector('.card .cure').textContent")
+    needed = float(text.split()[1])
+    true(text, text.endswith("mm more tool length: then nothing is found.") and 30 <= needed < 30.1)
+    bench.done(page, "sensitivity")
+
+
+@test
+def limit(bench):
+    """An axis that leaves its travel: what it carries is red, and the words say how far."""
+    machine, setup, _ = fixtures.boxes(bench.work)
+    program = os.path.join(bench.work, "limit.nc")
+    with open(program, "w", encoding="utf-8") as file:
+        file.write("G21 G90\nT1 M6\nG54 G43 H1\nG0 Z150\nZ350\nM2\n")
+    path, findings = bench.report("limit", machine, setup, program, "--all")
+    same("kinds", {finding["kind"] for finding in findings}, {"limit"})
+    page = bench.open(path)
+    text = page.run("document.querySelector('.card').textContent")
+    true(text, text.startswith("Z leaves its travel") and "its limit is 0.000: 110.000 too far" in text and "Z -90.000 \u2192 " in text)
+    true("red pixels", page.run(RED) > 2000)
+    bench.done(page, "limit")
+
+
+@test
+def poses(bench):
+    """Every body stands at the finding where --pose says, to the accuracy that the report states."""
+    path, _ = bench.example("ac-trunnion", "collision", "--all")
+    wanted = fixtures.pose_boxes(bench.fivecheck, bench.work, "machines/ac-trunnion/machine.xml", "examples/ac-trunnion/setup.xml", "examples/ac-trunnion/collision.nc")
+    page = bench.open(path)
+    found = page.run("""(({placed, model}) => placed.all().map((i) => {
+        const {positions, indices} = model.bodies[i].mesh, m = placed.matrix(i);
+        const all = [];
+        for (const v of new Set(indices)) all.push([0, 1, 2].map((r) => m[r] * positions[3 * v] + m[4 + r] * positions[3 * v + 1] + m[8 + r] * positions[3 * v + 2] + m[12 + r]));
+        return {name: model.bodies[i].name, triangles: indices.length / 3, points: all};
+    }))(fivecheck.stage)""")
+    accuracy = page.run("fivecheck.state.model.accuracy")
+    true(f"accuracy {accuracy}", 0 < accuracy <= 0.05)
+    # Triangles that are thinner than the accuracy of the picture are not drawn.
+    triangles = sum(body["triangles"] for body in found)
+    true(f"{triangles} triangles of {len(wanted['triangles'])}", 0.999 * len(wanted["triangles"]) < triangles <= len(wanted["triangles"]))
+    missed = fixtures.farthest([p for body in found for p in body["points"]], wanted["points"], accuracy + 1e-3)
+    same("vertices of the picture that --pose has not", missed, 0)
+    missed = fixtures.farthest(wanted["points"], [p for body in found for p in body["points"]], accuracy + 1e-3)
+    same("vertices of --pose that the picture has not", missed, 0)
+    bench.done(page)
+
+
+@test
+def hostile(bench):
+    """Names, comments and code are text, whatever they say."""
+    machine, setup, program = fixtures.boxes(bench.work, hostile=True)
+    path, findings = bench.report("hostile", machine, setup, program, "--all")
+    true("something is found", findings)
+    page = bench.open(path)
+    for tab in range(4):
+        page.run(f"document.querySelectorAll('[role=tab]')[{tab}].click()")
+        page.frames()
+    same("ran", page.run("window.pwned || null"), None)
+    same("images", page.run("document.querySelectorAll('img[src=x]').length"), 0)
+    true("the name is shown", page.run("document.querySelector('.app h1').textContent").find("<img") >= 0)
+    page.run("document.querySelectorAll('[role=tab]')[0].click()")
+    true("the code is shown", "</script>" in page.run("document.querySelector('.rows').textContent"))
+    bench.done(page, "hostile")
+
+
+@test
+def plain(bench):
+    """Without WebGL, without JavaScript and on paper the plain HTML says what hits what, and where."""
+    path, findings = bench.example("ac-trunnion", "collision", "--all")
+    words = [findings[0]["a"], findings[0]["b"], "line 70"]
+    text = "document.getElementById('plain').innerText"
+
+    page = bench.browser.page()
+    page.call("Emulation.setScriptExecutionDisabled", value=True)
+    page.call("Page.navigate", url="file://" + os.path.abspath(path))
+    page.wait("Page.loadEventFired")
+    page.call("Emulation.setScriptExecutionDisabled", value=False)
+    for word in words:
+        true(f"{word} without JavaScript", word in page.run(text))
+    same("no viewer", page.run("document.querySelector('.app')"), None)
+    page.picture(os.path.join(bench.keep, "plain.png"))
+    page.size(390, 800, mobile=True)
+    true("plain on a phone", page.run("document.documentElement.scrollWidth") <= 390)
+    page.close()
+
+    page = bench.browser.page()
+    page.open(path, scripts="HTMLCanvasElement.prototype.getContext = () => null;")
+    for word in words:
+        true(f"{word} without WebGL", word in page.run(text))
+    same("no viewer without WebGL", page.run("document.querySelector('.app')"), None)
+    page.close()
+
+    page = bench.open(path)
+    page.call("Emulation.setEmulatedMedia", media="print")
+    page.frames()
+    for word in words:
+        true(f"{word} on paper", word in page.run(text))
+    same("the viewer on paper", page.run("getComputedStyle(document.querySelector('.app')).display"), "none")
+    bench.done(page, "paper")
+
+
+CONTRAST = """((lum, over) => {
+    const parse = (text) => { const n = text.match(/[\\d.]+/g).map(Number); return text.startsWith('color(') ? [n[0] * 255, n[1] * 255, n[2] * 255, n[3] ?? 1] : [n[0], n[1], n[2], n[3] ?? 1]; };
+    const ground = (e) => {
+        if (!e) return [255, 255, 255];
+        const c = parse(getComputedStyle(e).backgroundColor);
+        return c[3] >= 0.8 ? c : over(c, ground(e.parentElement));
+    };
+    const bad = [];
+    for (const e of document.querySelectorAll('.app *')) {
+        if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || !e.getClientRects().length || e.closest('svg')) continue;
+        const style = getComputedStyle(e), a = lum(parse(style.color)), b = lum(ground(e));
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const large = parseFloat(style.fontSize) >= 18.66;
+        if (ratio < (large ? 3 : 4.5)) bad.push(`${e.tagName}.${e.className} ${e.textContent.slice(0, 20)} ${ratio.toFixed(2)}`);
+    }
+    return bad;
+})((c) => { const [r, g, b] = c.map((v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)); return 0.2126 * r + 0.7152 * g + 0.0722 * b; },
+(c, d) => [0, 1, 2].map((k) => c[k] * c[3] + d[k] * (1 - c[3])))"""
+
+
+@test
+def contrast(bench):
+    """Text stands out from its ground: 4.5 to 1, large text 3 to 1 (WCAG 2.2, 1.4.3)."""
+    for program in ("collision", "clear"):
+        path, _ = bench.example("ac-trunnion", program, "--all")
+        for dark in (False, True):
+            page = bench.open(path, dark=dark)
+            for tab in range(4):
+                page.run(f"document.querySelectorAll('[role=tab]')[{tab}].click()")
+                same(f"weak text, {program}, dark {dark}, tab {tab}", page.run(CONTRAST), [])
+            bench.done(page)
