@@ -214,7 +214,7 @@ static bool radial_slots(struct milling *m, const struct slots *at)
 	const double radius = fabs(length(m, at->radius)), slot = fabs(length(m, at->length));
 	const bool otherwise = sinumerik_argument_counts(&m->of, at->geometry);
 	const struct box along = {{radius - (otherwise ? slot : 0), -at->half_width}, {radius + slot, at->half_width}};
-	struct box parts[PARTS_MAX];
+	struct box parts[PARTS_MAX] = {0};
 
 	if (!(number >= 1 && number <= PARTS_MAX) || floor(number) < number)
 		return fault(&m->of.interp->at, m->of.column, "%s needs a number of slots, NUM, from 1 to %d",
