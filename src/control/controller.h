@@ -80,6 +80,9 @@ enum increments_after_shift { INCREMENTS_AFTER_SHIFT_UNKNOWN, INCREMENTS_TRAVERS
 /* When MB of PLANE ... TURN retracts the tool: also where no rotary axis has to turn, or only where one has to. */
 enum plane_retract { PLANE_RETRACT_UNKNOWN, PLANE_RETRACT_ALWAYS, PLANE_RETRACT_TURNING };
 
+/* Whether L and R of TOOL DEF count: with an active tool table they do not. */
+enum tool_def { TOOL_DEF_UNKNOWN, TOOL_DEF_IGNORED };
+
 /* Where a swivelled plane (CYCLE800, PLANE) leaves a rotary axis free, it goes to 0 or keeps its position. */
 enum swivel_pole { SWIVEL_POLE_UNKNOWN, SWIVEL_POLE_ZERO, SWIVEL_POLE_STAYS };
 
@@ -170,6 +173,7 @@ struct controller {
 	int swivel_axis;
 	enum swivel_pole swivel_pole;
 	enum plane_retract plane_retract;
+	enum tool_def tool_def;
 	enum orientation_pole orientation_pole;
 	const struct mcode *mcodes;
 	size_t mcode_count;

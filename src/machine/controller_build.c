@@ -138,6 +138,9 @@ static void check_dialect(struct description_file *file, const struct controller
 	if (described->cycle_19_angles && !row->has_planes)
 		description_fault(file, described->at, "cycle_19_angles",
 				  "cycle_19_angles of <controller>: %s has no such parameter", row->title);
+	if (described->tool_def && !row->has_planes)
+		description_fault(file, described->at, "tool_def",
+				  "tool_def of <controller>: %s has no such parameter", row->title);
 	if (described->plane_retract && !row->has_planes)
 		description_fault(file, described->at, "plane_retract",
 				  "plane_retract of <controller>: %s has no such parameter", row->title);
@@ -262,6 +265,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->swivel_axis = from->swivel_axis;
 	to->swivel_pole = from->swivel_pole;
 	to->plane_retract = from->plane_retract;
+	to->tool_def = from->tool_def;
 	to->orientation_pole = from->orientation_pole;
 	to->increments_after_shift = from->increments_after_shift;
 	to->power_on_work_offset = from->power_on_work_offset;

@@ -115,6 +115,7 @@ struct controller_description {
 	int swivel_axis;	/* a slot; 0: not given */
 	enum swivel_pole swivel_pole;
 	enum plane_retract plane_retract;
+	enum tool_def tool_def;
 	enum orientation_pole orientation_pole;
 	struct mcode_description *mcodes;
 	size_t mcode_count;

@@ -225,7 +225,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:15: error: TOOL CALL has a tool, its axis, S, F, DL, DR and DR2"},
 	{"TOOL DEF 1 L50\n",
 	 "p.nc:2:12: error: TOOL DEF gives T1 a length of 50 mm, and the setup 100 mm: which of them "
-	 "the control takes depends on whether its tool table is active; make them agree, or leave L out"},
+	 "the control takes depends on whether its tool table is active; make them agree, or say tool_def=\"ignored\" in "
+	 "the machine's <controller> if the table counts"},
 	{"TOOL DEF 1 X50\n",
 	 "p.nc:2:12: error: TOOL DEF has a number, L and R"},
 	{"TOOL FOO\n",

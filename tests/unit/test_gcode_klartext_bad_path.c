@@ -8,7 +8,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:7: error: the radius of T3 is not known: give the tool of the setup a <cutter>, or diameter=\"\""},
 	{"TOOL DEF 1 R4\nTOOL CALL 1 Z\nL X+1 RR F100\n",
 	 "p.nc:4:7: error: TOOL DEF gives T1 a radius of 4 mm, and the setup 5 mm: which of them the control takes "
-	 "depends on whether its tool table is active; make them agree, or leave R out"},
+	 "depends on whether its tool table is active; make them agree, or say tool_def=\"ignored\" in the machine's "
+	 "<controller> if the table counts"},
 	{"TOOL CALL 1 Z DR-6\nL X+1 RR F100\n",
 	 "p.nc:3:7: error: the radius of T1 with DR is -1 mm: compensation by a negative radius is not supported"},
 	{"TOOL CALL 1 Z\nL Z+1 RR F100\n",

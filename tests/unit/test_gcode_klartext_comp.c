@@ -212,6 +212,19 @@ START_TEST(retract_standing)
 }
 END_TEST
 
+/* With an active tool table L and R of TOOL DEF do not count. */
+START_TEST(tool_table_counts)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.tool_def = TOOL_DEF_IGNORED;
+	ck_assert(klartext_run(&c, "TOOL DEF 1 L0 R0\nTOOL CALL 1 Z\nL X+Q108 Z+0 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "tool 1\nrapid 5 0 100 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 /* Every block is told once, in order, with its own moves. */
 START_TEST(blocks_in_order)
 {
@@ -237,6 +250,7 @@ int main(void)
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	tcase_add_test(tcase, free_axis);
 	tcase_add_test(tcase, retract_standing);
+	tcase_add_test(tcase, tool_table_counts);
 	tcase_add_test(tcase, blocks_in_order);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

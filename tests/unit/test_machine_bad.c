@@ -119,6 +119,8 @@ static const struct xml_case bad[] = {
      "m.xml:2: error: power_on_plane of <controller>: LinuxCNC always starts with G21, G90 and G17\n"},
     {MACHINE("<controller dialect='fanuc' power_on_units='inches'/><base/>"),
      "m.xml:2: error: power_on_units=\"inches\" of <controller> must be mm or inch\n"},
+    {MACHINE("<controller dialect='haas' tool_def='ignored'/><base/>"),
+     "m.xml:2: error: tool_def of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' plane_retract='always'/><base/>"),
      "m.xml:2: error: plane_retract of <controller>: Haas has no such parameter\n"},
     {MACHINE("<controller dialect='haas' cycle_19_angles='axes'/><base/>"),

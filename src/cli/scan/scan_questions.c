@@ -171,6 +171,7 @@ static const struct question {
     {"swivel_axis=\"", "swivel_axis=\"A\", \"B\" or \"C\"", CHOICE(swivel_axis, SLOT_C)},
     {"orientation_pole=\"", "orientation_pole=\"axes\"", CHOICE(orientation_pole, ORIENTATION_POLE_AXES)},
     {"swivel_pole=\"", "swivel_pole=\"zero\" or \"stays\"", CHOICE(swivel_pole, SWIVEL_POLE_ZERO)},
+    {"tool_def=\"", "tool_def=\"ignored\"", CHOICE(tool_def, TOOL_DEF_IGNORED)},
     {"plane_retract=\"", "plane_retract=\"always\" or \"turning\"", CHOICE(plane_retract, PLANE_RETRACT_ALWAYS)},
     {"tool_length_axis=\"", "tool_length_axis=\"z\"", CHOICE(length_along_z, ANSWER_YES)},
 };

@@ -95,6 +95,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	static const char *const systems[] = {"G500", "G54", "G55", "G56", "G57", NULL};
 	static const char *const angles[] = {"spatial", "axes", NULL};
 	static const char *const poles[] = {"zero", "stays", NULL};
+	static const char *const definitions[] = {"ignored", NULL};
 	static const char *const retracts[] = {"always", "turning", NULL};
 	static const char *const pole_ways[] = {"axes", NULL};
 	const int swivel = xml_choice(xml, node, "swivel_axis", rotary, -1);
@@ -115,6 +116,7 @@ static void read_frames(struct xml_reader *xml, const xmlNode *node, struct cont
 	controller->orientation_pole =
 	    (enum orientation_pole)(xml_choice(xml, node, "orientation_pole", pole_ways, -1) + 1);
 	controller->swivel_pole = (enum swivel_pole)(xml_choice(xml, node, "swivel_pole", poles, -1) + 1);
+	controller->tool_def = (enum tool_def)(xml_choice(xml, node, "tool_def", definitions, -1) + 1);
 	controller->plane_retract = (enum plane_retract)(xml_choice(xml, node, "plane_retract", retracts, -1) + 1);
 }
 

@@ -28,7 +28,8 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 	if (klartext->defined_tool == number && fabs(klartext->defined_radius - tool->diameter / 2) > SAME_POINT)
 		return fault(&interp->at, column,
 			     "TOOL DEF gives T%d a radius of %.6g mm, and the setup %.6g mm: which of them the control "
-			     "takes depends on whether its tool table is active; make them agree, or leave R out",
+			     "takes depends on whether its tool table is active; make them agree, or "
+			     "say tool_def=\"ignored\" in the machine's <controller> if the table counts",
 			     number, klartext->defined_radius, tool->diameter / 2);
 	*radius = tool->diameter / 2 + klartext->wider;
 	return *radius >= 0 || fault(&interp->at, column,

@@ -70,12 +70,14 @@ static bool check_length(struct lexer *lexer, int number, double length, int col
 	struct interp *interp = lexer->context;
 	const struct tool *tool = tool_table_find(&interp->tools, number);
 
-	if (!tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE)
+	if (!tool || fabs(tool->length_offset - length) <= TOOL_SUM_TOLERANCE ||
+	    interp->config->controller.tool_def == TOOL_DEF_IGNORED)
 		return true;
 	return fault(
 	    lexer->at, column,
 	    "TOOL DEF gives T%d a length of %.6g mm, and the setup %.6g mm: which of them the control takes depends on "
-	    "whether its tool table is active; make them agree, or leave L out",
+	    "whether its tool table is active; make them agree, or say tool_def=\"ignored\" in the "
+	    "machine's <controller> if the table counts",
 	    number, length, tool->length_offset);
 }
 
@@ -96,6 +98,8 @@ bool klartext_tool_define(struct lexer *lexer)
 		} else if (klartext_take(lexer, "R")) {
 			if (!klartext_value(lexer, &value))
 				return false;
+			if (interp->config->controller.tool_def == TOOL_DEF_IGNORED)
+				continue;
 			klartext_of(interp)->defined_tool = number;
 			klartext_of(interp)->defined_radius = value * interp->state.scale;
 		} else {
