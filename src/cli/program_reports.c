@@ -1,5 +1,6 @@
 #include "cli/program_reports.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,7 +100,12 @@ static bool holds_other(const char *path)
 	size_t count;
 	FILE *file;
 
-	if (stat(path, &status) || !S_ISREG(status.st_mode) || !status.st_size || !(file = fopen(path, "rb")))
+	if (stat(path, &status) || !S_ISREG(status.st_mode) || !status.st_size)
+		return false;
+	file = fopen(path, "rb");
+	if (!file && errno == ENOMEM)
+		mem_exhausted();
+	if (!file)
 		return false;
 	count = fread(begin, 1, sizeof(begin) - 1, file);
 	fclose(file);
