@@ -10,6 +10,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
+#include "gcode/dialect/sinumerik/sinumerik_spread.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
@@ -74,7 +75,8 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 	if (waits)
 		good = true;
 	else if (!cutter_comp_is_on(interp))
-		good = motion_commands_go(interp, &straight, move);
+		good = circle ? motion_commands_go(interp, &straight, move)
+			      : sinumerik_spread_go_on(interp, &straight, move);
 	else if (!circle)
 		good = cutter_comp_line(interp, &straight, move);
 	else if (!circle->in_plane)
@@ -122,7 +124,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
 		    "swivelled; write D0 beside it");
 	if (!tool_length_suspend(interp, column, &suspended) ||
-	    !sinumerik_target_find_machine(interp, block, &target) || !motion_commands_go(interp, &target, move) ||
+	    !sinumerik_target_find_machine(interp, block, &target) || !sinumerik_spread_go_on(interp, &target, move) ||
 	    !tool_length_resume(interp, column, &suspended))
 		return false;
 	sinumerik_frame_moved(interp);

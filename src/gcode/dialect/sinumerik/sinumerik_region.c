@@ -7,8 +7,8 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_argument.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_spread.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
-#include "gcode/execute/motion_commands.h"
 
 /* Slots of one call. */
 #define PARTS_MAX 1000
@@ -97,9 +97,13 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	half[m->depth] = beyond;
 	reach(interp, half, move.spread);
 	straight = sinumerik_frame_straight(interp, &target);
-	if (!motion_commands_go(interp, &straight, &move))
+	/* From where another cycle has left the tool. */
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		move.spread[slot] += interp->comp.loose[slot];
+		interp->comp.loose[slot] = 0;
+	}
+	if (!sinumerik_spread_go(interp, &straight, &move))
 		return false;
-	memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
 	sinumerik_of(interp)->place = target;
 	sinumerik_of(interp)->placed = true;
 	return true;
@@ -112,15 +116,17 @@ static bool approach(struct milling *m, const struct box *all)
 	const struct box here = about(place->v[m->a], place->v[m->b], 0, 0), both = hull(&here, all);
 	const double z = place->v[m->depth], low = fmin(z, m->height.clear), high = fmax(z, m->height.clear);
 
-	return go(m, &both, (low + high) / 2, (high - low) / 2, 0) && go(m, all, m->height.clear, 0, 0) &&
+	const double a = (all->low[0] + all->high[0]) / 2, b = (all->low[1] + all->high[1]) / 2;
+	const struct box middle = about(a, b, 0, 0);
+
+	return go(m, &both, (low + high) / 2, (high - low) / 2, 0) && go(m, &middle, m->height.clear, 0, 0) &&
 	       go(m, all, m->height.safe, 0, 0);
 }
 
 /* Into one part and out of it. */
 static bool mill_part(struct milling *m, const struct box *part)
 {
-	return go(m, part, m->height.safe, 0, 0) && go(m, part, m->height.bottom, m->beyond, m->feed) &&
-	       go(m, part, m->height.safe, m->beyond, m->feed);
+	return go(m, part, m->height.bottom, m->beyond, m->feed) && go(m, part, m->height.safe, m->beyond, m->feed);
 }
 
 /* Over the region the tool may stand anywhere, until the axes of the plane are commanded. */
@@ -131,7 +137,7 @@ static bool retract(struct milling *m, const struct box *all)
 
 	half[m->a] = (all->high[0] - all->low[0]) / 2;
 	half[m->b] = (all->high[1] - all->low[1]) / 2;
-	if (!go(m, all, m->height.safe, 0, 0) || !go(m, all, m->height.clear, 0, 0))
+	if (!go(m, all, m->height.clear, 0, 0))
 		return false;
 	reach(interp, half, interp->comp.loose);
 	sinumerik_of(interp)->left_open = true;
@@ -146,11 +152,12 @@ static bool mill(struct milling *m, const struct box *parts, int count)
 		all = hull(&all, &parts[i]);
 	if (!approach(m, &all))
 		return false;
+	/* Over the parts the tool is anywhere over all of them, which the approach has covered. */
 	for (int i = 0; i < count; i++) {
-		if (!mill_part(m, &parts[i]))
+		if ((count > 1 && !go(m, &parts[i], m->height.safe, 0, 0)) || !mill_part(m, &parts[i]))
 			return false;
 	}
-	return retract(m, &all);
+	return (count == 1 || go(m, &all, m->height.safe, 0, 0)) && retract(m, &all);
 }
 
 /* ------------------------------------------------------------------ cycles */
