@@ -279,13 +279,15 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 	if (gap > -depth || !is_there(&search, 0, &cells->root))
 		return false;
 	/* Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at. */
-	for (search.grain = cells->root.half / 8;; search.grain /= 4) {
-		search.effort = effort;
-		if (proves(&search, 0, &cells->root))
-			return true;
+	search.grain = cells->root.half / 8;
+	search.effort = effort;
+	while (!proves(&search, 0, &cells->root)) {
 		if (search.grain <= cells->least_half)
 			return false;
+		search.grain /= 4;
+		search.effort = effort;
 	}
+	return true;
 }
 
 static void visit_cell(struct search *search, size_t index, const struct cube *cube, stock_cells_visit_fn *visit,
