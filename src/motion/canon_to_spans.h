@@ -5,7 +5,6 @@
 #include <stdbool.h>
 
 #include "gcode/canon.h"
-#include "gcode/kinematics.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
 #include "motion/events.h"
@@ -36,8 +35,5 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 
 /* The callback of a canon_sink whose context is a struct canon_to_spans. */
 bool canon_to_spans_event(void *context, const struct canon_event *event);
-
-/* The machine's kinematics; `converter` is its context. */
-struct kinematics canon_to_spans_kinematics(struct canon_to_spans *converter);
 
 #endif

@@ -3,6 +3,7 @@
 #include "gcode/dialect/dialects.h"
 #include "gcode/interp.h"
 #include "motion/canon_to_spans.h"
+#include "motion/motion_kinematics.h"
 
 /* What the interpreter must know about machine, setup and options. Everything is borrowed. */
 static struct gcode_config config_of(const struct machine *machine, const struct setup *setup,
@@ -70,7 +71,7 @@ bool motion_run(const struct machine *machine, const struct setup *setup, const 
 
 	canon_to_spans_init(&run.converter, machine, setup, options->flatness, sink, diag, name);
 	run.converter.tells_modes = options->modes;
-	kinematics = canon_to_spans_kinematics(&run.converter);
+	kinematics = motion_kinematics(&run.converter);
 	run.interp = interp_new(&config, &kinematics, &canon, diag);
 	ok = interp_run(run.interp, in, name);
 	*summary = run.converter.event.summary;

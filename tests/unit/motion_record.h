@@ -5,6 +5,7 @@
 #include <check.h>
 
 #include "motion/canon_to_spans.h"
+#include "motion/motion_kinematics.h"
 #include "motion_rig.h"
 
 #define EVENTS 64
@@ -96,6 +97,7 @@ static inline bool on_event(void *context, const struct motion_event *event)
 		on_tool(record, &event->of.tool);
 		break;
 	case MOTION_SPINDLE_STOP:
+	case MOTION_MODES:
 		break;
 	case MOTION_BLOCK:
 		on_block(record, &event->of.block);
@@ -140,7 +142,7 @@ static inline void go(struct record *record, struct canon_move move)
 static inline bool switch_tcp(struct canon_to_spans *converter, const struct kinematics_tcp *state, struct srcloc loc,
 			      axis_values *position)
 {
-	struct kinematics kinematics = canon_to_spans_kinematics(converter);
+	struct kinematics kinematics = motion_kinematics(converter);
 
 	return kinematics.tcp(kinematics.context, state, loc, position);
 }
