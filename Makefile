@@ -22,7 +22,7 @@ ZSH_FUNCTIONS ?= share/zsh/site-functions
 # The program that reads meshes of other formats for the import; without libassimp there is none.
 MESH_PROGRAM := $(if $(shell pkg-config --exists assimp 2>/dev/null && echo yes),fivecheck-mesh)
 # What install puts below PREFIX, all of it, and uninstall removes.
-INSTALLED := bin/fivecheck $(addprefix bin/,$(MESH_PROGRAM)) include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR)/pkgconfig/fivecheck.pc \
+INSTALLED := bin/fivecheck $(addprefix libexec/fivecheck/,$(MESH_PROGRAM)) include/fivecheck.h $(LIBDIR)/libfivecheck.a $(LIBDIR)/pkgconfig/fivecheck.pc \
 	$(addprefix share/fivecheck/,$(notdir $(SCHEMAS) $(JSON_SCHEMAS) $(PLOTS))) \
 	$(foreach m,$(MANUALS),share/man/man$(subst .,,$(suffix $(m)))/$(notdir $(m))) \
 	share/bash-completion/completions/fivecheck $(ZSH_FUNCTIONS)/_fivecheck share/fish/vendor_completions.d/fivecheck.fish

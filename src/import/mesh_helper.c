@@ -114,21 +114,22 @@ bool mesh_helper_read(struct mesh_parts *parts, const char *path, double scale, 
 #define MEMORY_MAX ((rlim_t)4 << 30)
 enum { SECONDS_MAX = 60 };
 
-/* The program stands beside this one, or is found as commands are. */
+/* The program stands beside this one (in a build), in libexec beside its folder, or is found as commands are. */
 static void find_program(struct strbuf *name)
 {
+	static const char *const folders[] = {"", "../libexec/fivecheck/"};
 	char own[4096];
 	ssize_t length = readlink("/proc/self/exe", own, sizeof(own) - 1);
 	char *slash;
 
 	own[length > 0 ? length : 0] = '\0';
 	slash = strrchr(own, '/');
-	if (slash) {
-		strbuf_addf(name, "%.*s/%s", (int)(slash - own), own, program);
+	for (size_t i = 0; slash && i < sizeof(folders) / sizeof(*folders); i++) {
+		strbuf_addf(name, "%.*s/%s%s", (int)(slash - own), own, folders[i], program);
 		if (access(strbuf_text(name), X_OK) == 0)
 			return;
+		strbuf_clear(name);
 	}
-	strbuf_clear(name);
 	strbuf_addf(name, "%s", program);
 }
 
