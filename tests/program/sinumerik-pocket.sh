@@ -1,0 +1,14 @@
+# A pocket is a region: it is clear where the cutter is long enough for its depth, and found where the holder meets the
+# block, wherever the control goes in it; and so is the move behind it, which starts anywhere over the pocket.
+root=$(dirname "$LIB")/../..
+cp -r "$root/machines/ac-trunnion/stl" stl
+sed 's|<controller dialect="[a-z]*" rapid="linear"/>|<controller dialect="sinumerik" rapid="linear" power_on_units="mm" edge_after_tool_change="first"><tool_change/></controller>|' \
+	"$root/machines/ac-trunnion/machine.xml" >machine.xml
+pocket()
+{
+	printf 'G54 G17 G71 G90 G94 G60\nT1 D1 M6\nS8000 M3 F1000\nG0 X-60 Y0 A0 C0\nZ20\n%s\n%s\nM30\n' "$1" "$2" >part.mpf
+	fivecheck -q -s "$root/examples/stock/setup.xml" machine.xml part.mpf 2>&1 | grep -v '^ ' | sed 's/^\([^[]*\) \[.*/\1/'
+}
+pocket 'POCKET1(10,0,2,-8,,30,24,6,0,0,0,300,1000)' 'G0 Z50'
+pocket 'POCKET1(10,0,2,-26,,30,24,6,0,0,0,300,1000)' 'G0 Z50'
+pocket 'POCKET1(10,0,2,-8,,30,24,6,0,0,0,300,1000)' 'G0 Z-5'
