@@ -353,7 +353,7 @@ static void write_machine(const char *folder)
 static void write_setup(const struct job *job, const char *folder)
 {
 	const struct tool *tool = &job->tools[0];
-	const double feeler = job->tools[1].length[CUTTER], foot[3] = {0, 0, -0.5 * job->size[2]};
+	const double feeler = job->tools[1].radius[CUTTER], foot[3] = {0, 0, -0.5 * job->size[2]};
 	FILE *out = create(folder, "s.xml");
 	double at[3];
 
@@ -368,7 +368,7 @@ static void write_setup(const struct job *job, const char *folder)
 	tool_write_cutter(tool, out);
 	fprintf(out, "</tool>\n<tool number=\"2\" length=\"100\" kind=\"probe\"><cutter tip=\"ball\">"
 		"<section length=\"%.6f\" diameter=\"0.15\"/><section length=\"%.6f\" diameter=\"%.6f\"/></cutter>"
-		"</tool></setup>\n", 100 - feeler, feeler, 2 * feeler);
+		"</tool></setup>\n", 100 - 2 * feeler, 2 * feeler, 2 * feeler);
 	fclose(out);
 }
 

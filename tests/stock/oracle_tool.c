@@ -81,7 +81,7 @@ void tool_make(struct tool *t, struct oracle_random *random)
 
 void tool_make_feeler(struct tool *t, double radius)
 {
-	*t = (struct tool){.length = {0, 0, radius}, .radius = {-1, -1, radius}, .tip = BALL};
+	*t = (struct tool){.length = {0, 0, 2 * radius}, .radius = {-1, -1, radius}, .tip = BALL};
 	make_outline(t, CUTTER);
 }
 

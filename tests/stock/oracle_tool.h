@@ -27,7 +27,7 @@ struct tool {
 
 void tool_make(struct tool *t, struct oracle_random *random);
 
-/* A half ball at the end of a stem that is too thin to matter. */
+/* A pin of this radius, twice as long, with a ball's end; its stem is too thin to matter. */
 void tool_make_feeler(struct tool *t, double radius);
 
 /* The radius of a piece at a height over the tip; negative: it is not there. */
