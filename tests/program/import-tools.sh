@@ -91,6 +91,7 @@ fault 's/ID="8" Units="Inch"/ID="8" Units="Ell"/' mills.tls
 fault 's/ID="8"/ID="7"/' mills.tls
 fault 's/<Z>46</<Z>far</' mills.tls
 fault 's/Tools>/Things>/' mills.tls
+fault 's/<Apt ID="C" Type=/<Apt ID="C" Tqpe=/' mills.tls
 printf 'G0 X1\n' >bad.nc
 fault '' bad.nc
 : >empty

@@ -107,7 +107,11 @@ static enum taken read_apt(struct reading *r, const xmlNode *apt, struct tool_ou
 	const char *type = foreign_attribute(apt, "Type");
 	double d, corner, angle, height, flutes, shank, unit = r->xml.unit;
 
-	if (!type || !read_value(r, apt, "D", &d) || !read_value(r, apt, "R", &corner) ||
+	if (!type) {
+		xml_error(&r->xml, apt, NULL, "<Apt> lacks its Type");
+		return FAULTY;
+	}
+	if (!read_value(r, apt, "D", &d) || !read_value(r, apt, "R", &corner) ||
 	    !read_value(r, apt, "A", &angle) || !read_value(r, apt, "H", &height) ||
 	    !read_value(r, apt, "FluteLength", &flutes) || !read_value(r, apt, "ShankDiameter", &shank))
 		return FAULTY;
