@@ -308,15 +308,15 @@ static bool is_confirmed(const struct job *job, struct oracle_random *random, co
 	return false;
 }
 
-static void judge_contacts(const struct job *job, struct oracle_random *random, const struct found *found, long seed,
-			   struct judgement *sum)
+static void judge_contacts(const struct job *job, struct oracle_random *random, const struct found *found,
+			   const bool *violated, long seed, struct judgement *sum)
 {
 	for (int i = 0; i < found->count && i < CONTACTS; i++) {
 		const struct contact *contact = &found->contacts[i];
 
 		if (contact->certain) {
 			sum->certain++;
-			sum->confirmed += is_confirmed(job, random, contact);
+			sum->confirmed += violated[contact->move] || is_confirmed(job, random, contact);
 		}
 		/* The stem of the feeler is left out here. */
 		if (!job->moves[contact->move].tool && !is_true(job, contact)) {
@@ -350,5 +350,5 @@ void judge(const struct job *job, struct oracle_random *random, const char *prog
 			sum->missed++;
 		}
 	}
-	judge_contacts(job, random, &found, seed, sum);
+	judge_contacts(job, random, &found, violated, seed, sum);
 }
