@@ -170,7 +170,7 @@ static bool parted_as_branches(struct coherence *coherence, const struct trial *
 
 START_TEST(what_is_proved_of_a_chord_is_so)
 {
-	long proved = 0, touched = 0, by_memory = 0, parted = 0, boxed = 0, cases = random_cases(100000);
+	long proved = 0, touched = 0, by_memory = 0, parted = 0, boxed = 0, cases = random_cases(30000);
 	double tightest = 0;
 
 	for (long n = 0; n < cases; n++) {
@@ -284,7 +284,7 @@ END_TEST
 
 START_TEST(what_is_proved_of_a_box_is_so)
 {
-	long proved = 0, boxed = 0, cases = random_cases(30000);
+	long proved = 0, boxed = 0, cases = random_cases(10000);
 
 	for (long n = 0; n < cases; n++) {
 		struct trial t;

@@ -88,7 +88,7 @@ static void observe(const struct scene_of_chain *c, const char *what, double see
 
 START_TEST(pose_is_the_product_of_exponentials)
 {
-	for (long n = 0; n < random_cases(100000); n++) {
+	for (long n = 0; n < random_cases(30000); n++) {
 		struct random random = random_case(1, n);
 		struct chain chain = random_chain(&random, 1 + random_below(&random, 9), 1000);
 		axis_values q0, q1;
@@ -204,7 +204,7 @@ START_TEST(chord_bounds_hold_and_are_tight)
 {
 	struct chord_tightness t = {0, 0, 0};
 
-	for (long n = 0; n < random_cases(100000); n++) {
+	for (long n = 0; n < random_cases(30000); n++) {
 		struct scene_of_chain c;
 
 		set_up(&c, 3, n);

@@ -83,7 +83,7 @@ static struct chord_case random_chords(uint64_t test, long number)
 
 START_TEST(what_is_witnessed_is_apart)
 {
-	long fixed = 0, interpolated = 0, more = 0, cases = random_cases(150000);
+	long fixed = 0, interpolated = 0, more = 0, cases = random_cases(50000);
 	double closest = 0;
 
 	for (long n = 0; n < cases; n++) {
@@ -111,7 +111,7 @@ END_TEST
 /* Without the middle Bernstein coefficient the ends alone would prove what is not so. */
 START_TEST(ends_alone_do_not_witness)
 {
-	long wrong = 0, cases = random_cases(100000);
+	long wrong = 0, cases = random_cases(30000);
 
 	for (long n = 0; n < cases; n++) {
 		struct chord_case c = random_chords(2, n);
