@@ -84,7 +84,7 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	bool rotary = slot_is_rotary(slot);
 
 	add_jog(out, plan, slot, depth);
-	if (slot == machine_plan_tilted(plan) && !axis->has_direction) {
+	if (rotary && slot == machine_plan_tilted(plan) && !axis->has_direction) {
 		indent(out, depth);
 		strbuf_addf(out, "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
 			    AXIS_LETTERS[slot - SLOT_A + SLOT_X]);
