@@ -53,6 +53,22 @@ static bool check_name(const char *name, const char *option, struct diag *diag)
 	return false;
 }
 
+/* A JUnit or SARIF file is one document: of several on standard output nobody can read any. */
+static bool check_documents(const struct options *options, struct diag *diag)
+{
+	const bool unnamed = !options->output;
+	const bool junit = unnamed && options->formats[FORMAT_JUNIT].wanted && !options->formats[FORMAT_JUNIT].path;
+	const bool sarif = unnamed && options->formats[FORMAT_SARIF].wanted && !options->formats[FORMAT_SARIF].path;
+	const char *format = junit ? "junit" : "sarif";
+
+	if (junit || sarif)
+		diag_error(diag, nowhere,
+			   "--format=%s: every job writes a document of its own, which cannot share standard output; give a file with "
+			   "%% for the name of the job, as in --format=%s=%%.%s",
+			   format, format, format);
+	return !junit && !sarif;
+}
+
 /* Several jobs must not write the same file. False: reported. */
 static bool check_names(const struct options *options, struct diag *diag)
 {
@@ -118,7 +134,7 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 
 	if (!check_options(options, &ui->diag) || !job_list_load(&list, options->machine, &ui->diag))
 		return RUN_INCOMPLETE;
-	good = list.count == 1 || check_names(options, &ui->diag);
+	good = list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag));
 	for (size_t i = 0; good && i < list.count; i++) {
 		enum run_status one = run_job(options, &list.items[i], ui);
 

@@ -66,3 +66,5 @@ fault '' --waivers w.xml
 fault '' --shard 1/2
 fault '' --list-pairs
 status "$FIVECHECK" -q jobs.xml a.nc
+fault '' -f junit
+fault '' -f sarif=-
