@@ -106,6 +106,15 @@ bad 'number,length,diameter,units\n1,70,10,ell\n'
 bad 'number,length,diameter,type\n1,70,10,dovetail\n'
 bad 'number,length,diameter,type\n1,70,10,drill\n'
 bad 'number,name,diameter,length\n1,"open,10,70\n'
+# What would make a tool that is another one, or cuts more than it does.
+bad 'number,length,diameter,stickout,shank_diameter\n1,70,6,40,12\n'
+bad 'number,type,length,diameter\n1,bull,70,10\n'
+bad 'number,type,length,diameter,corner_radius\n1,flat,70,10,2\n'
+bad 'number,type,length,diameter,corner_radius\n1,ball,70,10,2\n'
+bad 'number,length,diameter,Holder diameter (mm)\n1,70,10,50\n'
+printf 'number,length,diameter,Unit\n1,2,0.5,inch\n' >t.csv
+fivecheck import -o unit t.csv 2>/dev/null
+grep '<tool ' unit/setup.xml
 
 echo "the tool table of a control: lengths for the tools that the setup describes"
 cat >tool.tbl <<'TBL'
@@ -172,6 +181,8 @@ listing 'X5.'
 listing 'G10 L3'
 listing 'M98 P100'
 listing 'G10 L2 P1 X1. X2.'
+listing 'G10 L2 P1 X1. R30.'
+listing 'G10 L1 P1 R5. Z70.'
 echo "files that are not there, are none, or are no files:"
 href() { # HREF
 	setup h.xml <<-XML

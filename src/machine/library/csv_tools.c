@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -9,6 +10,7 @@
 #include "base/math/math_functions.h"
 #include "base/strbuf.h"
 #include "base/units.h"
+#include "geom/tolerance.h"
 #include "machine/library/csv_table.h"
 #include "machine/tool_build.h"
 
@@ -62,10 +64,29 @@ static bool is_named(const char *cell, const char *name)
 
 static int find_column(const char *cell)
 {
+	if (is_named(cell, "unit"))
+		return COLUMN_UNITS;
 	for (int i = 0; i < COLUMNS; i++)
 		if (is_named(cell, column_names[i]))
 			return i;
 	return -1;
+}
+
+/* Is it the name of a measure with its unit, as in "Diameter (mm)"? Without that column the tool would be another one. */
+static bool is_nearly_known(const char *cell)
+{
+	static const char *const units[] = {"mm", "in", "inch", "deg"};
+
+	for (int i = COLUMN_LENGTH; i < COLUMNS; i++) {
+		for (size_t k = 0; k < sizeof(units) / sizeof(*units); k++) {
+			char name[32];
+
+			snprintf(name, sizeof(name), "%s%s", column_names[i], units[k]);
+			if (is_named(cell, name))
+				return true;
+		}
+	}
+	return false;
 }
 
 static bool find_columns(struct reading *r)
@@ -78,7 +99,9 @@ static bool find_columns(struct reading *r)
 	for (size_t i = 0; i < r->table.count; i++) {
 		int column = find_column(r->table.cells[i]);
 
-		if (column < 0)
+		if (column < 0 && is_nearly_known(r->table.cells[i]))
+			good = fault(r, "the name of a column has a unit in it; write the name alone, and the unit into a column units");
+		else if (column < 0)
 			strbuf_addf(&unused, "%s%.40s", unused.length ? ", " : "", r->table.cells[i]);
 		else if (r->place[column] >= 0)
 			good = fault(r, "two columns have the same name");
@@ -192,6 +215,12 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 	const double corner = or_else(row->value[COLUMN_CORNER], 0), point = or_else(row->value[COLUMN_POINT], 0);
 	const bool any = !*type;
 
+	if (is_type(type, "bull") && !(corner > 0))
+		return fault(r, "a bull nose mill needs its corner_radius; a flat one would cut more than it does");
+	if (is_type(type, "flat") && corner > 0)
+		return fault(r, "a flat mill has no corner_radius; one that has is of the type bull");
+	if (is_type(type, "ball") && corner > 0 && fabs(corner - tool->diameter / 2) > TOOL_SUM_TOLERANCE)
+		return fault(r, "the corner_radius of a ball mill is half of its diameter; one with another is of the type bull");
 	tool->has_tip = true;
 	tool->tip = TIP_FLAT;
 	if (is_type(type, "ball") || is_type(type, "probe") || (any && corner > 0 && corner >= tool->diameter / 2)) {
@@ -237,6 +266,9 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	const double flutes = fmin(or_else(row->value[COLUMN_FLUTES], stickout), stickout);
 	const double shank = or_else(row->value[COLUMN_SHANK], tool->diameter);
 
+	/* A thin stem of a probe may be taken as thick as its ball: it cuts nothing. */
+	if (isnan(row->value[COLUMN_FLUTES]) && row->value[COLUMN_SHANK] > (tool->kind == TOOL_STANDS ? tool->diameter : 0))
+		return fault(r, "the tool has a shank_diameter, but no flute_length that says where the shank begins");
 	if (is_type(cell_of(r, COLUMN_TYPE), "chamfer")) {
 		if (!add_chamfer(r, row, tool, flutes))
 			return false;

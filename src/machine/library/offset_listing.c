@@ -87,6 +87,14 @@ static bool length_of(const struct reading *r, const struct line *line, char let
 	return true;
 }
 
+static bool has_axis(const struct line *line)
+{
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		if (is_given(line, AXIS_LETTERS[slot]))
+			return true;
+	return false;
+}
+
 /* ------------------------------------------------------------- H and D */
 
 static struct registers *row_of(struct reading *r, long number)
@@ -107,6 +115,8 @@ static bool take_register(struct reading *r, const struct line *line, int which)
 
 	if (number < 0 || !is_given(line, 'R'))
 		return fault(r, "G10 of an offset needs its number in P and its value in R");
+	if (has_axis(line))
+		return fault(r, "G10 of an offset has its value in R: axes beside it are not read");
 	if (!length_of(r, line, 'R', &value))
 		return false;
 	row = row_of(r, number);
@@ -177,8 +187,12 @@ static bool take_values(struct reading *r, const struct line *line, struct work_
 static bool take_work_offset(struct reading *r, const struct line *line, bool extended)
 {
 	struct strbuf name = {0};
-	bool good = name_offset(r, line, extended, &name) &&
-		    take_values(r, line, name.length ? tool_library_work_offset(r->tools, strbuf_text(&name)) : NULL);
+	bool good;
+
+	if (fabs(given(line, 'R')) > 0)
+		return fault(r, "R turns the work offset about Z: an offset of a setup is not turned; write such a turn into the program");
+	good = name_offset(r, line, extended, &name) &&
+	       take_values(r, line, name.length ? tool_library_work_offset(r->tools, strbuf_text(&name)) : NULL);
 
 	strbuf_release(&name);
 	return good;
