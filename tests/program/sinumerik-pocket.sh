@@ -12,3 +12,6 @@ pocket()
 pocket 'POCKET1(10,0,2,-8,,30,24,6,0,0,0,300,1000)' 'G0 Z50'
 pocket 'POCKET1(10,0,2,-26,,30,24,6,0,0,0,300,1000)' 'G0 Z50'
 pocket 'POCKET1(10,0,2,-8,,30,24,6,0,0,0,300,1000)' 'G0 Z-5'
+# A region cuts nothing for certain: the middle of the circle of two slots is not cut at all.
+pocket 'SLOT2(10,0,2,-4,,2,30,12,0,0,22,0,180,300,1000,2,2,0,0)' 'G0 X0 Y0
+Z-3.5'

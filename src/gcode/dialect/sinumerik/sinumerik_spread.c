@@ -50,7 +50,8 @@ bool sinumerik_spread_go(struct interp *interp, const slot_values *target, const
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		count[slot] = parts(move->spread[slot]);
 		part.spread[slot] = move->spread[slot] / count[slot];
-		last.spread[slot] = 0;
+		/* Back from the last of them: it stays within the same region, and cuts nothing for certain either. */
+		last.spread[slot] = part.spread[slot];
 	}
 	for (int i = 0; i < count[0] * count[1] * count[2]; i++) {
 		const int at[3] = {i % count[0], i / count[0] % count[1], i / count[0] / count[1]};
