@@ -85,6 +85,8 @@ static const struct refused_program bad[] = {
 	 "POCKET1 needs RTP, RFP and one of DP and DPR"},
 	{"G500 POCKET3(10,0,2)\n", 1, 6,
 	 "POCKET3 needs RTP, RFP and DP"},
+	{"G500 T1 D1 M6 F6 POCKET3(10,0,2,-5,40,30,5,50,60,0,,,,,,,5)\n", 1, 18,
+	 "POCKET3 that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes is not known"},
 	{"G500 POCKET2(10,0,2,-5,,20,50,60)\n", 1, 6,
 	 "POCKET2 without a feed rate"},
 	{"G500 F6 SLOT1(10,0,2,-5,,0,30,12,0,0,20,0,180)\n", 1, 9,

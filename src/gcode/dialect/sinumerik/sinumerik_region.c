@@ -13,6 +13,9 @@
 /* Slots of one call. */
 #define PARTS_MAX 1000
 
+/* The units of _VARI of pockets and slots: 1 roughs, 2 finishes, 4 finishes the edge. */
+enum { CHAMFER = 5 };
+
 /* A box in the plane: the centre of the tool is in it. Program coordinates, mm. */
 struct box {
 	double low[2], high[2];
@@ -316,13 +319,14 @@ static const struct cycle {
 	bool (*mill)(struct milling *m);
 	size_t feed;	/* in the plane */
 	struct sinumerik_modes modes;
+	size_t machining;	/* _VARI of a cycle that can make a chamfer; 0: it cannot */
 } cycles[] = {
 	{"POCKET1", rectangle, 12, {0, 0, 0, true}},
 	{"POCKET2", disc, 9, {0, 0, 0, true}},
-	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}},
-	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}},
-	{"SLOT1", straight_slots, 14, {28, 29, 30, true}},
-	{"SLOT2", circular_slots, 14, {26, 27, 28, true}},
+	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}, 16},
+	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}, 13},
+	{"SLOT1", straight_slots, 14, {28, 29, 30, true}, 18},
+	{"SLOT2", circular_slots, 14, {26, 27, 28, true}, 18},
 	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}},
 	{"CYCLE61", face, 11, {0, 14, 15, false}},
 	{"CYCLE70", thread_70, 10, {20, 21, 22, false}},
@@ -370,6 +374,16 @@ static bool find_feed(struct milling *m, size_t i)
 	return m->feed > 0 || fault(&interp->at, m->of.column, "%s without a feed rate", m->of.cycle);
 }
 
+/* A pointed tool comes nearer to the edge of a pocket than by its radius: units of _VARI. */
+static bool check_machining(const struct milling *m, const struct cycle *cycle)
+{
+	return !cycle->machining || sinumerik_argument_digit(&m->of, cycle->machining, 0) != CHAMFER ||
+	       fault(&m->of.interp->at, m->of.column,
+		     "%s that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes is not "
+		     "known",
+		     m->of.cycle);
+}
+
 bool sinumerik_region_mill(struct interp *interp, const char *name, const double *arguments, size_t count, int column)
 {
 	const struct cycle *cycle = find(name);
@@ -383,6 +397,6 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 		if (!interp->config->has_axis[slot])
 			return fault(&interp->at, column, "%s needs the axes X, Y and Z", name);
 	}
-	return sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) && find_feed(&m, cycle->feed) &&
+	return check_machining(&m, cycle) && sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) && find_feed(&m, cycle->feed) &&
 	       cycle->mill(&m);
 }
