@@ -321,17 +321,17 @@ static const struct cycle {
 	struct sinumerik_modes modes;
 	size_t machining;	/* _VARI of a cycle that can make a chamfer; 0: it cannot */
 } cycles[] = {
-	{"POCKET1", rectangle, 12, {0, 0, 0, true}},
-	{"POCKET2", disc, 9, {0, 0, 0, true}},
+	{"POCKET1", rectangle, 12, {0, 0, 0, true}, 0},
+	{"POCKET2", disc, 9, {0, 0, 0, true}, 0},
 	{"POCKET3", rectangle_or_corner, 13, {26, 27, 28, false}, 16},
 	{"POCKET4", disc_or_half, 10, {22, 23, 24, false}, 13},
 	{"SLOT1", straight_slots, 14, {28, 29, 30, true}, 18},
 	{"SLOT2", circular_slots, 14, {26, 27, 28, true}, 18},
-	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}},
-	{"CYCLE61", face, 11, {0, 14, 15, false}},
-	{"CYCLE70", thread_70, 10, {20, 21, 22, false}},
-	{"CYCLE71", turned_face, 13, {0, 0, 0, false}},
-	{"CYCLE90", thread_90, 8, {0, 0, 0, true}},
+	{"LONGHOLE", long_holes, 13, {17, 18, 19, true}, 0},
+	{"CYCLE61", face, 11, {0, 14, 15, false}, 0},
+	{"CYCLE70", thread_70, 10, {20, 21, 22, false}, 0},
+	{"CYCLE71", turned_face, 13, {0, 0, 0, false}, 0},
+	{"CYCLE90", thread_90, 8, {0, 0, 0, true}, 0},
 };
 
 static const struct cycle *find(const char *name)
