@@ -49,7 +49,7 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->checks);
 	free(scheduler->visits);
 	free(scheduler->sweeps);
-	free(scheduler->jobs);
+	free(scheduler->tasks);
 	free(scheduler->results);
 	*scheduler = (struct scheduler){0};
 }
@@ -67,14 +67,14 @@ void scheduler_jump(struct scheduler *scheduler)
 		pair_check_jump(&scheduler->checks[i]);
 }
 
-/* ------------------------------------------------------------------ jobs */
+/* ------------------------------------------------------------------ tasks */
 
-static void add_job(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from,
+static void add_task(struct scheduler *scheduler, struct pair_check *check, struct pair_check *copy, size_t from,
 		    size_t to)
 {
-	scheduler->jobs = mem_grow(scheduler->jobs, &scheduler->job_capacity, scheduler->job_count + 1,
-				   sizeof(*scheduler->jobs));
-	scheduler->jobs[scheduler->job_count++] = (struct job){check, copy, from, to, 0};
+	scheduler->tasks = mem_grow(scheduler->tasks, &scheduler->task_capacity, scheduler->task_count + 1,
+				   sizeof(*scheduler->tasks));
+	scheduler->tasks[scheduler->task_count++] = (struct task){check, copy, from, to, 0};
 }
 
 /*
@@ -108,13 +108,13 @@ static void divide(struct scheduler *scheduler, struct pair_check *check, const 
 		copy->result_count = copy->result_capacity = 0;
 		strategy_fork(&check->strategy, &copy->strategy);
 		count = part_of(batch->step_count - from);
-		add_job(scheduler, check, copy, from, from + count);
+		add_task(scheduler, check, copy, from, from + count);
 	}
 }
 
 static void plan(struct scheduler *scheduler, const struct batch *batch, int tool, const struct check_options *options)
 {
-	scheduler->job_count = 0;
+	scheduler->task_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
 		struct pair_check *check = &scheduler->checks[i];
 
@@ -125,7 +125,7 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 		if (is_divisible(scheduler, check, options))
 			divide(scheduler, check, batch);
 		else
-			add_job(scheduler, check, NULL, 0, batch->step_count);
+			add_task(scheduler, check, NULL, 0, batch->step_count);
 	}
 }
 
@@ -139,10 +139,10 @@ struct work {
 	bool block_clearances;	/* measure block clearances instead of looking for contacts */
 };
 
-static void do_job(void *context, int worker, size_t i)
+static void do_task(void *context, int worker, size_t i)
 {
 	const struct work *work = context;
-	struct job *job = &work->scheduler->jobs[i];
+	struct task *task = &work->scheduler->tasks[i];
 	/*
 	 * The sweep is on the thread's own stack: if counters of two threads shared a cache line, half of the gain
 	 * would be lost.
@@ -151,11 +151,11 @@ static void do_job(void *context, int worker, size_t i)
 	long before = sweep.visits;
 
 	if (work->block_clearances)
-		pair_check_measure(job->check, &sweep, work->batch, work->options);
+		pair_check_measure(task->check, &sweep, work->batch, work->options);
 	else
-		pair_check_run(job->copy ? job->copy : job->check, &sweep, work->batch, job->from, job->to,
+		pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from, task->to,
 			       work->options);
-	job->visits = sweep.visits - before;
+	task->visits = sweep.visits - before;
 	work->scheduler->sweeps[worker] = sweep;
 }
 
@@ -170,7 +170,7 @@ static void add_results(struct scheduler *scheduler, const struct pair_check *ch
 }
 
 /*
- * Collects the results and visits of all jobs. For a divided check, the results of the first part that has any count,
+ * Collects the results and visits of all tasks. For a divided check, the results of the first part that has any count,
  * and the state after the last part is kept.
  */
 static void gather(struct scheduler *scheduler)
@@ -180,21 +180,21 @@ static void gather(struct scheduler *scheduler)
 	scheduler->result_count = 0;
 	scheduler->work = 0;
 	memset(scheduler->visits, 0, scheduler->count * sizeof(*scheduler->visits));
-	for (size_t i = 0; i < scheduler->job_count; i++) {
-		const struct job *job = &scheduler->jobs[i];
-		const struct pair_check *ran = job->copy ? job->copy : job->check;
+	for (size_t i = 0; i < scheduler->task_count; i++) {
+		const struct task *task = &scheduler->tasks[i];
+		const struct pair_check *ran = task->copy ? task->copy : task->check;
 
-		scheduler->visits[job->check - scheduler->checks] += job->visits;
-		scheduler->work += job->visits;
-		if (ran->result_count && met != job->check) {
+		scheduler->visits[task->check - scheduler->checks] += task->visits;
+		scheduler->work += task->visits;
+		if (ran->result_count && met != task->check) {
 			add_results(scheduler, ran);
-			met = job->check;
+			met = task->check;
 		}
-		if (!job->copy)
+		if (!task->copy)
 			continue;
-		strategy_join(&job->check->strategy, &job->copy->strategy);
-		free(job->copy->results);
-		free(job->copy);
+		strategy_join(&task->check->strategy, &task->copy->strategy);
+		free(task->copy->results);
+		free(task->copy);
 	}
 }
 
@@ -212,7 +212,7 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options};
 
 	plan(scheduler, batch, tool, options);
-	parallel_for(scheduler->job_count, scheduler->work > HEAVY ? scheduler->threads : 1, do_job, &work);
+	parallel_for(scheduler->task_count, scheduler->work > HEAVY ? scheduler->threads : 1, do_task, &work);
 	gather(scheduler);
 	return is_complete(scheduler);
 }
@@ -222,15 +222,15 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 {
 	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .block_clearances = true};
 
-	scheduler->job_count = 0;
+	scheduler->task_count = 0;
 	for (size_t i = 0; i < scheduler->count; i++) {
 		scheduler->checks[i].clearance_count = 0;
 		if (!pair_check_is_active(&scheduler->checks[i], tool))
 			continue;
 		pair_check_prepare(&scheduler->checks[i], options);
-		add_job(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
+		add_task(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
 	}
-	parallel_for(scheduler->job_count, scheduler->threads, do_job, &work);
+	parallel_for(scheduler->task_count, scheduler->threads, do_task, &work);
 	return is_complete(scheduler);
 }
 

@@ -9,7 +9,7 @@
 #include "check/stats.h"
 
 /* One piece of work for a thread: a check over the whole batch, or a copy of the check over a part of the batch. */
-struct job {
+struct task {
 	struct pair_check *check;
 	struct pair_check *copy;	/* owned; NULL: the check itself runs, over the whole batch */
 	size_t from, to;	/* steps */
@@ -23,8 +23,8 @@ struct scheduler {
 	int threads;
 	long *visits;	/* node pairs that each check looked at in the last batch */
 	long work;	/* the sum of them */
-	struct job *jobs;	/* of this batch */
-	size_t job_count, job_capacity;
+	struct task *tasks;	/* of this batch */
+	size_t task_count, task_capacity;
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
 };
