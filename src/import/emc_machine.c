@@ -93,8 +93,8 @@ static bool find_module(const struct reading *r, const struct module **module)
 	if (*module || is_word(text, length, "trivkins") || is_word(text, length, "gantrykins"))
 		return true;
 	diag_error(r->diag, place(r),
-		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, xyzbc-trt-kins and "
-		   "5axiskins are",
+		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, "
+		   "xyzbc-trt-kins and 5axiskins are",
 		   (int)length, text);
 	return false;
 }
@@ -113,10 +113,13 @@ static bool add_pin(struct reading *r, const struct module *module, const char *
 	strbuf_addf(&name, "%s.%s", module->name, pin);
 	found = hal_values_find(&r->hal, strbuf_text(&name), &value);
 	if (found == HAL_SIGNAL)
-		diag_warning(r->diag, place(r), "%s is set while the machine runs: it is taken as %g; correct the location of the axis",
+		diag_warning(r->diag, place(r),
+			     "%s is set while the machine runs: it is taken as %g; correct the location of the axis",
 			     strbuf_text(&name), value);
 	if (found == HAL_DEFAULT && r->hal.scripts)
-		diag_warning(r->diag, place(r), "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is taken as %g",
+		diag_warning(r->diag, place(r),
+			     "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is "
+			     "taken as %g",
 			     strbuf_text(&name), value);
 	strbuf_release(&name);
 	*sum += r->unit * value;
@@ -223,7 +226,8 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 		axis->limit_min = -INFINITY;
 	if (axis->limit_max >= linear_limit)
 		axis->limit_max = INFINITY;
-	return good && (axis->limit_min < axis->limit_max || fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
+	return good && (axis->limit_min < axis->limit_max ||
+			fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
 }
 
 /* Axes that carry the work move against their letter, as controls count: the tool relative to the work. */
@@ -252,9 +256,11 @@ static bool add_axis(struct reading *r, const struct module *module, char letter
 			return false;
 	} else if (axis.rotary) {
 		axis.has_location = true;
-		import_machine_todo(r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is a guess.",
-				    letter);
-		diag_warning(r->diag, place(r), "where the axis %c is stands not in this file: correct its location", letter);
+		import_machine_todo(
+		    r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is a guess.",
+		    letter);
+		diag_warning(r->diag, place(r), "this file does not say where the axis %c is: correct its location",
+			     letter);
 	}
 	/* A quill moves along the tool, out for positive values. */
 	if (module && module->pivot > 0 && letter == 'W')
@@ -282,15 +288,18 @@ static bool find_table(const struct reading *r, const struct module *module, cha
 		char letter = (char)toupper((unsigned char)*at);
 
 		if (!has(r->order, letter) || memchr(table, letter, count)) {
-			diag_error(r->diag, nowhere, "--table: '%c' is no axis of this machine, or stands twice; it has %s", *at, r->order);
+			diag_error(r->diag, nowhere,
+				   "--table: '%c' is no axis of this machine, or stands twice; it has %s", *at,
+				   r->order);
 			return false;
 		}
 		table[count++] = letter;
 	}
 	table[count] = '\0';
 	if (!module && !asked)
-		return fault(r, "this file does not say which axes carry the work and which the tool: name those that carry the work, "
-				"from the base on, with --table=LETTERS, such as --table=YAC, or --table= for none");
+		return fault(r, "this file does not say which axes carry the work and which the tool: name those that "
+				"carry the work, from the base on, with --table=LETTERS, such as --table=YAC, or "
+				"--table= for none");
 	for (const char *at = module ? module->table : ""; *at; at++)
 		if (!memchr(table, *at, count)) {
 			table[count++] = *at;
@@ -364,11 +373,14 @@ static bool read_machine(struct reading *r)
 	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
 	machine->dialect_known = machine->rapid_known = true;
 	import_machine_todo(machine, "The ini file names no bodies: add <body> elements, drawn with every axis at 0.");
-	import_machine_todo(machine, "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
+	import_machine_todo(machine,
+			    "The gauge point of the spindle and the mount of the work are at 0 0 0: correct both.");
 	if (module && !r->options->table)
-		import_machine_todo(machine, "All linear axes carry the tool here: name those that carry the work with the option table of import.");
+		import_machine_todo(machine, "All linear axes carry the tool here: name those that carry the work with "
+					     "the option table of import.");
 	if (module && module->pivot > 0)
-		import_machine_todo(machine, "The pivot length is taken to reach from the axis B to the gauge point of the spindle.");
+		import_machine_todo(
+		    machine, "The pivot length is taken to reach from the axis B to the gauge point of the spindle.");
 	return true;
 }
 

@@ -78,7 +78,8 @@ static bool read_part(struct mesh_parts *parts, const char *line, FILE *in, doub
 }
 
 /* What the program prints (src/mesh/main.c). */
-static bool read_output(struct mesh_parts *parts, const char *path, FILE *in, double scale, bool y_up, struct diag *diag)
+static bool read_output(struct mesh_parts *parts, const char *path, FILE *in, double scale, bool y_up,
+			struct diag *diag)
 {
 	char line[512];
 
@@ -94,8 +95,8 @@ static bool read_output(struct mesh_parts *parts, const char *path, FILE *in, do
 			return fault(diag, path, "a triangle is missing, not finite, or beyond 10 km");
 	}
 	return fault(diag, path,
-		     "the meshes cannot be read: fivecheck-mesh is not installed (it comes with libassimp), or it gave up on a broken or "
-		     "very large file; convert the file to STL with another program");
+		     "the meshes cannot be read: fivecheck-mesh is not installed (it is built where libassimp is), or "
+		     "it gave up on a broken or very large file; convert the file to STL with another program");
 }
 
 #ifdef __wasi__

@@ -90,7 +90,7 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 252 POCKET Q200=2 Q201=10 Q207=100 Q203=0 Q204=20 Q223=20\nM99\n",
 	 "p.nc:3:1: error: Q201=10: what a depth above the surface does depends on a machine parameter"},
 	{"CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nCYCL DEF 252 POCKET Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q223=20\nM99\n",
-	 "p.nc:5:1: error: CYCL DEF 252 while a scaling is in force: how large what it mills is then is not known here; cancel "
+	 "p.nc:5:1: error: CYCL DEF 252 while a scaling is in force: the size of what it mills is then not known here; cancel "
 	 "the scaling first"},
 	{"CYCL DEF 252 POCKET Q200=2 Q201=-10 Q207=0 Q203=0 Q204=20 Q223=20\nM99\n",
 	 "p.nc:3:1: error: a cycle without a feed rate"},

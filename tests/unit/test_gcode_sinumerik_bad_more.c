@@ -7,7 +7,7 @@ static const struct refused_program programs[] = {
 	{"TOFFL=0.1\n", 1, 1,
 	 "TOFFL: online change of the tool's length or radius is not supported yet, only TOFFL=0"},
 	{"TRAORI(2)\n", 1, 7,
-	 "TRAORI(2): which axes another than the first transformation has is not known; only TRAORI(1) is supported"},
+	 "TRAORI(2): the axes of any transformation but the first are not known; only TRAORI(1) is supported"},
 	{"TRAORI(1,1,0,0)\n", 1, 7,
 	 "TRAORI whose tool does not lie along Z at first is not supported"},
 	{"PTP X1\n", 1, 1,

@@ -25,7 +25,8 @@ static const char *const unit_names[] = {"mm", "inch", NULL};
 
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	{'o', "output", "FOLDER", .kind = VALUE_TEXT,
-	 .help = "write machine.xml and its meshes, or setup.xml, into\nFOLDER, which is made if it is not there; required"},
+	 .help = "write machine.xml and its meshes, or setup.xml, into\n"
+		 "FOLDER, which is made if it is not there; required"},
 	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT,
 	 .help = "search meshes below FOLDER first, then beside FILE"},
 	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG,
@@ -114,9 +115,10 @@ static enum run_status print_help(struct diag *diag)
 	struct strbuf text = {0};
 
 	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file of a control,\n"
-			   "or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360 (.json), a\n"
-			   "table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from another mesh.\n"
+			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
+			   "of a control, or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
+			   "(.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from\n"
+			   "another mesh.\n"
 			   "Says what could not be taken over, and what has to be looked at.\n\n");
 	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"

@@ -148,8 +148,8 @@ static enum run_status print_help(struct diag *diag)
 	strbuf_addf(&text, "Usage: fivecheck init [OPTIONS] FAMILY\n"
 			   "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
 			   "head-table: what the two rotary axes turn; or nutating-table or nutating-head, where one of\n"
-			   "them stands oblique. Give everything in machine coordinates with every axis at 0. On a terminal, init asks for what is missing; otherwise that is an\n"
-			   "error.\n\n");
+			   "them stands oblique. Give everything in machine coordinates with every axis at 0. On a\n"
+			   "terminal, init asks for what is missing; otherwise that is an error.\n\n");
 	argv_parser_help(&text, init_options, INIT_OPTION_COUNT);
 	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
 			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"

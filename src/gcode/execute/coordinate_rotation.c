@@ -182,7 +182,7 @@ bool coordinate_rotation_turn(struct interp *interp)
 		return true;
 	state->cycle.turned = true;
 	if (code == G68_4 && !(state->frame.on && state->frame.waits_for_tool))
-		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 whose G53.1 has not been yet");
+		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 without a G53.1 after it");
 	if (state->frame.on && code != G68_4)
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
 	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */

@@ -238,7 +238,7 @@ static bool check(const struct klartext_call_of *call, const struct klartext_cal
 		return fault(&call->interp->at, call->column, "CYCL DEF %d without CYCL DEF 20", call->cycle->number);
 	if (klartext_frame_is_scaled(call->interp))
 		return fault(&call->interp->at, call->column,
-			     "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known "
+			     "CYCL DEF %d while a scaling is in force: the size of what it mills is then not known "
 			     "here; cancel the scaling first",
 			     call->cycle->number);
 	return true;

@@ -300,7 +300,7 @@ static bool check_scaling(const struct klartext_call_of *call)
 	return !klartext_frame_is_scaled(call->interp) ||
 	       fault(
 		   &call->interp->at, call->column,
-		   "CYCL DEF %d while a scaling is in force: how large what it mills is then is not known here; cancel "
+		   "CYCL DEF %d while a scaling is in force: the size of what it mills is then not known here; cancel "
 		   "the scaling first",
 		   call->cycle->number);
 }

@@ -357,7 +357,7 @@ static bool read_traori(struct reading *r)
 		return false;
 	if (fabs(arguments[0] - 1) > 0)
 		return fault(r->lexer->at, column,
-			     "TRAORI(%.15g): which axes another than the first transformation has is not known; only "
+			     "TRAORI(%.15g): the axes of any transformation but the first are not known; only "
 			     "TRAORI(1) is supported",
 			     arguments[0]);
 	return (!(fabs(arguments[1]) + fabs(arguments[2]) > 0) && arguments[3] > 0) ||
