@@ -103,8 +103,8 @@ enum fivecheck_kind fivecheck_finding_kind(const fivecheck_finding *finding);
 const char *fivecheck_finding_file(const fivecheck_finding *finding);
 long fivecheck_finding_line(const fivecheck_finding *finding);
 /*
- * The calls that led into the subprogram in which the block stands: level 0 is the call of that subprogram, 1 the call of the
- * one that called it, and so on. False, and untouched: there are not so many.
+ * The calls that led into the subprogram in which the block stands: level 0 is the call of that subprogram, 1 the call
+ * of the one that called it, and so on. False, and untouched: there are not so many.
  */
 bool fivecheck_finding_caller(const fivecheck_finding *finding, size_t level, const char **file, long *line);
 /* The NC block as it stands in the file. */

@@ -16,7 +16,10 @@ void strbuf_add(struct strbuf *buf, const char *bytes, size_t count);
 void strbuf_addf(struct strbuf *buf, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void strbuf_addv(struct strbuf *buf, const char *format, va_list args) __attribute__((format(printf, 2, 0)));
 
-/* The bytes of the control character that the text begins with (C0, DEL, C1 in UTF-8); 0: it begins with something else. */
+/*
+ * The bytes of the control character that the text begins with (C0, DEL, C1 in UTF-8); 0: it begins with something
+ * else.
+ */
 size_t strbuf_control_bytes(const char *text);
 
 /* Adds text of one line that others chose, such as the name of a file: control characters become question marks. */

@@ -30,7 +30,9 @@ struct finding {
 	long line;
 	int column;	/* 1 */
 	const char *text;	/* of the block */
-	/* The block stands in a subprogram, which was called from here; the call of its caller comes next, and so on. */
+	/*
+	 * The block stands in a subprogram, which was called from here; the call of its caller comes next, and so on.
+	 */
 	const struct srcloc *callers;
 	size_t caller_count;	/* 0: it stands in the program itself */
 	int move, moves;	/* which of the block's moves, from 1 */

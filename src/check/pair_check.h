@@ -56,8 +56,8 @@ struct pair_check {
 void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure);
 
 /*
- * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of tools
- * that a program does not use. The check must not be moved afterwards.
+ * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of
+ * tools that a program does not use. The check must not be moved afterwards.
  */
 void pair_check_prepare(struct pair_check *check, const struct check_options *options);
 void pair_check_release(struct pair_check *check);

@@ -1,4 +1,7 @@
-/* scheduler.h - the checks of all pairs, and how threads share them. The division of work among threads changes no result. */
+/*
+ * scheduler.h - the checks of all pairs, and how threads share them. The division of work among threads changes no
+ * result.
+ */
 #ifndef FIVECHECK_CHECK_SCHEDULER_H
 #define FIVECHECK_CHECK_SCHEDULER_H
 

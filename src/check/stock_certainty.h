@@ -9,9 +9,10 @@
 #include "check/stock_pair.h"
 
 /*
- * A contact is told where the stock that is not proved to be gone begins. It is certain if later in the same block, and
- * among the batch's steps before `to`, the body is at a place that no cutter can have touched. Cutters count as they
- * feed; what a rapid breaks out does not. `first` is the step of the contact, `s` its time in it. False: not proved.
+ * The sweep reports a contact where the body meets stock that is not proved to be gone. The contact is certain if later
+ * in the same block, and among the batch's steps before `to`, the body comes to a place that no cutter can have
+ * touched. Only cutters that feed touch anything here; what a rapid breaks out is not counted. `first` is the step of
+ * the contact, `s` the share of that step at which it happens. False: not proved.
  */
 bool stock_certainty_from(struct stock_pair *check, const struct batch *batch, size_t first, double s, size_t to);
 

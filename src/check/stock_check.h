@@ -52,8 +52,8 @@ void stock_check_release(struct stock_check *check);
 void stock_check_log(struct stock_check *check, const struct motion_step *step, long number);
 
 /*
- * errno of the first fault of the log's temporary file; 0: there was none. After one nothing that was found, or not
- * found, holds.
+ * errno of the first fault of the log's temporary file; 0: there was none. After a fault nothing holds that was said of
+ * the stock: no finding, and no absence of findings.
  */
 int stock_check_fault(const struct stock_check *check);
 
@@ -70,7 +70,9 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 /* What remains of the stock before the step `number`. */
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);
 
-/* Adds up the counters and the pairs that became unknown up to last_block, which ended the check. proven may be NULL. */
+/*
+ * Adds up the counters and the pairs that became unknown up to last_block, which ended the check. proven may be NULL.
+ */
 void stock_check_collect(const struct stock_check *check, const struct scene *scene, long last_block,
 			 struct check_stats *stats, double *proven);
 

@@ -281,7 +281,8 @@ static bool check_operands(const struct parser *parser)
 	else if (o->mode == RUN_DUMP_PATH && o->program_count > 1)
 		diag_error(parser->diag, nowhere, "--dump-path takes one program");
 	else if (o->stock_out && o->program_count > 1)
-		diag_error(parser->diag, nowhere, "--stock-out takes one program: each begins with the blank of the setup");
+		diag_error(parser->diag, nowhere,
+			   "--stock-out takes one program: each begins with the blank of the setup");
 	else if (inputs > 0 && o->record)
 		diag_error(parser->diag, nowhere,
 			   "--record cannot name a program that is read from standard input: give it as a file");

@@ -39,7 +39,8 @@ static bool check_options(const struct options *options, struct diag *diag)
 		fault = "shard";
 	if (fault)
 		diag_error(diag, nowhere, "--%s cannot be used with a job file%s", fault,
-			   options->shards ? ": give its jobs to several computers instead" : ", which names it for each job");
+			   options->shards ? ": give its jobs to several computers instead"
+					   : ", which names it for each job");
 	return !fault;
 }
 
@@ -48,8 +49,8 @@ static bool check_name(const char *name, const char *option, struct diag *diag)
 	if (!name || strchr(name, '%'))
 		return true;
 	diag_error(diag, nowhere,
-		   "--%s: every job would write %s anew; put a %% into the name, which stands for the name of the job", option,
-		   name);
+		   "--%s: every job would write %s anew; put a %% into the name, which stands for the name of the job",
+		   option, name);
 	return false;
 }
 

@@ -7,8 +7,8 @@
 #include "cli/stderr_ui.h"
 
 /*
- * options->machine is the job file. Each job is run with these options; in the names of files that are written, % stands
- * for the name of the job. Returns the worst exit status.
+ * options->machine is the job file. Each job is run with these options; in the names of files that are written, %
+ * stands for the name of the job. Returns the worst exit status.
  */
 enum run_status jobs_run(const struct options *options, struct stderr_ui *ui);
 

@@ -18,8 +18,8 @@
 bool path_checks_outputs(const struct options *options, struct diag *diag);
 
 /*
- * The same for a file whose name is made from that of an option, as --report does for each of several programs; `files`, too,
- * were read.
+ * The same for a file whose name is made from that of an option, as --report does for each of several programs;
+ * `files`, too, were read.
  */
 bool path_checks_derived(const struct options *options, const char *option, const char *path,
 			 const struct report_file *files, size_t file_count, struct diag *diag);

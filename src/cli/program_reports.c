@@ -117,7 +117,8 @@ static bool holds_other(const char *path)
 }
 
 /* No file of a program may be one that is read, or another output. False: reported. */
-static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path, struct diag *diag)
+static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path,
+			  struct diag *diag)
 {
 	const struct options *options = reports->options;
 	bool good = true;
@@ -127,11 +128,13 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 
 		add_path(&name, path, reports->programs[i].name);
 		if (options->program_count > 1)
-			good = path_checks_derived(options, option, strbuf_text(&name), reports->files, reports->file_count, diag);
+			good = path_checks_derived(options, option, strbuf_text(&name), reports->files,
+						   reports->file_count, diag);
 		if (good && holds_other(strbuf_text(&name))) {
-			diag_error(diag, (struct srcloc){0},
-				   "--%s would overwrite %s, which is no report or picture; remove it, or choose another name",
-				   option, strbuf_text(&name));
+			diag_error(
+			    diag, (struct srcloc){0},
+			    "--%s would overwrite %s, which is no report or picture; remove it, or choose another name",
+			    option, strbuf_text(&name));
 			good = false;
 		}
 		strbuf_release(&name);
@@ -172,7 +175,8 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 		else
 			reports->programs[i].name = mem_strndup("", 0);
 	}
-	if (spares_inputs(reports, "report", options->report, diag) && spares_inputs(reports, "glb", options->glb, diag) &&
+	if (spares_inputs(reports, "report", options->report, diag) &&
+	    spares_inputs(reports, "glb", options->glb, diag) &&
 	    spares_inputs(reports, "picture", options->picture, diag))
 		return true;
 	program_reports_release(reports);

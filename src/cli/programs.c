@@ -129,7 +129,8 @@ static enum run_status status_of(const struct session *session)
 	}
 	if (session->options->pose && session->order.sinks->count && !write_pose(session) && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
-	if (session->options->stock_out && session->order.sinks->count && !write_stock(session) && status < RUN_INCOMPLETE)
+	if (session->options->stock_out && session->order.sinks->count && !write_stock(session) &&
+	    status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;
 	if (session->order.ui->diag.errors && status < RUN_INCOMPLETE)
 		status = RUN_INCOMPLETE;

@@ -49,7 +49,8 @@ bool subcommand_read(const struct subcommand *subcommand, void *request, struct 
 		     char **argv, struct diag *diag, enum run_status *status)
 {
 	struct reading reading = {request, operands, diag, false};
-	const struct argv_parser parser = {subcommand->options, subcommand->option_count, take_option, take_operand, &reading};
+	const struct argv_parser parser = {subcommand->options, subcommand->option_count, take_option, take_operand,
+					   &reading};
 
 	if (!argv_parser_run(&parser, argc, argv, diag))
 		*status = subcommand_refuse(subcommand, diag);

@@ -25,8 +25,8 @@ struct operands {
 };
 
 /*
- * Sets the fields of *request that the options name and fills *operands; argv[0] is skipped. False: there is nothing left
- * to do, and *status is the exit status: the help was printed, or a fault was reported.
+ * Sets the fields of *request that the options name and fills *operands; argv[0] is skipped. False: there is nothing
+ * left to do, and *status is the exit status: the help was printed, or a fault was reported.
  */
 bool subcommand_read(const struct subcommand *subcommand, void *request, struct operands *operands, int argc,
 		     char **argv, struct diag *diag, enum run_status *status);

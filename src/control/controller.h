@@ -34,7 +34,10 @@ enum length_after_reference {
 /* M6 in a block that moves axes: the tool is changed behind the move, or before it. */
 enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
 
-/* M6 beside a T while a T of an earlier block waits: it loads the T of its block, or the one before, and selects the other. */
+/*
+ * A block has T and M6, and the T of an earlier block still waits: M6 loads the T of its own block, or the earlier one.
+ * The other T is then the one that is selected.
+ */
 enum m6_with_t { M6_WITH_T_UNKNOWN, M6_LOADS_OWN_T, M6_LOADS_T_BEFORE };
 
 /* What ';' does in a line, and what ':' with a number at its head is. */

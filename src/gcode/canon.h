@@ -51,7 +51,8 @@ struct canon_origin {
 	axis_values work;	/* its values, mm and radians */
 	axis_values shift;	/* of G52 and G92 */
 	double length;	/* mm: of the tool, in force */
-	bool turned;	/* more than offsets lies between: coordinates are turned, mirrored or scaled, or CYCL DEF 7 moves them */
+	/* more than offsets lies between: coordinates are turned, mirrored or scaled, or CYCL DEF 7 moves them */
+	bool turned;
 };
 
 struct canon_move {
@@ -70,13 +71,14 @@ struct canon_move {
 	/* the axis stays between places that other moves cover, spread and all: of straight moves */
 	bool between[3];
 	/*
-	 * Radians, A B C: how far the rotary axes may be beside their straight way. Under TCP the linear axes follow them, so
-	 * that the tip keeps its place.
+	 * Radians, A B C: how far the rotary axes may be beside their straight way. Under TCP the linear axes follow
+	 * them, so that the tip keeps its place.
 	 */
 	double turn_spread[3];
 	bool may_stop;	/* it may end anywhere on its way (a probe) */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
-	double spindle_speed;	/* revolutions per minute, by M4 below 0; 0: it stands, or nothing said how fast it turns */
+	/* revolutions per minute, by M4 below 0; 0: it stands, or nothing said how fast it turns */
+	double spindle_speed;
 	axis_values end;	/* RAPID, FEED, ARC */
 	struct canon_arc arc;
 	struct canon_feed feed;	/* FEED, ARC */

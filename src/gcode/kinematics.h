@@ -42,7 +42,9 @@ struct kinematics_solutions {
 	int primary;	/* slot of the first rotary axis as seen from the tool */
 };
 
-/* A piece of a turn of the tool in the plane of two directions, at a constant rate: s runs from 0 to 1 over all of it. */
+/*
+ * A piece of a turn of the tool in the plane of two directions, at a constant rate: s runs from 0 to 1 over all of it.
+ */
 struct kinematics_great_circle {
 	vec3 from, to;	/* units, as directions of kinematics_orientation; not opposite */
 	axis_values rotary_zero;
@@ -56,7 +58,8 @@ struct kinematics_great_circle {
 struct kinematics_turn {
 	axis_values rotary_zero;
 	axis_values rotary;	/* where the axes are */
-	mat3 turn;	/* receives the directions of X Y Z, as positions under TCP are meant; identity at rotary zero */
+	/* receives the directions of X Y Z, as positions under TCP are meant; identity at rotary zero */
+	mat3 turn;
 	vec3 tool;	/* receives the direction from the tip to the spindle, in the same coordinates; unit */
 };
 

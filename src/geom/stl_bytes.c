@@ -21,7 +21,8 @@ static void put_float(unsigned char *to, float value)
 static vec3 normal_of(const mesh_triangle *triangle)
 {
 	const vec3 corner = mesh_corner(triangle, 0);
-	const vec3 n = vec3_cross(vec3_sub(mesh_corner(triangle, 1), corner), vec3_sub(mesh_corner(triangle, 2), corner));
+	const vec3 n =
+	    vec3_cross(vec3_sub(mesh_corner(triangle, 1), corner), vec3_sub(mesh_corner(triangle, 2), corner));
 	const double length = vec3_norm(n);
 
 	return length > 0 ? vec3_scale(1 / length, n) : (vec3){0, 0, 0};

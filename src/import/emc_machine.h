@@ -1,4 +1,7 @@
-/* emc_machine.h - reads the ini file of a machine under LinuxCNC: axes, travels, rates, and its kinematics module. */
+/*
+ * emc_machine.h - reads the ini file of a machine under LinuxCNC (once EMC): axes, travels, rates, and its kinematics
+ * module.
+ */
 #ifndef FIVECHECK_IMPORT_EMC_MACHINE_H
 #define FIVECHECK_IMPORT_EMC_MACHINE_H
 
@@ -7,10 +10,10 @@
 #include "import/import.h"
 
 /*
- * xyzac-trt-kins, xyzbc-trt-kins and 5axiskins tell where their rotary axes are, by parameters from HAL; the formulas are
- * those of the modules. Other kinematics tell nothing of the chain: then options->table names the axes that carry the
- * work, from the base on, and all others carry the tool in their order. An ini file names no body. What is not in it is
- * noted as a TODO. False: reported.
+ * xyzac-trt-kins, xyzbc-trt-kins and 5axiskins tell where their rotary axes are, by parameters from HAL; the formulas
+ * are those of the modules. Other kinematics tell nothing of the chain: then options->table names the axes that carry
+ * the work, from the base on, and all others carry the tool in their order. An ini file names no body. What is not in
+ * it is noted as a TODO. False: reported.
  */
 bool emc_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
 		      struct diag *diag);

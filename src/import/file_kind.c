@@ -87,22 +87,25 @@ static const char *advice(const char *path, const char *text)
 
 	for (size_t i = 0; i < sizeof(vericut) / sizeof(*vericut); i++)
 		if (ends_with(path, vericut[i]) && *skip_space(text) != '<')
-			return "this is a file of VERICUT in its text form, of version 6 or before: its format is not published, so it "
-			       "is not read. Open it in VERICUT 7 or later and save it again: then it is XML, which can be "
-			       "imported";
+			return "this is a file of VERICUT in its text form, of version 6 or before: its format is not "
+			       "published, so it is not read. Open it in VERICUT 7 or later and save it again: then it "
+			       "is XML, which can be imported";
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
-		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, with all axes "
-		       "at 0, and name the meshes in a machine file ('fivecheck init' writes one to begin with)";
+		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
+		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
+		       "begin with)";
 	if (is_root(text, "VcProject"))
-		return "this is a project of VERICUT: import the machine (.mch) and the tool library (.tls) that it names, each by itself, "
-		       "and put the work offsets, fixtures and the part into a setup";
+		return "this is a project of VERICUT: import the machine (.mch) and the tool library (.tls) that it "
+		       "names, each by itself, and put the work offsets, fixtures and the part into a setup";
 	if (is_root(text, "MTConnectDevices"))
-		return "this is a device description of MTConnect, which does not say which axis carries which: use 'fivecheck init' with "
-		       "the axes and travels that it names";
+		return "this is a device description of MTConnect, which does not say which axis carries which: use "
+		       "'fivecheck init' with the axes and travels that it names";
 	if (!strncmp(text, "PK\003\004", 4))
-		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can be imported";
-	return "this is no file that can be imported: a machine of VERICUT 7 (XML), an ini file or URDF; a tool library of VERICUT or "
-	       "Fusion 360 (JSON), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
+		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can "
+		       "be imported";
+	return "this is no file that can be imported: a machine of VERICUT 7 (XML), an ini file or URDF; a tool "
+	       "library of VERICUT or Fusion 360 (JSON), a table of tools (CSV, tool.tbl) or a listing of offsets "
+	       "(G10); or a mesh (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

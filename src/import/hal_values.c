@@ -102,7 +102,8 @@ static enum hal_found read_value(const struct hal_values *hal, const struct hal_
 
 	if (*text == '[' && close) {
 		struct arena arena = {0};
-		char *section = arena_copy(&arena, text + 1, (size_t)(close - text)), *key = arena_strdup(&arena, close + 1);
+		char *section = arena_copy(&arena, text + 1, (size_t)(close - text)),
+		     *key = arena_strdup(&arena, close + 1);
 		const char *found;
 
 		section[close - text - 1] = '\0';

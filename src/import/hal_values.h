@@ -15,12 +15,13 @@ struct hal_values {
 	struct arena arena;
 	struct hal_command *commands;	/* owned */
 	size_t count, capacity;
-	bool scripts;	/* some HAL files are no HAL files, but scripts, and were not read */
+	bool scripts;	/* some of the files are scripts (Tcl), which were not read */
 };
 
 /*
- * Reads the commands of [HAL]HALCMD and of the files of [HAL]HALFILE beside the ini file. Those of LIB: come with the
- * control, know nothing of a machine, and are left out. False, reported: a file cannot be read. Release it in either case.
+ * Reads the commands of [HAL]HALCMD and of the files of [HAL]HALFILE beside the ini file. Files of LIB: come with the
+ * control and say nothing about the machine: they are left out. False, reported: a file cannot be read. Release it in
+ * either case.
  */
 bool hal_values_read(struct hal_values *hal, const struct ini_file *ini, struct diag *diag);
 void hal_values_release(struct hal_values *hal);

@@ -83,8 +83,8 @@ static const char *make_name(struct import_machine *machine, const char *wanted,
 		if (!name.length)
 			strbuf_addf(&name, "body");
 	}
-	for (size_t stem = name.length, number = 2; body_name_is_reserved(strbuf_text(&name)) || is_taken(machine, strbuf_text(&name));
-	     number++) {
+	for (size_t stem = name.length, number = 2;
+	     body_name_is_reserved(strbuf_text(&name)) || is_taken(machine, strbuf_text(&name)); number++) {
 		name.length = stem;
 		strbuf_addf(&name, "_%zu", number);
 	}

@@ -1,4 +1,6 @@
-/* import.h - what a file of another program says of a machine and its setup, before it is written as fivecheck's own. */
+/*
+ * import.h - what a file of another program says of a machine and its setup, before it is written as fivecheck's own.
+ */
 #ifndef FIVECHECK_IMPORT_IMPORT_H
 #define FIVECHECK_IMPORT_IMPORT_H
 
@@ -39,8 +41,8 @@ struct import_options {
 };
 
 /*
- * Adds a body whose mesh the machine takes over. Its name is made from `wanted`, so that no other body, link or role has
- * it. Returns the body; it is valid until the next one is added.
+ * Adds a body whose mesh the machine takes over. Its name is made from `wanted`; if that name is taken or empty,
+ * `otherwise` stands before it, and then a number after it. Returns the body; it is valid until the next one is added.
  */
 struct body_description *import_machine_add_body(struct import_machine *machine, const char *wanted,
 						 const char *otherwise, int link, const xform *frame,

@@ -34,7 +34,10 @@ const char *ini_file_text(const struct ini_file *ini, const char *section, const
 bool ini_file_number(const struct ini_file *ini, const char *section, const char *key, double *value,
 		     struct diag *diag);
 
-/* Appends the path of a file that stands beside another one, unless it is absolute; in the arena. */
+/*
+ * The path of the file that `path` names as `name`: in the folder of `path`, unless the name is absolute. In the
+ * arena.
+ */
 const char *ini_file_beside(struct arena *arena, const char *path, const char *name);
 
 #endif

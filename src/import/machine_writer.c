@@ -169,8 +169,9 @@ static void add_pairs(struct strbuf *out, const struct machine_description *d)
 {
 	if (!d->pair_count)
 		return;
-	strbuf_addf(out, "  <!-- The collision list of that file. fivecheck checks all other pairs that can meet, too. -->\n"
-			 "  <pairs>\n");
+	strbuf_addf(out,
+		    "  <!-- The collision list of that file. fivecheck checks all other pairs that can meet, too. -->\n"
+		    "  <pairs>\n");
 	for (size_t i = 0; i < d->pair_count; i++) {
 		const struct pair_description *pair = &d->pairs[i];
 
@@ -190,8 +191,10 @@ static void add_controller(struct strbuf *out, const struct import_machine *mach
 	const struct controller_description *controller = &machine->description.controller;
 
 	if (!machine->dialect_known)
-		strbuf_addf(out, "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n"
-				 "       rate) or any (not known: every way between start and end is checked). -->\n");
+		strbuf_addf(
+		    out,
+		    "  <!-- TODO The control's dialect, and how it moves in G0: linear, dogleg (each axis at its own\n"
+		    "       rate) or any (not known: every way between start and end is checked). -->\n");
 	strbuf_addf(out, "  <controller");
 	xml_text_attribute(out, "dialect", dialect_names[controller->dialect]);
 	xml_text_attribute(out, "rapid", machine->rapid_known ? "linear" : "any");
@@ -210,7 +213,9 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 	strbuf_addf(out, " units=\"mm\">\n");
 	add_controller(out, machine);
 	if (machine->left_out)
-		strbuf_addf(out, "  <!-- TODO Bodies whose meshes were not there are left out (%zu): what they hit is not found. -->\n",
+		strbuf_addf(out,
+			    "  <!-- TODO Bodies whose meshes were not there are left out (%zu): what they hit is not "
+			    "found. -->\n",
 			    machine->left_out);
 	for (size_t i = 0; i < machine->todo_count; i++) {
 		struct strbuf todo = {0};

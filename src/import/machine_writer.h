@@ -6,8 +6,8 @@
 #include "import/import.h"
 
 /*
- * Appends the XML. `origin` says in a comment what the file was made from. What the other program does not say is marked
- * with TODO, as `fivecheck init` does: the control, and rates that are missing.
+ * Appends the XML. `origin` says in a comment what the file was made from. What the other program does not say is
+ * marked with TODO, as `fivecheck init` does: the control, and rates that are missing.
  */
 void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin);
 

@@ -83,7 +83,8 @@ void mesh_build_frustum(struct mesh_build *build, double radius, double radius_e
 
 	for (int i = 0; i < n; i++) {
 		const double a = step * i, b = step * (i + 1);
-		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0}, to = {outer * math_cos(b), outer * math_sin(b), 0};
+		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0},
+			   to = {outer * math_cos(b), outer * math_sin(b), 0};
 		const vec3 top = {0, 0, height}, middle = {0, 0, 0};
 		const vec3 low[3] = {middle, vec3_scale(radius, to), vec3_scale(radius, from)};
 		const vec3 high[3] = {top, vec3_mad(top, radius_end, from), vec3_mad(top, radius_end, to)};

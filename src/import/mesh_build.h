@@ -22,7 +22,9 @@ bool mesh_build_add(struct mesh_build *build, const vec3 corners[3]);
 void mesh_build_finish(struct mesh_build *build, struct mesh *out);
 void mesh_build_discard(struct mesh_build *build);
 
-/* The solids that machine files describe by sizes, mm. The block stands with a corner at 0; the others on 0, along Z. */
+/*
+ * The solids that machine files describe by sizes, mm. The block stands with a corner at 0; the others on 0, along Z.
+ */
 void mesh_build_block(struct mesh_build *build, vec3 size);
 
 /*

@@ -21,8 +21,8 @@ enum mesh_format { MESH_OTHER, MESH_OBJ, MESH_PLY, MESH_3MF, MESH_GLTF };
 enum mesh_format mesh_file_format(const char *path);
 
 /*
- * Reads a mesh of a known format, told by its content: STL, VERICUT-model, OBJ or PLY, all parts of it together. `scale`: mm
- * per unit of the file. False, reported.
+ * Reads a file whose format has no units of its own: STL, VERICUT-model, OBJ or PLY. All its parts become one mesh.
+ * `scale`: mm per unit of the file. False: reported.
  */
 bool mesh_file_read(struct mesh *out, const char *path, double scale, struct diag *diag);
 

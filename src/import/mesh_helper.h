@@ -20,9 +20,9 @@ struct mesh_parts {
 };
 
 /*
- * Runs the program on the file, with a limit of time and memory, and adds its meshes, in mm; `scale`: mm per unit of the
- * file. `y_up`: the file's Y points up, as in glTF; it becomes Z. False, reported: there is no such program, or the file is
- * faulty.
+ * Runs the program on the file, with a limit of time and memory, and adds its meshes, in mm; `scale`: mm per unit of
+ * the file. `y_up`: the file's Y points up, as in glTF; it becomes Z. False, reported: there is no such program, or the
+ * file is faulty.
  */
 bool mesh_helper_read(struct mesh_parts *parts, const char *path, double scale, bool y_up, struct diag *diag);
 void mesh_parts_release(struct mesh_parts *parts);

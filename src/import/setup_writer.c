@@ -83,8 +83,9 @@ static void write_offset(struct strbuf *out, const struct length_offset_descript
 	bool doubtful = offset->d_of_control && offset->radius.given && fabs(offset->radius.value) > 0;
 
 	if (offset->of_tool) {
-		strbuf_addf(out, "  <!-- TODO Describe tool %ld: its length_offset is %.12g and its diameter %.12g mm. -->\n",
-			    offset->number, shown(offset->length.value), shown(2 * offset->radius.value));
+		strbuf_addf(
+		    out, "  <!-- TODO Describe tool %ld: its length_offset is %.12g and its diameter %.12g mm. -->\n",
+		    offset->number, shown(offset->length.value), shown(2 * offset->radius.value));
 		return;
 	}
 	if (doubtful)

@@ -116,7 +116,8 @@ static bool read_links(struct reading *r)
 		const char *name = foreign_attribute(at, "name");
 
 		if (!name || !*name || find_link(r, name))
-			return fault(r, at, name ? "two links have the same name, or one has none" : "<link> lacks a name");
+			return fault(r, at,
+				     name ? "two links have the same name, or one has none" : "<link> lacks a name");
 		r->links[r->count++] = (struct urdf_link){.node = at, .name = name};
 	}
 	for (const xmlNode *at = foreign_child(root, "joint"); at; at = foreign_next(at, "joint")) {
@@ -170,7 +171,8 @@ static bool read_limits(struct reading *r, const xmlNode *joint, bool endless, s
 		return fault(r, joint, "the joint has no <limit> with a lower below its upper");
 	axis->limit_min = scale * low;
 	axis->limit_max = scale * high;
-	return (low <= 0 && high >= 0) || fault(r, joint, "0 is not within the limits of the joint: its home is not known");
+	return (low <= 0 && high >= 0) ||
+	       fault(r, joint, "0 is not within the limits of the joint: its home is not known");
 }
 
 static bool add_axis(struct reading *r, struct urdf_link *link, const struct urdf_link *parent, const char *type)
@@ -185,7 +187,8 @@ static bool add_axis(struct reading *r, struct urdf_link *link, const struct urd
 	if (!letter || axis.rotary != slot_is_rotary(axis.slot)) {
 		xml_error(&r->xml, link->joint, "name",
 			  "the name of the joint must have the letter of its axis alone in it, such as joint_%s: %s",
-			  axis.rotary ? "a" : "x", axis.rotary ? "A, B or C, as it turns" : "X, Y, Z, U, V or W, as it slides");
+			  axis.rotary ? "a" : "x",
+			  axis.rotary ? "A, B or C, as it turns" : "X, Y, Z, U, V or W, as it slides");
 		return false;
 	}
 	for (size_t i = 0; i < d->axis_count; i++)
@@ -292,8 +295,8 @@ static bool read_mesh(struct reading *r, const xmlNode *shape, struct mesh *mesh
 			     "'%s' is not there: the body is left out", xml_quote(written).text);
 	else if (!good)
 		xml_error(&r->xml, shape, NULL,
-			  "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave the body out with "
-			  "--skip-missing",
+			  "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
+			  "the body out with --skip-missing",
 			  xml_quote(written).text);
 	good = good && mesh_file_read(mesh, strbuf_text(&path), METRE * scale[0], r->diag);
 	strbuf_release(&path);
@@ -337,7 +340,8 @@ static void center(xform *frame, double x, double y, double z)
 
 static bool add_shape(struct reading *r, const struct urdf_link *link, const xmlNode *group)
 {
-	const xmlNode *geometry = foreign_child(group, "geometry"), *shape = geometry ? foreign_child(geometry, NULL) : NULL;
+	const xmlNode *geometry = foreign_child(group, "geometry"),
+		      *shape = geometry ? foreign_child(geometry, NULL) : NULL;
 	struct mesh mesh = {0};
 	double size[3] = {0}, length;
 	bool good, left_out = false;
@@ -398,18 +402,27 @@ static void add_mounts(struct reading *r)
 	if (tool) {
 		d->spindles[d->spindle_count++] = (struct spindle_description){
 			.link = tool->link, .location = tool->frame.translation, .direction = tool->frame.rotation.z};
-		import_machine_todo(r->machine, "Tools are taken to point along +Z of the link '%.60s': compare the direction of the spindle.",
-				    tool->name);
+		import_machine_todo(
+		    r->machine,
+		    "Tools are taken to point along +Z of the link '%.60s': compare the direction of the spindle.",
+		    tool->name);
 	} else {
-		diag_warning(r->diag, at, "no link is named spindle, tool or tool0: no tool can be mounted; add <spindle>");
-		import_machine_todo(r->machine, "Add <spindle location=\"\" direction=\"\"/>: no link was named spindle, tool or tool0.");
+		diag_warning(r->diag, at,
+			     "no link is named spindle, tool or tool0: no tool can be mounted; add <spindle>");
+		import_machine_todo(
+		    r->machine,
+		    "Add <spindle location=\"\" direction=\"\"/>: no link was named spindle, tool or tool0.");
 	}
 	if (work) {
 		d->workholdings[d->workholding_count++] =
 			(struct workholding_description){.link = work->link, .frame = work->frame};
 	} else {
-		diag_warning(r->diag, at, "no link is named work, workholding, attach, fixture or part: no work can be mounted; add <workholding>");
-		import_machine_todo(r->machine, "Add <workholding location=\"\"/>: no link was named work, workholding, attach, fixture or part.");
+		diag_warning(r->diag, at,
+			     "no link is named work, workholding, attach, fixture or part: no work can be mounted; add "
+			     "<workholding>");
+		import_machine_todo(
+		    r->machine,
+		    "Add <workholding location=\"\"/>: no link was named work, workholding, attach, fixture or part.");
 	}
 }
 

@@ -107,7 +107,8 @@ static bool find_parents(struct vericut_components *components, struct xml_reade
 				  "'%s' is attached to '%s', which is no component of this machine",
 				  xml_quote(c->name).text, xml_quote(c->attach).text);
 		else if (!c->parent && base)
-			xml_error(xml, c->node, NULL, "'%s' and '%s' are both attached to nothing: a machine has one base",
+			xml_error(xml, c->node, NULL,
+				  "'%s' and '%s' are both attached to nothing: a machine has one base",
 				  xml_quote(base->name).text, xml_quote(c->name).text);
 		base = c->parent ? base : c;
 	}
@@ -136,7 +137,8 @@ bool vericut_components_read(struct vericut_components *components, struct xml_r
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		count++;
 	if (count == 0 || count > COMPONENTS_MAX) {
-		xml_error(xml, root, NULL, "the machine has %zu components; 1 to %d can be read", count, COMPONENTS_MAX);
+		xml_error(xml, root, NULL, "the machine has %zu components; 1 to %d can be read", count,
+			  COMPONENTS_MAX);
 		return false;
 	}
 	*components = (struct vericut_components){

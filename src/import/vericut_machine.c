@@ -87,10 +87,11 @@ static bool is_reversed(struct reading *r, const struct vericut_component *c, co
 	const char *disabled = foreign_attribute(link, "DisableAuto"), *side = foreign_attribute(link, "PartSide");
 
 	if (side && strcasecmp(side, "auto") != 0) {
-		xml_error(&r->xml, link, "PartSide",
-			  "PartSide=\"%s\" of '%s' is not known: only \"auto\" is; which way the axis moves for a positive "
-			  "value has to be written into machine.xml by hand",
-			  xml_quote(side).text, xml_quote(c->name).text);
+		xml_error(
+		    &r->xml, link, "PartSide",
+		    "PartSide=\"%s\" of '%s' is not known: only \"auto\" is; which way the axis moves for a positive "
+		    "value has to be written into machine.xml by hand",
+		    xml_quote(side).text, xml_quote(c->name).text);
 		return false;
 	}
 	*reversed = c->carries_work && !(disabled && !strcasecmp(disabled, "on"));
@@ -265,7 +266,8 @@ static bool read_home(struct reading *r)
 			return false;
 		home = fmin(fmax(value, axis->limit_min), axis->limit_max);
 		if (fabs(home - value) > 0)
-			warn(r, xml_root(&r->xml), "%c starts beyond its travel in this file: it gets the nearer end as its home",
+			warn(r, xml_root(&r->xml),
+			     "%c starts beyond its travel in this file: it gets the nearer end as its home",
 			     AXIS_LETTERS[axis->slot]);
 		axis->home = (struct optional_number){.given = fabs(home) > 0, .value = home};
 	}
@@ -301,10 +303,11 @@ static bool read_mesh(struct reading *r, const xmlNode *model, const char *writt
 		if (r->options->skip_missing)
 			warn(r, model, "'%s' is not there: the body is left out", xml_quote(written).text);
 		else
-			xml_error(&r->xml, model, NULL,
-				  "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
-				  "the body out with --skip-missing",
-				  xml_quote(written).text);
+			xml_error(
+			    &r->xml, model, NULL,
+			    "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
+			    "the body out with --skip-missing",
+			    xml_quote(written).text);
 		*left_out = r->options->skip_missing;
 		r->machine->left_out += r->options->skip_missing;
 		good = false;

@@ -7,9 +7,9 @@
 #include "import/import.h"
 
 /*
- * What is taken over: components with their places, axes with travels and rapid rates, models, the mount of tools and of
- * work, and the pairs of the collision list with their tolerances as clearances. Everything else of the file, such as
- * colours, tables of locations and accelerations, is no matter of collisions or stands in the setup.
+ * What is taken over: components with their places, axes with travels and rapid rates, models, the mount of tools and
+ * of work, and the pairs of the collision list with their tolerances as clearances. Everything else of the file, such
+ * as colours, tables of locations and accelerations, is no matter of collisions or stands in the setup.
  *
  * An axis that carries the work moves against its positive sense, as VERICUT has it unless DisableAuto or PartSide says
  * otherwise (ISO 841: a positive value is a motion of the tool against the work).

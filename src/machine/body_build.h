@@ -11,7 +11,9 @@
 bool body_build(struct description_file *file, const struct body_description *described, const xform *mount,
 		struct body *body);
 
-/* How deep something may enter the body, mm: an attribute that the file may leave out. Reported if it is out of range. */
+/*
+ * How deep something may enter the body, mm: an attribute that the file may leave out. Reported if it is out of range.
+ */
 double body_build_depth(struct description_file *file, const void *at, const char *element, const char *name,
 			struct optional_number described, double fallback);
 

@@ -135,7 +135,8 @@ struct body_description {
 	double scale;	/* mm per unit of the mesh */
 	xform frame;	/* the mesh's origin on its link or on the workholding */
 	enum body_role role;
-	struct optional_number rapid_allowance, gouge;	/* of a part: how deep a cutter may enter it; the first of the stock, too */
+	/* of a part: how deep a cutter may enter it; the first of the stock, too */
+	struct optional_number rapid_allowance, gouge;
 	enum stock_shape shape;	/* of the stock; a box or a cylinder stands on the origin of its frame, along Z */
 	vec3 size;	/* mm: of the box; of the cylinder: diameter, 0, height */
 	struct optional_number uncertainty, excess;	/* of the stock */

@@ -26,7 +26,8 @@ struct setup {
 	size_t length_count;
 	struct radius_offset *radii;	/* every D that an <offset> defines, each once */
 	size_t radius_count;
-	struct body *bodies;	/* fixtures, parts and the stock in file order, then each tool's holder, shank, cutter */
+	/* fixtures, parts and the stock in file order, then each tool's holder, shank, cutter */
+	struct body *bodies;
 	size_t body_count;
 	const char **libraries;	/* the files that <tools> names, as they can be opened */
 	size_t library_count;

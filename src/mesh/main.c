@@ -1,11 +1,12 @@
 /*
  * main.c - fivecheck-mesh FILE: prints the meshes of a file that libassimp can read, for `fivecheck import`.
  *
- * A program of its own, so that a reader of a dozen formats is no part of the checker, and that the import can limit the
- * memory and the time that a broken file takes. It opens the file and, of glTF, its buffers beside it; nothing else.
+ * A program of its own, so that a reader of a dozen formats is no part of the checker, and that the import can limit
+ * the memory and the time that a broken file takes. It opens the file and, of glTF, its buffers beside it; nothing
+ * else.
  *
- * Output: for each mesh of each node a line "mesh COUNT NAME" and COUNT triangles of nine 32-bit floats, little-endian, in the
- * units of the file, placed as the file places its node; at last the line "end", or "fault" and what is wrong.
+ * Output: for each mesh of each node a line "mesh COUNT NAME" and COUNT triangles of nine 32-bit floats, little-endian,
+ * in the units of the file, placed as the file places its node; at last the line "end", or "fault" and what is wrong.
  */
 #include <assimp/cfileio.h>
 #include <assimp/cimport.h>

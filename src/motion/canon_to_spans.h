@@ -24,7 +24,7 @@ struct canon_to_spans {
 	int tool;
 	double time, block_time;
 	bool tells_modes;
-	struct motion_modes modes;	/* that were told last */
+	struct motion_modes modes;	/* that were sent last */
 	bool modes_told;
 	struct motion_event event;	/* the last event sent; its summary is the run's, without lines */
 };

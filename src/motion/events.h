@@ -60,7 +60,10 @@ struct motion_spindle_stop {
 	int move;	/* the block's last before it; 0: none */
 };
 
-/* What holds for the steps that follow, told before the first one and when it changes, if motion_options.modes asks for it. */
+/*
+ * What holds for the steps that follow, besides their path: sent before the first step and whenever it changes, if
+ * motion_options.modes asks for it.
+ */
 struct motion_modes {
 	const char *work_offset;	/* in force, a constant: "G54"; NULL: machine coordinates are commanded */
 	axis_values work, shift;	/* its values, and what G52 and G92 add; mm and radians */
@@ -95,9 +98,9 @@ struct motion_summary {
 enum motion_event_kind { MOTION_STEP, MOTION_LIMIT, MOTION_TOOL, MOTION_SPINDLE_STOP, MOTION_MODES, MOTION_BLOCK };
 
 /*
- * Plain data that can be copied. Three pointers are valid during the call only: step.span.path with its tcp, block.text and
- * block.callers. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File names live
- * as long as the table that contains them.
+ * Plain data that can be copied. Three pointers are valid during the call only: step.span.path with its tcp, block.text
+ * and block.callers. Whoever keeps the event must copy what they point to (path_copies.h does that for paths). File
+ * names live as long as the table that contains them.
  */
 struct motion_event {
 	enum motion_event_kind kind;

@@ -1,4 +1,4 @@
-/* motion_modes.h - what holds for a move besides its path, for who shows it. */
+/* motion_modes.h - what holds for a move besides its path; the check needs none of it. */
 #ifndef FIVECHECK_MOTION_MOTION_MODES_H
 #define FIVECHECK_MOTION_MOTION_MODES_H
 
@@ -7,7 +7,7 @@
 #include "gcode/canon.h"
 #include "motion/events.h"
 
-/* Of a rapid, a feed, or an arc. */
+/* The modes of a move, which is a rapid, a feed, or an arc. */
 struct motion_modes motion_modes_of(const struct canon_move *move);
 
 bool motion_modes_same(const struct motion_modes *a, const struct motion_modes *b);

@@ -235,7 +235,10 @@ axis_values tcp_bend(const struct tcp *tcp, const axis_values *middle, const axi
 	return second_derivative;
 }
 
-/* The way of a point that the chain carries, if each joint is beside its position: inner joints reach out to outer ones. */
+/*
+ * The way of a point that the chain carries, if each joint is beside its position: inner joints reach out to outer
+ * ones.
+ */
 static double chain_swing(const struct chain *chain, double reach, const double turn[3])
 {
 	double sum = 0;
@@ -263,7 +266,8 @@ axis_values tcp_follow(const struct tcp *tcp, const axis_values *start, const ax
 
 	/* A distance to a fixed point is largest at an end of a straight way. */
 	for (int i = 0; i < 2; i++) {
-		const vec3 at_zero = vec3_add(vec3_add(linear_axes(tcp, ends[i]), other_axes(tcp, ends[i])), tcp->gauge_zero);
+		const vec3 at_zero =
+		    vec3_add(vec3_add(linear_axes(tcp, ends[i]), other_axes(tcp, ends[i])), tcp->gauge_zero);
 
 		reach = fmax(reach, reach_of(&tcp->table, xform_apply(&tcp->table_zero_inverse, at_zero)));
 	}

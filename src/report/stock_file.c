@@ -13,9 +13,10 @@ static bool is_writable(const char *path, const struct stock_remainder *remainde
 	if (!remainder->stock)
 		diag_note(diag, nowhere, "the setup has no stock, so %s was not written", path);
 	else if (!remainder->known)
-		diag_note(diag, nowhere,
-			  "the program was not followed to its end, so %s was not written (--all goes on after a finding)",
-			  path);
+		diag_note(
+		    diag, nowhere,
+		    "the program was not followed to its end, so %s was not written (--all goes on after a finding)",
+		    path);
 	else if (!mesh->count)
 		diag_note(diag, nowhere, "nothing remains of the stock, so %s was not written", path);
 	else if (mesh->count > UINT32_MAX)
@@ -43,8 +44,9 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 	}
 	if (!output_commit(&out, diag))
 		return false;
-	diag_note(diag, nowhere,
-		  "%s holds all that remains of the stock and at most %.3g mm more: <stock mesh=\"%s\" excess=\"%.3g\"/>", path,
-		  2 * remainder->edge, path, 2 * remainder->edge);
+	diag_note(
+	    diag, nowhere,
+	    "%s holds all that remains of the stock and at most %.3g mm more: <stock mesh=\"%s\" excess=\"%.3g\"/>",
+	    path, 2 * remainder->edge, path, 2 * remainder->edge);
 	return true;
 }

@@ -101,7 +101,8 @@ static bool leaves_meet(const struct pose_look *at, struct leaf a, struct leaf b
 }
 
 /* Queues the children of the larger subtree that may be near enough; returns how long the queue is then. */
-static size_t queue_children(struct sweep *sweep, const struct pose_look *at, const struct bvh_pair *entry, size_t depth)
+static size_t queue_children(struct sweep *sweep, const struct pose_look *at, const struct bvh_pair *entry,
+			     size_t depth)
 {
 	bool open_a = bvh_pair_opens_a(&entry->a, &entry->b);
 	const struct subtree *opened = open_a ? &entry->a : &entry->b, *kept = open_a ? &entry->b : &entry->a;

@@ -15,9 +15,9 @@ struct contact_search {
 };
 
 /*
- * Do the surfaces come as near as `clearance` (mm) at `near` or, if `steps` are allowed, where the nearest triangles are
- * moved together from there? `near` is moved into the travel from low to high first. True: they do. A look at a place
- * where similar bodies met, for a small part of what contact_search_finds costs.
+ * Do the surfaces come as near as `clearance` (mm) at `near` or, if `steps` are allowed, where the nearest triangles
+ * are moved together from there? `near` is moved into the travel from low to high first. True: they do. A look at a
+ * place where similar bodies met, for a small part of what contact_search_finds costs.
  */
 bool contact_search_recalls(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,
 			    double clearance, const axis_values *low, const axis_values *high, const axis_values *near,

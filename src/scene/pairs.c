@@ -91,8 +91,8 @@ static struct last_contact *last_contact_of(const struct derivation *derivation,
 }
 
 /* Do they meet near where either of them met a body like the other one? */
-static bool meets_again(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies, double apart,
-			const axis_values *low, const axis_values *high, struct derivation *derivation)
+static bool meets_again(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
+			double apart, const axis_values *low, const axis_values *high, struct derivation *derivation)
 {
 	const struct last_contact *last[2] = {last_contact_of(derivation, scene, pair->a, pair->b),
 					      last_contact_of(derivation, scene, pair->b, pair->a)};

@@ -66,7 +66,8 @@ struct scene {
 	size_t meshes_read;
 	struct doubts doubts;	/* filled by model_check */
 	struct sweep sweep;	/* working storage for the derivation */
-	pthread_mutex_t building;	/* topologies and the trees of cores are built when they are asked for, by any thread */
+	/* topologies and the trees of cores are built when they are asked for, by any thread */
+	pthread_mutex_t building;
 };
 
 /*
@@ -82,8 +83,8 @@ void scene_free(struct scene *scene);
 bool scene_pair_needs_check(const struct scene_pair *pair);
 
 /*
- * Reads and builds everything that is needed for the pairs to check, but for cores. Afterwards several threads may check programs on
- * the scene. False: a mesh is faulty, reported.
+ * Reads and builds everything that is needed for the pairs to check, but for cores. Afterwards several threads may
+ * check programs on the scene. False: a mesh is faulty, reported.
  */
 bool scene_build(struct scene *scene, struct diag *diag);
 

@@ -1,4 +1,7 @@
-/* cut_store.h - keeps the chunks of a cut log: the first ones in memory, all others in a temporary file without a name. */
+/*
+ * cut_store.h - keeps the chunks of a cut log: the first ones in memory, all others in a temporary file without a
+ * name.
+ */
 #ifndef FIVECHECK_STOCK_CUT_STORE_H
 #define FIVECHECK_STOCK_CUT_STORE_H
 
@@ -10,6 +13,7 @@
 
 enum { CUT_CHUNK = 16 };
 
+/* Where and when one cut ends and the next one begins. */
 struct cut_end {
 	struct cutter_place place;
 	double time;
@@ -24,17 +28,17 @@ struct cut_chunk {
 	struct cut_end ends[CUT_CHUNK + 1];
 };
 
-/* So many chunks stay in memory: 16 MB, some 250,000 cuts. */
+/* The number of chunks that stay in memory: 16 MB, some 250,000 cuts. */
 #define CUT_STORE_CHUNKS 15000
 
 struct cut_store {
-	struct cut_chunk *chunks;	/* the first ones */
+	struct cut_chunk *chunks;	/* the first chunks: those in memory */
 	size_t chunk_capacity;
-	size_t limit;	/* so many of them */
-	size_t count;	/* of all */
-	struct cut_chunk last;	/* the last one, if it is beyond the limit */
-	FILE *file;	/* all others beyond the limit; NULL: there are none */
-	struct cut_slot *cache;	/* those that were read last */
+	size_t limit;	/* at most so many chunks are in memory */
+	size_t count;	/* of all chunks */
+	struct cut_chunk last;	/* the last chunk, if it is beyond the limit */
+	FILE *file;	/* all other chunks beyond the limit; NULL: there are none */
+	struct cut_slot *cache;	/* chunks that were read from the file last */
 	int fault;	/* errno of the first write or read that failed; 0: none did */
 };
 

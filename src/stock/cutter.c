@@ -294,7 +294,10 @@ static bool comes_within(const struct approach *approach, double low, double hig
 	return comes_within(approach, low, middle) || comes_within(approach, middle, high);
 }
 
-/* A point of the cutter moves with the origin and turns about it: fastest in the middle, where the direction is shortest. */
+/*
+ * A point of the cutter moves with the origin and turns about it: fastest in the middle, where the direction is
+ * shortest.
+ */
 bool cutter_comes_within(const struct cutter *cutter, const struct cutter_way *way, vec3 point, double distance)
 {
 	const struct revolved *whole = &cutter->whole;

@@ -36,9 +36,9 @@ static struct chord_bound bound_of(const struct cutting *cutting, const axis_val
 /*
  * mm: how far a point of the true cutter may be from where the cut has it. Each point of the axis stays within
  * `chord_error` of the straight line between its ends. The cut takes the line through those points as its axis and
- * makes the direction a unit vector again, which takes points of the axis nearer to the origin, by the cosine of half the
- * turn. Where both ends of the cutter's axis are off by x or less, its direction is off by 2 x / length, and a point at
- * the radius r by x + r 2 x / length.
+ * makes the direction a unit vector again, which takes points of the axis nearer to the origin, by the cosine of half
+ * the turn. Where both ends of the cutter's axis are off by x or less, its direction is off by 2 x / length, and a
+ * point at the radius r by x + r 2 x / length.
  */
 static double axis_error(const struct cutter *cutter, const struct cutter_way *way, double chord_error)
 {

@@ -63,7 +63,8 @@ void revolved_init_stretched(struct revolved *stretched, const struct revolved *
 	const struct revolved_band *first = &revolved->bands[0];
 
 	*stretched = (struct revolved){.bands = mem_zalloc(revolved->count + 1, sizeof(*stretched->bands))};
-	add_band(stretched, &(struct revolved_band){first->top + length, first->top, first->r_top, first->r_top, false});
+	add_band(stretched,
+		 &(struct revolved_band){first->top + length, first->top, first->r_top, first->r_top, false});
 	for (size_t i = 0; i < revolved->count; i++)
 		add_band(stretched, &revolved->bands[i]);
 }

@@ -43,7 +43,10 @@ void revolved_init_stretched(struct revolved *stretched, const struct revolved *
  */
 double revolved_distance(const struct revolved *revolved, double r, double z);
 
-/* The same. (*out_r, *out_z) is the way outward between the point and the nearest place of the surface, as long as that. */
+/*
+ * The same. (*out_r, *out_z) is the way outward between the point and the nearest place of the surface, as long as
+ * that.
+ */
 double revolved_nearest(const struct revolved *revolved, double r, double z, double *out_r, double *out_z);
 
 /*

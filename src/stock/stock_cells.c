@@ -278,7 +278,9 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 
 	if (gap > -depth || !is_there(&search, 0, &cells->root))
 		return false;
-	/* Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at. */
+	/*
+	 * Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at.
+	 */
 	search.grain = cells->root.half / 8;
 	search.effort = effort;
 	while (!proves(&search, 0, &cells->root)) {

@@ -80,9 +80,9 @@ bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *p
 		      double grain, struct cube *found);
 
 /*
- * Hands on the cells that are there at `time`, from the root down, but for those that only the box's rounding reaches.
- * `whole`: the cell is in the blank, and no cutter can
- * have touched it. True: the parts of the cell are wanted, too.
+ * Calls `visit` for each cell that is there at `time`, from the root down. Cells that only the rounding of the box
+ * reaches are left out. `whole`: the cell lies in the blank, and no cutter can have touched it. `visit` returns true if
+ * it wants the parts of the cell, too.
  */
 typedef bool stock_cells_visit_fn(void *context, const struct cube *cell, bool whole);
 void stock_cells_visit(struct stock_cells *cells, double time, stock_cells_visit_fn *visit, void *context);

@@ -93,7 +93,8 @@ static void corner_of(const struct grid *grid, struct cube_number n, const int c
 	const double high[3] = {cells->high.x, cells->high.y, cells->high.z};
 
 	for (int k = 0; k < 3; k++)
-		out[k] = (float)bounded(origin[k] + grid->edge * (n.at[k] + corner[k]), low[k], high[k], cells->rounding);
+		out[k] =
+		    (float)bounded(origin[k] + grid->edge * (n.at[k] + corner[k]), low[k], high[k], cells->rounding);
 }
 
 static void add_triangle(struct grid *grid, struct cube_number n, int corners[3][3])

@@ -10,8 +10,9 @@
 /*
  * At most `parts` cubes along the blank's longest side, and more than half of that unless cells are larger. A cube
  * is left out if all of it was certainly cut, part by part, in cells of an eighth of its edge. So the mesh encloses the
- * true stock, and no point of it is farther than twice the edge from what cutters leave that are smaller by a quarter of
- * the edge. The mesh, in the stock's mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
+ * true stock. It is larger by a bounded amount: cutters that are smaller by a quarter of the edge leave more than the
+ * true ones do, and no point of the mesh is farther than twice the edge from what they leave. The mesh, in the stock's
+ * mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
  */
 double stock_mesh_build(struct stock_cells *cells, double time, int parts, struct mesh *mesh);
 

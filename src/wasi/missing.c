@@ -1,4 +1,7 @@
-/* missing.c - functions of POSIX that wasi-libc lacks, for a host whose files are a tree without links (src/web/app/wasi.js). */
+/*
+ * missing.c - functions of POSIX that wasi-libc lacks, for a host whose files are a tree without links
+ * (src/web/app/wasi.js).
+ */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

@@ -20,7 +20,8 @@ struct clearance_query {
 
 enum query_answer {
 	QUERY_CLEAR, /* proved: at every instant farther apart than clearance plus path displacement */
-	QUERY_CONTACT, /* *contact is the first instant, its s is the step's; at most clearance + displacement + tolerance apart */
+	/* *contact is the first instant, its s is the step's; at most clearance + displacement + tolerance apart */
+	QUERY_CONTACT,
 	QUERY_UNDECIDED
 };
 

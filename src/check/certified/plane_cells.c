@@ -7,8 +7,8 @@
 #include "base/mem.h"
 
 /*
- * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells without
- * profiles 4 times, one kept plane a fifth longer; 12 kept planes save a twentieth.
+ * Measured on a program whose nozzle slides over a turning table: whole bodies alone take 3 times as long, cells
+ * without profiles 4 times, one kept plane a fifth longer; 12 kept planes save a twentieth.
  */
 enum { CELLS_MOST = 48, PLANES_KEPT = 4 };
 

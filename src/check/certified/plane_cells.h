@@ -1,4 +1,6 @@
-/* plane_cells.h - travelling planes that together keep two bodies apart: each between a part of one and of the other. */
+/*
+ * plane_cells.h - travelling planes that together keep two bodies apart: each between a part of one and of the other.
+ */
 #ifndef FIVECHECK_CHECK_CERTIFIED_PLANE_CELLS_H
 #define FIVECHECK_CHECK_CERTIFIED_PLANE_CELLS_H
 

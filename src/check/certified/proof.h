@@ -1,7 +1,7 @@
 /*
- * proof.h - what is proved of one pair of bodies: every answer of the certified method that two bodies stay apart comes from
- * here. Bodies and stock are proved apart by check/stock_pair.h; pairs that can never meet, before any program is read, by
- * scene/pairs.h. man/fivecheck.7 ("Certificates", "Budgets") derives the bounds.
+ * proof.h - what is proved of one pair of bodies: every answer of the certified method that two bodies stay apart comes
+ * from here. Bodies and stock are proved apart by check/stock_pair.h; pairs that can never meet, before any program is
+ * read, by scene/pairs.h. man/fivecheck.7 ("Certificates", "Budgets") derives the bounds.
  */
 #ifndef FIVECHECK_CHECK_CERTIFIED_PROOF_H
 #define FIVECHECK_CHECK_CERTIFIED_PROOF_H

@@ -29,8 +29,8 @@ double travelling_plane_gap(const struct plane_pose *pose, const struct convex *
 }
 
 /* What a rotary joint does to the part of the body that it carries. */
-static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part, size_t i,
-		       vec3 n, long *visits)
+static void add_rotary(struct travelling_plane *plane, const struct plane_pose *pose, const struct convex *part,
+		       size_t i, vec3 n, long *visits)
 {
 	vec3 axis = pose->state.direction[i], location = pose->state.location[i], at;
 	vec3 lever = vec3_cross(n, axis);
@@ -130,8 +130,8 @@ double travelling_plane_rest(const struct travelling_plane *plane, const struct 
 	for (size_t i = plane->link; i < chain->count; i++)
 		add_joint(&of_b, plane, i, chain->joints[i].rotary, way[i]);
 	/*
-	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums above
-	 * are good to some dozen units in the last place of the numbers in them.
+	 * The first-order part is convex in the joints, so a straight motion loses most at one of its ends. The sums
+	 * above are good to some dozen units in the last place of the numbers in them.
 	 */
 	return plane->gap - (motion->straight ? larger(lost[0], lost[1]) : separate) -
 	       (off + of_a.lost + of_b.lost) * BOUND_SLACK - POSE_ROUNDING * size;

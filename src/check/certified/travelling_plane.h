@@ -11,9 +11,9 @@
 struct position_errors;
 
 /*
- * A unit vector n is fixed in the frame of link k: the first k joints of the chain lie between it and body A, the others
- * between it and body B. Seen from the link, the gap is g(q) = min n.b - max n.a over the points a of A and b of B; the
- * bodies are at least g apart. At the position `at` the gap is measured. Elsewhere only motion along n can make
+ * A unit vector n is fixed in the frame of link k: the first k joints of the chain lie between it and body A, the
+ * others between it and body B. Seen from the link, the gap is g(q) = min n.b - max n.a over the points a of A and b of
+ * B; the bodies are at least g apart. At the position `at` the gap is measured. Elsewhere only motion along n can make
  * it smaller, and with dq = q - at
  *
  *	g(q) >= g(at) + sum over the joints of min(dq low, dq high) - second(|dq|).
@@ -23,8 +23,8 @@ struct position_errors;
  *	F_1(q)...F_m(q) p - F_1(at)...F_m(at) p = sum over j of F_1(q)...F_(j-1)(q) [F_j(q) - F_j(at)] F_(j+1)(at)...F_m(at) p.
  *
  * Along n, term j is n'.[F_j(q) - F_j(at)] z, where n' is n as seen behind the first j-1 joints at q. It differs from
- * the same at `at`, n_j, by at most the sum over the rotary joints i < j of |n_i x a_i| |dq_i|, since a turn by dq about
- * the unit vector a moves a vector v by at most |dq| |v x a|.
+ * the same at `at`, n_j, by at most the sum over the rotary joints i < j of |n_i x a_i| |dq_i|, since a turn by dq
+ * about the unit vector a moves a vector v by at most |dq| |v x a|.
  *   Linear joint along d: n_j.d dq, exactly, and for the difference of n' and n_j at most that sum times |dq|.
  *   Rotary joint about a through o, with w = F_j(at) z - o: n_j.[sin dq a x w - (1 - cos dq) w'], where w' is w without
  *   its part along a. This is dq (n_j x a).w, up to |n_j x a| |w'| (dq^2/2 + |dq|^3/6); with n' - n_j, at most that sum

@@ -78,7 +78,8 @@ bool block_clearance_clears(struct block_clearance *block, const axis_values *lo
 		return true;
 	for (int i = 0; i < SLOT_COUNT; i++)
 		middle.v[i] = 0.5 * low->v[i] + 0.5 * high->v[i];
-	if (!planes_cover(block, &motion, &middle, block->cap + plane_motion_path(&motion, &block->bodies, errors), true))
+	if (!planes_cover(block, &motion, &middle, block->cap + plane_motion_path(&motion, &block->bodies, errors),
+			  true))
 		return false;
 	plane_account_add_saved(&block->account, steps);
 	return true;
@@ -89,14 +90,17 @@ static double distance_seen(const struct block_clearance *block, const axis_valu
 {
 	const struct body_pair *bodies = &block->bodies;
 	xform pose = body_pair_pose(bodies, q);
-	tri a = tri_of(&bodies->a->mesh, block->coherence.near_a), b = tri_of(&bodies->b->mesh, block->coherence.near_b);
+	tri a = tri_of(&bodies->a->mesh, block->coherence.near_a),
+	    b = tri_of(&bodies->b->mesh, block->coherence.near_b);
 	vec3 on_a, on_b;
 
 	b = tri_transform(&b, &pose);
 	return tri_distance(&a, &b, &on_a, &on_b);
 }
 
-/* Do travelling planes prove as much for the step as the block has, or nearly all that there is? They give the bound. */
+/*
+ * Do travelling planes prove as much for the step as the block has, or nearly all that there is? They give the bound.
+ */
 static bool by_planes(struct block_clearance *block, const struct motion_step *step,
 		      const struct position_errors *errors)
 {

@@ -62,10 +62,11 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 {
 	list->count = 0;
 	add(list, plan->family < 0,
-	    (struct prompt){PLAN_FAMILY, -1,
-			      "the family, by what the rotary axes turn: table-table, head-head or head-table; nutating-table or "
-			      "nutating-head if one of them stands oblique",
-			      "table-table", false});
+	    (struct prompt){
+		PLAN_FAMILY, -1,
+		"the family, by what the rotary axes turn: table-table, head-head or head-table; nutating-table or "
+		"nutating-head if one of them stands oblique",
+		"table-table", false});
 	add(list, !plan->rotary.count,
 	    (struct prompt){PLAN_ROTARY, -1,
 			      "the rotary axes, first the one that carries the other (head-table: the head's)", "A,C",

@@ -11,8 +11,8 @@
 #include "geom/vec3.h"
 
 /*
- * What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. A nutating table turns about an axis
- * between two coordinate axes, and carries a second one; a nutating head is carried by another one.
+ * What the two rotary axes turn; the machine of Chen, Lin and Chang is table-table. A nutating table turns about an
+ * axis between two coordinate axes, and carries a second one; a nutating head is carried by another one.
  */
 enum family {
 	FAMILY_TABLE_TABLE,

@@ -151,7 +151,8 @@ static bool check_tilted(const struct machine_plan *plan, struct diag *diag)
 	if (slot != SLOT_C || plan->axes[slot].has_direction)
 		return true;
 	diag_error(diag, nowhere,
-		   "the oblique axis of a %s is its %s rotary axis, which is C here: exchange the axes, or give its --direction",
+		   "the oblique axis of a %s is its %s rotary axis, which is C here: exchange the axes, or give its "
+		   "--direction",
 		   machine_plan_families[plan->family], slot == plan->rotary.slots[0] ? "first" : "second");
 	return false;
 }

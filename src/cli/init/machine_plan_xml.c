@@ -86,7 +86,8 @@ static void add_axis(struct strbuf *out, const struct machine_plan *plan, int sl
 	add_jog(out, plan, slot, depth);
 	if (rotary && slot == machine_plan_tilted(plan) && !axis->has_direction) {
 		indent(out, depth);
-		strbuf_addf(out, "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
+		strbuf_addf(out,
+			    "<!-- TODO The axis is taken to stand at 45 degrees between %c and Z: look it up. -->\n",
 			    AXIS_LETTERS[slot - SLOT_A + SLOT_X]);
 	}
 	indent(out, depth);

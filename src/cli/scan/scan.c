@@ -40,7 +40,8 @@ static bool find_dialect(const struct request *request, const struct operands *p
 {
 	int row = request->dialect;
 
-	if ((row < 0 || dialect_choice_is_auto(row)) && !dialect_choice_find(programs->items, programs->count, diag, &row))
+	if ((row < 0 || dialect_choice_is_auto(row)) &&
+	    !dialect_choice_find(programs->items, programs->count, diag, &row))
 		return false;
 	*dialect = dialect_of_row(row);
 	return true;

@@ -203,7 +203,8 @@ static bool is_angle(const struct block *block, char letter)
 
 	if ((pattern == G70 || pattern == G71) && (letter == 'J' || letter == 'K'))
 		return true;
-	return ((code == G68 || code_tilts(code)) && letter == 'R') || (code_tilts(code) && letter >= 'I' && letter <= 'K');
+	return ((code == G68 || code_tilts(code)) && letter == 'R') ||
+	       (code_tilts(code) && letter >= 'I' && letter <= 'K');
 }
 
 /* K of a canned cycle may be a number of holes, and Q and R of G5.1, R of M19 and Q of G68.2 are no lengths. */
@@ -336,7 +337,8 @@ static bool execute_motion(struct interp *interp)
 	struct state *state = &interp->state;
 	int code = interp->block.motion, given = interp->block.g[G_MOTION];
 
-	if (!tool_vector_check_block(interp) || !spline_move_check_block(interp) || !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
+	if (!tool_vector_check_block(interp) || !spline_move_check_block(interp) ||
+	    !dynamic_work_offset_check_cut(interp) || !length_change_go(interp))
 		return false;
 	if (given >= G0 && given <= G3)
 		state->motion = state->path_motion = given;

@@ -232,8 +232,9 @@ static bool preset(struct interp *interp)
 	if (!(block->letters & AXIS_BITS))
 		return fault(&interp->at, column, "G92.1 without an axis word");
 	if (state->frame.on || state->tcp != TCP_OFF || interp->comp.side != 0 || !same_double(state->length, 0))
-		return fault(&interp->at, column,
-			     "G92.1 in changed coordinates or under compensation (G41, G43) is not supported; G49 first");
+		return fault(
+		    &interp->at, column,
+		    "G92.1 in changed coordinates or under compensation (G41, G43) is not supported; G49 first");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		char letter = AXIS_LETTERS[slot];
 

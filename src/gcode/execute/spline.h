@@ -31,7 +31,7 @@ struct spline_piece {
 	double beside_x, beside_y;
 };
 
-/* LinuxCNC cuts the curve into so many pieces, which are alike in the parameter. */
+/* The number of pieces into which LinuxCNC cuts the curve, at equal steps of its parameter. */
 size_t spline_piece_count(const struct spline *spline);
 
 /*

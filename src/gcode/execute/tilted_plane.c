@@ -208,8 +208,8 @@ bool tilted_plane_take(struct interp *interp, bool *complete, mat3 *turn, vec3 *
 		return false;
 	/* The sense of its angle about Y is told by a figure of the manual alone. */
 	if (form == 4)
-		return refuse(interp,
-			      "G68.2 P4: a plane by projection angles is not supported; P1 or Euler's angles can say it");
+		return refuse(
+		    interp, "G68.2 P4: a plane by projection angles is not supported; P1 or Euler's angles can say it");
 	if (form >= 2 && block->g[G_ROTATION] == G68_4)
 		return refuse(interp, "G68.4 with P2 or P3 is not supported; use Euler's angles or P1");
 	if (form >= 2)

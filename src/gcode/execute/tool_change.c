@@ -28,10 +28,11 @@ static bool choose_own(struct interp *interp, int before)
 	if (answer == M6_LOADS_OWN_T || before < 0 || before == state->tool || before == own)
 		return true;
 	if (!interp->cautioned_t)
-		caution(&interp->at, column,
-			"T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load "
-			"T%d; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
-			own, before, own, before);
+		caution(
+		    &interp->at, column,
+		    "T%d beside M6, while T%d waits: M6 is taken to load T%d, but the builder may have it load "
+		    "T%d; m6_with_t=\"own\" or \"before\" in the machine's <controller> says it; here and further on",
+		    own, before, own, before);
 	interp->cautioned_t = true;
 	return true;
 }

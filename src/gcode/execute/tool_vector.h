@@ -14,7 +14,8 @@
 bool tool_vector_take(struct interp *interp, slot_values *target);
 
 /*
- * I, J, K and Q under G43.5 belong to straight moves of the program. False: the block has another, which was reported.
+ * I, J, K and Q under G43.5 belong to straight moves of the program. False: they stand in a block that is
+ * no straight move, which was reported.
  */
 bool tool_vector_check_block(struct interp *interp);
 

@@ -20,7 +20,7 @@ struct csv_table {
 	char cells[CSV_COLUMNS_MAX][CSV_CELL_MAX + 1];
 };
 
-/* Finds out the separator from the first line. */
+/* Finds the separator in the first line. */
 void csv_table_begin(struct csv_table *table, const char *text, const char *path, struct diag *diag);
 
 /* Reads the next row that is not empty. 0: there is none; -1, reported: it is faulty. */

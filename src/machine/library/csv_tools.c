@@ -232,7 +232,8 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 		tool->tip = TIP_CONE;
 		tool->angle = point;
 	} else if (!is_type(type, "chamfer") && !is_type(type, "flat") && !any) {
-		diag_error(r->diag, r->table.at, "type '%.40s' is none of flat, ball, bull, drill, chamfer and probe", type);
+		diag_error(r->diag, r->table.at, "type '%.40s' is none of flat, ball, bull, drill, chamfer and probe",
+			   type);
 		return false;
 	}
 	if (tool->tip == TIP_CONE && !(tool->angle > 0 && tool->angle < radians(180)))
@@ -249,7 +250,8 @@ static bool add_chamfer(struct reading *r, const struct row *row, struct tool_ou
 	double rise;
 
 	if (!(point > 0 && point < radians(180)) || tip >= tool->diameter)
-		return fault(r, "a chamfer mill needs its point_angle, between 0 and 180 degrees, and a tip_diameter below its diameter");
+		return fault(r, "a chamfer mill needs its point_angle, between 0 and 180 degrees, and a tip_diameter "
+				"below its diameter");
 	rise = (tool->diameter - tip) / 2 / math_tan(point / 2);
 	if (rise > top)
 		return fault(r, "the point of the chamfer mill is higher than its flutes");
@@ -281,8 +283,8 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 		tool_profile_add(&tool->holder, stickout, holder / 2, tool->length, holder / 2);
 	else
 		diag_warning(r->diag, r->table.at,
-			     "tool %ld: nothing is known of its holder; it is taken to be as thick as the %s up to the gauge line, so "
-			     "give stickout and holder_diameter",
+			     "tool %ld: nothing is known of its holder; it is taken to be as thick as the %s up to the "
+			     "gauge line, so give stickout and holder_diameter",
 			     tool->number, flutes < stickout ? "shank" : "cutter");
 	return true;
 }

@@ -17,8 +17,8 @@ bool csv_tools_is(const char *text);
  *   length (gauge line to tip), diameter, corner_radius, point_angle, tip_diameter, flute_length, shank_diameter,
  *   stickout (tip to holder), holder_diameter: the shape of the tool,
  *   length_offset (H) and radius_offset (D): what the control has for the number.
- * A table without length and diameter has offsets alone. Other columns are named in a note. False, reported: the file is
- * faulty.
+ * A table without length and diameter has offsets alone. Other columns are named in a note. False, reported: the file
+ * is faulty.
  */
 bool csv_tools_read(struct tool_library *tools, const char *text, const char *path, double unit, struct diag *diag);
 

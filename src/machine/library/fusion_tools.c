@@ -92,7 +92,8 @@ struct geometry {
 static bool read_geometry(const json_t *geometry, double unit, struct geometry *g)
 {
 	return read_number(geometry, "DC", unit, 0, &g->diameter) && read_number(geometry, "RE", unit, 0, &g->corner) &&
-	       read_number(geometry, "SIG", 1, 0, &g->point_angle) && read_number(geometry, "TA", 1, 0, &g->taper_angle) &&
+	       read_number(geometry, "SIG", 1, 0, &g->point_angle) &&
+	       read_number(geometry, "TA", 1, 0, &g->taper_angle) &&
 	       read_number(geometry, "tip-diameter", unit, 0, &g->tip_diameter) &&
 	       read_number(geometry, "LCF", unit, 0, &g->flutes) &&
 	       read_number(geometry, "shoulder-length", unit, g->flutes, &g->shoulder) &&
@@ -160,7 +161,8 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		break;
 	case SHAPE_TAPER:
 		if (!(g->taper_angle >= 1 && g->taper_angle <= 89) || g->tip_diameter > g->diameter)
-			return "its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than it";
+			return "its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than "
+			       "it";
 		cone = cone_height(g->tip_diameter, g->diameter, g->taper_angle);
 		/* Some engraving tools end within the cone: above their flutes they are a shank. */
 		if (g->flutes > 0 && g->flutes < cone) {
@@ -191,7 +193,8 @@ static bool add_shank(struct tool_outline *tool, const json_t *shaft, const stru
 		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, shoulder, g->shoulder_diameter / 2);
 		tool_profile_add(&tool->shank, shoulder, g->shank_diameter / 2, g->below_holder, g->shank_diameter / 2);
 	} else if (top < g->below_holder) {
-		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, g->below_holder, g->shoulder_diameter / 2);
+		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, g->below_holder,
+				 g->shoulder_diameter / 2);
 	}
 	return true;
 }
@@ -267,10 +270,11 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 	else
 		good = tool_library_add(r->tools, &tool, (struct srcloc){.file = r->path}, r->diag);
 	if (good && !why && known_to < tool.length - TOOL_SECTION_MIN)
-		diag_warning(r->diag, (struct srcloc){.file = r->path},
-			     "tool %ld: nothing is known of its holder between %g and %g mm above the tip; it is taken to be as "
-			     "thick as the cutter there, so add the holder",
-			     number, known_to, tool.length);
+		diag_warning(
+		    r->diag, (struct srcloc){.file = r->path},
+		    "tool %ld: nothing is known of its holder between %g and %g mm above the tip; it is taken to be as "
+		    "thick as the cutter there, so add the holder",
+		    number, known_to, tool.length);
 	tool_outline_release(&tool);
 	return good;
 }
@@ -301,7 +305,8 @@ static bool read_list(struct reading *r, const json_t *root)
 	size_t i;
 
 	if (!json_is_array(list)) {
-		diag_error(r->diag, (struct srcloc){.file = r->path}, "a tool library of Fusion has a list of tools in \"data\"");
+		diag_error(r->diag, (struct srcloc){.file = r->path},
+			   "a tool library of Fusion has a list of tools in \"data\"");
 		return false;
 	}
 	json_array_foreach (list, i, item) {

@@ -55,12 +55,13 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 	}
 	if (!strncmp(text, "PK\003\004", 4)) {
 		diag_error(diag, (struct srcloc){.file = path},
-			   "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can be read");
+			   "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which "
+			   "can be read");
 		return false;
 	}
 	diag_error(diag, (struct srcloc){.file = path},
-		   "this is no tool library: those of Fusion 360 (.json) and VERICUT (.tls), a CSV file with a line of column names, "
-		   "a tool table (T1 P1 Z0 D6) and a listing of offsets (G10 L10 P1 R0.) can be read");
+		   "this is no tool library: those of Fusion 360 (.json) and VERICUT (.tls), a CSV file with a line of "
+		   "column names, a tool table (T1 P1 Z0 D6) and a listing of offsets (G10 L10 P1 R0.) can be read");
 	return false;
 }
 

@@ -80,7 +80,8 @@ static bool length_of(const struct reading *r, const struct line *line, char let
 {
 	if (fabs(given(line, letter)) > 0 && !line->has_point[letter - 'A']) {
 		diag_error(r->diag, r->at,
-			   "%c has no decimal point: what such a number means depends on a parameter of the control", letter);
+			   "%c has no decimal point: what such a number means depends on a parameter of the control",
+			   letter);
 		return false;
 	}
 	*value = given(line, letter);
@@ -173,7 +174,8 @@ static bool take_values(struct reading *r, const struct line *line, struct work_
 		if (!length_of(r, line, letter, &value))
 			return false;
 		if (!offset && fabs(value) > 0)
-			return fault(r, "the common offset of all work offsets (P0) is not 0: a setup has none; add it to each of them");
+			return fault(r, "the common offset of all work offsets (P0) is not 0: a setup has none; add it "
+					"to each of them");
 		if (offset && offset->value[slot].given)
 			return fault(r, "this work offset is given twice");
 		/* Listings have a 0 for every axis that the control knows, whether the machine has it or not. */

@@ -11,10 +11,11 @@
 bool offset_listing_is(const char *text);
 
 /*
- * Adds the work offsets (L2: P1 to P6 are G54 to G59; L20: G54.1 P1 and on) and the values of H (L10 geometry, L11 or L1
- * wear) and D (L12, L13); geometry and wear add up. D counts as the control does (length_offset_description.d_of_control).
- * `unit` is mm per unit of length, until G20 or G21. Numbers need a decimal point: without it the control's least
- * increment decides. The common offset (L2 P0) must be 0. Anything else is an error. False: reported.
+ * Adds the work offsets (L2: P1 to P6 are G54 to G59; L20: G54.1 P1 and on) and the values of H (L10 geometry, L11 or
+ * L1 wear) and D (L12, L13); geometry and wear add up. D counts as the control does
+ * (length_offset_description.d_of_control). `unit` is mm per unit of length, until G20 or G21. Numbers need a decimal
+ * point: without it the control's least increment decides. The common offset (L2 P0) must be 0. Anything else is an
+ * error. False: reported.
  */
 bool offset_listing_read(struct tool_library *tools, const char *text, const char *path, double unit,
 			 struct diag *diag);

@@ -66,9 +66,11 @@ static void check_used(struct setup_description *described, const struct library
 		const struct number_range *range = &tools->wanted[i];
 
 		if (!range->used)
-			description_fault(&described->file, library->at, "numbers",
-					  "%s has no tool %ld%s that can be taken over; 'fivecheck import' says what it has",
-					  library->path, range->first, range->last > range->first ? ", nor those behind it in the range" : "");
+			description_fault(
+			    &described->file, library->at, "numbers",
+			    "%s has no tool %ld%s that can be taken over; 'fivecheck import' says what it has",
+			    library->path, range->first,
+			    range->last > range->first ? ", nor those behind it in the range" : "");
 	}
 }
 
@@ -98,8 +100,8 @@ static void set_values(struct setup_description *described, struct tool_descript
 	tool->length_offset = values->length;
 	if (other > 0 && diameter > 0 && fabs(other - diameter) > TOOL_SUM_TOLERANCE)
 		diag_warning(diag, description_place(file, values->at),
-			     "the table has the diameter %.9g mm for tool %ld, but its cutter has %.9g mm; cutter compensation is "
-			     "computed with the cutter's",
+			     "the table has the diameter %.9g mm for tool %ld, but its cutter has %.9g mm; cutter "
+			     "compensation is computed with the cutter's",
 			     other, tool->number, diameter);
 }
 
@@ -187,7 +189,8 @@ static bool read_library(struct setup_description *described, const struct libra
 	described->arena = tools->setup.arena;
 	tools->setup.arena = (struct arena){0};
 	if (!good)
-		description_fault(&described->file, library->at, "href", "the tools of %s cannot be read", library->path);
+		description_fault(&described->file, library->at, "href", "the tools of %s cannot be read",
+				  library->path);
 	return good;
 }
 

@@ -7,8 +7,8 @@
 
 /*
  * Reads each library of the description and adds what it holds behind what the setup itself has. The values of a tool
- * table become those of the tools with their numbers. Faults are reported through the description's file, at the
- * <tools> that names the library; those inside of it before that, at their own place.
+ * table become those of the tools with their numbers. A fault inside of a library is reported at its own place, and
+ * then at the <tools> that names the library.
  */
 void setup_library_add(struct setup_description *described, struct diag *diag);
 

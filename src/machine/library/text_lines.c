@@ -49,7 +49,8 @@ int letter_word_next(const char **at, const char *end, struct letter_word *word)
 	if (!isalpha((unsigned char)*from))
 		return -1;
 	to = skip(from + 1, end);
-	for (length = 0; to + length < end && length < sizeof(text) - 1 && strchr("+-.0123456789", to[length]); length++)
+	for (length = 0; to + length < end && length < sizeof(text) - 1 && strchr("+-.0123456789", to[length]);
+	     length++)
 		text[length] = to[length];
 	text[length] = '\0';
 	if (!decimal_read(text, length, &word->value) || !isfinite(word->value))

@@ -23,8 +23,8 @@ struct letter_word {
 };
 
 /*
- * Reads the next word at *at, before `end`, and moves *at past it. Blanks and comments in parentheses before it are passed
- * over. The result is -1 for something else, with *at there; 0 where no word is left, a semicolon included.
+ * Reads the next word at *at, before `end`, and moves *at past it. Blanks and comments in parentheses before it are
+ * passed over. The result is -1 for something else, with *at there; 0 where no word is left, a semicolon included.
  */
 int letter_word_next(const char **at, const char *end, struct letter_word *word);
 

@@ -51,7 +51,10 @@ static bool is_known(const struct tool_library *tools, long number)
 	return false;
 }
 
-/* The piece between two heights, if there is room for it. Where the outline has nothing the tool is as thick as its cutter. */
+/*
+ * The piece between two heights, if there is room for it. Where the outline has nothing the tool is as thick as its
+ * cutter.
+ */
 static void add_piece(struct tool_library *tools, struct piece_description *piece, const struct tool_profile *profile,
 		      double low, double high, double gap)
 {
@@ -148,7 +151,8 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
 		return false;
 	}
 	if (!(outline->length >= SAME_HEIGHT && outline->length <= TOOL_SIZE_MAX)) {
-		diag_error(diag, at, "tool %ld has the length %g mm from its gauge line to its tip; it must be between %g and %g",
+		diag_error(diag, at,
+			   "tool %ld has the length %g mm from its gauge line to its tip; it must be between %g and %g",
 			   outline->number, outline->length, SAME_HEIGHT, TOOL_SIZE_MAX);
 		return false;
 	}

@@ -72,7 +72,8 @@ void tool_profile_add_arc(struct tool_profile *profile, double z0, double r0, do
 		double next_r = i + 1 < n ? center_r + radius * math_cos(end) : r1;
 
 		if (bulges) {
-			double corner_z = center_z + outer * math_sin(middle), corner_r = center_r + outer * math_cos(middle);
+			double corner_z = center_z + outer * math_sin(middle),
+			       corner_r = center_r + outer * math_cos(middle);
 
 			tool_profile_add(profile, z, r, corner_z, corner_r);
 			tool_profile_add(profile, corner_z, corner_r, next_z, next_r);

@@ -1,4 +1,7 @@
-/* tool_profile.h - the outline of a solid of revolution, put together from pieces, and cut into the sections of a setup. */
+/*
+ * tool_profile.h - the outline of a solid of revolution, put together from pieces, and cut into the sections of a
+ * setup.
+ */
 #ifndef FIVECHECK_MACHINE_LIBRARY_TOOL_PROFILE_H
 #define FIVECHECK_MACHINE_LIBRARY_TOOL_PROFILE_H
 
@@ -26,8 +29,9 @@ void tool_profile_release(struct tool_profile *profile);
 void tool_profile_add(struct tool_profile *profile, double z0, double r0, double z1, double r1);
 
 /*
- * Adds the surface that an arc sweeps, from one point to another about a center, with frustums that enclose it and leave
- * it by 0.005 mm at most. `left`: the arc turns counter-clockwise, seen with the radius to the right and heights upwards.
+ * Adds the surface that an arc sweeps, from one point to another about a center, with frustums that enclose it and
+ * leave it by 0.005 mm at most. `left`: the arc turns counter-clockwise, seen with the radius to the right and heights
+ * upwards.
  */
 void tool_profile_add_arc(struct tool_profile *profile, double z0, double r0, double z1, double r1, double center_z,
 			  double center_r, bool left);
@@ -35,7 +39,7 @@ void tool_profile_add_arc(struct tool_profile *profile, double z0, double r0, do
 /* Adds all pieces of another outline. */
 void tool_profile_join(struct tool_profile *profile, const struct tool_profile *other);
 
-/* How far up from the height on `outer` is nowhere inside of `inner`: inner is hidden in it, or is not there. */
+/* The height, `from` or above, up to which `inner` does not stick out of `outer`. */
 double tool_profile_hides(const struct tool_profile *outer, const struct tool_profile *inner, double from);
 
 /* The largest height; 0 if it is empty. */

@@ -65,7 +65,8 @@ static bool take(const struct reading *r, const struct letter_word *word, struct
 	if (!strchr("XYABCUVW", word->letter))
 		return fault(r, "a line of a tool table has only T, P, D, I, J, Q and the letters of axes");
 	if (fabs(word->value) > 0) {
-		diag_error(r->diag, r->at, "the tool has an offset in %c: a setup has offsets along the tool (Z) only", word->letter);
+		diag_error(r->diag, r->at, "the tool has an offset in %c: a setup has offsets along the tool (Z) only",
+			   word->letter);
 		return false;
 	}
 	return true;
@@ -85,7 +86,8 @@ static bool read_line(const struct reading *r, const struct text_lines *lines)
 		any = true;
 	}
 	if (found < 0)
-		return fault(r, "a line of a tool table has letters, each with a number, and a comment after a semicolon");
+		return fault(r,
+			     "a line of a tool table has letters, each with a number, and a comment after a semicolon");
 	if (!any)
 		return true;
 	if (!offset.number)

@@ -24,7 +24,9 @@ enum taken { TAKEN, LEFT_OUT, FAULTY };
 
 /* ---------------------------------------------------------------- outlines */
 
-/* <Origin><Z>: how high a piece stands, mm. What is missing is 0; one that stands aside is no outline about the axis. */
+/*
+ * <Origin><Z>: how high a piece stands, mm. What is missing is 0; one that stands aside is no outline about the axis.
+ */
 static enum taken read_origin(struct reading *r, const xmlNode *parent, double *height)
 {
 	const xmlNode *origin = foreign_child(parent, "Origin");
@@ -302,11 +304,13 @@ static void tell_left_out(const struct reading *r)
 	const struct srcloc at = {.file = r->xml.path};
 
 	if (r->unnumbered)
-		diag_warning(r->diag, at, "tools left out because their ID is no number: %zu; --number-tools gives them numbers in "
-					  "the order of the library",
+		diag_warning(r->diag, at,
+			     "tools left out because their ID is no number: %zu; --number-tools gives them numbers in "
+			     "the order of the library",
 			     r->unnumbered);
 	if (r->unknown_shape)
-		diag_warning(r->diag, at, "tools left out because a setup cannot have their shape, such as inserts or models: %zu",
+		diag_warning(r->diag, at,
+			     "tools left out because a setup cannot have their shape, such as inserts or models: %zu",
 			     r->unknown_shape);
 }
 

@@ -1,6 +1,6 @@
 /*
- * foreign_xml.h - reads XML files of other programs. They have more in them than is needed, so unlike in fivecheck's own
- * files, what nobody asks for is passed over; what is asked for and is wrong is an error with its place.
+ * foreign_xml.h - reads XML files of other programs. They have more in them than is needed, so unlike in fivecheck's
+ * own files, what nobody asks for is passed over; what is asked for and is wrong is an error with its place.
  */
 #ifndef FIVECHECK_MACHINE_XML_FOREIGN_XML_H
 #define FIVECHECK_MACHINE_XML_FOREIGN_XML_H

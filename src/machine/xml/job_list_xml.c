@@ -61,7 +61,8 @@ static bool is_plain(const char *name)
 static void check_name(struct xml_reader *xml, const xmlNode *node, const struct job_list *list, const char *name)
 {
 	if (!is_plain(name))
-		xml_error(xml, node, "name", "name=\"%s\" of <job> may have letters, digits, '.', '_' and '-' only, and no '.' first",
+		xml_error(xml, node, "name",
+			  "name=\"%s\" of <job> may have letters, digits, '.', '_' and '-' only, and no '.' first",
 			  xml_quote(name).text);
 	for (size_t i = 0; i + 1 < list->count; i++)
 		if (list->items[i].name && !strcmp(list->items[i].name, name))

@@ -5,8 +5,9 @@
 #include "machine/xml/xml_reader.h"
 
 /* The elements that a setup may hold, itself first; for tables of elements. */
-#define SETUP_XML_ELEMENTS \
-	"setup", "work_offset", "fixture", "part", "stock", "tool", "tools", "edge", "offset", "holder", "shank", "cutter", "section"
+#define SETUP_XML_ELEMENTS                                                                                             \
+	"setup", "work_offset", "fixture", "part", "stock", "tool", "tools", "edge", "offset", "holder", "shank",      \
+	    "cutter", "section"
 
 /* Fills in a description that is all zero; faults are counted by the reader. */
 void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_description *described);

@@ -206,7 +206,8 @@ static bool check_root(struct xml_reader *xml, const char *root, bool own)
 	return true;
 }
 
-static bool open_file(struct xml_reader *xml, const char *path, const char *const *elements, bool own, struct diag *diag)
+static bool open_file(struct xml_reader *xml, const char *path, const char *const *elements, bool own,
+		      struct diag *diag)
 {
 	*xml = (struct xml_reader){.path = path, .diag = diag, .unit = 1, .elements = elements};
 	if (xml_file_parse(xml)) {

@@ -24,9 +24,9 @@ struct glb_scene {
 };
 
 /*
- * Appends the file. Metres and Y up, as glTF wants it. Below the node of the machine there is one for each axis, with its
- * name, below that of the axis which carries it; bodies are below their axis. Vertices are those of the meshes as floats,
- * counted from the axis' location. Between keys axes move evenly.
+ * Appends the file. Metres and Y up, as glTF wants it. Below the node of the machine there is one for each axis, with
+ * its name, below that of the axis which carries it; bodies are below their axis. Vertices are those of the meshes as
+ * floats, counted from the axis' location. Between keys axes move evenly.
  */
 void glb_add(struct strbuf *out, const struct glb_scene *scene);
 

@@ -104,7 +104,8 @@ static int add_triangles(struct glb_buffer *buffer, const struct mesh *mesh, con
 	}
 	if (buffer->binary.length == start)
 		return -1;
-	return glb_accessor(buffer, start, GLB_INDICES, GLB_UNSIGNED_INTS, "SCALAR", (buffer->binary.length - start) / 4, NULL);
+	return glb_accessor(buffer, start, GLB_INDICES, GLB_UNSIGNED_INTS, "SCALAR",
+			    (buffer->binary.length - start) / 4, NULL);
 }
 
 json_t *glb_three(double x, double y, double z)

@@ -8,7 +8,8 @@
 
 struct edge {
 	uint32_t from, to;
-	uint32_t corners;	/* the first corner, and 1, of the triangles that run along this edge from there; 0: none is left */
+	/* the first corner, and 1, of the triangles that run along this edge from there; 0: none is left */
+	uint32_t corners;
 	bool open;	/* a coded triangle runs along it the other way, and none is on this side yet */
 	bool used;	/* this place of the table */
 };

@@ -42,7 +42,7 @@ struct coder {
 	struct bit_model beyond[BEYOND_COUNT][2][2][HISTORY];
 	struct number_model back, back_at_start;
 	struct bit_model again[RUN_MAX + 2];
-	struct bit_model equal[3][3][4][3];	/* by corner, coordinate, which coordinates before were equal, candidate */
+	struct bit_model equal[3][3][4][3]; /* by corner, coordinate, which coordinates before were equal, candidate */
 	struct bit_model known[3][4];
 	struct number_model rank[3], residual[3];
 	int history;
@@ -84,7 +84,8 @@ static void code_value(struct coder *coder, int corner, int k, int equal, uint16
 
 	range_coder_bit(&coder->bits, &coder->known[k][equal], known);
 	if (known) {
-		range_coder_number(&coder->bits, &coder->rank[corner], zigzag((int32_t)rank - (int32_t)rank_of(values, count, guess)));
+		range_coder_number(&coder->bits, &coder->rank[corner],
+				   zigzag((int32_t)rank - (int32_t)rank_of(values, count, guess)));
 		return;
 	}
 	range_coder_number(&coder->bits, &coder->residual[corner], zigzag(value - guess));
@@ -105,13 +106,14 @@ static bool code_again(struct coder *coder, const int32_t step[3])
 	memcpy(it->step, step, sizeof(it->step));
 	coder->hashes[1] = coder->hashes[0];
 	/* Three primes, as in Teschner et al., Optimized spatial hashing, 2003. */
-	coder->hashes[0] = (uint32_t)step[0] * 73856093U ^ (uint32_t)step[1] * 19349663U ^ (uint32_t)step[2] * 83492791U;
+	coder->hashes[0] =
+	    (uint32_t)step[0] * 73856093U ^ (uint32_t)step[1] * 19349663U ^ (uint32_t)step[2] * 83492791U;
 	return again;
 }
 
 /*
- * A new vertex, corner 0, 1 or 2 of its triangle. near[0] is the vertex that it follows; near[1] and near[2], as far as they are there, the
- * other end of the edge and the vertex on the other side of it.
+ * A new vertex, corner 0, 1 or 2 of its triangle. near[0] is the vertex that it follows; near[1] and near[2], as far as
+ * they are there, the other end of the edge and the vertex on the other side of it.
  */
 static void code_vertex(struct coder *coder, int corner, uint32_t point, const uint16_t *const near[3], int near_count)
 {
@@ -136,7 +138,8 @@ static void code_vertex(struct coder *coder, int corner, uint32_t point, const u
 				break;
 		}
 		if (i == near_count)
-			code_value(coder, corner, k, equal, p[k], near_count < 3 ? near[0][k] : near[0][k] + near[1][k] - near[2][k]);
+			code_value(coder, corner, k, equal, p[k],
+				   near_count < 3 ? near[0][k] : near[0][k] + near[1][k] - near[2][k]);
 		equal = (2 * equal + (i < near_count)) & 3;
 	}
 }
@@ -190,7 +193,8 @@ static void code_beyond(struct coder *coder, enum beyond beyond, bool before, bo
 	for (size_t i = 0; i < sizeof(order) / sizeof(*order); i++) {
 		if ((order[i] == BEYOND_BEFORE && !before) || (order[i] == BEYOND_AFTER && !after))
 			continue;
-		range_coder_bit(&coder->bits, &coder->beyond[order[i]][before][after][coder->history], order[i] == beyond);
+		range_coder_bit(&coder->bits, &coder->beyond[order[i]][before][after][coder->history],
+				order[i] == beyond);
 		if (order[i] == beyond)
 			break;
 	}
@@ -277,7 +281,8 @@ static uint32_t *nobody_for(size_t count)
 	return array;
 }
 
-size_t mesh_coder_add(struct strbuf *out, const uint16_t (*points)[3], size_t point_count, const uint32_t *corners, size_t triangles)
+size_t mesh_coder_add(struct strbuf *out, const uint16_t (*points)[3], size_t point_count, const uint32_t *corners,
+		      size_t triangles)
 {
 	struct coder *coder = mem_zalloc(1, sizeof(*coder));
 	size_t seen;

@@ -108,8 +108,9 @@ static uint64_t key_of(const uint16_t point[3])
 }
 
 /*
- * Sorts the triangles by the places of their corners. Then equal parts of a body, as its screws are, begin with the same triangle,
- * are walked in the same order, and have the same steps from vertex to vertex, which cost next to nothing.
+ * Sorts the triangles by the places of their corners. Then equal parts of a body, as its screws are, begin with the
+ * same triangle, are walked in the same order, and have the same steps from vertex to vertex, which cost next to
+ * nothing.
  */
 static void sort_triangles(struct grid *grid)
 {

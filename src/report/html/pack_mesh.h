@@ -1,4 +1,6 @@
-/* pack_mesh.h - a mesh as report_data.h, "MESHES", describes: its vertices moved to a grid, then coded (mesh_coder.h). */
+/*
+ * pack_mesh.h - a mesh as report_data.h, "MESHES", describes: its vertices moved to a grid, then coded (mesh_coder.h).
+ */
 #ifndef FIVECHECK_REPORT_HTML_PACK_MESH_H
 #define FIVECHECK_REPORT_HTML_PACK_MESH_H
 

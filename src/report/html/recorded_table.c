@@ -80,7 +80,8 @@ static void close_chunk(struct recorded_table *table)
 
 	pack_table_add(&packed, table->open, table->open_rows, n);
 	if (!table->error && write_chunk(table, &packed)) {
-		table->chunks = mem_grow(table->chunks, &table->chunk_capacity, table->chunk_count + 1, sizeof(*table->chunks));
+		table->chunks =
+		    mem_grow(table->chunks, &table->chunk_capacity, table->chunk_count + 1, sizeof(*table->chunks));
 		table->chunks[table->chunk_count++] = (struct recorded_chunk){
 			.first = table->rows - (long)table->open_rows,
 			.rows = table->open_rows,

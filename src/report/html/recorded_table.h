@@ -51,7 +51,9 @@ void recorded_table_release(struct recorded_table *table);
 
 void recorded_table_add(struct recorded_table *table, const int64_t *row);
 
-/* Completes the last chunk. Nothing may be added afterwards. False: the temporary file failed; table->error says why. */
+/*
+ * Completes the last chunk. Nothing may be added afterwards. False: the temporary file failed; table->error says why.
+ */
 bool recorded_table_close(struct recorded_table *table);
 
 /* Appends a complete chunk, packed. False: it could not be read; table->error says why. */

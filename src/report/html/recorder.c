@@ -52,12 +52,14 @@ static size_t file_index(struct recorder *recorder, const char *name)
 		recorder->files[i].interned = name;
 		return i;
 	}
-	recorder->files = mem_grow(recorder->files, &recorder->file_capacity, recorder->file_count + 1, sizeof(*recorder->files));
+	recorder->files =
+	    mem_grow(recorder->files, &recorder->file_capacity, recorder->file_count + 1, sizeof(*recorder->files));
 	recorder->files[recorder->file_count++] = (struct recorded_file){name, mem_strndup(name, strlen(name))};
 	return recorder->file_count - 1;
 }
 
-static void add_row(struct recorder *recorder, const struct motion_step *step, double time, const axis_values *at, int class)
+static void add_row(struct recorder *recorder, const struct motion_step *step, double time, const axis_values *at,
+		    int class)
 {
 	const struct machine *machine = recorder->scene->machine;
 	int64_t row[RECORDED_COLUMNS_MAX] = {
@@ -74,7 +76,8 @@ static void add_row(struct recorder *recorder, const struct motion_step *step, d
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const struct axis *axis = &machine->axes[i];
 
-		row[PATH_AXES + i] = whole(format_units_value(axis->slot, at->v[axis->slot]), recorder_axis_scale(axis));
+		row[PATH_AXES + i] =
+		    whole(format_units_value(axis->slot, at->v[axis->slot]), recorder_axis_scale(axis));
 	}
 	recorded_table_add(&recorder->path, row);
 }
@@ -113,7 +116,8 @@ static void on_modes(struct recorder *recorder, const struct motion_modes *told)
 	recorder->mode = -1;
 	if (recorder->mode_count == MODES_MAX)
 		return;
-	recorder->modes = mem_grow(recorder->modes, &recorder->mode_capacity, recorder->mode_count + 1, sizeof(*recorder->modes));
+	recorder->modes =
+	    mem_grow(recorder->modes, &recorder->mode_capacity, recorder->mode_count + 1, sizeof(*recorder->modes));
 	recorder->modes[recorder->mode_count] = modes;
 	recorder->mode = (int64_t)recorder->mode_count++;
 }
@@ -161,7 +165,9 @@ static int body_of_name(const struct scene *scene, const char *name)
 	return -1;
 }
 
-/* The pair whose bodies have these names, as the finding has them. Of a cutter and the part it is any of their pairs. */
+/*
+ * The pair whose bodies have these names, as the finding has them. Of a cutter and the part it is any of their pairs.
+ */
 static const struct scene_pair *pair_of(const struct scene *scene, int a, int b)
 {
 	for (size_t i = 0; i < scene->pair_count; i++) {
@@ -327,7 +333,8 @@ static void wish_for_plane(struct recorder *recorder, const struct block_end *en
 {
 	if (recorder->wish_count - recorder->wishes_forced >= PLANES_MAX)
 		thin_wishes(recorder);
-	recorder->wishes = mem_grow(recorder->wishes, &recorder->wish_capacity, recorder->wish_count + 1, sizeof(*recorder->wishes));
+	recorder->wishes =
+	    mem_grow(recorder->wishes, &recorder->wish_capacity, recorder->wish_count + 1, sizeof(*recorder->wishes));
 	recorder->wishes[recorder->wish_count++] = (struct plane_wish){*end, pair, forced};
 	recorder->wishes_forced += forced;
 }

@@ -1,6 +1,6 @@
 /*
- * recorder.h - what a report needs of one program while it is checked: the path of the axes, findings, clearances. Memory
- * does not grow with the program.
+ * recorder.h - what a report needs of one program while it is checked: the path of the axes, findings, clearances.
+ * Memory does not grow with the program.
  */
 #ifndef FIVECHECK_REPORT_HTML_RECORDER_H
 #define FIVECHECK_REPORT_HTML_RECORDER_H
@@ -18,7 +18,14 @@
 /* Columns of the path before the axes. */
 enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_MODES, PATH_FEED, PATH_AXES };
 enum { CLEARANCE_TIME, CLEARANCE_LEAST, CLEARANCE_MOST, CLEARANCE_PAIR, CLEARANCE_COLUMNS };
-enum { PLANE_TIME, PLANE_PAIR, PLANE_POINT, PLANE_NORMAL = PLANE_POINT + 3, PLANE_DISTANCE = PLANE_NORMAL + 3, PLANE_COLUMNS };
+enum {
+	PLANE_TIME,
+	PLANE_PAIR,
+	PLANE_POINT,
+	PLANE_NORMAL = PLANE_POINT + 3,
+	PLANE_DISTANCE = PLANE_NORMAL + 3,
+	PLANE_COLUMNS
+};
 
 /* What a one in the columns means. */
 #define RECORD_TIME 1e-5	/* s */
@@ -137,8 +144,9 @@ struct recorded_window {
 };
 
 /*
- * The path of the last WINDOW_SECONDS before the first finding, or as much of that as there are WINDOW_ROWS rows for; its last row is the finding.
- * Without a finding the coarse level of the whole path. Empty if nothing moves. The recorder is closed.
+ * The path of the last WINDOW_SECONDS before the first finding, or as much of that as there are WINDOW_ROWS rows for;
+ * its last row is the finding. Without a finding the coarse level of the whole path. Empty if nothing moves. The
+ * recorder is closed.
  */
 #define WINDOW_SECONDS 20.0
 enum { WINDOW_ROWS = 8192 };

@@ -63,7 +63,8 @@ json_t *report_code_json(struct page *page, const struct html_contents *report, 
 		long lines = -1;
 
 		if (!report->no_code)
-			budget -= code_windows_write(page, name, marks.lines, marks.count, budget, windows, &lines, &complete);
+			budget -= code_windows_write(page, name, marks.lines, marks.count, budget, windows, &lines,
+						     &complete);
 		all = all && complete;
 		json_put(file, "name", json_text(name));
 		json_put(file, "sha256", digest ? json_string(digest) : json_null());

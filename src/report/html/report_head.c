@@ -23,7 +23,8 @@ static json_t *verdict_json(const struct html_contents *report)
 	json_put(object, "word", json_string(word));
 	json_put(object, "sentence", json_text(strbuf_text(&text)));
 	json_put(object, "cautions", ndjson_cautions(verdict));
-	json_put(object, "failing", json_boolean(!strcmp(word, "found") || !strcmp(word, "incomplete") || program->failing_warning));
+	json_put(object, "failing",
+		 json_boolean(!strcmp(word, "found") || !strcmp(word, "incomplete") || program->failing_warning));
 	json_put(object, "waived", json_integer(verdict ? verdict->waived : 0));
 	json_put(object, "left_out", json_integer(verdict ? verdict->left_out : 0));
 	strbuf_release(&text);
@@ -116,6 +117,7 @@ json_t *report_head_json(const struct html_contents *report)
 	json_put(object, "findings", findings_json(report->recorder));
 	json_put(object, "findings_left_out", json_integer(report->recorder->findings_left_out));
 	json_put(object, "statistics", plain_html_statistics(report));
-	json_put(object, "sensitivity", sensitivity_report_json(report->program->sensitivity, report->program->sensitivity_count));
+	json_put(object, "sensitivity",
+		 sensitivity_report_json(report->program->sensitivity, report->program->sensitivity_count));
 	return object;
 }

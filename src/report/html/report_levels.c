@@ -55,7 +55,8 @@ static size_t chunk_at(const struct recorded_table *table, int64_t time)
 }
 
 /* Packs chunks, those of findings first, until one does not fit. packed[i] has no text where chunk i was left out. */
-static bool choose_chunks(struct recorded_table *table, const struct recorder *recorder, size_t budget, struct strbuf *packed)
+static bool choose_chunks(struct recorded_table *table, const struct recorder *recorder, size_t budget,
+			  struct strbuf *packed)
 {
 	size_t *order = mem_alloc((table->chunk_count + 1) * sizeof(*order));
 	size_t *marks = mem_alloc((recorder->finding_count + 1) * sizeof(*marks));
@@ -94,8 +95,8 @@ static json_t *chunk_json(struct page *page, const struct recorded_chunk *chunk,
 }
 
 /* Writes the chunks that fit and adds what describes them. False: the temporary file failed. */
-static bool write_chunks(struct page *page, struct recorded_table *table, const struct recorder *recorder, size_t budget,
-			 json_t *object)
+static bool write_chunks(struct page *page, struct recorded_table *table, const struct recorder *recorder,
+			 size_t budget, json_t *object)
 {
 	struct strbuf *packed = mem_zalloc(table->chunk_count + 1, sizeof(*packed));
 	json_t *chunks = json_array();
@@ -134,7 +135,8 @@ static double checked_until(const struct html_contents *report)
 {
 	const struct recorder *recorder = report->recorder;
 	const struct verdict *verdict = report->program->verdict;
-	const bool all = verdict && (verdict->result == CHECK_CLEAR || (verdict->result == CHECK_FOUND && verdict->options->all));
+	const bool all =
+	    verdict && (verdict->result == CHECK_CLEAR || (verdict->result == CHECK_FOUND && verdict->options->all));
 
 	return all ? recorder->now : recorder->checked;
 }
@@ -208,7 +210,8 @@ static json_t *planes_json(struct page *page, const struct recorder *recorder)
 			    i == PLANE_TIME ? RECORD_TIME : i == PLANE_PAIR ? 1 : i < PLANE_NORMAL ? RECORD_LENGTH
 			    : i < PLANE_DISTANCE ? RECORD_NORMAL : RECORD_CLEARANCE);
 	json_put(object, "rows", json_integer((json_int_t)recorder->plane_count));
-	json_put(object, "blob", json_integer(write_table(page, recorder->planes[0], recorder->plane_count, PLANE_COLUMNS)));
+	json_put(object, "blob",
+		 json_integer(write_table(page, recorder->planes[0], recorder->plane_count, PLANE_COLUMNS)));
 	return object;
 }
 
@@ -240,7 +243,9 @@ static void write_long_coarse(struct page *page, const struct recorder *recorder
 static void write_short_coarse(struct page *page, const struct recorded_table *table, bool start, json_t *object)
 {
 	if (is_short(table))
-		json_put(object, "coarse", json_is_true(json_object_get(object, "complete")) ? json_null() : write_coarse(page, table, start));
+		json_put(object, "coarse",
+			 json_is_true(json_object_get(object, "complete")) ? json_null()
+									   : write_coarse(page, table, start));
 }
 
 bool report_levels_write(struct page *page, const struct html_contents *report, json_t *head, size_t reserved)
@@ -259,7 +264,9 @@ bool report_levels_write(struct page *page, const struct html_contents *report, 
 		write_short_coarse(page, &recorder->path, true, path);
 	}
 	if (clearance) {
-		good = write_chunks(page, &recorder->clearance, recorder, (size_t)(CLEARANCE_SHARE * (double)rest), clearance) && good;
+		good = write_chunks(page, &recorder->clearance, recorder, (size_t)(CLEARANCE_SHARE * (double)rest),
+				    clearance) &&
+		       good;
 		write_short_coarse(page, &recorder->clearance, false, clearance);
 	}
 	json_put(head, "path", path ? path : json_null());

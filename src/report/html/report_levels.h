@@ -1,4 +1,7 @@
-/* report_levels.h - what of a report grows with the program: path, clearances, planes and the program's text, within its size. */
+/*
+ * report_levels.h - what of a report grows with the program: path, clearances, planes and the program's text, within
+ * its size.
+ */
 #ifndef FIVECHECK_REPORT_HTML_REPORT_LEVELS_H
 #define FIVECHECK_REPORT_HTML_REPORT_LEVELS_H
 
@@ -10,8 +13,8 @@
 #include "report/html/page.h"
 
 /*
- * Writes all levels to the page and adds what describes them to the head. `reserved`: bytes that other parts will need. False: a
- * temporary file failed, and the recorder's tables say why.
+ * Writes all levels to the page and adds what describes them to the head. `reserved`: bytes that other parts will need.
+ * False: a temporary file failed, and the recorder's tables say why.
  */
 bool report_levels_write(struct page *page, const struct html_contents *report, json_t *head, size_t reserved);
 

@@ -1,4 +1,7 @@
-/* scene_pack.h - machine, setup and bodies as a report has them: made once, used by the reports of all programs of a run. */
+/*
+ * scene_pack.h - machine, setup and bodies as a report has them: made once, used by the reports of all programs of a
+ * run.
+ */
 #ifndef FIVECHECK_REPORT_HTML_SCENE_PACK_H
 #define FIVECHECK_REPORT_HTML_SCENE_PACK_H
 
@@ -18,8 +21,8 @@ struct scene_pack {
 };
 
 /*
- * Reads the meshes that are still missing. Where the meshes need more than `most` bytes, those of the largest bodies are left
- * out. False: a mesh is faulty, reported.
+ * Reads the meshes that are still missing. Where the meshes need more than `most` bytes, those of the largest bodies
+ * are left out. False: a mesh is faulty, reported.
  */
 bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, struct diag *diag);
 void scene_pack_release(struct scene_pack *pack);

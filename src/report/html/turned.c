@@ -8,7 +8,9 @@
 #include "base/same_double.h"
 #include "base/units.h"
 
-/* An edge of the outline: in the half plane y = 0, x >= 0, of a triangle whose third corner is in front of that plane. */
+/*
+ * An edge of the outline: in the half plane y = 0, x >= 0, of a triangle whose third corner is in front of that plane.
+ */
 struct outline_edge {
 	struct turned_corner from, to;
 };
@@ -34,7 +36,8 @@ static struct outline edges_of(const struct mesh *mesh)
 		if (!is_on_outline(a) || !is_on_outline(b) || !(c[1] > 0))
 			continue;
 		outline.edges = mem_grow(outline.edges, &outline.capacity, outline.count + 1, sizeof(*outline.edges));
-		outline.edges[outline.count++] = (struct outline_edge){{(double)a[0], (double)a[2]}, {(double)b[0], (double)b[2]}};
+		outline.edges[outline.count++] =
+		    (struct outline_edge){{(double)a[0], (double)a[2]}, {(double)b[0], (double)b[2]}};
 	}
 	return outline;
 }
@@ -68,13 +71,17 @@ static const struct outline_edge *first_edge(const struct outline *outline)
 	return first;
 }
 
-/* Follows the outline from the axis to the axis. Corners nearer than a tenth of TURNED_ERROR to the one before are left out. */
+/*
+ * Follows the outline from the axis to the axis. Corners nearer than a tenth of TURNED_ERROR to the one before are
+ * left out.
+ */
 static bool follow(struct turned *turned, const struct outline *outline)
 {
 	const struct outline_edge *edge = first_edge(outline);
 
 	for (size_t i = 0; edge && i < outline->count; i++) {
-		const struct turned_corner at = edge->to, *last = turned->count ? &turned->corners[turned->count - 1] : NULL;
+		const struct turned_corner at = edge->to,
+					   *last = turned->count ? &turned->corners[turned->count - 1] : NULL;
 
 		if (!(at.r > 0))
 			return turned->count > 1;

@@ -12,8 +12,8 @@ struct turned_corner {
 };
 
 /*
- * Regular polygons of `facets` vertices about the Z axis, one for each corner of the outline and its first vertex at y = 0; bands between
- * neighbours, and a cap at either end.
+ * Regular polygons of `facets` vertices about the Z axis, one for each corner of the outline and its first vertex at y
+ * = 0; bands between neighbours, and a cap at either end.
  */
 struct turned {
 	size_t facets;
@@ -22,8 +22,8 @@ struct turned {
 };
 
 /*
- * Finds the outline of a mesh. No vertex of the mesh is farther than TURNED_ERROR from one of the polygons' vertices or centres. False:
- * the mesh is not such a body.
+ * Finds the outline of a mesh. No vertex of the mesh is farther than TURNED_ERROR from one of the polygons' vertices or
+ * centres. False: the mesh is not such a body.
  */
 #define TURNED_ERROR 0.005
 #define TURNED_UNIT 0.001	/* mm: how exactly a report tells the outline */

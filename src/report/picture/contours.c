@@ -38,7 +38,8 @@ static bool ahead(const struct tracer *tracer, struct corner at, int direction, 
 	static const int left_x[4] = {0, 0, -1, -1}, left_y[4] = {-1, 0, 0, -1};
 	static const int right_x[4] = {0, -1, -1, 0}, right_y[4] = {0, 0, -1, -1};
 
-	return is_inside(tracer, at.x + (left ? left_x : right_x)[direction], at.y + (left ? left_y : right_y)[direction]);
+	return is_inside(tracer, at.x + (left ? left_x : right_x)[direction],
+			 at.y + (left ? left_y : right_y)[direction]);
 }
 
 static void push(struct tracer *tracer, struct corner at)
@@ -47,7 +48,9 @@ static void push(struct tracer *tracer, struct corner at)
 	tracer->corners[tracer->count++] = at;
 }
 
-/* Follows an outline with the inside to the right, from the upper side of a pixel. The result: twice its area, signed. */
+/*
+ * Follows an outline with the inside to the right, from the upper side of a pixel. The result: twice its area, signed.
+ */
 static long trace(struct tracer *tracer, int x, int y)
 {
 	const struct corner start = {x, y};

@@ -6,8 +6,9 @@
 #include "report/picture/raster.h"
 
 /*
- * Appends the outlines of all areas of the paint (SVG 1.1, 8.3, for fill-rule evenodd), in pixels, each within `tolerance`
- * pixels of the true one; those of less than `least` pixels are left out. Nothing is appended if there is none.
+ * Appends the outlines of all areas of the paint (SVG 1.1, 8.3, for fill-rule evenodd), in pixels, each within
+ * `tolerance` pixels of the true one; those of less than `least` pixels are left out. Nothing is appended if there is
+ * none.
  */
 void contours_add(struct strbuf *out, const struct raster *raster, uint8_t paint, double tolerance, int least);
 

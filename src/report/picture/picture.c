@@ -26,8 +26,8 @@ static void add_areas(struct strbuf *out, const struct raster *raster, bool fine
 			const uint32_t colour = paint_colour((uint8_t)paint);
 
 			/* The stroke closes the gaps that outlines of neighbours leave. */
-			strbuf_addf(out, "<path fill=\"#%06x\" stroke=\"#%06x\" d=\"%s\"/>\n", (unsigned)colour, (unsigned)colour,
-				    outlines.text);
+			strbuf_addf(out, "<path fill=\"#%06x\" stroke=\"#%06x\" d=\"%s\"/>\n", (unsigned)colour,
+				    (unsigned)colour, outlines.text);
 		}
 		strbuf_release(&outlines);
 	}
@@ -37,8 +37,9 @@ static void add_ring(struct strbuf *out, const struct camera *camera, vec3 point
 {
 	const vec3 at = camera_project(camera, &(struct raster){.width = WIDTH, .height = HEIGHT}, point);
 
-	strbuf_addf(out, "<g fill=\"none\"><circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#fff\" stroke-width=\"9\"/>"
-			 "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#7a00c8\" stroke-width=\"4\"/></g>\n",
+	strbuf_addf(out,
+		    "<g fill=\"none\"><circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#fff\" stroke-width=\"9\"/>"
+		    "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#7a00c8\" stroke-width=\"4\"/></g>\n",
 		    at.x, at.y, RING, at.x, at.y, RING);
 }
 
@@ -62,11 +63,15 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 
 	raster_init(&raster, (int)lround(WIDTH / pixel), (int)lround(HEIGHT / pixel));
 	stage_draw(stage, &camera, &raster);
-	strbuf_addf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\">\n<title>",
+	strbuf_addf(out,
+		    "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
+		    "role=\"img\">\n<title>",
 		    WIDTH, HEIGHT, WIDTH, HEIGHT);
 	html_text_add(out, title);
-	strbuf_addf(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06x\"/>\n<g fill-rule=\"evenodd\" "
-			 "stroke-width=\"%g\" stroke-linejoin=\"round\"", WIDTH, HEIGHT, (unsigned)paint_colour(0), 1 / pixel);
+	strbuf_addf(out,
+		    "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06x\"/>\n<g fill-rule=\"evenodd\" "
+		    "stroke-width=\"%g\" stroke-linejoin=\"round\"",
+		    WIDTH, HEIGHT, (unsigned)paint_colour(0), 1 / pixel);
 	if (!fine)
 		strbuf_addf(out, " transform=\"scale(%.6g)\"", pixel);
 	strbuf_addf(out, ">\n");
@@ -127,7 +132,8 @@ static void shrink(unsigned char *pixels, const struct raster *raster)
 			uint32_t sums[3] = {0};
 
 			for (int i = 0; i < SUPERSAMPLES * SUPERSAMPLES; i++) {
-				const int row = SUPERSAMPLES * y + i / SUPERSAMPLES, column = SUPERSAMPLES * x + i % SUPERSAMPLES;
+				const int row = SUPERSAMPLES * y + i / SUPERSAMPLES,
+					  column = SUPERSAMPLES * x + i % SUPERSAMPLES;
 				const uint32_t colour = paint_colour(raster->paints[row * raster->width + column]);
 
 				for (int k = 0; k < 3; k++)

@@ -8,7 +8,8 @@
 
 static void add_u32(struct strbuf *out, uint32_t value)
 {
-	const char bytes[4] = {(char)(value >> 24), (char)(value >> 16 & 255), (char)(value >> 8 & 255), (char)(value & 255)};
+	const char bytes[4] = {(char)(value >> 24), (char)(value >> 16 & 255), (char)(value >> 8 & 255),
+			       (char)(value & 255)};
 
 	strbuf_add(out, bytes, sizeof(bytes));
 }

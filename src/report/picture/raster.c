@@ -93,7 +93,9 @@ static void narrow(const struct share *share, int *from, int *to)
 		*to = zero + 2 > *from ? (int)(zero + 2) : *from;
 }
 
-/* How the share of the corner opposite the side from p to q changes; `at` is that in the first pixel of the first row. */
+/*
+ * How the share of the corner opposite the side from p to q changes; `at` is that in the first pixel of the first row.
+ */
 static struct share share_of(vec3 p, vec3 q, double inverse_area, int x, int y, double *down)
 {
 	const double step = (p.y - q.y) * inverse_area;

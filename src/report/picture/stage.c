@@ -295,8 +295,9 @@ struct draft_triangle {
 };
 
 /*
- * What is there, as coarse as a draft can show it: corners stand on a grid of a draft's pixels, and triangles that shrink to a
- * line or a point, as most of a fine mesh do, are left out. Neighbours share their corners, so that no gaps open.
+ * What is there, as coarse as a draft can show it: corners stand on a grid of a draft's pixels, and triangles that
+ * shrink to a line or a point, as most of a fine mesh do, are left out. Neighbours share their corners, so that no gaps
+ * open.
  */
 struct draft {
 	struct draft_triangle *triangles;	/* owned */

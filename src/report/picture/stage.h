@@ -38,8 +38,21 @@ void stage_draw(const struct stage *stage, const struct camera *camera, struct r
 vec3 camera_project(const struct camera *camera, const struct raster *raster, vec3 p);
 
 /* Paints: a class and how bright it is, 0 to PAINT_LEVELS - 1. */
-enum paint_class { PAINT_NONE, PAINT_BASE, PAINT_MOVING, PAINT_FIXTURE, PAINT_PART, PAINT_TOOL, PAINT_A, PAINT_B, PAINT_CONTACT_A,
-		   PAINT_CONTACT_B, PAINT_NEAR_A, PAINT_NEAR_B, PAINT_CLASSES };
+enum paint_class {
+	PAINT_NONE,
+	PAINT_BASE,
+	PAINT_MOVING,
+	PAINT_FIXTURE,
+	PAINT_PART,
+	PAINT_TOOL,
+	PAINT_A,
+	PAINT_B,
+	PAINT_CONTACT_A,
+	PAINT_CONTACT_B,
+	PAINT_NEAR_A,
+	PAINT_NEAR_B,
+	PAINT_CLASSES
+};
 enum { PAINT_LEVELS = 8 };
 
 /* The class of bodies a and b. */

@@ -67,7 +67,8 @@ static void add_pairs(struct strbuf *out, const struct scene *scene)
 static void add_work(struct strbuf *out, const struct check_stats *stats, enum check_method method)
 {
 	strbuf_addf(out, "  budgets       %ld steps of pairs passed on a proven distance\n", stats->budgets);
-	strbuf_addf(out, "  planes        %ld steps of pairs passed by planes that travel with a link\n", stats->planes);
+	strbuf_addf(out, "  planes        %ld steps of pairs passed by planes that travel with a link\n",
+		    stats->planes);
 	strbuf_addf(out, "  queries       %ld\n", stats->queries);
 	strbuf_addf(out, "  certificates  %ld\n", stats->certificates);
 	strbuf_addf(out, "  bisections    %ld\n", stats->bisections);

@@ -17,7 +17,8 @@ typedef char pthread_attr_t;
 #define PTHREAD_MUTEX_INITIALIZER 0
 #define PTHREAD_COND_INITIALIZER 0
 
-static inline int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *), void *context)
+static inline int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
+				 void *context)
 {
 	(void)thread;
 	(void)attributes;

@@ -158,7 +158,9 @@ const struct dialect dialect_fanuc = {
 		/* Machine coordinate system (G53). */
 		.g53_rate = G53_RATE_RAPID,
 		.g53_under_tcp = G53_UNDER_TCP_AXES,
-		/* B-64484EN, "Machine Coordinate System (G53)": it is ignored in G91. Not every such control does so. */
+		/*
+		 * B-64484EN, "Machine Coordinate System (G53)": it is ignored in G91. Not every such control does so.
+		 */
 		.g53_asks_g91 = ANSWER_YES,
 		.g53_alone = ANSWER_YES,
 		/* An alarm. */

@@ -32,8 +32,8 @@ bool klartext_flow_select(struct lexer *lexer);
 bool klartext_flow_call_program(struct interp *interp, const char *name, int column);
 
 /*
- * Hands the lines behind LBL <name> up to LBL 0 to `line`, each with its place, until one says false. The program goes
- * on where it is. False: reported, or one said so.
+ * Calls `line` for each line from LBL <name> to LBL 0, with its place, until a call returns false. The program goes on
+ * where it is. False: reported, or a call returned false.
  */
 typedef bool (*klartext_flow_line)(void *context, struct lexer *lexer);
 bool klartext_flow_read_label(struct interp *interp, const char *name, int column, klartext_flow_line line,

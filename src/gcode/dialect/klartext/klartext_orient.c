@@ -54,7 +54,8 @@ static bool choose(struct interp *interp, int column, const struct kinematics_so
 
 /*
  * "Three-dimensional tool compensation": TX, TY and TZ are the direction from the tip to the spindle, in coordinates of
- * the workpiece. "FUNCTION TCPM", AXIS SPAT: A, B and C turn it as PLANE SPATIAL does, and the first block has all three.
+ * the workpiece. "FUNCTION TCPM", AXIS SPAT: A, B and C turn it as PLANE SPATIAL does, and the first block has all
+ * three.
  */
 static bool find_direction(struct interp *interp, const struct klartext_words *words, vec3 *direction)
 {

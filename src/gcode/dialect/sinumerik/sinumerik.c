@@ -114,7 +114,9 @@ static bool take_percent(struct interp *interp)
 
 	if (!interp->begun || sinumerik_of(interp)->entering)
 		return true;
-	/* Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file. */
+	/*
+	 * Alone, it ends the tape, and with a name another program begins; this one ends as with the end of the file.
+	 */
 	if (rest[strspn(rest, " \t")] != '\0' || !sinumerik_call_is_inside(interp)) {
 		interp->ended = true;
 		return sinumerik_call_end_of_file(interp);

@@ -123,7 +123,8 @@ static bool drill(struct drilling *d)
 
 static bool counterbore(struct drilling *d)
 {
-	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) && rapid(d, d->height.clear);
+	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) &&
+	       rapid(d, d->height.clear);
 }
 
 /* How deep the next peck goes: DAM takes something off each time, or is a factor if it is negative. */
@@ -144,7 +145,9 @@ static double next_peck(const struct drilling *d, double peck)
 static bool deep(struct drilling *d)
 {
 	const bool removes = argument(d, 11, 0) > 0;
-	const double first = given(d, 6) ? d->height.reference - length(d, 6) : given(d, 5) ? length(d, 5) : d->height.bottom;
+	const double first = given(d, 6)   ? d->height.reference - length(d, 6)
+			     : given(d, 5) ? length(d, 5)
+					   : d->height.bottom;
 	const double whole = d->height.reference - d->height.bottom;
 	const double above = whole <= PECK_SHALLOW ? PECK_LEAST : fmin(whole / PECK_SHARE, PECK_MOST);
 	const double lift = length(d, 14) > 0 ? length(d, 14) : 1;
@@ -157,8 +160,9 @@ static bool deep(struct drilling *d)
 			return fault(&d->interp->at, d->column, "the pecks of CYCLE83 never reach its depth");
 		if (!feed(d, depth) || !dwell(d, 8))
 			return false;
-		if (removes ? !rapid(d, d->height.safe) || !dwell(d, 9) || !rapid(d, fmin(depth + above, d->height.safe))
-			    : !rapid(d, fmin(depth + lift, d->height.safe)))
+		if (removes
+			? !rapid(d, d->height.safe) || !dwell(d, 9) || !rapid(d, fmin(depth + above, d->height.safe))
+			: !rapid(d, fmin(depth + lift, d->height.safe)))
 			return false;
 		peck = next_peck(d, peck);
 		depth = fmax(depth - peck, d->height.bottom);
@@ -189,7 +193,8 @@ static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 			     "tapping needs a pitch (PIT), or a metric size (MPIT) from 3 to 48, and a speed");
 	own_feed(d, pitch * speed);
 	d->turns = true;
-	return rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, dwell_at) && feed(d, d->height.safe) && rapid(d, d->height.clear);
+	return rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, dwell_at) && feed(d, d->height.safe) &&
+	       rapid(d, d->height.clear);
 }
 
 static double pitch_of(const struct drilling *d, size_t size, size_t pitch)
@@ -227,8 +232,8 @@ static bool bore_oriented(struct drilling *d)
 {
 	const slot_values start = d->at;
 
-	if (!programmed_feed(d) || !start_spindle(d, 6) || !rapid(d, d->height.safe) || !feed(d, d->height.bottom) || !dwell(d, 5) ||
-	    !stop_spindle(d))
+	if (!programmed_feed(d) || !start_spindle(d, 6) || !rapid(d, d->height.safe) || !feed(d, d->height.bottom) ||
+	    !dwell(d, 5) || !stop_spindle(d))
 		return false;
 	d->at.v[d->a] += length(d, 7);
 	d->at.v[d->b] += length(d, 8);
@@ -242,8 +247,8 @@ static bool bore_oriented(struct drilling *d)
 /* CYCLE87 and CYCLE88: M5 M0 at the bottom; then the tool leaves at G0. */
 static bool bore_stopped(struct drilling *d, bool dwells, size_t direction)
 {
-	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->height.safe) && feed(d, d->height.bottom) &&
-	       (!dwells || dwell(d, 5)) && stop_spindle(d) && rapid(d, d->height.clear);
+	return programmed_feed(d) && start_spindle(d, direction) && rapid(d, d->height.safe) &&
+	       feed(d, d->height.bottom) && (!dwells || dwell(d, 5)) && stop_spindle(d) && rapid(d, d->height.clear);
 }
 
 static bool bore_stop(struct drilling *d)
@@ -258,8 +263,8 @@ static bool bore_stop_dwell(struct drilling *d)
 
 static bool bore_feed(struct drilling *d)
 {
-	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) && feed(d, d->height.safe) &&
-	       rapid(d, d->height.clear);
+	return programmed_feed(d) && rapid(d, d->height.safe) && feed(d, d->height.bottom) && dwell(d, 5) &&
+	       feed(d, d->height.safe) && rapid(d, d->height.clear);
 }
 
 /* 840D sl, "Drilling cycles". */
@@ -303,8 +308,7 @@ static bool check_axis(const struct drilling *d, size_t i)
 	return !(axis >= 1 && axis <= 3) || (int)axis - 1 + SLOT_X == (int)d->depth ||
 	       fault(&d->interp->at, d->column,
 		     "_AXN=%.15g has the cycle drill along %c, which is not the axis across the plane in force; select "
-		     "its "
-		     "plane",
+		     "its plane",
 		     axis, "XYZ"[(int)axis - 1]);
 }
 

@@ -456,8 +456,8 @@ static const struct expr_rules rules = {RULES(operators)};
 static const struct expr_rules meant_rules = {RULES(meant)};
 
 /*
- * The manual's table has AND, XOR and OR before comparisons, which a program without parentheses hardly means: where both
- * orders come to the same, that holds, and else the program must say it.
+ * The manual's table has AND, XOR and OR before comparisons, which a program without parentheses hardly means: where
+ * both orders come to the same, that holds, and else the program must say it.
  */
 static bool check_meant(struct interp *interp, struct lexer *lexer, size_t start, double value)
 {
@@ -470,8 +470,8 @@ static bool check_meant(struct interp *interp, struct lexer *lexer, size_t start
 		return false;
 	return (again.position == lexer->position && same(value, operand.number)) ||
 	       fault(lexer->at, column,
-		     "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here than "
-		     "the other order: put the comparisons into parentheses");
+		     "the control takes AND, OR and XOR before ==, < and the like, which comes to something else here "
+		     "than the other order: put the comparisons into parentheses");
 }
 
 bool sinumerik_expr_number(struct interp *interp, struct lexer *lexer, double *value)

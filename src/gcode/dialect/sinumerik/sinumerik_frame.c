@@ -238,8 +238,8 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 }
 
 /*
- * "Axial zero offset (G58, G59)": of the axes named, G58 replaces the shift of TRANS, and G59 what ATRANS has added; the
- * other part stays.
+ * "Axial zero offset (G58, G59)": of the axes named, G58 replaces the shift of TRANS, and G59 what ATRANS has added;
+ * the other part stays.
  */
 static bool set_axial(struct interp *interp, const struct sinumerik_frame_words *words)
 {

@@ -4,7 +4,10 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_state.h"
 
-/* Does the tool stand at a place that is known? False: it does not, which was reported: `what` needs the place. */
+/*
+ * Does the tool stand at a place that is known? False: it does not, which was reported: `what` names what needs the
+ * place.
+ */
 bool sinumerik_open_place_check(const struct interp *interp, int column, const char *what);
 
 /*

@@ -113,8 +113,8 @@ static bool run_ring(const struct pattern *p)
 }
 
 /*
- * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, turned by _STA. The tool goes
- * to and fro along the side with the smaller distance, and begins at the corner whose quarter it is in.
+ * CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI, , _ANG1, _ANG2): a grid, turned by _STA. The tool
+ * goes to and fro along the side with the smaller distance, and begins at the corner whose quarter it is in.
  */
 static bool run_grid(const struct pattern *p)
 {

@@ -220,7 +220,8 @@ struct slots {
  */
 static bool radial_slots(struct milling *m, const struct slots *at)
 {
-	const double number = sinumerik_argument_or(&m->of, at->number, 0), step = sinumerik_argument_or(&m->of, at->step, 0);
+	const double number = sinumerik_argument_or(&m->of, at->number, 0),
+		     step = sinumerik_argument_or(&m->of, at->step, 0);
 	const double radius = fabs(length(m, at->radius)), slot = fabs(length(m, at->length));
 	const bool otherwise = sinumerik_argument_counts(&m->of, at->geometry);
 	const struct box along = {{radius - (otherwise ? slot : 0), -at->half_width}, {radius + slot, at->half_width}};
@@ -257,7 +258,10 @@ static bool circular_slots(struct milling *m)
 	return mill(m, &part, 1);
 }
 
-/* "CYCLE71": from a corner, turned by _STA; the tool overruns the edges by _FDP and _FDP1, at most by its diameter more. */
+/*
+ * "CYCLE71": from a corner, turned by _STA; the tool overruns the edges by _FDP and _FDP1, at most by its diameter
+ * more.
+ */
 static bool turned_face(struct milling *m)
 {
 	const double over = fabs(length(m, 11)) + fabs(length(m, 15)) + 2 * m->radius;
@@ -269,8 +273,8 @@ static bool turned_face(struct milling *m)
 }
 
 /*
- * "CYCLE61": from one corner to another, which _AMODE has as a position or as a length: both are in the region. The tool
- * begins and ends beside the face, at most by its diameter and the safety distance.
+ * "CYCLE61": from one corner to another, which _AMODE has as a position or as a length: both are in the region. The
+ * tool begins and ends beside the face, at most by its diameter and the safety distance.
  */
 static bool face(struct milling *m)
 {

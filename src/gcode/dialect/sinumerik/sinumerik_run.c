@@ -369,8 +369,8 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 }
 
 /*
- * M30 in a subprogram goes back to its caller as M17 does (from memory of the manual, "End of program"): where a control
- * ended the program there, less would move than is checked.
+ * M30 in a subprogram goes back to its caller as M17 does (from memory of the manual, "End of program"): where a
+ * control ended the program there, less would move than is checked.
  */
 static bool finish(struct interp *interp, const struct ending *ending)
 {

@@ -258,8 +258,8 @@ bool sinumerik_seek_label_behind(struct interp *interp, const char *name, const 
 
 	keep_line(interp);
 	*found = false;
-	return program_jump(&interp->program, start, &interp->at, column) && scan(interp, name, here, true, to, found) &&
-	       come_back(interp, &next, column);
+	return program_jump(&interp->program, start, &interp->at, column) &&
+	       scan(interp, name, here, true, to, found) && come_back(interp, &next, column);
 }
 
 bool sinumerik_seek_program(struct interp *interp, const char *name, int column, struct position *to, bool *found)

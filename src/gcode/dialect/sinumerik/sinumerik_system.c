@@ -96,8 +96,8 @@ bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, in
 						   : found->diameter / 2;
 	}
 	if (mm < 0 || (radius && !(mm > 0)))
-		return fault(&interp->at, column, "%s[%d,%d]: the setup defines no %s of edge D%d of tool T%d", name, tool,
-			     edge, length ? "length" : "radius", edge, tool);
+		return fault(&interp->at, column, "%s[%d,%d]: the setup defines no %s of edge D%d of tool T%d", name,
+			     tool, edge, length ? "length" : "radius", edge, tool);
 	*value = in_unit(interp, SLOT_Z, mm);
 	return true;
 }
