@@ -9,23 +9,6 @@
 
 static const struct srcloc nowhere;
 
-/* The options that name a file to be written, beside the formats. */
-enum { NAMES = 9 };
-
-static void list_names(struct options *options, const char **names[NAMES], const char *labels[NAMES])
-{
-	const char **const members[NAMES] = {&options->output, &options->pose,    &options->report,
-					     &options->glb,    &options->picture, &options->depfile,
-					     &options->timing, &options->clearance_report,
-					     &options->stock_out};
-	static const char *const words[NAMES] = {"output",  "pose",    "report", "glb",
-						 "picture", "depfile", "timing", "clearance-report",
-						 "stock-out"};
-
-	memcpy(names, members, sizeof(members));
-	memcpy(labels, words, sizeof(words));
-}
-
 /* What belongs to a job stands in its file. False: reported. */
 static bool check_options(const struct options *options, struct diag *diag)
 {
@@ -64,8 +47,8 @@ static bool check_documents(const struct options *options, struct diag *diag)
 
 	if (junit || sarif)
 		diag_error(diag, nowhere,
-			   "--format=%s: every job writes a document of its own, which cannot share standard output; give a file with "
-			   "%% for the name of the job, as in --format=%s=%%.%s",
+			   "--format=%s: every job writes a document of its own, which cannot share standard output; give a "
+			   "file with %% for the name of the job, as in --format=%s=%%.%s",
 			   format, format, format);
 	return !junit && !sarif;
 }
@@ -74,15 +57,12 @@ static bool check_documents(const struct options *options, struct diag *diag)
 static bool check_names(const struct options *options, struct diag *diag)
 {
 	struct options copy = *options;
-	const char **names[NAMES];
-	const char *labels[NAMES];
+	struct output_option outputs[OUTPUT_OPTIONS];
 	bool good = true;
 
-	list_names(&copy, names, labels);
-	for (int i = 0; i < NAMES; i++)
-		good = check_name(*names[i], labels[i], diag) && good;
-	for (int i = 0; i < FORMAT_COUNT; i++)
-		good = check_name(options->formats[i].path, i == FORMAT_RECORD ? "record" : "format", diag) && good;
+	options_list_outputs(&copy, outputs);
+	for (int i = 0; i < OUTPUT_OPTIONS; i++)
+		good = check_name(*outputs[i].path, outputs[i].option, diag) && good;
 	return good;
 }
 
@@ -105,15 +85,12 @@ static enum run_status run_job(const struct options *options, const struct job_i
 {
 	struct options one = *options;
 	struct arena arena = {0};
-	const char **names[NAMES];
-	const char *labels[NAMES];
+	struct output_option outputs[OUTPUT_OPTIONS];
 	enum run_status status;
 
-	list_names(&one, names, labels);
-	for (int i = 0; i < NAMES; i++)
-		*names[i] = name_for(&arena, *names[i], job->name);
-	for (int i = 0; i < FORMAT_COUNT; i++)
-		one.formats[i].path = name_for(&arena, one.formats[i].path, job->name);
+	options_list_outputs(&one, outputs);
+	for (int i = 0; i < OUTPUT_OPTIONS; i++)
+		*outputs[i].path = name_for(&arena, *outputs[i].path, job->name);
 	one.record = one.record ? one.formats[FORMAT_RECORD].path : NULL;
 	one.machine = job->machine;
 	one.setup = job->setup;

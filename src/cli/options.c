@@ -1,6 +1,27 @@
 #include "cli/options.h"
 
 #include <stdlib.h>
+#include <string.h>
+
+void options_list_outputs(struct options *options, struct output_option list[OUTPUT_OPTIONS])
+{
+	const struct output_option others[] = {
+		{"depfile", &options->depfile},
+		{"clearance-report", &options->clearance_report},
+		{"timing", &options->timing},
+		{"report", &options->report},
+		{"glb", &options->glb},
+		{"picture", &options->picture},
+		{"pose", &options->pose},
+		{"stock-out", &options->stock_out},
+	};
+
+	_Static_assert(1 + FORMAT_COUNT + sizeof(others) / sizeof(*others) == OUTPUT_OPTIONS, "all are listed");
+	*list++ = (struct output_option){options->output_of_format ? "format" : "output", &options->output};
+	for (int i = 0; i < FORMAT_COUNT; i++)
+		*list++ = (struct output_option){i == FORMAT_RECORD ? "record" : "format", &options->formats[i].path};
+	memcpy(list, others, sizeof(others));
+}
 
 bool options_want_sensitivity(const struct options *options)
 {

@@ -81,6 +81,17 @@ struct options {
 	int duplicates;	/* 1: the last of a word that stands twice in a block counts */
 };
 
+/* An option that names a file to be written. */
+struct output_option {
+	const char *option;
+	const char **path;	/* where the name of the file stands; *path is NULL if the option was not given */
+};
+
+enum { OUTPUT_OPTIONS = FORMAT_COUNT + 9 };
+
+/* Fills the list with all of them: a check writes no other file. The paths are those of *options. */
+void options_list_outputs(struct options *options, struct output_option list[OUTPUT_OPTIONS]);
+
 /* Was --sensitivity given with any amount above 0? */
 bool options_want_sensitivity(const struct options *options);
 

@@ -45,35 +45,17 @@ struct written {
 	const char *option, *path;
 };
 
-enum { WRITTEN_MAX = FORMAT_COUNT + 9 };
-
-static size_t list_written(struct written *list, const struct options *options)
+static size_t list_written(struct written list[OUTPUT_OPTIONS], const struct options *options)
 {
+	struct options copy = *options;
+	struct output_option all[OUTPUT_OPTIONS];
 	size_t count = 0;
 
-	if (options->output)
-		list[count++] = (struct written){options->output_of_format ? "format" : "output", options->output};
-	for (int i = 0; i < FORMAT_COUNT; i++) {
-		if (options->formats[i].path)
-			list[count++] =
-			    (struct written){i == FORMAT_RECORD ? "record" : "format", options->formats[i].path};
+	options_list_outputs(&copy, all);
+	for (int i = 0; i < OUTPUT_OPTIONS; i++) {
+		if (*all[i].path)
+			list[count++] = (struct written){all[i].option, *all[i].path};
 	}
-	if (options->depfile)
-		list[count++] = (struct written){"depfile", options->depfile};
-	if (options->clearance_report)
-		list[count++] = (struct written){"clearance-report", options->clearance_report};
-	if (options->timing)
-		list[count++] = (struct written){"timing", options->timing};
-	if (options->report)
-		list[count++] = (struct written){"report", options->report};
-	if (options->glb)
-		list[count++] = (struct written){"glb", options->glb};
-	if (options->picture)
-		list[count++] = (struct written){"picture", options->picture};
-	if (options->pose)
-		list[count++] = (struct written){"pose", options->pose};
-	if (options->stock_out)
-		list[count++] = (struct written){"stock-out", options->stock_out};
 	return count;
 }
 
@@ -103,7 +85,7 @@ static bool spares_results(const struct options *options, const struct written *
 
 bool path_checks_outputs(const struct options *options, struct diag *diag)
 {
-	struct written list[WRITTEN_MAX];
+	struct written list[OUTPUT_OPTIONS];
 	size_t count = list_written(list, options);
 
 	for (size_t i = 0; i < count; i++) {
@@ -127,7 +109,7 @@ bool path_checks_derived(const struct options *options, const char *option, cons
 			 const struct report_file *files, size_t file_count, struct diag *diag)
 {
 	const struct written derived = {option, path};
-	struct written list[WRITTEN_MAX];
+	struct written list[OUTPUT_OPTIONS];
 	const size_t count = list_written(list, options);
 
 	for (size_t i = 0; i < count; i++) {
@@ -150,7 +132,7 @@ bool path_checks_derived(const struct options *options, const char *option, cons
 
 static bool spares(const struct options *options, const struct body *bodies, size_t count, struct diag *diag)
 {
-	struct written list[WRITTEN_MAX];
+	struct written list[OUTPUT_OPTIONS];
 	size_t listed = list_written(list, options);
 
 	for (size_t i = 0; i < count; i++) {
@@ -171,7 +153,7 @@ bool path_checks_meshes(const struct options *options, const struct machine *mac
 
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag)
 {
-	struct written list[WRITTEN_MAX];
+	struct written list[OUTPUT_OPTIONS];
 	size_t listed = list_written(list, options);
 
 	for (size_t i = 0; i < inputs->count; i++) {
