@@ -98,13 +98,15 @@ static struct aiFile *open_file(struct aiFileIO *io, const char *path, const cha
 	if (*mode != 'r' || !may_open((const char *)io->UserData, path))
 		return NULL;
 	stream = fopen(path, "rb");
-	file = stream ? calloc(1, sizeof(*file)) : NULL;
+	if (!stream)
+		return NULL;
+	file = calloc(1, sizeof(*file));
 	if (!file) {
-		if (stream)
-			fclose(stream);
+		fclose(stream);
 		return NULL;
 	}
 	*file = (struct aiFile){file_read, file_write, file_tell, file_size, file_seek, file_flush, (char *)stream};
+	/* cppcheck-suppress resourceLeak ; close_file closes the stream */
 	return file;
 }
 

@@ -44,7 +44,7 @@ static struct weighted mix(struct weighted a, struct weighted b, double part)
  */
 static struct weighted blossom(const struct spline *spline, size_t span, double u0, double u1, int first)
 {
-	struct weighted d[SPLINE_ORDER_MAX];
+	struct weighted d[SPLINE_ORDER_MAX] = {{0}};
 	const int degree = spline->order - 1;
 
 	for (int i = 0; i <= degree; i++) {

@@ -188,7 +188,7 @@ static bool read_row(struct reading *r, double unit, struct row *row)
 		if (!read_value(r, (enum column)i, &row->value[i]))
 			return false;
 		row->value[i] *= i == COLUMN_POINT ? radians(1) : r->unit;
-		if (row->value[i] < 0 && i < COLUMN_LENGTH_OFFSET) {
+		if (i < COLUMN_LENGTH_OFFSET && row->value[i] < 0) {
 			diag_error(r->diag, r->table.at, "%s must not be negative", column_names[i]);
 			return false;
 		}

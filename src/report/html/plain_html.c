@@ -77,13 +77,15 @@ static void add_finding(struct strbuf *out, const struct machine *machine, const
 		[FINDING_FAILS] = "", [FINDING_WAIVED] = "waived: ", [FINDING_LEFT_OUT] = "does not fail the run: ",
 	};
 	struct strbuf text = {0};
-	const json_t *call;
-	size_t i;
+	const json_t *calls = json_object_get(finding->object, "callers");
 
 	strbuf_addf(&text, "%s:%ld", finding->file, finding->line);
-	json_array_foreach(json_object_get(finding->object, "callers"), i, call)
+	for (size_t i = 0; i < json_array_size(calls); i++) {
+		const json_t *call = json_array_get(calls, i);
+
 		strbuf_addf(&text, ", called from %s:%" JSON_INTEGER_FORMAT, json_string_value(json_object_get(call, "file")),
 			    json_integer_value(json_object_get(call, "line")));
+	}
 	strbuf_addf(out, "<tr>");
 	add_element(out, "td", strbuf_text(&text));
 	add_element(out, "td", finding_kind_name(finding->kind));
