@@ -349,6 +349,9 @@ struct bad {
 	const char *message;
 };
 
+#define BESIDE_G70 \
+	"G70 beside a cycle, G80 or a motion code is not supported: which of them comes first is not known; write a block for " \
+	"each"
 #define ORDER_OF_M6                                                                                                   \
 	"M6 in a block that moves: the builder of the machine decides whether it comes before or after the move; "    \
 	"m6_with_move=\"after\" or \"before\" in the machine's <controller> says it, or write two blocks"
@@ -417,8 +420,8 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "G91 G28 Z0. T2 M6", 16, ORDER_OF_M6},
     {&dialect_haas, "T2 M6 G28", 4, ORDER_OF_M6},
     {&dialect_haas, "G70 I2. J0. L4", 1, "G70 needs a canned cycle in force, which makes its holes"},
-    {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 9,
-     "G70 needs a canned cycle in force, which makes its holes"},
+    {&dialect_haas, "G81 G98 G70 Z-1. R1. I2. J0. L4", 9, BESIDE_G70},
+    {&dialect_haas, "G70 I2. J0. L4 G80", 1, BESIDE_G70},
     {&dialect_fanuc, "G0 X5. M428", 8, "an M-code that switches TCP in a block that moves: whether it comes before or after the move depends on the "
      "control; write two blocks"},
 };
