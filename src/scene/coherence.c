@@ -162,7 +162,7 @@ bool coherence_separates_subtrees(struct coherence *coherence, const struct moti
 	}
 	for (int i = 0; i < coherence->axis_count; i++) {
 		double apart =
-		    clearance + interval->displacement[coherence->axes[i].frame] + SUPPORT_ROUNDING * pair->reach;
+		    clearance + interval->displacement[coherence->axes[i].frame] + SUPPORT_ROUNDING * pair->extent;
 
 		if (clusters_apart(&coherence->axes[i], interval->poses, &of_a, &of_b, apart)) {
 			coherence_prefer(coherence, i);

@@ -130,14 +130,14 @@ static size_t queue_children(struct sweep *sweep, const struct pose_look *at, co
 static bool meets_at(const struct look *look, const axis_values *q)
 {
 	struct pose_look at = {.pair = &look->pair, .clearance = look->clearance};
-	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
-	const double no_stray[VIEWS] = {0, 0};
+	const vec3 no_axis_displacement[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_displacement[VIEWS] = {0, 0};
 	struct sweep *sweep = look->sweep;
 	xform ends[2];
 	size_t depth = 1;
 
 	at.pose = ends[0] = ends[1] = body_pair_pose(&look->pair, q);
-	box_motion_init(&at.boxes, look->pair.a, look->pair.b, ends, no_play, no_stray);
+	box_motion_init(&at.boxes, look->pair.a, look->pair.b, ends, no_axis_displacement, no_displacement);
 	*sweep_queue_reserve(sweep, 1) =
 	    (struct bvh_pair){subtree_root(look->pair.a), subtree_root(look->pair.b), 0};
 	while (depth && !sweep_breaks_off(sweep)) {

@@ -141,15 +141,15 @@ double sweep_distance(struct sweep *sweep, const struct body_pair *pair, const a
 {
 	struct search search = {.sweep = sweep, .pair = pair, .share = share, .found = INFINITY, .proven = INFINITY};
 	struct subtree a = subtree_root(pair->a), b = subtree_root(pair->b);
-	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
-	const double no_stray[VIEWS] = {0, 0};
+	const vec3 no_axis_displacement[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_displacement[VIEWS] = {0, 0};
 	long visits_end = max_visits ? sweep->visits + max_visits : LONG_MAX;
 	double rounding;
 	xform ends[2];
 
 	search.pose = ends[0] = ends[1] = body_pair_pose(pair, q);
 	rounding = body_pair_rounding(pair, q, search.pose.translation);
-	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_play, no_stray);
+	box_motion_init(&search.boxes, pair->a, pair->b, ends, no_axis_displacement, no_displacement);
 	push(&search, &a, &b, 0);
 	recall(&search);
 	while (search.depth && search.found > enough && sweep->visits < visits_end && !sweep_breaks_off(sweep)) {

@@ -22,7 +22,7 @@ void body_pair_init(struct body_pair *pair, const struct bvh *a, const struct bv
 		.ball_a = ball_around(a, place_a),
 		.ball_b = ball_around(b, place_b),
 		.rounding = a->mesh.rounding + b->mesh.rounding,
-		.reach = vec3_norm(a->origin) + a->radius + vec3_norm(b->origin) + b->radius,
+		.extent = vec3_norm(a->origin) + a->radius + vec3_norm(b->origin) + b->radius,
 	};
 }
 
@@ -42,7 +42,7 @@ xform body_pair_pose(const struct body_pair *pair, const axis_values *q)
 
 double body_pair_rounding(const struct body_pair *pair, const axis_values *q, vec3 t)
 {
-	double turned = 0, size = vec3_norm(t) + pair->reach + vec3_norm(pair->place_a.translation) +
+	double turned = 0, size = vec3_norm(t) + pair->extent + vec3_norm(pair->place_a.translation) +
 				  vec3_norm(pair->place_b.translation);
 
 	for (size_t i = 0; i < pair->chain->count; i++) {

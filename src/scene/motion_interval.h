@@ -24,7 +24,7 @@ struct body_pair {
 	const struct chain *chain;	/* b as a sees it */
 	struct ball ball_a, ball_b;	/* around the bodies at the zero pose */
 	double rounding;	/* mm: both meshes' together */
-	double reach;	/* mm: the distances of both meshes' farthest corners from their origins, added up, or more */
+	double extent;	/* mm: the distances of both meshes' farthest corners from their origins, added up, or more */
 	struct coherence *coherence;	/* axes and triangles that helped last time; NULL: none are kept */
 };
 
@@ -73,8 +73,8 @@ struct motion_interval {
 	double displacement[VIEWS]; /* mm: CHORD: a point's distance from its chord, rounding included; BOX: rounding */
 	double path;	/* mm: CHORD: the largest path displacement, in the better view (motion_bound.h) */
 	double path_growth[VIEWS];	/* mm: how much it can exceed the larger one at the ends */
-	vec3 axis_displacement
-	    [VIEWS]; /* mm: BOX: how far a point may be off its place, along the axes of the fixed mesh */
+	/* mm: BOX: how far a point may be off its place, along the axes of the fixed mesh */
+	vec3 axis_displacement[VIEWS];
 	struct box_bound bound;	/* BOX */
 	double reach;	/* mm, rounding included: CHORD: L/2 + d; BOX: from the middle to any place */
 	struct box_motion boxes;

@@ -117,8 +117,8 @@ static void keep_contact(const struct scene *scene, const struct scene_pair *pai
 static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *low, const axis_values *high)
 {
 	const struct box a = box_whole(bodies->a), b = box_whole(bodies->b);
-	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
-	const double no_stray[VIEWS] = {0, 0};
+	const vec3 no_axis_displacement[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_displacement[VIEWS] = {0, 0};
 
 	for (size_t corner = 0; corner < (size_t)1 << bodies->chain->count; corner++) {
 		struct box_motion boxes;
@@ -132,7 +132,7 @@ static bool are_boxes_parted(const struct body_pair *bodies, const axis_values *
 			q.v[slot] = (corner >> i & 1 ? high : low)->v[slot];
 		}
 		ends[0] = ends[1] = body_pair_pose(bodies, &q);
-		box_motion_init(&boxes, bodies->a, bodies->b, ends, no_play, no_stray);
+		box_motion_init(&boxes, bodies->a, bodies->b, ends, no_axis_displacement, no_displacement);
 		if (box_pair_apart(&boxes, &a, &b, &lost) > 0)
 			return true;
 	}

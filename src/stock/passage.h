@@ -15,15 +15,15 @@ struct passage {
 	struct obstacle obstacle;
 	struct revolved stretched;	/* owned */
 	xform pose;	/* where the obstacle stands: its coordinates to the stock's */
-	double stray;	/* mm: the true way leaves the passage by less */
+	double error;	/* mm: the true way leaves the passage by less */
 };
 
 /*
  * The piece goes straight from one pose to another, without turning. False: the way is neither along its axis nor
- * square to it, to within `stray` mm, or the piece is not of that kind.
+ * square to it, to within `error` mm, or the piece is not of that kind.
  */
 bool passage_init(struct passage *passage, const struct obstacle *obstacle, const xform *from, const xform *to,
-		  double stray);
+		  double error);
 void passage_release(struct passage *passage);
 
 #endif

@@ -120,7 +120,7 @@ static bool meets_in_passage(const struct stock_sweep *sweep, const struct passa
 {
 	const struct placed_obstacle placed = {&passage->obstacle, xform_inverse(&passage->pose)};
 
-	return stock_cells_meet(sweep->cells, &placed, time, sweep->clearance + beside + passage->stray, 0, found);
+	return stock_cells_meet(sweep->cells, &placed, time, sweep->clearance + beside + passage->error, 0, found);
 }
 
 /* Is there a cell that is not proved apart over the chord? *found is one, perhaps a large one. */

@@ -103,13 +103,13 @@ static bool leaves_meet(const struct sample *sample, struct leaf of_a, struct le
 static bool bodies_meet(const struct sample *sample, struct sweep *sweep, struct contact *contact)
 {
 	const struct body_pair *bodies = &sample->sampler->bodies;
-	const vec3 no_play[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
-	const double no_stray[VIEWS] = {0, 0};
+	const vec3 no_axis_displacement[VIEWS] = {{0, 0, 0}, {0, 0, 0}};
+	const double no_displacement[VIEWS] = {0, 0};
 	const xform ends[2] = {sample->pose, sample->pose};
 	struct box_motion boxes;
 	size_t depth = 1;
 
-	box_motion_init(&boxes, bodies->a, bodies->b, ends, no_play, no_stray);
+	box_motion_init(&boxes, bodies->a, bodies->b, ends, no_axis_displacement, no_displacement);
 	sweep_queue_reserve(sweep, 1)[0] = (struct bvh_pair){subtree_root(bodies->a), subtree_root(bodies->b), 0};
 	while (depth) {
 		struct bvh_pair at = sweep->queue[--depth];

@@ -211,8 +211,9 @@ static bool import_tools(const struct request *request)
 	good = import_output_is_new(strbuf_text(&path), request->diag) && read_tools(request, &tools) &&
 	       import_output_write_tools(&tools, request->output, request->file, request->diag);
 	if (good)
-		diag_note(request->diag, nowhere, "wrote %s with %zu tools and %zu offsets, and left %zu tools out; next: add "
-						  "what the job has besides: work offsets, fixtures, the part",
+		diag_note(request->diag, nowhere,
+			  "wrote %s with %zu tools and %zu offsets, and left %zu tools out; next: add "
+			  "what the job has besides: work offsets, fixtures, the part",
 			  strbuf_text(&path), tools.setup.tool_count,
 			  tools.setup.length_count + tools.setup.offset_count, tools.left_out);
 	tool_library_release(&tools);

@@ -58,7 +58,8 @@ static json_t *materials(void)
 	json_t *array = json_array();
 
 	for (int i = 0; i < MATERIALS; i++) {
-		json_t *object = json_object(), *pbr = json_object(), *colour = glb_three(all[i].colour[0], all[i].colour[1], all[i].colour[2]);
+		json_t *object = json_object(), *pbr = json_object(),
+		       *colour = glb_three(all[i].colour[0], all[i].colour[1], all[i].colour[2]);
 
 		json_push(colour, json_real(1));
 		json_put(pbr, "baseColorFactor", colour);
@@ -250,7 +251,8 @@ static struct glb_key *instants_of(const struct glb_scene *scene, size_t *count)
 			key = &all[(*count)++];
 			key->time = from->time + share * (to->time - from->time) - scene->keys[0].time;
 			for (int slot = 0; slot < SLOT_COUNT; slot++)
-				key->axes.v[slot] = from->axes.v[slot] + share * (to->axes.v[slot] - from->axes.v[slot]);
+				key->axes.v[slot] =
+				    from->axes.v[slot] + share * (to->axes.v[slot] - from->axes.v[slot]);
 		}
 	}
 	return all;
@@ -303,7 +305,9 @@ static void animate(struct glb *glb, int link, const struct glb_key *keys, size_
 		for (int k = 0; k < 4; k++)
 			glb_add_float(&glb->buffer.binary, q[k]);
 	}
-	add_channel(glb, input, glb_accessor(&glb->buffer, start, GLB_NO_TARGET, GLB_FLOATS, axis->rotary ? "VEC4" : "VEC3", count, NULL),
+	add_channel(glb, input,
+		    glb_accessor(&glb->buffer, start, GLB_NO_TARGET, GLB_FLOATS, axis->rotary ? "VEC4" : "VEC3", count,
+				 NULL),
 		    NODE_LINKS + link, axis->rotary ? "rotation" : "translation");
 }
 

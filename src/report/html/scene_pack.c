@@ -101,7 +101,8 @@ static json_t *pairs_of(const struct scene *scene)
 
 		json_put(object, "a", json_integer(recorder_body(scene, pair->a)));
 		json_put(object, "b", json_integer(recorder_body(scene, pair->b)));
-		json_put(object, "status", json_string(pair->status == PAIR_CUTTING ? "cutting" : pair_status_name(pair->status)));
+		json_put(object, "status",
+			 json_string(pair->status == PAIR_CUTTING ? "cutting" : pair_status_name(pair->status)));
 		json_put(object, "clearance", json_real(pair->clearance));
 		json_put(object, "reason", json_text(pair->reason));
 		json_push(array, object);

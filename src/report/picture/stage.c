@@ -84,7 +84,8 @@ vec3 camera_project(const struct camera *camera, const struct raster *raster, ve
 /* The light comes from above the eye, a little from the left; unit vector. */
 static vec3 light_of(const struct camera *camera)
 {
-	const vec3 light = vec3_add(vec3_add(camera->toward, vec3_scale(0.55, camera->up)), vec3_scale(-0.35, camera->right));
+	const vec3 light =
+	    vec3_add(vec3_add(camera->toward, vec3_scale(0.55, camera->up)), vec3_scale(-0.35, camera->right));
 
 	return vec3_scale(1 / vec3_norm(light), light);
 }
@@ -131,7 +132,8 @@ static bool is_in_sight(const struct stage *stage, const struct camera *camera, 
 	const vec3 at = camera_project(camera, raster, middle_of(stage, body, &radius));
 
 	radius *= camera->scale * raster->width;
-	return at.x + radius >= 0 && at.x - radius <= raster->width && at.y + radius >= 0 && at.y - radius <= raster->height;
+	return at.x + radius >= 0 && at.x - radius <= raster->width && at.y + radius >= 0 &&
+	       at.y - radius <= raster->height;
 }
 
 /* From the coordinates of a mesh to the raster at once: rows of a matrix, and what is added. */

@@ -31,7 +31,7 @@ static bool find_radius(struct interp *interp, int column, double *radius)
 			     "takes depends on whether its tool table is active; make them agree, or "
 			     "say tool_def=\"ignored\" in the machine's <controller> if the table counts",
 			     number, klartext->defined_radius, tool->diameter / 2);
-	*radius = tool->diameter / 2 + klartext->wider;
+	*radius = tool->diameter / 2 + klartext->delta_radius;
 	return *radius >= 0 || fault(&interp->at, column,
 				     "the radius of T%d with DR is %.6g mm: compensation by a negative radius is not "
 				     "supported",

@@ -254,7 +254,7 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	const struct klartext_call_of data = {
 	    .interp = interp, .cycle = &klartext_of(interp)->contour_data, .column = call->column};
 	const struct tool *tool = tool_table_find(&interp->tools, interp->state.tool);
-	const double radius = tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->wider)) : 0;
+	const double radius = tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(interp)->delta_radius)) : 0;
 	const double more =
 	    fmax(0, -klartext_parameter_length_or(&data, 3, 0)) + fmax(0, -klartext_parameter_length_or(call, 14, 0));
 	struct klartext_region region = {.centre = klartext_frame_point(interp)};

@@ -46,7 +46,7 @@ static double tool_radius(const struct klartext_call_of *call)
 {
 	const struct tool *tool = tool_table_find(&call->interp->tools, call->interp->state.tool);
 
-	return tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(call->interp)->wider)) : 0;
+	return tool ? fmax(0, tool->diameter / 2 + fmin(0, klartext_of(call->interp)->delta_radius)) : 0;
 }
 
 /* "RECTANGULAR POCKET (Cycle 251)": Q218 by Q219, turned by Q224 about where the tool stands. */
@@ -183,7 +183,7 @@ static bool need_radius(const struct klartext_call_of *call, double *radius)
 			     "CYCL DEF %d needs the radius of the tool: give the tool of the setup a <cutter>, or "
 			     "diameter=\"\"",
 			     call->cycle->number);
-	*radius = tool->diameter / 2 + fmax(0, klartext_of(call->interp)->wider);
+	*radius = tool->diameter / 2 + fmax(0, klartext_of(call->interp)->delta_radius);
 	return true;
 }
 

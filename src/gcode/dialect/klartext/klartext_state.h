@@ -179,7 +179,7 @@ struct klartext {
 	bool called; /* the program has called a tool */
 	bool shifted[SLOT_COUNT]; /* CYCL DEF 7 has shifted this rotary axis, and no absolute word came since */
 	bool oversize; /* TOOL CALL has given DL, DR or DR2 */
-	double wider, longer; /* mm: DR and DL of TOOL CALL */
+	double delta_radius, delta_length; /* mm: DR and DL of TOOL CALL */
 	int defined_tool; /* TOOL DEF has given this tool a radius; 0: none */
 	double defined_radius; /* mm */
 	bool per_revolution; /* M136 */

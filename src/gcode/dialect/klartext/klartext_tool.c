@@ -20,8 +20,8 @@ struct request {
 	int column;
 	bool has_speed, has_feed;
 	double speed, feed;
-	double longer, wider; /* DL, DR, mm */
-	bool oversize, has_longer, has_wider;
+	double delta_length, delta_radius; /* DL, DR, mm */
+	bool oversize, has_delta_length, has_delta_radius;
 };
 
 /* ----------------------------------------------------------------- numbers */
@@ -129,8 +129,8 @@ static bool read_word(struct lexer *lexer, struct request *request)
 	if (klartext_take(lexer, "DL")) {
 		if (!klartext_value(lexer, &value))
 			return false;
-		request->longer = value * interp->state.scale;
-		request->has_longer = true;
+		request->delta_length = value * interp->state.scale;
+		request->has_delta_length = true;
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
@@ -143,8 +143,8 @@ static bool read_word(struct lexer *lexer, struct request *request)
 	if (klartext_take(lexer, "DR")) {
 		if (!klartext_value(lexer, &value))
 			return false;
-		request->wider = value * interp->state.scale;
-		request->has_wider = true;
+		request->delta_radius = value * interp->state.scale;
+		request->has_delta_radius = true;
 		request->oversize |= fabs(value) > 0;
 		return true;
 	}
@@ -174,7 +174,7 @@ static bool find_length(struct interp *interp, const struct request *request, do
 {
 	const struct tool *tool = tool_table_find(&interp->tools, request->number);
 
-	*length = request->longer;
+	*length = request->delta_length;
 	if (request->number == 0)
 		return true;
 	if (!interp->config->has_setup)
@@ -229,8 +229,8 @@ static bool change(struct interp *interp, const struct request *request)
 	state->spindle = SPINDLE_STOPPED;
 	state->length = length;
 	klartext->oversize = request->oversize;
-	klartext->wider = request->wider;
-	klartext->longer = request->longer;
+	klartext->delta_radius = request->delta_radius;
+	klartext->delta_length = request->delta_length;
 	klartext->change_pending = true;
 	klartext->moved = false;
 	klartext->called = true;
@@ -253,12 +253,12 @@ static bool change_oversize(struct interp *interp, struct request *request)
 
 	if (!klartext->called || state->tool == 0)
 		return fault(&interp->at, request->column, "DL and DR without a tool: no TOOL CALL has named one");
-	if ((!request->has_longer && !same_double(klartext->longer, 0)) ||
-	    (!request->has_wider && !same_double(klartext->wider, 0)))
+	if ((!request->has_delta_length && !same_double(klartext->delta_length, 0)) ||
+	    (!request->has_delta_radius && !same_double(klartext->delta_radius, 0)))
 		return fault(&interp->at, request->column,
 			     "%s was given before and is left out here: whether it still counts is not known here; "
 			     "write it, too",
-			     request->has_longer ? "DR" : "DL");
+			     request->has_delta_length ? "DR" : "DL");
 	if (tcp == TCP_BY_MCODE)
 		return fault(&interp->at, request->column,
 			     "TOOL CALL while M128 is in force: the manual wants M129 first");
@@ -268,8 +268,8 @@ static bool change_oversize(struct interp *interp, struct request *request)
 	if (!find_length(interp, request, &length))
 		return false;
 	klartext->oversize = request->oversize;
-	klartext->wider = request->wider;
-	klartext->longer = request->longer;
+	klartext->delta_radius = request->delta_radius;
+	klartext->delta_length = request->delta_length;
 	klartext->last.known = false;
 	state->length = length;
 	state_update_offset(state);
@@ -286,7 +286,7 @@ bool klartext_tool_call(struct lexer *lexer)
 		return false;
 	if (request.has_tool && !change(interp, &request))
 		return false;
-	if (!request.has_tool && (request.has_longer || request.has_wider || request.oversize) &&
+	if (!request.has_tool && (request.has_delta_length || request.has_delta_radius || request.oversize) &&
 	    !change_oversize(interp, &request))
 		return false;
 	if (request.has_speed) {

@@ -36,7 +36,7 @@ static void set_radius(struct interp *interp)
 			      fabs(klartext->defined_radius - radius) > TOOL_SUM_TOLERANCE))
 		klartext_q_forget(klartext, 108);
 	else
-		klartext_q_set(klartext, 108, (radius + klartext->wider) / interp->state.scale);
+		klartext_q_set(klartext, 108, (radius + klartext->delta_radius) / interp->state.scale);
 }
 
 /*
