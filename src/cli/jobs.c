@@ -47,8 +47,8 @@ static bool check_documents(const struct options *options, struct diag *diag)
 
 	if (junit || sarif)
 		diag_error(diag, nowhere,
-			   "--format=%s: every job writes a document of its own, which cannot share standard output; give a "
-			   "file with %% for the name of the job, as in --format=%s=%%.%s",
+			   "--format=%s: every job writes a document of its own, which cannot share standard output; "
+			   "give a file with %% for the name of the job, as in --format=%s=%%.%s",
 			   format, format, format);
 	return !junit && !sarif;
 }

@@ -110,9 +110,9 @@ struct misplaced {
 
 /*
  * Narrows from *from to *to what is yet to be parted: items whose middle is below the bound come in front of it, the
- * others behind it. The i-th item from the front that is not below it changes places with the i-th from the back that is
- * (Hoare). They are looked for in blocks without a branch for each (Edelkamp and Weiss, "BlockQuicksort", 2016), which
- * takes half as long.
+ * others behind it. The i-th item from the front that is not below it changes places with the i-th from the back that
+ * is (Hoare). They are looked for in blocks without a branch for each (Edelkamp and Weiss, "BlockQuicksort", 2016),
+ * which takes half as long.
  */
 static void part_blocks(const struct builder *b, int axis, float bound, size_t *from, size_t *to)
 {

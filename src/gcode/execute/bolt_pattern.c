@@ -14,8 +14,8 @@ static bool check(struct interp *interp)
 
 	if (block->g[G_MOTION] != CODE_NONE)
 		return fault(&interp->at, column,
-			     "G%d beside a cycle, G80 or a motion code is not supported: which of them comes first is not "
-			     "known; write a block for each",
+			     "G%d beside a cycle, G80 or a motion code is not supported: which of them comes first is "
+			     "not known; write a block for each",
 			     code);
 	if (state->motion == CODE_NONE || !code_is_cycle(state->motion))
 		return fault(&interp->at, column, "G%d needs a canned cycle in force, which makes its holes", code);

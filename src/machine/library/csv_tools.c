@@ -72,7 +72,9 @@ static int find_column(const char *cell)
 	return -1;
 }
 
-/* Is it the name of a measure with its unit, as in "Diameter (mm)"? Without that column the tool would be another one. */
+/*
+ * Is it the name of a measure with its unit, as in "Diameter (mm)"? Without that column the tool would be another one.
+ */
 static bool is_nearly_known(const char *cell)
 {
 	static const char *const units[] = {"mm", "in", "inch", "deg"};
@@ -100,7 +102,8 @@ static bool find_columns(struct reading *r)
 		int column = find_column(r->table.cells[i]);
 
 		if (column < 0 && is_nearly_known(r->table.cells[i]))
-			good = fault(r, "the name of a column has a unit in it; write the name alone, and the unit into a column units");
+			good = fault(r, "the name of a column has a unit in it; write the name alone, and the "
+					"unit into a column units");
 		else if (column < 0)
 			strbuf_addf(&unused, "%s%.40s", unused.length ? ", " : "", r->table.cells[i]);
 		else if (r->place[column] >= 0)
@@ -220,7 +223,8 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 	if (is_type(type, "flat") && corner > 0)
 		return fault(r, "a flat mill has no corner_radius; one that has is of the type bull");
 	if (is_type(type, "ball") && corner > 0 && fabs(corner - tool->diameter / 2) > TOOL_SUM_TOLERANCE)
-		return fault(r, "the corner_radius of a ball mill is half of its diameter; one with another is of the type bull");
+		return fault(r, "the corner_radius of a ball mill is half of its diameter; one with another is of the "
+				"type bull");
 	tool->has_tip = true;
 	tool->tip = TIP_FLAT;
 	if (is_type(type, "ball") || is_type(type, "probe") || (any && corner > 0 && corner >= tool->diameter / 2)) {

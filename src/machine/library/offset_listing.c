@@ -192,7 +192,8 @@ static bool take_work_offset(struct reading *r, const struct line *line, bool ex
 	bool good;
 
 	if (fabs(given(line, 'R')) > 0)
-		return fault(r, "R turns the work offset about Z: an offset of a setup is not turned; write such a turn into the program");
+		return fault(r, "R turns the work offset about Z: an offset of a setup is not turned; write "
+					"such a turn into the program");
 	good = name_offset(r, line, extended, &name) &&
 	       take_values(r, line, name.length ? tool_library_work_offset(r->tools, strbuf_text(&name)) : NULL);
 

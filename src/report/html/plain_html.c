@@ -83,7 +83,8 @@ static void add_finding(struct strbuf *out, const struct machine *machine, const
 	for (size_t i = 0; i < json_array_size(calls); i++) {
 		const json_t *call = json_array_get(calls, i);
 
-		strbuf_addf(&text, ", called from %s:%" JSON_INTEGER_FORMAT, json_string_value(json_object_get(call, "file")),
+		strbuf_addf(&text, ", called from %s:%" JSON_INTEGER_FORMAT,
+			    json_string_value(json_object_get(call, "file")),
 			    json_integer_value(json_object_get(call, "line")));
 	}
 	strbuf_addf(out, "<tr>");
@@ -211,7 +212,8 @@ static void add_sensitivity(struct strbuf *out, const struct report_program *pro
 
 	if (!program->sensitivity_count || !program->verdict)
 		return;
-	sensitivity_report_text(&text, program->sensitivity, program->sensitivity_count, program->verdict->result == CHECK_CLEAR);
+	sensitivity_report_text(&text, program->sensitivity, program->sensitivity_count,
+				program->verdict->result == CHECK_CLEAR);
 	strbuf_addf(out, "<h2>Setup that is off</h2>\n");
 	add_element(out, "pre", strbuf_text(&text));
 	strbuf_addf(out, "\n");
@@ -263,9 +265,9 @@ static void add_verdict(struct strbuf *out, const struct report_program *program
 static void add_heading(struct strbuf *out, const struct html_contents *report, const struct recorded_finding *first)
 {
 	static const char *const kinds[FINDING_KINDS] = {
-		[FINDING_COLLISION] = "Collision", [FINDING_CLEARANCE] = "Too little clearance", [FINDING_LIMIT] = "Axis limit",
-		[FINDING_START_OVERLAP] = "Overlap at the start", [FINDING_RAPID_CONTACT] = "Contact while not cutting",
-		[FINDING_GOUGE] = "Gouge",
+		[FINDING_COLLISION] = "Collision", [FINDING_CLEARANCE] = "Too little clearance",
+		[FINDING_LIMIT] = "Axis limit", [FINDING_START_OVERLAP] = "Overlap at the start",
+		[FINDING_RAPID_CONTACT] = "Contact while not cutting", [FINDING_GOUGE] = "Gouge",
 	};
 	struct strbuf text = {0};
 

@@ -383,8 +383,8 @@ static bool check_machining(const struct milling *m, const struct cycle *cycle)
 {
 	return !cycle->machining || sinumerik_argument_digit(&m->of, cycle->machining, 0) != CHAMFER ||
 	       fault(&m->of.interp->at, m->of.column,
-		     "%s that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes is not "
-		     "known",
+		     "%s that makes a chamfer (units of _VARI 5) is not supported: how near to the edge the tool goes is "
+		     "not known",
 		     m->of.cycle);
 }
 
@@ -401,6 +401,6 @@ bool sinumerik_region_mill(struct interp *interp, const char *name, const double
 		if (!interp->config->has_axis[slot])
 			return fault(&interp->at, column, "%s needs the axes X, Y and Z", name);
 	}
-	return check_machining(&m, cycle) && sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) && find_feed(&m, cycle->feed) &&
-	       cycle->mill(&m);
+	return check_machining(&m, cycle) && sinumerik_argument_heights(&m.of, &cycle->modes, &m.height) &&
+	       find_feed(&m, cycle->feed) && cycle->mill(&m);
 }
