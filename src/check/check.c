@@ -38,6 +38,7 @@ static void on_limit(struct checker *c, const struct motion_limit *limit)
 			.shift = limit->shift,
 			.length_acts = limit->length_acts,
 			.length = limit->length,
+			.stock_time = (double)c->number,
 		},
 		.block = c->block,
 		.block_time = limit->block_time,
@@ -276,6 +277,8 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 		finish(&c, complete);
 		if (options->remainder)
 			tell_remainder(&c, complete);
+		if (options->stock_view)
+			stock_check_view(&c.stock, c.number, options->stock_view);
 		scheduler_collect(&c.scheduler, options, c.last_block, stats, proven);
 		stock_check_collect(&c.stock, scene, c.last_block, stats, proven);
 	}

@@ -90,6 +90,7 @@ static void add_finding(struct checker *c, const struct block_finding *at, enum 
 	finding.finding.step_class = step_class;
 	finding.finding.move = move;
 	finding.finding.time = at->finding.time;
+	finding.finding.stock_time = at->finding.stock_time;
 	finding.finding.certain = at->finding.certain;
 	block_log_add_finding(&c->log, &finding);
 	c->found = true;
@@ -102,6 +103,7 @@ static void add_contact(struct checker *c, const struct pair_check_result *resul
 	const struct motion_step *motion = &step->motion;
 	const double since = result->contact.s * motion->seconds;
 	const struct block_finding at = {.finding.time = motion->time + since, .finding.certain = result->certain,
+					 .finding.stock_time = (double)step->number + result->contact.s,
 					 .block = step->block, .block_time = motion->block_time + since,
 					 .rank = (int)result->pair};
 
@@ -299,7 +301,8 @@ static bool is_past_a_limit(const struct checker *c)
 static void check_pair_at_rest(struct checker *c, struct pair_check *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
-	const struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
+	const struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
+					 .block = c->block, .block_time = c->block_time,
 					 .rank = (int)check->pair};
 	struct contact contact;
 	enum pose_state state;
@@ -329,7 +332,8 @@ static void check_pair_at_rest(struct checker *c, struct pair_check *check, int 
 static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int move, int step_class)
 {
 	const struct scene_pair *pair = &c->scene->pairs[check->pair];
-	struct block_finding at = {.finding.time = c->time, .block = c->block, .block_time = c->block_time,
+	struct block_finding at = {.finding.time = c->time, .finding.stock_time = (double)c->number,
+					 .block = c->block, .block_time = c->block_time,
 					 .rank = (int)check->pair};
 	struct contact contact;
 	enum query_answer answer = stock_pair_stand(check, &c->position, c->number, &contact);

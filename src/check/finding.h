@@ -38,6 +38,7 @@ struct finding {
 	int move, moves;	/* which of the block's moves, from 1 */
 	double fraction;	/* of the block's motion, by time, 0 to 1 */
 	double time;	/* s since the start of the program */
+	double stock_time;	/* the same in steps of the program, as the log of cuts counts (stock/cut_log.h) */
 	axis_values axes;	/* machine axis positions, mm and radians */
 	int tool;	/* in the spindle; 0: none */
 	/* Of all kinds but LIMIT, which has a path tolerance only: */

@@ -10,6 +10,7 @@ struct motion_sink;
 struct setup_change;
 struct path_record;
 struct stock_remainder;
+struct stock_view;
 
 enum check_method {
 	CHECK_CERTIFIED,	/* proof in continuous time */
@@ -44,6 +45,7 @@ struct check_options {
 	const struct motion_sink *watch;
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
 	struct stock_remainder *remainder;	/* receives the stock that the program leaves; or NULL */
+	struct stock_view *stock_view;	/* receives the stock as it is at a time, also after a finding; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.
 	 * Each shard interprets the whole program, and each block is checked by exactly one shard. Together the shards

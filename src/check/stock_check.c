@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "check/step.h"
 #include "check/stock_certainty.h"
 #include "geom/tolerance.h"
@@ -15,14 +16,6 @@
 #define CUT_SHARE 0.0625
 
 /* ------------------------------------------------------------------ start */
-
-static int stock_of(const struct scene *scene)
-{
-	for (size_t i = 0; i < scene->body_count; i++)
-		if (scene->bodies[i].body->role == ROLE_STOCK)
-			return (int)i;
-	return -1;
-}
 
 /* What a check with stock cannot do yet; NULL: nothing. */
 static const char *unsupported(const struct check_options *options)
@@ -109,7 +102,7 @@ bool stock_check_init(struct stock_check *check, struct scene *scene, const stru
 		      const struct cancel *cancel, struct diag *diag)
 {
 	const double tolerance = options->stock_tolerance > 0 ? options->stock_tolerance : STOCK_TOLERANCE;
-	const int stock = stock_of(scene);
+	const int stock = scene_stock(scene);
 	const char *fault;
 
 	*check = (struct stock_check){.grain = CUT_SHARE * tolerance};
@@ -258,4 +251,17 @@ void stock_check_remainder(struct stock_check *check, long number, struct stock_
 		return;
 	remainder->edge = stock_mesh_build(&check->cells, (double)number, REMAINDER_PARTS, &remainder->mesh);
 	remainder->known = !stock_check_fault(check);
+}
+
+void stock_check_view(struct stock_check *check, long number, struct stock_view *view)
+{
+	if (!view->most || !check->cells.group_count)
+		return;
+	view->time = smaller(view->time, (double)number);
+	stock_view_build(&check->cells, view);
+	if (!stock_check_fault(check))
+		return;
+	/* Cuts are missing. */
+	mesh_release(&view->mesh);
+	view->cut = false;
 }

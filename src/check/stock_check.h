@@ -70,6 +70,9 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 /* What remains of the stock before the step `number`. */
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);
 
+/* Fills in what the view asks for, at the latest before the step `number`. Without stock it stays as it is. */
+void stock_check_view(struct stock_check *check, long number, struct stock_view *view);
+
 /*
  * Adds up the counters and the pairs that became unknown up to last_block, which ended the check. proven may be NULL.
  */

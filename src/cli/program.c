@@ -332,6 +332,7 @@ static void run(struct program *program, struct program_file *file, const char *
 	if (context->options->verbose)
 		proven = mem_zalloc(context->scene->pair_count, sizeof(*proven));
 	check.watch = program->recorder ? &program->recorder->watch : NULL;
+	check.stock_view = program->recorder ? &program->recorder->stock : NULL;
 	outcome->result = (enum check_result)fivecheck_check(context->model, &check, file->stream, file->name,
 							     &events, diag, &outcome->stats, proven);
 	measure_sensitivity(program, file->stream, start);
@@ -390,6 +391,7 @@ void program_check(const struct program_context *context, const char *path, stru
 	if (context->reports) {
 		recorder_init(&recorder, context->scene, strcmp(path, "-") != 0 ? path : "<stdin>",
 			      context->check.block_clearance_cap);
+		recorder.stock.most = program_reports_stock_triangles(context->reports);
 		program.recorder = &recorder;
 	}
 	opened = program_open(&file, path, &output->diag);

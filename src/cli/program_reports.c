@@ -21,6 +21,10 @@
 /* Meshes get this share of a report's size. */
 #define MESH_SHARE 0.75
 
+/* Of that the stock gets this share, if there is one; triangles of cubes need no more bytes than so many. */
+#define STOCK_SHARE 0.25
+#define STOCK_TRIANGLE_BYTES 3
+
 /* ------------------------------------------------------------------- names */
 
 static bool may_stand_in_name(char c)
@@ -155,12 +159,14 @@ static bool build_all(struct scene *scene, struct diag *diag)
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag)
 {
+	const size_t mesh_bytes = (size_t)(MESH_SHARE * 1e6 * options->report_size);
+
 	*reports = (struct program_reports){.options = options, .scene = scene, .file_count = file_count};
 	if (!try_output(options->report, diag) || !try_output(options->glb, diag) ||
 	    !try_output(options->picture, diag) || !build_all(scene, diag))
 		return false;
-	if (options->report &&
-	    !scene_pack_init(&reports->pack, scene, (size_t)(MESH_SHARE * 1e6 * options->report_size), diag))
+	reports->stock_bytes = scene_stock(scene) < 0 ? 0 : (size_t)(STOCK_SHARE * (double)mesh_bytes);
+	if (options->report && !scene_pack_init(&reports->pack, scene, mesh_bytes - reports->stock_bytes, diag))
 		return false;
 	if (reports->pack.left_out)
 		diag_note(diag, (struct srcloc){0},
@@ -181,6 +187,11 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 		return true;
 	program_reports_release(reports);
 	return false;
+}
+
+size_t program_reports_stock_triangles(const struct program_reports *reports)
+{
+	return reports->stock_bytes / STOCK_TRIANGLE_BYTES;
 }
 
 void program_reports_release(struct program_reports *reports)
@@ -241,6 +252,7 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 	    .tool = scene->setup ? scene->setup->initial_tool : 0,
 	    .a = -1,
 	    .b = -1,
+	    .stock = recorder->stock.cut ? &recorder->stock.mesh : NULL,
 	};
 
 	if (first) {
@@ -250,7 +262,7 @@ static struct stage stage_of(const struct program_reports *reports, struct recor
 		stage.b = first->b;
 		stage.has_point = stage.alarming = first->a >= 0;
 		stage.point = first->point;
-		stage.triangles = first->a >= 0 ? first->triangles : NULL;
+		stage.triangles = first->has_triangles ? first->triangles : NULL;
 	} else if (recorder->least < recorder->cap) {
 		stage.axes = recorder->least_at.axes;
 		stage.tool = recorder->least_at.tool;
@@ -312,6 +324,7 @@ static bool write_html(const struct program_reports *reports, const struct html_
 		       const struct stage *stage, const char *title, const char *path, struct diag *diag)
 {
 	struct strbuf picture = {0};
+	struct stock_pack stock;
 	struct html_contents report = *known;
 	struct report_file *files = files_of(reports, known->recorder, known->program->name, &report.file_count);
 	bool good;
@@ -319,7 +332,10 @@ static bool write_html(const struct program_reports *reports, const struct html_
 	picture_add_svg(&picture, stage, title, false);
 	report.picture = &picture;
 	report.files = files;
+	stock_pack_init(&stock, known->recorder, reports->stock_bytes);
+	report.stock = &stock;
 	good = html_report_write(&report, path, diag);
+	stock_pack_release(&stock);
 	strbuf_release(&picture);
 	free(files);
 	return good;
@@ -329,7 +345,7 @@ static bool write_html(const struct program_reports *reports, const struct html_
 static bool write_glb(struct recorder *recorder, const struct stage *stage, const char *path, struct diag *diag)
 {
 	struct recorded_window window = recorder_window(recorder);
-	struct glb_scene scene = {stage->scene, stage->tool, stage->a, stage->b, NULL, window.count + 1};
+	struct glb_scene scene = {stage->scene, stage->tool, stage->a, stage->b, stage->stock, NULL, window.count + 1};
 	struct glb_key *keys = mem_alloc((window.count + 1) * sizeof(*keys));
 	struct strbuf text = {0};
 	bool good;

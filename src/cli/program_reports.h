@@ -29,6 +29,7 @@ struct program_reports {
 	struct scene_pack pack;
 	struct report_file *files;	/* that are known before the check; their texts are borrowed */
 	size_t file_count;
+	size_t stock_bytes;	/* that the stock may need in a report; 0: there is none */
 	struct reported_program *programs;
 };
 
@@ -36,6 +37,9 @@ struct program_reports {
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
+
+/* How many triangles what remains of the stock may have; 0: there is no stock. */
+size_t program_reports_stock_triangles(const struct program_reports *reports);
 
 /*
  * Writes the files of the program with this index. Different threads may write those of different programs. False:

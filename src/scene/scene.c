@@ -192,6 +192,14 @@ bool scene_build(struct scene *scene, struct diag *diag)
 	return good;
 }
 
+int scene_stock(const struct scene *scene)
+{
+	for (size_t i = 0; i < scene->body_count; i++)
+		if (scene->bodies[i].body->role == ROLE_STOCK)
+			return (int)i;
+	return -1;
+}
+
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status)
 {
 	size_t count = 0;

@@ -106,6 +106,9 @@ const struct topology *scene_body_topology(struct scene *scene, int body, struct
 /* Fills in the pair for a sweep; valid as long as the scene. False: a mesh is faulty, reported. */
 bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struct body_pair *out, struct diag *diag);
 
+/* The body of the stock; -1: there is none. */
+int scene_stock(const struct scene *scene);
+
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status);
 
 /* "checked", "rigid", "adjacent", "out of reach", "waived" */

@@ -158,3 +158,22 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, struc
 	free(grid.bits);
 	return grid.edge;
 }
+
+/* Edges that the mesh may reach beyond what remains: two, and what cutters leave that are smaller by a quarter. */
+#define VIEW_EXCESS 2.25
+
+/* Cubes along the blank's longest side, at most and at least. */
+enum { VIEW_PARTS_MOST = 128, VIEW_PARTS_LEAST = 8 };
+
+void stock_view_build(struct stock_cells *cells, struct stock_view *view)
+{
+	if (!cut_log_end(cells->log, view->time))
+		return;
+	view->cut = true;
+	for (int parts = VIEW_PARTS_MOST;; parts /= 2) {
+		view->excess = VIEW_EXCESS * stock_mesh_build(cells, view->time, parts, &view->mesh);
+		if (view->mesh.count <= view->most || parts <= VIEW_PARTS_LEAST)
+			return;
+		mesh_release(&view->mesh);
+	}
+}

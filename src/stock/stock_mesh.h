@@ -3,6 +3,7 @@
 #define FIVECHECK_STOCK_STOCK_MESH_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "geom/mesh.h"
 #include "stock/stock_cells.h"
@@ -23,5 +24,17 @@ struct stock_remainder {
 	struct mesh mesh;
 	double edge;	/* mm: of its cubes */
 };
+
+/* The stock as a report shows it. The owner of the report asks, and releases the mesh. */
+struct stock_view {
+	double time;	/* in steps of the program (cut_log.h); the check takes its own end if that is sooner */
+	size_t most;	/* triangles of the mesh, unless the coarsest mesh has more; 0: nothing is wanted */
+	bool cut;	/* a cutter has been in the blank by then, and the mesh is the answer; else the blank is: */
+	struct mesh mesh;	/* in the stock's mesh coordinates; empty if nothing remains */
+	double excess;	/* mm: the mesh holds all that remains, and reaches no farther, path tolerance aside */
+};
+
+/* Fills in what `view` asks for: the more triangles it allows, the smaller the cubes. */
+void stock_view_build(struct stock_cells *cells, struct stock_view *view);
 
 #endif

@@ -24,7 +24,7 @@
  * @typedef {Object} Body
  * @property {string} name
  * @property {number} link
- * @property {'machine'|'fixture'|'part'|'holder'|'shank'|'cutter'|string} role
+ * @property {'machine'|'fixture'|'part'|'stock'|'holder'|'shank'|'cutter'|string} role
  * @property {number} tool	number of the tool that it belongs to: shown only while that tool is in the spindle; 0: always
  * @property {Mesh} mesh
  *

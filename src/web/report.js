@@ -102,7 +102,7 @@ function readCode({code}) {
 }
 
 /** @param {any} head @returns {[string, string][]} */
-function readSetup({machine, tools, offsets, options, accuracy}) {
+function readSetup({machine, tools, offsets, options, accuracy, stock}) {
 	/** @type {[string, string][]} */
 	const rows = [['Machine', machine.name || machine.file]];
 	for (const axis of machine.axes) {
@@ -117,5 +117,12 @@ function readSetup({machine, tools, offsets, options, accuracy}) {
 		if (options?.[key] !== undefined && options[key] !== null) rows.push([key[0].toUpperCase() + key.slice(1), `${options[key]}${typeof options[key] === 'number' ? ' mm' : ''}`]);
 	}
 	if (accuracy !== null && accuracy !== undefined) rows.push(['Picture', `drawn to ${accuracy} mm; proved on the numbers of the STL files`]);
+	if (stock) rows.push(['Stock', stockText(stock)]);
 	return rows;
+}
+
+/** @param {{when: string, excess: number}} stock */
+function stockText({when, excess}) {
+	if (when === 'start') return 'drawn before the first cut';
+	return `drawn as it remains at the ${when === 'end' ? 'end' : 'first finding'}: all that is left, and nothing that is farther than ${excess.toPrecision(2)} mm from it`;
 }

@@ -174,7 +174,7 @@ export class Stage {
 			return {bodies: carried, point: centre, radius: radius * 1.6};
 		}
 		const role = (/** @type {string[]} */ roles) => this.placed.all().filter((i) => roles.includes(this.placed.bodies[i].role));
-		const tool = role(['cutter', 'shank', 'holder']), work = role(['part', 'fixture']);
+		const tool = role(['cutter', 'shank', 'holder']), work = role(['part', 'stock', 'fixture']);
 		const bodies = [...tool, ...work];
 		const {centre, radius} = this.placed.around(work.length ? work : bodies.length ? bodies : this.placed.all());
 		return {bodies, point: tool.length ? this.placed.sphere(tool[tool.length - 1]).centre : centre, radius: Math.max(30, radius * 1.6)};

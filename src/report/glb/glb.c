@@ -85,12 +85,13 @@ static vec3 origin_of(const struct machine *machine, int link)
 static int add_mesh(struct glb *glb, int body)
 {
 	const struct scene_body *it = &glb->scene->scene->bodies[body];
+	const bool cut = glb->scene->stock && it->body->role == ROLE_STOCK;
 	xform place = it->body->placement;
 	json_t *mesh, *primitives, *primitive, *attributes;
 	int positions, indices;
 
 	place.translation = vec3_sub(place.translation, origin_of(glb->scene->scene->machine, it->body->link));
-	if (!glb_mesh(&glb->buffer, &it->bvh->mesh, &place, &positions, &indices))
+	if (!glb_mesh(&glb->buffer, cut ? glb->scene->stock : &it->bvh->mesh, &place, &positions, &indices))
 		return -1;
 	mesh = json_object();
 	primitives = json_array();

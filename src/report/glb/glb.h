@@ -19,6 +19,7 @@ struct glb_scene {
 	const struct scene *scene;
 	int tool;	/* in the spindle: the others are left out */
 	int a, b;	/* bodies in colour; -1: none */
+	const struct mesh *stock;	/* what remains of it, in its mesh coordinates; NULL: the blank is shown */
 	const struct glb_key *keys;	/* at least one; the last is the pose without animation */
 	size_t key_count;
 };

@@ -8,11 +8,13 @@
 #include "base/strbuf.h"
 #include "report/html/recorder.h"
 #include "report/html/scene_pack.h"
+#include "report/html/stock_pack.h"
 #include "report/report.h"
 
 /* Borrows everything. */
 struct html_contents {
 	const struct scene_pack *scene;
+	const struct stock_pack *stock;
 	const struct report_run *run;
 	const struct report_program *program;
 	struct recorder *recorder;	/* closed */

@@ -58,6 +58,7 @@ static bool write_page(struct page *page, const struct html_contents *report)
 	page->written += report->scene->meshes.length;
 	output_write(&page->out, strbuf_text(&report->scene->meshes), report->scene->meshes.length);
 	page->blobs = report->scene->blobs;
+	stock_pack_write(report->stock, page, head);
 	good = report_levels_write(page, report, head, viewer.length + length_of_head(head, report->recorder));
 	strbuf_addf(&text, "<script type=\"text/plain\" id=\"fivecheck-head\">");
 	pack_json(&text, head);

@@ -302,5 +302,7 @@ void plain_html_add_main(struct strbuf *out, const struct html_contents *report)
 	add_statistics(out, report);
 	add_files(out, report);
 	strbuf_addf(out, "<p>Made by fivecheck " FIVECHECK_VERSION ". Meshes are drawn to %.3f mm; the proof is about the "
-			 "numbers of the STL files.</p>\n</main>\n", report->scene->accuracy);
+			 "numbers of the STL files.", report->scene->accuracy);
+	stock_pack_add_text(report->stock, out);
+	strbuf_addf(out, "</p>\n</main>\n");
 }

@@ -207,13 +207,15 @@ static void add_triangles(struct recorder *recorder, struct recorded_finding *fi
 	struct nearest_triangles nearest;
 	xform pose;
 
-	if (!pair || !nearest_of(recorder, pair, &finding->axes, 1, &nearest))
+	/* The blank's triangles are not those of what remains of the stock. */
+	if (!pair || pair->stock || !nearest_of(recorder, pair, &finding->axes, 1, &nearest))
 		return;
 	pose = mesh_pose(recorder->scene, pair->a, &finding->axes);
 	for (int k = 0; k < 3; k++) {
 		finding->triangles[0][k] = xform_apply(&pose, nearest.a.p[k]);
 		finding->triangles[1][k] = xform_apply(&pose, nearest.b.p[k]);
 	}
+	finding->has_triangles = true;
 }
 
 /* The number of the finding's block: the first one of its line that ends after it. 0: not known. */
@@ -267,6 +269,7 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 		.line = finding->line,
 		.block = block_of(recorder, finding),
 		.time = finding->time,
+		.stock_time = finding->stock_time,
 		.fraction = finding->fraction,
 		.axes = finding->axes,
 		.tool = finding->tool,
@@ -276,6 +279,7 @@ void recorder_finding(struct recorder *recorder, const struct finding *finding, 
 	};
 	if (it->a >= 0 && it->b >= 0)
 		add_triangles(recorder, it);
+	recorder->stock.time = recorder_first(recorder)->stock_time;
 	/* A file that only calls moves nothing, and would not be among them. */
 	for (size_t i = 0; i < finding->caller_count; i++)
 		file_index(recorder, finding->callers[i].file);
@@ -434,6 +438,7 @@ void recorder_init(struct recorder *recorder, struct scene *scene, const char *p
 		.ends = mem_zalloc(BLOCK_ENDS, sizeof(struct block_end)),
 		.plane_stride = 1,
 		.mode = -1,
+		.stock = {.time = INFINITY},
 	};
 	file_index(recorder, program);
 	recorded_table_init(&recorder->path, PATH_AXES + scene->machine->axis_count, keep_later);
@@ -460,6 +465,7 @@ void recorder_release(struct recorder *recorder)
 	free(recorder->planes);
 	recorded_table_release(&recorder->path);
 	recorded_table_release(&recorder->clearance);
+	mesh_release(&recorder->stock.mesh);
 	sweep_release(&recorder->sweep);
 }
 

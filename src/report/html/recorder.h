@@ -14,6 +14,7 @@
 #include "report/html/recorded_table.h"
 #include "report/report.h"
 #include "scene/sweep.h"
+#include "stock/stock_mesh.h"
 
 /* Columns of the path before the axes. */
 enum { PATH_TIME, PATH_BLOCK, PATH_LINE, PATH_FILE, PATH_TOOL, PATH_CLASS, PATH_MODES, PATH_FEED, PATH_AXES };
@@ -47,10 +48,12 @@ struct recorded_finding {
 	enum finding_status status;
 	long line, block;	/* number of the block, from 1; 0: not known */
 	double time, fraction;
+	double stock_time;	/* as in the finding */
 	axis_values axes;
 	int tool;
 	int a, b;	/* bodies; -1 for a limit */
 	vec3 point;	/* machine coordinates */
+	bool has_triangles;	/* false: a limit, or one of the bodies is the stock */
 	vec3 triangles[2][3];	/* of a and of b, machine coordinates at the finding's pose */
 };
 
@@ -97,6 +100,7 @@ struct recorder {
 	struct recorded_finding *findings;	/* the first FINDINGS_MAX */
 	size_t finding_count, finding_capacity;
 	long findings_left_out;
+	struct stock_view stock;	/* give it to the check: the stock at the first finding, else at the end */
 	struct block_end *ends;	/* ring: block n at n % BLOCK_ENDS */
 	long blocks;	/* that were read */
 	double now, block_from;	/* s: where the last step, and the block before, ended */

@@ -41,7 +41,7 @@
  *   read_out      names of the axes in the order in which a control shows them (X Y Z A B C U V W)
  *   bodies        [{name, role, link, tool, mesh}] in the order of the machine file, then fixtures and parts, then
  *                 tools
- *     role        "machine" "fixture" "part" "holder" "shank" "cutter"
+ *     role        "machine" "fixture" "part" "stock" "holder" "shank" "cutter"
  *     tool        number of the tool that the body belongs to: it is shown only while that tool is in the spindle; 0:
  *                 always shown
  *     mesh        {blob, vertices, triangles, origin: [3], step: [3]}; null: the body has no triangles here; of a
@@ -49,6 +49,10 @@
  *                 [3]}: see TURNED
  *   accuracy      mm: no drawn vertex is farther than this from the one in the STL file. Say "drawn to 0.02 mm; proved
  *                 on the STL's numbers".
+ *   stock         null: there is none; else {body, when: "finding"|"end"|"start", excess}. bodies[body].mesh, null if
+ *                 nothing is drawn, is what remains at the first finding, or where the check ends: all that is left,
+ *                 and nothing farther than `excess` (mm) from it. "start": no cutter has been in the blank by then, and
+ *                 the blank is drawn.
  *   tools         [{number, name|null, length}]: of the setup
  *   offsets       [{name, axes: {X: ...}}]: the setup's work offsets
  *   pairs         [{a, b, status, clearance, reason}]: a, b: indices of bodies; status: "checked" "rigid" "adjacent"
@@ -58,8 +62,8 @@
  *                 besides:
  *     bodies      [a, b]: indices of bodies; null for a limit
  *     tool        number of the tool in the spindle
- *     triangles   [[9 numbers of a triangle of a], [of b]], machine coordinates at the finding's pose; null for a
- *                 limit. They touch, or are the nearest.
+ *     triangles   [[9 numbers of a triangle of a], [of b]], machine coordinates at the finding's pose. They touch, or
+ *                 are the nearest. null for a limit, and with the stock.
  *     block_number  number of the block among those that were carried out, from 1, as in the path
  *                 At a finding's time the axes are exactly those of the finding, not those that the path gives.
  *   findings_left_out  how many more there are (the first FINDINGS_MAX are here)

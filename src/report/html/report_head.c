@@ -51,6 +51,8 @@ static json_t *finding_json(const struct recorded_finding *finding)
 		bodies = json_array();
 		json_push(bodies, json_integer(finding->a));
 		json_push(bodies, json_integer(finding->b));
+	}
+	if (finding->has_triangles) {
 		triangles = json_array();
 		json_push(triangles, triangle_json(finding->triangles[0]));
 		json_push(triangles, triangle_json(finding->triangles[1]));

@@ -120,9 +120,8 @@ struct packed_body {
 	bool left_out;
 };
 
-static json_t *mesh_of(const struct packed_body *packed, int blob)
+json_t *scene_pack_mesh(const struct packed_mesh *mesh, int blob)
 {
-	const struct packed_mesh *mesh = &packed->mesh;
 	json_t *object = json_object();
 
 	json_put(object, "blob", json_integer(blob));
@@ -152,7 +151,7 @@ static json_t *turned_of(const struct turned *turned, const xform *place)
 }
 
 /* Half the diagonal of a cell of the grid, and the rounding of the viewer's floats (24 bits). */
-static double accuracy_of(const struct packed_mesh *mesh)
+double scene_pack_accuracy(const struct packed_mesh *mesh)
 {
 	const vec3 o = mesh->origin;
 	const double farthest = fmax(fabs(o.x), fmax(fabs(o.y), fabs(o.z))) + 65535 * mesh->step;
@@ -175,9 +174,9 @@ static void add_body(struct scene_pack *pack, const struct body *body, const str
 		json_put(object, "mesh", json_null());
 		pack->left_out += packed->left_out;
 	} else {
-		json_put(object, "mesh", mesh_of(packed, pack->blobs));
+		json_put(object, "mesh", scene_pack_mesh(&packed->mesh, pack->blobs));
 		page_add_blob(&pack->meshes, pack->blobs++, &packed->blob);
-		pack->accuracy = fmax(pack->accuracy, accuracy_of(&packed->mesh));
+		pack->accuracy = fmax(pack->accuracy, scene_pack_accuracy(&packed->mesh));
 	}
 	json_push(pack->bodies, object);
 }
@@ -222,7 +221,8 @@ static bool pack_bodies(struct scene_pack *pack, struct scene *scene, struct pac
 
 		if (!bvh)
 			return false;
-		pack_body(&packed[i], scene->bodies[i].body, bvh);
+		if (scene->bodies[i].body->role != ROLE_STOCK)
+			pack_body(&packed[i], scene->bodies[i].body, bvh);
 	}
 	fit(packed, scene->body_count, most);
 	for (size_t i = 0; i < scene->body_count; i++)

@@ -10,6 +10,7 @@
 
 #include "base/diag.h"
 #include "base/strbuf.h"
+#include "report/html/pack_mesh.h"
 #include "scene/scene.h"
 
 struct scene_pack {
@@ -21,13 +22,18 @@ struct scene_pack {
 };
 
 /*
- * Reads the meshes that are still missing. Where the meshes need more than `most` bytes, those of the largest bodies
- * are left out. False: a mesh is faulty, reported.
+ * Reads the meshes that are still missing, and packs those of all bodies but the stock, which each program changes
+ * (stock_pack.h). Where the meshes need more than `most` bytes, those of the largest bodies are left out. False: a mesh
+ * is faulty, reported.
  */
 bool scene_pack_init(struct scene_pack *pack, struct scene *scene, size_t most, struct diag *diag);
 void scene_pack_release(struct scene_pack *pack);
 
-/* "machine", "fixture", "part", "holder", "shank", "cutter" */
+/* The value of a body's "mesh", which is the blob of this number; and how exactly it is drawn, in mm. */
+json_t *scene_pack_mesh(const struct packed_mesh *mesh, int blob);
+double scene_pack_accuracy(const struct packed_mesh *mesh);
+
+/* "machine", "fixture", "part", "stock", "holder", "shank", "cutter" */
 const char *scene_pack_role(enum body_role role);
 
 #endif

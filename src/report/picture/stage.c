@@ -115,6 +115,13 @@ static bool is_there(const struct stage *stage, int body)
 	return it->bvh && (it->body->tool == 0 || it->body->tool == stage->tool);
 }
 
+static const struct mesh *mesh_of(const struct stage *stage, int body)
+{
+	const struct scene_body *it = &stage->scene->bodies[body];
+
+	return stage->stock && it->body->role == ROLE_STOCK ? stage->stock : &it->bvh->mesh;
+}
+
 /* The middle of a body as it stands, and the radius of a ball around it. */
 static vec3 middle_of(const struct stage *stage, int body, double *radius)
 {
@@ -165,17 +172,18 @@ static void draw_body(const struct stage *stage, const struct camera *camera, st
 	const xform pose = xform_mul(&link, &it->body->placement);
 	const struct screen screen = screen_of(camera, raster, &pose);
 	const enum paint_class class = class_of(stage, body);
+	const struct mesh *mesh = mesh_of(stage, body);
 	const vec3 light = light_of(camera);
 
-	for (size_t i = 0; i < it->bvh->mesh.count; i++) {
+	for (size_t i = 0; i < mesh->count; i++) {
 		vec3 p[3], at[3];
 
 		for (int k = 0; k < 3; k++)
-			at[k] = screen_place(&screen, mesh_corner(&it->bvh->mesh.triangles[i], k));
+			at[k] = screen_place(&screen, mesh_corner(&mesh->triangles[i], k));
 		if (!raster_may_show(raster, at))
 			continue;
 		for (int k = 0; k < 3; k++)
-			p[k] = xform_apply(&pose, mesh_corner(&it->bvh->mesh.triangles[i], k));
+			p[k] = xform_apply(&pose, mesh_corner(&mesh->triangles[i], k));
 		raster_triangle(raster, at, paint_of(camera, light, class, p));
 	}
 }
@@ -337,11 +345,11 @@ static struct draft draft_of(const struct stage *stage, double grid)
 		const xform link = machine_pose(stage->scene->machine, it->body->link, &stage->axes);
 		const xform pose = xform_mul(&link, &it->body->placement);
 
-		for (size_t t = 0; is_there(stage, i) && t < it->bvh->mesh.count; t++) {
+		for (size_t t = 0; is_there(stage, i) && t < mesh_of(stage, i)->count; t++) {
 			vec3 p[3];
 
 			for (int k = 0; k < 3; k++)
-				p[k] = xform_apply(&pose, mesh_corner(&it->bvh->mesh.triangles[t], k));
+				p[k] = xform_apply(&pose, mesh_corner(&mesh_of(stage, i)->triangles[t], k));
 			add_to_draft(&draft, p, grid, class_of(stage, i));
 		}
 	}

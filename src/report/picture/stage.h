@@ -18,6 +18,7 @@ struct stage {
 	bool alarming;	/* they meet: in red and orange; else in blue and green */
 	bool has_point;
 	vec3 point;	/* where they meet or are nearest, machine coordinates */
+	const struct mesh *stock;	/* what remains of it, in its mesh coordinates; NULL: the blank is drawn */
 	const vec3 (*triangles)[3];	/* of a and of b, that are shown in a colour of their own; or NULL */
 };
 

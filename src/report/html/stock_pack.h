@@ -1,0 +1,32 @@
+/* stock_pack.h - the stock in the report of one program: what remains of it at the first finding, else at the end. */
+#ifndef FIVECHECK_REPORT_HTML_STOCK_PACK_H
+#define FIVECHECK_REPORT_HTML_STOCK_PACK_H
+
+#include <jansson.h>
+
+#include "base/strbuf.h"
+#include "report/html/page.h"
+#include "report/html/pack_mesh.h"
+#include "report/html/recorder.h"
+
+struct stock_pack {
+	int body;	/* its index in the scene; -1: there is no stock */
+	struct packed_mesh mesh;	/* without triangles: nothing is drawn */
+	struct strbuf blob;	/* owned */
+	bool left_out;	/* there would be too many */
+	double excess;	/* mm: what is drawn holds all that remains, and reaches no farther beyond it; of the blank 0 */
+	/* At the start: no cutter was in the blank by then, and it is drawn. */
+	enum stock_instant { STOCK_AT_START, STOCK_AT_FINDING, STOCK_AT_END } when;
+};
+
+/* A mesh that needs more than `most` bytes is left out. */
+void stock_pack_init(struct stock_pack *pack, const struct recorder *recorder, size_t most);
+void stock_pack_release(struct stock_pack *pack);
+
+/* Writes the mesh to the page, and what tells of it to the head. */
+void stock_pack_write(const struct stock_pack *pack, struct page *page, json_t *head);
+
+/* Appends a sentence with a space before it; nothing if there is no stock. */
+void stock_pack_add_text(const struct stock_pack *pack, struct strbuf *out);
+
+#endif
