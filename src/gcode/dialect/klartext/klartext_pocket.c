@@ -13,6 +13,20 @@
 
 /* ------------------------------------------------------------------ pockets */
 
+/* The length of a parameter that says how large something is: the region of a negative one would shrink to its centre. */
+static bool find_size(const struct klartext_call_of *call, int q, double *value)
+{
+	double length;
+
+	if (!klartext_parameter_length(call, q, &length))
+		return false;
+	if (length < 0)
+		return fault(&call->interp->at, call->column, "Q%d of CYCL DEF %d is a size and cannot be negative", q,
+			     call->cycle->number);
+	*value = length;
+	return true;
+}
+
 /* A box of these half sides, turned by an angle: the box about it along X and Y. */
 static void turn_box(struct klartext_region *region, double along, double across, double degrees)
 {
@@ -56,7 +70,7 @@ static bool rectangular_pocket(const struct klartext_call_of *call, struct klart
 	const double turn = klartext_parameter_or(call, 224, 0), radius = tool_radius(call);
 	double length, width, way[2];
 
-	if (!klartext_parameter_length(call, 218, &length) || !klartext_parameter_length(call, 219, &width) ||
+	if (!find_size(call, 218, &length) || !find_size(call, 219, &width) ||
 	    !find_place(call, places, way))
 		return false;
 	shift_centre(region, way[0] * length / 2, way[1] * width / 2, turn);
@@ -70,7 +84,7 @@ static bool slot(const struct klartext_call_of *call, struct klartext_region *re
 	const double turn = klartext_parameter_or(call, 374, 0), radius = tool_radius(call);
 	double length, width, way[2];
 
-	if (!klartext_parameter_length(call, 218, &length) || !klartext_parameter_length(call, 219, &width))
+	if (!find_size(call, 218, &length) || !find_size(call, 219, &width))
 		return false;
 	/* Its left end, the centre of its left circle, that of its right circle, its right end. */
 	const double places[5][2] = {
@@ -93,7 +107,7 @@ static bool circular_pocket(const struct klartext_call_of *call, struct klartext
 {
 	double diameter;
 
-	if (!klartext_parameter_length(call, call->cycle->number == 208 ? 335 : 223, &diameter))
+	if (!find_size(call, call->cycle->number == 208 ? 335 : 223, &diameter))
 		return false;
 	disc(region, diameter, tool_radius(call));
 	return true;
@@ -104,7 +118,7 @@ static bool circular_slot(const struct klartext_call_of *call, struct klartext_r
 {
 	double diameter, width, x, y;
 
-	if (!klartext_parameter_length(call, 375, &diameter) || !klartext_parameter_length(call, 219, &width) ||
+	if (!find_size(call, 375, &diameter) || !find_size(call, 219, &width) ||
 	    !klartext_parameter_length(call, 216, &x) || !klartext_parameter_length(call, 217, &y))
 		return false;
 	if (!same_double(klartext_parameter_or(call, 367, 0), 0))
@@ -121,7 +135,7 @@ static bool thread(const struct klartext_call_of *call, struct klartext_region *
 {
 	double diameter, pitch;
 
-	if (!klartext_parameter_length(call, 335, &diameter) || !klartext_parameter_length(call, 239, &pitch))
+	if (!find_size(call, 335, &diameter) || !klartext_parameter_length(call, 239, &pitch))
 		return false;
 	disc(region, diameter, tool_radius(call));
 	region->beyond = fabs(pitch);
@@ -203,8 +217,8 @@ static bool rectangular_stud(const struct klartext_call_of *call, struct klartex
 	const double turn = klartext_parameter_or(call, 224, 0);
 	double length, width, blank[2], radius, way[2], most;
 
-	if (!klartext_parameter_length(call, 218, &length) || !klartext_parameter_length(call, 219, &width) ||
-	    !klartext_parameter_length(call, 424, &blank[0]) || !klartext_parameter_length(call, 425, &blank[1]) ||
+	if (!find_size(call, 218, &length) || !find_size(call, 219, &width) ||
+	    !find_size(call, 424, &blank[0]) || !find_size(call, 425, &blank[1]) ||
 	    !need_radius(call, &radius) || !find_place(call, places, way))
 		return false;
 	shift_centre(region, way[0] * length / 2, way[1] * width / 2, turn);
@@ -218,7 +232,7 @@ static bool circular_stud(const struct klartext_call_of *call, struct klartext_r
 {
 	double diameter, blank, radius;
 
-	if (!klartext_parameter_length(call, 223, &diameter) || !klartext_parameter_length(call, 222, &blank) ||
+	if (!find_size(call, 223, &diameter) || !find_size(call, 222, &blank) ||
 	    !need_radius(call, &radius))
 		return false;
 	region->half[0] = region->half[1] = fmax(diameter, blank) / 2 + beside_stud(call, radius);
