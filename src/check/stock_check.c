@@ -249,7 +249,8 @@ void stock_check_remainder(struct stock_check *check, long number, struct stock_
 	*remainder = (struct stock_remainder){.stock = check->cells.group_count > 0};
 	if (!remainder->stock)
 		return;
-	remainder->edge = stock_mesh_build(&check->cells, (double)number, REMAINDER_PARTS, &remainder->mesh);
+	remainder->edge = stock_mesh_build(&check->cells, (double)number, REMAINDER_PARTS, UINT64_MAX,
+					   &remainder->mesh);
 	remainder->known = !stock_check_fault(check);
 }
 

@@ -95,6 +95,7 @@ const struct cut_chunk *cut_store_get(struct cut_store *store, size_t number)
 {
 	struct cut_slot *slot;
 
+	store->gets++;
 	if (number < store->limit)
 		return &store->chunks[number];
 	if (number == store->count - 1 || !store->cache)

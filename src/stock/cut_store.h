@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "stock/cutter.h"
@@ -40,6 +41,7 @@ struct cut_store {
 	FILE *file;	/* all other chunks beyond the limit; NULL: there are none */
 	struct cut_slot *cache;	/* chunks that were read from the file last */
 	int fault;	/* errno of the first write or read that failed; 0: none did */
+	uint64_t gets;	/* how often a chunk was asked for: what work with the log costs */
 };
 
 void cut_store_init(struct cut_store *store, size_t limit);

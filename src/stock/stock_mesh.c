@@ -14,6 +14,7 @@ struct grid {
 	struct stock_cells *cells;
 	double time;
 	double edge;
+	uint64_t most;	/* the log's count of gets at which to give up */
 	int size;	/* cubes along each side of the root */
 	uint8_t *bits;
 	struct mesh *mesh;
@@ -65,12 +66,17 @@ static void fill(struct grid *grid, const struct cube *cell)
 	}
 }
 
+static bool is_exhausted(const struct grid *grid)
+{
+	return grid->cells->log->store->gets > grid->most;
+}
+
 /* stock_cells_visit_fn: a cell that is there. True: look at its parts. */
 static bool take(void *context, const struct cube *cell, bool whole)
 {
 	struct grid *grid = context;
 
-	if (cell->half < 0.75 * grid->edge && is_full(grid, number_of(grid, cell)))
+	if (is_exhausted(grid) || (cell->half < 0.75 * grid->edge && is_full(grid, number_of(grid, cell))))
 		return false;
 	if (!whole && cell->half > 0.75 * FINE * grid->edge)
 		return true;
@@ -137,11 +143,25 @@ static void add_faces(struct grid *grid, struct cube_number n)
 	}
 }
 
-double stock_mesh_build(struct stock_cells *cells, double time, int parts, struct mesh *mesh)
+static void add_cubes(struct grid *grid)
+{
+	for (int z = 0; z < grid->size; z++)
+		for (int y = 0; y < grid->size; y++)
+			for (int x = 0; x < grid->size; x++)
+				if (is_full(grid, (struct cube_number){{x, y, z}}))
+					add_faces(grid, (struct cube_number){{x, y, z}});
+}
+
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh)
 {
 	const vec3 size = vec3_sub(cells->high, cells->low);
 	const double longest = larger(size.x, larger(size.y, size.z));
-	struct grid grid = {.cells = cells, .time = time, .edge = 2 * cells->least_half, .mesh = mesh};
+	const uint64_t gets = cells->log->store->gets;
+	struct grid grid = {.cells = cells,
+			    .time = time,
+			    .edge = 2 * cells->least_half,
+			    .most = effort < UINT64_MAX - gets ? gets + effort : UINT64_MAX,
+			    .mesh = mesh};
 
 	/* Smaller than the smallest cells times 1 / FINE there is nothing to look at. */
 	while (grid.edge * parts < longest)
@@ -150,11 +170,10 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, struc
 	grid.bits = mem_zalloc((size_t)grid.size * (size_t)grid.size * (size_t)grid.size / 8 + 1, 1);
 	*mesh = (struct mesh){.count = 0};
 	stock_cells_visit(cells, time, take, &grid);
-	for (int z = 0; z < grid.size; z++)
-		for (int y = 0; y < grid.size; y++)
-			for (int x = 0; x < grid.size; x++)
-				if (is_full(&grid, (struct cube_number){{x, y, z}}))
-					add_faces(&grid, (struct cube_number){{x, y, z}});
+	if (is_exhausted(&grid))
+		grid.edge = 0;
+	else
+		add_cubes(&grid);
 	free(grid.bits);
 	return grid.edge;
 }
@@ -165,14 +184,21 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, struc
 /* Cubes along the blank's longest side, at most and at least. */
 enum { VIEW_PARTS_MOST = 128, VIEW_PARTS_LEAST = 8 };
 
+/* Chunks of the log that are looked at for one size of cubes: half a second or so. */
+#define VIEW_EFFORT 400000
+
 void stock_view_build(struct stock_cells *cells, struct stock_view *view)
 {
 	if (!cut_log_end(cells->log, view->time))
 		return;
 	view->cut = true;
 	for (int parts = VIEW_PARTS_MOST;; parts /= 2) {
-		view->excess = VIEW_EXCESS * stock_mesh_build(cells, view->time, parts, &view->mesh);
-		if (view->mesh.count <= view->most || parts <= VIEW_PARTS_LEAST)
+		const bool last = parts <= VIEW_PARTS_LEAST;
+		const double edge =
+		    stock_mesh_build(cells, view->time, parts, last ? UINT64_MAX : VIEW_EFFORT, &view->mesh);
+
+		view->excess = VIEW_EXCESS * edge;
+		if (last || (edge > 0 && view->mesh.count <= view->most))
 			return;
 		mesh_release(&view->mesh);
 	}

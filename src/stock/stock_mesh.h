@@ -14,8 +14,10 @@
  * true stock. It is larger by a bounded amount: cutters that are smaller by a quarter of the edge leave more than the
  * true ones do, and no point of the mesh is farther than twice the edge from what they leave. The mesh, in the stock's
  * mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
+ *
+ * If more than `effort` chunks of the log would have to be looked at, the result is 0 and the mesh is empty.
  */
-double stock_mesh_build(struct stock_cells *cells, double time, int parts, struct mesh *mesh);
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh);
 
 /* What a program leaves. The owner releases the mesh. */
 struct stock_remainder {
@@ -34,7 +36,10 @@ struct stock_view {
 	double excess;	/* mm: the mesh holds all that remains, and reaches no farther, path tolerance aside */
 };
 
-/* Fills in what `view` asks for: the more triangles it allows, the smaller the cubes. */
+/*
+ * Fills in what `view` asks for: the more triangles it allows, the smaller the cubes; where many cuts overlap they are
+ * larger, so that a picture takes seconds.
+ */
 void stock_view_build(struct stock_cells *cells, struct stock_view *view);
 
 #endif

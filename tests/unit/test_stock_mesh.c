@@ -74,7 +74,7 @@ START_TEST(mesh_encloses_what_remains)
 	int inside = 0;
 
 	slotted_init(&s);
-	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, &mesh);
+	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, UINT64_MAX, &mesh);
 	ck_assert(edge * 64 >= 40 && edge * 32 < 40.1);
 	bvh = bvh_new(&mesh);
 	topology_init(&topology, &bvh->mesh);
@@ -97,6 +97,19 @@ START_TEST(mesh_encloses_what_remains)
 }
 END_TEST
 
+/* Too little effort is no answer. */
+START_TEST(mesh_that_costs_too_much_is_none)
+{
+	struct slotted s;
+	struct mesh mesh;
+
+	slotted_init(&s);
+	ck_assert_double_le(stock_mesh_build(&s.cells, 10, 64, 1, &mesh), 0);
+	ck_assert_uint_eq(mesh.count, 0);
+	slotted_release(&s);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("stock_mesh");
@@ -105,6 +118,7 @@ int main(void)
 	int failed;
 
 	tcase_add_loop_test(cases, mesh_encloses_what_remains, 0, 2);
+	tcase_add_test(cases, mesh_that_costs_too_much_is_none);
 	suite_add_tcase(suite, cases);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
