@@ -111,11 +111,14 @@ bool mesh_helper_read(struct mesh_parts *parts, const char *path, double scale, 
 #else
 /* ---------------------------------------------------------------- process */
 
-/* Bytes of memory, and seconds of processor time: more than any model of a machine takes. */
 #ifndef __has_feature
 #define __has_feature(name) 0
 #endif
-/* Bytes of addresses. Sanitizers reserve terabytes, of which they use little. */
+
+/*
+ * Bytes of memory, and seconds of processor time: more than any model of a machine takes. Sanitizers reserve terabytes
+ * of addresses, of which they use little.
+ */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer)
 #define MEMORY_MAX RLIM_INFINITY
 #else

