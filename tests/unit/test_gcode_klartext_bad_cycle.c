@@ -83,6 +83,9 @@ static const struct klartext_fault faults[] = {
 	 "its depth in Q201"},
 	{"CYCL DEF 208 BORE MILLING Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20\nM99\n",
 	 "p.nc:3:1: error: CYCL DEF 208 lacks Q335"},
+	{"CYCL DEF 20 DATA Q1=-15 Q3=6 Q5=0 Q6=2 Q7=50\nCYCL DEF 24 SIDE Q10=-5 Q11=150 Q12=500 Q14=0.2\nM99\n",
+	 "p.nc:4:1: error: CYCL DEF 24 with an allowance Q3 above Q14 and the radius of the tool mills outside of its "
+	 "contours, too: how far is not known here; program the contour with RL or RR instead"},
 	{"CYCL DEF 251 POCKET Q200=2 Q201=-10 Q207=100 Q203=0 Q204=20 Q218=-40 Q219=20\nM99\n",
 	 "p.nc:3:1: error: Q218 of CYCL DEF 251 is a size and cannot be negative"},
 	{"CYCL DEF 208 BORE Q200=2 Q201=-10 Q206=100 Q203=0 Q204=20 Q335=-40\nM99\n",

@@ -245,6 +245,21 @@ static bool check(const struct klartext_call_of *call, const struct klartext_cal
 }
 
 /*
+ * iTNC 530 user's manual, "SIDE FINISHING (Cycle 24)": where the allowance Q3 of cycle 20 is greater than the sum of Q14
+ * and the tool's radius, the cycle also mills along the outside of an island without a pocket around it.
+ */
+static bool check_outside(const struct klartext_call_of *call, const struct klartext_call_of *data, double radius)
+{
+	const double allowance = klartext_parameter_length_or(data, 3, 0);
+
+	return call->cycle->number != 24 || !(allowance > 0) ||
+	       !(allowance > klartext_parameter_length_or(call, 14, 0) + radius) ||
+	       fault(&call->interp->at, call->column,
+		     "CYCL DEF 24 with an allowance Q3 above Q14 and the radius of the tool mills outside of its "
+		     "contours, too: how far is not known here; program the contour with RL or RR instead");
+}
+
+/*
  * iTNC 530 user's manual, "SL cycles": the tool clears what lies inside of pockets, so that its centre stays inside of
  * them by its radius; a negative allowance (Q3, Q14) lets it go farther.
  */
@@ -260,7 +275,7 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	struct klartext_region region = {.centre = klartext_frame_point(interp)};
 	struct outline outline;
 
-	if (!check(call, &data) || !find_heights(&data, &region) || !find_outline(call, &outline) ||
+	if (!check(call, &data) || !check_outside(call, &data, radius) || !find_heights(&data, &region) || !find_outline(call, &outline) ||
 	    !klartext_parameter_feed(call, call->cycle->number == 21 ? 11 : 12, &region.feed))
 		return false;
 	if (region.nothing)
