@@ -1,4 +1,4 @@
-"""What the tests of reports in a browser share: the list of tests, words for what must hold, reports that are written once."""
+"""What the tests in a browser share: the list of tests, words for what must hold, and reports that are written once."""
 import json
 import os
 import subprocess

@@ -13,26 +13,8 @@ import threading
 import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from bench import PHONE, TESTS, same, test, true  # noqa: E402
 from driver import Browser  # noqa: E402
-
-PHONE = {"width": 390, "height": 800, "scale": 2, "mobile": True}
-TESTS = []
-
-
-def test(function):
-    TESTS.append(function)
-    return function
-
-
-def same(what, found, wanted):
-    if found != wanted:
-        raise AssertionError(f"{what}: {found!r} instead of {wanted!r}")
-
-
-def true(what, condition):
-    if not condition:
-        raise AssertionError(what)
-
 
 class Site:
     """The folder on 127.0.0.1, with a log of what was asked for."""
