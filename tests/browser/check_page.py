@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bench import PHONE, TESTS, same, test, true  # noqa: E402
 from driver import Browser  # noqa: E402
 
+
 class Site:
     """The folder on 127.0.0.1, with a log of what was asked for."""
 
