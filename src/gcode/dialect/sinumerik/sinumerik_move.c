@@ -10,11 +10,11 @@
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_orientation.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
-#include "gcode/dialect/sinumerik/sinumerik_spread.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/parallel_moves.h"
 #include "gcode/execute/tool_length.h"
 
 #define CENTRE_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K'))
@@ -55,6 +55,12 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 	}
 }
 
+static bool go_straight(struct interp *interp, const slot_values *target, struct canon_move *move)
+{
+	return sinumerik_of(interp)->left_open ? parallel_moves_go_from_open(interp, target, move)
+					       : motion_commands_go(interp, target, move);
+}
+
 /* `circle` is NULL for a straight move. */
 static bool arrive(struct interp *interp, const slot_values *target, struct canon_move *move,
 		   const struct sinumerik_circle *circle)
@@ -76,7 +82,7 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 		good = true;
 	else if (!cutter_comp_is_on(interp))
 		good = circle ? motion_commands_go(interp, &straight, move)
-			      : sinumerik_spread_go_on(interp, &straight, move);
+			      : go_straight(interp, &straight, move);
 	else if (!circle)
 		good = cutter_comp_line(interp, &straight, move);
 	else if (!circle->in_plane)
@@ -124,7 +130,7 @@ static bool go_in_machine(struct interp *interp, const struct sinumerik_block *b
 		    "positions of the machine's axes (SUPA, G53, G153) with a tool's length while CYCLE800 has "
 		    "swivelled; write D0 beside it");
 	if (!tool_length_suspend(interp, column, &suspended) ||
-	    !sinumerik_target_find_machine(interp, block, &target) || !sinumerik_spread_go_on(interp, &target, move) ||
+	    !sinumerik_target_find_machine(interp, block, &target) || !go_straight(interp, &target, move) ||
 	    !tool_length_resume(interp, column, &suspended))
 		return false;
 	sinumerik_frame_moved(interp);

@@ -7,8 +7,8 @@
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_argument.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
-#include "gcode/dialect/sinumerik/sinumerik_spread.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
+#include "gcode/execute/parallel_moves.h"
 
 /* Slots of one call. */
 #define PARTS_MAX 1000
@@ -105,7 +105,7 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 		move.spread[slot] += interp->comp.loose[slot];
 		interp->comp.loose[slot] = 0;
 	}
-	if (!sinumerik_spread_go(interp, &straight, &move))
+	if (!parallel_moves_go(interp, &straight, &move))
 		return false;
 	sinumerik_of(interp)->place = target;
 	sinumerik_of(interp)->placed = true;

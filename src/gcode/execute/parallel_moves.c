@@ -1,4 +1,4 @@
-#include "gcode/dialect/sinumerik/sinumerik_spread.h"
+#include "gcode/execute/parallel_moves.h"
 
 #include <math.h>
 #include <string.h>
@@ -39,7 +39,7 @@ static bool go_aside(struct interp *interp, const slot_values *start, const slot
 	return motion_commands_go(interp, &from, &there) && motion_commands_go(interp, &to, &along);
 }
 
-bool sinumerik_spread_go(struct interp *interp, const slot_values *target, const struct canon_move *move)
+bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move)
 {
 	const slot_values start = interp->state.position;
 	struct canon_move part = *move, last = *move;
@@ -65,19 +65,19 @@ bool sinumerik_spread_go(struct interp *interp, const slot_values *target, const
 	return motion_commands_go(interp, target, &last);
 }
 
-bool sinumerik_spread_go_on(struct interp *interp, const slot_values *target, struct canon_move *move)
+bool parallel_moves_go_from_open(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
 	double *loose = interp->comp.loose, open[3];
 	struct canon_move wide = *move;
 
 	memcpy(open, loose, sizeof(open));
-	if (!sinumerik_of(interp)->left_open || !(open[0] + open[1] + open[2] > 0) || !is_plain(interp, target))
+	if (!(open[0] + open[1] + open[2] > 0) || !is_plain(interp, target))
 		return motion_commands_go(interp, target, move);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		wide.spread[slot] += open[slot];
 		loose[slot] = 0;
 	}
-	if (!sinumerik_spread_go(interp, target, &wide))
+	if (!parallel_moves_go(interp, target, &wide))
 		return false;
 	memcpy(loose, open, sizeof(open));
 	return true;
