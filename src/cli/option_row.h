@@ -7,6 +7,7 @@
 enum option_kind {
 	VALUE_FLAG,	/* bool, set to true */
 	VALUE_TEXT,	/* const char *, not empty */
+	VALUE_LETTERS,	/* const char *; none are an argument, too */
 	VALUE_OUTPUT,	/* const char *: the name of a file, not empty; - becomes NULL, standard output */
 	VALUE_LIST,	/* struct text_list, gets one more */
 	VALUE_NUMBER,	/* double from least to greatest */

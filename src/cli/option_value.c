@@ -207,6 +207,7 @@ bool option_value_set(void *record, const struct option_row *row, const char *te
 		return read_kinds(field, row, text, diag);
 	case VALUE_AMOUNTS:
 		return read_amounts(field, row, text, diag);
+	case VALUE_LETTERS:
 	case VALUE_MODE:
 		*(const char **)field = text;
 		return true;

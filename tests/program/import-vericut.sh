@@ -111,4 +111,5 @@ echo "usage:"
 fivecheck import dmu.mch
 fivecheck import --output x
 fivecheck import --output x --dialect basic dmu.mch
+fivecheck import --output x --numbr-tools dmu.mch
 fivecheck import --output x not_there.mch

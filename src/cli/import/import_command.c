@@ -1,9 +1,7 @@
 #include "cli/import/import_command.h"
 
-#include <string.h>
-
-#include "cli/argv_parser.h"
 #include "cli/import/import_output.h"
+#include "cli/subcommand.h"
 #include "control/dialects.h"
 #include "import/emc_machine.h"
 #include "import/file_kind.h"
@@ -21,122 +19,54 @@ static const struct srcloc nowhere;
 
 enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE };
 
+enum unit { UNIT_UNKNOWN = -1, UNIT_MM, UNIT_INCH };
+
 static const char *const unit_names[] = {"mm", "inch", NULL};
 
+struct request {
+	struct import_options options;
+	const char *output;
+	bool number_tools;
+	int unit;	/* an enum unit, the index of unit_names */
+	int dialect;	/* row of control/dialects.h; -1: not given */
+	const char *file;
+	struct diag *diag;
+};
+
+#define FIELD(member) .field = offsetof(struct request, member)
+
 const struct option_row import_options[IMPORT_OPTION_COUNT] = {
-	{'o', "output", "FOLDER", .kind = VALUE_TEXT,
+	{'o', "output", "FOLDER", .kind = VALUE_TEXT, FIELD(output),
 	 .help = "write machine.xml and its meshes, or setup.xml, into\n"
 		 "FOLDER, which is made if it is not there; required"},
-	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT,
+	{KEY_MESHES, "meshes", "FOLDER", .kind = VALUE_TEXT, FIELD(options.meshes),
 	 .help = "search meshes below FOLDER first, then beside FILE"},
-	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG,
+	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG, FIELD(options.skip_missing),
 	 .help = "leave bodies out whose meshes are not there"},
-	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG,
+	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG, FIELD(number_tools),
 	 .help = "give tools without a number one, in their order"},
-	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_TEXT,
+	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.table),
 	 .help = "the axes that carry the work, from the base on, where\nthe file does not say it"},
-	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, .choices = unit_names,
+	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, FIELD(unit), .choices = unit_names,
 	 .help = "lengths of a file that does not say its units: %s"},
-	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, .choices = dialect_names,
+	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, FIELD(dialect), .choices = dialect_names,
 	 .help = "how the control reads programs: %s"},
 	{'h', "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
-struct request {
-	struct import_options options;
-	const char *file, *output;
-	bool number_tools, inch, unit_given;
-	size_t operands;
-	int dialect;	/* row of control/dialects.h; -1: not given */
-	bool help;
-	struct diag *diag;
+static const struct subcommand subcommand = {
+	.name = "import",
+	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
+		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
+		 "of a control, or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
+		 "(.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from\n"
+		 "another mesh.\n"
+		 "Says what could not be taken over, and what has to be looked at.\n",
+	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
+		    "fivecheck --check-machine dmu50/machine.xml\n",
+	.options = import_options,
+	.option_count = IMPORT_OPTION_COUNT,
 };
-
-static void take_operand(void *context, char *word)
-{
-	struct request *request = context;
-
-	request->file = word;
-	request->operands++;
-}
-
-static enum argv_result take_dialect(struct request *request, const char *name)
-{
-	request->dialect = dialect_row_find(name);
-	if (request->dialect >= 0)
-		return ARGV_NEXT;
-	diag_error(request->diag, nowhere, "--dialect: '%s' is no dialect; 'fivecheck import --help' lists them", name);
-	return ARGV_FAULT;
-}
-
-static enum argv_result take_unit(struct request *request, const char *name)
-{
-	request->unit_given = true;
-	request->inch = !strcmp(name, unit_names[1]);
-	if (request->inch || !strcmp(name, unit_names[0]))
-		return ARGV_NEXT;
-	diag_error(request->diag, nowhere, "--units: '%s' is neither mm nor inch", name);
-	return ARGV_FAULT;
-}
-
-static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
-{
-	struct request *request = context;
-
-	switch (row->key) {
-	case 'o':
-		request->output = argument;
-		break;
-	case KEY_MESHES:
-		request->options.meshes = argument;
-		break;
-	case KEY_SKIP_MISSING:
-		request->options.skip_missing = true;
-		break;
-	case KEY_NUMBER_TOOLS:
-		request->number_tools = true;
-		break;
-	case KEY_TABLE:
-		request->options.table = argument;
-		break;
-	case KEY_UNITS:
-		return take_unit(request, argument);
-	case KEY_DIALECT:
-		return take_dialect(request, argument);
-	default:
-		request->help = true;
-		return ARGV_LAST;
-	}
-	return ARGV_NEXT;
-}
-
-static enum run_status print_help(struct diag *diag)
-{
-	struct strbuf text = {0};
-
-	strbuf_addf(&text, "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
-			   "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
-			   "of a control, or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
-			   "(.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from\n"
-			   "another mesh.\n"
-			   "Says what could not be taken over, and what has to be looked at.\n\n");
-	argv_parser_help(&text, import_options, IMPORT_OPTION_COUNT);
-	strbuf_addf(&text, "\nfivecheck import --output=dmu50 DMU50.mch\n"
-			   "fivecheck --check-machine dmu50/machine.xml\n");
-	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
-}
-
-/* False: reported. */
-static bool check(const struct request *request)
-{
-	if (request->operands != 1)
-		diag_error(request->diag, nowhere, "import needs one file");
-	else if (!request->output || !*request->output)
-		diag_error(request->diag, nowhere, "import needs a folder to write to: --output=FOLDER");
-	else
-		return true;
-	return false;
-}
 
 /* What was written must be what the checker reads. */
 static bool load(const char *path, struct diag *diag)
@@ -189,7 +119,7 @@ static bool import_machine(const struct request *request, enum file_kind kind)
 
 static bool read_tools(const struct request *request, struct tool_library *tools)
 {
-	const struct library_options options = {.unit = request->inch ? MM_PER_INCH : 1,
+	const struct library_options options = {.unit = request->unit == UNIT_INCH ? MM_PER_INCH : 1,
 						.number_all = request->number_tools};
 	const struct setup_description *setup = &tools->setup;
 
@@ -225,12 +155,12 @@ static bool import_tools(const struct request *request)
 static bool read_parts(const struct request *request, struct import_machine *machine)
 {
 	const enum mesh_format format = mesh_file_format(request->file);
-	const double unit = format == MESH_GLTF ? 1000 : request->inch ? MM_PER_INCH : 1;
+	const double unit = format == MESH_GLTF ? 1000 : request->unit == UNIT_INCH ? MM_PER_INCH : 1;
 	const xform frame = xform_identity();
 	struct mesh_parts parts = {0};
 	bool good;
 
-	if (format == MESH_3MF && !request->unit_given) {
+	if (format == MESH_3MF && request->unit == UNIT_UNKNOWN) {
 		diag_error(request->diag, (struct srcloc){.file = request->file},
 			   "the unit of such a file is not read: say with --units whether it is mm or inch");
 		return false;
@@ -275,17 +205,33 @@ static bool import_file(const struct request *request)
 	return kind == FILE_TOOLS ? import_tools(request) : import_machine(request, kind);
 }
 
+/* False: reported. */
+static bool check(const struct request *request, const struct operands *files)
+{
+	if (files->count != 1)
+		diag_error(request->diag, nowhere, "import needs one file");
+	else if (!request->output)
+		diag_error(request->diag, nowhere, "import needs a folder to write to: --output=FOLDER");
+	else
+		return true;
+	return false;
+}
+
 enum run_status import_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
-	struct request request = {.diag = &ui->diag, .dialect = -1};
-	const struct argv_parser parser = {import_options, IMPORT_OPTION_COUNT, take_option, take_operand, &request};
-	bool good = argv_parser_run(&parser, argc, argv, &ui->diag);
+	struct request request = {.unit = UNIT_UNKNOWN, .dialect = -1, .diag = &ui->diag};
+	struct operands files = {0};
+	enum run_status status;
 
 	(void)all;
-	if (good && request.help)
-		return print_help(&ui->diag);
-	if (good && check(&request))
-		return import_file(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
-	diag_note(&ui->diag, nowhere, "'fivecheck import --help' lists the options");
-	return RUN_INCOMPLETE;
+	if (subcommand_read(&subcommand, &request, &files, argc, argv, &ui->diag, &status)) {
+		if (check(&request, &files)) {
+			request.file = files.items[0];
+			status = import_file(&request) ? RUN_CLEAR : RUN_INCOMPLETE;
+		} else {
+			status = subcommand_refuse(&subcommand, &ui->diag);
+		}
+	}
+	operands_release(&files);
+	return status;
 }
