@@ -70,7 +70,7 @@ const char *fivecheck_message_text(const fivecheck_message *message)
 
 fivecheck_model *fivecheck_load(const char *machine, const char *setup, fivecheck_diag *diag)
 {
-	return model_load(machine, setup, diag);
+	return model_load(machine, setup, NULL, diag);
 }
 
 void fivecheck_free(fivecheck_model *model)

@@ -7,24 +7,25 @@
 
 static const struct srcloc nowhere;
 
-static bool load_setup(struct model *model, const char *machine, const char *path, struct diag *diag)
+static bool load_setup(struct model *model, const char *machine, const char *path, const char *root,
+		       struct diag *diag)
 {
 	model->setup = model->machine->setup;
 	if (!path)
 		return true;
 	if (model->setup)
 		diag_note(diag, nowhere, "the setup %s is used, not the one inside %s", path, machine);
-	model->loaded = setup_load(path, model->machine, diag);
+	model->loaded = setup_load_within(path, model->machine, root, diag);
 	model->setup = model->loaded;
 	return model->loaded != NULL;
 }
 
-struct model *model_load(const char *machine, const char *setup, struct diag *diag)
+struct model *model_load(const char *machine, const char *setup, const char *root, struct diag *diag)
 {
 	struct model *model = mem_zalloc(1, sizeof(*model));
 
-	model->machine = machine_load(machine, diag);
-	if (model->machine && load_setup(model, machine, setup, diag) &&
+	model->machine = machine_load_within(machine, root, diag);
+	if (model->machine && load_setup(model, machine, setup, root, diag) &&
 	    machine_check_rules(model->machine, model->setup, diag)) {
 		model->bodiless.machine = model->machine;
 		model->bodiless.setup = model->setup;

@@ -19,8 +19,11 @@ struct model {
 	struct scene bodiless;	/* machine and setup without a mesh, for a program that is only read */
 };
 
-/* Reads a machine file, and a setup file unless it is NULL. NULL: reported. */
-struct model *model_load(const char *machine, const char *setup, struct diag *diag);
+/*
+ * Reads a machine file, and a setup file unless it is NULL. Tool libraries outside of the folder `root` (NULL: none is)
+ * are not opened. NULL: reported.
+ */
+struct model *model_load(const char *machine, const char *setup, const char *root, struct diag *diag);
 
 /* NULL is fine. */
 void model_free(struct model *model);

@@ -34,11 +34,15 @@ bool path_checks_meshes(const struct options *options, const struct machine *mac
  */
 bool path_checks_inputs(const struct options *options, const struct input_files *inputs, struct diag *diag);
 
+/* False, reported: --input-root is no folder. */
+bool path_checks_root(const struct options *options, struct diag *diag);
+
 /*
  * False, reported: the machine or the setup names a mesh outside of --input-root, symbolic links followed. The bodies
- * remember the root, so that meshes which are read later obey it, too.
+ * remember the root, so that meshes which are read later obey it, too. Tool libraries obeyed it when they were read
+ * (machine_load_within).
  */
-bool path_checks_root(const struct options *options, const struct machine *machine, const struct setup *setup,
-		   struct diag *diag);
+bool path_checks_within(const struct options *options, const struct machine *machine, const struct setup *setup,
+			struct diag *diag);
 
 #endif

@@ -104,12 +104,14 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 {
 	double start = stderr_ui_seconds();
 
-	job->model = fivecheck_load(options->machine, options->setup, diag);
+	if (!path_checks_root(options, diag))
+		return false;
+	job->model = model_load(options->machine, options->setup, options->check.read.input_root, diag);
 	if (!job->model) {
 		note_order(options, diag);
 		return false;
 	}
-	if (!path_checks_root(options, job->model->machine, job->model->setup, diag) ||
+	if (!path_checks_within(options, job->model->machine, job->model->setup, diag) ||
 	    !load_waivers(job, options, diag))
 		return false;
 	if (dialect_choice_is_auto(options->dialect)) {

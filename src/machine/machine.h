@@ -88,6 +88,9 @@ struct machine {
 
 /* Reads a machine file and builds the machine. Every fault is reported with its place; NULL if there was one. */
 struct machine *machine_load(const char *path, struct diag *diag);
+
+/* The same; tool libraries outside of the folder `root` (NULL: none is) are an error and not opened. */
+struct machine *machine_load_within(const char *path, const char *root, struct diag *diag);
 void machine_free(struct machine *machine);
 
 /*

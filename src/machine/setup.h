@@ -36,6 +36,9 @@ struct setup {
 
 /* As machine_load. The bodies are placed on the machine's workholding and spindle. */
 struct setup *setup_load(const char *path, const struct machine *machine, struct diag *diag);
+
+/* As machine_load_within. */
+struct setup *setup_load_within(const char *path, const struct machine *machine, const char *root, struct diag *diag);
 void setup_free(struct setup *setup);
 
 const struct tool *setup_tool(const struct setup *setup, int number);

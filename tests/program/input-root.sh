@@ -34,6 +34,17 @@ setup in/s.xml <<'XML'
 XML
 status fivecheck -q --input-root in --list-pairs -s in/s.xml in/m.xml
 status fivecheck -q -s in/s.xml in/m.xml a.nc
+# A tool library outside is not even opened, neither from a setup nor from one inside of the machine file.
+printf 'T1 P1 Z100 D6\n' >out/tool.tbl
+echo 'a secret line' >out/secret
+for name in out/tool.tbl out/secret; do
+	setup in/t.xml <<-XML
+	  <tools href="../$name"/>
+	XML
+	status fivecheck -q --input-root in -s in/t.xml in/m.xml a.nc
+	sed "s,</machine>,<setup version=\"1\"><tools href=\"../$name\"/></setup></machine>," m.xml >in/inside.xml
+	status fivecheck -q --input-root in in/inside.xml a.nc
+done
 # Subprograms: in the program's own folder, by a link that leads out, in a folder of --include.
 printf 'o<sub> call\nM2\n' >in/p.nc
 printf 'o<sub> sub\nG0 X1\no<sub> endsub\n' >lib/sub.ngc

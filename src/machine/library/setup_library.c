@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/path_sandbox.h"
 #include "geom/tolerance.h"
 #include "machine/library/library_file.h"
 #include "machine/tool_build.h"
@@ -194,12 +195,23 @@ static bool read_library(struct setup_description *described, const struct libra
 	return good;
 }
 
+static bool is_within(struct setup_description *described, const struct library_description *library,
+		      const char *root)
+{
+	if (path_sandbox_holds(root, library->path))
+		return true;
+	description_fault(&described->file, library->at, "href",
+			  "the tools of %s are outside of the input root %s, or a symbolic link leads outside",
+			  library->path, root);
+	return false;
+}
+
 static void add_library(struct setup_description *described, const struct library_description *library,
-			struct diag *diag)
+			const char *root, struct diag *diag)
 {
 	struct tool_library tools = {.counts_left_out = true};
 
-	if (read_numbers(described, library, &tools) && read_library(described, library, &tools, diag)) {
+	if (is_within(described, library, root) && read_numbers(described, library, &tools) && read_library(described, library, &tools, diag)) {
 		take_over(described, &tools.setup, library->at);
 		check_used(described, library, &tools);
 	}
@@ -207,10 +219,10 @@ static void add_library(struct setup_description *described, const struct librar
 	tool_library_release(&tools);
 }
 
-void setup_library_add(struct setup_description *described, struct diag *diag)
+void setup_library_add(struct setup_description *described, const char *root, struct diag *diag)
 {
 	for (size_t i = 0; i < described->library_count; i++)
-		add_library(described, &described->libraries[i], diag);
+		add_library(described, &described->libraries[i], root, diag);
 	if (described->library_count)
 		spread_values(described, diag);
 }

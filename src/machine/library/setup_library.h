@@ -8,8 +8,9 @@
 /*
  * Reads each library of the description and adds what it holds behind what the setup itself has. The values of a tool
  * table become those of the tools with their numbers. A fault inside of a library is reported at its own place, and
- * then at the <tools> that names the library.
+ * then at the <tools> that names the library. A library outside of the folder `root` is an error and not opened; NULL:
+ * it may be anywhere.
  */
-void setup_library_add(struct setup_description *described, struct diag *diag);
+void setup_library_add(struct setup_description *described, const char *root, struct diag *diag);
 
 #endif

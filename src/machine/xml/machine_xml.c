@@ -355,12 +355,18 @@ static void read_machine(struct xml_reader *xml, struct machine_description *des
 
 struct machine *machine_load(const char *path, struct diag *diag)
 {
+	return machine_load_within(path, NULL, diag);
+}
+
+struct machine *machine_load_within(const char *path, const char *root, struct diag *diag)
+{
 	struct machine_description described = {.unit = 1};
 	struct machine *machine = NULL;
 	struct xml_reader xml;
 
 	if (!xml_open(&xml, path, elements, diag))
 		return NULL;
+	xml.root = root;
 	read_machine(&xml, &described);
 	if (!xml.errors) {
 		machine = machine_build(&described, diag);

@@ -253,11 +253,16 @@ void setup_xml_read(struct xml_reader *xml, const xmlNode *node, struct setup_de
 	described->libraries = arena_alloc(arena, xml_count(node, "tools") * sizeof(*described->libraries));
 	xml_read_children(xml, node, children, described);
 	if (!xml->errors)
-		setup_library_add(described, xml->diag);
+		setup_library_add(described, xml->root, xml->diag);
 	xml->unit = unit;
 }
 
 struct setup *setup_load(const char *path, const struct machine *machine, struct diag *diag)
+{
+	return setup_load_within(path, machine, NULL, diag);
+}
+
+struct setup *setup_load_within(const char *path, const struct machine *machine, const char *root, struct diag *diag)
 {
 	struct setup_description described = {.initial_tool = 0};
 	struct setup *setup = NULL;
@@ -265,6 +270,7 @@ struct setup *setup_load(const char *path, const struct machine *machine, struct
 
 	if (!xml_open(&xml, path, elements, diag))
 		return NULL;
+	xml.root = root;
 	xml_require(&xml, xml_root(&xml), "version", NULL);
 	setup_xml_read(&xml, xml_root(&xml), &described);
 	if (!xml.errors)

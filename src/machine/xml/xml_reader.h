@@ -25,6 +25,7 @@ struct xml_reader {
 	struct diag *diag;
 	size_t errors;
 	double unit;	/* mm per unit of length of the file */
+	const char *root;	/* libraries outside of this folder are not read; NULL: all are; borrowed */
 	const char *const *elements;	/* all elements that such a file may have; NULL ends them */
 	xmlDoc *doc;
 	char *bytes;	/* of the file, ended by a NUL byte */
