@@ -102,8 +102,9 @@ const struct option_row option_table[OPTION_COUNT] = {
     {KEY_POSE, "pose", "FILE.stl", IN_CHECK, TEXT(pose), .help = "write all bodies as they stand at the first finding"},
     {KEY_STOCK_OUT, "stock-out", "FILE.stl", IN_CHECK, TEXT(stock_out),
      .help = "write what the program leaves of the stock"},
-    {KEY_REPORT, "report", "FILE.html", IN_CHECK, TEXT(report),
-     .help = "write a report that shows in a browser what was found;\nof several programs FILE.html is an index"},
+    {KEY_REPORT, "report", "FILE.html", IN_CHECK | 1 << RUN_CHECK_MACHINE, TEXT(report),
+     .help = "write a report that shows in a browser what was found;\nof several programs FILE.html is an index; with\n"
+	     "--check-machine it shows what each axis does"},
     {KEY_REPORT_SIZE, "report-size", "MB", IN_CHECK, NUMBER(report_size, 0.1, 1000, "MB"),
      .help = "how large a report may become (5)"},
     {KEY_REPORT_CODE, "report-code", "full|none", IN_CHECK, CHOICE(report_code, report_code),

@@ -120,6 +120,16 @@ static bool holds_other(const char *path)
 	return true;
 }
 
+bool program_reports_may_replace(const char *option, const char *path, struct diag *diag)
+{
+	if (!holds_other(path))
+		return true;
+	diag_error(diag, (struct srcloc){0},
+		   "--%s would overwrite %s, which is no report or picture; remove it, or choose another name", option,
+		   path);
+	return false;
+}
+
 /* No file of a program may be one that is read, or another output. False: reported. */
 static bool spares_inputs(const struct program_reports *reports, const char *option, const char *path,
 			  struct diag *diag)
@@ -134,13 +144,7 @@ static bool spares_inputs(const struct program_reports *reports, const char *opt
 		if (options->program_count > 1)
 			good = path_checks_derived(options, option, strbuf_text(&name), reports->files,
 						   reports->file_count, diag);
-		if (good && holds_other(strbuf_text(&name))) {
-			diag_error(
-			    diag, (struct srcloc){0},
-			    "--%s would overwrite %s, which is no report or picture; remove it, or choose another name",
-			    option, strbuf_text(&name));
-			good = false;
-		}
+		good = good && program_reports_may_replace(option, strbuf_text(&name), diag);
 		strbuf_release(&name);
 	}
 	return good;

@@ -38,6 +38,9 @@ bool program_reports_init(struct program_reports *reports, const struct options 
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
 
+/* False, reported: the file is there already, and is no report, picture or scene, which alone may be replaced. */
+bool program_reports_may_replace(const char *option, const char *path, struct diag *diag);
+
 /* How many triangles what remains of the stock may have; 0: there is no stock. */
 size_t program_reports_stock_triangles(const struct program_reports *reports);
 

@@ -11,11 +11,13 @@
 #include "cli/input_files.h"
 #include "cli/path_checks.h"
 #include "cli/program.h"
+#include "cli/program_reports.h"
 #include "cli/programs.h"
 #include "cli/report_date.h"
 #include "fivecheck.h"
 #include "report/depfile.h"
 #include "report/format/digest.h"
+#include "report/html/axis_page.h"
 #include "report/machine_json.h"
 #include "report/machine_report.h"
 #include "report/oddities.h"
@@ -244,13 +246,17 @@ static enum run_status run_dump(const struct job *job, const struct options *opt
 }
 
 /* All meshes are read before the model is doubted, so that the doubts are about all of them. */
-static enum run_status run_machine(const struct job *job, bool as_json, struct diag *diag, struct output *out)
+static enum run_status run_machine(const struct job *job, const struct options *options, struct diag *diag,
+				   struct output *out)
 {
+	const bool as_json = options->formats[FORMAT_JSON].wanted;
 	struct scene *scene = job->model->scene;
 	struct oddities oddities = {0};
 	struct strbuf text = {0}, json = {0};
-	bool good = machine_report_add(&text, scene, diag) && model_check(scene, diag) &&
-		    oddities_find(&oddities, scene, diag);
+	bool good = (!options->report || program_reports_may_replace("report", options->report, diag)) &&
+		    machine_report_add(&text, scene, diag) && model_check(scene, diag) &&
+		    oddities_find(&oddities, scene, diag) &&
+		    (!options->report || axis_page_write(options->report, scene, diag));
 
 	if (as_json)
 		good = good && machine_json_add(&json, scene, &oddities, diag);
@@ -308,7 +314,7 @@ static enum run_status run_mode(const struct job *job, const struct options *opt
 	case RUN_LIST_PAIRS:
 		return run_pairs(job, as_json, out);
 	case RUN_CHECK_MACHINE:
-		return run_machine(job, as_json, diag, out);
+		return run_machine(job, options, diag, out);
 	case RUN_DEPENDS:
 		return run_depends(job, options, diag, out);
 	case RUN_CHECK:

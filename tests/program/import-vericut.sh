@@ -60,6 +60,15 @@ fivecheck import --output new --dialect klartext dmu.mch
 cat new/machine.xml
 python3 "$(dirname "$LIB")/../import/vericut_truth.py" dmu.mch new
 "$FIVECHECK" --check-machine new/machine.xml | sed -n '/^what a positive/,/^$/p'
+echo "what each axis does, in pictures: the same page from import and from --check-machine"
+fivecheck import --pictures --output drawn dmu.mch 2>&1 | grep html
+"$FIVECHECK" --check-machine --report=again.html drawn/machine.xml >/dev/null
+cmp drawn/axes.html again.html
+sed -n 's,</*h2>,,gp; /^<p>.+10/p' again.html
+grep -c '<svg' again.html
+"$FIVECHECK" --check-machine --report=dmu.mch drawn/machine.xml
+rm drawn/machine.xml
+fivecheck import --pictures --output drawn dmu.mch
 echo "in inches:"
 machine inch >inch.mch
 fivecheck import --output inch --meshes models inch.mch 2>&1 | grep -c warning

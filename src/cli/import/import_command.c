@@ -13,11 +13,12 @@
 #include "base/units.h"
 #include "machine/library/library_file.h"
 #include "machine/machine.h"
-#include "report/output.h"
+#include "report/html/axis_page.h"
+#include "scene/scene.h"
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE };
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE, KEY_PICTURES };
 
 enum unit { UNIT_UNKNOWN = -1, UNIT_MM, UNIT_INCH };
 
@@ -26,7 +27,7 @@ static const char *const unit_names[] = {"mm", "inch", NULL};
 struct request {
 	struct import_options options;
 	const char *output;
-	bool number_tools;
+	bool number_tools, pictures;
 	int unit;	/* an enum unit, the index of unit_names */
 	int dialect;	/* row of control/dialects.h; -1: not given */
 	const char *file;
@@ -43,6 +44,8 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	 .help = "search meshes below FOLDER first, then beside FILE"},
 	{KEY_SKIP_MISSING, "skip-missing", NULL, .kind = VALUE_FLAG, FIELD(options.skip_missing),
 	 .help = "leave bodies out whose meshes are not there"},
+	{KEY_PICTURES, "pictures", NULL, .kind = VALUE_FLAG, FIELD(pictures),
+	 .help = "also write axes.html into FOLDER: it shows what each\naxis of the machine does"},
 	{KEY_NUMBER_TOOLS, "number-tools", NULL, .kind = VALUE_FLAG, FIELD(number_tools),
 	 .help = "give tools without a number one, in their order"},
 	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.table),
@@ -69,17 +72,33 @@ static const struct subcommand subcommand = {
 };
 
 /* What was written must be what the checker reads. */
-static bool load(const char *path, struct diag *diag)
+static bool load(const struct request *request, const char *path)
 {
-	struct machine *machine = machine_load(path, diag);
+	struct machine *machine = machine_load(path, request->diag);
 
 	if (!machine)
 		return false;
-	diag_note(diag, nowhere, "wrote %s with %zu axes and %zu bodies; next: look through it, run 'fivecheck "
-				 "--check-machine %s', and compare what it says of each axis with the machine",
+	diag_note(request->diag, nowhere,
+		  "wrote %s with %zu axes and %zu bodies; next: look through it, run 'fivecheck --check-machine %s', "
+		  "and compare what it says of each axis with the machine",
 		  path, machine->axis_count, machine->body_count, path);
 	machine_free(machine);
 	return true;
+}
+
+/* A page that shows the machine as it was written. */
+static bool draw(const struct request *request, const char *path, const char *page)
+{
+	struct machine *machine = machine_load(path, request->diag);
+	struct scene *scene = machine ? scene_new(machine, NULL, 0, 1, request->diag) : NULL;
+	bool good = scene && axis_page_write(page, scene, request->diag);
+
+	if (good)
+		diag_note(request->diag, nowhere,
+			  "wrote %s: open it in a browser and compare each picture with the machine", page);
+	scene_free(scene);
+	machine_free(machine);
+	return good;
 }
 
 static bool read_machine(const struct request *request, enum file_kind kind, struct import_machine *machine)
@@ -100,19 +119,23 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 static bool import_machine(const struct request *request, enum file_kind kind)
 {
 	struct import_machine machine = {0};
-	struct strbuf path = {0};
+	struct strbuf path = {0}, page = {0};
 	bool good;
 
 	strbuf_addf(&path, "%s/machine.xml", request->output);
+	strbuf_addf(&page, "%s/axes.html", request->output);
 	good = import_output_is_new(strbuf_text(&path), request->diag) &&
+	       (!request->pictures || import_output_is_new(strbuf_text(&page), request->diag)) &&
 	       read_machine(request, kind, &machine);
 	if (request->dialect >= 0) {
 		machine.dialect_known = true;
 		machine.description.controller.dialect = request->dialect;
 	}
 	good = good && import_output_write(&machine, request->output, request->file, request->diag) &&
-	       load(strbuf_text(&path), request->diag);
+	       load(request, strbuf_text(&path)) &&
+	       (!request->pictures || draw(request, strbuf_text(&path), strbuf_text(&page)));
 	import_machine_release(&machine);
+	strbuf_release(&page);
 	strbuf_release(&path);
 	return good;
 }

@@ -6,8 +6,8 @@
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "report/format/html_text.h"
-#include "report/picture/contours.h"
 #include "report/picture/png.h"
+#include "report/picture/svg_areas.h"
 
 enum { WIDTH = 960, HEIGHT = 640, RING = 34 };
 
@@ -15,23 +15,6 @@ enum { WIDTH = 960, HEIGHT = 640, RING = 34 };
 
 /* Pixels of a quick picture to one of its raster, in both directions: its outlines are a little coarser. */
 #define QUICK_PIXEL (4.0 / 3)
-
-static void add_areas(struct strbuf *out, const struct raster *raster, bool fine)
-{
-	for (int paint = PAINT_LEVELS; paint < PAINT_CLASSES * PAINT_LEVELS; paint++) {
-		struct strbuf outlines = {0};
-
-		contours_add(&outlines, raster, (uint8_t)paint, fine ? 0.9 : 1.1, fine ? 10 : 14);
-		if (outlines.length) {
-			const uint32_t colour = paint_colour((uint8_t)paint);
-
-			/* The stroke closes the gaps that outlines of neighbours leave. */
-			strbuf_addf(out, "<path fill=\"#%06x\" stroke=\"#%06x\" d=\"%s\"/>\n", (unsigned)colour,
-				    (unsigned)colour, outlines.text);
-		}
-		strbuf_release(&outlines);
-	}
-}
 
 static void add_ring(struct strbuf *out, const struct camera *camera, vec3 point)
 {
@@ -75,7 +58,7 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 	if (!fine)
 		strbuf_addf(out, " transform=\"scale(%.6g)\"", pixel);
 	strbuf_addf(out, ">\n");
-	add_areas(out, &raster, fine);
+	svg_areas_add(out, &raster, fine ? 0.9 : 1.1, fine ? 10 : 14);
 	strbuf_addf(out, "</g>\n");
 	if (stage->has_point)
 		add_ring(out, &camera, stage->point);

@@ -46,11 +46,24 @@ enum paint_class stage_class_b(const struct stage *stage)
 	return stage->alarming ? PAINT_B : PAINT_NEAR_B;
 }
 
+bool stage_is_carried(const struct machine *machine, int link, int by)
+{
+	while (link > by)
+		link = machine->axes[link - 1].parent;
+	return link == by;
+}
+
+static bool is_moved(const struct stage *stage, int body)
+{
+	return stage->moved && stage_is_carried(stage->scene->machine, stage->scene->bodies[body].body->link,
+						stage->moved);
+}
+
 static enum paint_class class_of(const struct stage *stage, int body)
 {
 	const struct body *it = stage->scene->bodies[body].body;
 
-	if (body == stage->a)
+	if (body == stage->a || is_moved(stage, body))
 		return stage_class_a(stage);
 	if (body == stage->b)
 		return stage_class_b(stage);
@@ -112,6 +125,8 @@ static bool is_there(const struct stage *stage, int body)
 {
 	const struct scene_body *it = &stage->scene->bodies[body];
 
+	if (stage->alone && !is_moved(stage, body))
+		return false;
 	return it->bvh && (it->body->tool == 0 || it->body->tool == stage->tool);
 }
 
@@ -382,9 +397,14 @@ static double judge(const struct stage *stage, const struct draft *draft, const 
 
 #define DEGREE (3.14159265358979323846 / 180)
 
+struct camera camera_usual(void)
+{
+	return look_from(-60 * DEGREE, 30 * DEGREE);
+}
+
 struct camera stage_camera(const struct stage *stage)
 {
-	struct camera best = look_from(-60 * DEGREE, 30 * DEGREE);
+	struct camera best = camera_usual();
 	struct draft draft;
 	double most = -1;
 

@@ -15,6 +15,8 @@ struct stage {
 	axis_values axes;
 	int tool;	/* in the spindle */
 	int a, b;	/* bodies that are shown in colour; -1: none */
+	int moved;	/* a link: its bodies, and all that it carries, are shown in the colour of a; 0: none */
+	bool alone;	/* nothing but these is drawn */
 	bool alarming;	/* they meet: in red and orange; else in blue and green */
 	bool has_point;
 	vec3 point;	/* where they meet or are nearest, machine coordinates */
@@ -28,6 +30,12 @@ struct camera {
 	vec3 centre;
 	double scale;	/* pixels to a mm, of a picture of width 1 */
 };
+
+/* Does the link carry the other, or is it the same? Everything is on link 0, the base. */
+bool stage_is_carried(const struct machine *machine, int link, int by);
+
+/* The usual direction of sight, from the front, right and above; neither centre nor scale. */
+struct camera camera_usual(void);
 
 /* A camera that sees the contact as well as can be, or all bodies. */
 struct camera stage_camera(const struct stage *stage);

@@ -1,0 +1,20 @@
+/* axis_page.h - one HTML page that shows what each axis of a machine does (--check-machine --report, import). */
+#ifndef FIVECHECK_REPORT_HTML_AXIS_PAGE_H
+#define FIVECHECK_REPORT_HTML_AXIS_PAGE_H
+
+#include <stdbool.h>
+
+#include "base/diag.h"
+#include "base/strbuf.h"
+#include "scene/scene.h"
+
+/*
+ * Appends the page: the machine with every axis at 0, and each axis moved alone, with what --check-machine says of it.
+ * False, reported: a mesh is faulty.
+ */
+bool axis_page_add(struct strbuf *out, struct scene *scene, struct diag *diag);
+
+/* The same to a file. */
+bool axis_page_write(const char *path, struct scene *scene, struct diag *diag);
+
+#endif
