@@ -124,8 +124,11 @@ static inline bool canon_tell_move(const struct canon_sink *sink, const struct c
 
 static inline bool canon_tell_block(const struct canon_sink *sink, const struct canon_block *block)
 {
-	const struct canon_event event = {.kind = CANON_BLOCK, .of.block = *block};
+	struct canon_event event;
 
+	/* A designated initialiser would clear the rest of the union, which is many times as large. */
+	event.kind = CANON_BLOCK;
+	event.of.block = *block;
 	return sink->event(sink->context, &event);
 }
 

@@ -81,6 +81,7 @@ struct run {
 	axis_values room;	/* how far the axes may be beside the path, where that counts for the limits */
 	bool has_room;	/* some of it is not 0 */
 	bool turns;	/* a rotary axis may be beside its path */
+	bool bounded;	/* the move is known only as a set of paths */
 	axis_values swing;	/* how far the axes may be outside of the box of a rapid under TCP */
 	struct leg guided;	/* such a rapid if the control keeps the tip on a line */
 	bool swings;	/* it is such a rapid */
@@ -152,7 +153,7 @@ static void add_spread(struct run *run)
 	axis_values spread = {{move->spread[0], move->spread[1], move->spread[2]}};
 
 	/* Under TCP it lies along X, Y and Z of the workpiece, which a table turns. */
-	if (move->tcp && is_bounded(move))
+	if (move->tcp)
 		spread = tcp_spread(&run->converter->tcp, &run->converter->position, &move->end, move->spread);
 	for (size_t i = 0; i < machine->axis_count; i++) {
 		const int slot = machine->axes[i].slot;
@@ -304,6 +305,30 @@ static bool report_limits(struct run *run)
 	return !run->swings || report_swing(run, reported);
 }
 
+/* Sends the step that is filled but for its times. */
+static bool send_step(struct canon_to_spans *converter, double seconds)
+{
+	struct motion_step *step = &converter->event.of.step;
+
+	step->time = converter->time + step->span.u0 * seconds;
+	step->block_time = converter->block_time + step->span.u0 * seconds;
+	step->seconds = (step->span.u1 - step->span.u0) * seconds;
+	converter->event.summary.spans++;
+	return tell(converter, MOTION_STEP);
+}
+
+static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
+{
+	struct span_walk walk;
+
+	span_walk_init(&walk, &leg->span, converter->flatness);
+	while (span_walk_next(&walk, &converter->event.of.step.span)) {
+		if (!send_step(converter, leg->path.seconds))
+			return false;
+	}
+	return true;
+}
+
 /* Sends the steps of the leg, then moves the clock and the axes to its end. */
 static bool send_leg(const struct run *run, const struct leg *leg)
 {
@@ -311,7 +336,6 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	double seconds = leg->path.seconds;
 	/* The event is filled in place, because it is large and there are many. */
 	struct motion_step *step = &converter->event.of.step;
-	struct span_walk walk;
 
 	step->file = run->move->file;
 	step->line = run->move->line;
@@ -319,18 +343,16 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->tool = converter->tool;
 	step->tolerance = run->tolerance;
 	step->outside = run->outside;
-	step->bounded = is_bounded(run->move);
+	step->bounded = run->bounded;
 	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
 			   : run->move->spindle_turns	? STEP_FEED_TURNING
 							: STEP_FEED_STANDING;
-	span_walk_init(&walk, &leg->span, converter->flatness);
-	while (span_walk_next(&walk, &step->span)) {
-		step->time = converter->time + step->span.u0 * seconds;
-		step->block_time = converter->block_time + step->span.u0 * seconds;
-		step->seconds = (step->span.u1 - step->span.u0) * seconds;
-		converter->event.summary.spans++;
-		if (!tell(converter, MOTION_STEP))
+	if (span_is_flat(&leg->span, converter->flatness)) {
+		step->span = leg->span;
+		if (!send_step(converter, seconds))
 			return false;
+	} else if (!send_curved(converter, leg)) {
+		return false;
 	}
 	converter->time += seconds;
 	converter->block_time += seconds;
@@ -350,8 +372,11 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 	run.outside = run.has_room = run.swings = run.turns = false;
 	run.room = run.swing = (axis_values){{0}};
 	run.tolerance = blend_path_tolerance(converter->machine, move);
-	add_spread(&run);
-	add_turn_spread(&run);
+	run.bounded = is_bounded(move);
+	if (run.bounded) {
+		add_spread(&run);
+		add_turn_spread(&run);
+	}
 	if (!is_in_reach(converter, move) || !set_legs(&run))
 		return false;
 	if (!run.count)

@@ -104,9 +104,10 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 {
 	const struct block *block = &interp->block;
 	struct state *state = &interp->state;
+	uint32_t left = block->letters & AXIS_BITS;
 
 	*target = rotated_frame_straight(state);
-	if (!(block->letters & AXIS_BITS))
+	if (!left)
 		return true;
 	if (state->frame.on && state->frame.waits_for_tool)
 		return fault(&interp->at, block_motion_column(block),
@@ -117,11 +118,14 @@ bool endpoint_find(struct interp *interp, bool machine, slot_values *target)
 	caution_probe(interp);
 	for (int slot = SLOT_X; slot <= SLOT_Z && state->length_moves && !machine; slot++)
 		target->v[slot] += state->length_shift.v[slot];
-	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+	for (int slot = 0; left; slot++) {
 		char letter = AXIS_LETTERS[slot];
 		double value;
 
-		if (!block_has(block, letter) || (!machine && polar_coordinates_take(interp, slot)))
+		if (!(left & letter_bit(letter)))
+			continue;
+		left &= ~letter_bit(letter);
+		if (!machine && polar_coordinates_take(interp, slot))
 			continue;
 		value = block_value(block, letter) * (slot_is_rotary(slot) ? 1 : state->scale);
 		if (!machine && (!state->incremental || !same_double(value, 0)) &&

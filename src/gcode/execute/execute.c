@@ -358,8 +358,28 @@ static bool execute_motion(struct interp *interp)
 		     code / 10.0);
 }
 
+/* What is in force may refuse the block, and ends what holds for one block only. */
+static bool start_block(struct interp *interp)
+{
+	if (interp->state.unknown_modes && !check_modes(interp))
+		return false;
+	probed_axes_forget_turned(&interp->state);
+	interp->state.length_moves = false;
+	return cylinder_check_block(interp) &&
+	       (!corner_insert_concerns(interp) || corner_insert_start_block(interp)) &&
+	       coordinate_rotation_start_block(interp) && dynamic_work_offset_start_block(interp) &&
+	       cutter_comp_start_block(interp);
+}
+
+/* A block without codes but that of its motion: what execute_codes does in this case. */
+static bool execute_plain(struct interp *interp)
+{
+	return execute_feed(interp) && execute_increments(interp) && cutter_comp_check_block(interp) &&
+	       work_offset_use_check(interp) && execute_motion(interp);
+}
+
 /* LinuxCNC's manual, "Order of Execution"; NIST RS274/NGC, table 8. */
-bool execute_block(struct interp *interp)
+static bool execute_codes(struct interp *interp)
 {
 	const struct dialect *dialect = interp->config->dialect;
 	const struct block *block = &interp->block;
@@ -369,14 +389,6 @@ bool execute_block(struct interp *interp)
 	 */
 	bool changes_late = block->m[M_TOOL] == 6 && interp->config->controller.m6_with_move == M6_AFTER_MOVE;
 
-	if (state->unknown_modes && !check_modes(interp))
-		return false;
-	probed_axes_forget_turned(state);
-	if (!cylinder_check_block(interp) || (corner_insert_concerns(interp) && !corner_insert_start_block(interp)))
-		return false;
-	if (!coordinate_rotation_start_block(interp) || !dynamic_work_offset_start_block(interp) ||
-	    !cutter_comp_start_block(interp))
-		return false;
 	if (block->g[G_UNITS] != CODE_NONE && block->letters &&
 	    !is_answered(interp, block->g_column[G_UNITS], dialect->traits.known_order,
 			 "whether a unit holds for all words of its block"))
@@ -413,5 +425,14 @@ bool execute_block(struct interp *interp)
 						   "what the calls of subprograms (M97 to M99) do"))
 		return false;
 	interp->ended = block->m[M_STOP] == 2 || block->m[M_STOP] == 30;
+	return true;
+}
+
+bool execute_block(struct interp *interp)
+{
+	const struct dialect *dialect = interp->config->dialect;
+
+	if (!start_block(interp) || !(interp->block.plain ? execute_plain(interp) : execute_codes(interp)))
+		return false;
 	return !dialect->after_block || dialect->after_block(interp);
 }

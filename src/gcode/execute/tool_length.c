@@ -278,7 +278,6 @@ bool tool_length_select(struct interp *interp)
 	enum tcp_source source = state->tcp;
 	double length = 0;
 
-	state->length_moves = false;
 	if (!take_h_alone(interp))
 		return false;
 	code = block->g[G_LENGTH];

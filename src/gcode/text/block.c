@@ -20,6 +20,7 @@ void block_clear(struct block *block)
 	block->idle = CODE_NONE;
 	block->corner = '\0';
 	block->vectors = false;
+	block->plain = false;
 	for (int i = 0; i < G_GROUPS; i++)
 		block->g[i] = CODE_NONE;
 	for (int i = 0; i < M_GROUPS; i++)
@@ -161,12 +162,14 @@ static bool add_m(struct block *block, const struct line_place *at, const struct
 static bool check_axis_words(const struct block *block, const struct line_place *at, const struct gcode_config *config)
 {
 	bool dwell = config->dialect->traits.dwell_alone == ANSWER_YES && block->g[G_NONMODAL] == G4;
+	uint32_t left = dwell ? 0 : block->letters & AXIS_BITS;
 
-	for (int slot = 0; slot < SLOT_COUNT && !dwell; slot++) {
+	for (int slot = 0; left; slot++) {
 		char letter = AXIS_LETTERS[slot];
 
-		if (!config->has_axis[slot] && block_has(block, letter))
+		if (!config->has_axis[slot] && (left & letter_bit(letter)))
 			return fault(at, block_column(block, letter), "the machine has no %c axis", letter);
+		left &= ~letter_bit(letter);
 	}
 	return true;
 }
@@ -213,6 +216,7 @@ static bool add_word(struct block *block, const struct line_place *at, const str
 		     const struct gcode_config *config, struct block_cautions *cautions)
 {
 	block->words++;
+	block->plain = block->plain && !word->comma && word->letter != 'M' && (word->letter != 'G' || word->value <= 3);
 	/* B-63944EN, undefined variable; Haas, address substitution: the word counts as not written. */
 	if (word->vacant)
 		return true;
@@ -310,6 +314,7 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 		return false;
 	if (skipped)
 		return true;
+	block->plain = true;
 	while ((result = lexer_next(&lexer, &word)) == LEXER_WORD) {
 		if (!add_word(block, at, &word, config, cautions))
 			return false;
@@ -317,6 +322,7 @@ bool block_read(struct block *block, const struct line_place *at, const struct g
 	if (result == LEXER_FAULT)
 		return false;
 	block->words += lexer.assignments;
+	block->plain = block->plain && !(block->letters & ~(AXIS_BITS | ARC_BITS | letter_bit('F')));
 	if (!check_axis_words(block, at, config))
 		return false;
 	return true;

@@ -31,6 +31,8 @@ struct block {
 	int m_count;
 	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
+	/* block_read has found no codes but G0 to G3, and no words but those of axes, arcs and the feed */
+	bool plain;
 	bool vectors;	/* I, J and K are the direction of the tool (G43.5); known once block_check has passed */
 };
 
@@ -66,6 +68,9 @@ static inline int block_column(const struct block *block, char letter)
 #define AXIS_BITS \
 	(letter_bit('X') | letter_bit('Y') | letter_bit('Z') | letter_bit('A') | letter_bit('B') | letter_bit('C') | \
 	 letter_bit('U') | letter_bit('V') | letter_bit('W'))
+
+/* The words of arcs. */
+#define ARC_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R'))
 
 /* How blocks of words are written. Constant data of a dialect. */
 struct block_rules {

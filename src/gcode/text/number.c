@@ -96,15 +96,14 @@ static bool read_quickly(const char *text, size_t *position, double *value, bool
 	return true;
 }
 
-enum number_status number_read(const char *text, size_t *position, double *value, bool *point)
+/* Any number. */
+static enum number_status read_slowly(const char *text, size_t *position, double *value, bool *point)
 {
 	size_t at = *position, begin;
 	uint64_t mantissa = 0;
 	int digits = 0, significant = 0, fraction_digits = 0;
 	bool negative = false, seen_point = false;
 
-	if (read_quickly(text, position, value, point))
-		return NUMBER_OK;
 	while (is_blank(text[at]))
 		at++;
 	if (text[at] == '+' || text[at] == '-')
@@ -135,6 +134,11 @@ enum number_status number_read(const char *text, size_t *position, double *value
 	*point = seen_point;
 	*position = at;
 	return NUMBER_OK;
+}
+
+enum number_status number_read(const char *text, size_t *position, double *value, bool *point)
+{
+	return read_quickly(text, position, value, point) ? NUMBER_OK : read_slowly(text, position, value, point);
 }
 
 enum number_status number_read_with_comma(const char *text, size_t *position, double *value)
