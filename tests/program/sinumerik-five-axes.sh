@@ -80,6 +80,16 @@ for name,rot in fam.items():
         wc=max(wc,max(abs(t[i]-q[i]) for i in range(3))); wd=max(wd,max(abs(dd[i]-ap(M,[0,0,1])[i]) for i in range(3))); n+=1
         s=[r[0] for r in rot if r[0]!='C'][0]
         assert d[5][s]*dr>=-1e-6
+    # TOROT: Z leads along the tool, by an increment and to a coordinate from the workpiece's zero.
+    wt=0
+    for i in range(4):
+        a={r[0]:round(random.uniform(-80,80),3) for r in rot}; c=[round(random.uniform(-50,50),3) for _ in range(3)]
+        p='T1 D1 M6\nG54 G17 G71 G90\nTRAORI ORIAXES\nG0 X%g Y%g Z%g %s\nTOROT\nG91 Z25\nG90 Z300\nTOROTOF\nX%g Y%g Z%g\nM30\n'%(*c,' '.join('%s%g'%kv for kv in a.items()),*c)
+        d,e=run(xml(name,rot),p); t0,dd=tip(d[4],rot); t1,_=tip(d[6],rot); t2,_=tip(d[7],rot); t3,_=tip(d[9],rot)
+        zero=[[11,-7,380][i]+gauge[i] for i in range(3)]
+        along=300-sum((t0[i]-zero[i])*dd[i] for i in range(3))
+        wt=max([wt]+[abs(t1[i]-t0[i]-25*dd[i]) for i in range(3)]+[abs(t2[i]-t0[i]-along*dd[i]) for i in range(3)]+[abs(t3[i]-t0[i]) for i in range(3)])
+    w=max(w,wt)
     good = w < 1e-6 and wc < 1e-6 and wd < 1e-9 and bad == 0
     print(name + (': as computed' if good else ': TRAORI %g mm, CYCLE800 %g mm, %g, %d refused' % (w, wc, wd, bad)))
 PYTHON

@@ -7,7 +7,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
-#include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_save.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
@@ -211,49 +211,6 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 	return true;
 }
 
-static void save_modes(const struct interp *interp, struct sinumerik_saved *saved)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct state *state = &interp->state;
-
-	*saved = (struct sinumerik_saved){
-		.motion = state->motion, .plane = state->plane, .system = state->system,
-		.path_code = sinumerik->path_code, .incremental = state->incremental,
-		.compresses = sinumerik->compresses, .feed_mode = state->feed_mode, .tcp = state->tcp,
-		.scale = state->scale, .feed_scale = sinumerik->feed_scale, .smoothing = sinumerik->smoothing,
-		.rounding = sinumerik->rounding, .rapid_rounding = sinumerik->rapid_rounding,
-		.rapid_factor = sinumerik->rapid_factor, .orientation_tolerance = sinumerik->orientation_tolerance,
-		.frame = sinumerik->frame,
-	};
-}
-
-static bool restore_modes(struct interp *interp, const struct sinumerik_saved *saved, int column)
-{
-	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct state *state = &interp->state;
-
-	if (saved->tcp != state->tcp)
-		return fault(&interp->at, column,
-			     "a subprogram with SAVE that switches TRAORI or swivels is not supported yet");
-	sinumerik_frame_place(interp);
-	state->motion = saved->motion;
-	state->plane = saved->plane;
-	state->system = saved->system;
-	state->incremental = saved->incremental;
-	state->feed_mode = saved->feed_mode;
-	state->scale = saved->scale;
-	sinumerik->path_code = saved->path_code;
-	sinumerik->compresses = saved->compresses;
-	sinumerik->feed_scale = saved->feed_scale;
-	sinumerik->smoothing = saved->smoothing;
-	sinumerik->rounding = saved->rounding;
-	sinumerik->rapid_rounding = saved->rapid_rounding;
-	sinumerik->rapid_factor = saved->rapid_factor;
-	sinumerik->orientation_tolerance = saved->orientation_tolerance;
-	sinumerik->frame = saved->frame;
-	return sinumerik_frame_changed(interp, column);
-}
-
 bool sinumerik_call_is_inside(const struct interp *interp)
 {
 	return sinumerik_of(interp)->level > 0;
@@ -277,7 +234,7 @@ bool sinumerik_call_return(struct interp *interp, int column)
 		return fault(&interp->at, column, "this returns, but no subprogram is being carried out");
 	call = top_call(sinumerik);
 	sinumerik->loop_count = call->loops;
-	if (call->saves && !restore_modes(interp, &call->saved, column))
+	if (call->saves && !sinumerik_save_restore(interp, &call->saved, column))
 		return false;
 	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
 	to = call->left > 0 ? call->entry : call->back;
@@ -405,7 +362,7 @@ bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer)
 	while (sinumerik_expr_name(lexer, name)) {
 		if (!strcmp(name, "SAVE") && sinumerik->depth) {
 			top_call(sinumerik)->saves = true;
-			save_modes(interp, &top_call(sinumerik)->saved);
+			sinumerik_save_modes(interp, &top_call(sinumerik)->saved);
 		}
 	}
 	return true;

@@ -16,7 +16,7 @@ static const struct code_word cycle_rows[] = {
 	{"HOLES2", CODE_READ, "circle of holes"},
 	{"CYCLE801", CODE_READ, "grid of holes"},
 	{"CYCLE802", CODE_READ, "holes at given positions"},
-	{"CYCLE800", CODE_READ, "swivelled plane, axis by axis or by solid angles"},
+	{"CYCLE800", CODE_READ, "swivelled plane, axis by axis, by solid or by projection angles"},
 	{"CYCLE832", CODE_READ, "tolerance of the contour"},
 	{"POCKET1", CODE_BOUNDED, "milling of a pocket"},
 	{"POCKET2", CODE_BOUNDED, "milling of a pocket"},

@@ -26,6 +26,7 @@ bool sinumerik_comp_check(struct interp *interp, const struct sinumerik_block *b
 		const char *what;
 	} groups[] = {{SINUMERIK_TRANSFORM, "TRAORI or TRAFOOF"},
 		      {SINUMERIK_FRAME, "a change of the frame"},
+		      {SINUMERIK_TOOL_FRAME, "a change of the frame"},
 		      {SINUMERIK_SYSTEM, "a change of the work offset"},
 		      {SINUMERIK_SUPPRESSION, "a move in the machine's coordinates"}};
 	const int once = block->code[SINUMERIK_ONCE];

@@ -11,6 +11,9 @@
 /* Factors of a scale are equal, and directions are at right angles, within this much. */
 #define SAME_SCALE 1e-12
 
+/* Degrees */
+#define RIGHT_ANGLE 90
+
 static vec3 linear(const slot_values *values)
 {
 	return (vec3){values->v[SLOT_X], values->v[SLOT_Y], values->v[SLOT_Z]};
@@ -194,6 +197,44 @@ static bool turn_by(struct interp *interp, const struct sinumerik_frame_words *w
 	return true;
 }
 
+/*
+ * Function manual K2, "ROTS, AROTS, CROTS": the angle named Y turns X about Y into the line where the new plane meets
+ * that of X and Z, the angle named X turns Y about X into the line where it meets that of Y and Z; X stays in its old
+ * plane with Z. The same goes for Z and X, and for Y and Z.
+ */
+bool sinumerik_frame_solid(int third, vec3 angles, mat3 *matrix)
+{
+	const double degrees[3] = {angles.x, angles.y, angles.z};
+	const int first = (third + 1) % 3, second = (third + 2) % 3;
+	const mat3 about_first = turn_about(first, degrees[first]), about_second = turn_about(second, degrees[second]);
+	const vec3 axis = mat3_apply(&about_second, (vec3){first == SLOT_X, first == SLOT_Y, first == SLOT_Z});
+	const vec3 line = mat3_apply(&about_first, (vec3){second == SLOT_X, second == SLOT_Y, second == SLOT_Z});
+	vec3 columns[3];
+
+	if (!(fabs(degrees[first]) < RIGHT_ANGLE && fabs(degrees[second]) < RIGHT_ANGLE))
+		return false;
+	columns[first] = axis;
+	columns[third] = vec3_unit(vec3_cross(axis, line));
+	columns[second] = vec3_cross(columns[third], axis);
+	*matrix = (mat3){columns[0], columns[1], columns[2]};
+	return true;
+}
+
+static bool turn_by_solid(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *turn)
+{
+	const vec3 angles = words_vector(words, 0);
+	const int count = words->has[SLOT_X] + words->has[SLOT_Y] + words->has[SLOT_Z];
+	const int third = !words->has[SLOT_Z] ? SLOT_Z : !words->has[SLOT_Y] ? SLOT_Y : SLOT_X;
+
+	if (words->has_plane_angle || count == 3)
+		return fault(&interp->at, words->column, "ROTS and AROTS have one or two solid angles: X and Y, Z and "
+							 "X, or Y and Z");
+	if (count < 2)
+		return turn_by(interp, words, turn);
+	return sinumerik_frame_solid(third, angles, turn) ||
+	       fault(&interp->at, words->column, "two solid angles must lie between -90 and 90 degrees");
+}
+
 static bool scale_by(struct interp *interp, const struct sinumerik_frame_words *words, mat3 *matrix)
 {
 	const vec3 factor = words_vector(words, 1);
@@ -229,6 +270,8 @@ static bool frame_of(struct interp *interp, const struct sinumerik_frame_words *
 		return true;
 	case SINUMERIK_ROT:
 		return turn_by(interp, words, &frame->matrix);
+	case SINUMERIK_SOLID:
+		return turn_by_solid(interp, words, &frame->matrix);
 	case SINUMERIK_SCALE:
 		return scale_by(interp, words, &frame->matrix);
 	default:

@@ -36,8 +36,17 @@ bool sinumerik_frame_scale(const mat3 *matrix, double *factor);
 
 struct sinumerik_frame sinumerik_frame_none(void);
 
-/* TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR; G58, G59. */
-enum sinumerik_frame_code { SINUMERIK_TRANS, SINUMERIK_ROT, SINUMERIK_SCALE, SINUMERIK_MIRROR, SINUMERIK_AXIAL };
+/*
+ * The matrix of a plane by two solid angles in degrees, those about the two axes beside `third` (a slot): each turns
+ * the other axis about its own into the plane, and the first of the two stays in its old plane with the third. False:
+ * there is no such plane.
+ */
+bool sinumerik_frame_solid(int third, vec3 angles, mat3 *matrix);
+
+/* TRANS, ATRANS, ROT, AROT, SCALE, ASCALE, MIRROR, AMIRROR, ROTS, AROTS; G58, G59. */
+enum sinumerik_frame_code {
+	SINUMERIK_TRANS, SINUMERIK_ROT, SINUMERIK_SCALE, SINUMERIK_MIRROR, SINUMERIK_SOLID, SINUMERIK_AXIAL
+};
 
 /* The words of such a statement. */
 struct sinumerik_frame_words {

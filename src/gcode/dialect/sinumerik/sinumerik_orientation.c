@@ -71,6 +71,8 @@ static bool switch_transformation(struct interp *interp, bool on, int column)
 		return fault(&interp->at, column, "TRAORI while CYCLE800 has swivelled; CYCLE800() first");
 	if (on == (state->tcp != TCP_OFF))
 		return true;
+	if (sinumerik->tool_frame)
+		return fault(&interp->at, column, "TRAFOOF while TOROT or TOFRAME is in force; TOROTOF first");
 	if (sinumerik->edge_unsure && on)
 		return fault(&interp->at, column, "TRAORI needs the tool's edge: write D before it");
 	sinumerik_frame_place(interp);

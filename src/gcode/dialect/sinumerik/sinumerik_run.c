@@ -15,6 +15,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
 #include "gcode/dialect/sinumerik/sinumerik_target.h"
 #include "gcode/dialect/sinumerik/sinumerik_tool.h"
+#include "gcode/dialect/sinumerik/sinumerik_tool_frame.h"
 #include "gcode/eval/expr.h"
 #include "gcode/execute/corner_insert.h"
 #include "gcode/execute/motion_commands.h"
@@ -222,6 +223,8 @@ static bool run_frame(struct interp *interp, const struct sinumerik_block *block
 		.column = block->code_column[SINUMERIK_FRAME]};
 	bool lengths = false;
 
+	if (sinumerik_of(interp)->tool_frame)
+		return fault(&interp->at, words.column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
 	if (words.has_plane_angle && words.code != SINUMERIK_ROT)
 		return fault(&interp->at, block->address_column[SINUMERIK_RPL], "RPL belongs to ROT and AROT");
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -434,7 +437,7 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
 	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||
 	    !set_modes(interp, block) || !sinumerik_orientation_select(interp, block) ||
-	    !select_system(interp, block) || !run_once(interp, block, &done))
+	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) || !run_once(interp, block, &done))
 		return false;
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;

@@ -64,14 +64,20 @@ struct sinumerik_polar {
 	double radius, angle;	/* mm, degrees: given last */
 };
 
+/* How TRAORI turns the tool between two orientations. */
+enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERIK_ORI_VECTOR };
+
 /* What SAVE of PROC keeps for the return. */
 struct sinumerik_saved {
 	int motion, plane, system, path_code;
-	bool incremental, compresses;
+	int approach, corner, comp_side;
+	bool incremental, compresses, smooths_orientation, machine_orientation, turns_plane, tool_frame;
+	enum sinumerik_orientation orientation;
+	unsigned unknown_modes;
 	enum feed_mode feed_mode;
 	enum tcp_source tcp;
 	double scale, feed_scale, smoothing, rounding, rapid_rounding, rapid_factor, orientation_tolerance;
-	struct sinumerik_frame frame;
+	struct sinumerik_frame frame, swivel;
 };
 
 /* REPEAT LABEL [LABEL] [P=n] that is being repeated, and calls. */
@@ -110,9 +116,6 @@ struct sinumerik_modal {
 	long line;
 };
 
-/* How TRAORI turns the tool between two orientations. */
-enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERIK_ORI_VECTOR };
-
 struct sinumerik {
 	struct sinumerik_variable *variables;	/* owned */
 	size_t variable_count, variable_capacity;
@@ -135,6 +138,7 @@ struct sinumerik {
 	struct sinumerik_frame frame;	/* TRANS, ROT, SCALE, MIRROR */
 	struct sinumerik_frame swivel;	/* CYCLE800: under the programmable one */
 	bool swivelled;
+	bool tool_frame;	/* TOROT: `swivel` has the tool as its Z; its X and Y are not known */
 	bool tool_upright;	/* while CYCLE800 has swivelled: the tool lies along the machine's Z */
 	bool frame_is_even;	/* the frames scale all directions alike */
 	/* Program coordinates of the position, mm and degrees; derived from the position while `placed` is false. */

@@ -90,23 +90,46 @@ static bool find_turn(const struct swivel *s, long mode, mat3 *turn)
 	return true;
 }
 
+/*
+ * "Swivel plane": two projection angles lay the plane as ROTS does, and the third angle turns in it about Z.
+ */
+static bool find_projection(const struct swivel *s, long mode, mat3 *turn)
+{
+	const long first = mode & 3, second = mode >> 2 & 3, last = mode >> 4 & 3;
+	double angles[4] = {0};
+	mat3 in_plane;
+
+	if (s->interp->state.plane != G17)
+		return fault(&s->interp->at, s->column, "CYCLE800 by projection angles needs G17");
+	if (first == 0 || second == 0 || first == second || (last != 3 && !same_double(value(s, C), 0)))
+		return fault(&s->interp->at, s->column,
+			     "MODE=%ld of CYCLE800, projection angles, must name two axes and then Z", mode);
+	angles[first] = value(s, A);
+	angles[second] = value(s, B);
+	if (!sinumerik_frame_solid((int)(6 - first - second) - 1, (vec3){angles[1], angles[2], angles[3]}, turn))
+		return fault(&s->interp->at, s->column,
+			     "two projection angles of CYCLE800 must lie between -90 and 90 degrees");
+	in_plane = mat3_turn((vec3){0, 0, 1}, radians(value(s, C)));
+	*turn = mat3_mul(turn, &in_plane);
+	return true;
+}
+
 static bool find_plane(const struct swivel *s, long mode, bool added, struct sinumerik_frame *plane)
 {
-	static const char *const modes[] = {
-		[BY_PROJECTION_ANGLES] = "projection angles", [BY_ROTARY_AXES] = "positions of the rotary axes"};
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
 	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(),
 			       after = shift_by(point(s, X1));
 
 	if (mode < 0 || mode > 255)
 		return fault(&s->interp->at, s->column, "MODE of CYCLE800 must lie between 0 and 255, not %ld", mode);
-	if (mode >> 6 == BY_PROJECTION_ANGLES || mode >> 6 == BY_ROTARY_AXES)
+	if (mode >> 6 == BY_ROTARY_AXES)
 		return fault(
 		    &s->interp->at, s->column,
-		    "MODE=%ld of CYCLE800, a plane by %s, is not supported: in which direction X of the plane then "
-		    "points is not certain; axis by axis (MODE=57 and the like) it is",
-		    mode, modes[mode >> 6]);
-	if (!find_turn(s, mode, &turn.matrix))
+		    "MODE=%ld of CYCLE800, a plane by positions of the rotary axes, is not supported: in which "
+		    "direction X of the plane then points is not certain; axis by axis (MODE=57 and the like) it is",
+		    mode);
+	if (mode >> 6 == BY_PROJECTION_ANGLES ? !find_projection(s, mode, &turn.matrix)
+					      : !find_turn(s, mode, &turn.matrix))
 		return false;
 	before = sinumerik_frame_chain(&before, &turn);
 	*plane = sinumerik_frame_chain(&before, &after);
@@ -377,6 +400,8 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	axis_values rotary;
 
 	/* Without arguments, or with the swivel data "0", it takes the plane back and moves no axis. */
+	if (sinumerik->tool_frame)
+		return refuse(&s, "CYCLE800 while TOROT or TOFRAME is in force; TOROTOF first");
 	if (s.count == 0 || (s.count > TC && !strcmp(sinumerik->argument_texts[TC].bytes, "0") &&
 			     sinumerik->argument_is_text[TC]))
 		return lay_flat(&s);

@@ -45,6 +45,9 @@ static bool read_position(struct interp *interp, const char *name, int slot, int
 		*value = in_unit(interp, slot, state->position.v[slot]);
 		return true;
 	}
+	if (sinumerik_of(interp)->tool_frame && (slot == SLOT_X || slot == SLOT_Y))
+		return fault(&interp->at, column, "%s of %c while TOROT or TOFRAME is in force; TOROTOF first", name,
+			     AXIS_LETTERS[slot]);
 	*value = in_unit(interp, slot, sinumerik_frame_place(interp)->v[slot]);
 	return true;
 }

@@ -123,6 +123,8 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 
 	if (interp->state.unknown_modes & 1U << G_UNITS)
 		return fault(&interp->at, column, "$P_PFRAME needs G70, G71, G700 or G710 before it");
+	if (sinumerik_of(interp)->tool_frame)
+		return fault(&interp->at, column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
 	if (sinumerik_of(interp)->frames_unsure)
 		return fault(&interp->at, column, "frames after TRAORI or TRAFOOF: select the work offset again first");
 	if (!sinumerik_expr_need(lexer, '=', "$P_PFRAME"))

@@ -7,6 +7,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
+#include "gcode/dialect/sinumerik/sinumerik_tool_frame.h"
 #include "gcode/execute/endpoint.h"
 #include "geom/tolerance.h"
 
@@ -137,6 +138,8 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 
 	if (interp->state.unknown_modes && !check_modes(interp, block, arc, column))
 		return false;
+	if (sinumerik_of(interp)->tool_frame && !sinumerik_tool_frame_check(interp, block, arc))
+		return false;
 	if (linear && (!check_edge(interp, column) || !check_length_axis(interp, column)))
 		return false;
 	return machine || check_system(interp, block, column);
@@ -162,6 +165,12 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 
 	if (!sinumerik->shifted[slot])
 		return true;
+	if (sinumerik->tool_frame)
+		return fault(&interp->at, column,
+			     "%c by an increment after TOROT, and a change of frames, offsets or the tool before it: "
+			     "settings of the control decide whether the change is traversed, too; write an absolute "
+			     "position first",
+			     AXIS_LETTERS[slot]);
 	switch (interp->config->controller.increments_after_shift) {
 	case INCREMENTS_TRAVERSE_SHIFT:
 		*coordinate = sinumerik->programmed.v[slot];

@@ -59,17 +59,17 @@
 	FRAME_WORD(ROW, "MIRROR", 6, "mirroring of the program's coordinates") \
 	FRAME_WORD(ROW, "AMIRROR", 7, "mirroring, added") \
 	ADDRESS_ROW(ROW, "RPL", RPL, "angle of ROT in the plane") \
-	REFUSED_ROW(ROW, "ROTS", "turning by solid angles") \
-	REFUSED_ROW(ROW, "AROTS", "turning by solid angles") \
-	REFUSED_ROW(ROW, "CROTS", "turning by solid angles") \
-	REFUSED_ROW(ROW, "TOFRAME", "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "TOFRAMEZ", "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "TOROT", "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "TOROTZ", "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table") \
+	FRAME_WORD(ROW, "ROTS", 8, "turning by two solid angles") \
+	FRAME_WORD(ROW, "AROTS", 9, "turning by two solid angles, added") \
+	REFUSED_ROW(ROW, "CROTS", "turning by solid angles in a frame that the control keeps") \
+	CODE_ROW(ROW, "TOFRAME", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
+	CODE_ROW(ROW, "TOFRAMEZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
+	CODE_ROW(ROW, "TOROT", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
+	CODE_ROW(ROW, "TOROTZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
+	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table of an orientable tool carrier") \
 	ZERO_ROW(ROW, "TCARR", "orientable tool carrier") \
-	PLAIN_ROW(ROW, "TOFRAMEOF", IGNORED, "no frame in the direction of the tool") \
-	PLAIN_ROW(ROW, "TOROTOF", IGNORED, "no frame in the direction of the tool") \
+	CODE_ROW(ROW, "TOFRAMEOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
+	CODE_ROW(ROW, "TOROTOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
 	PLAIN_ROW(ROW, "PAROTOF", IGNORED, "no frame that turns with the table")
 
 #define FIVE_AXIS_WORDS(ROW) \
