@@ -72,17 +72,20 @@ static bool find_other(struct interp *interp, const struct klartext_words *words
 
 bool klartext_move_target(struct interp *interp, const struct klartext_words *words, struct klartext_target *target)
 {
-	vec3 here = klartext_frame_point(interp);
-	double point[3] = {here.x, here.y, here.z};
+	double point[3];
 
+	/* Before coordinates are asked for: the preset gives them. */
+	if (words->axes && (!klartext_frame_check_preset(interp, words->first_column) ||
+			    !klartext_frame_check_plane(interp, words->first_column)))
+		return false;
 	target->others = interp->state.position;
 	target->turns = words->axes & (1U << SLOT_A | 1U << SLOT_B | 1U << SLOT_C);
-	target->point = here;
+	target->point = klartext_frame_point(interp);
 	if (!words->axes)
 		return true;
-	if (!klartext_frame_check_preset(interp, words->first_column) ||
-	    !klartext_frame_check_plane(interp, words->first_column))
-		return false;
+	point[0] = target->point.x;
+	point[1] = target->point.y;
+	point[2] = target->point.z;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
 		if (!klartext_words_has(words, slot))
 			continue;
