@@ -1,13 +1,8 @@
 /* test_gcode_klartext_region.c - Klartext: milling cycles as regions, patterns of holes, and directions of the tool. */
+#include "gcode_reach.h"
 #include "klartext_case.h"
 
-struct program {
-	const char *blocks;
-	const char *moves;
-};
-
 #define START "TOOL CALL 1 Z S100\nL X+10 Y+20 Z+100 FMAX\n"
-#define STARTED "tool 1\nrapid 10 20 200 0 0\n"
 #define HEIGHTS " Q200=2 Q203=0 Q201=-20 Q204=50 Q206=100 Q207=500\nM99\n"
 
 #define CONTOURS \
@@ -15,79 +10,120 @@ struct program {
 	"CYCL DEF 20 CONTOUR DATA Q1=-15 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0.1 Q9=1\n"
 
 /* The centre of the tool, of radius 5 mm, may be anywhere in the region, until X and Y are commanded. */
-static const struct program regions[] = {
+static const struct klartext_program regions[] = {
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS "L X+0 FMAX\nL X+0 Y+0 FMAX\nL X+1 FMAX\n",
-	 STARTED "rapid 10 20 102 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\nfeed 10 20 80 0 0 spread 25 10 0\n"
-	 "feed 10 20 102 0 0 spread 25 10 0\nrapid 10 20 150 0 0 spread 25 10 0\nrapid 0 20 150 0 0 spread 25 10 0\n"
-	 "rapid 0 0 150 0 0 spread 25 10 0\nrapid 1 0 150 0 0\n"},
+	 "tool 1\n"
+	 "rapid X -15..35 Y 10..30 Z 102..200\n"
+	 "feed X -15..35 Y 10..30 Z 80..102\n"
+	 "rapid X -25..35 Y -10..30 Z 102..150\n"},
 	/* Its lower left corner, turned by 90 degrees. */
 	{START "CYCL DEF 251 POCKET Q218=60 Q219=30 Q224=90 Q367=1" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 25 55 0\nfeed -5 50 102 0 0 spread 10 25 0\nfeed -5 50 80 0 0 spread 10 25 0\n"
-	 "feed -5 50 102 0 0 spread 10 25 0\nrapid -5 50 150 0 0 spread 10 25 0\n"},
+	 "tool 1\n"
+	 "rapid X -15..10 Y 20..75 Z 102..200\n"
+	 "feed X -15..7.5 Y 22.5..75 Z 80..102\n"
+	 "rapid X -15..5 Y 25..75 Z 102..150\n"},
 	{START "CYCL DEF 252 POCKET Q223=40" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
-	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
+	 "tool 1\n"
+	 "rapid X -5..25 Y 5..35 Z 102..200\n"
+	 "feed X -5..25 Y 5..35 Z 80..102\n"
+	 "rapid X -5..25 Y 5..35 Z 102..150\n"},
 	{START "CYCL DEF 208 BORE MILLING Q335=40" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nfeed 10 20 80 0 0 spread 15 15 0\n"
-	 "feed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 150 0 0 spread 15 15 0\n"},
+	 "tool 1\n"
+	 "rapid X -5..25 Y 5..35 Z 102..200\n"
+	 "feed X -5..25 Y 5..35 Z 80..102\n"
+	 "rapid X -5..25 Y 5..35 Z 102..150\n"},
 	{START "CYCL DEF 253 SLOT Q218=60 Q219=12 Q374=0 Q367=1" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 55 1 0\nfeed 40 20 102 0 0 spread 25 1 0\nfeed 40 20 80 0 0 spread 25 1 0\n"
-	 "feed 40 20 102 0 0 spread 25 1 0\nrapid 40 20 150 0 0 spread 25 1 0\n"},
+	 "tool 1\n"
+	 "rapid X 10..65 Y 19..21 Z 102..200\n"
+	 "feed X 12.5..65 Y 19..21 Z 80..102\n"
+	 "rapid X 15..65 Y 19..21 Z 102..150\n"},
 	{START "CYCL DEF 254 SLOT Q375=60 Q219=12 Q216=1 Q217=2" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 40 49 0\nfeed 1 2 102 0 0 spread 31 31 0\nfeed 1 2 80 0 0 spread 31 31 0\n"
-	 "feed 1 2 102 0 0 spread 31 31 0\nrapid 1 2 150 0 0 spread 31 31 0\n"},
+	 "tool 1\n"
+	 "rapid X -30..32 Y -29..33 Z 102..200\n"
+	 "feed X -30..32 Y -29..33 Z 80..102\n"
+	 "rapid X -30..32 Y -29..33 Z 102..150\n"},
 	{START "CYCL DEF 262 THREAD Q335=20 Q239=1.5" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 102 0 0 spread 5 5 1.5\nfeed 10 20 80 0 0 spread 5 5 1.5\n"
-	 "feed 10 20 102 0 0 spread 5 5 1.5\nrapid 10 20 150 0 0 spread 5 5 1.5\n"},
+	 "tool 1\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..201.5\n"
+	 "feed X 5..15 Y 15..25 Z 78.5..103.5\n"
+	 "rapid X 5..15 Y 15..25 Z 100.5..151.5\n"},
 	/* A countersink at the front reaches farther than the thread, and the bore is deeper. */
 	{START "CYCL DEF 263 THREAD Q335=20 Q239=1.5 Q356=-25 Q358=-2 Q359=8" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 8 8 1.5\nfeed 10 20 102 0 0 spread 8 8 1.5\nfeed 10 20 75 0 0 spread 8 8 1.5\n"
-	 "feed 10 20 102 0 0 spread 8 8 1.5\nrapid 10 20 150 0 0 spread 8 8 1.5\n"},
+	 "tool 1\n"
+	 "rapid X 2..18 Y 12..28 Z 100.5..201.5\n"
+	 "feed X 2..18 Y 12..28 Z 73.5..103.5\n"
+	 "rapid X 2..18 Y 12..28 Z 100.5..151.5\n"},
 	/* Through a bore of 20, 3 beside its centre, to 2 below its end and 15 more of the tool. */
 	{START "CYCL DEF 204 BACK BORING Q249=5 Q250=20 Q251=3 Q252=15 Q253=700 Q254=200 Q214=1" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 3 3 0\nfeed 10 20 102 0 0 spread 3 3 0\nfeed 10 20 63 0 0 spread 3 3 0\n"
-	 "feed 10 20 102 0 0 spread 3 3 0\nrapid 10 20 150 0 0 spread 3 3 0\n"},
+	 "tool 1\n"
+	 "rapid X 7..13 Y 17..23 Z 102..200\n"
+	 "feed X 7..13 Y 17..23 Z 63..102\n"
+	 "rapid X 7..13 Y 17..23 Z 102..150\n"},
 	/* About a blank of 64 by 44, on all sides 3 radii and 2 mm. */
 	{START "CYCL DEF 256 STUD Q218=60 Q219=40 Q424=64 Q425=44" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 49 49 0\nfeed 10 20 102 0 0 spread 49 49 0\nfeed 10 20 80 0 0 spread 49 49 0\n"
-	 "feed 10 20 102 0 0 spread 49 49 0\nrapid 10 20 150 0 0 spread 49 49 0\n"},
+	 "tool 1\n"
+	 "rapid X -39..59 Y -29..69 Z 102..200\n"
+	 "feed X -39..59 Y -29..69 Z 80..102\n"
+	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
 	{START "CYCL DEF 257 STUD Q223=60 Q222=64" HEIGHTS,
-	 STARTED "rapid 10 20 102 0 0 spread 49 49 0\nfeed 10 20 102 0 0 spread 49 49 0\nfeed 10 20 80 0 0 spread 49 49 0\n"
-	 "feed 10 20 102 0 0 spread 49 49 0\nrapid 10 20 150 0 0 spread 49 49 0\n"},
+	 "tool 1\n"
+	 "rapid X -39..59 Y -29..69 Z 102..200\n"
+	 "feed X -39..59 Y -29..69 Z 80..102\n"
+	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
 	/* A face of 40 by -20 from (0, 10) on, from 3 down to 1: beside it a diameter and 4 mm. */
 	{START "CYCL DEF 232 FACE MILLING Q225=0 Q226=10 Q227=3 Q386=1 Q218=40 Q219=-20 Q357=4" HEIGHTS,
-	 STARTED "rapid 10 20 105 0 0 spread 44 44 0\nfeed 20 0 105 0 0 spread 34 24 0\nfeed 20 0 101 0 0 spread 34 24 0\n"
-	 "feed 20 0 105 0 0 spread 34 24 0\nrapid 20 0 153 0 0 spread 34 24 0\n"},
+	 "tool 1\n"
+	 "rapid X -14..54 Y -24..24 Z 105..200\n"
+	 "feed X -14..54 Y -24..24 Z 101..105\n"
+	 "rapid X -14..54 Y -24..24 Z 105..153\n"},
 	/* The older cycles start at the set-up clearance, 2 mm over the surface. */
 	{START "L Z+2 FMAX\nCYCL DEF 5.0 KREISTASCHE\nCYCL DEF 5.1 ABST+2\nCYCL DEF 5.2 TIEFE-20\n"
 	 "CYCL DEF 5.3 ZUSTLG+3 F100\nCYCL DEF 5.4 RADIUS20\nCYCL DEF 5.5 F450 DR+\nL M99\n",
-	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\n"
-	 "feed 10 20 80 0 0 spread 15 15 0\nfeed 10 20 102 0 0 spread 15 15 0\nrapid 10 20 102 0 0 spread 15 15 0\n"},
+	 "tool 1\n"
+	 "rapid X -5..25 Y 5..35 Z 102..200\n"
+	 "feed X -5..25 Y 5..35 Z 80..102\n"
+	 "rapid X -5..25 Y 5..35 Z 102..102\n"},
 	{START "L Z+2 FMAX\nCYCL DEF 4.0\nCYCL DEF 4.1 SET UP -2\nCYCL DEF 4.2 DEPTH -20\nCYCL DEF 4.3 PECKG -3 F100\n"
 	 "CYCL DEF 4.4 X60\nCYCL DEF 4.5 Y30\nCYCL DEF 4.6 F450 DR- RADIUS 5\nL M99\n",
-	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\n"
-	 "feed 10 20 80 0 0 spread 25 10 0\nfeed 10 20 102 0 0 spread 25 10 0\nrapid 10 20 102 0 0 spread 25 10 0\n"},
+	 "tool 1\n"
+	 "rapid X -15..35 Y 10..30 Z 102..200\n"
+	 "feed X -15..35 Y 10..30 Z 80..102\n"
+	 "rapid X -15..35 Y 10..30 Z 102..102\n"},
 	{START "L Z+2 FMAX\nCYCL DEF 3.0\nCYCL DEF 3.1 SET UP 2\nCYCL DEF 3.2 DEPTH -20\nCYCL DEF 3.3 PECKG 3 F100\n"
 	 "CYCL DEF 3.4 Y60\nCYCL DEF 3.5 X12\nCYCL DEF 3.6 F450\nL M99\n",
-	 STARTED "rapid 10 20 102 0 0\nrapid 10 20 102 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\n"
-	 "feed 10 20 80 0 0 spread 12 60 0\nfeed 10 20 102 0 0 spread 12 60 0\nrapid 10 20 102 0 0 spread 12 60 0\n"},
+	 "tool 1\n"
+	 "rapid X -2..22 Y -40..80 Z 102..200\n"
+	 "feed X -2..22 Y -40..80 Z 80..102\n"
+	 "rapid X -2..22 Y -40..80 Z 102..102\n"},
 	/* Contours of subprograms: the box about them, circles whole, less the radius of the tool. */
 	{START CONTOURS "CYCL DEF 22 ROUGH-OUT Q10=-5 Q11=150 Q12=500\nL M99\nM30\n"
 	 "LBL 1\nL X+0 Y+50 RR\nL Y+100\nRND R5\nL X+80\nL IY-100\nL X+0\nL Y+50\nLBL 0\n"
 	 "LBL 2\nCC X+90 Y+50\nL X+90 Y+40 RL\nC X+90 Y+40 DR+\nLBL 0\n",
-	 STARTED "rapid 10 20 102 0 0 spread 85 75 0\nfeed 50 50 102 0 0 spread 45 45 0\nfeed 50 50 85 0 0 spread 45 45 0\n"
-	 "feed 50 50 102 0 0 spread 45 45 0\nrapid 50 50 150 0 0 spread 45 45 0\n"},
+	 "tool 1\n"
+	 "rapid X 5..95 Y 5..95 Z 102..200\n"
+	 "feed X 5..95 Y 5..95 Z 85..102\n"
+	 "rapid X 5..95 Y 5..95 Z 102..150\n"},
 	{START CONTOURS "CYCL DEF 24 SIDE Q9=1 Q10=-5 Q11=150 Q12=500 Q14=-1\nCYCL CALL M8\nM30\n"
 	 "LBL 1\nCC X+0 Y+0\nLP PR+20 PA+180 RR\nCP PA+0 DR+\nCP IPA+180 DR+\nLBL 0\n"
 	 "LBL 2\nL X+0 Y+0\nCR X+10 R+5 DR+\nLBL 0\n",
-	 STARTED "rapid 10 20 102 0 0 spread 26 36 0\nfeed 0 0 102 0 0 spread 16 16 0\nfeed 0 0 85 0 0 spread 16 16 0\n"
-	 "feed 0 0 102 0 0 spread 16 16 0\nrapid 0 0 150 0 0 spread 16 16 0\n"},
+	 "tool 1\n"
+	 "rapid X -16..16 Y -16..20 Z 102..200\n"
+	 "feed X -16..16 Y -16..18 Z 85..102\n"
+	 "rapid X -16..16 Y -16..16 Z 102..150\n"},
 	/* A depth of 0 does nothing. */
-	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n", STARTED},
+	{START "CYCL DEF 252 POCKET Q223=40 Q200=2 Q203=0 Q201=0 Q204=50 Q207=500\nM99\n",
+	 "tool 1\n"
+	 "rapid X 10..10 Y 20..20 Z 200..200\n"},
 	/* In turned coordinates the region lies across the axes. */
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90\n" START "CYCL DEF 251 POCKET Q218=60 Q219=30" HEIGHTS,
-	 "tool 1\nrapid -20 10 200 0 0\nrapid -20 10 102 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\n"
-	 "feed -20 10 80 0 0 spread 10 25 0\nfeed -20 10 102 0 0 spread 10 25 0\nrapid -20 10 150 0 0 spread 10 25 0\n"},
+	 "tool 1\n"
+	 "rapid X -30..-10 Y -15..35 Z 102..200\n"
+	 "feed X -30..-10 Y -15..35 Z 80..102\n"
+	 "rapid X -30..-10 Y -15..35 Z 102..150\n"},
+};
+
+/* Every move by itself. */
+static const struct klartext_program moves[] = {
 	/* A circle that may lie in YZ or in ZX: anywhere about its centre; also where CC names Z no more. */
 	{"L X+1 Y+2 Z+10 F100\nCC X+1 Y+2 Z+5\nC X+1 Y+2 Z+0 DR+\nC Z+0 DR-\nCC X+1 Y+2\nC X+1 Y+2 Z+10 DR-\n",
 	 "feed 1 2 10 0 0\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\nfeed 1 2 0 0 0 spread 5.016 5.016 10.016\n"
@@ -131,9 +167,11 @@ static const struct {
 	 "L Z+2 FMAX\n" AT("+9", "+2") "L Z+2 FMAX\n" AT("+9", "+11") "L Z+2 FMAX\n" AT("+1", "+11") "L X+0 FMAX\n"},
 };
 
-static void expect(const struct program *program)
+static void expect(const struct klartext_program *program)
 {
+	struct strbuf reached = {0};
 	struct gcode_case c;
+	char *lines;
 	bool good;
 
 	klartext_case(&c);
@@ -141,14 +179,24 @@ static void expect(const struct program *program)
 	good = klartext_run(&c, program->blocks);
 	ck_assert_msg(good, "%s%s", program->blocks, strbuf_text(&c.messages));
 	ck_assert_str_eq(strbuf_text(&c.messages), "");
-	ck_assert_msg(!strcmp(strbuf_text(&c.moves), program->moves), "%s makes\n%s and not\n%s", program->blocks,
-		      strbuf_text(&c.moves), program->moves);
+	lines = strdup(strbuf_text(&c.moves));
+	summarise(&reached, lines);
+	ck_assert_msg(!strcmp(strbuf_text(&reached), program->moves), "%s makes\n%s and not\n%s", program->blocks,
+		      strbuf_text(&reached), program->moves);
+	free(lines);
+	strbuf_release(&reached);
 	case_release(&c);
 }
 
 START_TEST(regions_table)
 {
 	expect(&regions[_i]);
+}
+END_TEST
+
+START_TEST(moves_table)
+{
+	klartext_expect(&moves[_i], true);
 }
 END_TEST
 
@@ -168,8 +216,6 @@ START_TEST(equal_table)
 }
 END_TEST
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof((array)[0])))
-
 int main(void)
 {
 	Suite *suite = suite_create("gcode_klartext_region");
@@ -178,6 +224,7 @@ int main(void)
 	int failed;
 
 	tcase_add_loop_test(tcase, regions_table, 0, COUNT(regions));
+	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

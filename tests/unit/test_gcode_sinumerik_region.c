@@ -1,8 +1,6 @@
 /* test_gcode_sinumerik_region.c - milling cycles of the sinumerik dialect that are regions, and their messages. */
+#include "gcode_reach.h"
 #include "sinumerik_refused.h"
-
-#include <math.h>
-#include <string.h>
 
 struct program {
 	const char *text, *moves;
@@ -134,51 +132,6 @@ static const struct refused_program bad[] = {
 	 "HOLES1 from where a milling cycle has left the tool: where it stands over its region is not known; go "
 	 "to an absolute position in the plane first"},
 };
-
-/* What moves of one kind in a row reach, their spread included: "feed X -1..1 Y 0..2 Z 3..3". */
-struct reach {
-	char kind[8];
-	double low[3], high[3];
-};
-
-static void add_reach(struct strbuf *out, struct reach *reach)
-{
-	if (reach->kind[0])
-		strbuf_addf(out, "%s X %.6g..%.6g Y %.6g..%.6g Z %.6g..%.6g\n", reach->kind, reach->low[0], reach->high[0],
-			    reach->low[1], reach->high[1], reach->low[2], reach->high[2]);
-	reach->kind[0] = '\0';
-}
-
-static void add_move(struct strbuf *out, struct reach *reach, const char *line)
-{
-	const char *spread = strstr(line, "spread");
-	double at[3], beside[3] = {0};
-	char kind[8];
-
-	if (sscanf(line, "%7s %lf %lf %lf", kind, &at[0], &at[1], &at[2]) != 4) {
-		add_reach(out, reach);
-		strbuf_addf(out, "%s\n", line);
-		return;
-	}
-	if (spread)
-		sscanf(spread, "spread %lf %lf %lf", &beside[0], &beside[1], &beside[2]);
-	if (strcmp(kind, reach->kind) != 0)
-		add_reach(out, reach);
-	for (int i = 0; i < 3; i++) {
-		reach->low[i] = reach->kind[0] ? fmin(reach->low[i], at[i] - beside[i]) : at[i] - beside[i];
-		reach->high[i] = reach->kind[0] ? fmax(reach->high[i], at[i] + beside[i]) : at[i] + beside[i];
-	}
-	strcpy(reach->kind, kind);
-}
-
-static void summarise(struct strbuf *out, char *moves)
-{
-	struct reach reach = {.kind = ""};
-
-	for (char *line = strtok(moves, "\n"); line; line = strtok(NULL, "\n"))
-		add_move(out, &reach, line);
-	add_reach(out, &reach);
-}
 
 START_TEST(moves)
 {

@@ -3,15 +3,26 @@
 #define FIVECHECK_GCODE_EXECUTE_PARALLEL_MOVES_H
 
 #include "gcode/state.h"
+#include "geom/vec3.h"
+
+/* From the middle of a box to the middles of three of its faces: X, Y and Z, mm. */
+struct parallel_box {
+	vec3 half[3];
+};
+
+/* The box whose sides lie along X, Y and Z. */
+struct parallel_box parallel_moves_box(const double spread[3]);
 
 /*
- * As motion_commands_go. The check of bodies counts a spread in every direction, so a wide move is divided into
- * parallel moves of a smaller spread, which together cover the same box. In turned coordinates, or where rotary axes
- * turn, it stays one move.
+ * As motion_commands_go, but the tool is anywhere in the box about its place on the way. The check of bodies counts a
+ * spread in every direction, so a wide move is divided into parallel moves of a smaller spread, which together cover
+ * the same box. In turned coordinates (state.frame), or where rotary axes turn, it stays one move.
  */
-bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move);
+bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move,
+		       const struct parallel_box *box);
 
-/* The same for a move that starts anywhere in the box that cutter_comp.loose gives, which stays as it is. */
-bool parallel_moves_go_from_open(struct interp *interp, const slot_values *target, struct canon_move *move);
+/* The same for a move that starts anywhere in a box that cutter_comp.loose covers too, which stays as it is. */
+bool parallel_moves_go_from_open(struct interp *interp, const slot_values *target, struct canon_move *move,
+				 const struct parallel_box *box);
 
 #endif

@@ -102,7 +102,7 @@ static void begin(struct interp *interp, int side, double radius)
 	comp_lookahead_begin(&interp->comp, side, radius);
 	interp->comp.start_type = COMP_START_A;
 	interp->comp.corner_form = COMP_CORNER_CIRCULAR;
-	klartext_of(interp)->open_crossing = false;
+	klartext_of(interp)->open_crossing = klartext_of(interp)->left_open = false;
 	enter_frame(interp);
 }
 
@@ -168,6 +168,7 @@ bool klartext_comp_leave_standing(struct interp *interp, double doubt, int colum
 	double *loose = interp->comp.loose;
 	const bool turned = interp->state.frame.on;
 
+	klartext_of(interp)->left_open = false;
 	/* For the move that may lead to the contour now. */
 	loose[SLOT_X] = loose[SLOT_Y] = doubt;
 	loose[SLOT_Z] = turned ? doubt : 0;
@@ -333,8 +334,10 @@ void klartext_comp_settle(struct interp *interp, const struct klartext_words *wo
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y;
 	double *loose = interp->comp.loose;
 
-	if ((words->axes & ~words->increments & plane) == plane)
+	if ((words->axes & ~words->increments & plane) == plane) {
 		loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
+		klartext_of(interp)->left_open = false;
+	}
 }
 
 void klartext_comp_turn_open(struct interp *interp)
@@ -343,6 +346,7 @@ void klartext_comp_turn_open(struct interp *interp)
 	const double most = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
 	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = most;
+	klartext_of(interp)->left_open = false;
 }
 
 bool klartext_comp_check_known(struct interp *interp, int column, const char *what)

@@ -107,14 +107,21 @@ vec3 klartext_frame_direction(const struct interp *interp, vec3 direction)
 	return frame->any ? mat3_apply(&frame->turn, direction) : direction;
 }
 
+struct parallel_box klartext_frame_turned_box(const struct interp *interp, const double half[3])
+{
+	return (struct parallel_box){{klartext_frame_direction(interp, (vec3){half[0], 0, 0}),
+				      klartext_frame_direction(interp, (vec3){0, half[1], 0}),
+				      klartext_frame_direction(interp, (vec3){0, 0, half[2]})}};
+}
+
 vec3 klartext_frame_box(const struct interp *interp, const double half[3])
 {
-	const vec3 x = klartext_frame_direction(interp, (vec3){half[0], 0, 0});
-	const vec3 y = klartext_frame_direction(interp, (vec3){0, half[1], 0});
-	const vec3 z = klartext_frame_direction(interp, (vec3){0, 0, half[2]});
+	const struct parallel_box box = klartext_frame_turned_box(interp, half);
+	const vec3 *side = box.half;
 
-	return (vec3){fabs(x.x) + fabs(y.x) + fabs(z.x), fabs(x.y) + fabs(y.y) + fabs(z.y),
-		      fabs(x.z) + fabs(y.z) + fabs(z.z)};
+	return (vec3){fabs(side[0].x) + fabs(side[1].x) + fabs(side[2].x),
+		      fabs(side[0].y) + fabs(side[1].y) + fabs(side[2].y),
+		      fabs(side[0].z) + fabs(side[1].z) + fabs(side[2].z)};
 }
 
 bool klartext_frame_is_scaled(const struct interp *interp)

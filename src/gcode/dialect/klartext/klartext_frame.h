@@ -22,7 +22,11 @@ bool klartext_frame_check_increment(struct interp *interp, int slot, int column)
 /* A direction of programmed coordinates as one of positions; no scaling. */
 vec3 klartext_frame_direction(const struct interp *interp, vec3 direction);
 
-/* The box along the axes of positions about a box of these half sides in programmed coordinates; no scaling. */
+/*
+ * A box of these half sides in programmed coordinates, no scaling: as it lies in positions, and the half sides of the
+ * box along their axes about it.
+ */
+struct parallel_box klartext_frame_turned_box(const struct interp *interp, const double half[3]);
 vec3 klartext_frame_box(const struct interp *interp, const double half[3]);
 
 /* Has SCALING (CYCL DEF 11, 26) factors other than 1? */

@@ -235,7 +235,9 @@ static bool go(struct interp *interp, const struct klartext_target *target, stru
 		position.v[SLOT_Y] = xyz.y;
 		position.v[SLOT_Z] = xyz.z;
 	}
-	return motion_commands_go(interp, &position, move);
+	return klartext->left_open && move->kind != CANON_ARC
+		   ? parallel_moves_go_from_open(interp, &position, move, &klartext->open)
+		   : motion_commands_go(interp, &position, move);
 }
 
 bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,

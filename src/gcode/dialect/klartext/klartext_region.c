@@ -3,62 +3,91 @@
 #include <math.h>
 
 #include "gcode/dialect/klartext/klartext_frame.h"
-#include "gcode/execute/motion_commands.h"
 
 /* To a point, anywhere in the region about the way there. A feed of 0 is a rapid. */
 static bool go(const struct klartext_call_of *call, const struct klartext_region *region, vec3 point, double feed)
 {
 	struct interp *interp = call->interp;
 	const vec3 position = klartext_frame_position(interp, point);
-	const vec3 spread =
-	    klartext_frame_box(interp, (const double[3]){region->half[0], region->half[1], region->beyond});
-	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
+	const struct parallel_box box =
+	    klartext_frame_turned_box(interp, (const double[3]){region->half[0], region->half[1], region->beyond});
+	const struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = interp->state.position;
 
-	move.spread[SLOT_X] = spread.x;
-	move.spread[SLOT_Y] = spread.y;
-	move.spread[SLOT_Z] = spread.z;
 	target.v[SLOT_X] = position.x;
 	target.v[SLOT_Y] = position.y;
 	target.v[SLOT_Z] = position.z;
-	return motion_commands_go(interp, &target, &move);
+	return parallel_moves_go(interp, &target, &move, &box);
 }
 
 /* Over the region the tool may stand anywhere, until X and Y are commanded. */
 static void leave_open(const struct klartext_call_of *call, const struct klartext_region *region)
 {
-	const vec3 box = klartext_frame_box(call->interp, (const double[3]){region->half[0], region->half[1], 0});
+	const double half[3] = {region->half[0], region->half[1], 0};
+	const vec3 about = klartext_frame_box(call->interp, half);
 	double *loose = call->interp->comp.loose;
 
-	loose[SLOT_X] += box.x;
-	loose[SLOT_Y] += box.y;
-	loose[SLOT_Z] += box.z;
+	loose[SLOT_X] = about.x;
+	loose[SLOT_Y] = about.y;
+	loose[SLOT_Z] = about.z;
+	klartext_of(call->interp)->left_open = true;
+	klartext_of(call->interp)->open = klartext_frame_turned_box(call->interp, half);
 }
 
-bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *region)
+/* Where the tool stands may be open already: then so is where the region lies. */
+static void widen(const struct klartext_call_of *call, struct klartext_region *region)
 {
-	vec3 at = klartext_frame_point(call->interp);
-	struct klartext_region column = *region;
+	double *loose = call->interp->comp.loose;
+	const double open = vec3_norm((vec3){loose[SLOT_X], loose[SLOT_Y], loose[SLOT_Z]});
 
-	/* Down before it goes across, or across before it goes down: anywhere over the region and the way to it. */
-	column.half[0] += fabs(at.x - region->centre.x);
-	column.half[1] += fabs(at.y - region->centre.y);
+	region->half[0] += open;
+	region->half[1] += open;
+	region->beyond += klartext_of(call->interp)->left_open ? 0 : loose[SLOT_Z];
+	loose[SLOT_X] = loose[SLOT_Y] = loose[SLOT_Z] = 0;
+}
+
+/* From where the tool is to over the region, one axis after the other or all at once: anywhere between. */
+static bool approach(const struct klartext_call_of *call, const struct klartext_region *region)
+{
+	const struct klartext_region nowhere = {.half = {0, 0}};
+	struct klartext_region all = *region;
+	vec3 at = klartext_frame_point(call->interp);
+	const double here[2] = {at.x, at.y}, centre[2] = {region->centre.x, region->centre.y};
+	double middle[2];
+
+	for (int i = 0; i < 2; i++) {
+		const double low = fmin(here[i], centre[i] - region->half[i]);
+		const double high = fmax(here[i], centre[i] + region->half[i]);
+
+		middle[i] = (low + high) / 2;
+		all.half[i] = (high - low) / 2;
+	}
+	at.x = middle[0];
+	at.y = middle[1];
+	if (!go(call, &nowhere, at, 0))
+		return false;
 	at.z = region->top;
-	if (!go(call, &column, at, 0))
+	return go(call, &all, at, 0);
+}
+
+bool klartext_region_carry_out(const struct klartext_call_of *call, const struct klartext_region *given)
+{
+	struct klartext_region region = *given;
+	vec3 at = region.centre;
+
+	widen(call, &region);
+	at.z = region.top;
+	if (!approach(call, &region) || !go(call, &region, at, region.feed))
 		return false;
-	at.x = region->centre.x;
-	at.y = region->centre.y;
-	if (!go(call, region, at, region->feed))
+	at.z = region.bottom;
+	if (!go(call, &region, at, region.feed))
 		return false;
-	at.z = region->bottom;
-	if (!go(call, region, at, region->feed))
+	at.z = region.top;
+	if (!go(call, &region, at, region.feed))
 		return false;
-	at.z = region->top;
-	if (!go(call, region, at, region->feed))
+	at.z = region.clear;
+	if (!go(call, &region, at, 0))
 		return false;
-	at.z = region->clear;
-	if (!go(call, region, at, 0))
-		return false;
-	leave_open(call, region);
+	leave_open(call, &region);
 	return true;
 }

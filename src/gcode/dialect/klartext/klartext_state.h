@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/strbuf.h"
+#include "gcode/execute/parallel_moves.h"
 #include "gcode/state.h"
 #include "gcode/text/label.h"
 #include "geom/xform.h"
@@ -193,6 +194,8 @@ struct klartext {
 	struct klartext_path last; /* the move before, for CT and corners */
 	struct klartext_corner corner;
 	struct klartext_approach approach;
+	bool left_open; /* a milling cycle has left the tool anywhere in the box `open`; cutter_comp.loose covers it */
+	struct parallel_box open;
 	bool looks_ahead; /* M120 LA: radius compensation leaves out what the tool cannot reach */
 	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */

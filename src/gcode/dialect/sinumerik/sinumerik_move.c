@@ -57,7 +57,9 @@ static void show_block(struct interp *interp, const struct sinumerik_block *bloc
 
 static bool go_straight(struct interp *interp, const slot_values *target, struct canon_move *move)
 {
-	return sinumerik_of(interp)->left_open ? parallel_moves_go_from_open(interp, target, move)
+	const struct parallel_box open = parallel_moves_box(interp->comp.loose);
+
+	return sinumerik_of(interp)->left_open ? parallel_moves_go_from_open(interp, target, move, &open)
 					       : motion_commands_go(interp, target, move);
 }
 

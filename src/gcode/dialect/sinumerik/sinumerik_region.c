@@ -90,7 +90,8 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	struct interp *interp = m->of.interp;
 	struct canon_move move = {.kind = feed > 0 ? CANON_FEED : CANON_RAPID, .feed.linear = feed};
 	slot_values target = *sinumerik_frame_place(interp), straight;
-	double half[SLOT_Z + 1] = {0};
+	double half[SLOT_Z + 1] = {0}, spread[SLOT_Z + 1];
+	struct parallel_box about_it;
 
 	target.v[m->a] = (box->low[0] + box->high[0]) / 2;
 	target.v[m->b] = (box->low[1] + box->high[1]) / 2;
@@ -98,14 +99,15 @@ static bool go(struct milling *m, const struct box *box, double height, double b
 	half[m->a] = (box->high[0] - box->low[0]) / 2;
 	half[m->b] = (box->high[1] - box->low[1]) / 2;
 	half[m->depth] = beyond;
-	reach(interp, half, move.spread);
+	reach(interp, half, spread);
 	straight = sinumerik_frame_straight(interp, &target);
 	/* From where another cycle has left the tool. */
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		move.spread[slot] += interp->comp.loose[slot];
+		spread[slot] += interp->comp.loose[slot];
 		interp->comp.loose[slot] = 0;
 	}
-	if (!parallel_moves_go(interp, &straight, &move))
+	about_it = parallel_moves_box(spread);
+	if (!parallel_moves_go(interp, &straight, &move, &about_it))
 		return false;
 	sinumerik_of(interp)->place = target;
 	sinumerik_of(interp)->placed = true;
