@@ -46,12 +46,15 @@ struct rotary {
 	vec3 direction;
 	const char *pins[3];	/* their sum, and the next row's, is the location; or NULL */
 	const char *more[3];
+	bool turned;	/* it turns the other way if the pin conventional-directions is set */
 };
 
 /*
  * The work follows the rotary axes of the trt modules: p = Rz(-c) (Rx(-a) (q - a0) + a0 ...), so that the table turns
- * with a positive sense. The head of 5axiskins points to (sin b cos c, sin b sin c, -cos b). Source: trtfuncs.c and
- * 5axiskins.c of LinuxCNC.
+ * with a positive sense, as long as conventional-directions is not set. xyzab_tdr_kins has p = Rx(a) (Ry(b) q - dz) +
+ * dz, so that B carries A, and both turn with a negative sense. The head of 5axiskins points to (sin b cos c, sin b
+ * sin c, -cos b), that of maxkins to (sin b, 0, -cos b), or to (-sin b, 0, -cos b) with conventional-directions; its
+ * table has p = Rz(c) q. Source: the sources of these modules of LinuxCNC.
  */
 static const struct module {
 	const char *name;
@@ -60,17 +63,25 @@ static const struct module {
 	double pivot;	/* mm or inch: the default of pivot-length; 0: it has none */
 } modules[] = {
 	{"xyzac-trt-kins", "AC", "",
-	 {{'A', {1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, "y-offset", "z-offset"}},
-	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}}},
+	 {{'A', {1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, "y-offset", "z-offset"}, true},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true}},
 	 0},
 	{"xyzbc-trt-kins", "BC", "",
-	 {{'B', {0, 1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {"x-offset", NULL, "z-offset"}},
-	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}}},
+	 {{'B', {0, 1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {"x-offset", NULL, "z-offset"}, true},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true}},
 	 0},
 	{"5axiskins", "", "CB",
-	 {{'C', {0, 0, 1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}},
-	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}}},
+	 {{'C', {0, 0, 1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false},
+	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, false}},
 	 250},
+	{"xyzab_tdr_kins", "BA", "",
+	 {{'B', {0, -1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {NULL, NULL, NULL}, false},
+	  {'A', {-1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, NULL, "z-offset"}, false}},
+	 0},
+	{"maxkins", "C", "B",
+	 {{'C', {0, 0, -1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false},
+	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, true}},
+	 0.666},
 };
 
 static bool is_word(const char *text, size_t length, const char *word)
@@ -94,36 +105,52 @@ static bool find_module(const struct reading *r, const struct module **module)
 		return true;
 	diag_error(r->diag, place(r),
 		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, "
-		   "xyzbc-trt-kins and 5axiskins are",
+		   "xyzbc-trt-kins, xyzab_tdr_kins, 5axiskins and maxkins are",
 		   (int)length, text);
 	return false;
+}
+
+/* The value of a pin of the module; *value is its default. False: reported. */
+static bool read_pin(struct reading *r, const struct module *module, const char *pin, bool bit, double *value)
+{
+	struct strbuf name = {0};
+	enum hal_found found;
+
+	strbuf_addf(&name, "%s.%s", module->name, pin);
+	found = hal_values_find(&r->hal, strbuf_text(&name), bit, value);
+	if (found == HAL_SIGNAL)
+		diag_warning(r->diag, place(r),
+			     "%s is set while the machine runs: it is taken as %g; correct the %s of the axis",
+			     strbuf_text(&name), *value, bit ? "direction" : "location");
+	if (found == HAL_DEFAULT && r->hal.scripts)
+		diag_warning(r->diag, place(r),
+			     "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is "
+			     "taken as %g",
+			     strbuf_text(&name), *value);
+	strbuf_release(&name);
+	return found != HAL_FAULT;
 }
 
 /* Adds the value of a pin of the module. False: reported. */
 static bool add_pin(struct reading *r, const struct module *module, const char *pin, double *sum)
 {
-	struct strbuf name = {0};
-	double value = 0;
-	enum hal_found found;
+	double value = pin && !strcmp(pin, "pivot-length") ? module->pivot : 0;
 
-	if (!pin)
-		return true;
-	if (!strcmp(pin, "pivot-length"))
-		value = module->pivot;
-	strbuf_addf(&name, "%s.%s", module->name, pin);
-	found = hal_values_find(&r->hal, strbuf_text(&name), &value);
-	if (found == HAL_SIGNAL)
-		diag_warning(r->diag, place(r),
-			     "%s is set while the machine runs: it is taken as %g; correct the location of the axis",
-			     strbuf_text(&name), value);
-	if (found == HAL_DEFAULT && r->hal.scripts)
-		diag_warning(r->diag, place(r),
-			     "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is "
-			     "taken as %g",
-			     strbuf_text(&name), value);
-	strbuf_release(&name);
+	if (pin && !read_pin(r, module, pin, false, &value))
+		return false;
 	*sum += r->unit * value;
-	return found != HAL_FAULT;
+	return true;
+}
+
+/* The direction of a rotary axis of the module. False: reported. */
+static bool turn(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *direction)
+{
+	double conventional = 0;
+
+	if (rotary->turned && !read_pin(r, module, "conventional-directions", true, &conventional))
+		return false;
+	*direction = vec3_scale(fabs(conventional) > 0 ? -1 : 1, rotary->direction);
+	return true;
 }
 
 static bool locate(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *location)
@@ -239,6 +266,24 @@ static vec3 direction_of(int slot, bool carries_work)
 	return units[slot % 3];
 }
 
+/* The linear axes behind the rotary ones of a head. */
+static void set_head_direction(struct reading *r, const struct module *module, char letter, vec3 *direction)
+{
+	const bool both = module->table[0] != '\0';
+
+	/* A quill moves along the tool, out for positive values. */
+	if (letter == 'W')
+		*direction = (vec3){0, 0, -1};
+	if (!both || (letter != 'U' && letter != 'V'))
+		return;
+	/* maxkins takes both off the position of the tool. */
+	*direction = letter == 'U' ? (vec3){-1, 0, 0} : (vec3){0, -1, 0};
+	if (letter == 'U')
+		diag_warning(r->diag, place(r),
+			     "while B is not 0, %s counts U as no axis on the head can move: U is taken to move across "
+			     "the tool; compare it with the machine", module->name);
+}
+
 static bool add_axis(struct reading *r, const struct module *module, char letter, bool carries_work, int parent)
 {
 	struct machine_description *d = &r->machine->description;
@@ -250,9 +295,8 @@ static bool add_axis(struct reading *r, const struct module *module, char letter
 	for (int i = 0; module && i < 2; i++)
 		known = module->rotary[i].letter == letter ? &module->rotary[i] : known;
 	if (known) {
-		axis.direction = known->direction;
 		axis.has_location = true;
-		if (!locate(r, module, known, &axis.location))
+		if (!turn(r, module, known, &axis.direction) || !locate(r, module, known, &axis.location))
 			return false;
 	} else if (axis.rotary) {
 		axis.has_location = true;
@@ -262,9 +306,8 @@ static bool add_axis(struct reading *r, const struct module *module, char letter
 		diag_warning(r->diag, place(r), "this file does not say where the axis %c is: correct its location",
 			     letter);
 	}
-	/* A quill moves along the tool, out for positive values. */
-	if (module && module->pivot > 0 && letter == 'W')
-		axis.direction = (vec3){0, 0, -1};
+	if (module && module->pivot > 0)
+		set_head_direction(r, module, letter, &axis.direction);
 	if (!read_axis(r, letter, !module, &axis))
 		return false;
 	d->axes[d->axis_count++] = axis;

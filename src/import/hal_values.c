@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/decimal.h"
 #include "base/file_bytes.h"
@@ -94,8 +95,19 @@ bool hal_values_read(struct hal_values *hal, const struct ini_file *ini, struct 
 	return true;
 }
 
+static bool read_number(const char *text, size_t length, bool bit, double *value)
+{
+	const bool yes = bit && length == 4 && !strncasecmp(text, "true", 4),
+		   no = bit && length == 5 && !strncasecmp(text, "false", 5);
+
+	if (yes || no)
+		*value = yes;
+	return yes || no || (length && decimal_read(text, length, value) && isfinite(*value));
+}
+
 /* A number, or [SECTION]KEY or [SECTION](KEY) of the ini file. */
-static enum hal_found read_value(const struct hal_values *hal, const struct hal_command *command, double *value)
+static enum hal_found read_value(const struct hal_values *hal, const struct hal_command *command, bool bit,
+				 double *value)
 {
 	const char *text = command->count > 2 ? command->words[2] : "", *close = strchr(text, ']');
 	double number;
@@ -113,7 +125,7 @@ static enum hal_found read_value(const struct hal_values *hal, const struct hal_
 		text = found ? found : "";
 		arena_release(&arena);
 	}
-	if (*text && decimal_read(text, strcspn(text, " \t"), &number) && isfinite(number)) {
+	if (read_number(text, strcspn(text, " \t"), bit, &number)) {
 		*value = number;
 		return HAL_SET;
 	}
@@ -140,7 +152,7 @@ static const struct hal_command *last(const struct hal_values *hal, const char *
 	return NULL;
 }
 
-enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, double *value)
+enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, bool bit, double *value)
 {
 	const struct hal_command *set = last(hal, "setp", pin);
 
@@ -148,7 +160,7 @@ enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, do
 		if (!connects(&hal->commands[i], pin))
 			continue;
 		set = last(hal, "sets", hal->commands[i].words[1]);
-		return set ? read_value(hal, set, value) : HAL_SIGNAL;
+		return set ? read_value(hal, set, bit, value) : HAL_SIGNAL;
 	}
-	return set ? read_value(hal, set, value) : HAL_DEFAULT;
+	return set ? read_value(hal, set, bit, value) : HAL_DEFAULT;
 }

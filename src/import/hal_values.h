@@ -33,7 +33,10 @@ enum hal_found {
 	HAL_FAULT	/* reported: its value is no number */
 };
 
-/* The value that setp gives to the pin, or sets to its signal. *value stays as it is unless it is HAL_SET. */
-enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, double *value);
+/*
+ * The value that setp gives to the pin, or sets to its signal. *value stays as it is unless it is HAL_SET. A pin that
+ * is a bit may be TRUE (1) or FALSE (0), too.
+ */
+enum hal_found hal_values_find(const struct hal_values *hal, const char *pin, bool bit, double *value);
 
 #endif

@@ -125,19 +125,34 @@ def module_point(module, p, q):
     def sc(letter):
         return math.sin(math.radians(q[letter])), math.cos(math.radians(q[letter]))
 
+    if module == "xyzab_tdr_kins":
+        (sa, ca), (sb, cb) = sc("A"), sc("B")
+        x, y, z = q["X"] - p["x-rot-point"], q["Y"] - p["y-rot-point"], q["Z"] - p["z-rot-point"]
+        dz = p["z-offset"]
+        return [cb * x + sb * z + p["x-rot-point"], sa * sb * x + ca * y - cb * sa * z + sa * dz + p["y-rot-point"],
+                -ca * sb * x + sa * y + ca * cb * z - ca * dz + p["z-rot-point"] + dz]
     s, c = sc("C")
+    con = 1 if p["conventional-directions"] else -1
+    if module == "maxkins":
+        sb, cb = sc("B")
+        length = p["pivot-length"] + q.get("W", 0)
+        x, y = q["X"] - con * length * sb, q["Y"] - q.get("V", 0)
+        return [c * x - s * y, s * x + c * y, q["Z"] - length * cb + p["pivot-length"]]
     if module == "5axiskins":
         sb, cb = sc("B")
         length = p["pivot-length"] + q.get("W", 0)
         return [q["X"] + length * sb * c, q["Y"] + length * sb * s, q["Z"] - length * cb + p["pivot-length"]]
     rx, ry, rz = p["x-rot-point"], p["y-rot-point"], p["z-rot-point"]
+    s *= -con
     if module == "xyzac-trt-kins":
         sa, ca = sc("A")
+        sa *= -con
         dy, dz = p["y-offset"], p["z-offset"]
         x, y, z = q["X"] - rx, q["Y"] - dy - ry, q["Z"] - dz - rz
         return [c * x + s * ca * y + s * sa * z + s * dy + rx, -s * x + c * ca * y + c * sa * z + c * dy + ry,
                 -sa * y + ca * z + dz + rz]
     sb, cb = sc("B")
+    sb *= -con
     dx, dz = p["x-offset"], p["z-offset"]
     x, y, z = q["X"] - dx - rx, q["Y"] - ry, q["Z"] - dz - rz
     return [c * cb * x + s * y - c * sb * z + c * dx + rx, -s * cb * x + c * y + s * sb * z - s * dx + ry,
@@ -145,7 +160,8 @@ def module_point(module, p, q):
 
 
 def compare_module(module, parameters, machine):
-    p = {"x-rot-point": 0, "y-rot-point": 0, "z-rot-point": 0, "x-offset": 0, "y-offset": 0, "z-offset": 0, "pivot-length": 250}
+    p = {"x-rot-point": 0, "y-rot-point": 0, "z-rot-point": 0, "x-offset": 0, "y-offset": 0, "z-offset": 0, "pivot-length": 250,
+         "conventional-directions": 0}
     for word in parameters.split(","):
         if word:
             p[word.split("=")[0]] = float(word.split("=")[1])

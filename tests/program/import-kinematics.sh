@@ -47,6 +47,27 @@ python3 "$truth" xyzbc-trt-kins x-offset=12.7 bc/machine.xml
 ini '5axiskins coordinates=xyzbcwy' XYZBCWY >head.ini </dev/null
 fivecheck import -o head head.ini 2>/dev/null
 python3 "$truth" 5axiskins '' head/machine.xml
+echo "which way the rotary axes turn may be set:"
+for yes in 1 TRUE; do
+	printf 'setp xyzac-trt-kins.%s\n' 'y-offset 4' 'z-rot-point 5' "conventional-directions $yes" |
+		ini xyzac-trt-kins XYZAC >con.ini
+	fivecheck import -o "con$yes" con.ini 2>/dev/null
+	python3 "$truth" xyzac-trt-kins y-offset=4,z-rot-point=5,conventional-directions=1 "con$yes/machine.xml"
+done
+printf 'setp xyzbc-trt-kins.%s\n' 'x-offset 4' 'conventional-directions 1' | ini xyzbc-trt-kins XYZBC >con.ini
+fivecheck import -o conb con.ini 2>/dev/null
+python3 "$truth" xyzbc-trt-kins x-offset=4,conventional-directions=1 conb/machine.xml
+printf 'setp xyzab_tdr_kins.%s\n' 'x-rot-point 1' 'y-rot-point 2' 'z-rot-point 5' 'z-offset 11' |
+	ini xyzab_tdr_kins XYZAB >tdr.ini
+fivecheck import -o tdr tdr.ini 2>/dev/null
+python3 "$truth" xyzab_tdr_kins x-rot-point=1,y-rot-point=2,z-rot-point=5,z-offset=11 tdr/machine.xml
+for con in 0 1; do
+	printf 'setp maxkins.%s\n' 'pivot-length 80' "conventional-directions $con" | ini maxkins XYZBCVW >max.ini
+	fivecheck import -o "max$con" max.ini 2>/dev/null
+	python3 "$truth" maxkins "pivot-length=80,conventional-directions=$con" "max$con/machine.xml"
+done
+ini maxkins XYZBCU </dev/null >max.ini
+fivecheck import -o maxu max.ini 2>&1 | grep 'counts U'
 echo "what the file does not say is asked:"
 ini trivkins XYZA >triv.ini </dev/null
 fivecheck import -o triv triv.ini
@@ -66,6 +87,7 @@ fault '/^LINEAR_UNITS/d'
 fault 's/-100/-1oo/'
 fault 's/MAX_LIMIT = 94/MAX_LIMIT = -200/'
 fault 's/Y = 20.5/Y = many/'
+fault 's/^HALCMD = setp .*z-offset.*/HALCMD = setp xyzac-trt-kins.conventional-directions maybe/'
 fault 's/kins.hal/gone.hal/'
 fault 's/\[TRAJ\]/[TRAJ/'
 fault 's/^KINEMATICS.*/KINEMATICS/'
