@@ -95,6 +95,8 @@ static bool parse(const struct argv_parser *parser, const struct getopt_tables *
 	int result;
 
 	opterr = 0;
+	/* Another command line may have been read before: 0 makes glibc and musl begin anew. */
+	optind = 0;
 	while ((result = getopt_long(argc, argv, tables->letters, tables->names, NULL)) != -1) {
 		enum argv_result next = ARGV_NEXT;
 

@@ -37,13 +37,15 @@ struct job {
 	struct waivers *waivers;	/* or NULL */
 	struct waiver_match waiving;
 	struct model *model;
+	bool borrowed;	/* the caller has loaded and prepared the model */
 	double seconds;	/* that loading took */
 };
 
 static void job_release(struct job *job)
 {
 	waivers_free(job->waivers);
-	fivecheck_free(job->model);
+	if (!job->borrowed)
+		fivecheck_free(job->model);
 }
 
 /* Is the file the one with this digest ("none": no file)? A digest that is NULL fits every file. */
@@ -108,7 +110,8 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 
 	if (!path_checks_root(options, diag))
 		return false;
-	job->model = model_load(options->machine, options->setup, options->check.read.input_root, diag);
+	if (!job->borrowed)
+		job->model = model_load(options->machine, options->setup, options->check.read.input_root, diag);
 	if (!job->model) {
 		note_order(options, diag);
 		return false;
@@ -124,7 +127,9 @@ static bool job_load(struct job *job, const struct options *options, struct diag
 		job->model->machine->controller.dialect = options->dialect;
 	}
 	fivecheck_set_threads(job->model, options->check.threads);
-	if (options->mode == RUN_CHECK) {
+	if (job->borrowed) {
+		/* Its bodies are known. */
+	} else if (options->mode == RUN_CHECK) {
 		if (!fivecheck_prepare(job->model, options->clearance, diag))
 			return false;
 	} else if (needs_pairs(options->mode) && !model_add_scene(job->model, options->clearance, diag)) {
@@ -344,11 +349,11 @@ static enum run_status run_table(struct job *job, const struct options *options,
 	return status;
 }
 
-enum run_status run_options(const struct options *options, struct stderr_ui *ui)
+enum run_status run_options_on(const struct options *options, struct model *model, struct stderr_ui *ui)
 {
 	struct diag *diag = &ui->diag;
 	enum run_status status = RUN_INCOMPLETE;
-	struct job job = {0};
+	struct job job = {.model = model, .borrowed = model != NULL};
 
 	ui->quiet = options->quiet;
 	ui->colour = stderr_ui_wants_colour(STDERR_FILENO, (enum color_choice)options->color);
@@ -362,4 +367,9 @@ enum run_status run_options(const struct options *options, struct stderr_ui *ui)
 	stderr_ui_clear(ui);
 	/* After any error something was not checked. */
 	return diag->errors ? worst(status, RUN_INCOMPLETE) : status;
+}
+
+enum run_status run_options(const struct options *options, struct stderr_ui *ui)
+{
+	return run_options_on(options, NULL, ui);
 }

@@ -2,11 +2,18 @@
 #ifndef FIVECHECK_CLI_RUN_H
 #define FIVECHECK_CLI_RUN_H
 
+#include "check/model.h"
 #include "cli/options.h"
 #include "cli/run_status.h"
 #include "cli/stderr_ui.h"
 
 /* Runs any mode that reads a machine file: not RUN_EXPLAIN, RUN_HELP and RUN_VERSION. */
 enum run_status run_options(const struct options *options, struct stderr_ui *ui);
+
+/*
+ * The same on a model that was loaded from the files that the options name, and prepared; for RUN_CHECK. NULL: as
+ * run_options.
+ */
+enum run_status run_options_on(const struct options *options, struct model *model, struct stderr_ui *ui);
 
 #endif

@@ -104,6 +104,48 @@ tests['a long program is read in slices'] = () => {
 	assert.ok(most <= 1 << 20);
 };
 
+/** What measures time is left out. */
+function untimed(result) {
+	return {...result, text: result.text.replace(/^[0-9]+ blocks?.*; time .*$/gm, 'TIME')};
+}
+
+tests['a session says what a run of its own says, again and again'] = () => {
+	const {files, ...job} = exampleJob('clear'), session = fivecheck.session(files);
+	const programs = {
+		'clear.nc': files.contents(job.programs[0]) ?? fs.readFileSync(job.programs[0]), 'faulty.nc': 'G21\nG1 X\n', 'limit.nc': 'G21\nG53 G0 X1000\n',
+		'collision.nc': fs.readFileSync('examples/ac-trunnion/collision.nc'),
+	};
+	for (const [name, text] of [...Object.entries(programs), ...Object.entries(programs)]) {
+		files.add(name, text);
+		assert.deepEqual(untimed(session.check({...job, programs: [name]})), untimed(fivecheck.check({...job, files, programs: [name]})));
+	}
+	// The machine file is not read again; a run of its own would fail.
+	files.add(job.machine, 'gone');
+	assert.equal(session.check({...job, programs: ['clear.nc']}).status, STATUS.CLEAR);
+	// Unless another clearance is asked for.
+	assert.equal(session.check({...job, programs: ['clear.nc'], options: ['--clearance=60']}).status, STATUS.INCOMPLETE);
+};
+
+tests['a session tells how near the bodies are'] = () => {
+	const {files, ...job} = exampleJob('clear'), session = fivecheck.session(files);
+	assert.throws(() => session.pose({}), /check a program first/);
+	session.check(job);
+	const home = session.pose({}, 1);
+	assert.deepEqual(home.axes, {X: 0, Y: 0, Z: 0, A: 0, C: 0});
+	assert.deepEqual([home.meets, home.near, home.unknown], [[], [], []]);
+	// The pose of the first finding, as the check names it, and a little before.
+	const found = session.check({...job, programs: ['examples/ac-trunnion/collision.nc']}).events.find(({kind}) => kind === 'collision');
+	const there = session.pose(found.axes, 3);
+	const apart = session.pose({...found.axes, Z: found.axes.Z + 0.1}, 3);
+	assert.ok(there.meets.some(([a, b]) => a === found.a && b === found.b) || there.nearest.distance < 0.001);
+	assert.deepEqual(apart.meets, []);
+	assert.ok(apart.nearest.distance > 0 && apart.nearest.distance < 0.2, String(apart.nearest.distance));
+	const {on_a, on_b, distance} = apart.nearest;
+	assert.ok(Math.abs(Math.hypot(...on_a.map((v, i) => v - on_b[i])) - distance) < 1e-6);
+	assert.throws(() => session.pose({Q: 1}), /no position of an axis/);
+	assert.throws(() => session.pose({X: NaN}), /no position of an axis/);
+};
+
 let failed = 0;
 for (const [name, test] of Object.entries(tests)) {
 	try {

@@ -97,26 +97,15 @@ export class Fivecheck {
 	 * @returns {Result}
 	 */
 	check(job) {
-		/** @type {Record<string, any>[]} */
-		const events = [];
-		let messages = '';
-		const out = new Lines((line) => {
-			const event = JSON.parse(line);
-			events.push(event);
-			job.onEvent?.(event);
-		});
-		const err = new Lines((line) => {
-			messages += line + '\n';
-			job.onMessage?.(line);
-		});
-		const progress = progressOf(job);
-		job.files.folder(RESULTS);
-		const {status} = this.run(argumentsOf(job), job.files, {
-			onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes),
-			onRead: progress,
-		});
-		err.add(new TextEncoder().encode('\n'));
-		return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job)};
+		return collect(job, (more) => this.run(argumentsOf(job), job.files, more).status);
+	}
+
+	/**
+	 * A machine that stays loaded: for a program that is checked again and again, and for axes that are moved by hand.
+	 * @param {Files} files
+	 */
+	session(files) {
+		return new Session(this.module, files);
 	}
 
 	/**
@@ -130,11 +119,107 @@ export class Fivecheck {
 	}
 }
 
+/**
+ * Runs a job and collects what it prints.
+ * @param {Job} job
+ * @param {(host: {onOutput: (fd: 1 | 2, bytes: Uint8Array) => void, onRead?: (node: FileNode, offset: number) => void}) => number} run
+ * @returns {Result}
+ */
+function collect(job, run) {
+	/** @type {Record<string, any>[]} */
+	const events = [];
+	let messages = '';
+	const out = new Lines((line) => {
+		const event = JSON.parse(line);
+		events.push(event);
+		job.onEvent?.(event);
+	});
+	const err = new Lines((line) => {
+		messages += line + '\n';
+		job.onMessage?.(line);
+	});
+	job.files.folder(RESULTS);
+	const status = run({onOutput: (fd, bytes) => (fd === 1 ? out : err).add(bytes), onRead: progressOf(job)});
+	err.add(new TextEncoder().encode('\n'));
+	return {status, text: textOf(job.files, `${RESULTS}/verdict.txt`), events, messages: messages.trimEnd(), reports: reportsOf(job)};
+}
+
 /** @param {Job} job */
 function argumentsOf(job) {
 	return ['--format=ndjson', `--format=text=${RESULTS}/verdict.txt`, '--progress=none', ...(job.options ?? []),
 		...(job.report ? [`--report=${RESULTS}/report.html`] : []), ...(job.setup ? [`--setup=${job.setup}`] : []),
 		'--', job.machine, ...job.programs];
+}
+
+/**
+ * How near the bodies are while the axes stand still (a line of `session_pose`, src/report/pose_json.h).
+ * @typedef {object} Pose
+ * @property {Record<string, number>} axes mm and degrees
+ * @property {number} tool
+ * @property {number} pairs that must stay apart
+ * @property {{a: string, b: string, distance: number, on_a: number[], on_b: number[]} | null} nearest of those that are apart
+ * @property {[string, string][]} meets those that overlap
+ * @property {[string, string][]} near those within their clearance
+ * @property {[string, string][]} unknown those that could not be decided
+ */
+
+/** The instance has ended, so that the session is of no more use: most often there was no memory left. */
+export class SessionEnded extends Error {}
+
+export class Session {
+	/**
+	 * @param {WebAssembly.Module} module
+	 * @param {Files} files of all jobs; what is loaded of them is not read again
+	 */
+	constructor(module, files) {
+		this.files = files;
+		this.wasi = new Wasi({args: [], files});
+		this.wasi.instantiate(module);
+		this.handle = this.wasi.call('session_new');
+	}
+
+	/**
+	 * @param {string} name
+	 * @param {string[]} args
+	 * @param {{onOutput: (fd: 1 | 2, bytes: Uint8Array) => void, onRead?: (node: FileNode, offset: number) => void}} more
+	 */
+	call(name, args, more) {
+		if (this.wasi.ended)
+			throw new SessionEnded('the session has ended');
+		this.wasi.host = {args: ['fivecheck', ...args], files: this.files, ...more};
+		const status = this.wasi.call(name, this.handle);
+		if (this.wasi.ended)
+			throw new SessionEnded(`the checker has ended with the status ${status}`);
+		return status;
+	}
+
+	/**
+	 * As Fivecheck.check. The machine is loaded by the first job, and again where another one names another machine, setup or
+	 * clearance; programs are read anew each time.
+	 * @param {Omit<Job, 'files'>} job
+	 * @returns {Result}
+	 */
+	check(job) {
+		const all = {...job, files: this.files};
+		return collect(all, (more) => this.call('session_check', argumentsOf(all), more));
+	}
+
+	/**
+	 * How near the bodies are while the axes stand still; to be called after a check.
+	 * @param {Record<string, number>} axes by letter, mm and degrees; the others stand at home
+	 * @param {number} [tool] in the spindle
+	 * @returns {Pose}
+	 */
+	pose(axes, tool = 0) {
+		const decoders = [new TextDecoder(), new TextDecoder()], texts = ['', ''];
+		const words = Object.entries(axes).map(([letter, value]) => `${letter}=${value}`);
+		this.call('session_pose', [...words, `T=${tool}`], {
+			onOutput: (fd, bytes) => texts[fd - 1] += decoders[fd - 1].decode(bytes, {stream: true}),
+		});
+		if (!texts[0])
+			throw new Error(texts[1].trim());
+		return JSON.parse(texts[0]);
+	}
 }
 
 /** @param {Job} job */

@@ -47,14 +47,17 @@ export class Wasi {
 		this.input = new MemoryBytes(host.input);
 		/** @type {WebAssembly.Memory} */
 		this.memory = new WebAssembly.Memory({initial: 0});
+		/** @type {WebAssembly.Instance | undefined} */
+		this.instance = undefined;
+		/** The program has ended, or has failed. */
+		this.ended = false;
 	}
 
 	/**
-	 * Runs the program to its end.
+	 * Makes an instance of the program; nothing runs yet.
 	 * @param {WebAssembly.Module} module
-	 * @returns {number} the exit status
 	 */
-	run(module) {
+	instantiate(module) {
 		/** @type {Record<string, Function>} */
 		const calls = {};
 		for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -63,16 +66,35 @@ export class Wasi {
 				throw new Error(`the checker wants ${name} of ${from}`);
 			calls[name] = typeof call === 'function' ? call.bind(this) : () => E.NOSYS;
 		}
-		const instance = new WebAssembly.Instance(module, {wasi_snapshot_preview1: /** @type {any} */ (calls)});
-		this.memory = /** @type {WebAssembly.Memory} */ (instance.exports.memory);
+		this.instance = new WebAssembly.Instance(module, {wasi_snapshot_preview1: /** @type {any} */ (calls)});
+		this.memory = /** @type {WebAssembly.Memory} */ (this.instance.exports.memory);
+	}
+
+	/**
+	 * Calls a function of the instance.
+	 * @param {string} name
+	 * @param {...number} args
+	 * @returns {number} what it returned, or the exit status if the program has ended; then the instance is of no more use
+	 */
+	call(name, ...args) {
 		try {
-			/** @type {Function} */ (instance.exports._start)();
-			return 0;
+			return /** @type {any} */ (this.instance).exports[name](...args) ?? 0;
 		} catch (error) {
+			this.ended = true;
 			if (error instanceof Exit)
 				return error.status;
 			throw error;
 		}
+	}
+
+	/**
+	 * Runs the program to its end.
+	 * @param {WebAssembly.Module} module
+	 * @returns {number} the exit status
+	 */
+	run(module) {
+		this.instantiate(module);
+		return this.call('_start');
 	}
 
 	view() {
