@@ -50,6 +50,17 @@ for call in 'HOLE(1,2,"a",4)' 'HOLE("a")' 'COUNT(5)' 'L10(5)' 'HOLE(1' 'PLAIN' '
 	fivecheck -s setup.xml --parse-only s.xml bad.mpf >/dev/null
 	echo "exit $?"
 done
+# MCALL acts in subprograms, too; one that stays in force at the end of a subprogram, and what SAVE may not bring back.
+printf 'X20\nX30\nM17\n' >AT.SPF
+printf 'MCALL CYCLE81(10,0,2,-5)\nM17\n' >STAYS.SPF
+printf 'PROC SMOOTH SAVE\nG641 ADIS=1\nRET\n' >SMOOTH.SPF
+printf 'G500 G17 G71 G90 F600 G0 Z50\nMCALL CYCLE81(10,0,2,-5)\nAT\nMCALL\nX0\nM30\n' >modal.mpf
+fivecheck --dump-path s.xml modal.mpf
+for call in STAYS SMOOTH; do
+	printf 'G500 G17 G71 G90 F600\n%s\nM30\n' "$call" >bad.mpf
+	fivecheck --parse-only s.xml bad.mpf >/dev/null
+	echo "exit $?"
+done
 # An endless loop, from a file and from a pipe; a subprogram without an end.
 printf 'G500 G71 G90\nLOOP\nENDLOOP\n' >loop.mpf
 fivecheck --max-blocks=100 --parse-only s.xml loop.mpf >/dev/null

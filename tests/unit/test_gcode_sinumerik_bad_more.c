@@ -52,6 +52,16 @@ static const struct refused_program programs[] = {
 	 "a call stands in a block without axis words"},
 	{"NOSUCH(1) Y5\n", 1, 11,
 	 "nothing can follow a call in its block"},
+	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nF200\n", 3, 1,
+	 "F, S, G0 or G1 without axes while MCALL CYCLE81 is in force: the control calls CYCLE81 here, too; write it "
+	 "before MCALL or beside the next position"},
+	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nN3 G1\n", 3, 4,
+	 "F, S, G0 or G1 without axes while MCALL CYCLE81 is in force: the control calls CYCLE81 here, too; write it "
+	 "before MCALL or beside the next position"},
+	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nCYCLE800(1)\n", 3, 1,
+	 "CYCLE800 while CYCLE81 is called behind each motion; MCALL first"},
+	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-5)\nG75 Z1=0\n", 3, 1,
+	 "G75 while CYCLE81 is called behind each motion; MCALL first"},
 	{"MCALL POCKET1(1)\n", 1, 7,
 	 "MCALL POCKET1: milling cycles are supported where they are called without MCALL"},
 	{"CYCLE62(\"KONTUR\")\n", 1, 1,

@@ -47,6 +47,10 @@ static const struct program programs[] = {
 	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\ndwell 1\nrapid 0 0 10 0 0\n"},
 	{"G500 F6 CYCLE89(10,0,1,-5,,1)\n",
 	 "rapid 0 0 1 0 0\nfeed 0 0 -5 0 0\ndwell 1\nfeed 0 0 1 0 0\nrapid 0 0 10 0 0\n"},
+	{"G500 F6 G0 X0 Y0 Z50\nGOTOF BEHIND\nFROM:\nX10\nUPTO:\nBEHIND:\nMCALL CYCLE81(10,0,2,-8)\n"
+	 "REPEAT FROM UPTO P=2\nMCALL\nREPEAT FROM UPTO\n",
+	 "rapid 0 0 50 0 0\nrapid 10 0 50 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\nrapid 10 0 10 0 0\n"
+	 "rapid 10 0 10 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\nrapid 10 0 10 0 0\nrapid 10 0 10 0 0\n"},
 	{"G500 F6 G0 Z10\nMCALL CYCLE81(10,0,2,-8)\nHOLES1(0,0,0,10,5,2)\nMCALL\n",
 	 "rapid 0 0 10 0 0\nrapid 10 0 10 0 0\nrapid 10 0 2 0 0\nfeed 10 0 -8 0 0\n"
 	 "rapid 10 0 10 0 0\nrapid 15 0 10 0 0\nrapid 15 0 2 0 0\nfeed 15 0 -8 0 0\n"

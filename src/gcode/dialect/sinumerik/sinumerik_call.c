@@ -234,6 +234,11 @@ bool sinumerik_call_return(struct interp *interp, int column)
 		return fault(&interp->at, column, "this returns, but no subprogram is being carried out");
 	call = top_call(sinumerik);
 	sinumerik->loop_count = call->loops;
+	if (sinumerik->modal.on && sinumerik->modal.level == sinumerik->level)
+		return fault(&interp->at, column,
+			     "the subprogram ends while its MCALL %s is in force: what then becomes of it is not "
+			     "certain; MCALL before the end",
+			     sinumerik->modal.name);
 	if (call->saves && !sinumerik_save_restore(interp, &call->saved, column))
 		return false;
 	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
@@ -245,6 +250,7 @@ bool sinumerik_call_return(struct interp *interp, int column)
 	} else {
 		sinumerik->depth--;
 		sinumerik->level--;
+		sinumerik->modal.running = sinumerik->modal.running && sinumerik->depth > sinumerik->modal.depth;
 	}
 	return program_jump(&interp->program, &to, &interp->at, column);
 }

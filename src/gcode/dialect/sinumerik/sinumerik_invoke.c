@@ -16,7 +16,10 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_modal *modal = &sinumerik->modal;
 
-	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .depth = sinumerik->depth};
+	if (modal->running && sinumerik->depth > modal->depth)
+		return fault(&interp->at, block->modal_column, "MCALL in the subprogram %s, which MCALL calls",
+			     modal->name);
+	*modal = (struct sinumerik_modal){.on = block->call[0] != '\0', .level = sinumerik->level};
 	if (!modal->on)
 		return true;
 	modal->cycle = sinumerik_cycle_drills(block->call);
@@ -55,6 +58,10 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	if (interp->comp.side != 0 && (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) ||
 				       sinumerik_region_is(name) || !strncmp(name, "CYCLE8", 6)))
 		return fault(&interp->at, column, "%s while tool radius compensation is on; G40 first", name);
+	if (sinumerik_modal_acts(sinumerik) && sinumerik->modal.cycle &&
+	    (sinumerik_cycle_drills(name) || sinumerik_region_is(name) || !strcmp(name, "CYCLE800")))
+		return fault(&interp->at, column, "%s while %s is called behind each motion; MCALL first", name,
+			     sinumerik->modal.name);
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (sinumerik_pattern_is(name))
@@ -84,9 +91,9 @@ bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const str
 bool sinumerik_invoke_modal(struct interp *interp)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const struct sinumerik_modal *modal = &sinumerik->modal;
+	struct sinumerik_modal *modal = &sinumerik->modal;
 
-	if (!modal->on || modal->depth != sinumerik->depth)
+	if (!sinumerik_modal_acts(sinumerik))
 		return true;
 	if (modal->cycle)
 		return sinumerik_cycle_drill(interp, modal->name, modal->arguments, modal->argument_count, 1);
@@ -96,5 +103,29 @@ bool sinumerik_invoke_modal(struct interp *interp)
 		sinumerik->argument_is_text[i] = false;
 		sinumerik->argument_variable[i] = -1;
 	}
+	modal->running = true;
+	modal->depth = sinumerik->depth;
 	return sinumerik_call_run(interp, modal->name, 1, 1);
+}
+
+/*
+ * 840D sl, job planning, "Modal subprogram call (MCALL)": it is also called without a motion where F or S is given
+ * while G0 or G1 holds, and where G0 or G1 stands without axes.
+ */
+bool sinumerik_invoke_check(struct interp *interp, const struct sinumerik_block *block)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int motion = interp->state.motion;
+	const char letter = sinumerik_block_has(block, 'F') ? 'F' : 'S';
+
+	if (!sinumerik_modal_acts(sinumerik) || block->call[0] || block->modal || (motion != G0 && motion != G1))
+		return true;
+	if (block->code[SINUMERIK_MOTION] == CODE_NONE && !sinumerik_block_has(block, letter))
+		return true;
+	return fault(&interp->at,
+		     block->code[SINUMERIK_MOTION] != CODE_NONE ? block->code_column[SINUMERIK_MOTION]
+								: block->column[letter - 'A'],
+		     "F, S, G0 or G1 without axes while MCALL %s is in force: the control calls %s here, too; write it "
+		     "before MCALL or beside the next position",
+		     sinumerik->modal.name, sinumerik->modal.name);
 }

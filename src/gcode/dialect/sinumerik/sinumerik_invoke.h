@@ -10,4 +10,7 @@ bool sinumerik_invoke_call(struct interp *interp, struct lexer *lexer, const str
 /* After a move to a position: the cycle or the subprogram that MCALL has made modal. False: reported. */
 bool sinumerik_invoke_modal(struct interp *interp);
 
+/* A block without motion: would the control carry out the modal call for its F, S, G0 or G1? False: reported. */
+bool sinumerik_invoke_check(struct interp *interp, const struct sinumerik_block *block);
+
 #endif

@@ -307,8 +307,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 		return false;
 	*moved = !machine;
 	show_block(interp, block, state->motion == SINUMERIK_CIP ? G2 : is_thread(state->motion) ? G1 : state->motion);
-	if (machine && sinumerik_of(interp)->modal.on &&
-	    sinumerik_of(interp)->modal.depth == sinumerik_of(interp)->depth)
+	if (machine && sinumerik_modal_acts(sinumerik_of(interp)))
 		return fault(&interp->at, block->code_column[SINUMERIK_SUPPRESSION],
 			     "SUPA, G53 and G153 while %s is called behind each motion; MCALL first",
 			     sinumerik_of(interp)->modal.name);

@@ -358,6 +358,12 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 		return run_frame(interp, block);
 	if (block->code[SINUMERIK_ONCE] == G4)
 		return run_dwell(interp, block);
+	if ((block->code[SINUMERIK_ONCE] == SINUMERIK_G(63) || block->code[SINUMERIK_ONCE] == SINUMERIK_G(74) ||
+	     block->code[SINUMERIK_ONCE] == SINUMERIK_G(75)) &&
+	    sinumerik_modal_acts(sinumerik_of(interp)))
+		return fault(&interp->at, block->code_column[SINUMERIK_ONCE],
+			     "G%d while %s is called behind each motion; MCALL first",
+			     block->code[SINUMERIK_ONCE] / 10, sinumerik_of(interp)->modal.name);
 	if (block->code[SINUMERIK_ONCE] == SINUMERIK_G(63))
 		return sinumerik_move_tap(interp, block);
 	/* G25 and G26: limits that no axis moves for. */
@@ -443,7 +449,7 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 		return false;
 	if (!sinumerik_invoke_call(interp, lexer, block))
 		return false;
-	if (moved && !sinumerik_invoke_modal(interp))
+	if (moved ? !sinumerik_invoke_modal(interp) : !done && !sinumerik_invoke_check(interp, block))
 		return false;
 	return finish(interp, &ending);
 }

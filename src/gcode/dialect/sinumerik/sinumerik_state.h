@@ -105,11 +105,13 @@ struct sinumerik_jump {
 
 #define SINUMERIK_JUMPS 256
 
-/* A modal call: MCALL CYCLE81(...) or MCALL NAME. */
+/* A modal call: MCALL CYCLE81(...) or MCALL NAME. There is one at a time, which acts in subprograms and repeats, too. */
 struct sinumerik_modal {
 	bool on;
 	bool cycle;	/* else a subprogram */
-	int depth;	/* of calls where it was given: it rests in deeper ones */
+	bool running;	/* the subprogram: it does not call itself */
+	int depth;	/* of calls where the subprogram runs */
+	int level;	/* of the program that has given it */
 	char name[SINUMERIK_NAME + 1];
 	size_t argument_count;
 	double arguments[SINUMERIK_ARGUMENTS_MAX];	/* NAN: left out */
@@ -176,6 +178,12 @@ struct sinumerik {
 static inline struct sinumerik *sinumerik_of(const struct interp *interp)
 {
 	return interp->dialect_state;
+}
+
+/* Is the modal call carried out behind motions now? */
+static inline bool sinumerik_modal_acts(const struct sinumerik *sinumerik)
+{
+	return sinumerik->modal.on && !(sinumerik->modal.running && sinumerik->depth > sinumerik->modal.depth);
 }
 
 /* An upper-case letter; other bytes stay as they are. */
