@@ -184,23 +184,33 @@ static void hand_on_findings(struct checker *c)
 
 /* ---------------------------------------------------------------- batches */
 
+static void add_clearance(struct checker *c, long block, size_t pair, double clearance)
+{
+	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap};
+
+	if (!least.capped || !c->options->clearances_below_cap)
+		block_log_add_clearance(&c->log, block, &least);
+}
+
 /* False: broken off. */
 static bool measure_blocks(struct checker *c)
 {
 	double start = checker_clock();
-	bool complete = scheduler_measure(&c->scheduler, &c->batch, c->tool, c->options);
+	bool complete = scheduler_measure(&c->scheduler, &c->batch, c->tool, c->options) &&
+			stock_check_measure(&c->stock, &c->batch, c->tool);
 
 	for (size_t i = 0; i < c->scheduler.count && complete; i++) {
 		const struct pair_check *check = &c->scheduler.checks[i];
 
-		for (size_t k = 0; k < check->clearance_count; k++) {
-			const double clearance = check->clearances[k].clearance;
-			const struct pair_clearance least = {check->pair, clearance,
-							clearance >= c->options->block_clearance_cap};
+		for (size_t k = 0; k < check->clearance_count; k++)
+			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance);
+	}
+	for (size_t i = 0; i < c->stock.pair_count && complete; i++) {
+		const struct stock_clearance *measured = &c->stock.clearances[i];
 
-			if (!least.capped || !c->options->clearances_below_cap)
-				block_log_add_clearance(&c->log, check->clearances[k].block, &least);
-		}
+		for (size_t k = 0; k < measured->block_count; k++)
+			add_clearance(c, measured->blocks[k].block, c->stock.pairs[i].pair,
+				      measured->blocks[k].clearance);
 	}
 	c->measuring += checker_clock() - start;
 	return complete;
@@ -349,6 +359,8 @@ static void check_stock_at_rest(struct checker *c, struct stock_pair *check, int
 	at.finding.certain = stock_certainty_at(check, &c->position, (double)c->number);
 	add_finding(c, &at, contact.distance > 0 ? FINDING_CLEARANCE : FINDING_START_OVERLAP, move, step_class,
 		    &contact, NULL);
+	if (c->options->block_clearances && check->steps == STEP_ANY && !(contact.distance > 0))
+		block_log_add_clearance(&c->log, c->block, &(struct pair_clearance){.pair = check->pair});
 	stock_pair_found(check, c->block);
 }
 

@@ -22,11 +22,6 @@ static const char *unsupported(const struct check_options *options)
 {
 	if (options->method != CHECK_CERTIFIED)
 		return "the sampled methods do not know the stock; remove <stock>, or use --method=certified";
-	/* A report's curve of clearances leaves the stock out; a table of every pair must not. */
-	if (options->block_clearances && !options->clearances_below_cap)
-		return "--clearance-report does not know the stock; remove <stock> to measure clearances";
-	if (options->change)
-		return "--sensitivity does not know the stock; remove <stock> to measure the sensitivity";
 	return NULL;
 }
 
@@ -79,6 +74,8 @@ static bool init_pairs(struct stock_check *check, struct scene *scene, const str
 {
 	check->pairs = mem_zalloc(scene->pair_count, sizeof(*check->pairs));
 	check->cutters = mem_zalloc(scene->body_count, sizeof(*check->cutters));
+	if (options->block_clearances)
+		check->clearances = mem_zalloc(scene->pair_count, sizeof(*check->clearances));
 	check->tools = mem_zalloc(scene->body_count, sizeof(*check->tools));
 	cut_log_init(&check->log, check->cutters);
 	for (size_t i = 0; i < scene->pair_count; i++) {
@@ -93,6 +90,9 @@ static bool init_pairs(struct stock_check *check, struct scene *scene, const str
 		if (!stock_pair_init(&check->pairs[check->pair_count], scene, i, &check->cells, tolerance, options,
 				     cancel, diag))
 			return false;
+		if (check->clearances)
+			stock_clearance_init(&check->clearances[check->pair_count], &check->pairs[check->pair_count],
+					     options->block_clearance_cap);
 		check->pair_count++;
 	}
 	return true;
@@ -121,9 +121,12 @@ void stock_check_release(struct stock_check *check)
 {
 	for (size_t i = 0; i < check->pair_count; i++)
 		stock_pair_release(&check->pairs[i]);
+	for (size_t i = 0; check->clearances && i < check->pair_count; i++)
+		stock_clearance_release(&check->clearances[i]);
 	for (size_t i = 0; i < check->tool_count; i++)
 		cutter_release(&check->cutters[i]);
 	free(check->pairs);
+	free(check->clearances);
 	free(check->cutters);
 	free(check->tools);
 	free(check->results);
@@ -221,6 +224,18 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 			last = pair->results[0].step;
 	}
 	return true;
+}
+
+bool stock_check_measure(struct stock_check *check, const struct batch *batch, int tool)
+{
+	bool complete = true;
+
+	for (size_t i = 0; i < check->pair_count && complete; i++) {
+		check->clearances[i].block_count = 0;
+		if (stock_pair_is_active(&check->pairs[i], tool))
+			complete = stock_clearance_measure(&check->clearances[i], batch);
+	}
+	return complete;
 }
 
 void stock_check_collect(const struct stock_check *check, const struct scene *scene, long last_block,

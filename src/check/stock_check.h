@@ -18,6 +18,7 @@
 
 #include "check/batch.h"
 #include "check/stats.h"
+#include "check/measure/stock_clearance.h"
 #include "check/stock_pair.h"
 #include "stock/cutter.h"
 #include "stock/stock_mesh.h"
@@ -31,6 +32,7 @@ struct stock_tool {
 
 struct stock_check {
 	struct stock_pair *pairs;	/* in the order of the scene's pairs */
+	struct stock_clearance *clearances;	/* of the pairs, if clearances are measured; else NULL */
 	size_t pair_count;	/* 0: there is no stock, or nothing that could touch it */
 	struct cutter *cutters;	/* of the log: one for each of the tools */
 	struct stock_tool *tools;
@@ -66,6 +68,12 @@ void stock_check_jump(struct stock_check *check);
  */
 bool stock_check_run(struct stock_check *check, const struct batch *batch, size_t last, int tool,
 		     const struct check_options *options);
+
+/*
+ * Measures the clearances in the batch's blocks (stock_clearance_measure), each in `blocks` of its `clearances`. Call it
+ * after stock_check_run. False: interrupted; then they are invalid.
+ */
+bool stock_check_measure(struct stock_check *check, const struct batch *batch, int tool);
 
 /* What remains of the stock before the step `number`. */
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);

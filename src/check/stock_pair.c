@@ -119,8 +119,8 @@ static enum query_answer answer_of(enum sweep_answer answer)
 	return answer == SWEEP_APART ? QUERY_CLEAR : answer == SWEEP_CONTACT ? QUERY_CONTACT : QUERY_UNDECIDED;
 }
 
-static enum query_answer sweep_step(struct stock_pair *check, const struct motion_step *step, long number,
-				    struct contact *contact)
+enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep *sweep, const struct motion_step *step,
+				   long number, struct contact *contact)
 {
 	const struct span *span = &step->span;
 	struct chord chord = {span->q0, span->q1, span->chord_error, NULL, NULL, span->u0, span->u1, NULL};
@@ -133,7 +133,7 @@ static enum query_answer sweep_step(struct stock_pair *check, const struct motio
 			low.v[i] -= step->tolerance.v[i];
 			high.v[i] += step->tolerance.v[i];
 		}
-		return answer_of(stock_sweep_box(&check->sweep, &low, &high, (double)number, contact));
+		return answer_of(stock_sweep_box(sweep, &low, &high, (double)number, contact));
 	}
 	if (step_may_leave_path(check->bodies.chain, step))
 		chord.tolerance = &step->tolerance;
@@ -141,7 +141,7 @@ static enum query_answer sweep_step(struct stock_pair *check, const struct motio
 		chord.curve = span->path;
 		chord.halve = clearance_query_halve;
 	}
-	return answer_of(stock_sweep_chord(&check->sweep, &chord, (double)number, contact));
+	return answer_of(stock_sweep_chord(sweep, &chord, (double)number, contact));
 }
 
 /* Proves a distance at q, at this time, and begins a budget with it. False: it is too small. */
@@ -151,8 +151,8 @@ static bool start_budget(struct stock_pair *check, const axis_values *q, double 
 	const struct placed_obstacle placed = stock_sweep_place(&check->sweep, q);
 	const double needed = check->sweep.clearance + check->sweep.grain + check->margin +
 			      body_pair_rounding(bodies, q, placed.to_obstacle.translation);
-	const double room =
-	    stock_cells_distance(check->sweep.cells, &placed, time, needed + check->margin, FAR) - needed;
+	const struct distance_query query = {.least = needed + check->margin, .enough = FAR, .share = 1};
+	const double room = stock_cells_distance(check->sweep.cells, &placed, time, &query) - needed;
 	struct chain_state state;
 
 	check->queries++;
@@ -229,7 +229,7 @@ static enum query_answer pass(struct stock_pair *check, const struct motion_step
 			      : advance_by_budget(check, step) || advance(check, step, number))
 		check->covered_steps++;
 	else
-		answer = sweep_step(check, step, number, contact);
+		answer = stock_pair_sweep(check, &check->sweep, step, number, contact);
 	check->clear_at_end = answer == QUERY_CLEAR;
 	return answer;
 }

@@ -57,6 +57,10 @@ bool stock_pair_watches(const struct stock_pair *check, enum step_class class);
 void stock_pair_run(struct stock_pair *check, const struct batch *batch, size_t to,
 		    const struct check_options *options);
 
+/* The exact answer for one step: the pair's own `sweep`, or a copy of it that asks for another clearance. */
+enum query_answer stock_pair_sweep(struct stock_pair *check, struct stock_sweep *sweep, const struct motion_step *step,
+				   long number, struct contact *contact);
+
 /* Looks at the axis positions q, where the axes stand before the step `number`. */
 enum query_answer stock_pair_stand(struct stock_pair *check, const axis_values *q, long number,
 				   struct contact *contact);

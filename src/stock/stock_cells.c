@@ -92,7 +92,7 @@ struct search {
 	double time;
 	uint64_t log_end;	/* the place of the time in the log */
 	double best;	/* mm: distance: so much is proved of all that was left out */
-	double least;
+	const struct distance_query *distance;
 	double within, grain;	/* meet */
 	struct cube *found;
 	double depth;	/* prove */
@@ -167,12 +167,12 @@ static void nearest(struct search *search, size_t index, const struct cube *cube
 	struct children children;
 
 	/* Cells that are small against their distance are not worth dividing. */
-	if (sqrt3 * cube->half <= gap || cube->half <= search->cells->least_half) {
+	if (sqrt3 * cube->half <= search->distance->share * gap || cube->half <= search->cells->least_half) {
 		search->best = gap;
 		return;
 	}
 	look_at_children(search, index, cube, &children);
-	for (int turn = 0; turn < 8 && search->best > search->least; turn++) {
+	for (int turn = 0; turn < 8 && search->best > search->distance->least; turn++) {
 		const int i = children.order[turn];
 
 		if (!(children.gaps[i] < search->best))
@@ -183,10 +183,11 @@ static void nearest(struct search *search, size_t index, const struct cube *cube
 }
 
 double stock_cells_distance(struct stock_cells *cells, const struct placed_obstacle *placed, double time,
-			    double least, double enough)
+			    const struct distance_query *query)
 {
 	struct search search = {.cells = cells, .placed = placed, .time = time,
-				.log_end = cut_log_end(cells->log, time), .best = enough, .least = least};
+				.log_end = cut_log_end(cells->log, time), .best = query->enough,
+				.distance = query};
 	const double gap = gap_of(&search, &cells->root);
 
 	if (gap < search.best && is_there(&search, 0, &cells->root))

@@ -64,13 +64,18 @@ struct placed_obstacle {
 	xform to_obstacle;
 };
 
+/* How exactly a distance is asked for. */
+struct distance_query {
+	double least, enough;	/* mm: distances below the one do not matter; those beyond the other are all alike */
+	double share;	/* cells are divided as long as half their diagonal is more than this share of their distance */
+};
+
 /*
- * mm: a lower bound on the distance of the obstacle from the stock that is there at `time`; at most `enough`. It is
- * at least half of the distance to the smallest cells, or not above `least`: then it does not matter. It may be
+ * mm: a lower bound on the distance of the obstacle from the stock that is there at `time`; at most `enough`. It may be
  * negative. The result for a later time, or with smaller cells, is not less than what is proved here.
  */
 double stock_cells_distance(struct stock_cells *cells, const struct placed_obstacle *placed, double time,
-			    double least, double enough);
+			    const struct distance_query *query);
 
 /*
  * Is there a cell that is not proved farther than `within` mm from the obstacle? Cells with half an edge of `grain` mm

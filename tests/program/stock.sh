@@ -115,10 +115,7 @@ G0 Y-11.6
 NC
 
 echo '== what is not known yet'
-for option in --method=conventional --clearance-report=c.csv --sensitivity=0.1,0,0,0; do
-	"$FIVECHECK" -q $option -s s.xml m.xml p.nc >out
-	echo "exit status $?"
-done
+status fivecheck -q -o verdict --method=conventional -s s.xml m.xml p.nc
 
 echo '== a cutter from a mesh'
 box closed -5 -5 -100 5 5 -80

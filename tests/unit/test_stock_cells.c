@@ -252,6 +252,7 @@ START_TEST(slot_is_exact_to_a_cell)
 	struct random random = random_case(3, 0);
 	const struct cut cut = {.from = 0, .to = 1, .way = {{{-30, 0, 25}, {0, 0, 1}}, {{5, 0, 25}, {0, 0, 1}}}};
 	const xform up = {mat3_identity(), {0, 0, 5}};
+	const struct distance_query query = {.enough = 1e3, .share = 1};
 
 	solid_box(&mesh, (vec3){20, 15, 5});
 	solid_place(&mesh, &up);
@@ -271,7 +272,7 @@ START_TEST(slot_is_exact_to_a_cell)
 		const double out = fmax(fmax(fabs(p.x) - 20, fabs(p.y) - 15), fmax(-p.z, p.z - 10));
 		const double clear = fmin(5 - past, p.z - 5);
 		const double margin = 0.05 * sqrt(3) + 0.03;
-		const double distance = stock_cells_distance(&cells, &placed, 2, 0, 1e3);
+		const double distance = stock_cells_distance(&cells, &placed, 2, &query);
 
 		if (out < -0.02 && clear < -0.02)
 			ck_assert_double_le(distance, 0);
@@ -279,7 +280,7 @@ START_TEST(slot_is_exact_to_a_cell)
 			ck_assert_double_gt(distance, 0);
 		/* Before the cut all of the blank is there. */
 		if (out < -0.02)
-			ck_assert_double_le(stock_cells_distance(&cells, &placed, -1, 0, 1e3), 0);
+			ck_assert_double_le(stock_cells_distance(&cells, &placed, -1, &query), 0);
 	}
 	revolved_release(&revolved);
 	stock_cells_release(&cells);

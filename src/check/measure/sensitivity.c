@@ -165,7 +165,8 @@ static double room(const struct search *search)
 
 		for (size_t k = 0; k < pair->chain.count; k++)
 			affected |= search->affects[pair->chain.joints[k].slot];
-		if (affected)
+		/* A change moves the cuts, too, and so what remains of the stock. */
+		if (affected || pair->stock)
 			least = fmin(least, search->proven[i] - pair->clearance);
 	}
 	return least / search->spread;
@@ -233,7 +234,8 @@ static bool advance(struct search *search, double *low, double *stride, bool *pr
 	}
 	free(probe.why);
 	*proved = *proved && probe.orderly && (!stalls || probe.result == CHECK_FOUND);
-	if (probe.result == CHECK_FOUND && !stalls)
+	/* With stock nothing is ever proved: then halving alone tells where the verdict changes. */
+	if (probe.result == CHECK_FOUND && (!stalls || scene_stock(search->scene) >= 0))
 		close_in(search, *low, next, *proved && answer->kind == FINDING_LIMIT);
 	else if (probe.result == CHECK_FOUND)
 		turn(search, next);

@@ -42,7 +42,8 @@ struct sensitivity {
  * Why a change is proved harmless: a change by d moves no point farther than d, as any other body sees it. So a change
  * smaller than the clearance proved without it does no harm. That holds if the axes' positions are affine in d, which
  * is compared block by block for the values that are tried. For a limit of travel this alone is enough: if two values
- * keep the limit, all values between them keep it.
+ * keep the limit, all values between them keep it. With stock nothing is proved but that no axis moves differently: a
+ * change moves the cuts, too, and so what remains of the stock. The answers then tell what was tried.
  */
 size_t sensitivity_run(struct scene *scene, const struct check_options *options, const double range[CHANGES],
 		       enum check_result result, FILE *in, const char *name, const struct check_sink *sink,

@@ -1,0 +1,142 @@
+#include "check/measure/stock_clearance.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+#include "base/minmax.h"
+#include "check/step.h"
+
+/*
+ * The search in a step is done once this share of a distance that the body does not keep is proved, and not begun if a
+ * budget proves nearly all that it has. More would cost far more: what is left of a wall all around a shank is looked
+ * at in cells that are small against what is missing (0.9 takes six times as long as 0.7).
+ */
+#define ENOUGH 0.7
+#define BUDGET_ENOUGH 0.9
+
+/* A distance query stops at cells that are this small against their distance. */
+#define CELL_SHARE 0.2
+
+/* The most cells to look at for one distance in one step; then a smaller distance is tried. */
+#define SWEEP_EFFORT 200000L
+
+/* A budget may prove so many times the cap: then it holds for some steps. */
+#define BUDGET_CAPS 2
+
+void stock_clearance_init(struct stock_clearance *clearance, struct stock_pair *pair, double cap)
+{
+	*clearance = (struct stock_clearance){.pair = pair, .cap = cap};
+	motion_budget_init(&clearance->budget, pair->bodies.chain);
+}
+
+void stock_clearance_release(struct stock_clearance *clearance)
+{
+	free(clearance->blocks);
+	*clearance = (struct stock_clearance){.pair = NULL};
+}
+
+/* mm: what the budget proves for the whole step. */
+static double budget_rest(const struct stock_clearance *clearance, const struct motion_step *step)
+{
+	const struct position_errors errors = step_errors(clearance->pair->bodies.chain, step);
+	axis_values low, high;
+
+	step_box(step, &low, &high);
+	return motion_budget_rest(&clearance->budget, &low, &high, &errors);
+}
+
+/* Begins a budget where the step ends, with the stock as it is before the step: later there is less of it. */
+static void renew_budget(struct stock_clearance *clearance, const struct motion_step *step, long number)
+{
+	const struct stock_pair *pair = clearance->pair;
+	const axis_values *q = &step->span.q1;
+	const struct placed_obstacle placed = stock_sweep_place(&pair->sweep, q);
+	const struct distance_query query = {.enough = BUDGET_CAPS * clearance->cap, .share = CELL_SHARE};
+	const double distance = stock_cells_distance(pair->sweep.cells, &placed, (double)number, &query);
+	struct chain_state state;
+
+	chain_state_init(&state, pair->bodies.chain, q, &pair->bodies.ball_a, &pair->bodies.ball_b);
+	motion_budget_set(&clearance->budget, q, &state,
+			  distance - body_pair_rounding(&pair->bodies, q, placed.to_obstacle.translation));
+}
+
+/* Does the body keep this distance throughout the step? */
+static bool keeps(struct stock_clearance *clearance, const struct motion_step *step, long number, double distance)
+{
+	struct stock_sweep sweep = clearance->pair->sweep;
+	struct contact contact;
+	bool apart;
+
+	sweep.clearance = distance;
+	sweep.effort = SWEEP_EFFORT;
+	sweep.exhausted = false;
+	apart = stock_pair_sweep(clearance->pair, &sweep, step, number, &contact) == QUERY_CLEAR;
+	clearance->pair->sweep.broken_off |= sweep.broken_off;
+	return apart;
+}
+
+/* Lowers the bound to what the body keeps in the step; it keeps `low` already. */
+static void search_distance(struct stock_clearance *clearance, const struct motion_step *step, long number, double low)
+{
+	const double grain = clearance->pair->sweep.grain;
+	double high = clearance->bound, target = high;
+
+	while (low < ENOUGH * high && high > grain && !clearance->pair->sweep.broken_off) {
+		if (keeps(clearance, step, number, target))
+			low = target;
+		else
+			high = target;
+		target = low > grain ? sqrt(low * high) : 0.5 * high;
+	}
+	clearance->bound = low > grain ? smaller(clearance->bound, low) : 0;
+}
+
+static void measure_step(struct stock_clearance *clearance, const struct motion_step *step, long number)
+{
+	double rest = budget_rest(clearance, step);
+
+	if (!(clearance->bound > 0) || rest >= clearance->bound)
+		return;
+	renew_budget(clearance, step, number);
+	rest = budget_rest(clearance, step);
+	if (rest >= clearance->bound)
+		return;
+	if (rest >= BUDGET_ENOUGH * clearance->budget.room)
+		clearance->bound = rest;
+	else
+		search_distance(clearance, step, number, larger(rest, 0));
+}
+
+static void start_block(struct stock_clearance *clearance, long block)
+{
+	if (clearance->block_count && clearance->blocks[clearance->block_count - 1].block == block)
+		return;
+	clearance->blocks = mem_grow(clearance->blocks, &clearance->block_capacity, clearance->block_count + 1,
+				     sizeof(*clearance->blocks));
+	clearance->blocks[clearance->block_count++] = (struct stock_block_clearance){block, clearance->cap};
+	clearance->bound = clearance->cap;
+}
+
+bool stock_clearance_measure(struct stock_clearance *clearance, const struct batch *batch)
+{
+	const struct stock_pair *pair = clearance->pair;
+	bool clears = false;
+
+	clearance->block_count = 0;
+	for (size_t i = 0; i < batch->step_count && pair->steps == STEP_ANY && !pair->sweep.broken_off; i++) {
+		const struct batch_step *step = &batch->steps[i];
+		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
+
+		if (i % CHUNK_STEPS == 0)
+			clears = motion_budget_rest(&clearance->budget, &chunk->low, &chunk->high, &chunk->errors) >=
+				 clearance->cap;
+		if (pair->past_limits_only && !step->beyond)
+			continue;
+		start_block(clearance, step->block);
+		if (!clears)
+			measure_step(clearance, &step->motion, step->number);
+		clearance->blocks[clearance->block_count - 1].clearance = clearance->bound;
+	}
+	return !pair->sweep.broken_off;
+}

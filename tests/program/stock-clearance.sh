@@ -1,0 +1,90 @@
+# How near bodies come to what remains of the stock, in closed form, and changes that move the cuts.
+machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
+      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
+        <spindle location="0 0 100" direction="0 0 -1"/>
+      </axis>
+    </axis>
+  </axis>
+  <workholding location="0 0 0"/>
+XML
+setup s.xml <<'XML'
+  <work_offset name="G54" X="0" Y="0" Z="-100"/>
+  <stock box="40 30 30" location="0 0 -20" rapid_allowance="1"/>
+  <tool number="1" length="100">
+    <holder><section length="50" diameter="40"/></holder>
+    <shank><section length="30" diameter="8"/></shank>
+    <cutter><section length="20" diameter="10"/></cutter>
+  </tool>
+XML
+
+# program_of - blocks on standard input, after those that bring the tool above the stock, which is 10 mm high
+program_of() {
+	echo 'G21 G90 G94 G61 T1 M6'
+	echo 'M3 S1000'
+	echo 'G0 G43 H1 Z100'
+	cat
+}
+
+# bounds - rows of the table as "line body below-the-distance above-half-of-it"; the distances are on standard input
+bounds() {
+	awk -F, 'NR == FNR { distance[$1 "," $2] = $3; next }
+		 $5 == "stock" && ($3 "," $6) in distance {
+			d = distance[$3 "," $6]
+			print $3, $6, ($7 <= d), ($7 > 0.5 * (d - 0.8)), $8
+		 }' - "$1"
+}
+
+echo '== the holder above, the shank in the hole that the cutter makes and above a wall; line 9 sweeps the holder past'
+program_of >p.nc <<'NC'
+G0 X0 Y0 Z12
+G1 Z-14 F6000
+G0 Z12
+G0 X-48
+G0 Z-60
+G0 Y60
+NC
+fivecheck -q --stock-tolerance=0.8 --clearance-report=one.csv -s s.xml m.xml p.nc >verdict
+cat >distances <<'CSV'
+4,T1 holder,10
+4,T1 shank,10
+5,T1 holder,10
+5,T1 shank,1
+6,T1 shank,1
+8,T1 holder,8
+9,T1 holder,8
+CSV
+bounds one.csv <distances
+grep -c 'stock,T1 cutter' one.csv
+fivecheck -q -j 2 --stock-tolerance=0.8 --clearance-report=two.csv -s s.xml m.xml p.nc | cmp - verdict
+cmp one.csv two.csv
+
+echo '== a finding: nothing is kept in its block, nor in the next one, which begins in the stock'
+program_of >p.nc <<'NC'
+G0 X-45 Y0
+G0 Z-60
+G1 X-37 F6000
+G1 X-45
+NC
+status fivecheck -q -a --stock-tolerance=0.8 --clearance-report=one.csv -s s.xml m.xml p.nc >verdict
+tail -n 1 verdict
+cut -d , -f 3,5- one.csv | grep 'holder'
+
+echo '== a rapid 0.2 mm above the blank, of which 1 mm may be entered'
+program_of >p.nc <<'NC'
+G0 X-30 Z10.2
+G0 X30
+NC
+status fivecheck -q --stock-tolerance=0.8 --sensitivity=0,0,1.3,0 -s s.xml m.xml p.nc
+
+echo '== a rapid where the wall was cut away: moved towards +X the cut leaves a skin'
+program_of >p.nc <<'NC'
+G0 X-15.4 Y-25 Z5
+G1 Y25 F6000
+G0 Z20
+G0 X-60 Y0
+G0 Z5
+G0 X-15.4
+NC
+status fivecheck -q --stock-tolerance=0.8 --sensitivity=0.25,0,0,0 -s s.xml m.xml p.nc
