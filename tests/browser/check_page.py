@@ -42,7 +42,8 @@ class Site:
         self.thread.join()
 
 
-EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown"]
+EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
+          "wall-checked"]
 # Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
 WATCH = """
 window.counts = {};
@@ -63,10 +64,10 @@ class Bench:
         self.site = site
         self.browser = browser
 
-    def open(self, **options):
+    def open(self, path="", **options):
         page = self.browser.page(**options)
         page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
-        page.call("Page.navigate", url=self.site.address)
+        page.call("Page.navigate", url=self.site.address + path)
         page.run("await new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
         page.run("await until('fivecheck-ready', 1)")
         return page
@@ -218,6 +219,124 @@ def offline(bench):
     bench.check(page)
     same("verdicts", sorted(verdict for _, verdict in page.run(VERDICTS)), ["clear", "found"])
     page.close()
+
+
+RED = """(() => {
+    const canvas = document.querySelector('.stage canvas'), gl = canvas.getContext('webgl2'), w = canvas.width, h = canvas.height;
+    const pixels = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    let red = 0;
+    for (let i = 0; i < pixels.length; i += 4) red += pixels[i] > 2 * pixels[i + 1] && pixels[i] > 2 * pixels[i + 2] && pixels[i] > 60;
+    return red;
+})()"""
+JOGGED = "document.querySelector('.jog .verdict').textContent"
+EDITED = "document.querySelector('.editor .verdict').textContent"
+GUTTER = "[...document.querySelectorAll('.gutter div')].flatMap((e, i) => e.className ? [[i + 1, e.className]] : [])"
+
+
+def learn(bench, **options):
+    """The page to learn with, once its first machine is there and its first program is checked."""
+    page = bench.open("learn.html", **options)
+    page.run("await until('machine-open', 1)")
+    page.run("await until('posed', 1)")
+    return page
+
+
+def jog(page, axes, tool):
+    """Moves the axes and waits for the answer that is about just this pose."""
+    page.run(f"learnPage.jog.moveTo({json.dumps(axes)}, {tool})")
+    page.run("await (async () => { while (learnPage.jog.newest.busy) await until('posed', counts.posed + 1); })()")
+    page.frames()
+
+
+def edit(page, text):
+    page.run(f"(learnPage.editor.text.value = {json.dumps(text)}, await learnPage.editor.typed(), "
+             "await (async () => { while (learnPage.editor.newest.busy) await until('edited', counts.edited + 1); })())")
+
+
+@test
+def jog_sliders(bench):
+    """Bodies move with the sliders, by mouse and keys; what meets is red; the distance is that of the pose."""
+    page = learn(bench)
+    same("axes", page.run("[...document.querySelectorAll('.axis-row label')].map((e) => e.textContent)"),
+         ["Y", "X", "Z", "A (First axis)", "C (Second axis)"])
+    same("limits of Z", page.run("['min', 'max'].map((name) => document.querySelector('#jog-Z')[name])"), ["-400", "0"])
+    true("clear at home", "Nearest of" in page.run(JOGGED))
+    page.frames()
+    same("red where nothing meets", page.run(RED), 0)
+    jog(page, {"Z": -380, "A": -40}, 1)
+    true("the head meets the work", page.run(JOGGED).startswith("Collision:") and "arbor meets T1 holder" in page.run(JOGGED))
+    true("red where bodies meet", page.run(RED) > 500)
+    page.picture(os.path.join(bench.keep, "learn-jog.png"))
+    # By keys: one step of the slider.
+    page.run("document.querySelector('#jog-Z').focus()")
+    jog(page, {}, 0)
+    page.press("ArrowLeft")
+    page.run("await (async () => { while (learnPage.jog.newest.busy) await until('posed', counts.posed + 1); })()")
+    same("Z after a key", page.run("learnPage.jog.values().Z"), -0.5)
+    bench.done(page, "learn-home")
+
+
+@test
+def editor(bench):
+    """Errors and findings stand at their lines, verdicts are those of the command line, a finding's button shows its pose."""
+    page = learn(bench)
+    first = page.run("learnPage.editor.text.value")
+    true("the first program is clear", page.run(EDITED).startswith("Clear"))
+    same("marks of a clear program", page.run(GUTTER), [])
+    times = []
+    for z in range(-180, -160):
+        edit(page, first.replace("Z-180", f"Z{z}"))
+        times.append(page.run("learnPage.editor.took"))
+    print(f"     from the last key to the verdict: {sorted(times)[len(times) // 2]:.0f} ms (median of {len(times)})")
+    edit(page, "G21 G90\nG1 X\nM2\n")
+    true("an error", page.run(EDITED).startswith("Incomplete"))
+    same("its line", page.run(GUTTER), [[2, "bad"]])
+    hit = first.replace("Z-180", "Z-380")
+    edit(page, hit)
+    true("a finding", page.run(EDITED).startswith("Found"))
+    path = os.path.join(bench.keep, "program.nc")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(hit)
+    native = subprocess.run([bench.fivecheck, "--format=ndjson", "--setup=examples/ac-trunnion/setup.xml",
+                             "machines/ac-trunnion/machine.xml", path], capture_output=True, text=True, check=False)
+    found = next(event for event in map(json.loads, native.stdout.splitlines()) if event["kind"] == "collision")
+    same("line of the finding", page.run(GUTTER), [[found["line"], "bad"]])
+    page.run("document.querySelector('.remarks button').click()")
+    page.run("await (async () => { while (learnPage.jog.newest.busy) await until('posed', counts.posed + 1); })()")
+    same("pose of the finding", page.run("learnPage.jog.values()"), found["axes"])
+    true("bodies that meet there", f"{found['a']} meets {found['b']}" in page.run(JOGGED))
+    bench.done(page, "learn-editor")
+
+
+@test
+def tour(bench):
+    """The pairs are those of --list-pairs; samples miss the wall that the proof finds."""
+    page = learn(bench)
+    true("pairs of axes", "3 of 10 pairs of axes are checked: Y–C, Z–A, Z–C." in page.run("document.querySelector('#pair-table').textContent"))
+    before = page.run("document.querySelector('.axis-picture .verdict').textContent")
+    page.run("(document.querySelector('#axis-angle').value = 0, document.querySelector('#axis-angle').dispatchEvent(new Event('input')))")
+    true("a direction that separates", "34.0 mm apart" in page.run("document.querySelector('.axis-picture .verdict').textContent"))
+    true("one that does not", "proves nothing" in before)
+    page.run("document.querySelector('#check-wall').click()")
+    page.run("await until('wall-checked', 1)")
+    same("samples and proof", page.run("[...document.querySelectorAll('#wall-results .program')].map((e) => [e.dataset.method, e.dataset.verdict])"),
+         [["conventional", "incomplete"], ["certified", "found"]])
+    page.run("document.querySelector('#tour').scrollIntoView()")
+    bench.done(page, "learn-tour")
+
+
+@test
+def learn_on_a_phone(bench):
+    page = learn(bench, **PHONE)
+    page.run("[...document.querySelectorAll('#examples button')][2].click()")
+    page.run("await until('machine-open', 2)")
+    same("machine", page.run("document.querySelector('#machine-name').textContent"), "C/B head portal 1900")
+    same("sideways", page.run("document.documentElement.scrollWidth"), 390)
+    nameless = page.run("""[...document.querySelectorAll('button, input, select, textarea, a')].filter((e) => e.offsetParent
+        && !(e.textContent.trim() || e.ariaLabel || e.labels?.length)).map((e) => e.outerHTML)""")
+    same("controls without a name", nameless, [])
+    bench.done(page, "learn-phone")
 
 
 def main():

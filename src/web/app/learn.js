@@ -1,0 +1,116 @@
+// @ts-check
+/** learn.js - the page to learn with: axes moved by hand, blocks that are checked while they are written, the tour. */
+import {Client} from './client.js';
+import {Editor} from './editor.js';
+import {jobFile, withMeshes} from './job_files.js';
+import {Jog} from './jog.js';
+import {byId, element} from './page.js';
+import {SessionClient} from './session_client.js';
+import {showPairs, startTour} from './tour.js';
+import {readReport} from './viewer/report.js';
+
+/** @typedef {import('./job_files.js').JobFile} JobFile */
+/** @typedef {import('./viewer/model.js').Model} Model */
+
+/** A few blocks for each example; the last move is worth a change. */
+const BLOCKS = /** @type {Record<string, string>} */ ({
+	'ac-trunnion': 'G21 G90 G94 G54\nT1 M6\nS12000 M3\nG53 G0 Z0\nG53 G0 X200 Y0\nG0 A-30 C90\nG53 G0 Z-150\nG53 G1 X150 F5000\nG53 G1 Z-180\nG53 G0 Z0\nM2\n',
+});
+
+/** The tools of a setup. @param {JobFile | undefined} setup @returns {{number: number, name: string}[]} */
+function toolsOf(setup) {
+	const found = setup ? new DOMParser().parseFromString(setup.text, 'application/xml').querySelectorAll('tool[number]') : [];
+	return [...found].map((tool) => ({number: Number(tool.getAttribute('number')), name: tool.getAttribute('name') ?? ''}));
+}
+
+/** The bodies of the machine with all tools, out of a report that the checker writes; its data is put where the viewer looks for it. @param {Uint8Array} report @returns {Promise<Model>} */
+function modelOf(report) {
+	const page = new TextDecoder().decode(report), data = page.matchAll(/<script type="text\/plain" id="(fivecheck-head|blob-\d+)">([^<]*)<\/script>/g);
+	byId('model-data').replaceChildren(...[...data].map(([, id, textContent]) => element('script', {type: 'text/plain', id, textContent})));
+	return readReport();
+}
+
+class LearnPage {
+	constructor() {
+		this.client = new Client(new URL('fivecheck.wasm', import.meta.url));
+		/** @type {SessionClient | undefined} */
+		this.session = undefined;
+		/** @type {Jog | undefined} */
+		this.jog = undefined;
+		/** @type {Editor | undefined} */
+		this.editor = undefined;
+		startTour(this.client);
+		this.offerExamples();
+		const choose = /** @type {HTMLInputElement} */ (byId('choose'));
+		choose.addEventListener('change', async () => {
+			const files = await Promise.all([...(choose.files ?? [])].map((file) => jobFile(file.webkitRelativePath || file.name, file)));
+			choose.value = '';
+			this.open('', files);
+		});
+	}
+
+	async offerExamples() {
+		const examples = await (await fetch('examples/index.json')).json();
+		for (const [name, paths] of Object.entries(examples)) {
+			const button = element('button', {type: 'button'}, name);
+			button.addEventListener('click', () => this.openExample(name, paths));
+			byId('examples').append(button);
+		}
+		const [first] = Object.entries(examples);
+		if (first)
+			await this.openExample(...first);
+		document.dispatchEvent(new Event('fivecheck-ready'));
+	}
+
+	/** @param {string} name @param {string[]} paths */
+	async openExample(name, paths) {
+		const wanted = paths.filter((path) => !path.endsWith('.nc'));
+		const blobs = await Promise.all(wanted.map(async (path) => (await fetch(`examples/${path}`)).blob()));
+		await this.open(name, await Promise.all(wanted.map((path, i) => jobFile(path, blobs[i]))));
+	}
+
+	/** @param {string} name of the example, or '' @param {JobFile[]} files */
+	async open(name, files) {
+		const machine = files.find(({role}) => role === 'machine'), setup = files.find(({role}) => role === 'setup');
+		const say = byId('machine-name');
+		if (!machine) {
+			say.textContent = 'A machine file is missing.';
+			return;
+		}
+		say.textContent = 'Loading …';
+		this.session?.close();
+		const session = this.session = new SessionClient(this.client.module, withMeshes(files), {machine: machine.path, setup: setup?.path});
+		const tools = toolsOf(setup), start = `${tools.map(({number}) => `T${number} M6\n`).join('')}M2\n`;
+		const {reports, messages} = await session.check({name: 'start.nc', text: start, options: ['--dialect=linuxcnc'], report: true});
+		if (session !== this.session)
+			return;
+		const report = reports.get('start.nc');
+		if (!report) {
+			say.textContent = messages;
+			return;
+		}
+		await this.show(name, await modelOf(report), session, tools);
+	}
+
+	/** @param {string} name @param {Model} model @param {SessionClient} session @param {{number: number, name: string}[]} tools */
+	async show(name, model, session, tools) {
+		byId('machine-name').textContent = model.machine;
+		showPairs(model);
+		try {
+			this.jog = new Jog(model, session, tools);
+			this.jog.show(byId('jog'));
+		} catch (error) {
+			byId('jog').textContent = `There is no picture here: ${error}`;
+		}
+		const letters = model.axes.map(({letter}) => letter);
+		const blocks = BLOCKS[name] ?? `G21 G90 G94\n${tools.length ? `T${tools[0].number} M6\n` : ''}${letters.map((letter) => `G53 G0 ${letter}0\n`).join('')}M2\n`;
+		this.editor = new Editor(session, blocks, (event) => this.jog?.showFinding(event));
+		byId('editor').replaceChildren(this.editor.element);
+		await this.editor.typed();
+		document.dispatchEvent(new Event('machine-open'));
+	}
+}
+
+Object.assign(window, {learnPage: new LearnPage()});
+if ('serviceWorker' in navigator)
+	navigator.serviceWorker.register('service_worker.js');
