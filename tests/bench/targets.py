@@ -1,4 +1,5 @@
 """targets.py - the figures that the project set itself, each measured in one run against what it is compared with."""
+import math
 import os
 
 import balls
@@ -10,6 +11,16 @@ from scene import Scene
 
 COLUMNS = ['figure', 'target', 'reached', 'met', 'how']
 MEGA = 1000000
+PLAIN_BLOCKS = 500000
+# The first lines, one block, the last lines.
+WORDS = 'N%d G1 X%.3f Y%.3f Z%.3f\n'
+PLAIN = {
+    'linuxcnc': ('G21 G90 G17 G40 G61 G94 F1000\n', WORDS, 'M2\n'),
+    'fanuc': ('%\nO1\nG21 G90 G17 G40 G54 G94 F1000.\n', WORDS, 'M30\n%\n'),
+    'haas': ('%\nO1\nG21 G90 G17 G40 G54 G94 F1000.\n', WORDS, 'M30\n%\n'),
+    'sinumerik': ('G500 G71 G90 G17 G40 G60 G94 F1000\n', WORDS, 'M30\n'),
+    'klartext': ('0 BEGIN PGM PLAIN MM\n', '%d L X%+.3f Y%+.3f Z%+.3f R0 F1000\n', 'END PGM PLAIN MM\n'),
+}
 
 
 class Targets:
@@ -197,6 +208,21 @@ class Targets:
                       'processor time of whole runs, %.2f s and %.2f s; rs274 prints its calls' %
                       (median(ours), median(theirs)))
 
+    def dialects(self):
+        say('targets: reading plain motion in each dialect')
+        for name, form in sorted(PLAIN.items()):
+            program = os.path.join(self.out, 'plain.' + name)
+            with open(program, 'w') as out:
+                out.write(form[0])
+                for i in range(PLAIN_BLOCKS):
+                    out.write(form[1] % (i + 1, 50 * math.cos(i / 500), 50 * math.sin(i / 700), math.sin(i / 90) - 10))
+                out.write(form[2])
+            scene = Scene('plain', self.out, trunnion.MACHINE, None, program)
+            times, = rounds(self.tools.runs, lambda: self.tools.check(scene, ['--parse-only', '-q',
+                                                                              '--dialect=' + name]).cpu)
+            self.at_least('reading plain motion, ' + name, 500000, PLAIN_BLOCKS / median(times),
+                          'processor time of whole runs of %d blocks' % PLAIN_BLOCKS, ' blocks/s')
+
     def reference(self, program):
         variables = os.path.join(self.out, 'rs274.var')
         numbers = ([n + i for n in (5161, 5181) for i in range(9)] + list(range(5210, 5221)) +
@@ -213,6 +239,6 @@ class Targets:
     def all(self):
         for part in (self.against_reading, self.fcl, self.sampled, self.tight, self.loading, self.starting, self.outputs,
                      self.memory, self.growth,
-                     self.threads, self.reading):
+                     self.threads, self.reading, self.dialects):
             part()
         return self.rows
