@@ -8,6 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -44,13 +45,13 @@ static void begin(struct interp *interp)
 /* CALL "NAME", EXTCALL("NAME") */
 static bool call_by_text(struct interp *interp, struct lexer *lexer)
 {
-	const bool brackets = sinumerik_expr_take_byte(lexer, '(');
+	const bool brackets = sinumerik_name_take_byte(lexer, '(');
 	const int column = expr_column(lexer);
 	struct sinumerik_text path;
 	char name[SINUMERIK_NAME + 1];
 
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
-	    (brackets && !sinumerik_expr_need(lexer, ')', "the name of the subprogram")) ||
+	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
 	    !sinumerik_call_name(interp, path.bytes, column, name))
 		return false;
 	sinumerik_of(interp)->argument_count = 0;
@@ -65,7 +66,7 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 	char name[SINUMERIK_NAME + 1];
 
 	*done = true;
-	if (!sinumerik_expr_name(lexer, name))
+	if (!sinumerik_name_read(lexer, name))
 		name[0] = '\0';
 	if (!strcmp(name, "DEF"))
 		return sinumerik_assign_define(interp, lexer);

@@ -4,6 +4,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_codes.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_system_write.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
@@ -61,7 +62,7 @@ static bool set_list(struct interp *interp, struct lexer *lexer, struct sinumeri
 				return false;
 		}
 		element++;
-		if (!sinumerik_expr_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
+		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
 			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed behind a value of SET");
 	}
 	lexer_take(lexer);
@@ -77,7 +78,7 @@ static bool repeat_value(struct interp *interp, struct lexer *lexer, struct sinu
 
 	if (!set_one(interp, lexer, variable, element))
 		return false;
-	if (sinumerik_expr_take_byte(lexer, ',') &&
+	if (sinumerik_name_take_byte(lexer, ',') &&
 	    !sinumerik_expr_whole(interp, lexer, "the number of values of REP", 1, most, &count))
 		return false;
 	for (size_t i = element + 1; i < element + (size_t)count; i++) {
@@ -86,17 +87,17 @@ static bool repeat_value(struct interp *interp, struct lexer *lexer, struct sinu
 		else
 			variable->numbers[i] = variable->numbers[element];
 	}
-	return sinumerik_expr_need(lexer, ')', "the values of REP");
+	return sinumerik_name_need(lexer, ')', "the values of REP");
 }
 
 static bool set_values(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
 	const size_t position = lexer->position;
 
-	if (variable->dimensions > 0 && sinumerik_expr_take(lexer, "SET") && sinumerik_expr_take_byte(lexer, '('))
+	if (variable->dimensions > 0 && sinumerik_name_take(lexer, "SET") && sinumerik_name_take_byte(lexer, '('))
 		return set_list(interp, lexer, variable, element);
 	lexer->position = position;
-	if (variable->dimensions > 0 && sinumerik_expr_take(lexer, "REP") && sinumerik_expr_take_byte(lexer, '('))
+	if (variable->dimensions > 0 && sinumerik_name_take(lexer, "REP") && sinumerik_name_take_byte(lexer, '('))
 		return repeat_value(interp, lexer, variable, element);
 	lexer->position = position;
 	return set_one(interp, lexer, variable, element);
@@ -109,7 +110,7 @@ static bool set_r(struct interp *interp, struct lexer *lexer, const char *name)
 	int number = 0;
 
 	return sinumerik_expr_r_number(interp, lexer, name, &number) &&
-	       sinumerik_expr_need(lexer, '=', "an R parameter") &&
+	       sinumerik_name_need(lexer, '=', "an R parameter") &&
 	       sinumerik_expr_number(interp, lexer, &sinumerik_of(interp)->r[number]);
 }
 
@@ -133,7 +134,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 		    name);
 	variable = &sinumerik->variables[found];
 	return sinumerik_expr_element(interp, lexer, variable, &element) &&
-	       sinumerik_expr_need(lexer, '=', name) && set_values(interp, lexer, variable, element);
+	       sinumerik_name_need(lexer, '=', name) && set_values(interp, lexer, variable, element);
 }
 
 bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinumerik_type *type)
@@ -147,7 +148,7 @@ bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinu
 	char name[SINUMERIK_NAME + 1] = "";
 	int length;
 
-	sinumerik_expr_name(lexer, name);
+	sinumerik_name_read(lexer, name);
 	for (size_t i = 0; i < sizeof(types) / sizeof(types[0]); i++) {
 		if (strcmp(types[i].name, name) != 0)
 			continue;
@@ -156,14 +157,14 @@ bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinu
 			return true;
 		lexer_take(lexer);
 		return sinumerik_expr_whole(interp, lexer, "the length of a text", 1, SINUMERIK_TEXT, &length) &&
-		       sinumerik_expr_need(lexer, ']', "the length of a text");
+		       sinumerik_name_need(lexer, ']', "the length of a text");
 	}
 	return fault(lexer->at, column, "a type is needed here: INT, REAL, BOOL, CHAR, STRING or AXIS");
 }
 
 static bool read_sizes(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *made)
 {
-	if (!sinumerik_expr_take_byte(lexer, '['))
+	if (!sinumerik_name_take_byte(lexer, '['))
 		return true;
 	do {
 		if (made->dimensions == SINUMERIK_DIMENSIONS)
@@ -173,8 +174,8 @@ static bool read_sizes(struct interp *interp, struct lexer *lexer, struct sinume
 					  &made->size[made->dimensions]))
 			return false;
 		made->dimensions++;
-	} while (sinumerik_expr_take_byte(lexer, ','));
-	return sinumerik_expr_need(lexer, ']', "the size of an array");
+	} while (sinumerik_name_take_byte(lexer, ','));
+	return sinumerik_name_need(lexer, ']', "the size of an array");
 }
 
 /* One variable of DEF: its name, sizes and first values. A second DEF of the same program gives it new values. */
@@ -186,7 +187,7 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	struct sinumerik_word word;
 	int found;
 
-	if (!sinumerik_expr_name(lexer, made.name) || made.name[0] == '$')
+	if (!sinumerik_name_read(lexer, made.name) || made.name[0] == '$')
 		return fault(lexer->at, column, "the name of a variable is needed here, of at most %d bytes",
 			     SINUMERIK_NAME);
 	/* An R parameter in DEF is one that the program only gives a value. */
@@ -219,7 +220,7 @@ bool sinumerik_assign_define(struct interp *interp, struct lexer *lexer)
 	do {
 		if (!define_one(interp, lexer, type))
 			return false;
-	} while (sinumerik_expr_take_byte(lexer, ','));
+	} while (sinumerik_name_take_byte(lexer, ','));
 	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
 		return fault(lexer->at, expr_column(lexer), "',' or the end of the block is needed here");
 	return true;

@@ -6,6 +6,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/eval/expr.h"
 #include "gcode/text/number.h"
 
@@ -70,14 +71,14 @@ static bool read_value(struct reading *r, double *value, unsigned char *way)
 	char name[SINUMERIK_NAME + 1];
 
 	*way = SINUMERIK_WAY_MODAL;
-	if (sinumerik_expr_name(r->lexer, name) && lexer_peek(r->lexer) == '(') {
+	if (sinumerik_name_read(r->lexer, name) && lexer_peek(r->lexer) == '(') {
 		for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
 			if (strcmp(name, ways[i].name) != 0)
 				continue;
 			*way = (unsigned char)ways[i].way;
 			lexer_take(r->lexer);
 			return sinumerik_expr_number(r->interp, r->lexer, value) &&
-			       sinumerik_expr_need(r->lexer, ')', "the coordinate");
+			       sinumerik_name_need(r->lexer, ')', "the coordinate");
 		}
 		if (!strcmp(name, "CAC") || !strcmp(name, "CIC") || !strcmp(name, "CDC") || !strcmp(name, "CACP") ||
 		    !strcmp(name, "CACN"))
@@ -325,14 +326,14 @@ static bool step_over_value(struct reading *r, const char *name, double *value)
 {
 	unsigned char way;
 
-	if (sinumerik_expr_take_byte(r->lexer, '[')) {
+	if (sinumerik_name_take_byte(r->lexer, '[')) {
 		const char *close = strchr(r->lexer->at->text + r->lexer->position, ']');
 
 		if (!close)
 			return fault(r->lexer->at, expr_column(r->lexer), "']' is needed here");
 		r->lexer->position = (size_t)(close - r->lexer->at->text) + 1;
 	}
-	return sinumerik_expr_need(r->lexer, '=', name) && read_value(r, value, &way);
+	return sinumerik_name_need(r->lexer, '=', name) && read_value(r, value, &way);
 }
 
 /* TRAORI and TRAORI(1) are the first transformation that the machine's maker has set up; its tool lies along Z. */
@@ -342,7 +343,7 @@ static bool read_traori(struct reading *r)
 	double arguments[4] = {1, 0, 0, 1};
 	size_t count = 0;
 
-	if (!sinumerik_expr_take_byte(r->lexer, '(') || sinumerik_expr_take_byte(r->lexer, ')'))
+	if (!sinumerik_name_take_byte(r->lexer, '(') || sinumerik_name_take_byte(r->lexer, ')'))
 		return true;
 	do {
 		const char byte = lexer_peek(r->lexer);
@@ -352,8 +353,8 @@ static bool read_traori(struct reading *r)
 		if (byte != ',' && byte != ')' && !sinumerik_expr_number(r->interp, r->lexer, &arguments[count]))
 			return false;
 		count++;
-	} while (sinumerik_expr_take_byte(r->lexer, ','));
-	if (!sinumerik_expr_need(r->lexer, ')', "TRAORI"))
+	} while (sinumerik_name_take_byte(r->lexer, ','));
+	if (!sinumerik_name_need(r->lexer, ')', "TRAORI"))
 		return false;
 	if (fabs(arguments[0] - 1) > 0)
 		return fault(r->lexer->at, column,
@@ -420,7 +421,7 @@ static bool read_named(struct reading *r)
 	struct sinumerik_word word;
 	bool done = false;
 
-	if (!sinumerik_expr_name(r->lexer, name))
+	if (!sinumerik_name_read(r->lexer, name))
 		return fault(r->lexer->at, column, "a name of more than %d bytes", SINUMERIK_NAME);
 	if (assigns(r->lexer) && sinumerik_assign_is_own(r->interp, name))
 		return sinumerik_assign(r->interp, r->lexer, name, column);

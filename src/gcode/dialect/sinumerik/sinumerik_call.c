@@ -7,6 +7,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_save.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
@@ -25,7 +26,7 @@ static int variable_alone(struct interp *interp, struct lexer *lexer)
 {
 	const size_t position = lexer->position;
 	char name[SINUMERIK_NAME + 1], byte;
-	int found = sinumerik_expr_name(lexer, name) ? sinumerik_variables_find(sinumerik_of(interp), name) : -1;
+	int found = sinumerik_name_read(lexer, name) ? sinumerik_variables_find(sinumerik_of(interp), name) : -1;
 
 	byte = lexer_peek(lexer);
 	lexer->position = position;
@@ -52,7 +53,7 @@ static bool read_argument(struct interp *interp, struct lexer *lexer)
 	    sinumerik->variables[sinumerik->argument_variable[i]].dimensions > 0) {
 		char name[SINUMERIK_NAME + 1];
 
-		sinumerik_expr_name(lexer, name);
+		sinumerik_name_read(lexer, name);
 		return true;
 	}
 	sinumerik->argument_is_text[i] = sinumerik_expr_is_text(interp, lexer);
@@ -66,13 +67,13 @@ bool sinumerik_call_arguments(struct interp *interp, struct lexer *lexer)
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 
 	sinumerik->argument_count = 0;
-	if (!sinumerik_expr_take_byte(lexer, '(') || sinumerik_expr_take_byte(lexer, ')'))
+	if (!sinumerik_name_take_byte(lexer, '(') || sinumerik_name_take_byte(lexer, ')'))
 		return true;
 	do {
 		if (!read_argument(interp, lexer))
 			return false;
-	} while (sinumerik_expr_take_byte(lexer, ','));
-	return sinumerik_expr_need(lexer, ')', "the arguments");
+	} while (sinumerik_name_take_byte(lexer, ','));
+	return sinumerik_name_need(lexer, ')', "the arguments");
 }
 
 /* ------------------------------------------------------------------- files */
@@ -297,14 +298,14 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const bool given = i < sinumerik->argument_count;
-	const bool by_reference = sinumerik_expr_take(lexer, "VAR");
+	const bool by_reference = sinumerik_name_take(lexer, "VAR");
 	struct sinumerik_variable made = {.refers_to = -1}, *variable;
 	const int column = expr_column(lexer);
 	double value = 0;
 
 	if (!sinumerik_assign_type(interp, lexer, &made.type))
 		return false;
-	if (!sinumerik_expr_name(lexer, made.name))
+	if (!sinumerik_name_read(lexer, made.name))
 		return fault(lexer->at, expr_column(lexer), "the name of a parameter is needed here");
 	if (lexer_peek(lexer) == '[') {
 		const char *close = strchr(lexer->at->text + lexer->position, ']');
@@ -325,7 +326,7 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 	variable = sinumerik_variables_add(interp, &made, column);
 	if (!variable)
 		return false;
-	if (sinumerik_expr_take_byte(lexer, '=')) {
+	if (sinumerik_name_take_byte(lexer, '=')) {
 		if (made.type == SINUMERIK_STRING ? !sinumerik_expr_text(interp, lexer, &variable->texts[0])
 						  : !sinumerik_expr_number(interp, lexer, &value))
 			return false;
@@ -352,20 +353,20 @@ bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer)
 	size_t count = 0;
 
 	sinumerik->entering = false;
-	if (!sinumerik_expr_name(lexer, name))
+	if (!sinumerik_name_read(lexer, name))
 		return fault(lexer->at, column, "PROC needs the name of its subprogram");
-	if (sinumerik_expr_take_byte(lexer, '(') && !sinumerik_expr_take_byte(lexer, ')')) {
+	if (sinumerik_name_take_byte(lexer, '(') && !sinumerik_name_take_byte(lexer, ')')) {
 		do {
 			if (!take_parameter(interp, lexer, count++))
 				return false;
-		} while (sinumerik_expr_take_byte(lexer, ','));
-		if (!sinumerik_expr_need(lexer, ')', "the parameters"))
+		} while (sinumerik_name_take_byte(lexer, ','));
+		if (!sinumerik_name_need(lexer, ')', "the parameters"))
 			return false;
 	}
 	if (sinumerik->argument_count > count)
 		return fault(lexer->at, column, "%s has %zu parameters, and the call gives %zu", name, count,
 			     sinumerik->argument_count);
-	while (sinumerik_expr_name(lexer, name)) {
+	while (sinumerik_name_read(lexer, name)) {
 		if (!strcmp(name, "SAVE") && sinumerik->depth) {
 			top_call(sinumerik)->saves = true;
 			sinumerik_save_modes(interp, &top_call(sinumerik)->saved);

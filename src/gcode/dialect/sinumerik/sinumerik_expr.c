@@ -1,12 +1,13 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_functions.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_system.h"
+#include "gcode/dialect/sinumerik/sinumerik_text.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
 
@@ -17,165 +18,18 @@
 
 static const struct expr_rules rules;
 
-/* ------------------------------------------------------------------ names */
-
-size_t sinumerik_expr_name(struct lexer *lexer, char name[SINUMERIK_NAME + 1])
-{
-	const char *text = lexer->at->text;
-	size_t length = 0, at;
-
-	lexer_peek(lexer);
-	at = lexer->position;
-	if (!sinumerik_is_letter(text[at]) && text[at] != '$')
-		return 0;
-	for (; sinumerik_is_name(text[at]) || (length == 0 && text[at] == '$'); at++, length++) {
-		if (length == SINUMERIK_NAME)
-			return 0;
-		name[length] = sinumerik_upper(text[at]);
-	}
-	name[length] = '\0';
-	lexer->position = at;
-	return length;
-}
-
-bool sinumerik_expr_take(struct lexer *lexer, const char *name)
-{
-	const size_t position = lexer->position;
-	char found[SINUMERIK_NAME + 1];
-
-	if (sinumerik_expr_name(lexer, found) && !strcmp(found, name))
-		return true;
-	lexer->position = position;
-	return false;
-}
-
-bool sinumerik_expr_take_byte(struct lexer *lexer, char byte)
-{
-	if (lexer_peek(lexer) != byte)
-		return false;
-	lexer_take(lexer);
-	return true;
-}
-
-bool sinumerik_expr_need(struct lexer *lexer, char byte, const char *after)
-{
-	return sinumerik_expr_take_byte(lexer, byte) ||
-	       fault(lexer->at, expr_column(lexer), "'%c' is needed behind %s", byte, after);
-}
-
 /* ------------------------------------------------------------------- text */
-
-static bool quoted(struct lexer *lexer, struct sinumerik_text *text)
-{
-	const char *start, *end;
-	const int column = expr_column(lexer);
-
-	lexer_take(lexer);
-	start = lexer->at->text + lexer->position;
-	end = strchr(start, '"');
-	if (!end)
-		return fault(lexer->at, column, "this text is not closed: '\"' is missing");
-	if (end - start > SINUMERIK_TEXT)
-		return fault(lexer->at, column, "a text of more than %d bytes", SINUMERIK_TEXT);
-	memcpy(text->bytes, start, (size_t)(end - start));
-	text->bytes[end - start] = '\0';
-	lexer->position += (size_t)(end - start) + 1;
-	return true;
-}
-
-/* The text variable that comes next, or NULL; nothing is taken. */
-static const struct sinumerik_variable *text_variable(struct interp *interp, struct lexer *lexer)
-{
-	const struct sinumerik *sinumerik = sinumerik_of(interp);
-	const size_t position = lexer->position;
-	char name[SINUMERIK_NAME + 1];
-	const int found = sinumerik_expr_name(lexer, name) ? sinumerik_variables_find(sinumerik, name) : -1;
-
-	lexer->position = position;
-	return found >= 0 && sinumerik->variables[found].texts ? &sinumerik->variables[found] : NULL;
-}
-
-static bool concatenates(struct lexer *lexer)
-{
-	return lexer_peek(lexer) == '<' && lexer->at->text[lexer->position + 1] == '<';
-}
 
 bool sinumerik_expr_is_text(struct interp *interp, struct lexer *lexer)
 {
-	return lexer_peek(lexer) == '"' || concatenates(lexer) || text_variable(interp, lexer) != NULL;
-}
-
-/* One piece of a text. A number becomes its shortest decimal, as the control shows it. */
-static bool piece(struct interp *interp, struct lexer *lexer, struct sinumerik_text *text)
-{
-	const struct sinumerik_variable *variable = text_variable(interp, lexer);
-	struct expr expr = {.lexer = lexer, .rules = &rules, .context = interp};
-	struct expr_operand value;
-	char name[SINUMERIK_NAME + 1];
-	size_t element = 0;
-
-	if (lexer_peek(lexer) == '"')
-		return quoted(lexer, text);
-	if (!variable) {
-		if (!expr_value(&expr, &value))
-			return false;
-		snprintf(text->bytes, sizeof(text->bytes), "%.12g", value.number);
-		return true;
-	}
-	sinumerik_expr_name(lexer, name);
-	if (!sinumerik_expr_element(interp, lexer, variable, &element))
-		return false;
-	*text = variable->texts[element];
-	return true;
+	return sinumerik_text_follows(interp, lexer);
 }
 
 bool sinumerik_expr_text(struct interp *interp, struct lexer *lexer, struct sinumerik_text *text)
 {
-	const int column = expr_column(lexer);
-	struct sinumerik_text next;
-	bool first = !concatenates(lexer);
+	struct expr expr = {.lexer = lexer, .rules = &rules, .context = interp};
 
-	text->bytes[0] = '\0';
-	if (first && !piece(interp, lexer, text))
-		return false;
-	while (concatenates(lexer)) {
-		lexer->position += 2;
-		if (!piece(interp, lexer, &next))
-			return false;
-		if (strlen(text->bytes) + strlen(next.bytes) > SINUMERIK_TEXT)
-			return fault(lexer->at, column, "a text of more than %d bytes", SINUMERIK_TEXT);
-		strcat(text->bytes, next.bytes);
-	}
-	return true;
-}
-
-/* Text is compared whole, byte by byte; case counts. */
-static bool compare_texts(struct expr *expr, struct expr_operand *value)
-{
-	static const struct {
-		const char *name;
-		bool less, equal, greater;
-	} comparisons[] = {{"==", false, true, false}, {"<>", true, false, true}, {"<=", true, true, false},
-			   {">=", false, true, true},  {"<", true, false, false}, {">", false, false, true}};
-	struct sinumerik_text left, right;
-	int column, order;
-
-	if (!sinumerik_expr_text(expr->context, expr->lexer, &left))
-		return false;
-	column = expr_column(expr->lexer);
-	for (size_t i = 0; i < sizeof(comparisons) / sizeof(comparisons[0]); i++) {
-		if (!lexer_keyword(expr->lexer, comparisons[i].name))
-			continue;
-		if (!sinumerik_expr_text(expr->context, expr->lexer, &right))
-			return false;
-		order = strcmp(left.bytes, right.bytes);
-		value->truth = true;
-		value->number = order < 0   ? comparisons[i].less
-				: order > 0 ? comparisons[i].greater
-					    : comparisons[i].equal;
-		return true;
-	}
-	return fault(expr->lexer->at, column, "text stands here for a number; compare it with ==, <> or the like");
+	return sinumerik_text_read(&expr, text);
 }
 
 /* -------------------------------------------------------------- variables */
@@ -203,15 +57,15 @@ bool sinumerik_expr_element(struct interp *interp, struct lexer *lexer, const st
 	*element = 0;
 	if (variable->dimensions == 0)
 		return true;
-	if (!sinumerik_expr_need(lexer, '[', variable->name))
+	if (!sinumerik_name_need(lexer, '[', variable->name))
 		return false;
 	for (int i = 0; i < variable->dimensions; i++) {
-		if ((i > 0 && !sinumerik_expr_need(lexer, ',', "an index")) ||
+		if ((i > 0 && !sinumerik_name_need(lexer, ',', "an index")) ||
 		    !sinumerik_expr_whole(interp, lexer, "an index", 0, variable->size[i] - 1, &index))
 			return false;
 		*element = *element * (size_t)variable->size[i] + (size_t)index;
 	}
-	return sinumerik_expr_need(lexer, ']', "the indices");
+	return sinumerik_name_need(lexer, ']', "the indices");
 }
 
 bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, const char *name, int *number)
@@ -219,10 +73,10 @@ bool sinumerik_expr_r_number(struct interp *interp, struct lexer *lexer, const c
 	const int column = expr_column(lexer);
 
 	if (name[1] == '\0')
-		return sinumerik_expr_need(lexer, '[', "R") &&
+		return sinumerik_name_need(lexer, '[', "R") &&
 		       sinumerik_expr_whole(interp, lexer, "the number of an R parameter", 0, SINUMERIK_R_COUNT - 1,
 					    number) &&
-		       sinumerik_expr_need(lexer, ']', "the number of an R parameter");
+		       sinumerik_name_need(lexer, ']', "the number of an R parameter");
 	*number = 0;
 	for (const char *digit = name + 1; *digit; digit++) {
 		*number = 10 * *number + (*digit - '0');
@@ -238,7 +92,7 @@ bool sinumerik_expr_axis(struct interp *interp, struct lexer *lexer, int *slot)
 	char name[SINUMERIK_NAME + 1];
 
 	*slot = -1;
-	if (sinumerik_expr_name(lexer, name) == 1)
+	if (sinumerik_name_read(lexer, name) == 1)
 		*slot = slot_of_letter(name[0]);
 	if (*slot < 0 || !interp->config->has_axis[*slot])
 		return fault(lexer->at, column, "an axis of the machine is needed here");
@@ -251,11 +105,11 @@ static bool tool_value(struct expr *expr, const char *name, int column, double *
 	struct interp *interp = expr->context;
 	int tool, edge;
 
-	return sinumerik_expr_need(expr->lexer, '[', name) &&
+	return sinumerik_name_need(expr->lexer, '[', name) &&
 	       sinumerik_expr_whole(interp, expr->lexer, "the number of a tool", 1, 32000, &tool) &&
-	       sinumerik_expr_need(expr->lexer, ',', "the tool") &&
+	       sinumerik_name_need(expr->lexer, ',', "the tool") &&
 	       sinumerik_expr_whole(interp, expr->lexer, "the number of an edge", 1, 32000, &edge) &&
-	       sinumerik_expr_need(expr->lexer, ']', "the edge") &&
+	       sinumerik_name_need(expr->lexer, ']', "the edge") &&
 	       sinumerik_system_edge(interp, name, tool, edge, column, value);
 }
 
@@ -265,9 +119,9 @@ static bool system_value(struct expr *expr, const char *name, int column, struct
 
 	if (!strncmp(name, "$TC_DP", 6))
 		return tool_value(expr, name, column, &value->number);
-	if (sinumerik_expr_take_byte(expr->lexer, '[') &&
+	if (sinumerik_name_take_byte(expr->lexer, '[') &&
 	    (!sinumerik_expr_axis(expr->context, expr->lexer, &slot) ||
-	     !sinumerik_expr_need(expr->lexer, ']', "the axis")))
+	     !sinumerik_name_need(expr->lexer, ']', "the axis")))
 		return false;
 	return sinumerik_system_read(expr->context, name, slot, column, &value->number);
 }
@@ -296,6 +150,8 @@ static bool named(struct expr *expr, const char *name, int column, struct expr_o
 	}
 	if (name[0] == '$')
 		return system_value(expr, name, column, value);
+	if (sinumerik_text_measures(name))
+		return sinumerik_text_measure(expr, name, &value->number);
 	if (lexer_peek(expr->lexer) == '(' || !strcmp(name, "NOT") || !strcmp(name, "B_NOT"))
 		return sinumerik_functions_compute(expr, name, column, &value->number);
 	return fault(expr->lexer->at, column,
@@ -319,9 +175,9 @@ static bool variable_value(struct expr *expr, struct expr_operand *value)
 	char name[SINUMERIK_NAME + 1];
 	int number;
 
-	if (sinumerik_expr_is_text(interp, lexer))
-		return compare_texts(expr, value);
-	if (!sinumerik_expr_name(lexer, name))
+	if (sinumerik_text_follows(interp, lexer))
+		return sinumerik_text_compare(expr, value);
+	if (!sinumerik_name_read(lexer, name))
 		return fault(lexer->at, column, "a value is needed here");
 	if (!is_r(name) || (name[1] == '\0' && lexer_peek(lexer) != '['))
 		return named(expr, name, column, value);

@@ -16,23 +16,8 @@ bool sinumerik_expr_whole(struct interp *interp, struct lexer *lexer, const char
 /* Does text come next: a string or a variable of it? Nothing is taken. */
 bool sinumerik_expr_is_text(struct interp *interp, struct lexer *lexer);
 
-/* Text: strings and variables with << between them; numbers may stand among them. */
+/* Text: strings, variables and functions with << between them; numbers may stand among them. */
 bool sinumerik_expr_text(struct interp *interp, struct lexer *lexer, struct sinumerik_text *text);
-
-/*
- * A name in upper case: letters, digits and '_'; or with a '$' before it, a system variable. Its length, or 0 if none
- * comes next or it is too long; nothing was taken then. The name may have blanks before it.
- */
-size_t sinumerik_expr_name(struct lexer *lexer, char name[SINUMERIK_NAME + 1]);
-
-/* Takes this name, in upper case, if it comes next as a whole. */
-bool sinumerik_expr_take(struct lexer *lexer, const char *name);
-
-/* Takes the byte if it is the next that is no blank. */
-bool sinumerik_expr_take_byte(struct lexer *lexer, char byte);
-
-/* The byte has to come next; `after` says in the message behind what. */
-bool sinumerik_expr_need(struct lexer *lexer, char byte, const char *after);
 
 /* "[1,2]" behind the name of an array; of a variable that is none, 0 is the element. */
 bool sinumerik_expr_element(struct interp *interp, struct lexer *lexer, const struct sinumerik_variable *variable,

@@ -5,6 +5,7 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
 #include "gcode/dialect/sinumerik/sinumerik_variables.h"
 #include "gcode/eval/expr.h"
@@ -104,7 +105,7 @@ static bool counter(const struct flow *flow, double **value)
 	char name[SINUMERIK_NAME + 1];
 	int found, number;
 
-	if (!sinumerik_expr_name(flow->lexer, name))
+	if (!sinumerik_name_read(flow->lexer, name))
 		return fault(flow->lexer->at, column, "FOR needs a variable");
 	if (name[0] == 'R' && name[1 + strspn(name + 1, "0123456789")] == '\0') {
 		if (!sinumerik_expr_r_number(flow->interp, flow->lexer, name, &number))
@@ -127,10 +128,10 @@ static bool run_for(struct flow *flow)
 	double *value, first, last;
 	int column;
 
-	if (!loop || !counter(flow, &value) || !sinumerik_expr_need(flow->lexer, '=', "the variable of FOR") ||
+	if (!loop || !counter(flow, &value) || !sinumerik_name_need(flow->lexer, '=', "the variable of FOR") ||
 	    !sinumerik_expr_number(flow->interp, flow->lexer, &first))
 		return false;
-	if (!sinumerik_expr_take(flow->lexer, "TO"))
+	if (!sinumerik_name_take(flow->lexer, "TO"))
 		return fault(flow->lexer->at, expr_column(flow->lexer), "TO is needed here");
 	column = expr_column(flow->lexer);
 	if (!sinumerik_expr_number(flow->interp, flow->lexer, &last) || !at_end(flow))
@@ -231,12 +232,12 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 
 	*jump = (struct jump){.given = false};
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]) && !jump->given; i++) {
-		jump->given = sinumerik_expr_take(lexer, words[i].word);
+		jump->given = sinumerik_name_take(lexer, words[i].word);
 		jump->direction = words[i].direction;
 		jump->may_miss = words[i].may_miss;
 	}
 	if (!jump->given)
-		jump->given = jump->to_start = sinumerik_expr_take(lexer, "GOTOS");
+		jump->given = jump->to_start = sinumerik_name_take(lexer, "GOTOS");
 	if (!jump->given)
 		return true;
 	jump->column = expr_column(lexer);
@@ -249,7 +250,7 @@ static bool read_jump(const struct flow *flow, struct jump *jump)
 			jump->target[i] = sinumerik_upper(text.bytes[i]);
 		return true;
 	}
-	return sinumerik_expr_name(lexer, jump->target) ||
+	return sinumerik_name_read(lexer, jump->target) ||
 	       fault(lexer->at, jump->column, "the label or block number to jump to is needed here");
 }
 
@@ -311,7 +312,7 @@ static bool run_if(struct flow *flow)
 			return false;
 		if (jump.given && holds)
 			return make_jump(flow, &jump);
-	} while (jump.given && sinumerik_expr_take(flow->lexer, "IF"));
+	} while (jump.given && sinumerik_name_take(flow->lexer, "IF"));
 	if (!at_end(flow))
 		return false;
 	if (jump.given)
@@ -345,10 +346,10 @@ static bool run_case(struct flow *flow)
 
 	if (!sinumerik_expr_number(flow->interp, flow->lexer, &value))
 		return false;
-	if (!sinumerik_expr_take(flow->lexer, "OF"))
+	if (!sinumerik_name_take(flow->lexer, "OF"))
 		return fault(flow->lexer->at, expr_column(flow->lexer), "OF is needed here");
 	while (lexer_peek(flow->lexer) != '\0' && lexer_peek(flow->lexer) != ';') {
-		const bool otherwise = sinumerik_expr_take(flow->lexer, "DEFAULT");
+		const bool otherwise = sinumerik_name_take(flow->lexer, "DEFAULT");
 
 		if (!otherwise && !read_constant(flow, &constant))
 			return false;
@@ -400,15 +401,15 @@ static bool run_repeat(struct flow *flow, bool block)
 	int rounds = 1;
 	long last;
 
-	if (!sinumerik_expr_name(flow->lexer, first_name))
+	if (!sinumerik_name_read(flow->lexer, first_name))
 		return fault(flow->lexer->at, column, "the label of the repeated part is needed here");
-	if (!sinumerik_expr_take(flow->lexer, "P") && !block) {
-		if (sinumerik_expr_name(flow->lexer, last_name) && !strcmp(last_name, "P"))
+	if (!sinumerik_name_take(flow->lexer, "P") && !block) {
+		if (sinumerik_name_read(flow->lexer, last_name) && !strcmp(last_name, "P"))
 			last_name[0] = '\0';
 		else if (last_name[0])
-			sinumerik_expr_take(flow->lexer, "P");
+			sinumerik_name_take(flow->lexer, "P");
 	}
-	if (sinumerik_expr_take_byte(flow->lexer, '=') &&
+	if (sinumerik_name_take_byte(flow->lexer, '=') &&
 	    !sinumerik_expr_whole(flow->interp, flow->lexer, "P", 1, 9999, &rounds))
 		return false;
 	if (!at_end(flow) || !find_mark(flow, first_name, column, &first))
@@ -448,7 +449,7 @@ bool sinumerik_flow_run(struct interp *interp, struct lexer *lexer, bool *done)
 	char name[SINUMERIK_NAME + 1];
 
 	*done = true;
-	if (!sinumerik_expr_name(lexer, name))
+	if (!sinumerik_name_read(lexer, name))
 		name[0] = '\0';
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
 		if (!strcmp(words[i].word, name))

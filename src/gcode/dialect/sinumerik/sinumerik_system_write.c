@@ -5,6 +5,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/eval/expr.h"
 
 /* The work offset of $P_UIFR[n]: 1 is G54. */
@@ -28,20 +29,20 @@ static bool read_translation(struct interp *interp, struct lexer *lexer, int sys
 	int slot;
 	double value;
 
-	if (!sinumerik_expr_take(lexer, "CTRANS"))
+	if (!sinumerik_name_take(lexer, "CTRANS"))
 		return fault(lexer->at, expr_column(lexer),
 			     "$P_UIFR is given a shift, CTRANS(), here; other frames are not "
 			     "supported yet");
 	for (slot = 0; slot < SLOT_COUNT; slot++)
 		set_component(interp, system, slot, 0);
-	if (!sinumerik_expr_need(lexer, '(', "CTRANS") || sinumerik_expr_take_byte(lexer, ')'))
+	if (!sinumerik_name_need(lexer, '(', "CTRANS") || sinumerik_name_take_byte(lexer, ')'))
 		return lexer->at->text[lexer->position - 1] == ')';
 	do {
-		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_expr_need(lexer, ',', "the axis") ||
+		if (!sinumerik_expr_axis(interp, lexer, &slot) || !sinumerik_name_need(lexer, ',', "the axis") ||
 		    !sinumerik_expr_number(interp, lexer, &value) || !set_component(interp, system, slot, value))
 			return false;
-	} while (sinumerik_expr_take_byte(lexer, ','));
-	return sinumerik_expr_need(lexer, ')', "CTRANS");
+	} while (sinumerik_name_take_byte(lexer, ','));
+	return sinumerik_name_need(lexer, ')', "CTRANS");
 }
 
 /*
@@ -54,7 +55,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 	int n, slot, system;
 	double value;
 
-	if (!sinumerik_expr_need(lexer, '[', "$P_UIFR") ||
+	if (!sinumerik_name_need(lexer, '[', "$P_UIFR") ||
 	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n))
 		return false;
 	system = system_of(n);
@@ -63,13 +64,13 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select "
 			     "G500 before it",
 			     n);
-	if (sinumerik_expr_take_byte(lexer, ']'))
-		return sinumerik_expr_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);
-	if (!sinumerik_expr_need(lexer, ',', "the number of $P_UIFR") || !sinumerik_expr_axis(interp, lexer, &slot) ||
-	    !sinumerik_expr_need(lexer, ',', "the axis"))
+	if (sinumerik_name_take_byte(lexer, ']'))
+		return sinumerik_name_need(lexer, '=', "$P_UIFR[]") && read_translation(interp, lexer, system);
+	if (!sinumerik_name_need(lexer, ',', "the number of $P_UIFR") || !sinumerik_expr_axis(interp, lexer, &slot) ||
+	    !sinumerik_name_need(lexer, ',', "the axis"))
 		return false;
-	sinumerik_expr_name(lexer, component);
-	if (!sinumerik_expr_need(lexer, ']', "TR") || !sinumerik_expr_need(lexer, '=', "$P_UIFR[]") ||
+	sinumerik_name_read(lexer, component);
+	if (!sinumerik_name_need(lexer, ']', "TR") || !sinumerik_name_need(lexer, '=', "$P_UIFR[]") ||
 	    !sinumerik_expr_number(interp, lexer, &value))
 		return false;
 	if (!strcmp(component, "TR"))
@@ -93,23 +94,23 @@ static bool read_part(struct interp *interp, struct lexer *lexer, bool first)
 	size_t i = 0;
 	int slot;
 
-	while (i < sizeof(parts) / sizeof(parts[0]) && !sinumerik_expr_take(lexer, parts[i].name))
+	while (i < sizeof(parts) / sizeof(parts[0]) && !sinumerik_name_take(lexer, parts[i].name))
 		i++;
 	if (i == sizeof(parts) / sizeof(parts[0]))
 		return fault(lexer->at, column, "CTRANS, CROT, CSCALE or CMIRROR is needed here");
 	words.code = parts[i].code;
-	if (!sinumerik_expr_need(lexer, '(', parts[i].name))
+	if (!sinumerik_name_need(lexer, '(', parts[i].name))
 		return false;
 	while (lexer_peek(lexer) != ')') {
 		if (!sinumerik_expr_axis(interp, lexer, &slot))
 			return false;
 		words.has[slot] = true;
-		if (words.code != SINUMERIK_MIRROR && (!sinumerik_expr_need(lexer, ',', "the axis") ||
+		if (words.code != SINUMERIK_MIRROR && (!sinumerik_name_need(lexer, ',', "the axis") ||
 						       !sinumerik_expr_number(interp, lexer, &words.value[slot])))
 			return false;
 		if (words.code == SINUMERIK_TRANS && !slot_is_rotary(slot))
 			words.value[slot] *= sinumerik_of(interp)->feed_scale;
-		if (!sinumerik_expr_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
+		if (!sinumerik_name_take_byte(lexer, ',') && lexer_peek(lexer) != ')')
 			return fault(lexer->at, expr_column(lexer), "',' or ')' is needed here");
 	}
 	lexer_take(lexer);
@@ -127,13 +128,13 @@ static bool write_frame(struct interp *interp, struct lexer *lexer, int column)
 		return fault(&interp->at, column, "frames while TOROT or TOFRAME is in force; TOROTOF first");
 	if (sinumerik_of(interp)->frames_unsure)
 		return fault(&interp->at, column, "frames after TRAORI or TRAFOOF: select the work offset again first");
-	if (!sinumerik_expr_need(lexer, '=', "$P_PFRAME"))
+	if (!sinumerik_name_need(lexer, '=', "$P_PFRAME"))
 		return false;
 	do {
 		if (!read_part(interp, lexer, first))
 			return false;
 		first = false;
-	} while (sinumerik_expr_take_byte(lexer, ':'));
+	} while (sinumerik_name_take_byte(lexer, ':'));
 	return true;
 }
 
@@ -150,11 +151,11 @@ bool sinumerik_system_write(struct interp *interp, struct lexer *lexer, const ch
 	for (size_t i = 0; i < sizeof(idle) / sizeof(idle[0]); i++) {
 		if (strcmp(idle[i], name) != 0)
 			continue;
-		if (sinumerik_expr_take_byte(lexer, '[') &&
+		if (sinumerik_name_take_byte(lexer, '[') &&
 		    (!sinumerik_expr_whole(interp, lexer, "an index", 0, 32767, &index) ||
-		     !sinumerik_expr_need(lexer, ']', "an index")))
+		     !sinumerik_name_need(lexer, ']', "an index")))
 			return false;
-		return sinumerik_expr_need(lexer, '=', name) && sinumerik_expr_number(interp, lexer, &value);
+		return sinumerik_name_need(lexer, '=', name) && sinumerik_expr_number(interp, lexer, &value);
 	}
 	return fault(&interp->at, column, "%s: a program that writes data of the control is not supported yet", name);
 }

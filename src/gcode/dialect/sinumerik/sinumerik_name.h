@@ -1,0 +1,24 @@
+/* sinumerik_name.h - names, and single bytes between them, in a line. */
+#ifndef FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
+#define FIVECHECK_GCODE_DIALECT_SINUMERIK_SINUMERIK_NAME_H
+
+#include "gcode/dialect/sinumerik/sinumerik_state.h"
+
+/* All of these read at the lexer's position. */
+
+/*
+ * A name in upper case: letters, digits and '_'; or with a '$' before it, a system variable. Its length, or 0 if none
+ * comes next or it is too long; nothing was taken then. The name may have blanks before it.
+ */
+size_t sinumerik_name_read(struct lexer *lexer, char name[SINUMERIK_NAME + 1]);
+
+/* Takes this name, in upper case, if it comes next as a whole. */
+bool sinumerik_name_take(struct lexer *lexer, const char *name);
+
+/* Takes the byte if it is the next that is no blank. */
+bool sinumerik_name_take_byte(struct lexer *lexer, char byte);
+
+/* The byte has to come next; `after` says in the message behind what. */
+bool sinumerik_name_need(struct lexer *lexer, char byte, const char *after);
+
+#endif
