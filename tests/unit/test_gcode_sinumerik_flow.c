@@ -6,6 +6,8 @@ struct program {
 };
 
 static const struct program programs[] = {
+	{"DEF STRING[9] S_=\"B\"\nS_=\"A\"<<S_<<S_\nIF S_==\"ABB\"\nG500 G0 X1\nENDIF\n",
+	 "rapid 1 0 0 0 0\n"},
 	/* "Program section repetition": up to the first ENDLABEL behind the label, which is looked for backward first. */
 	{"F6 G500\nAA: X=IC(1)\nENDLABEL:\nBB: Y=IC(1)\nENDLABEL:\nREPEAT AA P=2\nM30\n",
 	 "feed 1 0 0 0 0\nfeed 1 1 0 0 0\nfeed 2 1 0 0 0\nfeed 3 1 0 0 0\n"},

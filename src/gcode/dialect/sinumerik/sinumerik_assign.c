@@ -23,7 +23,17 @@ bool sinumerik_assign_is_own(const struct interp *interp, const char *name)
 
 static bool set_text(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
 {
-	return sinumerik_expr_text(interp, lexer, &variable->texts[element]);
+	const int column = expr_column(lexer);
+	struct sinumerik_text text;
+
+	/* The variable itself may be among the pieces. */
+	if (!sinumerik_expr_text(interp, lexer, &text))
+		return false;
+	if (variable->length > 0 && strlen(text.bytes) > (size_t)variable->length)
+		return fault(lexer->at, column, "a text of %d bytes in %s, which has room for %d",
+			     (int)strlen(text.bytes), variable->name, variable->length);
+	variable->texts[element] = text;
+	return true;
 }
 
 static bool set_axis(struct interp *interp, struct lexer *lexer, struct sinumerik_variable *variable, size_t element)
@@ -137,7 +147,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 	       sinumerik_name_need(lexer, '=', name) && set_values(interp, lexer, variable, element);
 }
 
-bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinumerik_type *type)
+bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinumerik_type *type, int *length)
 {
 	static const struct {
 		const char *name;
@@ -146,8 +156,8 @@ bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinu
 		     {"CHAR", SINUMERIK_CHAR}, {"STRING", SINUMERIK_STRING}, {"AXIS", SINUMERIK_AXIS}};
 	const int column = expr_column(lexer);
 	char name[SINUMERIK_NAME + 1] = "";
-	int length;
 
+	*length = 0;
 	sinumerik_name_read(lexer, name);
 	for (size_t i = 0; i < sizeof(types) / sizeof(types[0]); i++) {
 		if (strcmp(types[i].name, name) != 0)
@@ -156,7 +166,7 @@ bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinu
 		if (*type != SINUMERIK_STRING || lexer_peek(lexer) != '[')
 			return true;
 		lexer_take(lexer);
-		return sinumerik_expr_whole(interp, lexer, "the length of a text", 1, SINUMERIK_TEXT, &length) &&
+		return sinumerik_expr_whole(interp, lexer, "the length of a text", 1, SINUMERIK_TEXT, length) &&
 		       sinumerik_name_need(lexer, ']', "the length of a text");
 	}
 	return fault(lexer->at, column, "a type is needed here: INT, REAL, BOOL, CHAR, STRING or AXIS");
@@ -179,10 +189,10 @@ static bool read_sizes(struct interp *interp, struct lexer *lexer, struct sinume
 }
 
 /* One variable of DEF: its name, sizes and first values. A second DEF of the same program gives it new values. */
-static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumerik_type type)
+static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumerik_type type, int length)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	struct sinumerik_variable made = {.type = type, .refers_to = -1}, *variable;
+	struct sinumerik_variable made = {.type = type, .length = length, .refers_to = -1}, *variable;
 	const int column = expr_column(lexer);
 	struct sinumerik_word word;
 	int found;
@@ -214,11 +224,12 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 bool sinumerik_assign_define(struct interp *interp, struct lexer *lexer)
 {
 	enum sinumerik_type type;
+	int length;
 
-	if (!sinumerik_assign_type(interp, lexer, &type))
+	if (!sinumerik_assign_type(interp, lexer, &type, &length))
 		return false;
 	do {
-		if (!define_one(interp, lexer, type))
+		if (!define_one(interp, lexer, type, length))
 			return false;
 	} while (sinumerik_name_take_byte(lexer, ','));
 	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')

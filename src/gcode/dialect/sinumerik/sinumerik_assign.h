@@ -13,7 +13,7 @@ bool sinumerik_assign(struct interp *interp, struct lexer *lexer, const char *na
 /* Behind DEF: the type, and the variables with their first values. False: reported. */
 bool sinumerik_assign_define(struct interp *interp, struct lexer *lexer);
 
-/* The name of a type, "REAL" and the like, or STRING[20]. False: reported. */
-bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinumerik_type *type);
+/* The name of a type, "REAL" and the like, or STRING[20] with its length, else 0. False: reported. */
+bool sinumerik_assign_type(struct interp *interp, struct lexer *lexer, enum sinumerik_type *type, int *length);
 
 #endif

@@ -303,7 +303,7 @@ static bool take_parameter(struct interp *interp, struct lexer *lexer, size_t i)
 	const int column = expr_column(lexer);
 	double value = 0;
 
-	if (!sinumerik_assign_type(interp, lexer, &made.type))
+	if (!sinumerik_assign_type(interp, lexer, &made.type, &made.length))
 		return false;
 	if (!sinumerik_name_read(lexer, made.name))
 		return fault(lexer->at, expr_column(lexer), "the name of a parameter is needed here");

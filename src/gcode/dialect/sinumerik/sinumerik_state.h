@@ -28,6 +28,7 @@ struct sinumerik_variable {
 	enum sinumerik_type type;
 	int dimensions;	/* 0: one value */
 	int size[SINUMERIK_DIMENSIONS];
+	int length;	/* of STRING[length]; 0: none was given */
 	size_t count;
 	double *numbers;	/* owned; NULL: texts; AXIS: slots */
 	struct sinumerik_text *texts;	/* owned */
