@@ -375,6 +375,19 @@ static bool read_zero(struct reading *r, const char *name, const struct sinumeri
 					   word->what, name);
 }
 
+static bool read_position(struct reading *r, int column)
+{
+	int slot = 0;
+	double value;
+	unsigned char way;
+
+	r->block->positions = true;
+	r->block->positions_column = column;
+	return sinumerik_name_need(r->lexer, '[', "POS") && sinumerik_expr_axis(r->interp, r->lexer, &slot) &&
+	       sinumerik_name_need(r->lexer, ']', "the axis") && sinumerik_name_need(r->lexer, '=', "POS") &&
+	       read_value(r, &value, &way) && add_letter(r, AXIS_LETTERS[slot], column, value, way);
+}
+
 static bool read_known(struct reading *r, const char *name, const struct sinumerik_word *word, int column)
 {
 	double value;
@@ -398,6 +411,8 @@ static bool read_known(struct reading *r, const char *name, const struct sinumer
 	case SINUMERIK_WORD_STOPS_READING:
 		r->block->stops_reading = true;
 		return true;
+	case SINUMERIK_WORD_POSITION:
+		return read_position(r, column);
 	case SINUMERIK_WORD_SPINDLE_STANDS:
 		r->block->spindle_stands = true;
 		return step_over_value(r, name, &value);

@@ -35,6 +35,8 @@ struct sinumerik_block {
 	int m_count;
 	bool names_tool;	/* T="NAME", in tool_name */
 	struct sinumerik_text tool_name;
+	bool positions;	/* POS[axis]=: the axis is among the letters */
+	int positions_column;
 	bool spindle_stands;	/* SPOS= */
 	bool stops_reading;	/* STOPRE */
 	bool modal;	/* MCALL */

@@ -75,6 +75,7 @@ enum sinumerik_word_kind {
 	SINUMERIK_WORD_MODAL,	/* MCALL */
 	SINUMERIK_WORD_STATEMENT,	/* flow and declarations: read before */
 	SINUMERIK_WORD_STOPS_READING,	/* STOPRE: what follows is read when everything before is done */
+	SINUMERIK_WORD_POSITION,	/* POS[axis]= */
 	SINUMERIK_WORD_SPINDLE_STANDS,	/* SPOS=: the spindle is stopped at an angle */
 	SINUMERIK_WORD_REFUSED
 };

@@ -286,6 +286,31 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 	return true;
 }
 
+/*
+ * 840D sl, "Traverse positioning axes (POS)": the block ends when the axis is there. It goes by itself, so that beside
+ * others in the block no common way is known; frames that turn make one axis of the program several of the machine.
+ */
+static bool run_position(struct interp *interp, const struct sinumerik_block *block)
+{
+	struct canon_move move = {.kind = CANON_RAPID};
+	const int column = block->positions_column;
+	const uint32_t axes = block->letters & AXIS_BITS;
+	slot_values target;
+
+	if ((axes & (axes - 1)) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
+	    (block->letters & CENTRE_BITS))
+		return fault(&interp->at, column,
+			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a block");
+	if (interp->state.tcp != TCP_OFF || interp->state.frame.on || interp->comp.side != 0 || interp->corner.on ||
+	    block->code[SINUMERIK_SUPPRESSION] != CODE_NONE || sinumerik_modal_acts(sinumerik_of(interp)))
+		return fault(&interp->at, column,
+			     "POS with TRAORI, CYCLE800, ROT, SCALE, MIRROR, tool radius compensation, a chamfer, SUPA or "
+			     "MCALL is not supported");
+	show_block(interp, block, G0);
+	return sinumerik_target_check(interp, block, false, false) && sinumerik_target_find(interp, block, &target) &&
+	       arrive(interp, &target, &move, NULL);
+}
+
 bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *block, bool *moved)
 {
 	const int given = block->code[SINUMERIK_MOTION];
@@ -295,10 +320,12 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 
 	if (given != CODE_NONE)
 		state->motion = given;
+	*moved = false;
+	if (block->positions)
+		return run_position(interp, block);
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP;
 	axes = (block->letters & AXIS_BITS) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
-	*moved = false;
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;
 	if (!axes)

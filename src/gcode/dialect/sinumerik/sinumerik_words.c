@@ -38,9 +38,9 @@
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
 	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
 	ZERO_ROW(ROW, "RNDM", "rounding between all blocks") \
-	REFUSED_ROW(ROW, "POS", "positioning axis") \
-	REFUSED_ROW(ROW, "POSA", "positioning axis") \
-	REFUSED_ROW(ROW, "POSP", "positioning axis") \
+	ROW("POS", POSITION, MOTION, 0, CODE_READ, "positioning axis, alone in its block") \
+	REFUSED_ROW(ROW, "POSA", "positioning axis that goes on while the next blocks move (POS waits for it)") \
+	REFUSED_ROW(ROW, "POSP", "positioning axis that goes in parts") \
 	REFUSED_ROW(ROW, "MEAS", "measuring with a probe") \
 	REFUSED_ROW(ROW, "MEAW", "measuring with a probe") \
 	REFUSED_ROW(ROW, "MEASA", "measuring with a probe") \
