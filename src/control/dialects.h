@@ -14,10 +14,11 @@
  */
 #define DIALECTS(ROW)                                                                                                  \
 	ROW(linuxcnc, "LinuxCNC", .straight_rapids = true)                                                             \
-	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true, .presets = presets_of_parameters)                                  \
+	ROW(fanuc, "Fanuc", .has_parameters = true, .has_tool_vectors = true,                                          \
+		.presets = presets_of_parameters)                                                                      \
 	ROW(haas, "Haas", .has_parameters = true, .presets = presets_of_settings)                                      \
 	ROW(sinumerik, "Sinumerik", .has_parameters = true, .has_frames = true)                                        \
-	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                            \
+	ROW(klartext, "Heidenhain Klartext", .straight_rapids = true, .has_planes = true,                              \
 	    .unknown_path =                                                                                            \
 		"the control may leave the programmed path by an amount that is not known, and only that path "        \
 		"was checked; give CYCL DEF 32 with T, or <controller path_tolerance=\"\">")

@@ -20,7 +20,8 @@ struct position_errors;
  *
  * Proof. Number the joints of one body outward from the link, F_1 to F_m. A point p of the body moves by
  *
- *	F_1(q)...F_m(q) p - F_1(at)...F_m(at) p = sum over j of F_1(q)...F_(j-1)(q) [F_j(q) - F_j(at)] F_(j+1)(at)...F_m(at) p.
+ *	F_1(q)...F_m(q) p - F_1(at)...F_m(at) p
+ *		= sum over j of F_1(q)...F_(j-1)(q) [F_j(q) - F_j(at)] F_(j+1)(at)...F_m(at) p.
  *
  * Along n, term j is n'.[F_j(q) - F_j(at)] z, where n' is n as seen behind the first j-1 joints at q. It differs from
  * the same at `at`, n_j, by at most the sum over the rotary joints i < j of |n_i x a_i| |dq_i|, since a turn by dq
