@@ -231,6 +231,49 @@ START_TEST(presets)
 }
 END_TEST
 
+/* The setup's only preset holds without CYCL DEF 247: an axis that is not named stays where it is. */
+START_TEST(only_preset)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.work_offsets = &klartext_presets[1];
+	ck_assert(klartext_run(&c, "L X+1 FMAX\nL IY+1 FMAX\nL Z+1 FMAX\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 11 0 0 0 0\nrapid 11 1 0 0 0\nrapid 11 1 31 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
+/* The teeth change the feed alone, and that is said once. */
+START_TEST(feed_per_tooth)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.show_feed = true;
+	ck_assert(klartext_run(&c, "S600\nL X+1 FZ0.1\nL X+2 FZ0.2\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "feed 1 0 0 0 0 at 1 1\nfeed 2 0 0 0 0 at 2 2\n");
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "p.nc:3:7: warning: FZ counts as the feed of one tooth"));
+	ck_assert_ptr_null(strstr(strbuf_text(&c.messages), "p.nc:4"));
+	case_release(&c);
+}
+END_TEST
+
+/* M118 left out takes its axes with it. */
+START_TEST(handwheel)
+{
+	static const struct mcode ignored = {118, MCODE_IGNORE};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.mcodes = &ignored;
+	c.config.controller.mcode_count = 1;
+	ck_assert(klartext_run(&c, "L X+1 FMAX M118 X2 Y3 Z4\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 1 0 0 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 START_TEST(rotary_ways)
 {
 	struct gcode_case c;
@@ -367,6 +410,9 @@ int main(void)
 	tcase_add_loop_test(tcase, flow_table, 0, COUNT(flow));
 	tcase_add_test(tcase, units);
 	tcase_add_test(tcase, presets);
+	tcase_add_test(tcase, only_preset);
+	tcase_add_test(tcase, feed_per_tooth);
+	tcase_add_test(tcase, handwheel);
 	tcase_add_test(tcase, rotary_ways);
 	tcase_add_test(tcase, cycle_19);
 	tcase_add_test(tcase, without_setup);

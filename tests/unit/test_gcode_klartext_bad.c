@@ -50,8 +50,14 @@ static const struct klartext_fault faults[] = {
 	 "<mcode number=\"101\" action=\"ignore\"/> in the machine's <controller> says so"},
 	{"L X+1 FU0.1\n",
 	 "p.nc:2:7: error: a feed per revolution (FU, M136) without a spindle speed (S)"},
-	{"L X+1 FZ0.1\n",
-	 "p.nc:2:7: error: FZ: a feed per tooth is not supported yet; give F in mm/min"},
+	{"L X+1 F100 FZ0.1\n",
+	 "p.nc:2:12: error: F stands twice in the block"},
+	{"L X+1 FMAX M118 X1 Y1\n",
+	 "p.nc:2:12: error: M118: handwheel moves during the program is not supported yet; if it may be left out, "
+	 "<mcode number=\"118\" action=\"ignore\"/> in the machine's <controller> says so"},
+	{"M124 T0.01\n",
+	 "p.nc:2:1: error: M124: contour filter is not supported yet; if it may be left out, "
+	 "<mcode number=\"124\" action=\"ignore\"/> in the machine's <controller> says so"},
 	{"L X+1 F AUTO\n",
 	 "p.nc:2:7: error: F AUTO, but TOOL CALL has given no F"},
 	{"L X+1 PR+5 FMAX\n",

@@ -287,6 +287,22 @@ static const struct klartext_program cycles[] = {
 	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 2 0 0\nfeed 3 4 -4 0 0\nrapid 3 4 2 0 0\n"
 	 "rapid 3 4 9 0 0\nrapid 5 4 9 0 0\nrapid 5 4 2 0 0\nfeed 5 4 -4 0 0\nrapid 5 4 2 0 0\n"
 	 "rapid 5 4 9 0 0\n"},
+	/* Z shifts the surface. */
+	{"L Z+20 FMAX\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+1 Q204=9\n"
+	 "CYCL CALL POS X+3 Y+4 Z+5\nCYCL CALL POS X+3 Y+4 Z+0\n",
+	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 8 0 0\nfeed 3 4 2 0 0\nrapid 3 4 8 0 0\n"
+	 "rapid 3 4 15 0 0\nrapid 3 4 15 0 0\nrapid 3 4 3 0 0\nfeed 3 4 -3 0 0\nrapid 3 4 3 0 0\nrapid 3 4 10 0 0\n"},
+	/* As the cycles 8, 10 and 247. */
+	{"TRANS MIRROR AXIS X\nL X+1 Y+2 FMAX\nTRANS MIRROR AXIS X Y\nL X+1 Y+2 FMAX\nTRANS MIRROR RESET\n"
+	 "L X+1 Y+2 FMAX\n",
+	 "rapid -1 2 0 0 0\nrapid -1 -2 0 0 0\nrapid 1 2 0 0 0\n"},
+	{"TRANS ROTATION ROT+90\nL X+1 Y+2 FMAX\nTRANS ROTATION RESET\nTRANS SCALE RESET\nL X+1 Y+2 FMAX\n",
+	 "rapid -2 1 0 0 0\nrapid 1 2 0 0 0\n"},
+	{"PRESET SELECT #1\nL X+1 FMAX\nQ5=1\nPRESET SELECT #Q5 KEEP TRANS WP\nL X+2 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\n"},
+	{"FUNCTION LIFTOFF TCS X+0 Y+0.5 Z+0.5\nFUNCTION LIFTOFF RESET\nFUNCTION RESET S-PULSE\nFUNCTION POLARKIN OFF\n"
+	 "FUNCTION PROG PATH OFF\nL X+1 FMAX\n",
+	 "rapid 1 0 0 0 0\n"},
 	{"PLANE SPATIAL SPA-90 SPB+0 SPC+0 TURN FMAX\n"
 	 "CYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+0 Q204=9\nL X+1 Y+2 FMAX M99\n",
 	 "orient 0 1 0\nrapid 0 0 0 90 0\ntcp on length 0 zero A0 C0\nrapid 1 0 -2 90 0 tcp\n"

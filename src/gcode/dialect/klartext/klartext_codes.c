@@ -100,7 +100,8 @@ static const struct code_word words[] = {
     {"PLANE PROJECTED", CODE_REFUSED, "tilted plane by projected angles"},
     {"FUNCTION TCPM", CODE_READ, "tool centre point control with AXIS POS or SPAT and PATHCTRL AXIS"},
     {"FUNCTION MODE MILL", CODE_READ, "milling, without another kinematics"},
-    {"FUNCTION FEED, S-PULSE, DCM, AFC, COUNT", CODE_IGNORED, "feed rates, speeds, monitoring, a counter"},
+    {"FUNCTION FEED, S-PULSE, DCM, AFC, COUNT, LIFTOFF", CODE_IGNORED,
+     "feed rates, speeds, monitoring, a counter, retract at an NC stop"},
     {"LBL", CODE_READ, "label"},
     {"CALL LBL", CODE_READ, "subprogram; with REP a program section repeat"},
     {"CALL PGM", CODE_READ, "another program"},
@@ -170,6 +171,10 @@ static const struct code_word words[] = {
     {"SEL PGM", CODE_READ, "program that CALL SELECTED PGM calls"},
     {"SEL", CODE_REFUSED, "selection of tables and contours"},
     {"TRANS DATUM", CODE_READ, "datum shift by AXIS and values, or RESET"},
+    {"TRANS MIRROR", CODE_READ, "mirror image by AXIS and letters, or RESET"},
+    {"TRANS ROTATION", CODE_READ, "rotation by ROT, or RESET"},
+    {"TRANS SCALE", CODE_REFUSED, "scaling; RESET is read"},
+    {"PRESET SELECT", CODE_READ, "preset by # and its number"},
 };
 
 const struct word_set klartext_word_set = {words, sizeof(words) / sizeof(words[0])};

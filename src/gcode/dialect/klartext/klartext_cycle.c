@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_cycle.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -261,6 +262,43 @@ bool klartext_cycle_check_values(struct interp *interp, int column, bool heights
 bool klartext_cycle_call(struct interp *interp, int column)
 {
 	return klartext_cycle_check_values(interp, column, true) && klartext_cycle_carry_out(interp, column);
+}
+
+void klartext_cycle_set(struct klartext_cycle *cycle, const char *name, double value)
+{
+	for (int i = 0; i < cycle->count; i++) {
+		if (!strcmp(cycle->words[i].name, name)) {
+			cycle->words[i].value = value;
+			return;
+		}
+	}
+	if (cycle->count == KLARTEXT_CYCLE_WORDS)
+		return;
+	cycle->words[cycle->count] = (struct klartext_cycle_word){.value = value, .given = true};
+	snprintf(cycle->words[cycle->count].name, sizeof(cycle->words[0].name), "%s", name);
+	cycle->count++;
+}
+
+bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift)
+{
+	struct klartext *klartext = klartext_of(interp);
+	const struct klartext_cycle defined = klartext->cycle;
+	const struct klartext_call_of call = {.interp = interp, .cycle = &defined, .column = column};
+	double surface;
+	bool good;
+
+	if (!klartext_cycle_check_values(interp, column, true))
+		return false;
+	if (same_double(shift, 0))
+		return klartext_cycle_carry_out(interp, column);
+	if (!defined.by_q || !klartext_parameter_find(&call, 203, &surface))
+		return fault(&interp->at, column,
+			     "a Z other than 0 in CYCL CALL POS shifts the cycle: of a cycle without Q203 that is "
+			     "not supported yet");
+	klartext_cycle_set(&klartext->cycle, "Q203", surface + shift / interp->state.scale);
+	good = klartext_cycle_carry_out(interp, column);
+	klartext->cycle = defined;
+	return good;
 }
 
 /* "PROGRAM CALL (Cycle 12)". Behind another M-function of the block the rest of it would come before the program. */

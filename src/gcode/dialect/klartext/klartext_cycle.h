@@ -10,6 +10,12 @@
 /* Carries out the cycle that was defined last, where the tool stands. False: reported at the column, or the sink ... */
 bool klartext_cycle_call(struct interp *interp, int column);
 
+/* The same, shifted by so many mm along the tool. */
+bool klartext_cycle_call_shifted(struct interp *interp, int column, double shift);
+
+/* Sets a parameter of a cycle ("Q203"), for a call that changes it. */
+void klartext_cycle_set(struct klartext_cycle *cycle, const char *name, double value);
+
 /* The same without a look at the parameters, at each point of a pattern. */
 bool klartext_cycle_carry_out(struct interp *interp, int column);
 

@@ -126,7 +126,7 @@ static bool read_tcpm(struct lexer *lexer)
 /* TNC 640 user's manual: what moves no axis, and changes feed rates, speeds, monitoring or a counter at most. */
 static bool is_harmless(const char *word)
 {
-	static const char *const words[] = {"FEED", "DWELL", "S", "DCM", "AFC", "COUNT", "HEARTBEAT"};
+	static const char *const words[] = {"FEED", "DWELL", "S", "DCM", "AFC", "COUNT", "HEARTBEAT", "LIFTOFF"};
 
 	for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); i++) {
 		if (!strcmp(word, words[i]))
@@ -146,10 +146,19 @@ bool klartext_function_mode(struct lexer *lexer)
 		return true;
 	if (klartext_take(lexer, "TCPM"))
 		return read_tcpm(lexer);
-	if (klartext_take(lexer, "RESET") && klartext_take(lexer, "TCPM")) {
-		klartext_of(lexer->context)->spatial = false;
-		return switch_tcpm(lexer->context, false, column);
+	if (klartext_take(lexer, "RESET")) {
+		if (klartext_take(lexer, "S-PULSE"))
+			return true;
+		if (klartext_take(lexer, "TCPM")) {
+			klartext_of(lexer->context)->spatial = false;
+			return switch_tcpm(lexer->context, false, column);
+		}
 	}
+	/* What counts with them is not supported, so that they end nothing. */
+	if (klartext_take(lexer, "POLARKIN") && klartext_take(lexer, "OFF"))
+		return true;
+	if (klartext_take(lexer, "PROG") && klartext_take(lexer, "PATH") && klartext_take(lexer, "OFF"))
+		return true;
 	if (klartext_take(lexer, "MODE") && klartext_take(lexer, "MILL"))
 		return klartext_ends(lexer) || fault(lexer->at, klartext_column(lexer),
 						     "FUNCTION MODE MILL with another kinematics is not supported");

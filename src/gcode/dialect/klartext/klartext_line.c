@@ -19,6 +19,7 @@
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
+#include "gcode/dialect/klartext/klartext_transform.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/cutter_comp/cutter_comp.h"
 
@@ -121,11 +122,13 @@ static bool call_cycle(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 	int column = klartext_column(lexer);
 	struct klartext_words words;
+	double shift;
 
 	if (klartext_take(lexer, "PAT"))
 		return call_pattern(lexer, column);
 	if (klartext_take(lexer, "POS"))
-		return klartext_straight_cycle_position(lexer) && klartext_cycle_call(interp, column);
+		return klartext_straight_cycle_position(lexer, &shift) &&
+		       klartext_cycle_call_shifted(interp, column, shift);
 	if (!klartext_words_read(lexer, &words))
 		return false;
 	if (words.axes)
@@ -156,51 +159,6 @@ static bool probe(struct lexer *lexer)
 static bool free_contour(struct lexer *lexer)
 {
 	return refuse(lexer, "FK free contour programming");
-}
-
-/* What becomes of the shift of an axis that is not named is not known. */
-static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
-{
-	struct interp *interp = lexer->context;
-	const struct klartext_frame *frame = &klartext_of(interp)->frame;
-	const vec3 linear = frame->tilted ? frame->inner : frame->shift;
-	const double shifts[3] = {linear.x, linear.y, linear.z};
-
-	for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
-		bool named = false;
-
-		for (int i = 0; i < cycle->count; i++)
-			named = named || strchr(cycle->words[i].name, AXIS_LETTERS[slot]);
-		if (!named && fabs(slot <= SLOT_Z ? shifts[slot] : interp->state.shift.v[slot]) > 0)
-			return fault(
-			    lexer->at, cycle->column,
-			    "TRANS DATUM without %c, which is shifted: whether the shift stays is not known here; "
-			    "write %c, too",
-			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
-	}
-	return true;
-}
-
-/* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET takes it back. */
-static bool transform(struct lexer *lexer)
-{
-	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = klartext_column(lexer)};
-	const struct interp *interp = lexer->context;
-
-	if (!klartext_take(lexer, "DATUM"))
-		return fault(lexer->at, cycle.column, "TRANS other than TRANS DATUM is not supported yet");
-	if (klartext_take(lexer, "RESET")) {
-		for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
-			if (interp->config->has_axis[slot] && !klartext_define_add_axis(&cycle, AXIS_LETTERS[slot], 0))
-				return false;
-		}
-		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, &cycle);
-	}
-	if (!klartext_take(lexer, "AXIS"))
-		return fault(lexer->at, klartext_column(lexer),
-			     "TRANS DATUM TABLE is not supported yet: write AXIS with values");
-	return klartext_define_read_axes(lexer, &cycle) && check_datum(lexer, &cycle) &&
-	       klartext_frame_shift(lexer->context, &cycle);
 }
 
 /* Sorted by what is frequent. `bare`: there is nothing to be told of such a block. */
@@ -242,7 +200,8 @@ static const struct statement {
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
     {"SEL", klartext_flow_select, true, false},
-    {"TRANS", transform, false, false},
+    {"TRANS", klartext_transform_run, false, false},
+    {"PRESET", klartext_transform_preset, false, false},
     {"FL", free_contour, false, false},
     {"FLT", free_contour, false, false},
     {"FC", free_contour, false, false},
@@ -317,7 +276,8 @@ static bool run_block(struct lexer *lexer, bool *bare)
 	}
 	if (starts_word(word, behind))
 		return run_line(lexer);
-	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control", word[0] ? word : "this");
+	return fault(lexer->at, klartext_column(lexer), "%s is no block of this control%s", word[0] ? word : "this",
+		     strcmp(word, "CYCLE") != 0 ? "" : ": it is written CYCL");
 }
 
 /* "%NAME G71": a program in DIN/ISO, which these controls read as well. */

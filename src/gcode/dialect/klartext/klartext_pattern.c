@@ -1,7 +1,6 @@
 #include "gcode/dialect/klartext/klartext_pattern.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/math/math_functions.h"
@@ -58,21 +57,6 @@ static bool add_circle(struct interp *interp, int column, vec3 centre, double di
 
 /* -------------------------------------------------------------------- calls */
 
-static void set_word(struct klartext_cycle *cycle, const char *name, double value)
-{
-	for (int i = 0; i < cycle->count; i++) {
-		if (!strcmp(cycle->words[i].name, name)) {
-			cycle->words[i].value = value;
-			return;
-		}
-	}
-	if (cycle->count == KLARTEXT_CYCLE_WORDS)
-		return;
-	cycle->words[cycle->count] = (struct klartext_cycle_word){.value = value, .given = true};
-	snprintf(cycle->words[cycle->count].name, sizeof(cycle->words[0].name), "%s", name);
-	cycle->count++;
-}
-
 static bool rapid_to(struct interp *interp, vec3 point)
 {
 	const struct klartext_target target = {.point = point, .others = interp->state.position};
@@ -101,7 +85,7 @@ static bool call_at_points(struct interp *interp, int column, double height, boo
 		at.y = point.y;
 		good = good && rapid_to(interp, at);
 		memset(interp->comp.loose, 0, sizeof(interp->comp.loose));
-		set_word(&klartext->cycle, "Q203", surface + point.z / interp->state.scale);
+		klartext_cycle_set(&klartext->cycle, "Q203", surface + point.z / interp->state.scale);
 		good = good && klartext_cycle_carry_out(interp, column);
 	}
 	klartext->cycle = defined;
@@ -149,9 +133,9 @@ static bool call_with(struct interp *interp, const struct klartext_call_of *patt
 	if (!klartext_cycle_check_values(interp, pattern->column, false))
 		return false;
 	high = !same_double(klartext_parameter_or(pattern, 301, 1), 0);
-	set_word(&klartext->cycle, "Q200", clearance);
-	set_word(&klartext->cycle, "Q203", surface);
-	set_word(&klartext->cycle, "Q204", high ? second : clearance);
+	klartext_cycle_set(&klartext->cycle, "Q200", clearance);
+	klartext_cycle_set(&klartext->cycle, "Q203", surface);
+	klartext_cycle_set(&klartext->cycle, "Q204", high ? second : clearance);
 	good = call_at_points(interp, pattern->column, (surface + second) * interp->state.scale, !high);
 	klartext->cycle = defined;
 	return good;

@@ -202,7 +202,7 @@ struct klartext {
 	bool spatial; /* TCPM with AXIS SPAT: A, B and C are spatial angles */
 	bool spatial_given[3];
 	double spatial_angle[3]; /* degrees */
-	bool cautioned_wrap, preset_settled;
+	bool cautioned_wrap, cautioned_teeth, preset_settled;
 	struct klartext_frame frame;
 	bool preset_in_plane; /* CYCL DEF 247 while the plane is tilted: whether it stays so is not known */
 	/* PLANE ... STAY: linear axes wait until the rotary axes stand where the plane needs them. */

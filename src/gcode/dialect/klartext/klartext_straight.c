@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
@@ -177,10 +176,10 @@ bool klartext_straight_run_normal(struct lexer *lexer)
 }
 
 /*
- * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the
- * rest. What it does from below, and with a Z that shifts the cycle, is refused.
+ * "Calling a cycle with CYCL CALL POS": over the workpiece the tool goes in the plane, and the cycle does the rest; Z
+ * "serves as an additional datum shift". What it does from below is refused.
  */
-bool klartext_straight_cycle_position(struct lexer *lexer)
+bool klartext_straight_cycle_position(struct lexer *lexer, double *shift)
 {
 	struct interp *interp = lexer->context;
 	const unsigned plane = 1U << SLOT_X | 1U << SLOT_Y, all = plane | 1U << SLOT_Z;
@@ -193,19 +192,17 @@ bool klartext_straight_cycle_position(struct lexer *lexer)
 		return false;
 	if (words.axes != all || words.increments)
 		return fault(lexer->at, words.first_column, "CYCL CALL POS needs absolute coordinates of X, Y and Z");
-	if (!same_double(words.value[SLOT_Z], 0))
-		return fault(lexer->at, words.column[SLOT_Z],
-			     "a Z other than 0 shifts the cycle: that is not supported yet; put it into Q203");
 	if (!klartext_m_start(interp, &words) || !klartext_move_target(interp, &words, &target) ||
 	    !klartext_move_check(interp, &target, words.first_column))
 		return false;
 	target.point.z = klartext_frame_point(interp).z;
-	if (!klartext_cycle_start(interp, &start) || target.point.z < start)
+	if (!klartext_cycle_start(interp, &start) || target.point.z < start + words.value[SLOT_Z])
 		return fault(
 		    lexer->at, words.first_column,
 		    "CYCL CALL POS from below the set-up clearance: how the tool gets there is not known here");
 	if (!klartext_move_line(interp, &target, true, &none))
 		return false;
 	klartext_comp_settle(interp, &words);
+	*shift = words.value[SLOT_Z];
 	return true;
 }

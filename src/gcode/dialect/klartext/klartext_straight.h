@@ -12,7 +12,7 @@ bool klartext_straight_run(struct lexer *lexer);
 /* LN: a straight line with a surface normal. */
 bool klartext_straight_run_normal(struct lexer *lexer);
 
-/* Behind CYCL CALL POS: rapids to the position. */
-bool klartext_straight_cycle_position(struct lexer *lexer);
+/* Behind CYCL CALL POS: rapids over the position; *shift is its Z in mm, by which the cycle is to be shifted. */
+bool klartext_straight_cycle_position(struct lexer *lexer, double *shift);
 
 #endif

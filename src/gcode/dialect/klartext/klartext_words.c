@@ -101,6 +101,25 @@ static bool read_polar(struct lexer *lexer, struct klartext_words *words, bool i
 	return true;
 }
 
+/* FZ: the teeth of the tool, of which the setup knows nothing, change times alone. */
+static bool read_tooth_feed(struct lexer *lexer, struct klartext_words *words, int column)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+
+	lexer_take(lexer);
+	if (words->feed != KLARTEXT_FEED_NONE)
+		return refuse_twice(lexer, column, "F");
+	if (!klartext->cautioned_teeth)
+		caution(lexer->at, column,
+			"FZ counts as the feed of one tooth: how many the tool has is not known here, and times are "
+			"longer than they are");
+	klartext->cautioned_teeth = true;
+	words->feed = KLARTEXT_FEED_VALUE;
+	words->feed_column = column;
+	words->feed_per_revolution = true;
+	return klartext_value(lexer, &words->feed_bare);
+}
+
 /* F500, F MAX, FMAX, F AUTO, F alone; behind an M-function that has a feed of its own, it belongs to that. */
 static bool read_feed(struct lexer *lexer, struct klartext_words *words, int column)
 {
@@ -117,7 +136,7 @@ static bool read_feed(struct lexer *lexer, struct klartext_words *words, int col
 	} else if (klartext_take(lexer, "AUTO")) {
 		feed = KLARTEXT_FEED_AUTO;
 	} else if (next_byte(lexer) == 'Z') {
-		return fault(lexer->at, column, "FZ: a feed per tooth is not supported yet; give F in mm/min");
+		return read_tooth_feed(lexer, words, column);
 	} else if (next_byte(lexer) == 'U') {
 		lexer_take(lexer);
 		per_revolution = true;
@@ -296,12 +315,26 @@ static bool read_long(struct lexer *lexer, struct klartext_words *words, int col
 	return fault(lexer->at, column, "this is no word of a positioning block");
 }
 
+/* X, Y and Z behind M118, how far the handwheel may go, and T behind M124: they belong to these. */
+static bool belongs_to_m(struct lexer *lexer, const struct klartext_words *words)
+{
+	const int last = words->m_count ? words->m[words->m_count - 1].number : 0;
+	const char byte = next_byte(lexer);
+
+	return byte && ((last == 118 && strchr("XYZABC", byte)) || (last == 124 && byte == 'T'));
+}
+
 static bool read_word(struct lexer *lexer, struct klartext_words *words)
 {
 	char byte = next_byte(lexer), next = byte_after(lexer, 1);
 	int column = lexer_column(lexer), slot;
 	bool increment = byte == 'I';
+	double unused;
 
+	if (belongs_to_m(lexer, words)) {
+		lexer_take(lexer);
+		return klartext_value(lexer, &unused);
+	}
 	if (increment) {
 		lexer_take(lexer);
 		byte = next;

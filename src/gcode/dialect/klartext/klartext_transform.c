@@ -1,0 +1,131 @@
+#include "gcode/dialect/klartext/klartext_transform.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "gcode/dialect/klartext/klartext_define.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
+#include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+
+/* What becomes of the shift of an axis that is not named is not known. */
+static bool check_datum(struct lexer *lexer, const struct klartext_cycle *cycle)
+{
+	struct interp *interp = lexer->context;
+	const struct klartext_frame *frame = &klartext_of(interp)->frame;
+	const vec3 linear = frame->tilted ? frame->inner : frame->shift;
+	const double shifts[3] = {linear.x, linear.y, linear.z};
+
+	for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
+		bool named = false;
+
+		for (int i = 0; i < cycle->count; i++)
+			named = named || strchr(cycle->words[i].name, AXIS_LETTERS[slot]);
+		if (!named && fabs(slot <= SLOT_Z ? shifts[slot] : interp->state.shift.v[slot]) > 0)
+			return fault(
+			    lexer->at, cycle->column,
+			    "TRANS DATUM without %c, which is shifted: whether the shift stays is not known here; "
+			    "write %c, too",
+			    AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+/* "TRANS DATUM": AXIS and absolute values shift the datum as CYCL DEF 7 does; RESET takes it back. */
+static bool shift(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	const struct interp *interp = lexer->context;
+
+	if (klartext_take(lexer, "RESET")) {
+		for (int slot = SLOT_X; slot <= SLOT_C; slot++) {
+			if (interp->config->has_axis[slot] && !klartext_define_add_axis(cycle, AXIS_LETTERS[slot], 0))
+				return false;
+		}
+		return klartext_expect_end(lexer) && klartext_frame_shift(lexer->context, cycle);
+	}
+	if (!klartext_take(lexer, "AXIS"))
+		return fault(lexer->at, klartext_column(lexer),
+			     "TRANS DATUM TABLE is not supported yet: write AXIS with values");
+	return klartext_define_read_axes(lexer, cycle) && check_datum(lexer, cycle) &&
+	       klartext_frame_shift(lexer->context, cycle);
+}
+
+/* "TRANS MIRROR": AXIS with the letters of axes, as CYCL DEF 8. */
+static bool mirror(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	struct interp *interp = lexer->context;
+	const bool *mirrored = klartext_of(interp)->frame.mirror;
+
+	if (klartext_take(lexer, "RESET"))
+		return klartext_expect_end(lexer) && klartext_frame_mirror(interp, cycle);
+	if (!klartext_take(lexer, "AXIS") || !klartext_define_read_axes(lexer, cycle))
+		return fault(lexer->at, klartext_column(lexer), "TRANS MIRROR needs AXIS and the letters of axes");
+	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
+		bool named = false;
+
+		for (int i = 0; i < cycle->count; i++)
+			named = named || strchr(cycle->words[i].name, AXIS_LETTERS[slot]);
+		if (mirrored[slot] && !named)
+			return fault(lexer->at, cycle->column,
+				     "TRANS MIRROR without %c, which is mirrored: whether it stays so is not known "
+				     "here; write TRANS MIRROR RESET first",
+				     AXIS_LETTERS[slot]);
+	}
+	return klartext_frame_mirror(interp, cycle);
+}
+
+/* "TRANS ROTATION": ROT with an angle, as CYCL DEF 10. */
+static bool rotate(struct lexer *lexer, struct klartext_cycle *cycle)
+{
+	if (klartext_take(lexer, "RESET")) {
+		cycle->words[cycle->count++] = (struct klartext_cycle_word){.name = "ROT", .given = true};
+		return klartext_expect_end(lexer) && klartext_frame_rotate(lexer->context, cycle);
+	}
+	return klartext_define_read_axes(lexer, cycle) && klartext_frame_rotate(lexer->context, cycle);
+}
+
+bool klartext_transform_run(struct lexer *lexer)
+{
+	struct klartext_cycle cycle = {.number = 7, .line = lexer->at->line, .column = klartext_column(lexer)};
+
+	if (klartext_take(lexer, "DATUM"))
+		return shift(lexer, &cycle);
+	if (klartext_take(lexer, "MIRROR"))
+		return mirror(lexer, &cycle);
+	if (klartext_take(lexer, "ROTATION"))
+		return rotate(lexer, &cycle);
+	if (klartext_take(lexer, "SCALE") && klartext_take(lexer, "RESET")) {
+		cycle.words[cycle.count++] = (struct klartext_cycle_word){.name = "SCL", .value = 1, .given = true};
+		return klartext_expect_end(lexer) && klartext_frame_scale(lexer->context, &cycle);
+	}
+	return fault(lexer->at, cycle.column,
+		     "TRANS other than DATUM, MIRROR, ROTATION and SCALE RESET is not supported yet");
+}
+
+/*
+ * "PRESET SELECT": the number of a preset, as CYCL DEF 247. With KEEP TRANS transformations stay, without they end:
+ * while there are some, both are refused.
+ */
+bool klartext_transform_preset(struct lexer *lexer)
+{
+	struct klartext_cycle cycle = {.number = 247, .line = lexer->at->line, .column = klartext_column(lexer)};
+	struct klartext_cycle_word *word = &cycle.words[0];
+
+	if (!klartext_take(lexer, "SELECT"))
+		return fault(lexer->at, cycle.column,
+			     "PRESET other than PRESET SELECT changes the preset table, which is not known here");
+	if (lexer_peek(lexer) != '#')
+		return fault(lexer->at, klartext_column(lexer),
+			     "PRESET SELECT needs # and the number of the preset");
+	lexer_take(lexer);
+	*word = (struct klartext_cycle_word){.name = "Q339", .given = true};
+	word->column = klartext_column(lexer);
+	word->line = lexer->at->line;
+	cycle.count = 1;
+	if (!klartext_value(lexer, &word->value))
+		return false;
+	if (klartext_take(lexer, "KEEP") && !klartext_take(lexer, "TRANS"))
+		return fault(lexer->at, klartext_column(lexer), "KEEP needs TRANS");
+	klartext_take(lexer, "WP");
+	return klartext_expect_end(lexer) && klartext_frame_preset(lexer->context, &cycle);
+}

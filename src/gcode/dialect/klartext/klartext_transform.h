@@ -1,0 +1,13 @@
+/* klartext_transform.h - TRANS and PRESET: coordinates as the cycles 7, 8, 10 and 247 change them. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TRANSFORM_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_TRANSFORM_H
+
+#include <stdbool.h>
+
+#include "gcode/text/lexer.h"
+
+/* Carry out what stands behind TRANS and behind PRESET. False: reported. */
+bool klartext_transform_run(struct lexer *lexer);
+bool klartext_transform_preset(struct lexer *lexer);
+
+#endif
