@@ -188,7 +188,7 @@ static void add_clearance(struct checker *c, long block, size_t pair, double cle
 {
 	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap};
 
-	if (!least.capped || !c->options->clearances_below_cap)
+	if (!least.capped || !c->options->least_clearances)
 		block_log_add_clearance(&c->log, block, &least);
 }
 

@@ -37,7 +37,8 @@ struct check_options {
 	int threads;	/* >= 1 */
 	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
 	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
-	bool clearances_below_cap;	/* of the measured clearances hand on only those below the cap */
+	/* of each block hand on its smallest clearance alone, and that only below the cap; measured less sharply */
+	bool least_clearances;
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
 	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */
 	const struct setup_change *change;	/* check with the setup changed like this; or NULL */

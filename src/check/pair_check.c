@@ -4,6 +4,7 @@
 
 #include "base/ablation.h"
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "motion/path.h"
 #include "motion/span.h"
 #include "scene/static_query.h"
@@ -50,7 +51,7 @@ void pair_check_prepare(struct pair_check *check, const struct check_options *op
 		strategy_cap(&check->strategy, p->clearance + options->measure_cap);
 	sampler_init(&check->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
 	check->sampler.started = started;
-	block_clearance_init(&check->block, &bodies, options->block_clearance_cap);
+	block_clearance_init(&check->block, &bodies);
 	check->ready = true;
 }
 
@@ -245,15 +246,23 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 	strategy_forget_position(&check->strategy);
 }
 
-/* Begins the least clearance of the step's block, if it is a new block. */
-static void start_room(struct pair_check *check, long block)
+/*
+ * Begins the least clearance of the step's block, if it is a new block. More than `most` is of no interest. least_only:
+ * blocks with nothing less are left out.
+ */
+static void start_room(struct pair_check *check, long block, double most, bool least_only)
 {
-	if (check->clearance_count && check->clearances[check->clearance_count - 1].block == block)
+	const struct pair_check_clearance *last =
+	    check->clearance_count ? &check->clearances[check->clearance_count - 1] : NULL;
+
+	if (last && last->block == block)
 		return;
+	if (last && least_only && !(last->clearance < last->most))
+		check->clearance_count--;
 	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
 				     sizeof(*check->clearances));
-	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, check->block.cap};
-	block_clearance_start(&check->block);
+	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, most, most};
+	block_clearance_start(&check->block, most);
 }
 
 /* block_clearance sees only surfaces: as long as one body may be inside the other, check whether it is. */
@@ -271,24 +280,59 @@ static void measure_inside(struct pair_check *check, const struct motion_step *s
 	}
 }
 
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
-		  const struct check_options *options)
+bool pair_check_has_clearance(const struct pair_check *check)
 {
+	return check->steps == STEP_ANY;
+}
+
+/* mm: the largest clearance that is of interest in a chunk. */
+static double most_in_chunk(const double *most, const struct batch *batch, size_t chunk)
+{
+	const size_t from = chunk * CHUNK_STEPS;
+	const size_t to = from + CHUNK_STEPS < batch->step_count ? from + CHUNK_STEPS : batch->step_count;
+	double largest = 0;
+
+	for (size_t i = from; i < to; i++)
+		largest = larger(largest, most[i]);
+	return largest;
+}
+
+static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
+{
+	if (!options->least_clearances)
+		return CLEARANCE_SHARP;
+	return rough ? CLEARANCE_ROUGH : CLEARANCE_COARSE;
+}
+
+void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch, const double *most,
+			long effort, const struct check_options *options)
+{
+	const long rough_from = sweep->visits + effort;
 	struct block_clearance *block = &check->block;
 	bool clears = false;
 
 	check->clearance_count = 0;
-	for (size_t i = 0; i < batch->step_count && check->steps == STEP_ANY; i++) {
+	for (size_t i = 0; i < batch->step_count && pair_check_has_clearance(check); i++) {
 		const struct batch_step *step = &batch->steps[i];
 		const struct batch_chunk *chunk = &batch->chunks[i / CHUNK_STEPS];
 
+		if (i % CHUNK_STEPS == 0 && check->past_limits_only && !chunk->beyond) {
+			i += CHUNK_STEPS - 1;
+			continue;
+		}
 		if (i % CHUNK_STEPS == 0)
-			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS);
+			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS,
+							most_in_chunk(most, batch, i / CHUNK_STEPS));
+		if (i % CHUNK_STEPS == 0 && clears && options->least_clearances) {
+			i += CHUNK_STEPS - 1;
+			continue;
+		}
 		if (check->past_limits_only && !step->beyond)
 			continue;
-		start_room(check, step->block);
+		start_room(check, step->block, most[i], options->least_clearances);
 		if (!clears)
-			block_clearance_step(block, sweep, &step->motion, options->tolerance);
+			block_clearance_step(block, sweep, &step->motion, options->tolerance,
+					     accuracy_of(options, sweep->visits > rough_from));
 		if (block->maybe_inside || !(block->bound > 0))
 			measure_inside(check, &step->motion);
 		check->clearances[check->clearance_count - 1].clearance = block->bound;

@@ -25,7 +25,8 @@ struct pair_check_result {
 /* The clearance that the pair keeps in those steps of a block that are in the batch. */
 struct pair_check_clearance {
 	long block;
-	double clearance;	/* mm: proven, up to the cap */
+	double clearance;	/* mm: proven, at most `most` */
+	double most;	/* mm: a larger one was of no interest */
 };
 
 struct pair_check {
@@ -87,11 +88,16 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 /* Measures the clearance at a position where the axes stand, where the pair is known to be apart. */
 void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_values *at);
 
+/* Is the clearance of this pair measured? Not that of a pair which may meet in some steps. */
+bool pair_check_has_clearance(const struct pair_check *check);
+
 /*
  * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Call it after
- * pair_check_run; its findings are not needed.
+ * pair_check_run; its findings are not needed. most: mm, above 0, for each step that of its block: a larger clearance is
+ * of no interest, and is given as this. effort: with options->least_clearances, what comes after so many node pairs is
+ * measured roughly.
  */
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
-		  const struct check_options *options);
+void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch, const double *most,
+			long effort, const struct check_options *options);
 
 #endif

@@ -1,5 +1,6 @@
 #include "check/scheduler.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,12 +20,20 @@
  */
 #define PART_SHARE 4
 
+/*
+ * Where only least clearances are measured, they may take so many node pairs, and half as many as the check itself,
+ * before they are measured roughly. So the report of a short program has a sharp curve, and that of a long one costs
+ * little more than the check, however near its bodies stay to each other.
+ */
+#define MEASURING_EFFORT 100000L
+
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
 		    const struct cancel *cancel, bool measure, struct diag *diag)
 {
 	if (!scene_build(scene, diag))
 		return false;
-	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1};
+	*scheduler = (struct scheduler){.threads = options->threads > 1 ? options->threads : 1,
+					.spare_effort = MEASURING_EFFORT};
 	scheduler->checks = mem_zalloc(scene->pair_count, sizeof(*scheduler->checks));
 	scheduler->visits = mem_zalloc(scene->pair_count, sizeof(*scheduler->visits));
 	scheduler->sweeps = mem_zalloc((size_t)scheduler->threads, sizeof(*scheduler->sweeps));
@@ -51,6 +60,8 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->sweeps);
 	free(scheduler->tasks);
 	free(scheduler->results);
+	free(scheduler->most);
+	free(scheduler->order);
 	*scheduler = (struct scheduler){0};
 }
 
@@ -136,7 +147,8 @@ struct work {
 	struct scheduler *scheduler;
 	const struct batch *batch;
 	const struct check_options *options;
-	bool block_clearances;	/* measure block clearances instead of looking for contacts */
+	const double *most;	/* measure block clearances up to these instead of looking for contacts; or NULL */
+	long effort;	/* for each task's measuring (pair_check_measure) */
 };
 
 static void do_task(void *context, int worker, size_t i)
@@ -150,8 +162,8 @@ static void do_task(void *context, int worker, size_t i)
 	struct sweep sweep = work->scheduler->sweeps[worker];
 	long before = sweep.visits;
 
-	if (work->block_clearances)
-		pair_check_measure(task->check, &sweep, work->batch, work->options);
+	if (work->most)
+		pair_check_measure(task->check, &sweep, work->batch, work->most, work->effort, work->options);
 	else
 		pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from, task->to,
 			       work->options);
@@ -217,20 +229,103 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 	return is_complete(scheduler);
 }
 
-bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
-		     const struct check_options *options)
-{
-	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .block_clearances = true};
+/* ------------------------------------------------------------- clearances */
 
-	scheduler->task_count = 0;
+/* mm: roughly how near the bodies of a check are to each other. */
+struct nearness {
+	struct pair_check *check;
+	double distance;
+};
+
+static int by_distance(const void *a, const void *b)
+{
+	const struct nearness *x = a, *y = b;
+
+	if (x->distance < y->distance || x->distance > y->distance)
+		return x->distance < y->distance ? -1 : 1;
+	return x->check < y->check ? -1 : x->check > y->check;
+}
+
+/*
+ * Puts the checks that are measured in an order: the nearest bodies first, where only the least clearance counts. They
+ * are looked at in the middle of the batch. Returns how many there are.
+ */
+static size_t put_in_order(struct scheduler *scheduler, const struct batch *batch, int tool,
+			   const struct check_options *options)
+{
+	const axis_values *middle = &batch->steps[batch->step_count / 2].motion.span.q1;
+	size_t count = 0;
+
+	if (!scheduler->order)
+		scheduler->order = mem_zalloc(scheduler->count, sizeof(*scheduler->order));
 	for (size_t i = 0; i < scheduler->count; i++) {
-		scheduler->checks[i].clearance_count = 0;
-		if (!pair_check_is_active(&scheduler->checks[i], tool))
+		struct pair_check *check = &scheduler->checks[i];
+
+		check->clearance_count = 0;
+		if (!pair_check_is_active(check, tool) || !pair_check_has_clearance(check))
 			continue;
-		pair_check_prepare(&scheduler->checks[i], options);
-		add_task(scheduler, &scheduler->checks[i], NULL, 0, batch->step_count);
+		pair_check_prepare(check, options);
+		scheduler->order[count++].check = check;
 	}
-	parallel_for(scheduler->task_count, scheduler->threads, do_task, &work);
+	for (size_t i = 0; i < count && options->least_clearances; i++)
+		scheduler->order[i].distance = block_clearance_look(&scheduler->order[i].check->block,
+								    scheduler->sweeps, middle);
+	if (options->least_clearances)
+		qsort(scheduler->order, count, sizeof(*scheduler->order), by_distance);
+	return count;
+}
+
+/*
+ * From here on a larger clearance than what this check has measured is of no interest. Where the bodies touch it must
+ * still be known of the others whether they touch, too: from then on one of them may be inside the other.
+ */
+static void lower_most(struct scheduler *scheduler, const struct batch *batch, struct pair_check *check,
+		       const struct check_options *options)
+{
+	const double least = 2 * options->tolerance;
+	size_t step = 0;
+
+	for (size_t k = 0; k < check->clearance_count; k++) {
+		struct pair_check_clearance *it = &check->clearances[k];
+
+		while (batch->steps[step].block < it->block)
+			step++;
+		if (!(it->clearance < it->most) || !(it->clearance < scheduler->most[step])) {
+			it->clearance = options->block_clearance_cap;
+			continue;
+		}
+		for (; step < batch->step_count && batch->steps[step].block == it->block; step++)
+			scheduler->most[step] = fmin(scheduler->most[step], fmax(it->clearance, least));
+	}
+}
+
+bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
+		       const struct check_options *options)
+{
+	const size_t count = put_in_order(scheduler, batch, tool, options);
+	size_t together = options->least_clearances ? 1 : count;
+	struct work work = {.scheduler = scheduler, .batch = batch, .options = options};
+
+	scheduler->most =
+	    mem_grow(scheduler->most, &scheduler->most_capacity, batch->step_count, sizeof(*scheduler->most));
+	for (size_t i = 0; i < batch->step_count; i++)
+		scheduler->most[i] = options->block_clearance_cap;
+	work.most = scheduler->most;
+	scheduler->spare_effort += scheduler->work / 2;
+	/* How many are measured together does not depend on the number of threads, so neither do the clearances. */
+	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {
+		const size_t to = from + together < count ? from + together : count;
+
+		scheduler->task_count = 0;
+		for (size_t i = from; i < to; i++)
+			add_task(scheduler, scheduler->order[i].check, NULL, 0, batch->step_count);
+		work.effort = scheduler->spare_effort / (long)(to - from);
+		parallel_for(scheduler->task_count, scheduler->threads, do_task, &work);
+		for (size_t i = 0; i < scheduler->task_count; i++)
+			scheduler->spare_effort -= scheduler->tasks[i].visits;
+		for (size_t i = from; i < to && options->least_clearances; i++)
+			lower_most(scheduler, batch, scheduler->order[i].check, options);
+	}
 	return is_complete(scheduler);
 }
 

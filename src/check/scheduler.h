@@ -11,6 +11,8 @@
 #include "check/pair_check.h"
 #include "check/stats.h"
 
+struct nearness;
+
 /* One piece of work for a thread: a check over the whole batch, or a copy of the check over a part of the batch. */
 struct task {
 	struct pair_check *check;
@@ -30,6 +32,10 @@ struct scheduler {
 	size_t task_count, task_capacity;
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
+	double *most;	/* mm: of each step's block: a larger clearance is of no interest (pair_check_measure) */
+	size_t most_capacity;
+	long spare_effort;	/* node pairs that measuring may still look at before it becomes rough */
+	struct nearness *order;	/* in which pairs are measured where only the least clearance counts */
 };
 
 /* cancel is asked during a batch, from any thread. measure as in pair_check_init. False: a mesh is faulty, reported. */
@@ -45,8 +51,9 @@ bool scheduler_run(struct scheduler *scheduler, const struct batch *batch, int t
 		   const struct check_options *options);
 
 /*
- * Measures the clearances in the batch's blocks with every active check (pair_check_measure). Call it after
- * scheduler_run. False: interrupted.
+ * Measures the clearances in the batch's blocks with every active check (pair_check_measure). With
+ * options->least_clearances the smallest one of each block is that of the block, and others may be left at the cap.
+ * Call it after scheduler_run. False: interrupted.
  */
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
 		     const struct check_options *options);

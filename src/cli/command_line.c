@@ -371,7 +371,7 @@ bool command_line_parse(struct options *options, int argc, char **argv, struct d
 		options->check.block_clearance_cap = 10;
 	if (!(options->report_size > 0))
 		options->report_size = 5;
-	options->check.clearances_below_cap = !options->clearance_report;
+	options->check.least_clearances = !options->clearance_report;
 	options->check.block_clearances =
 	    options->clearance_report || (options_want_visual(options) && options->check.method == CHECK_CERTIFIED);
 	options->check.times = options->timing;

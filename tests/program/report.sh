@@ -23,8 +23,10 @@ cmp plain.txt - <<TEXT
 $(fivecheck -q --report=j.html -j 3 m.xml a.nc)
 TEXT
 cmp a.html j.html
+test "$(fivecheck -q -a m.xml a.nc)" = "$(fivecheck -q -a --report=all.html m.xml a.nc)"
 fivecheck -q -f ndjson=a.ndjson --pose=a.stl m.xml a.nc
-fivecheck --clearance-report=a.csv -q m.xml a.nc >/dev/null
+fivecheck --clearance-report=a.csv --report=sharp.html -q m.xml a.nc >/dev/null
+check sharp.html sharp=a.csv
 check a.html policy findings=a.ndjson pose=a.stl contact clearance=a.csv code=a.nc planes \
 	"text=knob (Z) meets table (C)"
 

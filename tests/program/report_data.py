@@ -223,8 +223,8 @@ def check_contact(report):
     print("the triangles of the contact are the bodies' own")
 
 
-def check_clearance(report, table):
-    """The least clearance of each block, against --clearance-report, whose cap is the same."""
+def least_of_table(table):
+    """The least clearance of each block that moves, in their order."""
     least = {}
     with open(table, encoding="utf-8") as file:
         file.readline()
@@ -232,15 +232,30 @@ def check_clearance(report, table):
             fields = line.rstrip("\n").split(",")
             block, value = int(fields[3]), float(fields[6])
             least[block] = min(least.get(block, math.inf), value)
+    return [least[block] for block in sorted(least)]
+
+
+def promised(distance):
+    """As much is at least proved in a short program."""
+    return min(0.6 * distance, max(distance - 0.3, 0.25 * distance))
+
+
+def check_clearance(report, table, sharp=False):
+    """The least clearance of each block, against --clearance-report, whose cap is the same, and which is 85 % of the truth."""
+    moving = least_of_table(table)
     values = report.chunks("clearance")
     level = report.head["clearance"]["coarse"]
     coarse = report.columns("clearance", level) if level else values
-    moving = [least[b] for b in sorted(least)]
     assert len(values["least"]) == len(moving), (len(values["least"]), len(moving))
     for mine, wanted in zip(values["least"], moving):
-        assert mine <= wanted + 1e-9 and mine > wanted - 0.0021, (mine, wanted)
+        assert mine <= (wanted if sharp else wanted / 0.85) + 1e-9, (mine, wanted)
+        assert mine > (wanted if sharp else promised(wanted)) - 0.0021, (mine, wanted)
     assert min(coarse["least"]) == min(values["least"])
-    print("clearances are those of --clearance-report")
+    print("clearances are those of --clearance-report" if sharp else "clearances are as sharp as promised")
+
+
+def check_sharp(report, table):
+    check_clearance(report, table, sharp=True)
 
 
 def check_code(report, name):
@@ -266,7 +281,7 @@ def check_planes(report):
 
 
 CHECKS = {"policy": check_policy, "findings": check_findings, "path": check_path, "pose": check_pose, "contact": check_contact,
-          "clearance": check_clearance, "code": check_code, "planes": check_planes}
+          "clearance": check_clearance, "sharp": check_sharp, "code": check_code, "planes": check_planes}
 
 
 def main():

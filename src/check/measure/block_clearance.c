@@ -15,11 +15,7 @@
 #define DISTANCE_SHARE 0.2
 #define SHARP_SHARE 0.95
 
-/*
- * The search is done once this share of the smallest distance that was seen is proved. GRAIN: how exactly each query
- * decides, as a share of the distance.
- */
-#define ENOUGH 0.9
+/* How exactly each query decides, as a share of the distance. */
 #define GRAIN 0.03
 
 /* After so many queries in one step each further query halves the distance. The search normally ends long before. */
@@ -28,9 +24,9 @@
 /* The most node pairs to look at for one rapid whose way is not known; then a smaller distance is tried. */
 #define BOX_VISITS 1000000L
 
-void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies, double cap)
+void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies)
 {
-	*block = (struct block_clearance){.bodies = *bodies, .cap = cap, .bound = cap};
+	*block = (struct block_clearance){.bodies = *bodies};
 	block->bodies.coherence = &block->coherence;
 	motion_budget_init(&block->budget, bodies->chain);
 	plane_cells_init(&block->planes, &block->bodies);
@@ -42,9 +38,26 @@ void block_clearance_release(struct block_clearance *block)
 	plane_cells_release(&block->planes);
 }
 
-void block_clearance_start(struct block_clearance *block)
+void block_clearance_start(struct block_clearance *block, double most)
 {
-	block->bound = block->cap;
+	block->bound = most;
+}
+
+/*
+ * mm: the search is done once as much is proved and the bodies are no farther apart than `distance` mm. A little above
+ * what is promised, for what rounding and GRAIN take.
+ */
+static double enough(const struct block_clearance *block, double distance)
+{
+	switch (block->accuracy) {
+	case CLEARANCE_SHARP:
+		break;
+	case CLEARANCE_COARSE:
+		return fmin(0.65 * distance, fmax(distance - 0.25, 0.3 * distance));
+	case CLEARANCE_ROUGH:
+		return 0.12 * distance;
+	}
+	return 0.9 * distance;
 }
 
 /* Do travelling planes keep the bodies more than `needed` mm apart? New ones are measured at q if that may pay. */
@@ -67,19 +80,18 @@ static bool planes_cover(struct block_clearance *block, const struct plane_motio
 }
 
 bool block_clearance_clears(struct block_clearance *block, const axis_values *low, const axis_values *high,
-		  const struct position_errors *errors, size_t steps)
+			    const struct position_errors *errors, size_t steps, double most)
 {
 	const struct plane_motion motion = {.q0 = *low, .q1 = *high, .chord_error = errors->chord};
 	axis_values middle;
 
 	if (block->maybe_inside)
 		return false;
-	if (motion_budget_rest(&block->budget, low, high, errors) > block->cap)
+	if (motion_budget_rest(&block->budget, low, high, errors) > most)
 		return true;
 	for (int i = 0; i < SLOT_COUNT; i++)
 		middle.v[i] = 0.5 * low->v[i] + 0.5 * high->v[i];
-	if (!planes_cover(block, &motion, &middle, block->cap + plane_motion_path(&motion, &block->bodies, errors),
-			  true))
+	if (!planes_cover(block, &motion, &middle, most + plane_motion_path(&motion, &block->bodies, errors), true))
 		return false;
 	plane_account_add_saved(&block->account, steps);
 	return true;
@@ -108,13 +120,34 @@ static bool by_planes(struct block_clearance *block, const struct motion_step *s
 	const struct plane_motion motion = {.straight = !step_is_box(step), .q0 = step->span.q0, .q1 = *q,
 					    .chord_error = errors->chord};
 	double path = plane_motion_path(&motion, &block->bodies, errors);
-	double wanted = fmin(block->bound, ENOUGH * (distance_seen(block, q) - path));
+	double wanted = fmin(block->bound, enough(block, distance_seen(block, q) - path));
 
 	if (!(wanted > 0) || !planes_cover(block, &motion, q, wanted + path, false))
 		return false;
-	block->bound = fmin(block->bound, plane_cells_rest(&block->planes, &motion) - path);
+	block->bound = fmin(block->bound, block->accuracy == CLEARANCE_SHARP
+					      ? plane_cells_rest(&block->planes, &motion) - path
+					      : wanted);
 	plane_account_add_saved(&block->account, 1);
 	return true;
+}
+
+double block_clearance_promised(enum clearance_accuracy accuracy, double distance)
+{
+	switch (accuracy) {
+	case CLEARANCE_SHARP:
+		break;
+	case CLEARANCE_COARSE:
+		return fmin(0.6 * distance, fmax(distance - 0.3, 0.25 * distance));
+	case CLEARANCE_ROUGH:
+		return 0.1 * distance;
+	}
+	return 0.85 * distance;
+}
+
+double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q)
+{
+	sweep_distance(sweep, &block->bodies, q, DISTANCE_SHARE, 0, 0);
+	return block->coherence.near;
 }
 
 /* Makes a budget at the end of the step, where the next step can use it. */
@@ -137,15 +170,17 @@ static bool spend(struct block_clearance *block, const axis_values *low, const a
 
 	*rest = motion_budget_rest(&block->budget, low, high, errors);
 	most = block->found + (block->budget.room - *rest);
-	if (!(*rest > 0) || (*rest <= block->bound && *rest < ENOUGH * most))
+	if (!(*rest > 0) || (*rest <= block->bound && *rest < enough(block, most)))
 		return false;
 	block->bound = fmin(block->bound, *rest);
 	return true;
 }
 
 /* The distance to try next, between one that holds (0: none yet) and one that does not. */
-static double next_target(double low, double high, int failures)
+static double next_target(const struct block_clearance *block, double low, double high, int failures)
 {
+	if (block->accuracy != CLEARANCE_SHARP && failures < 4)
+		return sqrt(0.95 * high * fmax(low, enough(block, high)));
 	if (failures < 2)
 		return 0.95 * high;
 	return low > 0 ? fmin(sqrt(low * high), 0.95 * high) : 0.5 * high;
@@ -159,10 +194,10 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 		  double tolerance)
 {
 	double low = fmax(rest, 0), high = block->found;
-	double target = high < block->bound ? next_target(low, high, 0) : block->bound;
+	double target = high < block->bound ? next_target(block, low, high, 0) : block->bound;
 	int failures = 0;
 
-	for (int round = 0; low < fmin(ENOUGH * high, block->bound) && target > tolerance; round++) {
+	for (int round = 0; low < fmin(enough(block, high), block->bound) && target > tolerance; round++) {
 		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, GRAIN * target),
 						true,  BOX_VISITS};
 		struct contact contact;
@@ -177,13 +212,13 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 			high = fmin(contact.distance, target + query.tolerance);
 			failures++;
 		}
-		target = next_target(low, high, failures);
+		target = next_target(block, low, high, failures);
 	}
 	block->bound = low > tolerance ? fmin(block->bound, low) : 0;
 }
 
 void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
-			  double tolerance)
+			  double tolerance, enum clearance_accuracy accuracy)
 {
 	const struct position_errors errors = step_errors(block->bodies.chain, step);
 	axis_values low, high;
@@ -193,6 +228,7 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 
 	if (!(block->bound > 0))
 		return;
+	block->accuracy = accuracy;
 	step_box(step, &low, &high);
 	if (spend(block, &low, &high, &errors, &rest))
 		return;
@@ -201,7 +237,7 @@ void block_clearance_step(struct block_clearance *block, struct sweep *sweep, co
 	before = sweep->visits;
 	renew(block, sweep, &step->span.q1, DISTANCE_SHARE);
 	held = spend(block, &low, &high, &errors, &rest);
-	if (!held && SHARP_SHARE * block->found < block->bound) {
+	if (!held && block->accuracy == CLEARANCE_SHARP && SHARP_SHARE * block->found < block->bound) {
 		renew(block, sweep, &step->span.q1, SHARP_SHARE);
 		held = spend(block, &low, &high, &errors, &rest);
 	}

@@ -1,4 +1,4 @@
-/* block_clearance.h - a proven lower bound of a pair's distance in each block, up to a cap. */
+/* block_clearance.h - a proven lower bound of a pair's distance in each block, as far as it is of interest. */
 #ifndef FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 #define FIVECHECK_CHECK_MEASURE_BLOCK_CLEARANCE_H
 
@@ -11,11 +11,18 @@
 #include "scene/coherence.h"
 #include "scene/sweep.h"
 
+/* How near the bound must come to the smallest distance. Where bodies slide along each other each step costs time. */
+enum clearance_accuracy {
+	CLEARANCE_SHARP,
+	CLEARANCE_COARSE,	/* what can be seen in the curve of a report */
+	CLEARANCE_ROUGH
+};
+
 /*
- * The bound is at least this share of the smallest distance in the block, or of the cap, less the tolerance. Where the
- * way of a rapid is not known (PATH_BOX) it may be any lower bound.
+ * mm: the bound that a block has at least whose bodies are `distance` apart where they are nearest, less the tolerance;
+ * or it is what was asked for. Where the way of a rapid is not known (PATH_BOX) it may be any lower bound.
  */
-#define BLOCK_CLEARANCE_SHARE 0.85
+double block_clearance_promised(enum clearance_accuracy accuracy, double distance);
 
 /* Only the block under way is remembered. */
 struct block_clearance {
@@ -25,25 +32,28 @@ struct block_clearance {
 	struct plane_cells planes;
 	struct plane_account account;	/* of searches for planes */
 	double found;	/* mm: where the budget begins, two triangles were this close */
-	double cap;	/* mm */
-	double bound;	/* mm: proven for the block so far: more than this, or at least the cap; 0: nothing */
+	enum clearance_accuracy accuracy;	/* of the step under way */
+	double bound;	/* mm: proven for the block so far: more than this, or at least `most`; 0: nothing */
 	bool maybe_inside;	/* the surfaces have met; since then one body may be inside the other */
 };
 
 /* The block must stay where it is from here on. */
-void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies, double cap);
+void block_clearance_init(struct block_clearance *block, const struct body_pair *bodies);
 
 void block_clearance_release(struct block_clearance *block);
 
-/* A new block begins. */
-void block_clearance_start(struct block_clearance *block);
+/* A new block begins, in which a larger clearance than `most` (mm, above 0) is of no interest. */
+void block_clearance_start(struct block_clearance *block, double most);
 
-/* Is the pair farther apart than the cap at all positions between low and high, which so many steps have? */
+/* Is the pair farther apart than `most` (mm) at all positions between low and high, which so many steps have? */
 bool block_clearance_clears(struct block_clearance *block, const axis_values *low, const axis_values *high,
-		  const struct position_errors *errors, size_t steps);
+			    const struct position_errors *errors, size_t steps, double most);
+
+/* mm: roughly how far apart the bodies are at q: not less than they are. */
+double block_clearance_look(struct block_clearance *block, struct sweep *sweep, const axis_values *q);
 
 /* Lowers the bound to what holds in the step, too; tolerance (mm) as in sweep_chord. */
 void block_clearance_step(struct block_clearance *block, struct sweep *sweep, const struct motion_step *step,
-			  double tolerance);
+			  double tolerance, enum clearance_accuracy accuracy);
 
 #endif

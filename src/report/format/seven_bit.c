@@ -25,22 +25,27 @@ static unsigned group_at(const unsigned char *bytes, size_t count, size_t group)
 void seven_bit_add(struct strbuf *out, const void *bytes, size_t count)
 {
 	const size_t groups = (8 * count + 6) / 7;
+	char piece[1024];
+	size_t length = 0;
 
 	for (size_t i = 0; i < groups; i++) {
 		const unsigned group = group_at(bytes, count, i);
 		const int index = reserved_index(group);
-		char text[2] = {(char)group};
 		unsigned code;
 
+		if (length > sizeof(piece) - 2) {
+			strbuf_add(out, piece, length);
+			length = 0;
+		}
 		if (index == NONE) {
-			strbuf_add(out, text, 1);
+			piece[length++] = (char)group;
 			continue;
 		}
 		code = i + 1 < groups ? 0x100 + 128 * (unsigned)index + group_at(bytes, count, i + 1)
 				      : 0x500 + (unsigned)index;
-		text[0] = (char)(0xc0 | code >> 6);
-		text[1] = (char)(0x80 | (code & 63));
-		strbuf_add(out, text, 2);
+		piece[length++] = (char)(0xc0 | code >> 6);
+		piece[length++] = (char)(0x80 | (code & 63));
 		i++;
 	}
+	strbuf_add(out, piece, length);
 }

@@ -22,13 +22,16 @@ size_t utf8_length(const char *bytes)
 void utf8_add_clean(struct strbuf *out, const char *text)
 {
 	while (*text) {
-		size_t length = utf8_length(text);
+		const char *from = text;
+		size_t length;
 
-		if (length)
-			strbuf_add(out, text, length);
-		else
-			strbuf_addf(out, "\xef\xbf\xbd");
-		text += length ? length : 1;
+		while ((length = utf8_length(text)) > 0)
+			text += length;
+		strbuf_add(out, from, (size_t)(text - from));
+		if (!*text)
+			break;
+		strbuf_addf(out, "\xef\xbf\xbd");
+		text++;
 	}
 }
 
