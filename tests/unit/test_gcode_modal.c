@@ -279,6 +279,9 @@ START_TEST(last_of_group)
 	run(&dialect_fanuc, "G0 Z5.\nG53 G28 Z7.\nM30\n", "rapid 0 0 5 0 0\nrapid 0 0 7 0 0\nrapid 0 0 0 0 0\n");
 	refuse(&dialect_fanuc, "F9. G81 G0 Z1. R2.\n", 9,
 	       "G0 and the G-code at column 5 are of one modal group; a block can have only one of them");
+	refuse(&dialect_fanuc, "G0 Z5.\nG91 G28 Z0. G90\n", 13,
+	       "G90 and G91 in one block, and axis words before the second of them: which one counts for these words "
+	       "depends on the control; write two blocks");
 	refuse(&dialect_haas, "G28 G53 Z1.\n", 5,
 	       "G53 and the G-code at column 1 are of one modal group; a block can have only one of them");
 }

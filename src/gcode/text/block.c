@@ -83,6 +83,12 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 	/* G80 gives way to another motion of the block (LinuxCNC's manual, "G80"). */
 	if (number == G80 && block->g[code->group] != CODE_NONE && block->g[code->group] != G80)
 		return true;
+	/* A parameter of some such controls has each axis word count by the code before it. */
+	if (code->group == G_DISTANCE && block->g[G_DISTANCE] != CODE_NONE && block->g[G_DISTANCE] != number &&
+	    (block->letters & AXIS_BITS))
+		return fault(at, word->column,
+			     "G90 and G91 in one block, and axis words before the second of them: which one counts for "
+			     "these words depends on the control; write two blocks");
 	if (dialect->traits.last_of_group == ANSWER_YES && gives_way(code->group, block->g[code->group], number))
 		block->g[code->group] = CODE_NONE;
 	if (block->g[code->group] != CODE_NONE && (block->g[code->group] != G80 || number == G80)) {
