@@ -38,6 +38,7 @@ void interp_free(struct interp *interp)
 	comp_queue_release(&interp->comp.queue);
 	free(interp->corner.text);
 	free(interp->spline.points);
+	free(interp->spline.knots);
 	if (interp->dialect_state)
 		interp->config->dialect->state_free(interp->dialect_state);
 	free(interp);

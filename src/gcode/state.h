@@ -198,14 +198,18 @@ struct pending_corner {
 	struct comp_way way;
 };
 
-/* LinuxCNC's splines: execute/spline_move.h. Lengths in mm. */
+/* Splines: execute/spline_move.h. Lengths in mm. */
 struct spline_memory {
 	bool goes_on;	/* the last motion was a G5, which ended with P and Q */
 	double p, q;
-	bool open;	/* G5.2 has begun, and collects */
+	bool open;	/* G5.2 or G6.2 has begun, and collects */
 	int order;
 	size_t count;
 	struct spline_point *points;	/* owned */
+	bool nurbs;	/* by G6.2, execute/nurbs_move.h, and then: */
+	uint32_t axes;	/* letter bits: those of its points */
+	size_t knot_count;
+	double *knots;	/* owned */
 };
 
 struct interp {

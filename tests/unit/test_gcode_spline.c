@@ -1,6 +1,6 @@
 /*
- * test_gcode_spline.c - LinuxCNC's splines against the curve by its definition, and against the arcs that join points of
- * the curve: none of their points lies outside of the boxes.
+ * test_gcode_spline.c - splines of LinuxCNC and of Fanuc against the curve by its definition, and LinuxCNC's against
+ * the arcs that join points of the curve: none of their points lies outside of the boxes.
  */
 #include "gcode_case.h"
 #include "random.h"
@@ -161,6 +161,10 @@ static void walk(struct random *random, struct control *points, int count, bool 
 	}
 }
 
+struct bad {
+	const char *program, *message;
+};
+
 /* LinuxCNC's manual, "G5 Cubic Spline", "G5.1 Quadratic Spline", "G5.2 G5.3 NURBS Block". */
 START_TEST(curves)
 {
@@ -204,9 +208,203 @@ START_TEST(goes_on)
 }
 END_TEST
 
-static const struct bad {
-	const char *program, *message;
-} bads[] = {
+#define NURBS_POINTS 7
+#define NURBS_ORDER 4
+#define NURBS_PIECES 4000
+
+struct nurbs {
+	int count, order;
+	double point[NURBS_POINTS][3], weight[NURBS_POINTS], knot[NURBS_POINTS + NURBS_ORDER];
+};
+
+struct box {
+	double from[3], to[3], beside[3];
+};
+
+/* Cox and de Boor, over the knots of the program. */
+static double nurbs_basis(const struct nurbs *curve, int i, int k, double u)
+{
+	const double *t = &curve->knot[i];
+
+	if (k == 1)
+		return t[0] <= u && u < t[1] ? 1 : 0;
+	return (t[k - 1] > t[0] ? (u - t[0]) / (t[k - 1] - t[0]) * nurbs_basis(curve, i, k - 1, u) : 0) +
+	       (t[k] > t[1] ? (t[k] - u) / (t[k] - t[1]) * nurbs_basis(curve, i + 1, k - 1, u) : 0);
+}
+
+static void nurbs_random(struct random *random, struct nurbs *curve)
+{
+	double u = random_in(random, -3, 3);
+	bool doubled = false;
+
+	curve->order = 2 + random_below(random, NURBS_ORDER - 1);
+	curve->count = curve->order + random_below(random, NURBS_POINTS - curve->order + 1);
+	for (int i = 0; i < curve->count + curve->order; i++) {
+		/* A knot inside may stand twice, where the curve may bend at once. */
+		doubled = !doubled && i > curve->order && i < curve->count && curve->order > 2 && random_below(random, 3) == 0;
+		u += i >= curve->order && i <= curve->count && !doubled ? random_in(random, 0.1, 2) : 0;
+		curve->knot[i] = u;
+	}
+	for (int i = 0; i < curve->count; i++) {
+		curve->weight[i] = random_in(random, 0.3, 3);
+		for (int k = 0; k < 3; k++)
+			curve->point[i][k] = i ? random_in(random, -20, 20) : 0;
+	}
+}
+
+static void nurbs_write(const struct nurbs *curve, struct strbuf *text)
+{
+	strbuf_addf(text, "G90 G94 F9.\nG6.2 P%d ", curve->order);
+	for (int i = 0; i < curve->count + curve->order; i++) {
+		strbuf_addf(text, "K%.14f", curve->knot[i]);
+		if (i < curve->count)
+			strbuf_addf(text, " X%.14f Y%.14f Z%.14f R%.14f", curve->point[i][0], curve->point[i][1],
+				    curve->point[i][2], curve->weight[i]);
+		strbuf_addf(text, "\n");
+	}
+	strbuf_addf(text, "G0 Z0.\nM30\n");
+}
+
+static size_t nurbs_run(const char *program, struct box boxes[NURBS_PIECES])
+{
+	struct gcode_case c;
+	size_t count = 0;
+	double at[3] = {0};
+
+	case_init(&c);
+	c.config.dialect = &dialect_fanuc;
+	c.show_spread = true;
+	ck_assert_msg(case_run(&c, program), "%s: %s", program, strbuf_text(&c.messages));
+	for (const char *line = strbuf_text(&c.moves); *line == 'f'; line = strchr(line, '\n') + 1) {
+		struct box *box = &boxes[count++];
+		double a, b;
+
+		ck_assert_uint_le(count, NURBS_PIECES);
+		*box = (struct box){.from = {at[0], at[1], at[2]}};
+		ck_assert_int_ge(sscanf(line, "feed %lf %lf %lf %lf %lf spread %lf %lf %lf", &box->to[0], &box->to[1],
+					&box->to[2], &a, &b, &box->beside[0], &box->beside[1], &box->beside[2]), 5);
+		memcpy(at, box->to, sizeof(at));
+	}
+	case_release(&c);
+	return count;
+}
+
+static bool box_holds(const struct box *box, const double point[3])
+{
+	double low = 0, high = 1;
+
+	for (int k = 0; k < 3; k++) {
+		double way = box->to[k] - box->from[k], off = point[k] - box->from[k], beside = box->beside[k] + ROUNDING;
+
+		if (fabs(way) < 1e-12) {
+			if (fabs(off) > beside)
+				return false;
+			continue;
+		}
+		low = fmax(low, fmin((off - beside) / way, (off + beside) / way));
+		high = fmin(high, fmax((off - beside) / way, (off + beside) / way));
+	}
+	return low <= high;
+}
+
+/* Fanuc 15i/150i-MA (B-63324EN), "NURBS Interpolation (G06.2)": the curve by its definition lies in the boxes. */
+START_TEST(nurbs_of_fanuc)
+{
+	const long cases = random_cases(40);
+	struct box *boxes = malloc(NURBS_PIECES * sizeof(*boxes));
+
+	for (long i = 0; i < cases; i++) {
+		struct random random = random_case(62, i);
+		struct strbuf text = {0};
+		struct nurbs curve;
+		size_t count;
+
+		nurbs_random(&random, &curve);
+		nurbs_write(&curve, &text);
+		count = nurbs_run(text.text, boxes);
+		for (int k = 0; k < 300; k++) {
+			double first = curve.knot[0], last = curve.knot[curve.count], sum = 0, point[3] = {0};
+			bool held = false;
+
+			for (int p = 0; p < curve.count; p++) {
+				double part = curve.weight[p] *
+					      nurbs_basis(&curve, p, curve.order, first + (last - first) * k / 300);
+
+				sum += part;
+				for (int axis = 0; axis < 3; axis++)
+					point[axis] += part * curve.point[p][axis];
+			}
+			for (int axis = 0; axis < 3; axis++)
+				point[axis] /= sum;
+			for (size_t b = 0; b < count && !held; b++)
+				held = box_holds(&boxes[b], point);
+			require(held, "case %ld: (%g, %g, %g) is outside of the boxes", i, point[0], point[1], point[2]);
+		}
+		for (int axis = 0; axis < 3; axis++)
+			ck_assert_double_eq_tol(boxes[count - 1].to[axis], curve.point[curve.count - 1][axis], ROUNDING);
+		strbuf_release(&text);
+	}
+	free(boxes);
+}
+END_TEST
+
+/* A quarter of a circle, which a curve of rank 3 is exactly; and lines, rank 2, in few moves. */
+START_TEST(nurbs_of_known_form)
+{
+	struct box *boxes = malloc(NURBS_PIECES * sizeof(*boxes));
+	size_t count = nurbs_run("F9.\nG6.2 P3 X0. Y0. K0.\nX10. Y0. K0. R.70710678118655\nX10. Y10. K0.\nK1.\nK1.\nK1.\n"
+				 "M30\n", boxes);
+
+	ck_assert_uint_lt(count, 200);
+	for (size_t i = 0; i < count; i++) {
+		ck_assert_double_eq_tol(hypot(boxes[i].to[0], boxes[i].to[1] - 10), 10, 1e-7);
+		ck_assert_double_le(boxes[i].beside[0] + boxes[i].beside[1] + boxes[i].beside[2], 2.1e-3);
+	}
+	ck_assert_uint_eq(nurbs_run("F9.\nG6.2 P2 K0.\nX9. Z5. K0.\nX9. Z8. K1.\nK2.\nK2.\nM30\n", boxes), 2);
+	free(boxes);
+}
+END_TEST
+
+#define NURBS "F9.\nG6.2 P3 X0. Y0. K0.\n"
+
+static const struct bad nurbs_bads[] = {
+    {"G6.2 P3 X1. Y0. K0.", "p.nc:1:1: error: the first point of a G6.2 is not where the tool stands"},
+    {"G6.2 P5 X0. K0.", "p.nc:1:6: error: P5: a whole number from 2 to 4 is needed"},
+    {"G6.2 P3 X0. Y0.", "p.nc:1:1: error: every block of a G6.2 needs K, a knot of its curve"},
+    {"G91 G6.2 X0. K0.", "p.nc:1:5: error: G6.2 in G91 or in turned, scaled or polar coordinates is not supported"},
+    {"G95 G6.2 X0. K0.", "p.nc:1:5: error: G6.2 under tool centre point control, cutter compensation, G93 or G95"},
+    {"G6.2 C0. K0.", "p.nc:1:6: error: C with G6.2 is not supported; its curve moves X, Y and Z"},
+    {NURBS "X1. Y1. K-1.", "p.nc:3:9: error: a knot (K) below the one before"},
+    {NURBS "X1. K0.", "p.nc:3:1: error: each point of a G6.2 needs a word for each axis of its curve"},
+    {NURBS "X1. Y1. K0. R0.", "p.nc:3:13: error: R, the weight of a point, must be more than 0"},
+    {NURBS "P3 X1. Y1. K0.", "p.nc:3:1: error: P, the rank of the curve, belongs beside its G6.2"},
+    {NURBS "K0. R1.", "p.nc:3:5: error: a weight (R) without a point of the curve"},
+    {NURBS "K0.\nX1. Y1. K0.", "p.nc:4:1: error: a point of a G6.2 behind knots that stand alone"},
+    {NURBS "X1. Y1. K0.\nG1 X2.", "p.nc:4:1: error: the curve of G6.2 is not complete"},
+    {NURBS "X1. Y1. K0.\nM30", "p.nc:4:1: error: the curve of G6.2 is not complete"},
+    {NURBS "X1. Y1. K0.\nK1.\nK1.\nK1.", "p.nc:6:1: error: a G6.2 of rank 3 needs as many points"},
+    {NURBS "X1. Y1. K0.\nX2. Y1. K.5\nK1.\nK1.\nK1.",
+     "p.nc:7:1: error: the first knot and the last knot of a G6.2 of rank 3 must stand 3 times each"},
+    {"F9.\nG6.2 P2 X0. K0.\nX1. K0.\nX2. K1.\nX3. K1.\nK2.\nK2.",
+     "p.nc:7:1: error: a knot of a G6.2 stands too often inside of its curve, which would jump"},
+};
+
+START_TEST(nurbs_refused)
+{
+	struct strbuf program = {0};
+	struct gcode_case c;
+
+	case_init(&c);
+	c.config.dialect = &dialect_fanuc;
+	strbuf_addf(&program, "%s\nM30\n", nurbs_bads[_i].program);
+	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", nurbs_bads[_i].program);
+	ck_assert_msg(strstr(strbuf_text(&c.messages), nurbs_bads[_i].message), "%s", strbuf_text(&c.messages));
+	strbuf_release(&program);
+	case_release(&c);
+}
+END_TEST
+
+static const struct bad bads[] = {
     {"G5 X1 Y1 P1 Q1", "p.nc:2:1: error: the first G5 of a row needs I and J"},
     {"G5 X1 Y1 I1 P1 Q1", "p.nc:2:10: error: G5 needs both I and J, or none of them"},
     {"G5 X1 Y1 I1 J1", "p.nc:2:1: error: G5 needs P and Q"},
@@ -245,6 +443,9 @@ int main(void)
 
 	tcase_add_test(tcase, curves);
 	tcase_add_test(tcase, goes_on);
+	tcase_add_test(tcase, nurbs_of_fanuc);
+	tcase_add_test(tcase, nurbs_of_known_form);
+	tcase_add_loop_test(tcase, nurbs_refused, 0, (int)(sizeof(nurbs_bads) / sizeof(nurbs_bads[0])));
 	tcase_add_loop_test(tcase, refused, 0, (int)(sizeof(bads) / sizeof(bads[0])));
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);

@@ -14,6 +14,7 @@
 #include "gcode/execute/length_change.h"
 #include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
+#include "gcode/execute/nurbs_move.h"
 #include "gcode/execute/offsets.h"
 #include "gcode/execute/path_control.h"
 #include "gcode/execute/polar_coordinates.h"
@@ -330,7 +331,7 @@ static bool execute_motion(struct interp *interp)
 	    {G3, arc_move_run},		 {G80, cancel_motion},	      {G33, feedback_moves_run},
 	    {G31, feedback_moves_run},	 {311, feedback_moves_run},   {312, feedback_moves_run},
 	    {G31_3, feedback_moves_run}, {G5, spline_move_run},	      {G5_1, spline_move_run},
-	    {G5_2, spline_move_run},	 {G5_3, spline_move_run},
+	    {G5_2, spline_move_run},	 {G5_3, spline_move_run},     {G6_2, nurbs_move_run},
 	    {G33_1, feedback_moves_run}, {G38_2, feedback_moves_run}, {G38_3, feedback_moves_run},
 	    {G38_4, feedback_moves_run}, {G38_5, feedback_moves_run},
 	};

@@ -30,10 +30,10 @@ static bool follow(struct interp *interp, const struct spline *spline)
 			    &interp->at, block_motion_column(&interp->block),
 			    "this spline turns back on itself, or has points that coincide: how the control follows it "
 			    "is not known");
-		target.v[SLOT_X] = piece.x1;
-		target.v[SLOT_Y] = piece.y1;
-		move.spread[0] = piece.beside_x;
-		move.spread[1] = piece.beside_y;
+		target.v[SLOT_X] = piece.end.x;
+		target.v[SLOT_Y] = piece.end.y;
+		move.spread[0] = piece.beside.x;
+		move.spread[1] = piece.beside.y;
 		move.spread[2] = 0;
 		if (!motion_commands_go(interp, &target, &move))
 			return false;
@@ -52,8 +52,8 @@ static bool find_first(struct interp *interp, struct spline_point *first, struct
 		return fault(&interp->at, block_column(block, i ? 'I' : 'J'), "G5 needs both I and J, or none of them");
 	if (!i && !memory->goes_on)
 		return fault(&interp->at, block_motion_column(block), "the first G5 of a row needs I and J");
-	first->x = start.x + (i ? length_of(interp, 'I') : -memory->p);
-	first->y = start.y + (i ? length_of(interp, 'J') : -memory->q);
+	first->at.x = start.at.x + (i ? length_of(interp, 'I') : -memory->p);
+	first->at.y = start.at.y + (i ? length_of(interp, 'J') : -memory->q);
 	return true;
 }
 
@@ -66,9 +66,9 @@ static bool go_cubic(struct interp *interp, struct spline_point start, struct sp
 		return false;
 	if (!block_has(block, 'P') || !block_has(block, 'Q'))
 		return fault(&interp->at, block_motion_column(block), "G5 needs P and Q");
-	points[2].x += length_of(interp, 'P');
-	points[2].y += length_of(interp, 'Q');
-	if (!follow(interp, &(struct spline){points, 4, 4}))
+	points[2].at.x += length_of(interp, 'P');
+	points[2].at.y += length_of(interp, 'Q');
+	if (!follow(interp, &(struct spline){points, 4, 4, NULL}))
 		return false;
 	interp->spline.goes_on = true;
 	interp->spline.p = length_of(interp, 'P');
@@ -83,9 +83,9 @@ static bool go_quadratic(struct interp *interp, struct spline_point start, struc
 
 	if (!block_has(block, 'I') && !block_has(block, 'J'))
 		return fault(&interp->at, block_motion_column(block), "G5.1 needs I or J");
-	points[1].x += block_has(block, 'I') ? length_of(interp, 'I') : 0;
-	points[1].y += block_has(block, 'J') ? length_of(interp, 'J') : 0;
-	return follow(interp, &(struct spline){points, 3, 3});
+	points[1].at.x += block_has(block, 'I') ? length_of(interp, 'I') : 0;
+	points[1].at.y += block_has(block, 'J') ? length_of(interp, 'J') : 0;
+	return follow(interp, &(struct spline){points, 3, 3, NULL});
 }
 
 static bool add_point(struct interp *interp, struct spline_point point)
@@ -119,6 +119,7 @@ static bool begin(struct interp *interp, struct spline_point start)
 	    !block_integer(block, &interp->at, 'L', 2, SPLINE_ORDER_MAX, &interp->spline.order))
 		return false;
 	interp->spline.open = true;
+	interp->spline.nurbs = false;
 	interp->state.motion = G5_2;
 	return add_point(interp, start);
 }
@@ -134,7 +135,7 @@ static bool finish(struct interp *interp)
 	if (memory->count < (size_t)memory->order)
 		return fault(&interp->at, block_motion_column(&interp->block),
 			     "a spline of order %d needs as many points", memory->order);
-	return follow(interp, &(struct spline){memory->points, memory->count, memory->order});
+	return follow(interp, &(struct spline){memory->points, memory->count, memory->order, NULL});
 }
 
 static bool check(struct interp *interp)
@@ -157,12 +158,17 @@ static bool check(struct interp *interp)
 	return true;
 }
 
+static struct spline_point place(const slot_values *position)
+{
+	return (struct spline_point){{position->v[SLOT_X], position->v[SLOT_Y], 0}, 1};
+}
+
 bool spline_move_run(struct interp *interp)
 {
 	const int code = interp->block.motion;
 	const bool opens = interp->block.g[G_MOTION] == G5_2;
 	const slot_values here = rotated_frame_straight(&interp->state);
-	const struct spline_point start = {here.v[SLOT_X], here.v[SLOT_Y], 1};
+	const struct spline_point start = place(&here);
 	slot_values target;
 
 	if (!check(interp))
@@ -174,10 +180,10 @@ bool spline_move_run(struct interp *interp)
 	if (!endpoint_find(interp, false, &target))
 		return false;
 	if (code == G5_2)
-		return add_point(interp, (struct spline_point){target.v[SLOT_X], target.v[SLOT_Y], 1});
+		return add_point(interp, place(&target));
 	interp->state.motion = code;
-	return code == G5 ? go_cubic(interp, start, (struct spline_point){target.v[SLOT_X], target.v[SLOT_Y], 1})
-			  : go_quadratic(interp, start, (struct spline_point){target.v[SLOT_X], target.v[SLOT_Y], 1});
+	return code == G5 ? go_cubic(interp, start, place(&target))
+			  : go_quadratic(interp, start, place(&target));
 }
 
 bool spline_move_check_block(struct interp *interp)
@@ -186,7 +192,12 @@ bool spline_move_check_block(struct interp *interp)
 
 	if (interp->block.motion != G5 && interp->block.motion != CODE_NONE)
 		interp->spline.goes_on = false;
-	if (!interp->spline.open || code == G5_3 || (code == G5_2 && interp->block.g[G_MOTION] == CODE_NONE))
+	if (!interp->spline.open || code == G5_3 ||
+	    ((code == G5_2 || code == G6_2) && interp->block.g[G_MOTION] == CODE_NONE))
 		return true;
+	if (interp->spline.nurbs)
+		return fault(&interp->at, 1,
+			     "the curve of G6.2 is not complete: points with K, and behind them as many K alone as its "
+			     "rank (P, or 4), stand there and nothing else");
 	return fault(&interp->at, 1, "only points, with X, Y and P, stand between G5.2 and G5.3");
 }

@@ -12,7 +12,7 @@
  */
 bool spline_move_run(struct interp *interp);
 
-/* Only points stand between G5.2 and G5.3. False: the block is no point, which was reported. */
+/* Only points stand between G5.2 and G5.3, and in a curve of G6.2. False: the block is none, which was reported. */
 bool spline_move_check_block(struct interp *interp);
 
 #endif

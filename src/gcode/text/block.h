@@ -49,6 +49,15 @@ static inline uint32_t letter_bit(char letter)
 	return (uint32_t)1 << (letter - 'A');
 }
 
+static inline uint32_t letter_bits(const char *letters)
+{
+	uint32_t bits = 0;
+
+	for (; *letters; letters++)
+		bits |= letter_bit(*letters);
+	return bits;
+}
+
 static inline bool block_has(const struct block *block, char letter)
 {
 	return block->letters & letter_bit(letter);

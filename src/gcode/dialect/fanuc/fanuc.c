@@ -19,7 +19,7 @@ static const struct code g_codes[] = {
 	{G5_1, G_CONTOUR, CODE_READ, "AI contour control"},
 	{54, GROUP_NONE, CODE_REFUSED, "high-speed high-precision contouring"},
 	{61, GROUP_NONE, CODE_REFUSED, "spline interpolation"},
-	{62, GROUP_NONE, CODE_REFUSED, "NURBS interpolation"},
+	{G6_2, G_MOTION, CODE_BOUNDED, "NURBS interpolation"},
 	{G7_1, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
 	{G8, G_CONTOUR, CODE_READ, "AI advanced preview control"},
 	{106, GROUP_NONE, CODE_REFUSED, "tool retract and recover"},

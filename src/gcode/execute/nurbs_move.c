@@ -1,0 +1,211 @@
+#include "gcode/execute/nurbs_move.h"
+
+#include <math.h>
+
+#include "base/mem.h"
+#include "base/same_double.h"
+#include "gcode/execute/endpoint.h"
+#include "gcode/execute/motion_commands.h"
+#include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/spline.h"
+#include "geom/tolerance.h"
+
+/* Fanuc 15i/150i-MA operator's manual (B-63324EN), "NURBS Interpolation (G06.2)". */
+#define RANK_DEFAULT 4
+#define RANK_MAX 4
+
+/* mm: how far the boxes reach to the sides of a piece, unless it is as short as this share of the way between knots. */
+#define BESIDE 1e-3
+#define PART_MIN (1.0 / 4096)
+
+static bool refuse(struct interp *interp, const char *why)
+{
+	return fault(&interp->at, block_motion_column(&interp->block), "%s", why);
+}
+
+/* What the manual forbids, and what the boxes would not follow. */
+static bool check(struct interp *interp)
+{
+	const struct state *state = &interp->state;
+	const struct block *block = &interp->block;
+
+	if (state->tcp != TCP_OFF || interp->comp.side != 0 || state->feed_mode != FEED_PER_MINUTE)
+		return refuse(interp, "G6.2 under tool centre point control, cutter compensation, G93 or G95 is not "
+				      "supported");
+	if (state->incremental || state->frame.on || state->polar.on)
+		return refuse(interp, "G6.2 in G91 or in turned, scaled or polar coordinates is not supported");
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (block_has(block, AXIS_LETTERS[slot]))
+			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
+				     "%c with G6.2 is not supported; its curve moves X, Y and Z", AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
+static bool begin(struct interp *interp)
+{
+	struct spline_memory *memory = &interp->spline;
+	int rank = RANK_DEFAULT;
+
+	if (block_has(&interp->block, 'P') && !block_integer(&interp->block, &interp->at, 'P', 2, RANK_MAX, &rank))
+		return false;
+	if (!memory->points)
+		memory->points = mem_alloc(SPLINE_POINTS_MAX * sizeof(*memory->points));
+	if (!memory->knots)
+		memory->knots = mem_alloc((SPLINE_POINTS_MAX + RANK_MAX) * sizeof(*memory->knots));
+	memory->open = memory->nurbs = true;
+	memory->order = rank;
+	memory->count = memory->knot_count = 0;
+	memory->axes = 0;
+	interp->state.motion = G6_2;
+	return true;
+}
+
+static bool add_knot(struct interp *interp)
+{
+	struct spline_memory *memory = &interp->spline;
+	double knot;
+
+	if (!block_has(&interp->block, 'K'))
+		return refuse(interp, "every block of a G6.2 needs K, a knot of its curve");
+	knot = block_value(&interp->block, 'K');
+	if (memory->knot_count > 0 && knot < memory->knots[memory->knot_count - 1])
+		return fault(&interp->at, block_column(&interp->block, 'K'), "a knot (K) below the one before");
+	memory->knots[memory->knot_count++] = knot;
+	return true;
+}
+
+static vec3 linear(const slot_values *position)
+{
+	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
+}
+
+/* The manual: the first point is where the tool stands, and each point names the axes of the curve. */
+static bool add_point(struct interp *interp, vec3 here)
+{
+	struct spline_memory *memory = &interp->spline;
+	const struct block *block = &interp->block;
+	struct spline_point point = {here, 1};
+	const uint32_t axes = block->letters & AXIS_BITS;
+	slot_values target;
+
+	if (memory->knot_count > memory->count + 1)
+		return refuse(interp, "a point of a G6.2 behind knots that stand alone, which end its curve");
+	if (memory->count == SPLINE_POINTS_MAX)
+		return fault(&interp->at, block_motion_column(block), "more than %d points in a G6.2",
+			     SPLINE_POINTS_MAX);
+	if (!endpoint_find(interp, false, &target))
+		return false;
+	point.at = linear(&target);
+	if (memory->count == 0 && vec3_norm(vec3_sub(point.at, here)) > SAME_COORDINATE)
+		return refuse(interp, "the first point of a G6.2 is not where the tool stands");
+	if (axes && memory->axes && axes != memory->axes)
+		return refuse(interp, "each point of a G6.2 needs a word for each axis of its curve, and for no other");
+	memory->axes |= axes;
+	if (block_has(block, 'R'))
+		point.weight = block_value(block, 'R');
+	if (!(point.weight > 0))
+		return fault(&interp->at, block_column(block, 'R'), "R, the weight of a point, must be more than 0");
+	memory->points[memory->count++] = point;
+	return true;
+}
+
+/* The curve starts in its first point and ends in its last one, and does not jump between them. */
+static bool check_knots(struct interp *interp)
+{
+	const struct spline_memory *memory = &interp->spline;
+	const size_t order = (size_t)memory->order, last = memory->count;
+	const double *knots = memory->knots;
+
+	if (memory->count < order)
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "a G6.2 of rank %d needs as many points", memory->order);
+	if (!same_double(knots[0], knots[order - 1]) || !same_double(knots[last], knots[last + order - 1]))
+		return fault(&interp->at, block_motion_column(&interp->block),
+			     "the first knot and the last knot of a G6.2 of rank %d must stand %d times each",
+			     memory->order, memory->order);
+	for (size_t i = 0; i < last; i++) {
+		if (i > 0 && same_double(knots[i], knots[i + order - 1]))
+			return refuse(interp, "a knot of a G6.2 stands too often inside of its curve, which would jump");
+	}
+	return true;
+}
+
+static double width(const struct spline_piece *piece)
+{
+	return fmax(fmax(piece->beside.x, piece->beside.y), piece->beside.z);
+}
+
+static bool go(struct interp *interp, const struct spline_piece *piece, struct canon_move *move)
+{
+	slot_values target = rotated_frame_straight(&interp->state);
+
+	target.v[SLOT_X] = piece->end.x;
+	target.v[SLOT_Y] = piece->end.y;
+	target.v[SLOT_Z] = piece->end.z;
+	move->spread[0] = piece->beside.x;
+	move->spread[1] = piece->beside.y;
+	move->spread[2] = piece->beside.z;
+	return motion_commands_go(interp, &target, move);
+}
+
+/* From one knot to the next one, in parts that are as long as their boxes allow. */
+static bool follow_span(struct interp *interp, const struct spline *spline, size_t span, struct canon_move *move)
+{
+	const double last = spline->knots[span + 1], least = PART_MIN * (last - spline->knots[span]);
+	double u = spline->knots[span], step = last - u;
+
+	while (u < last) {
+		struct spline_piece piece;
+		double end;
+
+		for (;; step /= 2) {
+			end = last - u <= step + least / 2 ? last : u + step;
+			piece = spline_part(spline, span, u, end);
+			if (width(&piece) <= BESIDE || step <= least)
+				break;
+		}
+		if (!go(interp, &piece, move))
+			return false;
+		u = end;
+		step *= 2;
+	}
+	return true;
+}
+
+static bool finish(struct interp *interp)
+{
+	struct spline_memory *memory = &interp->spline;
+	const struct spline spline = {memory->points, memory->count, memory->order, memory->knots};
+	struct canon_move move = {.kind = CANON_FEED};
+
+	memory->open = false;
+	interp->state.motion = CODE_NONE;
+	if (!check_knots(interp) || !motion_commands_feed(interp, &move.feed))
+		return false;
+	for (size_t span = (size_t)spline.order - 1; span < spline.count; span++) {
+		if (spline.knots[span + 1] > spline.knots[span] && !follow_span(interp, &spline, span, &move))
+			return false;
+	}
+	return true;
+}
+
+bool nurbs_move_run(struct interp *interp)
+{
+	struct spline_memory *memory = &interp->spline;
+	const struct block *block = &interp->block;
+	const bool opens = block->g[G_MOTION] == G6_2;
+	const slot_values here = rotated_frame_straight(&interp->state);
+
+	if (!check(interp) || (opens && !begin(interp)))
+		return false;
+	if (!opens && block_has(block, 'P'))
+		return fault(&interp->at, block_column(block, 'P'), "P, the rank of the curve, belongs beside its G6.2");
+	if (!add_knot(interp))
+		return false;
+	if (opens || (block->letters & AXIS_BITS))
+		return add_point(interp, linear(&here));
+	if (block_has(block, 'R'))
+		return fault(&interp->at, block_column(block, 'R'), "a weight (R) without a point of the curve");
+	return memory->knot_count < memory->count + (size_t)memory->order || finish(interp);
+}
