@@ -225,17 +225,6 @@ static bool run_program(struct checker *c, FILE *in)
 	return complete || c->stopped;
 }
 
-/* After a first finding nothing more was logged. */
-static void tell_remainder(struct checker *c, bool complete)
-{
-	struct stock_remainder *remainder = c->options->remainder;
-
-	if (complete && !c->stopped && !checker_has_enough(c))
-		stock_check_remainder(&c->stock, c->number, remainder);
-	else
-		*remainder = (struct stock_remainder){.stock = c->stock.cells.group_count > 0};
-}
-
 static void release(struct checker *c)
 {
 	scheduler_release(&c->scheduler);
@@ -275,8 +264,9 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);
-		if (options->remainder)
-			tell_remainder(&c, complete);
+		/* After a first finding nothing more was logged. */
+		if (options->remainder && complete && !c.stopped && !checker_has_enough(&c))
+			stock_check_remainder(&c.stock, c.number, options->remainder);
 		if (options->stock_view)
 			stock_check_view(&c.stock, c.number, options->stock_view);
 		scheduler_collect(&c.scheduler, options, c.last_block, stats, proven);

@@ -45,7 +45,7 @@ struct check_options {
 	/* is told every event before it is checked; its answer is ignored; or NULL */
 	const struct motion_sink *watch;
 	struct path_record *record;	/* records the path of the program, or compares it with a record; or NULL */
-	struct stock_remainder *remainder;	/* receives the stock that the program leaves; or NULL */
+	struct stock_remainder *remainder;	/* all 0 before; receives the stock that the program leaves; or NULL */
 	struct stock_view *stock_view;	/* receives the stock as it is at a time, also after a finding; or NULL */
 	/*
 	 * Check only the part with the number `shard`, from 1, of `shards` parts of the blocks; shards 0: all blocks.

@@ -256,16 +256,14 @@ void stock_check_collect(const struct stock_check *check, const struct scene *sc
 	}
 }
 
-/* Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease. */
-#define REMAINDER_PARTS 128
+/* Chunks of the log that are looked at for one size of the cubes of --stock-out: some seconds. */
+#define REMAINDER_EFFORT 1000000
 
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder)
 {
-	*remainder = (struct stock_remainder){.stock = check->cells.group_count > 0};
-	if (!remainder->stock)
+	if (!check->cells.group_count)
 		return;
-	remainder->edge = stock_mesh_build(&check->cells, (double)number, REMAINDER_PARTS, UINT64_MAX,
-					   &remainder->mesh);
+	stock_remainder_build(&check->cells, (double)number, REMAINDER_EFFORT, remainder);
 	remainder->known = !stock_check_fault(check);
 }
 

@@ -70,12 +70,12 @@ bool stock_check_run(struct stock_check *check, const struct batch *batch, size_
 		     const struct check_options *options);
 
 /*
- * Measures the clearances in the batch's blocks (stock_clearance_measure), each in `blocks` of its `clearances`. Call it
- * after stock_check_run. False: interrupted; then they are invalid.
+ * Measures the clearances in the batch's blocks (stock_clearance_measure), each in `blocks` of its `clearances`.
+ * Call it after stock_check_run. False: interrupted; then they are invalid.
  */
 bool stock_check_measure(struct stock_check *check, const struct batch *batch, int tool);
 
-/* What remains of the stock before the step `number`. */
+/* What remains of the stock before the step `number`; nothing is known of it after a fault of the log. */
 void stock_check_remainder(struct stock_check *check, long number, struct stock_remainder *remainder);
 
 /* Fills in what the view asks for, at the latest before the step `number`. Without stock it stays as it is. */

@@ -115,7 +115,8 @@ static void tell_strange_waivers(const struct session *session, const struct wai
 /* --stock-out. False: reported. */
 static bool write_stock(const struct session *session)
 {
-	return stock_file_write(session->options->stock_out, &session->remainder, &session->order.ui->diag);
+	return stock_file_write(session->options->stock_out, &session->remainder,
+				scene_stock(session->context.scene) >= 0, &session->order.ui->diag);
 }
 
 /* The greatest status of the programs, of --pose, of --stock-out, and of errors that concern no program. */

@@ -1,16 +1,19 @@
 #include "report/stock_file.h"
 
+#include <math.h>
+
 #include "geom/stl_bytes.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
 
 /* False: no file is written; a note or an error says why. *good becomes false with an error. */
-static bool is_writable(const char *path, const struct stock_remainder *remainder, bool *good, struct diag *diag)
+static bool is_writable(const char *path, const struct stock_remainder *remainder, bool stock, bool *good,
+			struct diag *diag)
 {
 	const struct mesh *mesh = &remainder->mesh;
 
-	if (!remainder->stock)
+	if (!stock)
 		diag_note(diag, nowhere, "the setup has no stock, so %s was not written", path);
 	else if (!remainder->known)
 		diag_note(
@@ -25,14 +28,16 @@ static bool is_writable(const char *path, const struct stock_remainder *remainde
 	return *good && mesh->count;
 }
 
-bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag)
+bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag)
 {
 	const struct mesh *mesh = &remainder->mesh;
+	/* Rounded up: with a smaller excess findings of the next setup would be certain that are not. */
+	const double excess = ceil(100 * remainder->excess) / 100;
 	unsigned char head[STL_HEAD_BYTES], bytes[STL_TRIANGLE_BYTES];
 	struct output out;
 	bool good;
 
-	if (!is_writable(path, remainder, &good, diag))
+	if (!is_writable(path, remainder, stock, &good, diag))
 		return good;
 	if (!output_open(&out, path, diag))
 		return false;
@@ -44,9 +49,14 @@ bool stock_file_write(const char *path, const struct stock_remainder *remainder,
 	}
 	if (!output_commit(&out, diag))
 		return false;
-	diag_note(
-	    diag, nowhere,
-	    "%s holds all that remains of the stock and at most %.3g mm more: <stock mesh=\"%s\" excess=\"%.3g\"/>",
-	    path, 2 * remainder->edge, path, 2 * remainder->edge);
+	if (remainder->coarse)
+		diag_note(diag, nowhere,
+			  "many cuts overlap: finer cubes than %.3g mm would take too long, so what remains of the stock is "
+			  "drawn with these",
+			  remainder->edge);
+	diag_note(diag, nowhere,
+		  "%s holds all that remains of the stock; what lies deeper than %.2f mm below its surface is certainly "
+		  "there: <stock mesh=\"%s\" excess=\"%.2f\"/>",
+		  path, excess, path, excess);
 	return true;
 }

@@ -7,7 +7,10 @@
 #include "base/diag.h"
 #include "stock/stock_mesh.h"
 
-/* Says in a note how exact the file is, or why there is none. False, reported: the file is as it was. */
-bool stock_file_write(const char *path, const struct stock_remainder *remainder, struct diag *diag);
+/*
+ * Says in a note how exact the file is, or why there is none. `stock`: the setup has one. False, reported: the file is
+ * as it was.
+ */
+bool stock_file_write(const char *path, const struct stock_remainder *remainder, bool stock, struct diag *diag);
 
 #endif

@@ -16,7 +16,8 @@ struct grid {
 	double edge;
 	uint64_t most;	/* the log's count of gets at which to give up */
 	int size;	/* cubes along each side of the root */
-	uint8_t *bits;
+	uint8_t *bits;	/* the cubes of the mesh */
+	uint8_t *sure;	/* those that are certainly there, all of them; or NULL: not asked for */
 	struct mesh *mesh;
 	size_t capacity;
 };
@@ -30,12 +31,17 @@ static size_t bit_of(const struct grid *grid, struct cube_number n)
 	return ((size_t)n.at[2] * (size_t)grid->size + (size_t)n.at[1]) * (size_t)grid->size + (size_t)n.at[0];
 }
 
+static bool is_set(const uint8_t *bits, size_t bit)
+{
+	return bits[bit / 8] >> bit % 8 & 1;
+}
+
 static bool is_full(const struct grid *grid, struct cube_number n)
 {
 	for (int k = 0; k < 3; k++)
 		if (n.at[k] < 0 || n.at[k] >= grid->size)
 			return false;
-	return grid->bits[bit_of(grid, n) / 8] >> bit_of(grid, n) % 8 & 1;
+	return is_set(grid->bits, bit_of(grid, n));
 }
 
 /* The cube at the lower corner of a cell, or around the cell. */
@@ -52,9 +58,11 @@ static struct cube_number number_of(const struct grid *grid, const struct cube *
 	return n;
 }
 
-/* Marks the cubes that a cell holds; smaller cells mark the cube that holds them. */
-static void fill(struct grid *grid, const struct cube *cell)
+/* Marks the cubes that a cell holds, as certainly there if it is `whole`; smaller cells mark the cube around them. */
+static void fill(struct grid *grid, const struct cube *cell, bool whole)
 {
+	const bool sure = grid->sure && whole && cell->half > 0.4 * grid->edge;
+
 	const int count = (int)larger(1, 2 * cell->half / grid->edge + 0.5);
 	const struct cube_number first = number_of(grid, cell);
 
@@ -63,6 +71,8 @@ static void fill(struct grid *grid, const struct cube *cell)
 					       first.at[2] + i / (count * count)}};
 
 		grid->bits[bit_of(grid, n) / 8] |= (uint8_t)(1 << bit_of(grid, n) % 8);
+		if (sure)
+			grid->sure[bit_of(grid, n) / 8] |= (uint8_t)(1 << bit_of(grid, n) % 8);
 	}
 }
 
@@ -80,7 +90,7 @@ static bool take(void *context, const struct cube *cell, bool whole)
 		return false;
 	if (!whole && cell->half > 0.75 * FINE * grid->edge)
 		return true;
-	fill(grid, cell);
+	fill(grid, cell, whole);
 	return false;
 }
 
@@ -152,7 +162,54 @@ static void add_cubes(struct grid *grid)
 					add_faces(grid, (struct cube_number){{x, y, z}});
 }
 
-double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh)
+/* Steps to the neighbours of a cube, in these parts of an edge, rounded up: across a face, an edge, a corner. */
+#define STEP_PARTS 64
+static const uint16_t step_lengths[] = {0, 64, 91, 111};
+
+/*
+ * Shortens the depth of a cube to what its neighbours allow: half of them with each `side`. A point that moves as the
+ * steps go ends in a cube that is not there, so it is no deeper below the surface than their length.
+ */
+static uint16_t depth_beside(const struct grid *grid, const uint16_t *depths, struct cube_number n, int side)
+{
+	uint16_t least = depths[bit_of(grid, n)];
+
+	for (int i = 14; i < 27; i++) {
+		const int off[3] = {side * (i % 3 - 1), side * (i / 3 % 3 - 1), side * (i / 9 - 1)};
+		const struct cube_number next = {{n.at[0] + off[0], n.at[1] + off[1], n.at[2] + off[2]}};
+		const int step = step_lengths[abs(off[0]) + abs(off[1]) + abs(off[2])];
+		const int depth = is_full(grid, next) ? depths[bit_of(grid, next)] + step : step;
+
+		least = (uint16_t)(depth < least ? depth : least);
+	}
+	return least;
+}
+
+/* mm: how deep below the surface there is a point of a cube that is not certainly there. */
+static double deepest_doubt(const struct grid *grid)
+{
+	const int size = grid->size, count = size * size * size;
+	uint16_t *depths = mem_alloc((size_t)count * sizeof(*depths));
+	uint16_t deepest = 0;
+
+	for (int i = 0; i < count; i++)
+		depths[i] = UINT16_MAX;
+	for (int turn = 0; turn < 2 * count; turn++) {
+		const int i = turn < count ? turn : 2 * count - 1 - turn;
+		const struct cube_number n = {{i % size, i / size % size, i / (size * size)}};
+
+		if (!is_set(grid->bits, (size_t)i))
+			continue;
+		depths[i] = depth_beside(grid, depths, n, turn < count ? -1 : 1);
+		if (turn >= count && !is_set(grid->sure, (size_t)i) && depths[i] > deepest)
+			deepest = depths[i];
+	}
+	free(depths);
+	return grid->edge * deepest / STEP_PARTS;
+}
+
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh,
+			double *excess)
 {
 	const vec3 size = vec3_sub(cells->high, cells->low);
 	const double longest = larger(size.x, larger(size.y, size.z));
@@ -162,20 +219,44 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 			    .edge = 2 * cells->least_half,
 			    .most = effort < UINT64_MAX - gets ? gets + effort : UINT64_MAX,
 			    .mesh = mesh};
+	size_t bytes;
 
 	/* Smaller than the smallest cells times 1 / FINE there is nothing to look at. */
 	while (grid.edge * parts < longest)
 		grid.edge *= 2;
 	grid.size = (int)(2 * cells->root.half / grid.edge + 0.5);
-	grid.bits = mem_zalloc((size_t)grid.size * (size_t)grid.size * (size_t)grid.size / 8 + 1, 1);
+	bytes = (size_t)grid.size * (size_t)grid.size * (size_t)grid.size / 8 + 1;
+	grid.bits = mem_zalloc(bytes, 1);
+	grid.sure = excess ? mem_zalloc(bytes, 1) : NULL;
 	*mesh = (struct mesh){.count = 0};
 	stock_cells_visit(cells, time, take, &grid);
 	if (is_exhausted(&grid))
 		grid.edge = 0;
 	else
 		add_cubes(&grid);
+	if (excess && grid.edge > 0)
+		*excess = larger(deepest_doubt(&grid), cells->blank.excess);
+	free(grid.sure);
 	free(grid.bits);
 	return grid.edge;
+}
+
+/* Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease; at least so many. */
+enum { REMAINDER_PARTS_MOST = 128, REMAINDER_PARTS_LEAST = 8 };
+
+void stock_remainder_build(struct stock_cells *cells, double time, uint64_t effort, struct stock_remainder *remainder)
+{
+	int parts = REMAINDER_PARTS_MOST;
+
+	*remainder = (struct stock_remainder){.known = true};
+	for (;; parts /= 2) {
+		remainder->edge = stock_mesh_build(cells, time, parts,
+						   parts <= REMAINDER_PARTS_LEAST ? UINT64_MAX : effort,
+						   &remainder->mesh, &remainder->excess);
+		if (remainder->edge > 0)
+			return;
+		remainder->coarse = true;
+	}
 }
 
 /* Edges that the mesh may reach beyond what remains: two, and what cutters leave that are smaller by a quarter. */
@@ -195,7 +276,8 @@ void stock_view_build(struct stock_cells *cells, struct stock_view *view)
 	for (int parts = VIEW_PARTS_MOST;; parts /= 2) {
 		const bool last = parts <= VIEW_PARTS_LEAST;
 		const double edge =
-		    stock_mesh_build(cells, view->time, parts, last ? UINT64_MAX : VIEW_EFFORT, &view->mesh);
+		    stock_mesh_build(cells, view->time, parts, last ? UINT64_MAX : VIEW_EFFORT, &view->mesh,
+					 NULL);
 
 		view->excess = VIEW_EXCESS * edge;
 		if (last || (edge > 0 && view->mesh.count <= view->most))

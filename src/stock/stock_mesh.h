@@ -15,17 +15,28 @@
  * true ones do, and no point of the mesh is farther than twice the edge from what they leave. The mesh, in the stock's
  * mesh coordinates, is the caller's; it is empty if nothing remains. Returns the edge.
  *
+ * *excess (or NULL): all that lies deeper than this below the mesh's surface is certainly there. That may be far more
+ * than two edges, where small cutters left something in each of many cubes.
+ *
  * If more than `effort` chunks of the log would have to be looked at, the result is 0 and the mesh is empty.
  */
-double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh);
+double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint64_t effort, struct mesh *mesh,
+			double *excess);
 
 /* What a program leaves. The owner releases the mesh. */
 struct stock_remainder {
-	bool stock;	/* the setup has one */
 	bool known;	/* the program was followed to its end: */
-	struct mesh mesh;
+	struct mesh mesh;	/* as of stock_mesh_build; empty if nothing remains */
+	double excess;	/* mm: what lies deeper than this below the mesh's surface is certainly there */
 	double edge;	/* mm: of its cubes */
+	bool coarse;	/* the cubes are larger than usual, because that would have taken too long */
 };
+
+/*
+ * The stock that remains at the end, in 64 to 128 cubes along the blank's longest side; in fewer where that would take
+ * more than `effort` chunks of the log.
+ */
+void stock_remainder_build(struct stock_cells *cells, double time, uint64_t effort, struct stock_remainder *remainder);
 
 /* The stock as a report shows it. The owner of the report asks, and releases the mesh. */
 struct stock_view {

@@ -35,6 +35,7 @@ echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note
 "$FIVECHECK" --stock-out=none.stl m.xml slot.nc 2>&1 | grep note
+"$FIVECHECK" --method=interpolated --stock-out=none.stl -s first.xml m.xml slot.nc 2>&1 | grep note
 "$FIVECHECK" -q --stock-out=none.stl -s first.xml m.xml slot.nc rapid.nc
 echo "exit status $?"
 "$FIVECHECK" -q --stock-out=slot.nc -s first.xml m.xml slot.nc

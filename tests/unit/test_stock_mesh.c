@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "geom/inside.h"
+#include "geom/point_distance.h"
 #include "geom/topology.h"
 #include "machine/tool_solid.h"
 #include "random.h"
@@ -20,10 +21,9 @@ struct slotted {
 	struct bvh *bvh;
 };
 
-static void slotted_init(struct slotted *s)
+/* The box with the first `cuts` pieces of the slot, made by this tool. */
+static void slotted_init_with(struct slotted *s, const struct tool_solid *tool, int cuts)
 {
-	static const struct tool_section sections[] = {{20, 10, 10}};
-	static const struct tool_solid flat = {.sections = sections, .count = 1, .tip = TIP_FLAT};
 	const xform up = {mat3_identity(), {0, 0, 5}};
 	struct blank blank;
 
@@ -32,15 +32,23 @@ static void slotted_init(struct slotted *s)
 	solid_place(&s->mesh, &up);
 	s->bvh = bvh_new(&s->mesh);
 	topology_init(&s->topology, &s->bvh->mesh);
-	cutter_init(&s->cutter, &flat);
+	cutter_init(&s->cutter, tool);
 	cut_log_init(&s->log, &s->cutter);
 	/* In three cuts, so that cubes at their seams are removed part by part. */
-	for (int i = 0; i < 3; i++)
+	for (int i = 0; i < cuts; i++)
 		cut_log_add(&s->log, &(struct cut){.from = i, .to = i + 1,
 						   .way = {{{-40 + 15 * i, 0, 25}, {0, 0, 1}},
 							   {{-25 + 15 * i, 0, 25}, {0, 0, 1}}}});
 	blank = (struct blank){s->bvh, &s->topology, 0, 0};
 	stock_cells_init(&s->cells, &blank, &s->log, 0.05);
+}
+
+static void slotted_init(struct slotted *s)
+{
+	static const struct tool_section sections[] = {{20, 10, 10}};
+	static const struct tool_solid flat = {.sections = sections, .count = 1, .tip = TIP_FLAT};
+
+	slotted_init_with(s, &flat, 3);
 }
 
 static void slotted_release(struct slotted *s)
@@ -70,11 +78,11 @@ START_TEST(mesh_encloses_what_remains)
 	struct slotted s;
 	struct mesh mesh;
 	struct bvh *bvh;
-	double edge;
+	double edge, excess;
 	int inside = 0;
 
 	slotted_init(&s);
-	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, UINT64_MAX, &mesh);
+	edge = stock_mesh_build(&s.cells, cut ? 10 : -1, 64, UINT64_MAX, &mesh, &excess);
 	ck_assert(edge * 64 >= 40 && edge * 32 < 40.1);
 	bvh = bvh_new(&mesh);
 	topology_init(&topology, &bvh->mesh);
@@ -89,7 +97,11 @@ START_TEST(mesh_encloses_what_remains)
 			ck_assert(is_inside);
 		if (depth < -2 * edge)
 			ck_assert(!is_inside);
+		if (is_inside && mesh_point_distance(bvh, p) > excess)
+			ck_assert(depth > -1e-3);
 	}
+	/* Here walls and floor are plane, and the cutter is large. */
+	ck_assert_double_le(excess, 3 * edge);
 	ck_assert_int_gt(inside, 1000);
 	topology_release(&topology);
 	bvh_free(bvh);
@@ -104,8 +116,40 @@ START_TEST(mesh_that_costs_too_much_is_none)
 	struct mesh mesh;
 
 	slotted_init(&s);
-	ck_assert_double_le(stock_mesh_build(&s.cells, 10, 64, 1, &mesh), 0);
+	ck_assert_double_le(stock_mesh_build(&s.cells, 10, 64, 1, &mesh, NULL), 0);
 	ck_assert_uint_eq(mesh.count, 0);
+	slotted_release(&s);
+}
+END_TEST
+
+/*
+ * Narrow slots that leave a wall in each cube: the mesh is whole, but deep below its surface is much that was cut. A
+ * mesh of larger cubes is made where fine ones cost too much.
+ */
+START_TEST(cut_places_deep_in_the_mesh_are_told)
+{
+	static const struct tool_section sections[] = {{20, 0.5, 0.5}};
+	static const struct tool_solid narrow = {.sections = sections, .count = 1, .tip = TIP_FLAT};
+	struct slotted s;
+	struct stock_remainder remainder = {.known = false};
+	struct bvh *bvh;
+	double deepest = 0;
+
+	slotted_init_with(&s, &narrow, 0);
+	for (int i = 0; i < 30; i++)
+		cut_log_add(&s.log, &(struct cut){.from = i, .to = i + 1,
+						  .way = {{{-40, i - 14.5, 21}, {0, 0, 1}},
+							  {{40, i - 14.5, 21}, {0, 0, 1}}}});
+	stock_remainder_build(&s.cells, 100, 300, &remainder);
+	ck_assert(remainder.known && remainder.coarse);
+	ck_assert_double_gt(remainder.edge, 2);
+	ck_assert_double_lt(remainder.edge, 7);
+	bvh = bvh_new(&remainder.mesh);
+	for (int i = 0; i < 30; i++)
+		deepest = fmax(deepest, mesh_point_distance(bvh, (vec3){0, i - 14.5, 5}));
+	ck_assert_double_gt(deepest, 4.9);
+	ck_assert_double_ge(remainder.excess, deepest);
+	bvh_free(bvh);
 	slotted_release(&s);
 }
 END_TEST
@@ -119,6 +163,7 @@ int main(void)
 
 	tcase_add_loop_test(cases, mesh_encloses_what_remains, 0, 2);
 	tcase_add_test(cases, mesh_that_costs_too_much_is_none);
+	tcase_add_test(cases, cut_places_deep_in_the_mesh_are_told);
 	suite_add_tcase(suite, cases);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
