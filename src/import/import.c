@@ -106,7 +106,7 @@ struct body_description *import_machine_add_body(struct import_machine *machine,
 	d->bodies = mem_grow(d->bodies, &machine->body_capacity, d->body_count + 1, sizeof(*d->bodies));
 	machine->meshes =
 		mem_grow(machine->meshes, &machine->mesh_capacity, d->body_count + 1, sizeof(*machine->meshes));
-	strbuf_addf(&path, "stl/%s.stl", name);
+	strbuf_addf(&path, "%s/%s.stl", machine->folder ? machine->folder : "stl", name);
 	d->bodies[d->body_count] = (struct body_description){
 		.name = name,
 		.mesh_path = arena_strdup(&d->arena, strbuf_text(&path)),

@@ -94,7 +94,8 @@ static bool place_all(struct vericut_components *components, struct xml_reader *
 	return !xml->errors;
 }
 
-static bool find_parents(struct vericut_components *components, struct xml_reader *xml)
+/* `mount`: what may carry components though it is none of them, or NULL. */
+static bool find_parents(struct vericut_components *components, struct xml_reader *xml, const char *mount)
 {
 	const struct vericut_component *base = NULL;
 
@@ -102,7 +103,14 @@ static bool find_parents(struct vericut_components *components, struct xml_reade
 		struct vericut_component *c = &components->items[i];
 
 		c->parent = *c->attach ? vericut_components_find(components, c->attach) : NULL;
-		if (*c->attach && !c->parent)
+		if (mount && !strcmp(c->attach, mount))
+			continue;
+		if (!c->parent && mount)
+			xml_error(xml, foreign_child(c->node, "Attach"), NULL,
+				  "'%s' is attached to '%s', which is neither a component of this setup nor '%s', where "
+				  "the machine carries the work",
+				  xml_quote(c->name).text, xml_quote(c->attach).text, xml_quote(mount).text);
+		else if (*c->attach && !c->parent)
 			xml_error(xml, foreign_child(c->node, "Attach"), NULL,
 				  "'%s' is attached to '%s', which is no component of this machine",
 				  xml_quote(c->name).text, xml_quote(c->attach).text);
@@ -129,14 +137,14 @@ static void mark_carriers(const struct vericut_components *components)
 	}
 }
 
-bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, struct arena *arena)
+bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, const xmlNode *root,
+			     const char *mount, struct arena *arena)
 {
-	const xmlNode *root = xmlDocGetRootElement(xml->doc);
 	size_t count = 0;
 
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		count++;
-	if (count == 0 || count > COMPONENTS_MAX) {
+	if ((count == 0 && !mount) || count > COMPONENTS_MAX) {
 		xml_error(xml, root, NULL, "the machine has %zu components; 1 to %d can be read", count,
 			  COMPONENTS_MAX);
 		return false;
@@ -148,7 +156,7 @@ bool vericut_components_read(struct vericut_components *components, struct xml_r
 	for (const xmlNode *node = foreign_child(root, "Component"); node; node = foreign_next(node, "Component"))
 		if (!read_component(components, xml, node, arena))
 			return false;
-	if (!find_parents(components, xml) || !place_all(components, xml))
+	if (!find_parents(components, xml, mount) || !place_all(components, xml))
 		return false;
 	mark_carriers(components);
 	return true;

@@ -26,8 +26,13 @@ struct vericut_components {
 	size_t count;
 };
 
-/* Reads the components of <VcMachine>. False, reported: a part of the tree is missing, doubled, or carries itself. */
-bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, struct arena *arena);
+/*
+ * Reads the components of an element: those of <VcMachine> hang on one base; those of the <Build> of a setup on `mount`,
+ * the component that carries the work (NULL: of a machine), and their frames are relative to it. False, reported: a part
+ * of the tree is missing, doubled, or carries itself.
+ */
+bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, const xmlNode *root,
+			     const char *mount, struct arena *arena);
 
 struct vericut_component *vericut_components_find(const struct vericut_components *components, const char *name);
 

@@ -7,11 +7,9 @@
 
 #include "base/axes.h"
 #include "base/math/math_functions.h"
-#include "base/units.h"
 #include "machine/xml/foreign_xml.h"
-#include "import/mesh_build.h"
-#include "import/mesh_file.h"
 #include "import/vericut_components.h"
+#include "import/vericut_model.h"
 #include "import/vericut_pairs.h"
 #include "machine/xml/xml_element.h"
 
@@ -34,20 +32,6 @@ static void warn(const struct reading *r, const xmlNode *node, const char *forma
 	diag_report(r->diag, DIAG_WARNING, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, node)}, NULL,
 		    format, args);
 	va_end(args);
-}
-
-/* mm per unit of length; 0, reported: the unit is unknown. */
-static double unit_of(struct reading *r, const xmlNode *node)
-{
-	const char *unit = foreign_attribute(node, "Unit");
-
-	if (unit && !strcasecmp(unit, "millimeter"))
-		return 1;
-	if (unit && !strcasecmp(unit, "inch"))
-		return MM_PER_INCH;
-	xml_error(&r->xml, node, unit ? "Unit" : NULL, "the Unit of <%s> must be millimeter or inch",
-		  (const char *)node->name);
-	return 0;
 }
 
 /* -------------------------------------------------------------------- axes */
@@ -276,117 +260,17 @@ static bool read_home(struct reading *r)
 
 /* ------------------------------------------------------------------ models */
 
-/* The name of a file without its folder and its suffix. */
-static const char *stem_of(struct arena *arena, const char *path)
+/* False: reported. */
+static bool read_model(struct reading *r, const struct vericut_component *c, const xmlNode *node)
 {
-	const char *start = path;
-	char *stem, *dot;
+	struct vericut_model model;
 
-	for (const char *at = path; *at; at++)
-		if (*at == '/' || *at == '\\')
-			start = at + 1;
-	stem = arena_strdup(arena, start);
-	dot = strrchr(stem, '.');
-	if (dot && dot != stem)
-		*dot = '\0';
-	return stem;
-}
-
-/* False: reported; or a warning was enough, then *left_out is set. */
-static bool read_mesh(struct reading *r, const xmlNode *model, const char *written, struct mesh *mesh, bool *left_out)
-{
-	struct strbuf path = {0};
-	double unit = unit_of(r, model);
-	bool good = unit > 0;
-
-	if (good && !mesh_file_find(&path, r->options->meshes, r->xml.path, written)) {
-		if (r->options->skip_missing)
-			warn(r, model, "'%s' is not there: the body is left out", xml_quote(written).text);
-		else
-			xml_error(
-			    &r->xml, model, NULL,
-			    "'%s' is not there: put the file beside this one, name its folder with --meshes, or leave "
-			    "the body out with --skip-missing",
-			    xml_quote(written).text);
-		*left_out = r->options->skip_missing;
-		r->machine->left_out += r->options->skip_missing;
-		good = false;
-	}
-	good = good && mesh_file_read(mesh, strbuf_text(&path), unit, r->diag);
-	strbuf_release(&path);
-	return good;
-}
-
-static bool read_block(struct reading *r, const xmlNode *model, struct mesh *mesh)
-{
-	struct mesh_build build = {.scale = r->xml.unit};
-	vec3 size;
-
-	if (!foreign_vector(&r->xml, model, "Length", "Width", "Height", &size))
+	if (!vericut_model_read(&model, &r->xml, node, c, r->options, &r->machine->description.arena))
 		return false;
-	if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-		xml_error(&r->xml, model, NULL, "the sizes of a block must be above 0");
-		return false;
-	}
-	mesh_build_block(&build, size);
-	mesh_build_finish(&build, mesh);
+	r->machine->left_out += model.left_out;
+	if (!model.left_out)
+		import_machine_add_body(r->machine, model.name, c->name, c->link, &model.frame, &model.mesh)->at = c;
 	return true;
-}
-
-static bool read_cylinder(struct reading *r, const xmlNode *model, struct mesh *mesh)
-{
-	struct mesh_build build = {.scale = 1};
-	double radius, height;
-
-	if (!foreign_number(&r->xml, model, "Radius", &radius) || !foreign_number(&r->xml, model, "Height", &height))
-		return false;
-	if (!(radius > 0 && height > 0)) {
-		xml_error(&r->xml, model, NULL, "radius and height of a cylinder must be above 0");
-		return false;
-	}
-	mesh_build_frustum(&build, r->xml.unit * radius, r->xml.unit * radius, r->xml.unit * height);
-	mesh_build_finish(&build, mesh);
-	return true;
-}
-
-static bool is_model(const xmlNode *node)
-{
-	/* Each of these is in models only; a model that was not recognised would be a body that nobody misses. */
-	return foreign_attribute(node, "Mirror") || foreign_child(node, "File") || foreign_child(node, "Position");
-}
-
-static bool read_model(struct reading *r, const struct vericut_component *c, const xmlNode *model)
-{
-	struct arena *arena = &r->machine->description.arena;
-	const char *name = c->name;
-	struct mesh mesh = {0};
-	bool good, left_out = false;
-	xform frame;
-
-	if (foreign_attribute(model, "Mirror") && !foreign_attribute_is(model, "Mirror", "off")) {
-		xml_error(&r->xml, model, "Mirror", "mirrored models cannot be taken over: save it mirrored as STL");
-		return false;
-	}
-	if (!vericut_frame(&r->xml, model, &frame))
-		return false;
-	frame = xform_mul(&c->frame, &frame);
-	if (foreign_child(model, "File")) {
-		const char *written = foreign_text(arena, foreign_child(model, "File"));
-
-		name = stem_of(arena, written);
-		good = read_mesh(r, model, written, &mesh, &left_out);
-	} else if (foreign_is(model, "Block")) {
-		good = read_block(r, model, &mesh);
-	} else if (foreign_is(model, "Cylinder")) {
-		good = read_cylinder(r, model, &mesh);
-	} else {
-		xml_error(&r->xml, model, NULL, "a model <%s> cannot be taken over: save it as STL",
-			  (const char *)model->name);
-		good = false;
-	}
-	if (good)
-		import_machine_add_body(r->machine, name, c->name, c->link, &frame, &mesh)->at = c;
-	return good || left_out;
 }
 
 static bool read_models(struct reading *r)
@@ -397,7 +281,7 @@ static bool read_models(struct reading *r)
 		const struct vericut_component *c = r->components.order[i];
 
 		for (const xmlNode *at = foreign_child(c->node, NULL); at; at = foreign_next(at, NULL))
-			good = (!is_model(at) || read_model(r, c, at)) && good;
+			good = (!vericut_model_is(at) || read_model(r, c, at)) && good;
 	}
 	return good;
 }
@@ -436,6 +320,7 @@ static void read_mounts(struct reading *r)
 			.location = tool->frame.translation,
 			.direction = vec3_scale(-1, tool->frame.rotation.z),
 		};
+		r->machine->tool_name = arena_strdup(&d->arena, tool->name);
 	} else {
 		warn(r, xml_root(&r->xml), "the machine has no component of the type tool: no tool can be mounted");
 	}
@@ -443,6 +328,7 @@ static void read_mounts(struct reading *r)
 		d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
 		d->workholdings[d->workholding_count++] =
 			(struct workholding_description){.link = work->link, .frame = work->frame};
+		r->machine->work_name = arena_strdup(&d->arena, work->name);
 	} else {
 		warn(r, xml_root(&r->xml), "the machine has no component of the type attach: no work can be mounted");
 	}
@@ -450,9 +336,10 @@ static void read_mounts(struct reading *r)
 
 static bool read_machine(struct reading *r)
 {
-	r->xml.unit = unit_of(r, xml_root(&r->xml));
+	r->xml.unit = vericut_unit(&r->xml, xml_root(&r->xml));
 	if (!(r->xml.unit > 0) ||
-	    !vericut_components_read(&r->components, &r->xml, &r->machine->description.arena) || !read_axes(r) ||
+	    !vericut_components_read(&r->components, &r->xml, xml_root(&r->xml), NULL,
+				     &r->machine->description.arena) || !read_axes(r) ||
 	    !read_home(r) || !read_models(r))
 		return false;
 	read_mounts(r);
@@ -468,7 +355,7 @@ bool vericut_machine_read(struct import_machine *machine, const char *path, cons
 
 	if (!xml_open(&r.xml, path, elements, diag))
 		return false;
-	machine->description.name = stem_of(&machine->description.arena, path);
+	machine->description.name = vericut_stem(&machine->description.arena, path);
 	good = read_machine(&r) && !r.xml.errors;
 	/* They point into the tree of the file. */
 	for (size_t i = 0; i < machine->description.body_count; i++)
