@@ -16,6 +16,7 @@ static const struct {
 } xml_roots[] = {
 	{"VcMachine", FILE_VERICUT_MACHINE},
 	{"robot", FILE_URDF},
+	{"VcProject", FILE_VERICUT_PROJECT},
 };
 
 static const char *skip_space(const char *at)
@@ -94,16 +95,13 @@ static const char *advice(const char *path, const char *text)
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
-	if (is_root(text, "VcProject"))
-		return "this is a project of VERICUT: import the machine (.mch) and the tool library (.tls) that it "
-		       "names, each by itself, and put the work offsets, fixtures and the part into a setup";
 	if (is_root(text, "MTConnectDevices"))
 		return "this is a device description of MTConnect, which does not say which axis carries which: use "
 		       "'fivecheck init' with the axes and travels that it names";
 	if (!strncmp(text, "PK\003\004", 4))
 		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can "
 		       "be imported";
-	return "this is no file that can be imported: a machine of VERICUT 7 (XML), an ini file or URDF; a tool "
+	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file or URDF; a tool "
 	       "library of VERICUT or Fusion 360 (JSON), a table of tools (CSV, tool.tbl) or a listing of offsets "
 	       "(G10); or a mesh (OBJ, PLY, 3MF, glTF)";
 }

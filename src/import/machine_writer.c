@@ -69,7 +69,7 @@ vec3 machine_writer_angles(const mat3 *r)
 	return angles;
 }
 
-static void add_frame(struct strbuf *out, const xform *frame, bool location_needed)
+void machine_writer_frame(struct strbuf *out, const xform *frame, bool location_needed)
 {
 	vec3 angles = machine_writer_angles(&frame->rotation), p = frame->translation;
 
@@ -95,7 +95,7 @@ static void add_bodies(struct strbuf *out, const struct machine_description *d, 
 		strbuf_addf(out, "<body");
 		xml_text_attribute(out, "name", body->name);
 		xml_text_attribute(out, "mesh", body->mesh_path);
-		add_frame(out, &body->frame, false);
+		machine_writer_frame(out, &body->frame, false);
 		strbuf_addf(out, "/>\n");
 	}
 }
@@ -116,7 +116,7 @@ static void add_mounts(struct strbuf *out, const struct machine_description *d, 
 			continue;
 		indent(out, depth);
 		strbuf_addf(out, "<workholding");
-		add_frame(out, &d->workholdings[i].frame, true);
+		machine_writer_frame(out, &d->workholdings[i].frame, true);
 		strbuf_addf(out, "/>\n");
 	}
 }
@@ -201,17 +201,8 @@ static void add_controller(struct strbuf *out, const struct import_machine *mach
 	strbuf_addf(out, "/>\n");
 }
 
-void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin)
+void machine_writer_todo(struct strbuf *out, const struct import_machine *machine)
 {
-	const struct machine_description *d = &machine->description;
-
-	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-	xml_text_comment(out, origin);
-	strbuf_addf(out, "<machine version=\"1\"");
-	if (d->name)
-		xml_text_attribute(out, "name", d->name);
-	strbuf_addf(out, " units=\"mm\">\n");
-	add_controller(out, machine);
 	if (machine->left_out)
 		strbuf_addf(out,
 			    "  <!-- TODO Bodies whose meshes were not there are left out (%zu): what they hit is not "
@@ -225,6 +216,20 @@ void machine_writer_xml(struct strbuf *out, const struct import_machine *machine
 		xml_text_comment(out, strbuf_text(&todo));
 		strbuf_release(&todo);
 	}
+}
+
+void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin)
+{
+	const struct machine_description *d = &machine->description;
+
+	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+	xml_text_comment(out, origin);
+	strbuf_addf(out, "<machine version=\"1\"");
+	if (d->name)
+		xml_text_attribute(out, "name", d->name);
+	strbuf_addf(out, " units=\"mm\">\n");
+	add_controller(out, machine);
+	machine_writer_todo(out, machine);
 	strbuf_addf(out, "  <base>\n");
 	add_link(out, d, 0, 2);
 	strbuf_addf(out, "  </base>\n");

@@ -11,6 +11,12 @@
  */
 void machine_writer_xml(struct strbuf *out, const struct import_machine *machine, const char *origin);
 
+/* Appends comments that say what has to be done by hand. */
+void machine_writer_todo(struct strbuf *out, const struct import_machine *machine);
+
+/* Appends the attributes location, if it is needed or not 0, and rotation, if it is not 0. */
+void machine_writer_frame(struct strbuf *out, const xform *frame, bool location_needed);
+
 /* Appends the mesh as binary STL. */
 void machine_writer_stl(struct strbuf *out, const struct mesh *mesh);
 

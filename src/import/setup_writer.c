@@ -5,6 +5,7 @@
 #include "base/axes.h"
 #include "base/units.h"
 #include "base/xml_text.h"
+#include "import/machine_writer.h"
 
 /* Rounded to what a reader of the file can check, and so that the lengths of sections still add up. */
 static double shown(double value)
@@ -101,28 +102,49 @@ static void write_offset(struct strbuf *out, const struct length_offset_descript
 	strbuf_addf(out, "/>\n");
 }
 
-static void write_offsets(struct strbuf *out, const struct setup_description *setup)
+static void write_work_offsets(struct strbuf *out, const struct work_offset_description *offsets, size_t count)
 {
-	for (size_t i = 0; i < setup->offset_count; i++) {
+	for (size_t i = 0; i < count; i++) {
 		strbuf_addf(out, "  <work_offset");
-		xml_text_attribute(out, "name", setup->offsets[i].name);
+		xml_text_attribute(out, "name", offsets[i].name);
 		for (int slot = 0; slot < SLOT_COUNT; slot++)
-			if (setup->offsets[i].value[slot].given)
-				add_axis_value(out, slot, setup->offsets[i].value[slot].value);
+			if (offsets[i].value[slot].given)
+				add_axis_value(out, slot, offsets[i].value[slot].value);
 		strbuf_addf(out, "/>\n");
 	}
-	for (size_t i = 0; i < setup->length_count; i++)
-		write_offset(out, &setup->lengths[i]);
 }
 
-void setup_writer_xml(struct strbuf *out, const struct setup_description *setup, const char *origin)
+static void write_bodies(struct strbuf *out, const struct machine_description *bodies)
+{
+	for (size_t i = 0; i < bodies->body_count; i++) {
+		const struct body_description *body = &bodies->bodies[i];
+
+		strbuf_addf(out, "  <%s", body_roles[body->role]);
+		xml_text_attribute(out, "name", body->name);
+		xml_text_attribute(out, "mesh", body->mesh_path);
+		machine_writer_frame(out, &body->frame, false);
+		strbuf_addf(out, "/>\n");
+	}
+}
+
+void setup_writer_xml(struct strbuf *out, const struct setup_description *tools, const struct import_setup *job,
+		      const char *origin)
 {
 	strbuf_addf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
 	xml_text_comment(out, origin);
-	strbuf_addf(out, "<setup version=\"1\" units=\"mm\">\n"
-			 "  <!-- TODO The work offsets, fixtures and the part of the job. -->\n");
-	write_offsets(out, setup);
-	for (size_t i = 0; i < setup->tool_count; i++)
-		write_tool(out, &setup->tools[i]);
+	strbuf_addf(out, "<setup version=\"1\" units=\"mm\">\n");
+	if (job)
+		machine_writer_todo(out, &job->bodies);
+	else
+		strbuf_addf(out, "  <!-- TODO The work offsets, fixtures and the part of the job. -->\n");
+	write_work_offsets(out, tools->offsets, tools->offset_count);
+	for (size_t i = 0; i < tools->length_count; i++)
+		write_offset(out, &tools->lengths[i]);
+	if (job) {
+		write_work_offsets(out, job->offsets, job->offset_count);
+		write_bodies(out, &job->bodies.description);
+	}
+	for (size_t i = 0; i < tools->tool_count; i++)
+		write_tool(out, &tools->tools[i]);
 	strbuf_addf(out, "</setup>\n");
 }

@@ -3,9 +3,14 @@
 #define FIVECHECK_IMPORT_SETUP_WRITER_H
 
 #include "base/strbuf.h"
+#include "import/import_project.h"
 #include "machine/description.h"
 
-/* Appends a setup file. `origin` says in a comment what it was made from. */
-void setup_writer_xml(struct strbuf *out, const struct setup_description *setup, const char *origin);
+/*
+ * Appends a setup file with the tools and offsets of `tools`, and with the bodies and work offsets of `job` (NULL: they
+ * are not known). `origin` says in a comment what it was made from.
+ */
+void setup_writer_xml(struct strbuf *out, const struct setup_description *tools, const struct import_setup *job,
+		      const char *origin);
 
 #endif

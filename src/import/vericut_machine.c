@@ -288,30 +288,35 @@ static bool read_models(struct reading *r)
 
 /* ------------------------------------------------------------------ mounts */
 
-/* The first component of the type, with a warning if there are more; NULL: there is none. */
-static const struct vericut_component *first_of(const struct reading *r, const char *type)
+/*
+ * The first component of the type, or the one of the name (NULL: any), with a warning if there are more; NULL: there is
+ * none.
+ */
+static const struct vericut_component *choose(const struct reading *r, const char *type, const char *name)
 {
-	const struct vericut_component *first = NULL;
+	const struct vericut_component *chosen = NULL;
+	size_t count = 0;
 
 	for (size_t i = 0; i < r->components.count; i++) {
 		const struct vericut_component *c = &r->components.items[i];
 
 		if (strcasecmp(c->type, type) != 0)
 			continue;
-		if (first)
-			warn(r, c->node, "'%s' is the second component of the type %s: only '%s' is taken over",
-			     xml_quote(c->name).text, type, xml_quote(first->name).text);
-		else
-			first = c;
+		if (!count++ || (name && !strcmp(c->name, name)))
+			chosen = c;
 	}
-	return first;
+	if (count > 1)
+		warn(r, chosen->node, "there are %zu components of the type %s: only '%s' is taken over", count, type,
+		     xml_quote(chosen->name).text);
+	return chosen;
 }
 
 /* Tools are mounted with their gauge point at the component's origin, and point against its Z. */
 static void read_mounts(struct reading *r)
 {
 	struct machine_description *d = &r->machine->description;
-	const struct vericut_component *tool = first_of(r, "tool"), *work = first_of(r, "attach");
+	const struct vericut_component *tool = choose(r, "tool", NULL),
+				       *work = choose(r, "attach", r->options->work);
 
 	if (tool) {
 		d->spindles = arena_alloc(&d->arena, sizeof(*d->spindles));

@@ -6,7 +6,6 @@ told() { # NAME - standard input is the file
 }
 printf 'any text of an old machine\n' | told old.mch
 printf 'any text\n' | told JOB.VCPROJECT
-printf '<?xml version="1.0"?>\n<VcProject Version="7.0"><Setup/></VcProject>\n' | told job.vcproject
 printf '<MTConnectDevices xmlns="urn:mtconnect.org:MTConnectDevices:1.7"/>' | told device.xml
 printf 'ISO-10303-21;\n' | told arm.STEP
 printf 'PK\003\004zip' | told library.tools

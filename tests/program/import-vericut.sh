@@ -77,6 +77,59 @@ echo "models without the word Mirror are bodies, too:"
 machine millimeter | sed 's/ Mirror="Off"//' >plain.mch
 fivecheck import --output plain plain.mch 2>/dev/null
 grep -c '<body' plain/machine.xml
+echo "a project: the machine, a setup with its tools, and the program as a job"
+mkdir job
+box job/vise -60 -40 0 60 40 30
+box job/blank 0 0 0 80 60 20
+box job/part 10 10 0 70 50 15
+printf 'G21 G90 G54\nG0 X10\nM2\n' >job/O1.nc
+printf 'T1 P1 D10 Z100 ; an end mill\n' >job/tools.tbl
+project() { # "X Y Z" as VERICUT stored them
+	cat <<EOF
+<?xml version="1.0"?>
+<VcProject Version="7.1" Unit="millimeter">
+<Setup Name="op 10" Active="on">
+<Build>
+$(component Vise fixture Attach '0 0 10' '0 0 0' "$(file 'D:\jobs\VISE.stl' '1 2 3' '0 0 90')")
+$(component Stock stock Vise '-40 -30 33' '0 0 15' "$(file 'D:\jobs\blank.stl' '0 0 0' '0 0 0')")
+$(component Design design Stock '0 0 0' '0 0 0' "$(file 'D:\jobs\part.stl' '0 0 1' '0 0 0')")
+</Build>
+<NCPrograms Type="gcode"><Init Flag="off"><File>init.nc</File></Init>
+<NCProgram Use="on"><File>D:\jobs\o1.NC</File></NCProgram><NCProgram Use="off"><File>no.nc</File></NCProgram>
+<NCProgram Use="on"><File>gone.nc</File></NCProgram></NCPrograms>
+<GCode><Table Name="Work Offsets">
+<Row Index="54"><System>1</System><From CSystem="off" X="0" Y="0" Z="0">Tool</From><To CSystem="on" X="0" Y="0" Z="0">NC</To>
+$(for value in $1; do echo "<Value>$value</Value>"; done)</Row>
+<Row Index="2"><From CSystem="off">C</From><To CSystem="off" X="5" Y="6" Z="7">Vise</To></Row>
+<Row Index="99"><From CSystem="off">Tool</From><To CSystem="on" X="0" Y="0" Z="0">NC</To></Row>
+</Table></GCode>
+<CSystems><CSystem Name="NC" Type="component"><Attach>Stock</Attach>$(frame '0 0 20' '0 0 0')</CSystem></CSystems>
+<ToolMan><Library>D:\tools.tbl</Library></ToolMan>
+<Machine><File>C:\machines\DMU.mch</File>
+<Collision><Between Tol="1.5"><Component>Z axis</Component><Component>Vise</Component></Between></Collision></Machine>
+</Setup></VcProject>
+EOF
+}
+project '-220 -195 -474' >job/job.VcProject
+fivecheck import --meshes . --output job/new --dialect linuxcnc job/job.VcProject
+sed "s,$PWD,HERE," job/new/setup.xml job/new/jobs.xml
+python3 "$(dirname "$LIB")/../import/project_truth.py" job/job.VcProject dmu.mch job/new
+fivecheck --parse-only job/new/jobs.xml
+project '-220 -195 -474.1' >job/job.VcProject
+fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'are taken'
+project_fault() { # SED-SCRIPT
+	project '0 0 0' | sed "$1" >job/bad.VcProject
+	"$FIVECHECK" import --meshes . --output bad job/bad.VcProject 2>&1 | grep error:
+	[ ! -e bad ] || { echo "a folder was written"; rm -r bad; }
+}
+project_fault 's/DMU.mch/gone.mch/'
+project_fault 's,<File>C:[^<]*<,<File><,'
+project_fault 's/Attach>Attach</Attach>C</'
+project_fault 's/<Attach>Attach</<Attach>Design</'
+project_fault 's/Type="design"/Type="rotary"/'
+project_fault 's/Type="design"/Type="stock"/'
+project_fault 's,<Value>0</Value>,<Value>O</Value>,'
+project_fault 's,CSystem="on" X="0",CSystem="on" X="nan",'
 echo "nothing is overwritten:"
 fivecheck import --output new dmu.mch
 echo "faults:"

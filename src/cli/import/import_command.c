@@ -1,5 +1,6 @@
 #include "cli/import/import_command.h"
 
+#include "cli/import/import_jobs.h"
 #include "cli/import/import_output.h"
 #include "cli/subcommand.h"
 #include "control/dialects.h"
@@ -10,6 +11,7 @@
 #include "import/ply_check.h"
 #include "import/urdf_machine.h"
 #include "import/vericut_machine.h"
+#include "import/vericut_project.h"
 #include "base/units.h"
 #include "machine/library/library_file.h"
 #include "machine/machine.h"
@@ -61,7 +63,8 @@ static const struct subcommand subcommand = {
 	.name = "import",
 	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
 		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
-		 "of a control, or URDF; a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
+		 "of a control, or URDF; these, setups and a job file from a project of VERICUT 7\n"
+		 "(.VcProject); a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
 		 "(.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from\n"
 		 "another mesh.\n"
 		 "Says what could not be taken over, and what has to be looked at.\n",
@@ -109,6 +112,7 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	case FILE_URDF:
 		return urdf_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_VERICUT_MACHINE:
+	case FILE_VERICUT_PROJECT:
 	case FILE_MESH:
 	case FILE_TOOLS:
 		break;
@@ -116,34 +120,74 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	return vericut_machine_read(machine, request->file, &request->options, request->diag);
 }
 
-static bool import_machine(const struct request *request, enum file_kind kind)
+/* Writes the machine, and its pictures if they are wanted. False: reported. */
+static bool write_machine(const struct request *request, struct import_machine *machine)
 {
-	struct import_machine machine = {0};
+	struct strbuf path = {0}, page = {0};
+	bool good;
+
+	strbuf_addf(&path, "%s/machine.xml", request->output);
+	strbuf_addf(&page, "%s/axes.html", request->output);
+	if (request->dialect >= 0) {
+		machine->dialect_known = true;
+		machine->description.controller.dialect = request->dialect;
+	}
+	good = import_output_write(machine, request->output, request->file, request->diag) &&
+	       load(request, strbuf_text(&path)) &&
+	       (!request->pictures || draw(request, strbuf_text(&path), strbuf_text(&page)));
+	strbuf_release(&path);
+	strbuf_release(&page);
+	return good;
+}
+
+/* Are the files new that every machine becomes? False: reported. */
+static bool machine_is_new(const struct request *request)
+{
 	struct strbuf path = {0}, page = {0};
 	bool good;
 
 	strbuf_addf(&path, "%s/machine.xml", request->output);
 	strbuf_addf(&page, "%s/axes.html", request->output);
 	good = import_output_is_new(strbuf_text(&path), request->diag) &&
-	       (!request->pictures || import_output_is_new(strbuf_text(&page), request->diag)) &&
-	       read_machine(request, kind, &machine);
-	if (request->dialect >= 0) {
-		machine.dialect_known = true;
-		machine.description.controller.dialect = request->dialect;
-	}
-	good = good && import_output_write(&machine, request->output, request->file, request->diag) &&
-	       load(request, strbuf_text(&path)) &&
-	       (!request->pictures || draw(request, strbuf_text(&path), strbuf_text(&page)));
-	import_machine_release(&machine);
-	strbuf_release(&page);
+	       (!request->pictures || import_output_is_new(strbuf_text(&page), request->diag));
 	strbuf_release(&path);
+	strbuf_release(&page);
+	return good;
+}
+
+static bool import_machine(const struct request *request, enum file_kind kind)
+{
+	struct import_machine machine = {0};
+	bool good = machine_is_new(request) && read_machine(request, kind, &machine) &&
+		    write_machine(request, &machine);
+
+	import_machine_release(&machine);
+	return good;
+}
+
+static struct library_options library_options(const struct request *request)
+{
+	return (struct library_options){.unit = request->unit == UNIT_INCH ? MM_PER_INCH : 1,
+					.number_all = request->number_tools};
+}
+
+static bool import_project(const struct request *request)
+{
+	const struct library_options options = library_options(request);
+	struct import_project project = {0};
+	bool good = machine_is_new(request) &&
+		    vericut_project_read(&project, request->file, &request->options, request->diag) &&
+		    import_jobs_are_new(&project, request->output, request->diag) &&
+		    write_machine(request, &project.machine) &&
+		    import_jobs_write(&project, request->output, request->file, &options, request->diag);
+
+	import_project_release(&project);
 	return good;
 }
 
 static bool read_tools(const struct request *request, struct tool_library *tools)
 {
-	const struct library_options options = {.unit = request->unit == UNIT_INCH ? MM_PER_INCH : 1,
-						.number_all = request->number_tools};
+	const struct library_options options = library_options(request);
 	const struct setup_description *setup = &tools->setup;
 
 	if (!library_file_read(tools, request->file, &options, request->diag))
@@ -225,6 +269,8 @@ static bool import_file(const struct request *request)
 		return false;
 	if (kind == FILE_MESH)
 		return import_meshes(request);
+	if (kind == FILE_VERICUT_PROJECT)
+		return import_project(request);
 	return kind == FILE_TOOLS ? import_tools(request) : import_machine(request, kind);
 }
 

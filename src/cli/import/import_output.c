@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "import/jobs_writer.h"
 #include "import/machine_writer.h"
 #include "import/setup_writer.h"
 #include "report/output.h"
@@ -73,7 +74,7 @@ bool import_output_write_meshes(const struct import_machine *machine, const char
 	struct strbuf meshes = {0};
 	bool good;
 
-	strbuf_addf(&meshes, "%s/stl", folder);
+	strbuf_addf(&meshes, "%s/%s", folder, machine->folder ? machine->folder : "stl");
 	good = make_folder(folder, diag) && make_folder(strbuf_text(&meshes), diag) &&
 	       write_meshes(machine, folder, diag);
 	strbuf_release(&meshes);
@@ -101,8 +102,39 @@ bool import_output_write_tools(const struct tool_library *tools, const char *fol
 	bool good;
 
 	add_origin(&origin, source);
-	setup_writer_xml(&text, &tools->setup, strbuf_text(&origin));
+	setup_writer_xml(&text, &tools->setup, NULL, strbuf_text(&origin));
 	good = make_folder(folder, diag) && write_file(folder, "setup.xml", &text, diag);
+	strbuf_release(&text);
+	strbuf_release(&origin);
+	return good;
+}
+
+bool import_output_write_setup(const struct import_project *project, size_t setup, const struct tool_library *tools,
+			       const char *folder, const char *source, struct diag *diag)
+{
+	const struct import_setup *job = &project->setups[setup];
+	struct strbuf text = {0}, origin = {0}, name = {0};
+	bool good;
+
+	add_origin(&origin, source);
+	jobs_writer_setup_name(&name, project, setup);
+	setup_writer_xml(&text, &tools->setup, job, strbuf_text(&origin));
+	good = (!job->bodies.description.body_count || import_output_write_meshes(&job->bodies, folder, diag)) &&
+	       write_file(folder, strbuf_text(&name), &text, diag);
+	strbuf_release(&text);
+	strbuf_release(&origin);
+	strbuf_release(&name);
+	return good;
+}
+
+bool import_output_write_jobs(const struct import_project *project, const char *folder, const char *source,
+			      struct diag *diag)
+{
+	struct strbuf text = {0}, origin = {0};
+	bool good;
+
+	add_origin(&origin, source);
+	good = !jobs_writer_xml(&text, project, strbuf_text(&origin)) || write_file(folder, "jobs.xml", &text, diag);
 	strbuf_release(&text);
 	strbuf_release(&origin);
 	return good;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "base/diag.h"
-#include "import/import.h"
+#include "import/import_project.h"
 #include "machine/library/tool_library.h"
 
 /* False, reported: the file is there already, and may have been edited. */
@@ -23,5 +23,13 @@ bool import_output_write_meshes(const struct import_machine *machine, const char
 /* The same for setup.xml. */
 bool import_output_write_tools(const struct tool_library *tools, const char *folder, const char *source,
 			       struct diag *diag);
+
+/* The setup file of a project, with its meshes; the folder is there. `tools`: those of its library. */
+bool import_output_write_setup(const struct import_project *project, size_t setup, const struct tool_library *tools,
+			       const char *folder, const char *source, struct diag *diag);
+
+/* The job file, if the project names programs; the folder is there. */
+bool import_output_write_jobs(const struct import_project *project, const char *folder, const char *source,
+			      struct diag *diag);
 
 #endif

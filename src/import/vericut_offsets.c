@@ -1,0 +1,257 @@
+#include "import/vericut_offsets.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "machine/xml/foreign_xml.h"
+#include "machine/xml/xml_element.h"
+
+/* mm: what VERICUT computed of From and To when it wrote the file may be rounded. */
+#define SAME_PLACE 0.01
+
+struct reading {
+	struct import_setup *setup;
+	const struct import_machine *machine;
+	const struct vericut_components *components;
+	struct xml_reader *xml;
+	const xmlNode *setup_node;
+};
+
+/* A warning at the element, and a note for the setup file. */
+static void note(const struct reading *r, const xmlNode *node, const char *what)
+{
+	diag_warning(r->xml->diag, (struct srcloc){.file = r->xml->path, .line = xml_line(r->xml, node)}, "%s", what);
+	import_machine_todo(&r->setup->bodies, "%s", what);
+}
+
+/* -------------------------------------------------------------------- places */
+
+/* The frame of a component of the setup, or of the mount of the work, against the mount. False: it is none of them. */
+static bool component_frame(const struct reading *r, const char *name, xform *frame)
+{
+	const struct vericut_component *component = vericut_components_find(r->components, name);
+
+	*frame = component ? component->frame : xform_identity();
+	return component || (r->machine->work_name && !strcmp(name, r->machine->work_name));
+}
+
+static const xmlNode *find_system(const struct reading *r, const char *name)
+{
+	const xmlNode *at = foreign_child(foreign_child(r->setup_node, "CSystems"), "CSystem");
+
+	while (at && !foreign_attribute_is(at, "Name", name))
+		at = foreign_next(at, "CSystem");
+	return at;
+}
+
+/*
+ * Where <To> is, against the mount of the work. *known: false if its system hangs on something that is not part of the
+ * setup. False: reported.
+ */
+static bool read_place(const struct reading *r, const xmlNode *to, vec3 *place, bool *known)
+{
+	struct arena *arena = &r->setup->bodies.description.arena;
+	const char *name = foreign_text(arena, to);
+	xform frame = xform_identity(), local = frame;
+	vec3 more = {0, 0, 0};
+
+	if (foreign_attribute_is(to, "CSystem", "on")) {
+		const xmlNode *system = find_system(r, name);
+
+		if (system && !vericut_frame(r->xml, system, &local))
+			return false;
+		name = system ? foreign_text(arena, foreign_child(system, "Attach")) : "";
+	}
+	*known = component_frame(r, name, &frame);
+	if (foreign_attribute(to, "X") && !foreign_vector(r->xml, to, "X", "Y", "Z", &more))
+		return false;
+	frame = xform_mul(&frame, &local);
+	*place = xform_apply(&frame, vec3_scale(r->xml->unit, more));
+	return true;
+}
+
+/* ---------------------------------------------------------------------- axes */
+
+/* How the tool moves against the work for a positive value of the axis; NULL: the machine has none. */
+static const struct axis_description *axis_of(const struct import_machine *machine, int slot, vec3 *direction)
+{
+	const struct machine_description *d = &machine->description;
+
+	for (size_t i = 0; i < d->axis_count; i++) {
+		bool carries_work = false;
+
+		if (d->axes[i].slot != slot)
+			continue;
+		for (int link = d->workholdings[0].link; link > 0; link = d->axes[link - 1].parent)
+			carries_work |= link == 1 + (int)i;
+		*direction = vec3_scale(carries_work ? -1 : 1, d->axes[i].direction);
+		return &d->axes[i];
+	}
+	return NULL;
+}
+
+/* The values of X, Y and Z that bring the gauge point to the place. False: the axes do not stand at right angles. */
+static bool reach(const struct import_machine *machine, vec3 way, double values[3])
+{
+	vec3 left = way;
+
+	for (int slot = 0; slot < 3; slot++) {
+		vec3 direction;
+
+		values[slot] = 0;
+		if (!axis_of(machine, slot, &direction))
+			continue;
+		values[slot] = vec3_dot(way, direction);
+		left = vec3_sub(left, vec3_scale(values[slot], direction));
+	}
+	return vec3_norm(left) < 1e-6 * (1 + vec3_norm(way));
+}
+
+/* ---------------------------------------------------------------------- rows */
+
+/* "G54" to "G59" for the registers 54 to 59 and 1 to 6; NULL: none. */
+static const char *name_of(const char *index)
+{
+	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59"};
+	char *end;
+	const long number = strtol(index, &end, 10), n = number >= 54 ? number - 54 : number - 1;
+
+	return *index && !*end && n >= 0 && n < 6 ? names[n] : NULL;
+}
+
+/* Are the values that VERICUT stored those that From and To give? Only where From is the gauge point can this be told. */
+static bool check_values(const struct reading *r, const xmlNode *row, const double values[3])
+{
+	const xmlNode *at = foreign_child(row, "Value");
+	struct strbuf text = {0};
+
+	for (int i = 0; i < 3 && at; i++, at = foreign_next(at, "Value")) {
+		double stored;
+
+		if (!foreign_number(r->xml, at, NULL, &stored))
+			return false;
+		if (fabs(r->xml->unit * stored - values[i]) > SAME_PLACE && !text.length)
+			strbuf_addf(&text,
+				    "%c of a work offset is %.10g in the file, but From and To are %.10g mm apart: the "
+				    "places are taken; compare them",
+				    "XYZ"[i], stored, values[i]);
+	}
+	if (text.length)
+		note(r, row, strbuf_text(&text));
+	strbuf_release(&text);
+	return true;
+}
+
+/* Is there a value other than 0 in the element that is not taken over? */
+static bool has_values(const xmlNode *node)
+{
+	static const char *const names[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W", "A2", "B2", "C2"};
+
+	for (size_t i = 0; node && i < sizeof(names) / sizeof(*names); i++) {
+		const char *text = foreign_attribute(node, names[i]);
+
+		if (text && (strtod(text, NULL) > 0 || strtod(text, NULL) < 0))
+			return true;
+	}
+	return false;
+}
+
+static void add_offset(struct import_setup *setup, const char *name, const double values[3])
+{
+	struct work_offset_description *offset = &setup->offsets[setup->offset_count++];
+
+	*offset = (struct work_offset_description){.name = name};
+	for (int i = 0; i < 3; i++)
+		offset->value[i] = (struct optional_number){true, values[i]};
+}
+
+static bool is_taken(const struct import_setup *setup, const char *name)
+{
+	for (size_t i = 0; i < setup->offset_count; i++)
+		if (!strcmp(setup->offsets[i].name, name))
+			return true;
+	return false;
+}
+
+/* Adds the offset, or notes why not. False: reported. */
+static bool take_row(const struct reading *r, const xmlNode *table, const xmlNode *row, const double values[3])
+{
+	const char *index = foreign_attribute(row, "Index") ? foreign_attribute(row, "Index") : "";
+	const char *kind = foreign_attribute(table, "Name");
+	const char *name = !strcasecmp(kind, "Work Offsets") ? name_of(index) : NULL;
+	struct strbuf text = {0};
+
+	if (!name || is_taken(r->setup, name))
+		strbuf_addf(&text,
+			    "Row %s of the table %s has no name here: its place is X%.10g Y%.10g Z%.10g, to be given as "
+			    "a work offset that the program selects.",
+			    xml_quote(index).text, xml_quote(kind).text, values[0], values[1], values[2]);
+	else if (strlen(index) < 2)
+		strbuf_addf(&text, "Register %s of the work offsets is taken as %s: compare with the control.", index,
+			    name);
+	if (text.length)
+		note(r, row, strbuf_text(&text));
+	if (name && !is_taken(r->setup, name))
+		add_offset(r->setup, name, values);
+	strbuf_release(&text);
+	return true;
+}
+
+static bool read_row(const struct reading *r, const xmlNode *table, const xmlNode *row)
+{
+	const struct machine_description *d = &r->machine->description;
+	struct arena *arena = &r->setup->bodies.description.arena;
+	const xmlNode *from = foreign_child(row, "From"), *to = foreign_child(row, "To");
+	const char *start = foreign_text(arena, from);
+	bool known = false;
+	double values[3];
+	vec3 place;
+
+	if (!from || !to || !d->spindle_count || !d->workholding_count ||
+	    has_values(foreign_child(row, "AddOffset")) || has_values(foreign_child(row, "RelPosition"))) {
+		note(r, row, "A work offset is not taken over, as it is not given by From and To alone: add it.");
+		return true;
+	}
+	if (!read_place(r, to, &place, &known))
+		return false;
+	place = xform_apply(&d->workholdings[0].frame, place);
+	if (!known || !reach(r->machine, vec3_sub(place, d->spindles[0].location), values)) {
+		note(r, row, "A work offset is not taken over, as its place is not on the work: add it.");
+		return true;
+	}
+	if (!r->machine->tool_name || strcmp(start, r->machine->tool_name) != 0 || has_values(from))
+		note(r, row, "A work offset counts from another place than the gauge point in the file; here it counts "
+			     "from the gauge point, as tool lengths do.");
+	else if (!check_values(r, row, values))
+		return false;
+	return take_row(r, table, row, values);
+}
+
+/* Tables that say where the program's zero is. */
+static bool is_offset_table(const xmlNode *table)
+{
+	static const char *const names[] = {"Work Offsets", "Program Zero", "Input Program Zero", "Base Work Offset"};
+
+	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)
+		if (foreign_attribute_is(table, "Name", names[i]))
+			return true;
+	return false;
+}
+
+bool vericut_offsets_read(struct import_setup *setup, const struct import_machine *machine,
+			  const struct vericut_components *components, struct xml_reader *xml, const xmlNode *node)
+{
+	const struct reading r = {setup, machine, components, xml, node};
+	const xmlNode *first = foreign_child(foreign_child(node, "GCode"), "Table");
+
+	/* As many as there can be names. */
+	setup->offsets = arena_alloc(&setup->bodies.description.arena, 6 * sizeof(*setup->offsets));
+	for (const xmlNode *table = first; table; table = foreign_next(table, "Table"))
+		for (const xmlNode *row = is_offset_table(table) ? foreign_child(table, "Row") : NULL; row;
+		     row = foreign_next(row, "Row"))
+			if (!read_row(&r, table, row))
+				return false;
+	return true;
+}

@@ -1,0 +1,344 @@
+/* realpath is one of the X/Open extensions of POSIX. */
+#define _XOPEN_SOURCE 700
+
+#include "import/vericut_project.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/mem.h"
+#include "base/strbuf.h"
+#include "import/mesh_file.h"
+#include "import/vericut_components.h"
+#include "import/vericut_machine.h"
+#include "import/vericut_model.h"
+#include "import/vericut_offsets.h"
+#include "machine/xml/foreign_xml.h"
+#include "machine/xml/xml_element.h"
+
+/* More setups or programs than a project has. */
+enum { SETUPS_MAX = 100, PROGRAMS_MAX = 1000 };
+
+struct reading {
+	struct import_project *project;
+	const struct import_options *options;
+	struct xml_reader xml;
+	struct arena arena;
+	struct diag *diag;
+};
+
+/* A warning at the element, and a note for the setup file. */
+static void note(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
+	__attribute__((format(printf, 4, 5)));
+
+static void note(struct reading *r, struct import_setup *setup, const xmlNode *node, const char *format, ...)
+{
+	struct strbuf text = {0};
+	va_list args;
+
+	va_start(args, format);
+	strbuf_addv(&text, format, args);
+	va_end(args);
+	diag_warning(r->diag, (struct srcloc){.file = r->xml.path, .line = xml_line(&r->xml, node)}, "%s",
+		     strbuf_text(&text));
+	import_machine_todo(&setup->bodies, "%s", strbuf_text(&text));
+	strbuf_release(&text);
+}
+
+/* --------------------------------------------------------------------- files */
+
+/* The file that was written on another computer, in the arena; NULL: it is not there. */
+static const char *find_file(const struct reading *r, struct arena *arena, const char *written)
+{
+	struct strbuf path = {0};
+	const char *found = NULL;
+
+	if (mesh_file_find(&path, r->options->meshes, r->xml.path, written))
+		found = arena_strdup(arena, strbuf_text(&path));
+	strbuf_release(&path);
+	return found;
+}
+
+/* All setups name the same machine. False: reported. */
+static bool find_machine(struct reading *r, const char **path)
+{
+	const char *first = NULL;
+
+	for (const xmlNode *setup = foreign_child(xml_root(&r->xml), "Setup"); setup;
+	     setup = foreign_next(setup, "Setup")) {
+		const xmlNode *file = foreign_child(foreign_child(setup, "Machine"), "File");
+		const char *written = foreign_text(&r->arena, file);
+
+		if (*written && first && strcasecmp(first, written) != 0) {
+			xml_error(&r->xml, file, NULL,
+				  "the setups of this project are on several machines: save each as a project of its "
+				  "own");
+			return false;
+		}
+		first = *written ? written : first;
+	}
+	if (!first) {
+		xml_error(&r->xml, xml_root(&r->xml), NULL, "no <Setup> of this project names a machine");
+		return false;
+	}
+	*path = find_file(r, &r->arena, first);
+	if (!*path)
+		xml_error(&r->xml, xml_root(&r->xml), NULL,
+			  "the machine '%s' is not there: put it beside the project, or name its folder with --meshes",
+			  xml_quote(first).text);
+	return *path != NULL;
+}
+
+static void find_library(struct reading *r, struct import_setup *setup, const xmlNode *node)
+{
+	const xmlNode *library = foreign_child(foreign_child(node, "ToolMan"), "Library");
+	const char *written = foreign_text(&r->arena, library);
+
+	if (*written)
+		setup->library = find_file(r, &setup->bodies.description.arena, written);
+	if (!setup->library)
+		note(r, setup, library ? library : node,
+		     "The tool library '%s' is not there: add the tools of the job.", xml_quote(written).text);
+}
+
+static void add_program(struct reading *r, struct import_setup *setup, const xmlNode *file)
+{
+	struct arena *arena = &setup->bodies.description.arena;
+	const char *written = foreign_text(&r->arena, file), *found;
+	char *whole;
+
+	if (!*written || setup->program_count == PROGRAMS_MAX)
+		return;
+	found = find_file(r, &r->arena, written);
+	whole = found ? realpath(found, NULL) : NULL;
+	/* A job that lacks a program must not pass without it. */
+	setup->programs[setup->program_count++] = arena_strdup(arena, whole ? whole : written);
+	if (!whole)
+		note(r, setup, file, "The program '%s' is not there: correct its name in jobs.xml.",
+		     xml_quote(written).text);
+	free(whole);
+}
+
+/* Every <File> in an element of <NCPrograms> that is not switched off. */
+static void find_programs(struct reading *r, struct import_setup *setup, const xmlNode *node)
+{
+	const xmlNode *programs = foreign_child(node, "NCPrograms");
+
+	setup->programs = arena_alloc(&setup->bodies.description.arena, PROGRAMS_MAX * sizeof(*setup->programs));
+	for (const xmlNode *at = foreign_child(programs, NULL); at; at = foreign_next(at, NULL)) {
+		if (foreign_is(at, "File"))
+			add_program(r, setup, at);
+		if (foreign_attribute_is(at, "Use", "off") || foreign_attribute_is(at, "Flag", "off"))
+			continue;
+		for (const xmlNode *file = foreign_child(at, "File"); file; file = foreign_next(file, "File"))
+			add_program(r, setup, file);
+	}
+}
+
+/* -------------------------------------------------------------------- bodies */
+
+static bool is_built(const xmlNode *build, const char *name)
+{
+	const xmlNode *at = foreign_child(build, "Component");
+
+	while (at && !(foreign_attribute(at, "Name") && !strcmp(foreign_attribute(at, "Name"), name)))
+		at = foreign_next(at, "Component");
+	return at != NULL;
+}
+
+/* What the first setup hangs on, in the arena; NULL: nothing. */
+static const char *find_mount(struct reading *r)
+{
+	const xmlNode *build = foreign_child(foreign_child(xml_root(&r->xml), "Setup"), "Build");
+
+	for (const xmlNode *at = foreign_child(build, "Component"); at; at = foreign_next(at, "Component")) {
+		const char *name = foreign_text(&r->arena, foreign_child(at, "Attach"));
+
+		if (*name && !is_built(build, name))
+			return name;
+	}
+	return NULL;
+}
+
+/* False: the component is no part of a setup. */
+static bool role_of(const struct vericut_component *component, enum body_role *role)
+{
+	static const struct {
+		const char *type;
+		enum body_role role;
+	} roles[] = {{"fixture", ROLE_FIXTURE}, {"stock", ROLE_STOCK}, {"design", ROLE_PART}};
+
+	for (size_t i = 0; i < sizeof(roles) / sizeof(*roles); i++) {
+		*role = roles[i].role;
+		if (!strcasecmp(component->type, roles[i].type))
+			return true;
+	}
+	return false;
+}
+
+static size_t count_stock(const struct import_setup *setup)
+{
+	size_t count = 0;
+
+	for (size_t i = 0; i < setup->bodies.description.body_count; i++)
+		count += setup->bodies.description.bodies[i].role == ROLE_STOCK;
+	return count;
+}
+
+static bool read_body(struct reading *r, struct import_setup *setup, const struct vericut_component *component,
+		      const xmlNode *node)
+{
+	struct vericut_model model;
+	enum body_role role;
+
+	if (!role_of(component, &role)) {
+		xml_error(&r->xml, component->node, "Type",
+			  "'%s' of the setup is of the type %s, which cannot be taken over: fixture, stock and design "
+			  "are; what moves belongs to the machine",
+			  xml_quote(component->name).text, xml_quote(component->type).text);
+		return false;
+	}
+	if (role == ROLE_STOCK && count_stock(setup)) {
+		xml_error(&r->xml, node, NULL, "the stock has several models: save it as one STL");
+		return false;
+	}
+	if (!vericut_model_read(&model, &r->xml, node, component, r->options, &setup->bodies.description.arena))
+		return false;
+	setup->bodies.left_out += model.left_out;
+	if (!model.left_out)
+		import_machine_add_body(&setup->bodies, model.name, component->name, 0, &model.frame, &model.mesh)
+			->role = role;
+	return true;
+}
+
+static bool read_bodies(struct reading *r, struct import_setup *setup, const struct vericut_components *components)
+{
+	for (size_t i = 0; i < components->count; i++) {
+		const struct vericut_component *component = components->order[i];
+
+		for (const xmlNode *at = foreign_child(component->node, NULL); at; at = foreign_next(at, NULL))
+			if (vericut_model_is(at) && !read_body(r, setup, component, at))
+				return false;
+	}
+	return true;
+}
+
+/* -------------------------------------------------------------------- setups */
+
+static bool is_plain(char letter)
+{
+	return isalnum((unsigned char)letter) || strchr("._-", letter);
+}
+
+/* Its name is part of the names of files, and of a job. */
+static void name_setup(struct reading *r, struct import_setup *setup, const xmlNode *node)
+{
+	const size_t count = r->project->setup_count;
+	const char *wanted = foreign_attribute(node, "Name");
+	bool good = wanted && *wanted && *wanted != '.' && strlen(wanted) < 60;
+	struct strbuf name = {0};
+
+	for (const char *at = wanted; good && *at; at++)
+		good = is_plain(*at);
+	for (size_t i = 0; good && i < count; i++)
+		good = strcasecmp(r->project->setups[i].name, wanted) != 0;
+	if (good)
+		strbuf_addf(&name, "%s", wanted);
+	else
+		strbuf_addf(&name, "setup.%zu", count + 1);
+	setup->name = arena_strdup(&setup->bodies.description.arena, strbuf_text(&name));
+	strbuf_clear(&name);
+	strbuf_addf(&name, "stl-%s", setup->name);
+	setup->bodies.folder = arena_strdup(&setup->bodies.description.arena, strbuf_text(&name));
+	strbuf_release(&name);
+}
+
+/* The clearances of the collision list between machine and setup are not kept: say how large they are. */
+static void note_collisions(struct reading *r, struct import_setup *setup, const xmlNode *node)
+{
+	const xmlNode *list = foreign_child(foreign_child(node, "Machine"), "Collision");
+	double most = 0;
+
+	for (const xmlNode *at = foreign_child(list, "Between"); at; at = foreign_next(at, "Between")) {
+		const char *text = foreign_attribute(at, "Tol");
+		const double value = text ? strtod(text, NULL) : 0;
+
+		most = value > most ? value : most;
+	}
+	if (most > 0)
+		note(r, setup, list,
+		     "The collision list of the setup keeps up to %.10g mm, which is not taken over: all pairs that can "
+		     "meet are checked; give the distance with the option clearance.",
+		     r->xml.unit * most);
+}
+
+static bool read_setup(struct reading *r, const xmlNode *node)
+{
+	struct import_project *project = r->project;
+	struct import_setup *setup = &project->setups[project->setup_count];
+	struct vericut_components components = {0};
+
+	*setup = (struct import_setup){0};
+	name_setup(r, setup, node);
+	project->setup_count++;
+	if (!project->machine.work_name) {
+		xml_error(&r->xml, node, NULL, "the machine has no component of the type attach, so no work is on it");
+		return false;
+	}
+	if (foreign_child(node, "Build") &&
+	    (!vericut_components_read(&components, &r->xml, foreign_child(node, "Build"), project->machine.work_name,
+				      &setup->bodies.description.arena) ||
+	     !read_bodies(r, setup, &components)))
+		return false;
+	if (!vericut_offsets_read(setup, &project->machine, &components, &r->xml, node))
+		return false;
+	find_library(r, setup, node);
+	find_programs(r, setup, node);
+	note_collisions(r, setup, node);
+	/* They point into the tree of the file. */
+	for (size_t i = 0; i < setup->bodies.description.body_count; i++)
+		setup->bodies.description.bodies[i].at = NULL;
+	return true;
+}
+
+static bool read_project(struct reading *r)
+{
+	const xmlNode *root = xml_root(&r->xml);
+	struct import_options options = *r->options;
+	const char *machine;
+	size_t count = 0;
+
+	r->xml.unit = vericut_unit(&r->xml, root);
+	for (const xmlNode *node = foreign_child(root, "Setup"); node; node = foreign_next(node, "Setup"))
+		count++;
+	if (count > SETUPS_MAX) {
+		xml_error(&r->xml, root, NULL, "the project has %zu setups; 1 to %d can be read", count, SETUPS_MAX);
+		return false;
+	}
+	options.work = find_mount(r);
+	if (!(r->xml.unit > 0) || !find_machine(r, &machine) ||
+	    !vericut_machine_read(&r->project->machine, machine, &options, r->diag))
+		return false;
+	r->project->setups = mem_zalloc(count, sizeof(*r->project->setups));
+	for (const xmlNode *node = foreign_child(root, "Setup"); node; node = foreign_next(node, "Setup"))
+		if (!read_setup(r, node))
+			return false;
+	return true;
+}
+
+bool vericut_project_read(struct import_project *project, const char *path, const struct import_options *options,
+			  struct diag *diag)
+{
+	static const char *const elements[] = {"VcProject", NULL};
+	struct reading r = {.project = project, .options = options, .diag = diag};
+	bool good;
+
+	if (!xml_open(&r.xml, path, elements, diag))
+		return false;
+	good = read_project(&r) && !r.xml.errors;
+	arena_release(&r.arena);
+	xml_close(&r.xml);
+	return good;
+}
