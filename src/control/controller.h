@@ -143,6 +143,7 @@ struct controller {
 	int dialect;	/* row of control/dialects.h */
 	enum rapid rapid;
 	bool tcp_zero_offset;	/* rotary zero under TCP: the work offset's rotary words, else the machine's zero */
+	enum answer tcp_zero_given;	/* ANSWER_YES: the machine file says which */
 	double path_tolerance;	/* mm, and degrees for rotary axes; 0: none given */
 	double unit;	/* mm per unit of length of the control itself, in which parameters hold offsets; 0: mm */
 	/* mm or degrees of a word without a decimal point that counts 1; 1: whole units; 0: not known */

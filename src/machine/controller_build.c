@@ -237,6 +237,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->dialect = from->dialect;
 	to->rapid = from->rapid;
 	to->tcp_zero_offset = from->tcp_zero_offset;
+	to->tcp_zero_given = from->tcp_zero_given;
 	to->path_tolerance = from->path_tolerance.value;
 	to->least_input = from->least_input.value;
 	to->length_moves = from->length_moves;

@@ -84,6 +84,7 @@ struct controller_description {
 	int dialect;	/* row of control/dialects.h */
 	enum rapid rapid;
 	bool tcp_zero_offset;
+	enum answer tcp_zero_given;
 	struct optional_number path_tolerance;
 	struct optional_number least_input;
 	enum power_on_units power_on_units;

@@ -75,6 +75,12 @@ static const struct refused_program programs[] = {
 	 "supported"},
 	{"POSA[X]=5\n", 1, 1,
 	 "POSA: positioning axis that goes on while the next blocks move (POS waits for it) is not supported yet"},
+	{"T1 M6\nG500 G17\nTRAORI\nTRANS C30\nG0 X1 Y0 Z0\n", 5, 4,
+	 "C is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides whether TRAORI and "
+	 "CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's <controller> says it"},
+	{"$P_UIFR[1,A,TR]=5\nT1 M6\nG54 G17\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n", 4, 1,
+	 "A is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides whether TRAORI and "
+	 "CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's <controller> says it"},
 	{"MCALL POCKET1(1)\n", 1, 7,
 	 "MCALL POCKET1: milling cycles are supported where they are called without MCALL"},
 	{"CYCLE62(\"KONTUR\")\n", 1, 1,

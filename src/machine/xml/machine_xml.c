@@ -158,6 +158,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->at = node;
 	controller->dialect = xml_choice(xml, node, "dialect", dialect_names, 0);
 	controller->rapid = (enum rapid)xml_choice(xml, node, "rapid", rapids, RAPID_LINEAR);
+	controller->tcp_zero_given =
+	    xml_choice(xml, node, "tcp_zero", zeros, -1) >= 0 ? ANSWER_YES : ANSWER_UNKNOWN;
 	controller->tcp_zero_offset = xml_choice(xml, node, "tcp_zero", zeros, 0) == 1;
 	controller->path_tolerance = xml_optional_length(xml, node, "path_tolerance");
 	controller->least_input = xml_optional_number(xml, node, "least_input");

@@ -131,6 +131,35 @@ static bool check_system(const struct interp *interp, const struct sinumerik_blo
 	    "the like, or G500, or say power_on_work_offset=\"G500\" or \"G54\" in the machine's <controller>");
 }
 
+/*
+ * $MC_TRAFO5_ROT_OFFSET_FROM_FRAME_1: TRAORI takes the rotary axes' offsets of the work offset as their zero, or counts
+ * from the machine's. With "offset", what becomes of offsets by TRANS is not certain.
+ */
+bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column)
+{
+	const struct controller *controller = &interp->config->controller;
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
+		const bool programmed = !same_double(sinumerik->frame.shift.v[slot], 0);
+
+		if (!interp->config->has_axis[slot] || same_double(interp->state.offset.v[slot], 0))
+			continue;
+		if (controller->tcp_zero_given != ANSWER_YES)
+			return fault(&interp->at, column,
+				     "%c is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides "
+				     "whether TRAORI and CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" "
+				     "of the machine's <controller> says it",
+				     AXIS_LETTERS[slot]);
+		if (controller->tcp_zero_offset && programmed)
+			return fault(&interp->at, column,
+				     "TRANS of %c with TRAORI or CYCLE800 is not supported where these count from the "
+				     "work offset (tcp_zero=\"offset\")",
+				     AXIS_LETTERS[slot]);
+	}
+	return true;
+}
+
 bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block *block, bool machine, bool arc)
 {
 	const int column = sinumerik_block_axis_column(block);
@@ -139,6 +168,8 @@ bool sinumerik_target_check(struct interp *interp, const struct sinumerik_block 
 	if (interp->state.unknown_modes && !check_modes(interp, block, arc, column))
 		return false;
 	if (sinumerik_of(interp)->tool_frame && !sinumerik_tool_frame_check(interp, block, arc))
+		return false;
+	if (interp->state.tcp != TCP_OFF && !sinumerik_target_check_rotary_zero(interp, column))
 		return false;
 	if (linear && (!check_edge(interp, column) || !check_length_axis(interp, column)))
 		return false;

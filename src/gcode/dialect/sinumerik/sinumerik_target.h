@@ -26,4 +26,9 @@ double sinumerik_target_length(const struct interp *interp, double value);
 double sinumerik_target_centre(const struct interp *interp, double value, enum sinumerik_way way, bool modal_absolute,
 			       double start);
 
+/*
+ * Does it matter, and is it not known, whether TRAORI and CYCLE800 count rotary axes from their offsets? False: reported.
+ */
+bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column);
+
 #endif
