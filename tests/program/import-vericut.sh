@@ -114,7 +114,7 @@ project '-220 -195 -474' >job/job.VcProject
 fivecheck import --meshes . --output job/new --dialect linuxcnc job/job.VcProject
 sed "s,$PWD,HERE," job/new/setup.xml job/new/jobs.xml
 python3 "$(dirname "$LIB")/../import/project_truth.py" job/job.VcProject dmu.mch job/new
-fivecheck --parse-only job/new/jobs.xml
+"$FIVECHECK" --parse-only -q job/new/jobs.xml 2>&1 | sed "s,$PWD,HERE,"
 project '-220 -195 -474.1' >job/job.VcProject
 fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'are taken'
 project_fault() { # SED-SCRIPT

@@ -111,6 +111,7 @@ bad 'number,length,diameter,stickout,shank_diameter\n1,70,6,40,12\n'
 bad 'number,type,length,diameter\n1,bull,70,10\n'
 bad 'number,type,length,diameter,corner_radius\n1,flat,70,10,2\n'
 bad 'number,type,length,diameter,corner_radius\n1,ball,70,10,2\n'
+bad 'number,type,length,diameter,flute_length,point_angle\n1,flat,70,10,20,118\n'
 bad 'number,length,diameter,Holder diameter (mm)\n1,70,10,50\n'
 printf 'number,length,diameter,Unit\n1,2,0.5,inch\n' >t.csv
 fivecheck import -o unit t.csv 2>/dev/null

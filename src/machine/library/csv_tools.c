@@ -240,6 +240,10 @@ static bool set_tip(struct reading *r, const struct row *row, struct tool_outlin
 			   type);
 		return false;
 	}
+	/* Only these are pointed: with another type one of the two cells is wrong. */
+	if (point > 0 && tool->tip != TIP_CONE && !is_type(type, "chamfer"))
+		return fault(r, "only a drill or a chamfer mill has a point_angle: correct the type, or leave the cell "
+				"empty");
 	if (tool->tip == TIP_CONE && !(tool->angle > 0 && tool->angle < radians(180)))
 		return fault(r, "a drill needs its point_angle, between 0 and 180 degrees");
 	if (tool->corner > tool->diameter / 2)
@@ -281,6 +285,11 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	} else {
 		tool_profile_add(&tool->cutter, 0, tool->diameter / 2, flutes, tool->diameter / 2);
 	}
+	if (isnan(row->value[COLUMN_FLUTES]) && tool->kind == TOOL_TURNS)
+		diag_warning(r->diag, r->table.at,
+			     "tool %ld: its flute_length is not given, so all of it below the holder counts as cutter, "
+			     "which may touch the part while it cuts; give flute_length",
+			     tool->number);
 	if (flutes < stickout)
 		tool_profile_add(&tool->shank, flutes, shank / 2, stickout, shank / 2);
 	if (holder > 0 && stickout < tool->length)
