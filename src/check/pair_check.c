@@ -41,29 +41,31 @@ void pair_check_prepare(struct pair_check *check, const struct check_options *op
 {
 	const struct scene_pair *p = &check->scene->pairs[check->pair];
 	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
-	const bool started = check->sampler.started;
 	struct body_pair bodies;
 
-	if (check->ready || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
+	if (check->methods || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
 		return;
-	strategy_init(&check->strategy, &bodies, p->clearance, options->tolerance, check->measures);
+	check->methods = mem_zalloc(1, sizeof(*check->methods));
+	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance, check->measures);
 	if (check->measures && options->measure_cap > 0)
-		strategy_cap(&check->strategy, p->clearance + options->measure_cap);
-	sampler_init(&check->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED, options->step);
-	check->sampler.started = started;
-	block_clearance_init(&check->block, &bodies);
-	check->ready = true;
+		strategy_cap(&check->methods->strategy, p->clearance + options->measure_cap);
+	sampler_init(&check->methods->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED,
+		     options->step);
+	check->methods->sampler.started = check->has_started;
+	block_clearance_init(&check->methods->block, &bodies);
 }
 
 void pair_check_release(struct pair_check *check)
 {
-	if (check->ready) {
-		strategy_release(&check->strategy);
-		block_clearance_release(&check->block);
-		sampler_release(&check->sampler);
+	if (check->methods) {
+		strategy_release(&check->methods->strategy);
+		block_clearance_release(&check->methods->block);
+		sampler_release(&check->methods->sampler);
+		free(check->methods);
 	}
 	free(check->results);
 	free(check->clearances);
+	check->methods = NULL;
 	check->results = NULL;
 	check->clearances = NULL;
 }
@@ -81,24 +83,26 @@ bool pair_check_watches(const struct pair_check *check, enum step_class class)
 void pair_check_found(struct pair_check *check, long block)
 {
 	check->found_block = block;
-	check->maybe_inside = check->block.maybe_inside = true;
-	strategy_forget_position(&check->strategy);
+	check->maybe_inside = check->methods->block.maybe_inside = true;
+	strategy_forget_position(&check->methods->strategy);
 }
 
 void pair_check_change_tool(struct pair_check *check)
 {
 	check->maybe_inside |= starts_unseen(check->steps);
-	if (check->ready)
-		strategy_forget_position(&check->strategy);
+	if (check->methods)
+		strategy_forget_position(&check->methods->strategy);
 }
 
 void pair_check_jump(struct pair_check *check)
 {
 	check->maybe_inside = true;
 	/* Only the first step of a program samples its start, so that the samples do not depend on shards. */
-	check->sampler.started = true;
-	if (check->ready)
-		strategy_forget_position(&check->strategy);
+	check->has_started = true;
+	if (!check->methods)
+		return;
+	check->methods->sampler.started = true;
+	strategy_forget_position(&check->methods->strategy);
 }
 
 static void add_result(struct pair_check *check, size_t step, enum query_answer answer, bool exhausted,
@@ -114,8 +118,8 @@ static enum query_answer pass(struct pair_check *check, struct sweep *sweep, con
 			 const struct check_options *options, struct contact *contact)
 {
 	if (options->method == CHECK_CERTIFIED)
-		return strategy_advance_step(&check->strategy, sweep, step, contact);
-	return sampler_step(&check->sampler, sweep, step, contact) ? QUERY_CONTACT : QUERY_CLEAR;
+		return strategy_advance_step(&check->methods->strategy, sweep, step, contact);
+	return sampler_step(&check->methods->sampler, sweep, step, contact) ? QUERY_CONTACT : QUERY_CLEAR;
 }
 
 /*
@@ -148,7 +152,7 @@ static enum query_answer check_maybe_inside(struct pair_check *check, struct swe
 static void leave_out(struct pair_check *check)
 {
 	check->maybe_inside |= check->steps != STEP_ANY;
-	strategy_forget_position(&check->strategy);
+	strategy_forget_position(&check->methods->strategy);
 }
 
 static bool applies(const struct pair_check *check, const struct batch_step *step)
@@ -170,7 +174,7 @@ static size_t skip_chunk(struct pair_check *check, const struct batch *batch, si
 		return count;
 	}
 	if (!WITH_CHUNKS || options->method != CHECK_CERTIFIED || check->maybe_inside ||
-	    !strategy_advance_box(&check->strategy, &chunk->low, &chunk->high, &chunk->errors,
+	    !strategy_advance_box(&check->methods->strategy, &chunk->low, &chunk->high, &chunk->errors,
 			   &batch->steps[i + count - 1].motion.span.q1, count))
 		return 0;
 	return count;
@@ -197,7 +201,7 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
 	    batch->steps[i].block == check->found_block)
 		return skipped;
-	return strategy_advance_chord(&check->strategy, sweep, &batch->steps[i], count_alike(check, batch, i, to));
+	return strategy_advance_chord(&check->methods->strategy, sweep, &batch->steps[i], count_alike(check, batch, i, to));
 }
 
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
@@ -227,7 +231,7 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 			continue;
 		add_result(check, i, answer, sweep->exhausted, &contact);
 		if (!options->all || answer == QUERY_UNDECIDED) {
-			strategy_forget_position(&check->strategy);
+			strategy_forget_position(&check->methods->strategy);
 			return;
 		}
 		pair_check_found(check, step->block);
@@ -242,8 +246,8 @@ void pair_check_stand(struct pair_check *check, struct sweep *sweep, const axis_
 
 	span_init(&still.span, &path);
 	/* The answer does not matter: the pose was checked before, more exactly. */
-	strategy_advance_step(&check->strategy, sweep, &still, &contact);
-	strategy_forget_position(&check->strategy);
+	strategy_advance_step(&check->methods->strategy, sweep, &still, &contact);
+	strategy_forget_position(&check->methods->strategy);
 }
 
 /*
@@ -262,13 +266,13 @@ static void start_room(struct pair_check *check, long block, double most, bool l
 	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
 				     sizeof(*check->clearances));
 	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, most, most};
-	block_clearance_start(&check->block, most);
+	block_clearance_start(&check->methods->block, most);
 }
 
 /* block_clearance sees only surfaces: as long as one body may be inside the other, check whether it is. */
 static void measure_inside(struct pair_check *check, const struct motion_step *step)
 {
-	struct block_clearance *block = &check->block;
+	struct block_clearance *block = &check->methods->block;
 	struct diag unheard = {0};	/* the meshes have been read: there is nothing to say */
 	vec3 point;
 
@@ -308,7 +312,7 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			long effort, const struct check_options *options)
 {
 	const long rough_from = sweep->visits + effort;
-	struct block_clearance *block = &check->block;
+	struct block_clearance *block = &check->methods->block;
 	bool clears = false;
 
 	check->clearance_count = 0;

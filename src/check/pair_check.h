@@ -29,6 +29,13 @@ struct pair_check_clearance {
 	double most;	/* mm: a larger one was of no interest */
 };
 
+/* What takes the pair through the steps; large. */
+struct pair_methods {
+	struct sampler sampler;	/* the sampled methods */
+	struct strategy strategy;	/* CERTIFIED */
+	struct block_clearance block;
+};
+
 struct pair_check {
 	struct scene *scene;	/* borrowed */
 	size_t pair;	/* of the scene */
@@ -36,7 +43,7 @@ struct pair_check {
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
 	bool measures;	/* find the smallest clearance */
-	bool ready;	/* pair_check_prepare was called */
+	bool has_started;	/* the sampled methods need not look at where the first step begins */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
 	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
@@ -44,10 +51,7 @@ struct pair_check {
 	size_t result_count, result_capacity;
 	struct pair_check_clearance *clearances;	/* of this batch */
 	size_t clearance_count, clearance_capacity;
-	/* Large: until the check is ready only the first page of these is touched. */
-	struct sampler sampler;	/* the sampled methods */
-	struct strategy strategy;	/* CERTIFIED */
-	struct block_clearance block;
+	struct pair_methods *methods;	/* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 
 /*
@@ -58,7 +62,7 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 
 /*
  * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of
- * tools that a program does not use. The check must not be moved afterwards.
+ * tools that a program does not use.
  */
 void pair_check_prepare(struct pair_check *check, const struct check_options *options);
 void pair_check_release(struct pair_check *check);

@@ -115,9 +115,10 @@ static void divide(struct scheduler *scheduler, struct pair_check *check, const 
 		struct pair_check *copy = mem_zalloc(1, sizeof(*copy));
 
 		*copy = *check;
+		copy->methods = mem_zalloc(1, sizeof(*copy->methods));
 		copy->results = NULL;
 		copy->result_count = copy->result_capacity = 0;
-		strategy_fork(&check->strategy, &copy->strategy);
+		strategy_fork(&check->methods->strategy, &copy->methods->strategy);
 		count = part_of(batch->step_count - from);
 		add_task(scheduler, check, copy, from, from + count);
 	}
@@ -204,7 +205,8 @@ static void gather(struct scheduler *scheduler)
 		}
 		if (!task->copy)
 			continue;
-		strategy_join(&task->check->strategy, &task->copy->strategy);
+		strategy_join(&task->check->methods->strategy, &task->copy->methods->strategy);
+		free(task->copy->methods);
 		free(task->copy->results);
 		free(task->copy);
 	}
@@ -268,7 +270,7 @@ static size_t put_in_order(struct scheduler *scheduler, const struct batch *batc
 		scheduler->order[count++].check = check;
 	}
 	for (size_t i = 0; i < count && options->least_clearances; i++)
-		scheduler->order[i].distance = block_clearance_look(&scheduler->order[i].check->block,
+		scheduler->order[i].distance = block_clearance_look(&scheduler->order[i].check->methods->block,
 								    scheduler->sweeps, middle);
 	if (options->least_clearances)
 		qsort(scheduler->order, count, sizeof(*scheduler->order), by_distance);
@@ -342,18 +344,18 @@ void scheduler_collect(struct scheduler *scheduler, const struct check_options *
 		/* What is measured of a pair that was never checked is where measuring begins. */
 		if (proven)
 			pair_check_prepare(check, options);
-		if (!check->ready)
+		if (!check->methods)
 			continue;
-		stats->budgets += check->strategy.covered_steps;
-		stats->planes += check->strategy.plane_steps;
-		stats->queries += check->strategy.queries;
-		stats->samples += check->sampler.samples;
+		stats->budgets += check->methods->strategy.covered_steps;
+		stats->planes += check->methods->strategy.plane_steps;
+		stats->queries += check->methods->strategy.queries;
+		stats->samples += check->methods->sampler.samples;
 		if (check->unknown_block >= 0 && check->unknown_block <= last_block) {
 			if (!stats->pairs_unknown)
 				stats->first_unknown = check->pair;
 			stats->pairs_unknown++;
 		}
 		if (proven)
-			proven[check->pair] = strategy_proven(&check->strategy);
+			proven[check->pair] = strategy_proven(&check->methods->strategy);
 	}
 }
