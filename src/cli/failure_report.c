@@ -72,7 +72,7 @@ bool failure_report_write(const struct options *options, const struct error_list
 {
 	const struct machine machine = {.path = options->machine};
 	const struct setup setup = {.path = options->setup};
-	const struct scene scene = {.machine = &machine, .setup = options->setup ? &setup : NULL};
+	struct scene scene = {.machine = &machine, .setup = options->setup ? &setup : NULL};
 	const struct waiver_match waiving = {0};
 	const struct report_run run = {
 	    .scene = &scene,

@@ -17,9 +17,9 @@ struct body {
 	enum body_role role;
 	int link;
 	int tool;	/* the tool's number for holder, shank and cutter; else 0 */
-	const char *mesh_path;	/* a path that can be opened; NULL: the body has a `solid` */
+	const char *mesh_path;	/* a path that can be opened; NULL: the body has a `solid` or a `profile` */
 	const char *mesh_root;	/* the folder that must contain the mesh, or NULL; must outlive the body */
-	const struct mesh *solid;	/* tessellated by the reader; NULL: read mesh_path */
+	const struct mesh *solid;	/* made by the reader, of the stock; NULL: none */
 	const struct tool_solid *profile;	/* the sections of a tool's piece; NULL: a mesh, or no tool */
 	double rapid_allowance;	/* mm, of a part or the stock: how deep a cutter may enter it while it does not cut */
 	double gouge;	/* mm, of a part: how deep a cutter may enter it while it cuts; negative: any depth */

@@ -239,20 +239,16 @@ static xform tool_placement(const struct spindle *spindle)
 	return placement;
 }
 
-static const struct mesh *tessellate(struct tool_builder *builder, const void *at, const struct tool_solid *solid)
+/* The scene makes the triangles when they are needed. */
+static void count_triangles(struct tool_builder *builder, const void *at, const struct tool_solid *solid)
 {
 	size_t triangles = tool_solid_triangles(solid);
-	struct mesh *mesh;
 
-	if (triangles > TOOL_TRIANGLES_MAX - builder->triangles) {
+	if (triangles > TOOL_TRIANGLES_MAX - builder->triangles)
 		description_fault(builder->file, at, NULL, "the tools' sections make more than %zu triangles",
 				  TOOL_TRIANGLES_MAX);
-		return NULL;
-	}
-	builder->triangles += triangles;
-	mesh = arena_alloc(&builder->setup->arena, sizeof(*mesh));
-	tool_solid_mesh(solid, &builder->setup->arena, mesh);
-	return mesh;
+	else
+		builder->triangles += triangles;
 }
 
 static const char *body_name(struct arena *arena, int number, const char *what)
@@ -282,7 +278,7 @@ static void add_body(struct tool_builder *builder, const struct tool *tool, cons
 			    .loc = description_place(builder->file, described->at)};
 
 	if (solid && builder->file->faults == 0)
-		body.solid = tessellate(builder, described->at, solid);
+		count_triangles(builder, described->at, solid);
 	if (solid) {
 		struct tool_solid *profile = arena_alloc(&setup->arena, sizeof(*profile));
 

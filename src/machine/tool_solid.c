@@ -320,29 +320,59 @@ size_t tool_solid_triangles(const struct tool_solid *solid)
 	return 2 * plan.ring * most_corners(solid, &plan);
 }
 
-void tool_solid_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out)
+static void mesh_by(const struct plan *plan, const struct tool_solid *solid, struct arena *arena, struct mesh *out)
 {
-	struct plan plan = make_plan(solid);
 	struct outline outline;
-	struct vertex *rings = mem_zalloc(2 * plan.ring, sizeof(*rings));
-	struct vertex *upper = rings, *lower = rings + plan.ring;
+	struct vertex *rings = mem_zalloc(2 * plan->ring, sizeof(*rings));
+	struct vertex *upper = rings, *lower = rings + plan->ring;
 	struct circle circle;
 
-	circle_init(&circle, plan.ring);
-	outline_init(&outline, solid, &plan);
-	*out = (struct mesh){.triangles = arena_alloc(arena, 2 * plan.ring * outline.count * sizeof(mesh_triangle))};
+	circle_init(&circle, plan->ring);
+	outline_init(&outline, solid, plan);
+	*out = (struct mesh){.triangles = arena_alloc(arena, 2 * plan->ring * outline.count * sizeof(mesh_triangle))};
 	fill_ring(lower, &circle, outline.corners[0]);
-	add_cap(out, lower, plan.ring, true);
+	add_cap(out, lower, plan->ring, true);
 	for (size_t i = 1; i < outline.count; i++) {
 		struct vertex *spare = upper;
 
 		upper = lower;
 		lower = spare;
 		fill_ring(lower, &circle, outline.corners[i]);
-		add_band(out, upper, lower, plan.ring);
+		add_band(out, upper, lower, plan->ring);
 	}
-	add_cap(out, lower, plan.ring, false);
+	add_cap(out, lower, plan->ring, false);
 	free(outline.corners);
 	free(circle.cosine);
 	free(rings);
+}
+
+void tool_solid_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out)
+{
+	const struct plan plan = make_plan(solid);
+
+	mesh_by(&plan, solid, arena, out);
+}
+
+void tool_solid_coarse_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out)
+{
+	struct plan plan = make_plan(solid);
+
+	plan.ring = 8;
+	plan.arc = plan.arc ? 1 : 0;
+	mesh_by(&plan, solid, arena, out);
+}
+
+bool tool_solid_contains(const struct tool_solid *solid, vec3 p, double margin)
+{
+	double z = solid->top, tip = bottom(solid) + tool_solid_tip_height(solid), r = sqrt(p.x * p.x + p.y * p.y);
+
+	for (size_t i = 0; i < solid->count; i++) {
+		const struct tool_section *s = &solid->sections[i];
+		double share = (z - p.z) / s->length;
+
+		z -= s->length;
+		if (p.z > z + margin && p.z > tip + margin && share * s->length > margin)
+			return r + margin < 0.5 * (s->diameter + (s->diameter_end - s->diameter) * share);
+	}
+	return false;
 }

@@ -2,10 +2,12 @@
 #ifndef FIVECHECK_MACHINE_TOOL_SOLID_H
 #define FIVECHECK_MACHINE_TOOL_SOLID_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
 #include "geom/mesh.h"
+#include "geom/vec3.h"
 
 /* mm: the farthest that the triangles may be from the true solid. */
 #define TOOL_SOLID_DEVIATION 0.01
@@ -56,5 +58,11 @@ size_t tool_solid_triangles(const struct tool_solid *solid);
  * The triangles live in the arena.
  */
 void tool_solid_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out);
+
+/* The same with few triangles, whose rings are larger than the solid by less than a tenth. */
+void tool_solid_coarse_mesh(const struct tool_solid *solid, struct arena *arena, struct mesh *out);
+
+/* Is the point inside the solid above its tip, farther than `margin` mm from the ends of a section and its side? */
+bool tool_solid_contains(const struct tool_solid *solid, vec3 p, double margin);
 
 #endif

@@ -37,7 +37,7 @@ struct report_file {
 
 /* What a run checks, and how. Borrows everything. */
 struct report_run {
-	const struct scene *scene;
+	struct scene *scene;	/* borrowed */
 	const struct check_options *options;
 	double clearance;	/* mm: for pairs to which the machine file gives none */
 	size_t programs;

@@ -11,6 +11,7 @@
 #include "scene/mesh_reading.h"
 #include "scene/pair_rules.h"
 #include "scene/static_query.h"
+#include "scene/tool_contact.h"
 
 /*
  * The most node pairs that a proof of "out of reach" may look at, which takes some milliseconds. If nothing is proved
@@ -23,6 +24,9 @@
  * possible.
  */
 #define FIRST_VISITS 300
+
+/* The most for a tool's piece with few triangles: these are looked at once more if it is not enough. */
+#define COARSE_VISITS 3000
 
 /*
  * So many steps are made from where similar bodies met. Measured on a setup with 30 tools: 3, 6 and 10 take the same
@@ -76,10 +80,17 @@ struct last_contact {
 	bool known;
 };
 
+/* What was found last for a body and a tool's piece that is made of sections, of each role. */
+struct last_tool {
+	struct tool_contact contact;
+	bool apart;	/* they were out of each other's reach */
+};
+
 /* The derivation of all pairs. */
 struct derivation {
 	struct contact_search search;
 	struct last_contact *last;	/* ROLES of them for each body */
+	struct last_tool *tools;	/* likewise */
 };
 
 enum { ROLES = ROLE_CUTTER + 1 };
@@ -183,6 +194,53 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high, diag);
 }
 
+/* Is a tool's piece proved out of reach by the few triangles that enclose it? */
+static bool is_coarse_apart(struct scene *scene, const struct scene_pair *pair, const struct bvh *tree,
+			    const axis_values *low, const axis_values *high, struct diag *diag)
+{
+	const axis_values home = machine_home(scene->machine);
+	const struct bvh *shell = scene_body_coarse(scene, pair->b);
+	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
+	struct body_pair bodies;
+	struct contact contact;
+
+	body_pair_init(&bodies, tree, shell, &a->placement, &b->placement, &pair->chain);
+	return sweep_box(&scene->sweep, &bodies, low, high, pair->clearance + uncertainty_of(scene, pair),
+			 REACH_GRAIN, COARSE_VISITS, &contact) == SWEEP_APART &&
+	       (are_boxes_parted(&bodies, low, high) ||
+		static_query_is_outside(scene, pair, shell, &home, diag));
+}
+
+enum reach { REACH_APART, REACH_MEETS, REACH_UNKNOWN };
+
+/*
+ * Looks at a tool's piece by its sections, which takes a small part of the time that its triangles would take. A corner
+ * of the other body inside it means that no proof over the travel is possible. What was found last for a piece of this
+ * role is looked for first.
+ */
+static enum reach reach_of_tool(struct scene *scene, const struct scene_pair *pair, const struct bvh *tree,
+				struct derivation *derivation, struct diag *diag)
+{
+	const struct body *body = scene->bodies[pair->a].body, *piece = scene->bodies[pair->b].body;
+	struct last_tool *last = &derivation->tools[pair->a * ROLES + (int)piece->role];
+	axis_values low, high;
+
+	if (!travel_of(scene, &pair->chain, &low, &high))
+		return REACH_UNKNOWN;
+	for (int k = 0; k < 2; k++) {
+		if (last->apart == (k == 0) && is_coarse_apart(scene, pair, tree, &low, &high, diag)) {
+			last->apart = true;
+			return REACH_APART;
+		}
+		if (last->apart == (k == 1) && tool_contact_finds(&last->contact, body, tree, piece, &pair->chain, &low,
+								  &high)) {
+			last->apart = false;
+			return REACH_MEETS;
+		}
+	}
+	return REACH_UNKNOWN;
+}
+
 static bool is_with(const struct body *a, const struct body *b, enum body_role role)
 {
 	return a->role == role || b->role == role;
@@ -191,6 +249,14 @@ static bool is_with(const struct body *a, const struct body *b, enum body_role r
 static bool is_cutting(const struct body *a, const struct body *b)
 {
 	return is_with(a, b, ROLE_CUTTER) && is_with(a, b, ROLE_PART);
+}
+
+static void decide_reach(struct scene_pair *pair, bool apart)
+{
+	if (apart)
+		decide(pair, PAIR_OUT_OF_REACH, "proved apart over the whole travel");
+	else
+		decide(pair, PAIR_CHECKED, "within reach of each other");
 }
 
 /* Derives the pair's status from the joints and the meshes, which it reads. */
@@ -203,6 +269,15 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 	struct body_pair bodies;
 	bool neighbours = pair->chain.count == 1 && a->role == ROLE_MACHINE && b->role == ROLE_MACHINE;
 
+	if (b->profile && !a->profile) {
+		const struct bvh *tree = scene_body_bvh(scene, pair->a, diag);
+		enum reach reach = tree ? reach_of_tool(scene, pair, tree, derivation, diag) : REACH_UNKNOWN;
+
+		if (reach != REACH_UNKNOWN) {
+			decide_reach(pair, reach == REACH_APART);
+			return true;
+		}
+	}
 	if (!scene_pair_bodies(scene, pair, &bodies, diag))
 		return false;
 	if (neighbours && !(sweep_distance(&scene->sweep, &bodies, &home, 0.7, within, 0) > within)) {
@@ -218,10 +293,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 			return true;
 		}
 	}
-	if (out_of_reach(scene, pair, &bodies, derivation, diag))
-		decide(pair, PAIR_OUT_OF_REACH, "proved apart over the whole travel");
-	else
-		decide(pair, PAIR_CHECKED, "within reach of each other");
+	decide_reach(pair, out_of_reach(scene, pair, &bodies, derivation, diag));
 	return true;
 }
 
@@ -338,7 +410,7 @@ void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
 			    !needs_meshes(scene, scene->bodies[a].body, scene->bodies[b].body))
 				continue;
 			for (int i = 0; i < 2; i++) {
-				if (!listed[pair[i]])
+				if (!listed[pair[i]] && !scene->bodies[pair[i]].body->profile)
 					wanted[count++] = (int)pair[i];
 				listed[pair[i]] = true;
 			}
@@ -352,7 +424,8 @@ void pairs_read_meshes(struct scene *scene, int threads, struct diag *diag)
 bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 {
 	size_t n = scene->body_count;
-	struct derivation derivation = {.last = mem_zalloc(n * ROLES, sizeof(*derivation.last))};
+	struct derivation derivation = {.last = mem_zalloc(n * ROLES, sizeof(*derivation.last)),
+					.tools = mem_zalloc(n * ROLES, sizeof(*derivation.tools))};
 	bool good = true;
 
 	/* A cutter and a part may have two pairs. */
@@ -369,6 +442,7 @@ bool pairs_derive(struct scene *scene, double clearance, struct diag *diag)
 		}
 	}
 	free(derivation.last);
+	free(derivation.tools);
 	return good;
 }
 

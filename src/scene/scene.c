@@ -40,6 +40,7 @@ void scene_free(struct scene *scene)
 		return;
 	for (size_t i = 0; i < scene->body_count + scene->core_count; i++) {
 		bvh_free(scene->bodies[i].bvh);
+		bvh_free(scene->bodies[i].coarse);
 		if (scene->bodies[i].topology)
 			topology_release(scene->bodies[i].topology);
 		free(scene->bodies[i].topology);
@@ -73,12 +74,27 @@ static struct mesh copy_of(const struct mesh *mesh)
 	return copy;
 }
 
+typedef void tessellate_fn(const struct tool_solid *solid, struct arena *arena, struct mesh *out);
+
+static struct mesh tessellated(tessellate_fn *tessellate, const struct tool_solid *solid)
+{
+	struct arena arena = {0};
+	struct mesh mesh, copy;
+
+	tessellate(solid, &arena, &mesh);
+	copy = copy_of(&mesh);
+	arena_release(&arena);
+	return copy;
+}
+
 bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *diag)
 {
 	struct mesh mesh = {0};
 
 	if (body->solid) {
 		mesh = copy_of(body->solid);
+	} else if (body->profile) {
+		mesh = tessellated(tool_solid_mesh, body->profile);
 	} else {
 		if (!stl_read_below(&mesh, body->mesh_root, body->mesh_path, diag)) {
 			diag_note(diag, body->loc, "body '%s' names that mesh", body->name);
@@ -98,28 +114,35 @@ bool scene_read_mesh(const struct body *body, struct mesh *out, struct diag *dia
 	return true;
 }
 
-static bool is_core(const struct scene *scene, int body)
+/*
+ * The tree of a core or of a tool's piece that is made of sections. Any thread may be the first that needs it: most
+ * belong to tools that a program does not use.
+ */
+static const struct bvh *solid_bvh(struct scene *scene, int body)
 {
-	return (size_t)body >= scene->body_count;
-}
-
-/* The core's tree. Any thread may be the first that needs it: only cutters that a program uses need theirs. */
-static const struct bvh *core_bvh(struct scene *scene, int body)
-{
-	struct scene_body *core = &scene->bodies[body];
+	struct scene_body *b = &scene->bodies[body];
 
 	pthread_mutex_lock(&scene->building);
-	if (!core->bvh) {
-		struct arena arena = {0};
-		struct mesh solid, mesh;
+	if (!b->bvh) {
+		struct mesh mesh = tessellated(tool_solid_mesh, b->core ? b->core : b->body->profile);
 
-		tool_solid_mesh(core->core, &arena, &solid);
-		mesh = copy_of(&solid);
-		core->bvh = bvh_new(&mesh);
-		arena_release(&arena);
+		b->bvh = bvh_new(&mesh);
+		scene->meshes_read += !b->core;
 	}
 	pthread_mutex_unlock(&scene->building);
-	return core->bvh;
+	return b->bvh;
+}
+
+const struct bvh *scene_body_coarse(struct scene *scene, int body)
+{
+	struct scene_body *b = &scene->bodies[body];
+
+	if (!b->coarse) {
+		struct mesh mesh = tessellated(tool_solid_coarse_mesh, b->body->profile);
+
+		b->coarse = bvh_new(&mesh);
+	}
+	return b->coarse;
 }
 
 const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *diag)
@@ -127,8 +150,8 @@ const struct bvh *scene_body_bvh(struct scene *scene, int body, struct diag *dia
 	struct scene_body *b = &scene->bodies[body];
 	struct mesh mesh;
 
-	if (is_core(scene, body))
-		return core_bvh(scene, body);
+	if (b->core || b->body->profile)
+		return solid_bvh(scene, body);
 	if (b->bvh || b->failed)
 		return b->bvh;
 	if (!scene_read_mesh(b->body, &mesh, diag)) {
@@ -186,7 +209,7 @@ bool scene_build(struct scene *scene, struct diag *diag)
 		for (int k = 0; k < 2; k++) {
 			int body = k ? pair->b : pair->a;
 
-			good = (is_core(scene, body) || scene_body_bvh(scene, body, diag)) && good;
+			good = (scene->bodies[body].body->profile || scene_body_bvh(scene, body, diag)) && good;
 		}
 	}
 	return good;
@@ -207,4 +230,14 @@ size_t scene_count_pairs(const struct scene *scene, enum pair_status status)
 	for (size_t i = 0; i < scene->pair_count; i++)
 		count += scene->pairs[i].status == status;
 	return count;
+}
+
+void scene_count_meshes(struct scene *scene, size_t *read, size_t *trees)
+{
+	pthread_mutex_lock(&scene->building);
+	*read = scene->meshes_read;
+	*trees = 0;
+	for (size_t i = 0; i < scene->body_count; i++)
+		*trees += scene->bodies[i].bvh != NULL;
+	pthread_mutex_unlock(&scene->building);
 }

@@ -32,6 +32,7 @@ enum pair_fault { PAIR_COLLISION, PAIR_RAPID_CONTACT, PAIR_GOUGE };
 struct scene_body {
 	const struct body *body;
 	struct bvh *bvh;	/* NULL until scene_body_bvh builds it */
+	struct bvh *coarse;	/* NULL until scene_body_coarse builds it */
 	struct topology *topology;	/* NULL until asked for */
 	bool failed;	/* its mesh could not be read, and that was reported */
 	double depth;	/* mm, of a core */
@@ -66,7 +67,7 @@ struct scene {
 	size_t meshes_read;
 	struct doubts doubts;	/* filled by model_check */
 	struct sweep sweep;	/* working storage for the derivation */
-	/* topologies and the trees of cores are built when they are asked for, by any thread */
+	/* topologies and the trees of cores and of tools' pieces are built when they are asked for, by any thread */
 	pthread_mutex_t building;
 };
 
@@ -83,8 +84,8 @@ void scene_free(struct scene *scene);
 bool scene_pair_needs_check(const struct scene_pair *pair);
 
 /*
- * Reads and builds everything that is needed for the pairs to check, but for cores. Afterwards several threads may
- * check programs on the scene. False: a mesh is faulty, reported.
+ * Reads and builds everything that is needed for the pairs to check, but for cores and tools' pieces that are made of
+ * sections. Afterwards several threads may check programs on the scene. False: a mesh is faulty, reported.
  */
 bool scene_build(struct scene *scene, struct diag *diag);
 
@@ -108,6 +109,12 @@ bool scene_pair_bodies(struct scene *scene, const struct scene_pair *pair, struc
 
 /* The body of the stock; -1: there is none. */
 int scene_stock(const struct scene *scene);
+
+/* Of a tool's piece that is made of sections: a tree over few triangles that enclose it. For one thread at a time. */
+const struct bvh *scene_body_coarse(struct scene *scene, int body);
+
+/* How many meshes were read or made, and how many bodies have a tree. */
+void scene_count_meshes(struct scene *scene, size_t *read, size_t *trees);
 
 size_t scene_count_pairs(const struct scene *scene, enum pair_status status);
 

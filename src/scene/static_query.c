@@ -89,6 +89,28 @@ enum inside static_query_contained(struct scene *scene, const struct scene_pair 
 	return in_b == INSIDE_NO ? in_a : in_b;
 }
 
+bool static_query_is_outside(struct scene *scene, const struct scene_pair *pair, const struct bvh *shell,
+			     const axis_values *q, struct diag *diag)
+{
+	const struct bvh *solid = scene_body_bvh(scene, pair->a, diag);
+	const struct topology *topology = scene_body_topology(scene, pair->a, diag);
+	struct body_pair bodies;
+	xform b_in_a, a_in_b;
+	vec3 corner;
+
+	body_pair_init(&bodies, solid, shell, &scene->bodies[pair->a].body->placement,
+		       &scene->bodies[pair->b].body->placement, &pair->chain);
+	b_in_a = body_pair_pose(&bodies, q);
+	a_in_b = xform_inverse(&b_in_a);
+	corner = xform_apply(&b_in_a, mesh_corner(&shell->mesh.triangles[0], 0));
+	if (in_box(corner, solid) && mesh_inside(solid, topology, corner) != INSIDE_NO)
+		return false;
+	for (size_t i = 0; i < topology->component_count; i++)
+		if (in_box(xform_apply(&a_in_b, topology->component_point[i]), shell))
+			return false;
+	return true;
+}
+
 static enum sweep_answer still(struct sweep *sweep, const struct body_pair *bodies, const axis_values *q,
 			       double clearance, double tolerance, struct contact *contact)
 {

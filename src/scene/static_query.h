@@ -29,6 +29,13 @@ enum pose_state static_query_pose(struct scene *scene, struct sweep *sweep, cons
 enum inside static_query_contained(struct scene *scene, const struct scene_pair *pair, const axis_values *q,
 				   vec3 *point, struct diag *diag);
 
+/*
+ * Is neither the pair's first body inside `shell`, one surface around its second body, nor the shell inside of it?
+ * Their surfaces are apart. False: one is, or may be.
+ */
+bool static_query_is_outside(struct scene *scene, const struct scene_pair *pair, const struct bvh *shell,
+			     const axis_values *q, struct diag *diag);
+
 /* Reports that the pair cannot be decided, because rounding alone exceeds the tolerance. */
 void static_query_report_undecided(const struct scene *scene, const struct scene_pair *pair, double tolerance,
 				   struct diag *diag);

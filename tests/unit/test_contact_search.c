@@ -1,7 +1,9 @@
 #include "scene/contact_search.h"
+#include "scene/tool_contact.h"
 
 #include <stdlib.h>
 
+#include "machine/tool_solid.h"
 #include "solids.h"
 
 /* Joints of a few hundred mm and of whole turns; a small tool far from a small body, which it can reach. */
@@ -104,6 +106,52 @@ START_TEST(recalls_contacts)
 }
 END_TEST
 
+/* A cylinder as a tool's piece: what is found is a corner of the body that is inside it, within the travel. */
+START_TEST(finds_tools)
+{
+	const struct tool_section section = {40, 30, 30};
+	const struct tool_solid cylinder = {.sections = &section, .count = 1, .top = 20, .tip = TIP_FLAT};
+	long found = 0;
+
+	for (long n = 0; n < random_cases(400); n++) {
+		struct random random = random_case(3, n);
+		struct tool_contact last = {0};
+		axis_values low, high, meeting;
+		struct body body = {0}, piece = {.profile = &cylinder};
+		struct duo duo;
+
+		make_duo(&random, &duo, &low, &high, &meeting);
+		body.placement = duo.pair.place_a;
+		piece.placement = duo.pair.place_b;
+		for (int again = 0; again < 2 && tool_contact_finds(&last, &body, duo.a, &piece, &duo.chain, &low, &high);
+		     again++) {
+			xform pose = duo_pose(&duo, &last.at, &last.at, 0, NULL), back = xform_inverse(&pose);
+			xform in_a = xform_inverse(&body.placement);
+			vec3 p = xform_apply(&back, xform_apply(&in_a, last.corner));
+			double nearest = INFINITY;
+
+			for (size_t i = 0; i < 3 * duo.a->mesh.count; i++) {
+				vec3 corner = mesh_corner(&duo.a->mesh.triangles[i / 3], (int)(i % 3));
+
+				corner = xform_apply(&body.placement, corner);
+				nearest = fmin(nearest, vec3_norm(vec3_sub(corner, last.corner)));
+			}
+			require(nearest < 1e-9, "case %ld: no corner of the body", n);
+			require(hypot(p.x, p.y) < 15 && fabs(p.z) < 20, "case %ld: not inside", n);
+			for (size_t i = 0; i < duo.chain.count; i++) {
+				int slot = duo.chain.joints[i].slot;
+
+				require(last.at.v[slot] >= low.v[slot] && last.at.v[slot] <= high.v[slot],
+					"case %ld: travel", n);
+			}
+			found += !again;
+		}
+		duo_release(&duo);
+	}
+	require(8 * found >= random_cases(400), "found %ld", found);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("contact_search");
@@ -113,6 +161,7 @@ int main(void)
 
 	tcase_add_test(tcase, finds_contacts);
 	tcase_add_test(tcase, recalls_contacts);
+	tcase_add_test(tcase, finds_tools);
 	suite_add_tcase(suite, tcase);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);

@@ -86,7 +86,7 @@ START_TEST(reads_bodies)
 		ck_assert_int_eq(b[i].link, i < 2 ? 2 : 1);
 		ck_assert_int_eq(b[i].tool, i < 2 ? 0 : i < 5 ? 12 : 3);
 		ck_assert_ptr_nonnull(b[i].loc.file);
-		ck_assert((b[i].mesh_path == NULL) == (b[i].solid != NULL));
+		ck_assert((b[i].mesh_path == NULL) == (b[i].profile != NULL));
 	}
 	ck_assert_str_eq(b[0].mesh_path, "blade.stl");
 	ck_assert_double_eq(b[0].scale, 1000);
@@ -102,6 +102,17 @@ START_TEST(reads_bodies)
 }
 END_TEST
 
+/* Of the triangles that the scene makes of it. */
+static void piece_bounds(const struct tool_solid *profile, vec3 *least, vec3 *greatest)
+{
+	struct arena arena = {0};
+	struct mesh mesh;
+
+	tool_solid_mesh(profile, &arena, &mesh);
+	mesh_bounds(&mesh, least, greatest);
+	arena_release(&arena);
+}
+
 /* Where the tessellated pieces begin and end along -Z, and that -Z becomes the spindle's direction. */
 START_TEST(stacks_and_places_tools)
 {
@@ -110,7 +121,7 @@ START_TEST(stacks_and_places_tools)
 	vec3 least, greatest;
 
 	for (int i = 0; i < 3; i++) {
-		mesh_bounds(s->bodies[2 + i].solid, &least, &greatest);
+		piece_bounds(s->bodies[2 + i].profile, &least, &greatest);
 		ck_assert_double_eq_tol(greatest.z, ends[i][0], 1e-3);
 		ck_assert_double_eq_tol(least.z, ends[i][1], 1e-3);
 		ck_assert_double_ge(greatest.z, ends[i][0]);
@@ -136,14 +147,14 @@ START_TEST(stacks_around_meshes)
 				 "20", "6") "</shank><cutter mesh='c.stl'/></tool>"));
 	vec3 least, greatest;
 
-	mesh_bounds(s->bodies[1].solid, &least, &greatest);
+	piece_bounds(s->bodies[1].profile, &least, &greatest);
 	ck_assert_double_eq_tol(greatest.z, -40, 1e-3);
 	ck_assert_double_eq_tol(least.z, -60, 1e-3);
-	mesh_bounds(s->bodies[2].solid, &least, &greatest);
+	piece_bounds(s->bodies[2].profile, &least, &greatest);
 	ck_assert_double_eq_tol(greatest.z, -60, 1e-3);
 	ck_assert_double_eq_tol(least.z, -100, 1e-3);
 	ck_assert_double_eq(setup_tool(s, 1)->diameter, 8);
-	mesh_bounds(s->bodies[4].solid, &least, &greatest);
+	piece_bounds(s->bodies[4].profile, &least, &greatest);
 	ck_assert_double_eq_tol(greatest.z, -20, 1e-3);
 	ck_assert_double_eq_tol(least.z, -40, 1e-3);
 	ck_assert_double_eq(setup_tool(s, 2)->diameter, 0);
@@ -201,7 +212,7 @@ START_TEST(inches)
 	ck_assert_double_eq_tol(s->radii[1].radius, -25.4, 1e-12);
 	ck_assert_double_eq_tol(setup_tool(s, 1)->length, 50.8, 1e-12);
 	ck_assert_double_eq_tol(setup_tool(s, 1)->diameter, 12.7, 1e-12);
-	mesh_bounds(s->bodies[1].solid, &least, &greatest);
+	piece_bounds(s->bodies[1].profile, &least, &greatest);
 	ck_assert_double_eq_tol(least.z, -50.8, 1e-3);
 	setup_free(s);
 }

@@ -287,6 +287,44 @@ static double mesh_volume(const struct mesh *mesh)
 	return sum / 6;
 }
 
+/* What tool_solid_contains says is inside is so deep in the solid. */
+static void assert_contains(const struct tool_solid *solid, const struct truth *truth, size_t samples, uint64_t *state)
+{
+	const double margin = 0.05;
+
+	for (size_t i = 0; i < samples; i++) {
+		double angle = 2 * PI * uniform(state), r, z;
+
+		random_point(truth, state, &r, &z);
+		r = fmax(0, r + 4 * margin * (uniform(state) - 0.8));
+		z += 4 * margin * (uniform(state) - 0.5);
+		if (!tool_solid_contains(solid, (vec3){r * cos(angle), r * sin(angle), z}, margin))
+			continue;
+		ck_assert(distance_to(truth, r, z) < 0 && distance_to(truth, r + 0.9 * margin, z) < 0);
+		ck_assert(distance_to(truth, r, z + 0.9 * margin) < 0 || distance_to(truth, r, z - 0.9 * margin) < 0);
+	}
+}
+
+/* The coarse mesh is closed, encloses the solid, and its rings are less than a tenth larger. */
+static void assert_coarse(const struct tool_solid *solid, const struct truth *truth, size_t samples, uint64_t *state)
+{
+	struct arena arena = {0};
+	struct mesh mesh;
+	double largest = 0;
+
+	tool_solid_coarse_mesh(solid, &arena, &mesh);
+	assert_closed(&mesh);
+	assert_encloses(&mesh, truth, samples, state);
+	for (size_t i = 0; i < solid->count; i++)
+		largest = fmax(largest, fmax(solid->sections[i].diameter, solid->sections[i].diameter_end) / 2);
+	for (size_t i = 0; i < 3 * mesh.count; i++) {
+		vec3 p = mesh_corner(&mesh.triangles[i / 3], (int)(i % 3));
+
+		ck_assert(hypot(p.x, p.y) < 1.1 * largest + TOOL_SOLID_DEVIATION);
+	}
+	arena_release(&arena);
+}
+
 static void assert_all(const struct tool_case *c, int grid, size_t samples, uint64_t *state)
 {
 	struct tool_solid solid = solid_of(c);
@@ -301,6 +339,8 @@ static void assert_all(const struct tool_case *c, int grid, size_t samples, uint
 	assert_closed(&mesh);
 	assert_near(&mesh, &truth, grid);
 	assert_encloses(&mesh, &truth, samples, state);
+	assert_coarse(&solid, &truth, samples, state);
+	assert_contains(&solid, &truth, samples, state);
 	arena_release(&arena);
 }
 
@@ -412,6 +452,20 @@ START_TEST(is_not_finer_than_needed)
 }
 END_TEST
 
+START_TEST(contains_its_middle)
+{
+	const struct tool_section sections[] = {{10, 20, 20}, {20, 20, 8}};
+	const struct tool_solid solid = {.sections = sections, .count = 2, .top = 5, .tip = TIP_FLAT};
+
+	ck_assert(tool_solid_contains(&solid, (vec3){9.9, 0, 0}, 0.05));
+	ck_assert(!tool_solid_contains(&solid, (vec3){9.96, 0, 0}, 0.05));
+	ck_assert(!tool_solid_contains(&solid, (vec3){0, 0, 4.96}, 0.05));
+	ck_assert(tool_solid_contains(&solid, (vec3){0, 6.9, -15}, 0.05));
+	ck_assert(!tool_solid_contains(&solid, (vec3){0, 7.1, -15}, 0.05));
+	ck_assert(!tool_solid_contains(&solid, (vec3){0, 0, -24.96}, 0.05));
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("tool_solid");
@@ -423,6 +477,7 @@ int main(void)
 	tcase_add_test(tcase, random_tools);
 	tcase_add_test(tcase, volumes);
 	tcase_add_test(tcase, is_not_finer_than_needed);
+	tcase_add_test(tcase, contains_its_middle);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

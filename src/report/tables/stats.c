@@ -48,20 +48,19 @@ static void add_program(struct strbuf *out, const struct run_stats *sums)
 	strbuf_addf(out, " of machining\n");
 }
 
-static void add_pairs(struct strbuf *out, const struct scene *scene)
+static void add_pairs(struct strbuf *out, struct scene *scene)
 {
 	size_t required = verdict_pairs(scene, PAIR_CHECKED), excused = verdict_pairs(scene, PAIR_ADJACENT);
-	size_t unbuilt = 0;
+	size_t read, built;
 
-	for (size_t i = 0; i < scene->body_count; i++)
-		unbuilt += !scene->bodies[i].bvh;
+	scene_count_meshes(scene, &read, &built);
 	strbuf_addf(out, "  pairs         %zu required, %zu excused as adjacent, %zu skipped", required, excused,
 		    scene->pair_count - required - excused);
 	strbuf_addf(out, " (%zu rigid, %zu out of reach, %zu waived, %zu cutting)\n",
 		    verdict_pairs(scene, PAIR_RIGID), verdict_pairs(scene, PAIR_OUT_OF_REACH),
 		    verdict_pairs(scene, PAIR_WAIVED), verdict_pairs(scene, PAIR_CUTTING));
-	strbuf_addf(out, "  meshes        %zu read, %zu trees built, %zu not needed\n", scene->meshes_read,
-		    scene->body_count - unbuilt, unbuilt);
+	strbuf_addf(out, "  meshes        %zu read, %zu trees built, %zu not needed\n", read,
+		    built, scene->body_count - built);
 }
 
 static void add_work(struct strbuf *out, const struct check_stats *stats, enum check_method method)
@@ -105,7 +104,7 @@ void stats_add_line(struct strbuf *out, const struct run_stats *sums, enum check
 	add_time(out, sums);
 }
 
-void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method)
+void stats_add(struct strbuf *out, const struct run_stats *sums, struct scene *scene, enum check_method method)
 {
 	const struct check_stats *stats = &sums->check;
 

@@ -31,6 +31,6 @@ void stats_sum(struct run_stats *sums, const struct check_stats *stats, enum che
 void stats_add_line(struct strbuf *out, const struct run_stats *sums, enum check_method method);
 
 /* Appends the whole table. */
-void stats_add(struct strbuf *out, const struct run_stats *sums, const struct scene *scene, enum check_method method);
+void stats_add(struct strbuf *out, const struct run_stats *sums, struct scene *scene, enum check_method method);
 
 #endif
