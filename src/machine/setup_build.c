@@ -29,6 +29,14 @@ static bool is_extended_name(const char *name)
 	       (!number[1] || (number[1] >= '0' && number[1] <= '9'));
 }
 
+/* "#0" to "#9999": a row of a datum table. */
+static bool is_row_name(const char *name)
+{
+	const size_t digits = strspn(name + (name[0] == '#'), "0123456789");
+
+	return name[0] == '#' && digits >= 1 && digits <= 4 && !name[1 + digits] && (name[1] != '0' || digits == 1);
+}
+
 static bool is_work_offset_name(const char *name)
 {
 	static const char *const names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
@@ -36,7 +44,7 @@ static bool is_work_offset_name(const char *name)
 	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
 		if (!strcmp(name, names[i]))
 			return true;
-	return is_extended_name(name) || is_settable_name(name);
+	return is_extended_name(name) || is_settable_name(name) || is_row_name(name);
 }
 
 static void build_work_offset(struct description_file *file, const struct work_offset_description *described,
@@ -48,7 +56,7 @@ static void build_work_offset(struct description_file *file, const struct work_o
 	if (!is_work_offset_name(offset.name)) {
 		description_fault(file, described->at, "name",
 				  "name=\"%s\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, "
-				  "G59.3, G54.1 P1 to P99 or G505 to G599",
+				  "G59.3, G54.1 P1 to P99, G505 to G599 or #0 to #9999",
 				  description_quote(file, described->at, "name").text);
 		return;
 	}

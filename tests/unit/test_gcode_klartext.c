@@ -244,6 +244,43 @@ START_TEST(only_preset)
 }
 END_TEST
 
+/* A row of the datum table shifts all axes at once, from the preset. */
+START_TEST(datum_row)
+{
+	static const struct work_offset offsets[] = {
+	    {.name = "G54.1 P1", .value = {{100, 0, 0}}}, {.name = "#0"}, {.name = "#12", .value = {{1, 2, 3, 0, 0, PI / 2}}}};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.work_offsets = offsets;
+	c.config.work_offset_count = 3;
+	ck_assert_msg(klartext_run(&c, "SEL TABLE \"TNC:\\NUL.D\"\nQ1=12\nCYCL DEF 7.0 DATUM\nCYCL DEF 7.1 #Q1\n"
+				       "L X+0 Y+0 Z+0 C+10 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\nL X+0 Y+0 FMAX\n"
+				       "CYCL DEF 7.0\nCYCL DEF 7.1 #0\nL X+0 Y+0 Z+0 C+10 FMAX\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "rapid 101 2 3 0 100\nrapid 105 2 3 0 100\nrapid 100 0 0 0 10\n");
+	case_release(&c);
+}
+END_TEST
+
+/* M92 counts from the machine's <reference number="1">, without offsets and the tool's length. */
+START_TEST(builder_point)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.work_offsets = &klartext_presets[1];
+	c.config.controller.references[0] =
+	    (struct control_place){.given = true, .has = {true, true, true}, .value = {{-300, 0, -5}}};
+	ck_assert_msg(klartext_run(&c, "TOOL CALL 1 Z S100\nL Z+0 R0 FMAX M92\nL X+1 IY+2 FMAX M92\nL X+1 FMAX\n"), "%s",
+		      strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves),
+			 "tool 1\nrapid 0 0 -5 0 0\nrapid -299 2 -5 0 0\nrapid 11 2 -5 0 0\n");
+	case_release(&c);
+}
+END_TEST
+
 /* The teeth change the feed alone, and that is said once. */
 START_TEST(feed_per_tooth)
 {
@@ -411,6 +448,8 @@ int main(void)
 	tcase_add_test(tcase, units);
 	tcase_add_test(tcase, presets);
 	tcase_add_test(tcase, only_preset);
+	tcase_add_test(tcase, datum_row);
+	tcase_add_test(tcase, builder_point);
 	tcase_add_test(tcase, feed_per_tooth);
 	tcase_add_test(tcase, handwheel);
 	tcase_add_test(tcase, rotary_ways);

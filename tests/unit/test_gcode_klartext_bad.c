@@ -43,8 +43,12 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:12: error: M58 is not known; if it moves no axis, <mcode number=\"58\" "
 	 "action=\"ignore\"/> in the machine's <controller> says so"},
 	{"L X+1 FMAX M92\n",
-	 "p.nc:2:12: error: M92: coordinates from a point that the builder of the machine has set is "
-	 "not supported yet"},
+	 "p.nc:2:3: error: from where M92 counts X the machine's builder has set: <reference number=\"1\" X=\"\"/> in the "
+	 "machine's <controller> says it, in machine coordinates"},
+	{"L X+1 FMAX M92 M91\n",
+	 "p.nc:2:16: error: M91 and M92 in one block"},
+	{"CC X+1 Y+1\nC X+1 Y+1 DR+ F100 M92\n",
+	 "p.nc:3:20: error: M92 belongs to straight lines (L)"},
 	{"L X+1 FMAX M101\n",
 	 "p.nc:2:12: error: M101: tool change when the life of a tool ends is not supported yet; if it may be left out, "
 	 "<mcode number=\"101\" action=\"ignore\"/> in the machine's <controller> says so"},

@@ -149,7 +149,10 @@ static const struct klartext_fault faults[] = {
 	{"PATTERN TAB\n",
 	 "p.nc:2:9: error: PATTERN needs DEF"},
 	{"SEL PATTERN \"X\"\n",
-	 "p.nc:2:1: error: SEL: a selection of tables and contours is not supported yet"},
+	 "p.nc:2:1: error: SEL other than SEL PGM and SEL TABLE is not supported yet"},
+	{"SEL TABLE \"TNC:\\A.D\"\nSEL TABLE \"TNC:\\A.D\"\nSEL TABLE \"TNC:\\B.D\"\n",
+	 "p.nc:4:11: error: a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one table, "
+	 "TNC:\\A.D"},
 	{"TCH PROBE 413\n",
 	 "p.nc:2:1: error: TCH PROBE: where the probe stops is not known before the program runs"},
 	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP -2\nM99\n",

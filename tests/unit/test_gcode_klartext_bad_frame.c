@@ -11,7 +11,12 @@ static const struct klartext_fault faults[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X\n",
 	 "p.nc:3:14: error: DATUM SHIFT needs an axis and a value here"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 #5\n",
-	 "p.nc:3:14: error: a datum from a table is not supported yet: give its values in X, Y and Z"},
+	 "p.nc:3:14: error: the setup has no row 5 of the datum table: add <work_offset name=\"#5\" X=\"\" Y=\"\" Z=\"\"/> "
+	 "with its values"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 #1.5\n",
+	 "p.nc:3:14: error: a row of the datum table is a whole number from 0 to 9999, alone in its line"},
+	{"CYCL DEF 7.0\nCYCL DEF 7.1 #1 X+5\n",
+	 "p.nc:3:14: error: a row of the datum table is a whole number from 0 to 9999, alone in its line"},
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 B+5\n",
 	 "p.nc:3:14: error: the machine has no B axis"},
 	{"CYCL DEF 10.0\nCYCL DEF 10.1 ROT+5\nCYCL DEF 7.0\nCYCL DEF 7.1 X+5\n",

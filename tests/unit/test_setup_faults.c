@@ -22,7 +22,7 @@ static const struct xml_case bad[] = {
     {SETUP("<section length='1' diameter='1'/>"), "s.xml:2: error: element <section> does not belong in <setup>\n"},
     {SETUP("<work_offset name='G60'/>"),
      "s.xml:2: error: name=\"G60\" of <work_offset> must be G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3, "
-     "G54.1 P1 to P99 or G505 to G599\n"},
+     "G54.1 P1 to P99, G505 to G599 or #0 to #9999\n"},
     {SETUP("<work_offset name='G54' D='1'/>"), "s.xml:2: error: unknown attribute 'D' of <work_offset>\n"},
     {SETUP("<work_offset name='G54' X='1' B='0'/>"),
      "s.xml:2: error: work offset G54 has a value for B, but the machine has no axis B\n"},

@@ -356,7 +356,7 @@ bool klartext_flow_select(struct lexer *lexer)
 	struct interp *interp = lexer->context;
 
 	if (!klartext_take(lexer, "PGM"))
-		return fault(lexer->at, 1, "SEL: a selection of tables and contours is not supported yet");
+		return fault(lexer->at, 1, "SEL other than SEL PGM and SEL TABLE is not supported yet");
 	return klartext_name(lexer, "a program's name", klartext_of(interp)->selected, KLARTEXT_NAME) &&
 	       klartext_expect_end(lexer);
 }

@@ -12,6 +12,9 @@
 #include "gcode/execute/work_offset_use.h"
 #include "geom/tolerance.h"
 
+/* TNC 640 user's manual: rows of a datum table. */
+#define KLARTEXT_ROW_MAX 9999
+
 /* --------------------------------------------------------------- the frame */
 
 static bool is_zero(vec3 v)
@@ -175,13 +178,60 @@ static bool has_turned(const struct klartext_frame *frame)
 	return klartext_frame_is_inner(&bare);
 }
 
+/* Row 5 of the datum table: the setup's <work_offset name="#5">. NULL: it has none. */
+static const struct work_offset *find_row(const struct interp *interp, int number)
+{
+	const struct gcode_config *config = interp->config;
+	char name[16];
+
+	snprintf(name, sizeof(name), "#%d", number);
+	for (size_t i = 0; i < config->work_offset_count; i++) {
+		if (!strcmp(config->work_offsets[i].name, name))
+			return &config->work_offsets[i];
+	}
+	return NULL;
+}
+
+/* The row of the datum table as the words of a shift of all axes. False: reported. */
+static bool read_row(struct interp *interp, const struct klartext_cycle *cycle, struct klartext_cycle *row)
+{
+	const struct klartext_cycle_word *word = &cycle->words[0];
+	const struct work_offset *offset;
+
+	if (cycle->count > 1 || !word->given || !(word->value >= 0 && word->value <= KLARTEXT_ROW_MAX) ||
+	    !same_double(floor(word->value), word->value))
+		return word_fault(interp, word,
+				  "a row of the datum table is a whole number from 0 to %d, alone in its line",
+				  KLARTEXT_ROW_MAX);
+	offset = find_row(interp, (int)word->value);
+	if (!offset && interp->config->has_setup)
+		return word_fault(interp, word,
+				  "the setup has no row %d of the datum table: add <work_offset name=\"#%d\" X=\"\" "
+				  "Y=\"\" Z=\"\"/> with its values",
+				  (int)word->value, (int)word->value);
+	*row = (struct klartext_cycle){.number = cycle->number, .line = cycle->line, .column = cycle->column};
+	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		struct klartext_cycle_word *value = &row->words[row->count];
+
+		if (!interp->config->has_axis[slot])
+			continue;
+		*value = (struct klartext_cycle_word){.given = true, .column = word->column, .line = word->line};
+		value->name[0] = AXIS_LETTERS[slot];
+		if (offset)
+			value->value = state_from_canonical(slot, offset->value.v[slot]) /
+				       (slot_is_rotary(slot) ? 1 : interp->state.scale);
+		row->count++;
+	}
+	return true;
+}
+
 /*
  * iTNC 530 user's manual, "DATUM SHIFT (Cycle 7)": absolute values count from the preset, I values from the shift in
  * force. "WORKING PLANE (Cycle 19)", combining cycles: a shift before the tilting is one of the machine-based
  * coordinates, and a later one of the tilted coordinates. What a shift does while mirror, rotation or scaling is in
  * force is known for 0 alone, where no order matters.
  */
-bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle)
+static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	struct klartext_frame *frame = &klartext_of(interp)->frame;
 	vec3 *linear = frame->tilted ? &frame->inner : &frame->shift;
@@ -193,9 +243,6 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 		const struct klartext_cycle_word *word = &cycle->words[i];
 		int slot = axis_of(word->name, &increment);
 
-		if (word->name[0] == '#')
-			return word_fault(interp, word,
-					  "a datum from a table is not supported yet: give its values in X, Y and Z");
 		if (slot < 0 || !word->given)
 			return word_fault(interp, word, "DATUM SHIFT needs an axis and a value here");
 		if (!interp->config->has_axis[slot])
@@ -220,6 +267,16 @@ bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cy
 	interp->state.shift = shift;
 	klartext_frame_update(interp);
 	return tool_length_offsets_changed(interp, cycle->column);
+}
+
+/* "DATUM SHIFT with datum tables (Cycle 7)": a row of the table in place of values. */
+bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext_cycle row;
+
+	if (cycle->count == 0 || cycle->words[0].name[0] != '#')
+		return shift(interp, cycle);
+	return read_row(interp, cycle, &row) && shift(interp, &row);
 }
 
 /* Two of mirror, rotation and unequal scaling do not commute: which one the control takes first is not known here. */

@@ -146,6 +146,11 @@ static bool cycle(struct lexer *lexer)
 	return fault(lexer->at, klartext_column(lexer), "CYCL needs DEF or CALL");
 }
 
+static bool choose(struct lexer *lexer)
+{
+	return klartext_take(lexer, "TABLE") ? klartext_transform_table(lexer) : klartext_flow_select(lexer);
+}
+
 static bool refuse(struct lexer *lexer, const char *what)
 {
 	return fault(lexer->at, 1, "%s is not supported yet", what);
@@ -199,7 +204,7 @@ static const struct statement {
     {"PAT", klartext_pattern_go_on, true, false},
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
-    {"SEL", klartext_flow_select, true, false},
+    {"SEL", choose, true, false},
     {"TRANS", klartext_transform_run, false, false},
     {"PRESET", klartext_transform_preset, false, false},
     {"FL", free_contour, false, false},

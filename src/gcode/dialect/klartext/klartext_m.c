@@ -61,7 +61,7 @@ static enum m_action action_of(int number)
 /* Left out, the tool would be elsewhere. */
 static bool changes_coordinates(int number)
 {
-	return number == 92 || number == 104 || number == 114 || number == 130 || number == 143 || number == 144;
+	return number == 104 || number == 114 || number == 130 || number == 143 || number == 144;
 }
 
 /* What the machine file says of an M-function, or the control's own meaning. False: not known, which was reported. */

@@ -15,10 +15,12 @@ bool klartext_m_end(struct interp *interp, const struct klartext_words *words);
 /* Does no M-function of the block act at its end, or move an axis? False: reported. */
 bool klartext_m_check_harmless(struct interp *interp, const struct klartext_words *words);
 
-/* Are the coordinates of the block those of the machine (M91)? */
-static inline bool klartext_m_is_machine(const struct klartext_words *words)
+/* M91 or M92 of the block, whose coordinates are then those of the machine; NULL: neither. */
+static inline const struct klartext_m *klartext_m_machine(const struct klartext_words *words)
 {
-	return words->m_count && klartext_words_m(words, 91);
+	const struct klartext_m *m = words->m_count ? klartext_words_m(words, 91) : NULL;
+
+	return m || !words->m_count ? m : klartext_words_m(words, 92);
 }
 
 #endif

@@ -75,8 +75,9 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 			     "a spatial angle (AXIS SPAT) in a circle or in polar coordinates is not supported yet");
 	if (words->has_length || words->has_centre_angle)
 		return fault(&interp->at, words->first_column, "LEN and CCA belong to APPR and DEP");
-	if (klartext_m_is_machine(words))
-		return fault(&interp->at, klartext_words_m(words, 91)->column, "M91 belongs to straight lines (L)");
+	if (klartext_m_machine(words))
+		return fault(&interp->at, klartext_m_machine(words)->column, "M%d belongs to straight lines (L)",
+			     klartext_m_machine(words)->number);
 	return true;
 }
 

@@ -172,6 +172,7 @@ struct klartext {
 	struct labels labels; /* of every source that was searched */
 	char selected[KLARTEXT_NAME]; /* by SEL PGM; empty: none */
 	char cycle_program[KLARTEXT_NAME]; /* of CYCL DEF 12 */
+	char table[KLARTEXT_NAME]; /* of SEL TABLE */
 	struct strbuf line; /* the line in hand, while others are read */
 	struct strbuf formula; /* of several lines, joined */
 	/* Tools. */

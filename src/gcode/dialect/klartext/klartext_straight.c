@@ -15,31 +15,56 @@
 
 /* --------------------------------------------------------------------- L */
 
+/* From where M92 counts an axis, as machine coordinate; 0 for M91. False: reported. */
+static bool find_zero(struct interp *interp, const struct klartext_words *words, int slot, double *zero)
+{
+	const struct control_place *place = &interp->config->controller.references[0];
+
+	*zero = 0;
+	if (!klartext_words_m(words, 92))
+		return true;
+	if (!place->given || !place->has[slot])
+		return fault(&interp->at, words->column[slot],
+			     "from where M92 counts %c the machine's builder has set: <reference number=\"1\" "
+			     "%c=\"\"/> in the machine's <controller> says it, in machine coordinates",
+			     AXIS_LETTERS[slot], AXIS_LETTERS[slot]);
+	*zero = state_from_canonical(slot, place->value.v[slot]);
+	return true;
+}
+
 /*
- * M91: coordinates of the machine's axes; work offsets, the frame and the tool's length do not count ("M91", "M92"
- * in the iTNC 530 user's manual). That the plane stays tilted meanwhile is from memory.
+ * M91: coordinates of the machine's axes; M92: from a point that the machine's builder has set. Work offsets, the frame
+ * and the tool's length do not count ("M91", "M92" in the iTNC 530 user's manual). That the plane stays tilted
+ * meanwhile is from memory.
  */
 static bool run_in_machine(struct interp *interp, const struct klartext_words *words, bool rapid,
 			   const struct canon_feed *feed)
 {
 	struct canon_move move = {.kind = rapid ? CANON_RAPID : CANON_FEED, .feed = *feed, .machine_coordinates = true};
-	int column = klartext_words_m(words, 91)->column;
+	const struct klartext_m *m = klartext_m_machine(words);
+	const int column = m->column, number = m->number;
 	struct suspended suspended;
 	slot_values target;
 
 	if (klartext_comp_is_selected(interp))
-		return fault(&interp->at, column, "M91 under radius compensation is not supported: R0 comes first");
+		return fault(&interp->at, column, "M%d under radius compensation is not supported: R0 comes first",
+			     number);
 	if (interp->state.tcp == TCP_BY_MCODE)
-		return fault(&interp->at, column, "M91 while M128 is in force: the manual wants M129 first");
+		return fault(&interp->at, column, "M%d while M128 is in force: the manual wants M129 first", number);
 	if (klartext_of(interp)->waits)
 		return fault(&interp->at, column,
-			     "M91 between PLANE ... STAY and the rotary axes' way to the plane is not supported");
+			     "M%d between PLANE ... STAY and the rotary axes' way to the plane is not supported",
+			     number);
+	if (klartext_words_m(words, 91) && klartext_words_m(words, 92))
+		return fault(&interp->at, column, "M91 and M92 in one block");
 	if (interp->state.tcp != TCP_OFF)
 		klartext_comp_turn_open(interp);
 	if (!tool_length_suspend(interp, column, &suspended))
 		return false;
 	target = interp->state.position;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
+		double zero;
+
 		if (!klartext_words_has(words, slot))
 			continue;
 		if (suspended.tcp == TCP_BY_PLANE && slot_is_rotary(slot))
@@ -47,7 +72,9 @@ static bool run_in_machine(struct interp *interp, const struct klartext_words *w
 				     "a rotary axis leaves the tilted plane: write PLANE RESET first");
 		if (words->increments & 1U << slot)
 			target.v[slot] += words->value[slot];
-		else if (!endpoint_absolute(interp, slot, words->value[slot], 0, words->column[slot], &target.v[slot]))
+		else if (!find_zero(interp, words, slot, &zero) ||
+			 !endpoint_absolute(interp, slot, words->value[slot], zero, words->column[slot],
+					    &target.v[slot]))
 			return false;
 	}
 	klartext_of(interp)->last.known = false;
@@ -108,7 +135,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 	struct canon_feed feed;
 	bool rapid;
 
-	if ((!words->axes || klartext_m_is_machine(words)) && !klartext_corner_check_none(interp))
+	if ((!words->axes || klartext_m_machine(words)) && !klartext_corner_check_none(interp))
 		return false;
 	if (!klartext_m_start(interp, words))
 		return false;
@@ -121,7 +148,7 @@ static bool run_words(struct interp *interp, const struct klartext_words *words)
 	}
 	if (!klartext_move_feed(interp, words, &rapid, &feed))
 		return false;
-	return klartext_m_is_machine(words) ? run_in_machine(interp, words, rapid, &feed)
+	return klartext_m_machine(words) ? run_in_machine(interp, words, rapid, &feed)
 					    : make_path(interp, words, rapid, &feed);
 }
 

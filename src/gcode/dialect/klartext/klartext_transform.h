@@ -6,8 +6,9 @@
 
 #include "gcode/text/lexer.h"
 
-/* Carry out what stands behind TRANS and behind PRESET. False: reported. */
+/* Carry out what stands behind TRANS, PRESET, and SEL TABLE. False: reported. */
 bool klartext_transform_run(struct lexer *lexer);
 bool klartext_transform_preset(struct lexer *lexer);
+bool klartext_transform_table(struct lexer *lexer);
 
 #endif
