@@ -233,6 +233,7 @@ static bool execute_increments(struct interp *interp)
 	double increment = interp->config->controller.least_input;
 	/* With 1, parameter 3401#0 (DPI) or setting 162 has whole numbers count whole units, of either kind. */
 	double linear = interp->state.scale > 1 && increment < 1 ? increment / 10 : increment;
+	uint32_t left = block->letters & ~block->points & (AXIS_BITS | ARC_BITS | letter_bit('Q'));
 
 	if (block->corner && !block->corner_point && whole == WHOLE_NUMBERS_INCREMENTS) {
 		if (!(increment > 0))
@@ -242,11 +243,13 @@ static bool execute_increments(struct interp *interp)
 	}
 	if (whole == WHOLE_NUMBERS_UNITS || block->g[G_NONMODAL] == G4)
 		return true;
-	for (const char *letter = AXIS_LETTERS "IJKQR"; *letter; letter++) {
+	for (const char *letter = AXIS_LETTERS "IJKQR"; left && *letter; letter++) {
 		int slot = slot_of_letter(*letter);
 
-		if (!block_has(block, *letter) || (block->points & letter_bit(*letter)) ||
-		    is_count(block, traits_of(interp), *letter) || same_double(block_value(block, *letter), 0))
+		if (!(left & letter_bit(*letter)))
+			continue;
+		left &= ~letter_bit(*letter);
+		if (is_count(block, traits_of(interp), *letter) || same_double(block_value(block, *letter), 0))
 			continue;
 		if (!is_answered(interp, block_column(block, *letter), whole,
 				 "what a number without a decimal point means"))
