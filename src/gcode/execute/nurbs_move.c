@@ -149,6 +149,12 @@ static bool go(struct interp *interp, const struct spline_piece *piece, struct c
 	return motion_commands_go(interp, &target, move);
 }
 
+/* No part at the end is shorter than half of the least one. */
+static double part_end(double u, double step, double last, double least)
+{
+	return last - u <= step + least / 2 ? last : u + step;
+}
+
 /* From one knot to the next one, in parts that are as long as their boxes allow. */
 static bool follow_span(struct interp *interp, const struct spline *spline, size_t span, struct canon_move *move)
 {
@@ -156,14 +162,13 @@ static bool follow_span(struct interp *interp, const struct spline *spline, size
 	double u = spline->knots[span], step = last - u;
 
 	while (u < last) {
-		struct spline_piece piece;
-		double end;
+		double end = part_end(u, step, last, least);
+		struct spline_piece piece = spline_part(spline, span, u, end);
 
-		for (;; step /= 2) {
-			end = last - u <= step + least / 2 ? last : u + step;
+		while (width(&piece) > BESIDE && step > least) {
+			step /= 2;
+			end = part_end(u, step, last, least);
 			piece = spline_part(spline, span, u, end);
-			if (width(&piece) <= BESIDE || step <= least)
-				break;
 		}
 		if (!go(interp, &piece, move))
 			return false;
