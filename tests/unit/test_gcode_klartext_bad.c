@@ -45,6 +45,12 @@ static const struct klartext_fault faults[] = {
 	{"L X+1 FMAX M92\n",
 	 "p.nc:2:3: error: from where M92 counts X the machine's builder has set: <reference number=\"1\" X=\"\"/> in the "
 	 "machine's <controller> says it, in machine coordinates"},
+	{"1 ; LAST LINE ~\nL X+1 FMAX\n",
+	 "p.nc:3:1: error: '~' has this line belong to the comment before it, but it reads like a block: take the '~' away, or "
+	 "begin the line with ';'"},
+	{"1 ; LAST LINE ~\n  Q1=5\n",
+	 "p.nc:3:3: error: '~' has this line belong to the comment before it, but it reads like a block: take the '~' away, or "
+	 "begin the line with ';'"},
 	{"L X+1 FMAX M92 M91\n",
 	 "p.nc:2:16: error: M91 and M92 in one block"},
 	{"CC X+1 Y+1\nC X+1 Y+1 DR+ F100 M92\n",

@@ -111,7 +111,7 @@ static const struct klartext_program frames[] = {
 	{"CYCL DEF 7.0\nCYCL DEF 7.1 X+10\nL X+0 FMAX\nL IX+1 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X+0\n"
 	 "L X+2 IY+1 FMAX\nL IX+1 FMAX\n",
 	 "rapid 10 0 0 0 0\nrapid 11 0 0 0 0\nrapid 2 1 0 0 0\nrapid 3 1 0 0 0\n"},
-	{"CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 V.ZEIT 1.5\n",
+	{"CYCL DEF9 .0 DWELL TIME\nCYCL DEF9.1 V.ZEIT 1.5\n",
 	 "dwell 1.5\n"},
 	{"CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 DWELL 2\n",
 	 "dwell 2\n"},
@@ -287,6 +287,9 @@ static const struct klartext_program cycles[] = {
 	 "rapid 0 0 20 0 0\nrapid 3 4 20 0 0\nrapid 3 4 2 0 0\nfeed 3 4 -4 0 0\nrapid 3 4 2 0 0\n"
 	 "rapid 3 4 9 0 0\nrapid 5 4 9 0 0\nrapid 5 4 2 0 0\nfeed 5 4 -4 0 0\nrapid 5 4 2 0 0\n"
 	 "rapid 5 4 9 0 0\n"},
+	/* A comment of several lines; without a number, the first one ends it. */
+	{"1 ; FREE SOFTWARE:~\n UNDER THE TERMS~\n of a licence.\n2 L X+1 FMAX\n; DONE ~\nL X+2 FMAX\n3 ;~\n4 L X+3 FMAX\n",
+	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
 	/* Z shifts the surface. */
 	{"L Z+20 FMAX\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+1 Q204=9\n"
 	 "CYCL CALL POS X+3 Y+4 Z+5\nCYCL CALL POS X+3 Y+4 Z+0\n",

@@ -437,6 +437,8 @@ bool klartext_define_read(struct lexer *lexer)
 		return fault(lexer->at, column, "CYCL DEF needs the number of a cycle");
 	for (number = 0; digits > 0; digits--, lexer_take(lexer))
 		number = 10 * number + (lexer->at->text[lexer->position] - '0');
+	/* "9 .0", as some posts write it. */
+	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
 	if (*text == '.' && text[1] >= '0' && text[1] <= '9') {
 		lexer->position += 2;

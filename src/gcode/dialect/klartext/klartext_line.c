@@ -347,6 +347,29 @@ static bool may_follow_corner(const struct lexer *before)
 	return false;
 }
 
+static bool is_like_block(const struct lexer *before)
+{
+	struct lexer lexer = *before;
+	char word[KLARTEXT_WORD];
+
+	klartext_word(&lexer, word);
+	return word[0] == 'Q' || find_statement(word) || starts_word(word, lexer.at->text[lexer.position]);
+}
+
+/*
+ * Is this line a comment, or does it go on with one that '~' continues? Only lines without a number go on, and only
+ * behind a comment with one: a block of a program with numbers is never taken for a comment.
+ */
+static bool is_comment(struct lexer *lexer, bool numbered)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+	const char byte = lexer_peek(lexer);
+	const bool begins = byte == ';' || byte == '*', goes_on = klartext->comment_goes_on && !numbered;
+
+	klartext->comment_goes_on = (goes_on || (begins && numbered)) && klartext_continues(lexer->at->text);
+	return byte == '\0' || begins || goes_on;
+}
+
 static bool take_line(struct lexer *lexer, bool *bare)
 {
 	struct interp *interp = lexer->context;
@@ -356,7 +379,11 @@ static bool take_line(struct lexer *lexer, bool *bare)
 
 	klartext_of(interp)->numbered = numbered;
 	*bare = true;
-	if (byte == '\0' || byte == ';' || byte == '*')
+	if (klartext_of(interp)->comment_goes_on && !numbered && is_like_block(lexer))
+		return fault(lexer->at, klartext_column(lexer),
+			     "'~' has this line belong to the comment before it, but it reads like a block: take the '~' "
+			     "away, or begin the line with ';'");
+	if (is_comment(lexer, numbered))
 		return true;
 	if (klartext_of(interp)->behind_end)
 		return pass_by(lexer);

@@ -161,6 +161,7 @@ struct klartext_corner {
 struct klartext {
 	bool begun; /* BEGIN PGM has been met */
 	bool numbered; /* the line in hand has a block number */
+	bool comment_goes_on; /* '~' at the end of a comment */
 	bool behind_end; /* M2 or M30 has been met: only END PGM counts */
 	bool inch;
 	bool jumped; /* blocks are counted from the first jump on */
