@@ -1,5 +1,6 @@
 #include "machine/xml/xml_reader.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
