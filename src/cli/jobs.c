@@ -1,9 +1,11 @@
 #include "cli/jobs.h"
 
 #include <string.h>
+#include <strings.h>
 
 #include "base/arena.h"
 #include "base/strbuf.h"
+#include "cli/program_reports.h"
 #include "cli/run.h"
 #include "machine/job_list.h"
 
@@ -66,6 +68,61 @@ static bool check_names(const struct options *options, struct diag *diag)
 	return good;
 }
 
+/* "op10-part" for the program part.nc of the job op10, which has several. */
+static void add_file_name(struct strbuf *out, const struct job_item *job, size_t program)
+{
+	strbuf_addf(out, "%s", job->name);
+	if (job->program_count < 2)
+		return;
+	strbuf_addf(out, "-");
+	program_reports_add_stem(out, job->programs[program]);
+}
+
+/* Is the name of a file of this job that of one of another job, or of its index? */
+static const struct job_item *find_same(const struct job_list *list, const struct job_item *job, size_t program)
+{
+	const struct job_item *found = NULL;
+	struct strbuf name = {0}, other = {0};
+
+	add_file_name(&name, job, program);
+	for (const struct job_item *it = list->items; !found && it < list->items + list->count; it++) {
+		if (it == job)
+			continue;
+		if (!strcasecmp(it->name, strbuf_text(&name)))
+			found = it;
+		for (size_t i = 0; !found && i < it->program_count; i++) {
+			strbuf_clear(&other);
+			add_file_name(&other, it, i);
+			if (!strcasecmp(strbuf_text(&other), strbuf_text(&name)))
+				found = it;
+		}
+	}
+	strbuf_release(&name);
+	strbuf_release(&other);
+	return found;
+}
+
+/* The programs of a job have reports of their own, which must not be those of another job. False: reported. */
+static bool check_reports(const struct options *options, const struct job_list *list, struct diag *diag)
+{
+	for (size_t i = 0; options_want_visual(options) && i < list->count; i++) {
+		const struct job_item *job = &list->items[i];
+
+		for (size_t k = 0; job->program_count > 1 && k < job->program_count; k++) {
+			const struct job_item *same = find_same(list, job, k);
+
+			if (!same)
+				continue;
+			diag_error(diag, (struct srcloc){.file = list->path, .line = job->line},
+				   "the report of %s in the job \"%s\" would have the name of one of the job \"%s\": give "
+				   "one of them another name",
+				   job->programs[k], job->name, same->name);
+			return false;
+		}
+	}
+	return true;
+}
+
 /* The name with the job's in place of each %. */
 static const char *name_for(struct arena *arena, const char *name, const char *job)
 {
@@ -112,7 +169,8 @@ enum run_status jobs_run(const struct options *options, struct stderr_ui *ui)
 
 	if (!check_options(options, &ui->diag) || !job_list_load(&list, options->machine, &ui->diag))
 		return RUN_INCOMPLETE;
-	good = list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag));
+	good = list.count == 1 || (check_names(options, &ui->diag) && check_documents(options, &ui->diag) &&
+				   check_reports(options, &list, &ui->diag));
 	for (size_t i = 0; good && i < list.count; i++) {
 		enum run_status one = run_job(options, &list.items[i], ui);
 

@@ -32,8 +32,7 @@ static bool may_stand_in_name(char c)
 	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-/* "parts/a b.nc" becomes "a_b". */
-static void add_stem(struct strbuf *out, const char *program)
+void program_reports_add_stem(struct strbuf *out, const char *program)
 {
 	const char *slash = strrchr(program, '/'), *base = slash ? slash + 1 : program, *dot = strrchr(base, '.');
 	const size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
@@ -59,7 +58,7 @@ static void choose_name(struct program_reports *reports, size_t index)
 
 	do {
 		strbuf_clear(&name);
-		add_stem(&name, reports->options->programs[index]);
+		program_reports_add_stem(&name, reports->options->programs[index]);
 		if (turn++)
 			strbuf_addf(&name, "-%d", turn);
 	} while (is_taken(reports, index, strbuf_text(&name)));

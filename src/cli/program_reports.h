@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "base/diag.h"
+#include "base/strbuf.h"
 #include "cli/options.h"
 #include "report/html/recorder.h"
 #include "report/html/scene_pack.h"
@@ -37,6 +38,9 @@ struct program_reports {
 bool program_reports_init(struct program_reports *reports, const struct options *options, struct scene *scene,
 			  const struct report_file *files, size_t file_count, struct diag *diag);
 void program_reports_release(struct program_reports *reports);
+
+/* The part of a program's name that may stand in the names of its files: "parts/a b.nc" becomes "a_b". */
+void program_reports_add_stem(struct strbuf *out, const char *program);
 
 /* False, reported: the file is there already, and is no report, picture or scene, which alone may be replaced. */
 bool program_reports_may_replace(const char *option, const char *path, struct diag *diag);

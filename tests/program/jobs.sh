@@ -47,6 +47,10 @@ findings sub/jobs.xml
 echo "an incomplete job is told, and the others are checked all the same:"
 sed 's/low.xml/gone.xml/' jobs.xml >gone-jobs.xml
 status "$FIVECHECK" -q gone-jobs.xml 2>&1 | grep -v '^    '
+echo "no report takes the place of that of another job:"
+sed 's/op20/op10-b/' jobs.xml >same-jobs.xml
+status "$FIVECHECK" -q --report=%.html same-jobs.xml 2>&1
+"$FIVECHECK" -q -f ndjson=%.ndjson same-jobs.xml
 echo "faults:"
 fault() { # SED-SCRIPT [OPTION...]
 	sed "$1" jobs.xml >bad.xml
