@@ -122,6 +122,11 @@ project_fault() { # SED-SCRIPT
 	"$FIVECHECK" import --meshes . --output bad job/bad.VcProject 2>&1 | grep error:
 	[ ! -e bad ] || { echo "a folder was written"; rm -r bad; }
 }
+echo "most of a project may be missing:"
+project '' | sed '/<Build>/,/<.Build>/d; /<NCPrograms/,/<.NCPrograms>/d; /<GCode>/,/<.GCode>/d; /<ToolMan>/d; /<Collision>/d
+	s,<.Setup>,</Machine>&,' >job/bare.VcProject
+fivecheck import --meshes . --output job/bare job/bare.VcProject 2>&1 | grep -v 'dmu.mch:'
+ls job/bare
 project_fault 's/DMU.mch/gone.mch/'
 project_fault 's,<File>C:[^<]*<,<File><,'
 project_fault 's/Attach>Attach</Attach>C</'

@@ -22,7 +22,7 @@ static const xmlNode *first_from(const xmlNode *node, const char *name)
 
 const xmlNode *foreign_child(const xmlNode *parent, const char *name)
 {
-	return first_from(parent->children, name);
+	return parent ? first_from(parent->children, name) : NULL;
 }
 
 const xmlNode *foreign_next(const xmlNode *node, const char *name)

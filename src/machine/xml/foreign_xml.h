@@ -9,7 +9,7 @@
 #include "geom/vec3.h"
 #include "machine/xml/xml_reader.h"
 
-/* The first child element of the name, or NULL; NULL as the name: of any name. */
+/* The first child element of the name, or NULL; NULL as the name: of any name. No parent (NULL) has no child. */
 const xmlNode *foreign_child(const xmlNode *parent, const char *name);
 
 /* The next sibling element of the name, or NULL; NULL as the name: of any name. */
