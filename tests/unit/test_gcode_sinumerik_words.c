@@ -90,7 +90,7 @@ static const struct bad {
 	{"$P_PFRAME=CTRANS(X,1\n", "',' or ')' is needed here"},
 	{"$P_PFRAME=5\n", "CTRANS, CROT, CSCALE or CMIRROR is needed here"},
 	{"$P_PFRAME=CSCALE(X,0)\n", "a scale must be greater than 0"},
-	{"RNDM=1\n", "RNDM: rounding between all blocks is not supported yet, only RNDM=0"},
+	{"RNDM=1\n", "RNDM: rounding between all blocks (RND in each can say it) is not supported yet, only RNDM=0"},
 	{"G500\nG97 F1 X1\n", "G1 in feed per revolution (G95) without a spindle speed (S)"},
 	{"G54\n$P_UIFR[1,X,TR]=5\n",
 	 "$P_UIFR[1] is the work offset in force, and takes effect at its next selection; select G500 before it"},

@@ -22,13 +22,13 @@
 	ADDRESS_ROW(ROW, "K1", K1, "intermediate point of CIP") \
 	CODE_ROW(ROW, "SUPA", SUPPRESSION, SINUMERIK_SUPA, "positions of the machine's axes, for its block") \
 	ADDRESS_ROW(ROW, "FP", FP, "fixed point of G75") \
-	REFUSED_ROW(ROW, "CT", "circle with tangential transition") \
+	REFUSED_ROW(ROW, "CT", "circle with tangential transition (G2 or G3 can say it)") \
 	REFUSED_ROW(ROW, "INVCW", "involute interpolation") \
 	REFUSED_ROW(ROW, "INVCCW", "involute interpolation") \
-	REFUSED_ROW(ROW, "ASPLINE", "spline interpolation") \
-	REFUSED_ROW(ROW, "BSPLINE", "spline interpolation") \
-	REFUSED_ROW(ROW, "CSPLINE", "spline interpolation") \
-	REFUSED_ROW(ROW, "POLY", "polynomial interpolation") \
+	REFUSED_ROW(ROW, "ASPLINE", "spline interpolation (short lines of G1 can say it)") \
+	REFUSED_ROW(ROW, "BSPLINE", "spline interpolation (short lines of G1 can say it)") \
+	REFUSED_ROW(ROW, "CSPLINE", "spline interpolation (short lines of G1 can say it)") \
+	REFUSED_ROW(ROW, "POLY", "polynomial interpolation (short lines of G1 can say it)") \
 	REFUSED_ROW(ROW, "OEMIPO1", "interpolation of the machine's maker") \
 	REFUSED_ROW(ROW, "OEMIPO2", "interpolation of the machine's maker") \
 	ADDRESS_ROW(ROW, "AP", AP, "polar coordinates: angle") \
@@ -37,7 +37,7 @@
 	ADDRESS_ROW(ROW, "CHF", CHF, "chamfer by its length") \
 	ADDRESS_ROW(ROW, "CHR", CHR, "chamfer by what it takes off each block") \
 	ADDRESS_ROW(ROW, "RND", RND, "rounding between two blocks") \
-	ZERO_ROW(ROW, "RNDM", "rounding between all blocks") \
+	ZERO_ROW(ROW, "RNDM", "rounding between all blocks (RND in each can say it)") \
 	ROW("POS", POSITION, MOTION, 0, CODE_READ, "positioning axis, alone in its block") \
 	REFUSED_ROW(ROW, "POSA", "positioning axis that goes on while the next blocks move (POS waits for it)") \
 	REFUSED_ROW(ROW, "POSP", "positioning axis that goes in parts") \
@@ -66,7 +66,7 @@
 	CODE_ROW(ROW, "TOFRAMEZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROT", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROTZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table of an orientable tool carrier") \
+	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table of an orientable tool carrier (CYCLE800 gives a plane)") \
 	ZERO_ROW(ROW, "TCARR", "orientable tool carrier") \
 	CODE_ROW(ROW, "TOFRAMEOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROTOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
@@ -97,7 +97,7 @@
 	REFUSED_ROW(ROW, "ORICONIO", "orientation on a cone") \
 	REFUSED_ROW(ROW, "ORICONTO", "orientation on a cone") \
 	REFUSED_ROW(ROW, "ORICURVE", "orientation by a second curve") \
-	REFUSED_ROW(ROW, "ORIRESET", "basic orientation of the tool") \
+	REFUSED_ROW(ROW, "ORIRESET", "basic orientation of the tool (words of the rotary axes can say it)") \
 	REFUSED_ROW(ROW, "ORID", "change of orientation before outside corners") \
 	REFUSED_ROW(ROW, "A2", "orientation by angles") \
 	REFUSED_ROW(ROW, "B2", "orientation by angles") \
@@ -373,7 +373,7 @@
 	REFUSED_ROW(ROW, "CONTDCON", "a text that is carried out") \
 	PLAIN_ROW(ROW, "DELETE", IGNORED_CALL, "files") \
 	PLAIN_ROW(ROW, "CALLPATH", IGNORED_CALL, "files") \
-	REFUSED_ROW(ROW, "DEFINE", "a text that stands for a name") \
+	REFUSED_ROW(ROW, "DEFINE", "a text that stands for a name (write the text itself)") \
 	REFUSED_ROW(ROW, "REDEF", "a text that stands for a name") \
 	PLAIN_ROW(ROW, "IPTRLOCK", IGNORED, "stop and search of a block") \
 	PLAIN_ROW(ROW, "IPTRUNLOCK", IGNORED, "stop and search of a block") \
