@@ -43,9 +43,10 @@ void import_machine_todo(struct import_machine *machine, const char *format, ...
 /* Names of bodies become names of files, and some file systems do not tell upper from lower case. */
 static bool is_taken(const struct import_machine *machine, const char *name)
 {
-	for (size_t i = 0; i < machine->description.body_count; i++)
-		if (!strcasecmp(machine->description.bodies[i].name, name))
-			return true;
+	for (; machine; machine = machine->beside)
+		for (size_t i = 0; i < machine->description.body_count; i++)
+			if (!strcasecmp(machine->description.bodies[i].name, name))
+				return true;
 	return false;
 }
 

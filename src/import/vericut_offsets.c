@@ -158,13 +158,16 @@ static bool has_values(const xmlNode *node)
 	return false;
 }
 
-static void add_offset(struct import_setup *setup, const char *name, const double values[3])
+/* Only axes that the machine has get a value. */
+static void add_offset(const struct reading *r, const char *name, const double values[3])
 {
-	struct work_offset_description *offset = &setup->offsets[setup->offset_count++];
+	struct work_offset_description *offset = &r->setup->offsets[r->setup->offset_count++];
+	vec3 direction;
 
 	*offset = (struct work_offset_description){.name = name};
-	for (int i = 0; i < 3; i++)
-		offset->value[i] = (struct optional_number){true, values[i]};
+	for (int slot = 0; slot < 3; slot++)
+		if (axis_of(r->machine, slot, &direction))
+			offset->value[slot] = (struct optional_number){true, values[slot]};
 }
 
 static bool is_taken(const struct import_setup *setup, const char *name)
@@ -194,7 +197,7 @@ static bool take_row(const struct reading *r, const xmlNode *table, const xmlNod
 	if (text.length)
 		note(r, row, strbuf_text(&text));
 	if (name && !is_taken(r->setup, name))
-		add_offset(r->setup, name, values);
+		add_offset(r, name, values);
 	strbuf_release(&text);
 	return true;
 }

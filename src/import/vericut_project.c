@@ -280,7 +280,7 @@ static bool read_setup(struct reading *r, const xmlNode *node)
 	struct import_setup *setup = &project->setups[project->setup_count];
 	struct vericut_components components = {0};
 
-	*setup = (struct import_setup){0};
+	*setup = (struct import_setup){.bodies = {.beside = &project->machine}};
 	name_setup(r, setup, node);
 	project->setup_count++;
 	if (!project->machine.work_name) {

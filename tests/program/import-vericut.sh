@@ -79,7 +79,7 @@ fivecheck import --output plain plain.mch 2>/dev/null
 grep -c '<body' plain/machine.xml
 echo "a project: the machine, a setup with its tools, and the program as a job"
 mkdir job
-box job/vise -60 -40 0 60 40 30
+box job/z_head -60 -40 0 60 40 30 # as a mesh of the machine is called
 box job/blank 0 0 0 80 60 20
 box job/part 10 10 0 70 50 15
 printf 'G21 G90 G54\nG0 X10\nM2\n' >job/O1.nc
@@ -90,7 +90,7 @@ project() { # "X Y Z" as VERICUT stored them
 <VcProject Version="7.1" Unit="millimeter">
 <Setup Name="op 10" Active="on">
 <Build>
-$(component Vise fixture Attach '0 0 10' '0 0 0' "$(file 'D:\jobs\VISE.stl' '1 2 3' '0 0 90')")
+$(component Vise fixture Attach '0 0 10' '0 0 0' "$(file 'D:\jobs\Z_HEAD.stl' '1 2 3' '0 0 90')")
 $(component Stock stock Vise '-40 -30 33' '0 0 15' "$(file 'D:\jobs\blank.stl' '0 0 0' '0 0 0')")
 $(component Design design Stock '0 0 0' '0 0 0' "$(file 'D:\jobs\part.stl' '0 0 1' '0 0 0')")
 </Build>
