@@ -81,6 +81,12 @@ static const struct refused_program programs[] = {
 	{"$P_UIFR[1,A,TR]=5\nT1 M6\nG54 G17\nCYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n", 4, 1,
 	 "A is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides whether TRAORI and "
 	 "CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" of the machine's <controller> says it"},
+	{"T1 M6\nG500 G17\nTRAORI\nG0 X1 Y0 Z0\nTOROT\nX1\n", 6, 1,
+	 "TOROT and TOFRAME lay Z along the tool; where X and Y then point is a matter of the control's settings "
+	 "(MD21110, SD42980): only Z and rotary axes are supported before TOROTOF; a plane by CYCLE800 or ROT has all "
+	 "three"},
+	{"T1 M6\nG500 G17\nTRAORI\nG0 X1 Y0 Z0\nTOROT\nG111 X1 Y1\n", 6, 1,
+	 "a pole while TOROT or TOFRAME is in force; TOROTOF first"},
 	{"MCALL POCKET1(1)\n", 1, 7,
 	 "MCALL POCKET1: milling cycles are supported where they are called without MCALL"},
 	{"CYCLE62(\"KONTUR\")\n", 1, 1,

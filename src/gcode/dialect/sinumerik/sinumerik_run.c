@@ -369,6 +369,9 @@ static bool run_once(struct interp *interp, const struct sinumerik_block *block,
 	/* G25 and G26: limits that no axis moves for. */
 	if (is_limit(block->code[SINUMERIK_ONCE]))
 		return true;
+	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110) && sinumerik_of(interp)->tool_frame)
+		return fault(&interp->at, block->code_column[SINUMERIK_ONCE],
+			     "a pole while TOROT or TOFRAME is in force; TOROTOF first");
 	if (block->code[SINUMERIK_ONCE] >= SINUMERIK_G(110))
 		return sinumerik_polar_set_pole(interp, block);
 	if (block->code[SINUMERIK_ONCE] != CODE_NONE)

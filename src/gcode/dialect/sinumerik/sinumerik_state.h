@@ -149,7 +149,7 @@ struct sinumerik {
 	bool placed;
 	/* An offset has changed since the axis was programmed last: its program coordinate then. */
 	bool shifted[SLOT_COUNT];
-	slot_values programmed;
+	slot_values programmed;	/* NAN: not known */
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */

@@ -204,6 +204,11 @@ static bool start_increment(struct interp *interp, int slot, int column, double 
 			     AXIS_LETTERS[slot]);
 	switch (interp->config->controller.increments_after_shift) {
 	case INCREMENTS_TRAVERSE_SHIFT:
+		if (isnan(sinumerik->programmed.v[slot]))
+			return fault(&interp->at, column,
+				     "%c by an increment after TOROTOF: which coordinate it counts from is not known; "
+				     "write an absolute position first",
+				     AXIS_LETTERS[slot]);
 		*coordinate = sinumerik->programmed.v[slot];
 		break;
 	case INCREMENTS_FROM_POSITION:

@@ -1,5 +1,6 @@
 #include "gcode/dialect/sinumerik/sinumerik_tool_frame.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/same_double.h"
@@ -48,6 +49,11 @@ static bool change(struct interp *interp, int column, const struct sinumerik_fra
 	/* An increment of Z counts from where the tool is: the retraction that TOROT is for. */
 	if (on)
 		memcpy(sinumerik->shifted, shifted, sizeof(shifted));
+	/* Which coordinates X, Y and Z had in the frame is not known. */
+	for (int slot = SLOT_X; slot <= SLOT_Z && !on; slot++) {
+		sinumerik->shifted[slot] = true;
+		sinumerik->programmed.v[slot] = NAN;
+	}
 	return true;
 }
 
