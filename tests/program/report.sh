@@ -24,6 +24,9 @@ $(fivecheck -q --report=j.html -j 3 m.xml a.nc)
 TEXT
 cmp a.html j.html
 test "$(fivecheck -q -a m.xml a.nc)" = "$(fivecheck -q -a --report=all.html m.xml a.nc)"
+# The picture rings the contact, and again in the inset that enlarges it.
+fivecheck -q --picture=a.svg m.xml a.nc >/dev/null
+test "$(grep -o '<circle' a.svg | wc -l)" = 4
 fivecheck -q -f ndjson=a.ndjson --pose=a.stl m.xml a.nc
 fivecheck --clearance-report=a.csv --report=sharp.html -q m.xml a.nc >/dev/null
 check sharp.html sharp=a.csv

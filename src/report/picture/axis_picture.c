@@ -6,6 +6,7 @@
 #include "machine/chain.h"
 #include "report/format/html_text.h"
 #include "report/picture/contours.h"
+#include "report/picture/stage_camera.h"
 #include "report/picture/svg_areas.h"
 
 enum { WIDTH = 960, HEIGHT = 640, ARC_STEPS = 24 };

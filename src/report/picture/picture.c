@@ -6,24 +6,28 @@
 #include "base/math/math_functions.h"
 #include "base/mem.h"
 #include "report/format/html_text.h"
+#include "report/picture/inset.h"
 #include "report/picture/png.h"
+#include "report/picture/silhouettes.h"
+#include "report/picture/stage_camera.h"
 #include "report/picture/svg_areas.h"
 
-enum { WIDTH = 960, HEIGHT = 640, RING = 34 };
+enum { WIDTH = 960, HEIGHT = 640, RING = 34, LINE = 2 };
+
+/* Pixels at the lower edge for the title. */
+enum { TITLE = 40 };
 
 /* ------------------------------------------------------------------- SVG */
 
 /* Pixels of a quick picture to one of its raster, in both directions: its outlines are a little coarser. */
 #define QUICK_PIXEL (4.0 / 3)
 
-static void add_ring(struct strbuf *out, const struct camera *camera, vec3 point)
+static void add_ring(struct strbuf *out, double x, double y)
 {
-	const vec3 at = camera_project(camera, &(struct raster){.width = WIDTH, .height = HEIGHT}, point);
-
 	strbuf_addf(out,
 		    "<g fill=\"none\"><circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#fff\" stroke-width=\"9\"/>"
 		    "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%d\" stroke=\"#7a00c8\" stroke-width=\"4\"/></g>\n",
-		    at.x, at.y, RING, at.x, at.y, RING);
+		    x, y, RING, x, y, RING);
 }
 
 /* A small square of the body's colour and its name. */
@@ -42,10 +46,16 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 {
 	const struct camera camera = stage_camera(stage);
 	const double pixel = fine ? 1 : QUICK_PIXEL;
+	struct inset inset = {0};
 	struct raster raster;
+	vec3 at;
 
 	raster_init(&raster, (int)lround(WIDTH / pixel), (int)lround(HEIGHT / pixel));
 	stage_draw(stage, &camera, &raster);
+	if (fine)
+		silhouettes_add(&raster, LINE, SILHOUETTE_JUMP / camera.scale);
+	if (fine && stage->has_point)
+		inset = inset_add(&raster, stage, &camera, LINE, TITLE);
 	strbuf_addf(out,
 		    "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
 		    "role=\"img\">\n<title>",
@@ -60,15 +70,18 @@ void picture_add_svg(struct strbuf *out, const struct stage *stage, const char *
 	strbuf_addf(out, ">\n");
 	svg_areas_add(out, &raster, fine ? 0.9 : 1.1, fine ? 10 : 14);
 	strbuf_addf(out, "</g>\n");
+	at = camera_project(&camera, &(struct raster){.width = WIDTH, .height = HEIGHT}, stage->point);
 	if (stage->has_point)
-		add_ring(out, &camera, stage->point);
+		add_ring(out, at.x, at.y);
+	if (inset.width)
+		add_ring(out, inset.x + 0.5 * inset.width, inset.y + 0.5 * inset.height);
 	strbuf_addf(out, "<g font-family=\"sans-serif\" font-size=\"17\" fill=\"#16202b\">\n");
 	if (stage->a >= 0 && stage->b >= 0) {
 		add_label(out, stage, stage->a, stage_class_a(stage), 0);
 		add_label(out, stage, stage->b, stage_class_b(stage), 1);
 	}
-	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"40\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
-			 "<text x=\"14\" y=\"%d\">", HEIGHT - 40, WIDTH, HEIGHT - 14);
+	strbuf_addf(out, "<rect y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#fff\" fill-opacity=\"0.8\"/>"
+			 "<text x=\"14\" y=\"%d\">", HEIGHT - TITLE, WIDTH, TITLE, HEIGHT - 14);
 	html_text_add(out, title);
 	strbuf_addf(out, "</text></g>\n</svg>\n");
 	raster_release(&raster);
@@ -132,15 +145,21 @@ void picture_add_png(struct strbuf *out, const struct stage *stage)
 {
 	const struct camera camera = stage_camera(stage);
 	unsigned char *pixels = mem_alloc(3 * WIDTH * HEIGHT);
+	struct inset inset = {0};
 	struct raster raster;
 
 	raster_init(&raster, SUPERSAMPLES * WIDTH, SUPERSAMPLES * HEIGHT);
 	stage_draw(stage, &camera, &raster);
+	silhouettes_add(&raster, SUPERSAMPLES * LINE, SILHOUETTE_JUMP / camera.scale);
+	if (stage->has_point)
+		inset = inset_add(&raster, stage, &camera, SUPERSAMPLES * LINE, 0);
 	shrink(pixels, &raster);
 	if (stage->has_point) {
 		const vec3 at = camera_project(&camera, &raster, stage->point);
 
 		draw_ring(pixels, at.x / SUPERSAMPLES, at.y / SUPERSAMPLES);
+		draw_ring(pixels, (inset.x + 0.5 * inset.width) / SUPERSAMPLES,
+			  (inset.y + 0.5 * inset.height) / SUPERSAMPLES);
 	}
 	png_add(out, pixels, WIDTH, HEIGHT);
 	free(pixels);

@@ -1,4 +1,4 @@
-/* stage.h - what a picture shows: the bodies as they stand, which of them matter, and where to look. */
+/* stage.h - what a picture shows: the bodies as they stand, and which of them matter. */
 #ifndef FIVECHECK_REPORT_PICTURE_STAGE_H
 #define FIVECHECK_REPORT_PICTURE_STAGE_H
 
@@ -34,17 +34,27 @@ struct camera {
 /* Does the link carry the other, or is it the same? Everything is on link 0, the base. */
 bool stage_is_carried(const struct machine *machine, int link, int by);
 
-/* The usual direction of sight, from the front, right and above; neither centre nor scale. */
-struct camera camera_usual(void);
+/* Is the body drawn? */
+bool stage_shows(const struct stage *stage, int body);
 
-/* A camera that sees the contact as well as can be, or all bodies. */
-struct camera stage_camera(const struct stage *stage);
+/* What is drawn of the body, in its mesh coordinates. */
+const struct mesh *stage_mesh(const struct stage *stage, int body);
+
+/* The middle of a body as it stands, and the radius of a ball around it. */
+vec3 stage_middle(const struct stage *stage, int body, double *radius);
 
 /* Draws all bodies that are there with this tool. */
 void stage_draw(const struct stage *stage, const struct camera *camera, struct raster *raster);
 
 /* Where a point is in a raster of this size, pixels and depth. */
 vec3 camera_project(const struct camera *camera, const struct raster *raster, vec3 p);
+
+/* From the coordinates of a mesh to the raster at once: rows of a matrix, and what is added. */
+struct screen {
+	vec3 x, y, z, shift;
+};
+struct screen screen_of(const struct camera *camera, const struct raster *raster, const xform *pose);
+vec3 screen_place(const struct screen *screen, vec3 p);
 
 /* Paints: a class and how bright it is, 0 to PAINT_LEVELS - 1. */
 enum paint_class {
@@ -63,6 +73,8 @@ enum paint_class {
 	PAINT_CLASSES
 };
 enum { PAINT_LEVELS = 8 };
+
+enum paint_class stage_class(const struct stage *stage, int body);
 
 /* The class of bodies a and b. */
 enum paint_class stage_class_a(const struct stage *stage);

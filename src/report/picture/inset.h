@@ -1,0 +1,20 @@
+/* inset.h - a small picture in a corner of a large one, which shows the contact enlarged. */
+#ifndef FIVECHECK_REPORT_PICTURE_INSET_H
+#define FIVECHECK_REPORT_PICTURE_INSET_H
+
+#include "report/picture/stage.h"
+
+/* Pixels of the raster. */
+struct inset {
+	int x, y, width, height;
+};
+
+/*
+ * Draws what is around the middle of the raster, in which the stage was drawn with this camera, several times as large
+ * into one of its corners, with a frame of `line` pixels. `below`: pixels that stay free at the lower edge. Returns
+ * where it is.
+ */
+struct inset inset_add(struct raster *raster, const struct stage *stage, const struct camera *camera, int line,
+		       int below);
+
+#endif
