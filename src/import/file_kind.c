@@ -57,6 +57,20 @@ static bool is_ini(const char *text)
 	return false;
 }
 
+static bool ends_with(const char *path, const char *end)
+{
+	size_t length = strlen(path);
+
+	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
+}
+
+/* A machine of FreeCAD's CAM workbench: JSON, as tool libraries are. */
+static bool is_freecad(const char *path, const char *text)
+{
+	return *skip_space(text) == '{' && (ends_with(path, ".fcm") || ends_with(path, ".fcmachine")) &&
+	       strstr(text, "\"machine\"");
+}
+
 static bool tell(enum file_kind *kind, const char *path, const char *text)
 {
 	for (size_t i = 0; i < sizeof(xml_roots) / sizeof(*xml_roots); i++) {
@@ -71,14 +85,7 @@ static bool tell(enum file_kind *kind, const char *path, const char *text)
 	if (!root_name(text) && is_ini(text))
 		return true;
 	*kind = FILE_TOOLS;
-	return library_kind_of(text) != LIBRARY_NONE;
-}
-
-static bool ends_with(const char *path, const char *end)
-{
-	size_t length = strlen(path);
-
-	return length >= strlen(end) && !strcasecmp(path + length - strlen(end), end);
+	return library_kind_of(text) != LIBRARY_NONE && !is_freecad(path, text);
 }
 
 /* What is known of a file that cannot be imported, so that its owner knows what to do. */
@@ -95,6 +102,10 @@ static const char *advice(const char *path, const char *text)
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
+	if (is_freecad(path, text))
+		return "this is a machine of FreeCAD, which does not say where the axes are: use 'fivecheck init' with "
+		       "the axes, their travels (min, max), rates (max_velocity) and units that it names, and look up "
+		       "which of them carry the work";
 	if (is_root(text, "MTConnectDevices"))
 		return "this is a device description of MTConnect, which does not say which axis carries which: use "
 		       "'fivecheck init' with the axes and travels that it names";
