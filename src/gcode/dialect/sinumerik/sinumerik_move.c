@@ -300,12 +300,13 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	if ((axes & (axes - 1)) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
 	    (block->letters & CENTRE_BITS))
 		return fault(&interp->at, column,
-			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a block");
+			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a "
+			     "block");
 	if (interp->state.tcp != TCP_OFF || interp->state.frame.on || interp->comp.side != 0 || interp->corner.on ||
 	    block->code[SINUMERIK_SUPPRESSION] != CODE_NONE || sinumerik_modal_acts(sinumerik_of(interp)))
 		return fault(&interp->at, column,
-			     "POS with TRAORI, CYCLE800, ROT, SCALE, MIRROR, tool radius compensation, a chamfer, SUPA or "
-			     "MCALL is not supported");
+			     "POS with TRAORI, CYCLE800, ROT, SCALE, MIRROR, tool radius compensation, a chamfer, SUPA "
+			     "or MCALL is not supported");
 	show_block(interp, block, G0);
 	return sinumerik_target_check(interp, block, false, false) && sinumerik_target_find(interp, block, &target) &&
 	       arrive(interp, &target, &move, NULL);

@@ -106,7 +106,10 @@ struct sinumerik_jump {
 
 #define SINUMERIK_JUMPS 256
 
-/* A modal call: MCALL CYCLE81(...) or MCALL NAME. There is one at a time, which acts in subprograms and repeats, too. */
+/*
+ * A modal call: MCALL CYCLE81(...) or MCALL NAME. There is one at a time, which acts in subprograms and repeated parts,
+ * too.
+ */
 struct sinumerik_modal {
 	bool on;
 	bool cycle;	/* else a subprogram */

@@ -410,7 +410,8 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 	    !whole(&s, DIR, "DIR", &direction) || !check(&s, status, direction) ||
 	    !find_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
-	if (!lay_flat(&s) || !sinumerik_target_check_rotary_zero(interp, column) || !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
+	if (!lay_flat(&s) || !sinumerik_target_check_rotary_zero(interp, column) ||
+	    !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
 	    (direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
 		return false;
 	sinumerik_frame_moved(interp);

@@ -147,9 +147,9 @@ bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column)
 			continue;
 		if (controller->tcp_zero_given != ANSWER_YES)
 			return fault(&interp->at, column,
-				     "%c is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) decides "
-				     "whether TRAORI and CYCLE800 count it from there: tcp_zero=\"machine\" or \"offset\" "
-				     "of the machine's <controller> says it",
+				     "%c is offset, and a parameter of the control (TRAFO5_ROT_OFFSET_FROM_FRAME) "
+				     "decides whether TRAORI and CYCLE800 count it from there: tcp_zero=\"machine\" or "
+				     "\"offset\" of the machine's <controller> says it",
 				     AXIS_LETTERS[slot]);
 		if (controller->tcp_zero_offset && programmed)
 			return fault(&interp->at, column,

@@ -27,7 +27,8 @@ double sinumerik_target_centre(const struct interp *interp, double value, enum s
 			       double start);
 
 /*
- * Does it matter, and is it not known, whether TRAORI and CYCLE800 count rotary axes from their offsets? False: reported.
+ * Does it matter, and is it not known, whether TRAORI and CYCLE800 count rotary axes from their offsets? False:
+ * reported.
  */
 bool sinumerik_target_check_rotary_zero(const struct interp *interp, int column);
 

@@ -229,7 +229,7 @@ static bool number_of(const char *text, double *value)
 	       text[position + strspn(text + position, " ")] == '\0';
 }
 
-/* Where `what` stands in the text: INDEX the first byte of it, RINDEX the last, MINDEX the first of any of its bytes. */
+/* Where `what` stands in the text: INDEX finds the first such byte, RINDEX the last, MINDEX the first of several. */
 static double find(const char *name, const char *text, const char *what)
 {
 	const char *place = !strcmp(name, "RINDEX")   ? strrchr(text, what[0])

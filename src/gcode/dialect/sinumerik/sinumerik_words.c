@@ -66,7 +66,7 @@
 	CODE_ROW(ROW, "TOFRAMEZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROT", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROTZ", TOOL_FRAME, SINUMERIK_TOROT, "frame in the direction of the tool") \
-	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table of an orientable tool carrier (CYCLE800 gives a plane)") \
+	REFUSED_ROW(ROW, "PAROT", "frame that turns with the table of a tool carrier (CYCLE800 gives a plane)") \
 	ZERO_ROW(ROW, "TCARR", "orientable tool carrier") \
 	CODE_ROW(ROW, "TOFRAMEOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
 	CODE_ROW(ROW, "TOROTOF", TOOL_FRAME, SINUMERIK_TOROTOF, "no frame in the direction of the tool") \
