@@ -35,6 +35,12 @@ enum { WITH_PLANES = 0 };
 enum { WITH_PLANES = 1 };	/* planes that travel with a link keep parts of the bodies apart */
 #endif
 
+#ifdef FIVECHECK_WITHOUT_PROFILES
+enum { WITH_PROFILES = 0 };
+#else
+enum { WITH_PROFILES = 1 };	/* and keep what a body that turns about its joint's axis passes apart */
+#endif
+
 #ifdef FIVECHECK_WITHOUT_SIMD
 enum { WITH_SIMD = 0 };
 #else

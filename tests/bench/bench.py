@@ -6,16 +6,20 @@ import os
 import platform
 import sys
 
+import ablation
 import accuracy
 import figures
+import peers
+import readme
 import real
 import series
 import targets
 import trunnion
-from measure import Tools, say
+from measure import Tools, say, timed
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PARTS = ['accuracy', 'targets', 'series', 'ablation', 'real']
+LIBRARIES = ['fcl', 'ode', 'coal']
 
 
 def write(tools, name, columns, rows):
@@ -42,7 +46,8 @@ def describe(tools, compiler):
     rows = [('processor', first_of('/proc/cpuinfo', 'model name')), ('cores', str(os.cpu_count())),
             ('memory', first_of('/proc/meminfo', 'MemTotal')), ('system', platform.platform()),
             ('compiler', compiler), ('runs', str(tools.runs)),
-            ('FCL', 'yes' if tools.peer else 'skipped'), ('rs274', 'yes' if tools.rs274 else 'skipped: not found')]
+            ('libraries', ', '.join(tools.peers) or 'skipped'),
+            ('rs274', 'yes' if tools.rs274 else 'skipped: not found')]
     with open(os.path.join(tools.out, 'computer.txt'), 'w') as out:
         out.writelines('%s: %s\n' % row for row in rows)
     return rows
@@ -55,6 +60,11 @@ def show(rows):
     for row in rows:
         print('  '.join(x.ljust(w) for x, w in zip(row, widths)).rstrip())
     print()
+
+
+def keep(tools, name, columns, rows):
+    write(tools, name, columns, rows)
+    show([columns] + [[r[c] for c in columns] for r in rows])
 
 
 def show_accuracy(rows):
@@ -72,32 +82,30 @@ def run_parts(tools, arguments):
     chosen = arguments.only.split(',') if arguments.only else PARTS
     os.makedirs(scenes, exist_ok=True)
     if 'accuracy' in chosen:
-        rows = accuracy.run(tools, scenes, arguments.seed, arguments.scenes, False)
+        rows = timed('accuracy', lambda: accuracy.run(tools, scenes, arguments.seed, arguments.scenes, False))
         write(tools, 'accuracy.csv', accuracy.judge.COLUMNS, rows)
         show_accuracy(rows)
         results['wrong'] = wrong(rows)
     if 'targets' in chosen:
-        rows = targets.Targets(tools, scenes, arguments.blocks).all()
-        write(tools, 'targets.csv', targets.COLUMNS, rows)
-        show([targets.COLUMNS] + [[r[c] for c in targets.COLUMNS] for r in rows])
+        figured = targets.Targets(tools, scenes, arguments.blocks)
+        keep(tools, 'targets.csv', targets.COLUMNS, timed('targets', figured.all))
+        keep(tools, 'peers.csv', peers.COLUMNS, figured.peer_rows)
     if 'series' in chosen:
-        write(tools, 'cost.csv', series.COLUMNS, series.cost_rows(tools, scenes, 10))
-        write(tools, 'steps.csv', series.STEP_COLUMNS, series.step_rows(tools, scenes))
-        rows = series.paper_rows(tools)
-        write(tools, 'paper.csv', series.PAPER_COLUMNS, rows)
-        show([series.PAPER_COLUMNS] + [[r[c] for c in series.PAPER_COLUMNS] for r in rows])
+        write(tools, 'cost.csv', series.COLUMNS, timed('cost', lambda: series.cost_rows(tools, scenes, 2)))
+        write(tools, 'steps.csv', series.STEP_COLUMNS, timed('steps', lambda: series.step_rows(tools, scenes)))
+        keep(tools, 'paper.csv', series.PAPER_COLUMNS, timed('paper', lambda: series.paper_rows(tools)))
     if 'ablation' in chosen:
-        rows = series.ablation_rows(tools, arguments.source, [
+        chosen_scenes = [
             trunnion.inside(os.path.join(scenes, 'ablate-blades'), tools), next(trunnion.examples(scenes)),
             trunnion.tight(os.path.join(scenes, 'ablate-tight'), 20000),
-            trunnion.far(os.path.join(scenes, 'ablate-far'), 100000)])
-        write(tools, 'ablation.csv', series.ABLATION_COLUMNS, rows)
-        show([series.ABLATION_COLUMNS] + [[r[c] for c in series.ABLATION_COLUMNS] for r in rows])
+            trunnion.far(os.path.join(scenes, 'ablate-far'), 100000)]
+        chosen_scenes += list(real.scenes(tools, scenes)) if tools.real else []
+        keep(tools, 'ablation.csv', ablation.COLUMNS,
+             timed('ablation', lambda: ablation.rows(tools, arguments.source, chosen_scenes)))
     if 'real' in chosen and tools.real:
-        rows = real.rows(tools, scenes)
-        write(tools, 'real.csv', real.COLUMNS, rows)
-        show([real.COLUMNS] + [[r[c] for c in real.COLUMNS] for r in rows])
+        keep(tools, 'real.csv', real.COLUMNS, timed('real', lambda: real.rows(tools, scenes)))
     figures.draw(tools.out, read(tools, 'accuracy.csv'), read(tools, 'cost.csv'), read(tools, 'steps.csv'))
+    print(readme.write_table(tools.out))
     return results.get('wrong', [])
 
 
@@ -109,17 +117,18 @@ def main():
     parser.add_argument('--rs274', default='')
     parser.add_argument('--compiler', default='')
     parser.add_argument('--real', default='')
+    parser.add_argument('--old', default='', help='another fivecheck to compare tight work with')
     parser.add_argument('--only', default='', help='some of ' + ','.join(PARTS))
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--scenes', type=int, default=0)
-    parser.add_argument('--runs', type=int, default=5)
+    parser.add_argument('--runs', type=int, default=3)
     parser.add_argument('--blocks', type=int, default=1000000, help='of the long program')
     arguments = parser.parse_args()
     out = os.path.join(os.path.abspath(arguments.build), 'bench')
-    peer = os.path.join(out, 'peer')
-    tools = Tools(os.path.abspath(arguments.build), out, peer if os.path.exists(peer) and not arguments.quick else None,
-                  arguments.rs274 or None, arguments.real, arguments.runs)
-    arguments.scenes = arguments.scenes or (45 if arguments.quick else 90)
+    programs = {} if arguments.quick else {name: os.path.join(out, 'peer_' + name) for name in LIBRARIES}
+    tools = Tools(os.path.abspath(arguments.build), out, {n: p for n, p in programs.items() if os.path.exists(p)},
+                  arguments.rs274 or None, arguments.real, arguments.old or None, arguments.runs)
+    arguments.scenes = arguments.scenes or 45
     show(describe(tools, arguments.compiler))
     if arguments.quick:
         os.makedirs(os.path.join(out, 'scenes'), exist_ok=True)

@@ -135,14 +135,21 @@ def own(tools, truth, method, setting, runs=1):
     return row, spent.cpu
 
 
-def peer(tools, truth, step, limit):
-    """FCL, for at most `limit` seconds; what is left is extrapolated."""
+class Clear:
+    """The truth of a scene that is known to be clear."""
+
+    def __init__(self, scene):
+        self.scene, self.contact = scene, None
+
+
+def peer(tools, truth, step, limit, name='fcl', skip=False):
+    """A library, for at most `limit` seconds; what is left is extrapolated."""
     scene = truth.scene
-    out = tools.run([tools.peer, scene.plain, scene.path, repr(step), repr(limit)])
+    out = tools.run([tools.peers[name], scene.plain, scene.path, repr(step), repr(limit)] + ['skip'] * skip)
     if out.status:
-        raise SystemExit('bench: FCL on %s: %s' % (scene.name, out.err))
+        raise SystemExit('bench: %s on %s: %s' % (name, scene.name, out.err))
     total, looked, seconds, _, a, b, line, time = out.out.rstrip('\n').split('\t')
-    row = row_of(scene, 'fcl', step, truth)
+    row = row_of(scene, name, step, truth)
     if a == '-' and looked != total:
         row.update(extrapolated=1, blocks=blocks_until(scene, None),
                    seconds=float(seconds) * float(total) / float(looked))

@@ -4,6 +4,7 @@ import re
 import statistics
 import subprocess
 import sys
+import time
 
 
 class Spent:
@@ -17,7 +18,8 @@ class Spent:
     def phases(self):
         """Seconds of load, interpret, check, and the number of blocks, from a text report."""
         found = re.search(r'time +([\d.]+) s load, ([\d.]+) s interpret, ([\d.]+) s check', self.out)
-        blocks = re.search(r'^(\d+) blocks?[,;]', self.out, re.MULTILINE)
+        # Older programs print a table.
+        blocks = re.search(r'^(?: *blocks +)?(\d+) (?:blocks?[,;]|in \d+ lines)', self.out, re.MULTILINE)
         if not found or not blocks:
             raise SystemExit('bench: no statistics in: %s%s' % (self.out, self.err))
         return [float(x) for x in found.groups()] + [int(blocks.group(1))]
@@ -26,11 +28,12 @@ class Spent:
 class Tools:
     """The programs of the benchmark and its folder."""
 
-    def __init__(self, build, out, peer, rs274, real, runs):
+    def __init__(self, build, out, peers, rs274, real, old, runs):
+        """peers: programs by the library's name. old: another fivecheck to compare with, or None."""
         self.build, self.out, self.real, self.runs = build, out, real, runs
         self.fivecheck = os.path.join(build, 'fivecheck')
         self.truth, self.spend = os.path.join(out, 'truth'), os.path.join(out, 'spend')
-        self.peer, self.rs274 = peer, rs274
+        self.peers, self.rs274, self.old = peers, rs274, old
 
     def run(self, command, stdin=None, env=None):
         """Spent; the status is the caller's concern."""
@@ -55,6 +58,14 @@ class Tools:
 def say(text):
     """Progress."""
     print(text, file=sys.stderr, flush=True)
+
+
+def timed(title, action):
+    """The action's result; says how long it took."""
+    start = time.monotonic()
+    result = action()
+    say('    %.0f s: %s' % (time.monotonic() - start, title))
+    return result
 
 
 def median(values):

@@ -24,11 +24,10 @@ def scenes(tools, out):
 
 def fcl(tools, scene, verdict):
     """Seconds a block of FCL at samples of 0.01 s; '' without FCL, or where it would stop at a contact."""
-    if not tools.peer or verdict != 'clear':
+    if 'fcl' not in tools.peers or verdict != 'clear':
         return ''
     scene.prepare(tools)
-    clear = type('Clear', (), {'scene': scene, 'contact': None})
-    return judge.peer(tools, clear, 0.01, 20)[0]['seconds_per_block']
+    return judge.peer(tools, judge.Clear(scene), 0.01, 5)[0]['seconds_per_block']
 
 
 def rows(tools, out):

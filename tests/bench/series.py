@@ -1,6 +1,5 @@
-"""series.py - cost against one thing at a time, the paper's two figures, and what each part of the proof is worth."""
+"""series.py - cost against one thing at a time, and the paper's two figures."""
 import os
-import subprocess
 
 import balls
 import judge
@@ -17,28 +16,6 @@ RANGES = {
 }
 COLUMNS = ['varied', 'value', 'method', 'setting', 'seconds_per_block', 'peak_bytes', 'extrapolated']
 
-# What is left out, and how a build does without it.
-ABLATIONS = [
-    ('nothing', '', ''),
-    ('budget', 'BUDGET', ''),
-    ('kept budgets', 'KEPT_BUDGETS', ''),
-    ('travelling planes', 'PLANES', ''),
-    ('chunks', 'CHUNKS', ''),
-    ('stretches', 'MERGED_STEPS', ''),
-    ('cached axes', 'CACHED_AXES', ''),
-    ('supports', 'SUPPORTS', ''),
-    ('interpolated axes', 'INTERPOLATED_AXES', ''),
-    ('second order', 'SECOND_ORDER', ''),
-    ('SIMD', 'SIMD', '-fno-tree-vectorize'),
-]
-
-
-class Clear:
-    """The truth of a scene that a formula tells to be clear."""
-
-    def __init__(self, scene):
-        self.scene, self.contact = scene, None
-
 
 def cost_rows(tools, out, limit):
     """One thing varied at a time; a sampled method that would take longer than `limit` seconds is left out."""
@@ -54,9 +31,9 @@ def cost_rows(tools, out, limit):
                 peak = tools.check(scene, options).peak
                 seconds = judge.check_seconds(tools, scene, options, 1, runs=tools.runs) / figures['blocks']
                 rows.append(dict(zip(COLUMNS, (varied, value, method, setting, '%.6g' % seconds, int(peak), 0))))
-            if tools.peer:
+            if 'fcl' in tools.peers:
                 scene.prepare(tools)
-                row, _ = judge.peer(tools, Clear(scene), 0.01, limit)
+                row, _ = judge.peer(tools, judge.Clear(scene), 0.01, limit)
                 rows.append(dict(zip(COLUMNS, (varied, value, 'fcl', 0.01, row['seconds_per_block'], '',
                                                row['extrapolated']))))
     return rows
@@ -97,38 +74,4 @@ def paper_rows(tools):
         for name, _, _, meeting in runs[0]:
             rows.append(dict(zip(PAPER_COLUMNS, (triangles, 0.01, name, '%.4g' % times[name],
                                                  '%.3g' % (times[name] / times['kept']), meeting))))
-    return rows
-
-
-ABLATION_COLUMNS = ['without', 'scene', 'seconds_per_block', 'times', 'verdict']
-
-
-def build_without(tools, source, macro, flags):
-    build = os.path.join(tools.out, 'without-' + (macro.lower() or 'nothing'))
-    command = ['make', '-s', '-C', source, 'BUILD=' + build, 'OPTIMISE=-O2 -g ' + flags]
-    subprocess.run(command + (['CPPFLAGS=-DFIVECHECK_WITHOUT_' + macro] if macro else []), check=True,
-                   stdout=subprocess.DEVNULL)
-    return os.path.join(build, 'fivecheck')
-
-
-def ablation_rows(tools, source, scenes):
-    """Every part left out in turn, on each scene; all builds must say the same."""
-    builds = []
-    for name, macro, flags in ABLATIONS:
-        say('ablation: building without ' + name)
-        builds.append((name, build_without(tools, source, macro, flags)))
-    rows, whole = [], {}
-    for scene in scenes:
-        verdicts = {}
-        for name, program in builds:
-            say('ablation: %s without %s' % (scene.name, name))
-            spent = tools.check(scene, ['-f', 'ndjson', '-q'], fivecheck=program)
-            verdicts[name] = spent.status
-            if verdicts[name] != verdicts['nothing']:
-                raise SystemExit('bench: %s: another verdict without %s' % (scene.name, name))
-            seconds = judge.check_seconds(tools, scene, [], 1, program, tools.runs) / judge.blocks_until(scene, None)
-            whole.setdefault(scene.name, seconds)
-            rows.append(dict(zip(ABLATION_COLUMNS, (name, scene.name, '%.6g' % seconds,
-                                                    '%.3g' % (seconds / max(whole[scene.name], 1e-12)),
-                                                    'contact' if spent.status else 'clear'))))
     return rows

@@ -5,8 +5,10 @@ import os
 import balls
 import judge
 import meshes
+import peers
+import real
 import trunnion
-from measure import median, ratio, rounds, say
+from measure import median, ratio, rounds, say, timed
 from scene import Scene
 
 COLUMNS = ['figure', 'target', 'reached', 'met', 'how']
@@ -25,7 +27,7 @@ PLAIN = {
 
 class Targets:
     def __init__(self, tools, out, blocks):
-        self.tools, self.out, self.blocks, self.rows = tools, out, blocks, []
+        self.tools, self.out, self.blocks, self.rows, self.peer_rows = tools, out, blocks, [], []
 
     def folder(self, name):
         return os.path.join(self.out, name)
@@ -48,6 +50,10 @@ class Targets:
         """Seconds of checking alone."""
         return judge.check_seconds(self.tools, scene, list(options), 1) / judge.blocks_until(scene, None)
 
+    def old_per_block(self, scene):
+        return self.tools.old and (judge.check_seconds(self.tools, scene, [], 1, self.tools.old) /
+                                   judge.blocks_until(scene, None))
+
     def against_reading(self):
         say('targets: a long program against reading it')
         self.long = trunnion.inside(self.folder('inside-long'), self.tools, self.blocks)
@@ -57,33 +63,32 @@ class Targets:
                      '%d blocks, five axes; processor time of whole runs, %.2f s and %.2f s' %
                      (self.blocks, median(checked), median(read)))
 
-    def against_fcl(self, title, scene, limit_coarse, limit_fine):
-        scene.prepare(self.tools)
-        clear = type('Clear', (), {'scene': scene, 'contact': None})
-        ours, theirs = rounds(self.tools.runs, lambda: self.per_block(scene),
-                              lambda: float(judge.peer(self.tools, clear, 0.01, 20)[0]['seconds_per_block']))
-        coarse = ratio(theirs, ours)
-        how = 'checking alone, %.3g us a block against %.3g us' % (1e6 * median(ours), 1e6 * median(theirs))
-        self.at_least('FCL at 0.01 s / certified, ' + title, limit_coarse, coarse, how)
-        if not limit_fine:
-            return
-        out = self.tools.run([self.tools.truth, 'travel', scene.plain, scene.path])
-        samples = float(judge.position_at_end(scene)) / 0.01
-        finer = float(out.out) / 0.001 / samples
-        self.at_least('FCL at 0.001 mm / certified, ' + title, limit_fine, coarse * finer,
-                      'extrapolated: %.4g times as many samples as at 0.01 s' % finer)
+    def scenes_of_peers(self):
+        """Where the libraries and the sampled methods are compared: (title, scene, target of the fastest library)."""
+        self.lap = trunnion.inside(self.folder('inside-lap'), self.tools)
+        self.probe = trunnion.bore(self.folder('bore'), 20000)
+        found = [('between the blades', self.lap, 2), ('in a bore', self.probe, 1),
+                 ('far apart', trunnion.far(self.folder('far'), 100000), 1),
+                 ('clear.nc of the A/C machine', next(trunnion.examples(self.out)), 15)]
+        if self.tools.real:
+            limits = {'model_1.ngc': 20, 'simple_curve.ngc': 25}
+            found += [(s.name, s, limits[s.name]) for s in real.scenes(self.tools, self.out) if s.name in limits]
+        return found
 
-    def fcl(self):
-        say('targets: against FCL')
-        scenes = [('between the blades', trunnion.inside(self.folder('inside-lap'), self.tools), 300, 1e5),
-                  ('in a bore', trunnion.bore(self.folder('bore'), 20000), 300, 1e5),
-                  ('far apart', trunnion.far(self.folder('far'), 100000), 1, None)]
-        self.lap, self.probe = scenes[0][1], scenes[1][1]
-        for title, scene, coarse, fine in scenes:
-            if self.tools.peer:
-                self.against_fcl(title, scene, coarse, fine)
-            else:
-                self.skip('FCL / certified, ' + title, '>= %g' % coarse, 'no libfcl-dev')
+    def peers(self):
+        """The fastest library on each scene; all of them are in peers.csv."""
+        scenes = self.scenes_of_peers()
+        self.peer_rows = peers.rows(self.tools, [(title, scene) for title, scene, _ in scenes])
+        for title, _, limit in scenes:
+            for samples, target in (('0.01 s', limit), ('0.001 mm', 1e5)):
+                figure = 'fastest library at %s / certified, %s' % (samples, title)
+                rows = [r for r in self.peer_rows if r['scene'] == title and r['samples'] == samples]
+                if not rows:
+                    self.skip(figure, '>= %g' % target, 'neither libfcl-dev nor libode-dev')
+                    continue
+                best = min(rows, key=lambda r: float(r['times']))
+                self.at_least(figure, target, float(best['times']),
+                              ', '.join('%s %s' % (r['peer'], r['times']) for r in rows))
 
     def sampled(self):
         say('targets: against the sampled methods')
@@ -98,8 +103,13 @@ class Targets:
     def tight(self):
         say('targets: tight work')
         scene = trunnion.tight(self.folder('tight'), 40000)
-        times = [self.per_block(scene) for _ in range(self.tools.runs)]
+        times, old = rounds(self.tools.runs, lambda: self.per_block(scene), lambda: self.old_per_block(scene))
         self.at_least('tight work', 200000, 1 / median(times), 'checking alone', ' blocks/s')
+        figure = 'tight work, blocks/s against the old program'
+        if self.tools.old:
+            self.at_least(figure, 3, ratio(old, times), 'checking alone')
+        else:
+            self.skip(figure, '>= 3x', 'BENCH_OLD names none')
 
     def loading(self):
         say('targets: loading')
@@ -112,8 +122,10 @@ class Targets:
         small = Scene('small', self.folder('small'), small_machine, None, program)
         loads = [self.tools.check(mega) for _ in range(self.tools.runs)]
         smalls = [self.tools.check(small) for _ in range(10 * self.tools.runs)]
-        self.at_most('loading 1,000,000 triangles', 0.25, median([s.phases()[0] for s in loads]),
-                     'files in memory', ' s')
+        one, two = rounds(self.tools.runs, lambda: self.tools.check(mega, ['-j', '1']).phases()[0],
+                          lambda: self.tools.check(mega, ['-j', '2']).phases()[0])
+        self.at_most('loading 1,000,000 triangles', 0.25, median(one), 'files in memory, wall time', ' s')
+        self.at_most('the same with two threads', 0.5, ratio(two, one), 'wall time against one thread')
         self.at_most('small machine, start to exit', 10, 1e3 * median([s.wall for s in smalls]),
                      '1,000 triangles', ' ms')
         bytes_each = (median([s.peak for s in loads]) - median([s.peak for s in smalls])) / (MEGA - 1000)
@@ -135,12 +147,17 @@ class Targets:
     def outputs(self):
         """What -v and --clearance-report add to the plain check where bodies are near each other all the time."""
         say('targets: what measuring costs')
-        tight = trunnion.tight(self.folder('tight-outputs'), 20000)
-        for option in ('-v', '--clearance-report=' + os.path.join(self.out, 'clearances.tsv')):
-            plain, measured = rounds(self.tools.runs, lambda: self.tools.check(tight, ['-j', '1']).cpu,
-                                     lambda o=option: self.tools.check(tight, ['-j', '1', o]).cpu)
-            self.at_most(option.split('=')[0] + ' / plain, tight work', 2, ratio(measured, plain),
-                         'processor time of whole runs')
+        scenes = [('tight work', trunnion.tight(self.folder('tight-outputs'), 20000))]
+        if self.tools.real:
+            scenes += [(s.name, s) for s in real.scenes(self.tools, self.out)
+                       if s.name in ('model_1.ngc', 'simple_curve.ngc')]
+        for title, scene in scenes:
+            for option, file in (('-v', ''), ('--clearance-report', 'clearances.tsv'), ('--report', 'report.html')):
+                argument = option + ('=' + os.path.join(self.out, file) if file else '')
+                plain, measured = rounds(self.tools.runs, lambda: self.tools.check(scene, ['-j', '1']).cpu,
+                                         lambda: self.tools.check(scene, ['-j', '1', argument]).cpu)
+                self.at_most('%s / plain, %s' % (option, title), 2, ratio(measured, plain),
+                             'processor time of whole runs')
 
     def memory(self):
         """Programs of 10^4 to 10^7 blocks on a pipe; the same lap over and over."""
@@ -181,14 +198,15 @@ class Targets:
 
     def threads(self):
         say('targets: two threads')
-        pairs = [('two equal programs', self.long, [self.long.program] * 2, ()),
-                 ('one large program', trunnion.tight(self.folder('tight-long'), 400000), None, ())]
-        for title, scene, programs, options in pairs:
+        eight = trunnion.inside(self.folder('inside-eight'), self.tools, self.blocks // 8)
+        for title, scene, programs, least in (
+                ('eight programs', eight, [eight.program] * 8, 1.9),
+                ('one large program', trunnion.tight(self.folder('tight-long'), 400000), None, 1.8)):
             one, two = rounds(self.tools.runs, lambda: self.tools.check(scene, ['-j', '1', '-f', 'ndjson'], programs),
                               lambda: self.tools.check(scene, ['-j', '2', '-f', 'ndjson'], programs))
             self.at_most('-j 2, processor time, ' + title, 1.05, ratio([s.cpu for s in two], [s.cpu for s in one]),
                          'against -j 1')
-            self.at_least('-j 2, ' + title, 1.8, ratio([s.wall for s in one], [s.wall for s in two]),
+            self.at_least('-j 2, ' + title, least, ratio([s.wall for s in one], [s.wall for s in two]),
                           'wall time; output %s' % ('the same' if one[0].out + one[0].err == two[0].out + two[0].err
                                                     else 'DIFFERS'))
 
@@ -237,8 +255,8 @@ class Targets:
         return spent.cpu
 
     def all(self):
-        for part in (self.against_reading, self.fcl, self.sampled, self.tight, self.loading, self.starting, self.outputs,
-                     self.memory, self.growth,
-                     self.threads, self.reading, self.dialects):
-            part()
+        for part in (self.against_reading, self.peers, self.sampled, self.tight, self.loading, self.starting,
+                     self.outputs, self.memory, self.growth, self.threads, self.reading,
+                     self.dialects):
+            timed('targets, ' + part.__name__, part)
         return self.rows

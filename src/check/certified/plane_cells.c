@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ablation.h"
 #include "base/mem.h"
 
 /*
@@ -80,8 +81,8 @@ static void add_part(struct plane_cells *cells, int body, struct leaf leaf)
 	cells->parts =
 	    mem_grow(cells->parts, &cells->part_capacity, cells->part_count + 1, sizeof(*cells->parts));
 	part = &cells->parts[cells->part_count++];
-	*part = (struct plane_part){.body = body, .leaf = leaf, .has_profile = joint->rotary};
-	if (joint->rotary)
+	*part = (struct plane_part){.body = body, .leaf = leaf, .has_profile = WITH_PROFILES && joint->rotary};
+	if (part->has_profile)
 		profile_init(&part->profile, bvh_of(cells, body), leaf,
 			     body ? &cells->bodies->place_b : &cells->bodies->place_a, joint->location,
 			     joint->direction);

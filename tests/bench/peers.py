@@ -1,0 +1,42 @@
+"""peers.py - the libraries that others use for this, at samples of 0.01 s and as fine as the proof is exact."""
+import judge
+from measure import median, say
+
+COLUMNS = ['scene', 'peer', 'samples', 'us_per_block', 'times', 'extrapolated']
+STEP = 0.01
+# mm: the error of the proof at its default tolerance, and so of samples that are as exact.
+ERROR = 0.001
+# Seconds for one run of a library; the rest of the samples is extrapolated from those spread over the path.
+LIMIT = 3
+
+
+def kinds(tools):
+    """Name, library, and whether samples are skipped by the distance that it said last; ODE knows none."""
+    for name in tools.peers:
+        yield name, name, False
+        if name != 'ode':
+            yield name + ' skipping', name, True
+
+
+def step_of_error(tools, scene):
+    """Seconds between samples between which no pair moves by more than ERROR, on average over the path."""
+    out = tools.run([tools.truth, 'travel', scene.plain, scene.path])
+    return float(judge.position_at_end(scene)) * ERROR / float(out.out)
+
+
+def rows(tools, scenes):
+    """`times`: as long as the certified check, of which only the checking is counted."""
+    result = []
+    for title, scene in scenes:
+        say('peers: ' + title)
+        scene.prepare(tools)
+        blocks = judge.blocks_until(scene, None)
+        own = median([judge.check_seconds(tools, scene, [], 1) / blocks for _ in range(tools.runs)])
+        result.append(dict(zip(COLUMNS, (title, 'certified', '', '%.4g' % (1e6 * own), 1, 0))))
+        for samples, step in (('0.01 s', STEP), ('0.001 mm', step_of_error(tools, scene))):
+            for kind, name, skip in kinds(tools):
+                row, _ = judge.peer(tools, judge.Clear(scene), step, LIMIT, name, skip)
+                each = float(row['seconds_per_block'])
+                result.append(dict(zip(COLUMNS, (title, kind, samples, '%.4g' % (1e6 * each), '%.3g' % (each / own),
+                                                 row['extrapolated']))))
+    return result
