@@ -446,7 +446,8 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 	if (!check_words(interp, block) || !sinumerik_comp_check(interp, block) || !set_feed(interp, block) ||
 	    !set_speed(interp, block) || !sinumerik_tool_run(interp, block) || !run_m(interp, block, &ending) ||
 	    !set_modes(interp, block) || !sinumerik_orientation_select(interp, block) ||
-	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) || !run_once(interp, block, &done))
+	    !select_system(interp, block) || !sinumerik_tool_frame_select(interp, block) ||
+	    !run_once(interp, block, &done))
 		return false;
 	if (!done && !sinumerik_move_run(interp, block, &moved))
 		return false;
