@@ -135,7 +135,7 @@ START_TEST(against_every_two_triangles)
 	write_star("head.stl", 80, 30, &random);
 	write_star("table.stl", -20, 40, &random);
 	write_text("m.xml", machine_text);
-	model = model_load("m.xml", NULL, &diag);
+	model = model_load("m.xml", NULL, NULL, &diag);
 	ck_assert(model && model_add_scene(model, 0, &diag) && scene_build(model->scene, &diag));
 	for (int i = 0; i < 12; i++) {
 		axis_values q = somewhere(&random);
