@@ -18,6 +18,8 @@ read_as "%\n<PART-1> X2.\n${body}M30\n%\n"
 read_as "%\nO1\n<PART-2>\n${body}M30\n%\n"
 read_as "%\nO ENTER OP AND LAST 3 DIGITS\n${body}M30\n%\n"
 read_as "%\nO X500.\n${body}M30\n%\n"
+read_as "%\nOCIRCLE(TITLE)\n${body}M30\n%\n"
+read_as "%\nOX500.\n${body}M30\n%\n"
 read_as "=====\nListing by: lili (draft\nDate: 10/25/2006 5:12:18 PM D:\\\\part.prt\n%\nO1\n${body}M30\n%\nend of listing\n"
 # The only '%' may end a program that none starts: nothing is skipped.
 read_as "${body}M30\n%\n"

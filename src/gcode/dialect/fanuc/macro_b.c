@@ -217,9 +217,17 @@ static bool check_program_number(struct interp *interp, struct lexer *lexer)
 		     macro_b_call_title(call, title));
 }
 
+static bool is_letters(const char *text)
+{
+	while (isalpha((unsigned char)*text))
+		text++;
+	return *text == '\0';
+}
+
 /*
  * The head of a program that has a name in place of its number, "<PART-1>" (30i-B operator's manual B-64484EN, program
- * name), or an O with text that a post processor left to be filled in. Neither says anything of a motion.
+ * name), an O with text that a post processor left to be filled in, or "OCIRCLE" of controls that take names there.
+ * None of them says anything of a motion.
  */
 static bool take_name(struct interp *interp, bool *done)
 {
@@ -237,8 +245,9 @@ static bool take_name(struct interp *interp, bool *done)
 		lexer.position = (size_t)(text - interp->at.text) + length + 1;
 		if (!end_statement(&lexer))
 			return false;
-	} else if ((*text == 'O' || *text == 'o') && (text[1] == ' ' || text[1] == '\t') &&
-		   !line_shape_moves_axes(text) && isalpha((unsigned char)squeezed[1])) {
+	} else if ((*text == 'O' || *text == 'o') && isalpha((unsigned char)squeezed[1]) &&
+		   (is_letters(squeezed) ||
+		    ((text[1] == ' ' || text[1] == '\t') && !line_shape_moves_axes(text)))) {
 		caution(&interp->at, 1, "the program has no number behind its O; this line is passed over");
 	} else {
 		return true;
