@@ -104,8 +104,14 @@ static void answer_tool_change(struct scan_questions *q, int number)
 
 static void answer_reference(struct scan_questions *q, int number)
 {
-	if (number >= 1 && number <= REFERENCES_MAX)
-		q->config.controller.references[number - 1].given = true;
+	struct control_place *place;
+
+	if (number < 1 || number > REFERENCES_MAX)
+		return;
+	place = &q->config.controller.references[number - 1];
+	place->given = true;
+	for (int slot = 0; slot < SLOT_COUNT; slot++)
+		place->has[slot] = true;
 }
 
 static void answer_mcode(struct scan_questions *q, int number)
