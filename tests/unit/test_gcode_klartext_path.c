@@ -290,6 +290,11 @@ static const struct klartext_program cycles[] = {
 	/* A comment of several lines; without a number, the first one ends it. */
 	{"1 ; FREE SOFTWARE:~\n UNDER THE TERMS~\n of a licence.\n2 L X+1 FMAX\n; DONE ~\nL X+2 FMAX\n3 ;~\n4 L X+3 FMAX\n",
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\n"},
+	/* Strings: joined, as numbers, as names. */
+	{"DECLARE STRING QS1 = \"1\"\nQS2 = QS1 || \"2.\" || \"5\"\nQS2 = \"\" || QS2\nQ5 = TONUMB ( SRC_QS2 )\nL X+Q5 FMAX\n",
+	 "rapid 12.5 0 0 0 0\n"},
+	{"DECLARE STRING QS12 = \"DRILL 5\"\nTOOL CALL QS12 Z S100\n",
+	 "tool 2\n"},
 	/* Z shifts the surface. */
 	{"L Z+20 FMAX\nCYCL DEF 200 DRILLING Q200=2 Q201=-4 Q206=150 Q202=4 Q203=+1 Q204=9\n"
 	 "CYCL CALL POS X+3 Y+4 Z+5\nCYCL CALL POS X+3 Y+4 Z+0\n",

@@ -7,6 +7,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/motion_commands.h"
 
@@ -346,7 +347,7 @@ static bool call_program(struct lexer *lexer)
 	int column = klartext_column(lexer);
 	char name[KLARTEXT_NAME];
 
-	return klartext_name(lexer, "a program's name", name, sizeof(name)) && klartext_expect_end(lexer) &&
+	return klartext_string_name(lexer, "a program's name", name) && klartext_expect_end(lexer) &&
 	       klartext_flow_call_program(lexer->context, name, column);
 }
 
@@ -357,7 +358,7 @@ bool klartext_flow_select(struct lexer *lexer)
 
 	if (!klartext_take(lexer, "PGM"))
 		return fault(lexer->at, 1, "SEL other than SEL PGM and SEL TABLE is not supported yet");
-	return klartext_name(lexer, "a program's name", klartext_of(interp)->selected, KLARTEXT_NAME) &&
+	return klartext_string_name(lexer, "a program's name", klartext_of(interp)->selected) &&
 	       klartext_expect_end(lexer);
 }
 

@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/eval/expr.h"
 
@@ -119,7 +120,7 @@ static bool compute(struct expr *expr, int column, const struct function_name *f
 static bool variable(struct expr *expr, struct expr_operand *value)
 {
 	if (!klartext_value_follows(expr->lexer))
-		return fault(expr->lexer->at, klartext_column(expr->lexer), "strings (QS) are not supported yet");
+		return fault(expr->lexer->at, klartext_column(expr->lexer), "a string (QS) in a formula is not supported yet");
 	return klartext_q_read(expr->lexer, &value->number);
 }
 
@@ -156,14 +157,19 @@ bool klartext_formula_assign(struct lexer *lexer)
 	struct expr_operand value;
 	struct klartext_q *q;
 
-	if (klartext_take(lexer, "QS") || !klartext_value_follows(lexer))
-		return fault(lexer->at, column, "strings (QS) are not supported yet");
+	if (klartext_string_follows(lexer))
+		return klartext_string_assign(lexer);
+	if (!klartext_value_follows(lexer))
+		return fault(lexer->at, column, "a Q parameter is needed here");
 	q = klartext_q_find(lexer, &number);
 	if (!q)
 		return false;
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);
+	if (klartext_take(lexer, "TONUMB"))
+		return klartext_string_number(lexer, &value.number) && klartext_expect_end(lexer) &&
+		       assign(lexer, q, number, column, value.number);
 	return expr_sum(&expr, &value) && klartext_expect_end(lexer) && assign(lexer, q, number, column, value.number);
 }
 

@@ -18,6 +18,7 @@
 #include "gcode/dialect/klartext/klartext_straight.h"
 #include "gcode/dialect/klartext/klartext_pattern.h"
 #include "gcode/dialect/klartext/klartext_plane.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_tool.h"
 #include "gcode/dialect/klartext/klartext_transform.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -204,6 +205,7 @@ static const struct statement {
     {"PAT", klartext_pattern_go_on, true, false},
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
+    {"DECLARE", klartext_string_declare, true, true},
     {"SEL", choose, true, false},
     {"TRANS", klartext_transform_run, false, false},
     {"PRESET", klartext_transform_preset, false, false},

@@ -21,14 +21,21 @@
 #define KLARTEXT_CYCLE_WORDS 32
 /* iTNC 530 user's manual, "CONTOUR GEOMETRY (Cycle 14)": up to 12 subprograms. */
 #define KLARTEXT_CONTOURS_MAX 12
-/* A label's or a program's name. */
+/* A label's or a program's name, or a string. */
 #define KLARTEXT_NAME 128
+#define KLARTEXT_STRINGS_MAX 64
 
 /* One of Q, QL and QR. */
 struct klartext_q {
 	double value;
 	bool given; /* by this program, or by the control */
 	bool read; /* from the control, by FN 18 or FN 28: it has a value, which is not known here */
+};
+
+/* QS<number>. */
+struct klartext_string {
+	int number;
+	char text[KLARTEXT_NAME];
 };
 
 enum klartext_call_kind { KLARTEXT_MAIN, KLARTEXT_LABEL, KLARTEXT_PROGRAM };
@@ -166,6 +173,8 @@ struct klartext {
 	bool inch;
 	bool jumped; /* blocks are counted from the first jump on */
 	struct klartext_q q[KLARTEXT_Q_COUNT], qr[KLARTEXT_QL_COUNT], ql[KLARTEXT_CALLS_MAX + 1][KLARTEXT_QL_COUNT];
+	struct klartext_string strings[KLARTEXT_STRINGS_MAX];
+	int string_count;
 	struct klartext_call calls[KLARTEXT_CALLS_MAX + 1];
 	int level, programs; /* calls inside each other; of these, of programs */
 	struct klartext_repeat repeats[KLARTEXT_REPEATS_MAX];

@@ -1,6 +1,7 @@
 #include "gcode/dialect/klartext/klartext_system.h"
 
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 
 /* ID, NR and IDX of FN 18. */
@@ -169,8 +170,10 @@ bool klartext_system_read_table(struct lexer *lexer)
 	if (!klartext_take(lexer, "TABREAD"))
 		return fault(lexer->at, klartext_column(lexer), "FN 28 needs TABREAD here");
 	/* A text goes to a string parameter, which is unknown anyhow. */
-	if (klartext_take(lexer, "QS"))
+	if (klartext_take(lexer, "QS")) {
+		klartext_string_forget(klartext_of(lexer->context));
 		return true;
+	}
 	q = read_target(lexer, &number);
 	if (!q)
 		return false;

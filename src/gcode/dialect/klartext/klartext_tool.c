@@ -6,6 +6,7 @@
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
+#include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/dialect/klartext/klartext_state.h"
 #include "gcode/execute/motion_commands.h"
@@ -57,8 +58,8 @@ static bool read_tool(struct lexer *lexer, int *number, int *column)
 	char byte = lexer_peek(lexer), name[KLARTEXT_NAME];
 
 	*column = klartext_column(lexer);
-	if (byte == '"' || byte == '\'')
-		return klartext_name(lexer, "a tool's name", name, sizeof(name)) &&
+	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer))
+		return klartext_string_name(lexer, "a tool's name", name) &&
 		       find_by_name(lexer, name, *column, number);
 	return klartext_integer(lexer, "a tool's number", 0, 32767, number);
 }
@@ -156,7 +157,7 @@ static bool read_request(struct lexer *lexer, struct request *request)
 	char byte = lexer_peek(lexer);
 
 	*request = (struct request){.column = klartext_column(lexer)};
-	if (byte == '"' || byte == '\'' || klartext_value_follows(lexer)) {
+	if (byte == '"' || byte == '\'' || klartext_string_follows(lexer) || klartext_value_follows(lexer)) {
 		request->has_tool = true;
 		if (!read_tool(lexer, &request->number, &request->column))
 			return false;
