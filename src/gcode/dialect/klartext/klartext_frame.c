@@ -272,7 +272,7 @@ static bool shift(struct interp *interp, const struct klartext_cycle *cycle)
 /* "DATUM SHIFT with datum tables (Cycle 7)": a row of the table in place of values. */
 bool klartext_frame_shift(struct interp *interp, const struct klartext_cycle *cycle)
 {
-	struct klartext_cycle row;
+	struct klartext_cycle row = {.number = cycle->number};
 
 	if (cycle->count == 0 || cycle->words[0].name[0] != '#')
 		return shift(interp, cycle);
