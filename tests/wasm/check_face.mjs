@@ -146,6 +146,34 @@ tests['a session tells how near the bodies are'] = () => {
 	assert.throws(() => session.pose({X: NaN}), /no position of an axis/);
 };
 
+tests['hostile files end with a status, and the next job is as before'] = () => {
+	const seeds = fs.readdirSync('tests/fuzz/seeds').sort(), machine = fs.readFileSync('machines/ac-trunnion/machine.xml');
+	const box = '<machine version="1"><base><body name="a" mesh="b.stl"/><axis name="X" type="linear" direction="1 0 0" rate_max="1">' +
+		'<body name="b" mesh="b.stl"/></axis></base></machine>';
+	let number = 12345;
+	const random = (below) => (number = (number * 1103515245 + 12345) % 2147483648) % below;
+	const spoiled = (bytes) => {
+		const changed = Uint8Array.from(bytes.subarray(0, 1 + random(bytes.length)));
+		for (let i = 0; i < 8; i++)
+			changed[random(changed.length)] = random(256);
+		return changed;
+	};
+	for (const bytes of [machine, ...seeds.map((name) => fs.readFileSync(`tests/fuzz/seeds/${name}`))].flatMap((good) => [good, spoiled(good), spoiled(good)])) {
+		for (const hostile of ['m.xml', 's.xml', 'b.stl', 'p.nc']) {
+			const files = new Files();
+			files.add('m.xml', box);
+			files.add('s.xml', '<setup version="1"/>');
+			files.add('b.stl', 'solid b\nendsolid b\n');
+			files.add('p.nc', 'G0 X1\n');
+			files.add(hostile, bytes);
+			const options = ['--dialect=fanuc', ...(hostile === 'b.stl' ? [] : ['--parse-only'])];
+			const {status} = fivecheck.check({files, machine: 'm.xml', setup: 's.xml', programs: ['p.nc'], options});
+			assert.ok(status >= 0 && status < STATUS.INTERNAL, `${hostile}: status ${status}`);
+		}
+	}
+	assert.equal(fivecheck.check(exampleJob('clear')).status, STATUS.CLEAR);
+};
+
 let failed = 0;
 for (const [name, test] of Object.entries(tests)) {
 	try {
