@@ -93,6 +93,8 @@ static const char *advice(const char *path, const char *text)
 {
 	static const char *const vericut[] = {".mch", ".vcproject", ".usr", ".tls", ".ctl"};
 
+	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))
+		return "this file is in UTF-16: save it as UTF-8 (a text editor does)";
 	for (size_t i = 0; i < sizeof(vericut) / sizeof(*vericut); i++)
 		if (ends_with(path, vericut[i]) && *skip_space(text) != '<')
 			return "this is a file of VERICUT in its text form, of version 6 or before: its format is not "
@@ -103,7 +105,7 @@ static const char *advice(const char *path, const char *text)
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
 	if (is_freecad(path, text))
-		return "this is a machine of FreeCAD, which does not say where the axes are: use 'fivecheck init' with "
+		return "this is a machine of FreeCAD, which is not read: use 'fivecheck init' with "
 		       "the axes, their travels (min, max), rates (max_velocity) and units that it names, and look up "
 		       "which of them carry the work";
 	if (is_root(text, "MTConnectDevices"))
