@@ -82,7 +82,8 @@ void mesh_build_frustum(struct mesh_build *build, double radius, double radius_e
 	const double step = 2 * math_acos(-1) / n, outer = 1 / math_cos(step / 2);
 
 	for (int i = 0; i < n; i++) {
-		const double a = step * i, b = step * (i + 1);
+		/* The last facet ends at the very corner where the first begins: otherwise the mesh is open there. */
+		const double a = step * i, b = step * ((i + 1) % n);
 		const vec3 from = {outer * math_cos(a), outer * math_sin(a), 0},
 			   to = {outer * math_cos(b), outer * math_sin(b), 0};
 		const vec3 top = {0, 0, height}, middle = {0, 0, 0};

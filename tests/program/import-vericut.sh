@@ -60,6 +60,8 @@ fivecheck import --output new --dialect klartext dmu.mch
 cat new/machine.xml
 python3 "$(dirname "$LIB")/../import/vericut_truth.py" dmu.mch new
 "$FIVECHECK" --check-machine new/machine.xml | sed -n '/^what a positive/,/^$/p'
+echo "solids by their sizes are closed:"
+"$FIVECHECK" --check-machine new/machine.xml | grep "mesh is open"
 echo "what each axis does, in pictures: the same page from import and from --check-machine"
 fivecheck import --pictures --output drawn dmu.mch 2>&1 | grep html
 "$FIVECHECK" --check-machine --report=again.html drawn/machine.xml >/dev/null
