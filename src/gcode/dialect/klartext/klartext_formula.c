@@ -120,7 +120,8 @@ static bool compute(struct expr *expr, int column, const struct function_name *f
 static bool variable(struct expr *expr, struct expr_operand *value)
 {
 	if (!klartext_value_follows(expr->lexer))
-		return fault(expr->lexer->at, klartext_column(expr->lexer), "a string (QS) in a formula is not supported yet");
+		return fault(expr->lexer->at, klartext_column(expr->lexer),
+			     "a string (QS) in a formula is not supported yet");
 	return klartext_q_read(expr->lexer, &value->number);
 }
 

@@ -383,8 +383,8 @@ static bool take_line(struct lexer *lexer, bool *bare)
 	*bare = true;
 	if (klartext_of(interp)->comment_goes_on && !numbered && is_like_block(lexer))
 		return fault(lexer->at, klartext_column(lexer),
-			     "'~' has this line belong to the comment before it, but it reads like a block: take the '~' "
-			     "away, or begin the line with ';'");
+			     "'~' has this line belong to the comment before it, but it reads like a block: take the "
+			     "'~' away, or begin the line with ';'");
 	if (is_comment(lexer, numbered))
 		return true;
 	if (klartext_of(interp)->behind_end)

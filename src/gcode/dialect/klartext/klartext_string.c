@@ -28,7 +28,8 @@ static struct klartext_string *find(struct klartext *klartext, int number)
 static bool read_number(struct lexer *lexer, int *number)
 {
 	if (!klartext_string_follows(lexer))
-		return fault(lexer->at, klartext_column(lexer), "a string parameter, QS and its number, is needed here");
+		return fault(lexer->at, klartext_column(lexer),
+			     "a string parameter, QS and its number, is needed here");
 	lexer->position += 2;
 	return klartext_integer(lexer, "the number of QS", 0, KLARTEXT_Q_COUNT - 1, number);
 }
@@ -114,9 +115,8 @@ bool klartext_string_assign(struct lexer *lexer)
 
 bool klartext_string_declare(struct lexer *lexer)
 {
-	return klartext_take(lexer, "STRING")
-		   ? klartext_string_assign(lexer)
-		   : fault(lexer->at, klartext_column(lexer), "DECLARE needs STRING");
+	return klartext_take(lexer, "STRING") ? klartext_string_assign(lexer)
+					      : fault(lexer->at, klartext_column(lexer), "DECLARE needs STRING");
 }
 
 bool klartext_string_number(struct lexer *lexer, double *value)
@@ -136,8 +136,7 @@ bool klartext_string_number(struct lexer *lexer, double *value)
 	if (lexer_peek(lexer) != ')')
 		return fault(lexer->at, klartext_column(lexer), "')' is needed here");
 	lexer_take(lexer);
-	return decimal_read(text, strlen(text), value) ||
-	       fault(lexer->at, column, "\"%s\" is no number", text);
+	return decimal_read(text, strlen(text), value) || fault(lexer->at, column, "\"%s\" is no number", text);
 }
 
 void klartext_string_forget(struct klartext *klartext)

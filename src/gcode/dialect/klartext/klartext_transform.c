@@ -115,8 +115,7 @@ bool klartext_transform_preset(struct lexer *lexer)
 		return fault(lexer->at, cycle.column,
 			     "PRESET other than PRESET SELECT changes the preset table, which is not known here");
 	if (lexer_peek(lexer) != '#')
-		return fault(lexer->at, klartext_column(lexer),
-			     "PRESET SELECT needs # and the number of the preset");
+		return fault(lexer->at, klartext_column(lexer), "PRESET SELECT needs # and the number of the preset");
 	lexer_take(lexer);
 	*word = (struct klartext_cycle_word){.name = "Q339", .given = true};
 	word->column = klartext_column(lexer);
@@ -140,10 +139,11 @@ bool klartext_transform_table(struct lexer *lexer)
 	if (!klartext_name(lexer, "a table's name", name, sizeof(name)))
 		return false;
 	if (klartext->table[0] != '\0' && strcmp(klartext->table, name) != 0)
-		return fault(lexer->at, column,
-			     "a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one "
-			     "table, %s",
-			     klartext->table);
+		return fault(
+		    lexer->at, column,
+		    "a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one "
+		    "table, %s",
+		    klartext->table);
 	memcpy(klartext->table, name, sizeof(name));
 	return klartext_expect_end(lexer);
 }
