@@ -149,6 +149,7 @@ static enum run_status run_job(const struct options *options, const struct job_i
 	for (int i = 0; i < OUTPUT_OPTIONS; i++)
 		*outputs[i].path = name_for(&arena, *outputs[i].path, job->name);
 	one.record = one.record ? one.formats[FORMAT_RECORD].path : NULL;
+	one.job_file = options->machine;
 	one.machine = job->machine;
 	one.setup = job->setup;
 	one.waivers = job->waivers;

@@ -44,6 +44,7 @@ struct format_choice {
 struct options {
 	enum run_mode mode;
 	const char *machine;
+	const char *job_file;	/* that names this job; NULL: none does */
 	bool jobs;	/* that is a job file */
 	const char *setup;	/* NULL: the machine's own, if it has one */
 	char **programs;	/* "-" is standard input, once at most; owned array */

@@ -298,6 +298,10 @@ static enum run_status run_depends(const struct job *job, const struct options *
 	input_files_init(&inputs);
 	input_files_add_files(&inputs, options, job->model->machine, job->model->setup, true);
 	input_files_sort(&inputs);
+	if (options->job_file) {
+		good = depfile_add_name(&text, options->job_file, false, diag);
+		strbuf_addf(&text, "\n");
+	}
 	for (size_t i = 0; i < inputs.count; i++) {
 		good = depfile_add_name(&text, inputs.items[i].path, false, diag) && good;
 		strbuf_addf(&text, "\n");
