@@ -199,7 +199,7 @@ static void gather(struct scheduler *scheduler)
 
 		scheduler->visits[task->check - scheduler->checks] += task->visits;
 		scheduler->work += task->visits;
-		if (ran->result_count && met != task->check) {
+		if (ran->result_count && (!met || met != task->check)) {
 			add_results(scheduler, ran);
 			met = task->check;
 		}

@@ -37,9 +37,10 @@ static struct inset choose_corner(const struct raster *raster, int gap, int belo
 
 static void fill(struct raster *raster, const struct inset *inset, int border, uint8_t paint)
 {
+	const size_t width = (size_t)inset->width + 2 * (size_t)border;
+
 	for (int y = inset->y - border; y < inset->y + inset->height + border; y++)
-		memset(&raster->paints[y * raster->width + inset->x - border], paint,
-		       (size_t)(inset->width + 2 * border));
+		memset(&raster->paints[y * raster->width + inset->x - border], paint, width);
 }
 
 struct inset inset_add(struct raster *raster, const struct stage *stage, const struct camera *camera, int line,
