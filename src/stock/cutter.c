@@ -209,6 +209,17 @@ static double piece_removes(const struct revolved *piece, const struct cutter_wa
 	return is_cube_inside(piece, way, cube, depth, s) ? entry_time(piece, way, cube, depth, s) : INFINITY;
 }
 
+/* The time at which the cutter's axis comes nearest to the point, as if the cutter did not turn. */
+static double nearest_time(const struct cutter_way *way, vec3 point)
+{
+	const vec3 from = vec3_sub(point, way->from.origin), to = vec3_sub(point, way->to.origin);
+	const vec3 w0 = vec3_mad(from, -vec3_dot(from, way->from.up), way->from.up);
+	const vec3 along = vec3_sub(vec3_mad(to, -vec3_dot(to, way->to.up), way->to.up), w0);
+	const double length2 = vec3_norm2(along);
+
+	return length2 > 0 ? smaller(larger(-vec3_dot(w0, along) / length2, 0), 1) : 0;
+}
+
 /* The same for the ball around the cube and a cutter of several pieces. */
 static double whole_removes(const struct revolved *whole, const struct cutter_way *way, const struct cube *cube,
 			    double depth)
@@ -219,7 +230,14 @@ static double whole_removes(const struct revolved *whole, const struct cutter_wa
 
 	if (-needed > whole->radius)
 		return INFINITY;
-	/* Along a solid that is not convex the search may miss the deepest place, but the end is where cuts meet. */
+	/*
+	 * Along a solid that is not convex the search may miss the deepest place: where a wide cutter has a narrow neck,
+	 * all places below the wide part's top are equally deep. But the end is where cuts meet.
+	 */
+	if (point_distance(whole, &place, cube->centre) > needed) {
+		inside = nearest_time(way, cube->centre);
+		place = place_at(way, inside);
+	}
 	if (point_distance(whole, &place, cube->centre) > needed) {
 		inside = deepest_time(whole, way, cube->centre);
 		place = place_at(way, inside);

@@ -93,6 +93,25 @@ G0 X0 Z12
 G1 Z-40.1 F600
 NC
 
+setup s.xml <<'XML'
+  <work_offset name="G54" X="0" Y="0" Z="-100"/>
+  <stock box="40 30 10"/>
+  <tool number="1" length="100">
+    <shank><section length="80" diameter="6"/></shank>
+    <cutter><section length="15" diameter="6"/><section length="5" diameter="16"/></cutter>
+  </tool>
+XML
+check 'a T-slot cutter returns in its slot, whose roof has a slit for the neck' <<'NC'
+G0 X-40 Z2
+G1 X40 F600
+G0 X-40
+NC
+check 'and through the roof' <<'NC'
+G0 X-40 Z2
+G1 X0 F600
+G0 Z4
+NC
+
 echo '== cylinders, uncertainty, allowance'
 job 'cylinder="20 10" uncertainty="0.5" rapid_allowance="0.1"'
 check 'above the uncertain blank' <<'NC'
