@@ -33,6 +33,10 @@ ROUNDS = 5
 BESIDE_MM = (-0.5, -0.05)
 BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
 
+# Blocks of a program that cuts a blank, at most, and how exactly it is known what remains, in mm.
+STOCK_BLOCKS = 40
+STOCK_TOLERANCE = 2
+
 # Options that take long.
 COSTLY = ("--clearance", "--report", "--glb", "--picture")
 
@@ -68,6 +72,8 @@ class Case:
 
     prologue = ""
     tip = False  # the program guides the tool's tip
+    stock = False  # the setup has a blank, which the program cuts
+    between = {}  # lines before blocks, by the number of the block
     rapids = 0.05  # the share of the blocks that are rapids
 
     def __init__(self, seed, number, folder, most=5000):
@@ -80,7 +86,8 @@ class Case:
         self.wrap = r.choice(["none", "shortest", "sign"])
         self.clearance = r.choice([0, 0, 0, 0.5])
         self.e = r.choice([0.001, 0.001, 0.01, 0.1])
-        r.choice([self.head_over_table, self.trunnion, self.tilting_head, self.cutting])()
+        r.choice([self.head_over_table, self.trunnion, self.tilting_head, self.cutting, self.milling])()
+        most = min(most, STOCK_BLOCKS) if self.stock else most
         self.blocks = self.walk(min(most, r.randrange(3000, 5001) if r.random() < 0.8 else r.randrange(5, 200)))
 
     def controller(self):
@@ -121,6 +128,17 @@ class Case:
         self.rapids = self.random.choice([0, 0.05, 0.5])
         self.trunnion(cutting=True)
 
+    def milling(self):
+        """Two tools that cut a blank, which they may enter a little at rapid or standing."""
+        self.stock = True
+        self.rapids = self.random.choice([0.02, 0.2])
+        self.trunnion(cutting=True)
+        for _ in range(self.random.randrange(6)):
+            tool = self.random.choice((1, 2))
+            guided = f"\nG43.4 H{tool}" if self.tip else ""
+            self.between[self.random.randrange(STOCK_BLOCKS)] = self.random.choice(
+                ["M5", "M3 S500", "/M5", f"T{tool} M6{guided}", f"T{tool} M6{guided}\nM3 S800"])
+
     def trunnion(self, cutting=False):
         """A tool, or the bare spindle nose, above a table that tilts and turns."""
         r = self.random
@@ -137,11 +155,12 @@ class Case:
         reach = 0
         if tool:
             reach = r.choice([60, 110])
-            setup = (f'<setup version="1">{self.part(cutting)}<tool number="1" length="{reach}">'
-                     f'<holder><section length="{reach - 30}" diameter="40"/></holder>'
+            holder = f'<holder><section length="{reach - 30}" diameter="40"/></holder>'
+            setup = (f'<setup version="1">{self.blank() if self.stock else self.part(cutting)}'
+                     f'<tool number="1" length="{reach}">{holder}'
                      f'<cutter tip="{r.choice(["flat", "ball"])}"><section length="30" diameter="12"/></cutter></tool>'
-                     '</setup>\n')
-            self.prologue = "T1 M6\n" + r.choice(["", "M3 S1000\n"])
+                     f'{self.second_tool(reach, holder)}</setup>\n')
+            self.prologue = "T1 M6\n" + ("M3 S1000\n" if self.stock else r.choice(["", "M3 S1000\n"]))
             if r.random() < 0.4:
                 self.prologue += "G43.4 H1\n"
                 self.tip, reach = True, 0
@@ -157,6 +176,23 @@ class Case:
         write_stl(os.path.join(self.folder, "part.stl"), drawn(r, box((-50, -45, 0), (50, 45, r.uniform(10, 60)))))
         depth = r.choice(["", ' rapid_allowance="0.02"', ' gouge="0.5"', ' gouge="0.05"'])
         return f'<part name="blank" mesh="part.stl"{depth}/>'
+
+    def blank(self):
+        r = self.random
+        write_stl(os.path.join(self.folder, "blank.stl"), box((-40, -35, 0), (40, 35, r.uniform(20, 60))))
+        high = r.uniform(20, 60)
+        size = r.choice(['mesh="blank.stl"', f'box="70 60 {high:.3f}"', f'cylinder="70 {high:.3f}"'])
+        doubt = r.choice(["", ' uncertainty="0.5"', ' excess="0.5"'])
+        return f"<stock {size}{doubt}/>"
+
+    def second_tool(self, reach, holder):
+        """Of several sections: tapered, or wide at its end."""
+        if not self.stock:
+            return ""
+        wide = self.random.random() < 0.5
+        return (f'<tool number="2" length="{reach}">{holder}<shank><section length="10" diameter="8"/></shank><cutter>'
+                f'<section length="10" diameter="{6 if wide else 16}" diameter_end="{6 if wide else 10}"/>'
+                f'<section length="10" diameter="{20 if wide else 10}"/></cutter></tool>')
 
     def tilting_head(self):
         """A head that tilts by B and turns by C over blocks on the base."""
@@ -192,7 +228,8 @@ class Case:
         lines = [self.prologue + f"G90 G21 G94 F5000 G0 {self.approach}{far:.4f}"]
         if self.by_program:
             lines.append(f"G64 P{self.tolerance_on_path}")
-        for kind, retreat, at, winds in self.blocks:
+        for number, (kind, retreat, at, winds) in enumerate(self.blocks):
+            lines.extend(filter(None, [self.between.get(number)]))
             words = "".join(f" {axis}{value + (360 if winds and axis == 'C' and self.wrap == 'shortest' else 0):.5f}"
                             for axis, value in at.items())
             # The way of a rapid that is not straight is not known where the tip is guided.
@@ -237,6 +274,8 @@ class Asker:
             words.append(f"--clearance={self.case.clearance}")
         if self.case.setup:
             words += ["-s", "setup.xml"]
+        if self.case.stock:
+            words.append(f"--stock-tolerance={STOCK_TOLERANCE}")
         environment = dict(os.environ)
         environment.pop("FIVECHECK_SIMD", None)
         if simd:
@@ -367,6 +406,8 @@ def compare(asker, programs, levels, with_glb, count):
     if r.random() < 0.1:
         expect("--sensitivity", asker.run(programs[:2], "--sensitivity=0.01,0.01,0.01,0.01")[1],
                {p: plain[1][p] for p in programs[:2]})
+    for program in programs[:2] if asker.case.stock else ():
+        expect("--stock-out", asker.run([program], "--stock-out=rest.stl")[1], {program: plain[1][program]})
     compare_shards(asker, programs, plain[1], every[1])
     if 0 < sum(len(findings) for _, findings in every[1].values()) < 1000:
         compare_waived(asker, programs, every[1])
