@@ -114,8 +114,8 @@ static bool check_reports(const struct options *options, const struct job_list *
 			if (!same)
 				continue;
 			diag_error(diag, (struct srcloc){.file = list->path, .line = job->line},
-				   "the report of %s in the job \"%s\" would have the name of one of the job \"%s\": give "
-				   "one of them another name",
+				   "the report of %s in the job \"%s\" would have the name of one of the job \"%s\": "
+				   "give one of them another name",
 				   job->programs[k], job->name, same->name);
 			return false;
 		}

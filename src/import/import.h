@@ -25,8 +25,8 @@ struct import_machine {
 	struct mesh *meshes;	/* the n-th belongs to the n-th body; owned */
 	size_t mesh_capacity, body_capacity, pair_capacity;
 	bool dialect_known, rapid_known;	/* else the file says nothing of it */
-	const char *tool_name, *work_name;	/* what the file calls that on which tools and work are mounted; or NULL */
-	const struct import_machine *beside;	/* bodies that are loaded with these, so that names must differ; or NULL */
+	const char *tool_name, *work_name;	/* of the components that carry tools and the work; or NULL */
+	const struct import_machine *beside;	/* whose bodies must have other names; or NULL */
 	const char *folder;	/* of the meshes, beside the file; NULL: stl */
 	size_t left_out;	/* bodies whose meshes are not there */
 	const char *todo[IMPORT_TODO_MAX];	/* what has to be done by hand, for comments of the machine file */

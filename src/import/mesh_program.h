@@ -1,6 +1,6 @@
 /*
- * mesh_program.h - starts the program fivecheck-mesh. WebAssembly has no processes: its build takes src/wasi/mesh_program.c
- * in place of mesh_program.c.
+ * mesh_program.h - starts the program fivecheck-mesh. WebAssembly has no processes: its build takes
+ * src/wasi/mesh_program.c in place of mesh_program.c.
  */
 #ifndef FIVECHECK_IMPORT_MESH_PROGRAM_H
 #define FIVECHECK_IMPORT_MESH_PROGRAM_H

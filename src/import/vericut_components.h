@@ -27,9 +27,9 @@ struct vericut_components {
 };
 
 /*
- * Reads the components of an element: those of <VcMachine> hang on one base; those of the <Build> of a setup on `mount`,
- * the component that carries the work (NULL: of a machine), and their frames are relative to it. False, reported: a part
- * of the tree is missing, doubled, or carries itself.
+ * Reads the components of an element. Those of <VcMachine> hang on one base (`mount` is NULL); those of the <Build> of a
+ * setup hang on `mount`, the component that carries the work, and their frames are relative to it. False, reported: a
+ * part of the tree is missing, doubled, or carries itself.
  */
 bool vericut_components_read(struct vericut_components *components, struct xml_reader *xml, const xmlNode *root,
 			     const char *mount, struct arena *arena);

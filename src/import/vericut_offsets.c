@@ -121,7 +121,7 @@ static const char *name_of(const char *index)
 	return *index && !*end && n >= 0 && n < 6 ? names[n] : NULL;
 }
 
-/* Are the values that VERICUT stored those that From and To give? Only where From is the gauge point can this be told. */
+/* Are the values that VERICUT stored those of From and To? From is the gauge point: else this cannot be told. */
 static bool check_values(const struct reading *r, const xmlNode *row, const double values[3])
 {
 	const xmlNode *at = foreign_child(row, "Value");

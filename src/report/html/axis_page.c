@@ -55,9 +55,10 @@ bool axis_page_add(struct strbuf *out, struct scene *scene, struct diag *diag)
 	plain_html_add_head(out, name, false);
 	strbuf_addf(out, "<main id=\"plain\">\n<h1>");
 	html_text_add(out, name);
-	strbuf_addf(out, "</h1>\n<p>Compare each picture with the machine: jog the axis by a small step in the positive "
-			 "direction, and look. What moves is blue, and its outline shows where it came from. All other "
-			 "axes stand at 0. The letters in the lower left corner are the directions of the drawing.</p>\n");
+	strbuf_addf(out,
+		    "</h1>\n<p>Compare each picture with the machine: jog the axis by a small step in the positive "
+		    "direction, and look. What moves is blue, and its outline shows where it came from. All other "
+		    "axes stand at 0. The letters in the lower left corner are the directions of the drawing.</p>\n");
 	add_zero(out, &pictures);
 	for (size_t i = 0; i < machine->axis_count; i++)
 		add_axis(out, &pictures, (int)i);
