@@ -7,7 +7,9 @@ SANITIZE ?=
 BUILD ?= build$(patsubst %,-%,$(filter-out cc gcc,$(notdir $(firstword $(CC)))))$(patsubst %,-%,$(subst $(comma),-,$(SANITIZE)))
 
 VERSION := 0.1.0
-WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes -Werror=implicit
+# clang counts changes of sign among -Wconversion, gcc does not: both warn of the same.
+WARNINGS := -Wall -Wextra -Wconversion -Wno-sign-conversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
+	-Werror=implicit
 OPTIMISE ?= -O3 -g
 CFLAGS ?= $(OPTIMISE)
 SANITIZE_FLAGS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
