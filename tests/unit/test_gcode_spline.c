@@ -377,6 +377,12 @@ static const struct bad nurbs_bads[] = {
     {NURBS "X1. Y1. K-1.", "p.nc:3:9: error: a knot (K) below the one before"},
     {NURBS "X1. K0.", "p.nc:3:1: error: each point of a G6.2 needs a word for each axis of its curve"},
     {NURBS "X1. Y1. K0. R0.", "p.nc:3:13: error: R, the weight of a point, must be more than 0"},
+    {NURBS "X1. Y1. K0. R2", "p.nc:3:13: error: R, the weight of a point, needs a decimal point"},
+    {"T1 M6 G6.2 P3 X0. Y0. K0.", "p.nc:1:4: error: M6 beside G6.2 is not supported"},
+    {NURBS "G55 X1. Y1. K0.", "p.nc:3:1: error: the curve of G6.2 is not complete"},
+    {NURBS "X1. Y1. K0. H1", "p.nc:3:1: error: the curve of G6.2 is not complete"},
+    {NURBS "X1. Y1. K0. M6", "p.nc:3:1: error: the curve of G6.2 is not complete"},
+    {"G6.2 P3 X0. Y0. K0. M2", "p.nc:1:1: error: the curve of G6.2 is not complete"},
     {NURBS "P3 X1. Y1. K0.", "p.nc:3:1: error: P, the rank of the curve, belongs beside its G6.2"},
     {NURBS "K0. R1.", "p.nc:3:5: error: a weight (R) without a point of the curve"},
     {NURBS "K0.\nX1. Y1. K0.", "p.nc:4:1: error: a point of a G6.2 behind knots that stand alone"},
@@ -396,6 +402,8 @@ START_TEST(nurbs_refused)
 
 	case_init(&c);
 	c.config.dialect = &dialect_fanuc;
+	c.config.controller.least_input = 0.001;
+	c.config.controller.m6_with_move = M6_AFTER_MOVE;
 	strbuf_addf(&program, "%s\nM30\n", nurbs_bads[_i].program);
 	ck_assert_msg(!case_run(&c, program.text), "accepted: %s", nurbs_bads[_i].program);
 	ck_assert_msg(strstr(strbuf_text(&c.messages), nurbs_bads[_i].message), "%s", strbuf_text(&c.messages));
@@ -416,6 +424,8 @@ static const struct bad bads[] = {
     {"G5.3", "p.nc:2:1: error: G5.3 without a G5.2 before"},
     {"G5.2\nX1 Y1\nG5.3", "p.nc:4:1: error: a spline of order 3 needs as many points"},
     {"G5.2\nX1 Y1\nG1 X2", "p.nc:4:1: error: only points, with X, Y and P, stand between G5.2 and G5.3"},
+    {"G5.2\nX1 Y1 P1 G55", "p.nc:3:1: error: only points, with X, Y and P, stand between G5.2 and G5.3"},
+    {"G5.2 M2", "p.nc:2:1: error: only points, with X, Y and P, stand between G5.2 and G5.3"},
     {"G5.2\nX1 Y1 P0", "p.nc:3:7: error: P, the weight of a point, must be more than 0"},
     {"G5.2 X1", "p.nc:2:1: error: G5.2 with axis words is not supported; the first point is where the tool stands"},
 };

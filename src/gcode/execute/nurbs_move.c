@@ -34,6 +34,9 @@ static bool check(struct interp *interp)
 				      "supported");
 	if (state->incremental || state->frame.on || state->polar.on)
 		return refuse(interp, "G6.2 in G91 or in turned, scaled or polar coordinates is not supported");
+	if (block->m[M_TOOL] != CODE_NONE)
+		return fault(&interp->at, block->m_column[M_TOOL], "M%d beside G6.2 is not supported; write two blocks",
+			     block->m[M_TOOL]);
 	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
 		if (block_has(block, AXIS_LETTERS[slot]))
 			return fault(&interp->at, block_column(block, AXIS_LETTERS[slot]),
@@ -102,6 +105,12 @@ static bool add_point(struct interp *interp, vec3 here)
 	if (axes && memory->axes && axes != memory->axes)
 		return refuse(interp, "each point of a G6.2 needs a word for each axis of its curve, and for no other");
 	memory->axes |= axes;
+	/* The weight of a point without R is 1 in any case. */
+	if (block_has(block, 'R') && !(block->points & letter_bit('R')) &&
+	    !same_double(interp->config->controller.least_input, 1))
+		return fault(&interp->at, block_column(block, 'R'),
+			     "R, the weight of a point, needs a decimal point: whether 1 is 1.0 or counts least input "
+			     "increments is not known");
 	if (block_has(block, 'R'))
 		point.weight = block_value(block, 'R');
 	if (!(point.weight > 0))

@@ -186,18 +186,38 @@ bool spline_move_run(struct interp *interp)
 			  : go_quadratic(interp, start, place(&target));
 }
 
+/* What changes offsets, tools or the program would stand between the points, but their curve comes behind them all. */
+static bool has_codes(const struct block *block)
+{
+	for (int group = 0; group < G_GROUPS; group++) {
+		if (block->g[group] != CODE_NONE)
+			return true;
+	}
+	return block->m[M_TOOL] != CODE_NONE || block->m[M_TCP] != CODE_NONE || block->m[M_STOP] != CODE_NONE ||
+	       block_has(block, 'H') || block_has(block, 'D');
+}
+
+static bool refuse_open(struct interp *interp)
+{
+	if (interp->spline.nurbs)
+		return fault(&interp->at, 1,
+			     "the curve of G6.2 is not complete: points with K, and behind them as many K alone as its "
+			     "rank (P, or 4), stand there and nothing else");
+	return fault(&interp->at, 1, "only points, with X, Y and P, stand between G5.2 and G5.3");
+}
+
 bool spline_move_check_block(struct interp *interp)
 {
 	const int code = interp->block.motion;
 
 	if (interp->block.motion != G5 && interp->block.motion != CODE_NONE)
 		interp->spline.goes_on = false;
-	if (!interp->spline.open || code == G5_3 ||
-	    ((code == G5_2 || code == G6_2) && interp->block.g[G_MOTION] == CODE_NONE))
+	if (!interp->spline.open || code == G5_3 || ((code == G5_2 || code == G6_2) && !has_codes(&interp->block)))
 		return true;
-	if (interp->spline.nurbs)
-		return fault(&interp->at, 1,
-			     "the curve of G6.2 is not complete: points with K, and behind them as many K alone as its "
-			     "rank (P, or 4), stand there and nothing else");
-	return fault(&interp->at, 1, "only points, with X, Y and P, stand between G5.2 and G5.3");
+	return refuse_open(interp);
+}
+
+bool spline_move_check_end(struct interp *interp)
+{
+	return !interp->spline.open || refuse_open(interp);
 }

@@ -15,4 +15,7 @@ bool spline_move_run(struct interp *interp);
 /* Only points stand between G5.2 and G5.3, and in a curve of G6.2. False: the block is none, which was reported. */
 bool spline_move_check_block(struct interp *interp);
 
+/* At the end of the program: such a curve has come to its end, too. False: reported. */
+bool spline_move_check_end(struct interp *interp);
+
 #endif
