@@ -16,7 +16,8 @@ struct work_offset {
 /* What a tool needs so that its contact with the part is work and not a crash. */
 enum tool_kind {
 	TOOL_TURNS,	/* a cutter: a programmed feed and a spindle that turns */
-	TOOL_STANDS	/* a probe, a nozzle, a laser, a drag knife: a programmed feed alone */
+	TOOL_STANDS,	/* a nozzle, a laser, a drag knife: a programmed feed alone */
+	TOOL_PROBES	/* a probe: a motion that ends where it touches, such as G31 */
 };
 
 struct tool {

@@ -6,8 +6,9 @@
 enum step_class {
 	STEP_RAPID = 1,	/* at the axes' rates; and where a program starts and tools are changed */
 	STEP_FEED_TURNING = 2,	/* at a programmed feed, and the spindle turns */
-	STEP_FEED_STANDING = 4,	/* at a programmed feed, but the spindle stands */
-	STEP_ANY = 7
+	STEP_FEED_STANDING = 4,	/* at a programmed feed, but the spindle stands; or a probe measures */
+	STEP_PROBE_TRAVEL = 8,	/* a probe moves at a programmed feed, but does not measure */
+	STEP_ANY = 15
 };
 
 #endif

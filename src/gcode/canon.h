@@ -76,6 +76,7 @@ struct canon_move {
 	 */
 	double turn_spread[3];
 	bool may_stop;	/* it may end anywhere on its way (a probe) */
+	bool after_probe;	/* it covers the ways from all places where a probe may have stopped */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
 	/* revolutions per minute, by M4 below 0; 0: it stands, or nothing said how fast it turns */
 	double spindle_speed;

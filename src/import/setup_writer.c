@@ -62,7 +62,7 @@ static void write_tool(struct strbuf *out, const struct tool_description *tool)
 	if (tool->name)
 		xml_text_attribute(out, "name", tool->name);
 	add_number(out, "length", tool->length);
-	if (tool->kind == TOOL_STANDS)
+	if (tool->kind == TOOL_PROBES)
 		xml_text_attribute(out, "kind", "probe");
 	strbuf_addf(out, ">\n");
 	for (int i = 0; i < TOOL_PIECES; i++)

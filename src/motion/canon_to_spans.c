@@ -25,6 +25,7 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name)
 {
 	*converter = (struct canon_to_spans){.machine = machine,
+					     .setup = setup,
 					     .flatness = flatness,
 					     .sink = sink,
 					     .diag = diag,
@@ -138,7 +139,7 @@ static bool swing_out(struct run *run, const struct path *box)
 
 static bool is_bounded(const struct canon_move *move)
 {
-	bool bounded = move->may_stop;
+	bool bounded = move->may_stop || move->after_probe;
 
 	for (int i = 0; i < 3; i++)
 		bounded = bounded || move->spread[i] > 0 || move->turn_spread[i] > 0;
@@ -330,6 +331,19 @@ static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
 }
 
 /* Sends the steps of the leg, then moves the clock and the axes to its end. */
+/* A probe measures where its motion may end early, and where a set of ways is all that is known of it. */
+static enum step_class class_of(const struct run *run)
+{
+	const struct canon_to_spans *converter = run->converter;
+	const struct tool *tool = converter->setup ? setup_tool(converter->setup, converter->tool) : NULL;
+
+	if (run->move->kind == CANON_RAPID)
+		return STEP_RAPID;
+	if (tool && tool->kind == TOOL_PROBES)
+		return run->bounded ? STEP_FEED_STANDING : STEP_PROBE_TRAVEL;
+	return run->move->spindle_turns ? STEP_FEED_TURNING : STEP_FEED_STANDING;
+}
+
 static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct canon_to_spans *converter = run->converter;
@@ -344,9 +358,7 @@ static bool send_leg(const struct run *run, const struct leg *leg)
 	step->tolerance = run->tolerance;
 	step->outside = run->outside;
 	step->bounded = run->bounded;
-	step->step_class = run->move->kind == CANON_RAPID ? STEP_RAPID
-			   : run->move->spindle_turns	? STEP_FEED_TURNING
-							: STEP_FEED_STANDING;
+	step->step_class = class_of(run);
 	if (span_is_flat(&leg->span, converter->flatness)) {
 		step->span = leg->span;
 		if (!send_step(converter, seconds))

@@ -13,6 +13,7 @@
 /* Plain data; owns nothing. */
 struct canon_to_spans {
 	const struct machine *machine;
+	const struct setup *setup;	/* or NULL */
 	double flatness;	/* mm: no axis of a span's chord deviates by more */
 	const struct motion_sink *sink;
 	struct diag *diag;

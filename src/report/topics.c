@@ -57,9 +57,9 @@ const struct topic topics[TOPIC_COUNT] = {
 	 "<pair check=\"never\" reason=\"...\"/> in the machine file waives the pair."},
     [FINDING_RAPID_CONTACT] =
 	{"RapidContact", "A cutter that does not cut enters the part or the stock.",
-	 "At rapid, or while its spindle stands, a cutter enters the finished part or what remains of the stock deeper "
-	 "than rapid_allowance of <part> or <stock> allows (0.1 and 0.25 mm where nothing is said). That breaks the "
-	 "tool.",
+	 "At rapid, or while its spindle stands, a cutter, or a probe that does not measure (G31, G38.2), enters the "
+	 "finished part or what remains of the stock deeper than rapid_allowance of <part> or <stock> allows (0.1 and "
+	 "0.25 mm where nothing is said). That breaks the tool.",
 	 "Feed into the part with M3 or M4 in force, retract before the rapid, and look for a missing G43. A probe or "
 	 "a nozzle says so by <tool kind>."},
     [FINDING_GOUGE] =

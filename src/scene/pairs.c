@@ -305,11 +305,28 @@ static void set_core(struct scene *scene, struct scene_pair *pair, double depth)
 	*cutter = scene_core(scene, *cutter, depth);
 }
 
+/* In which classes of steps a cutter has to stay out of the part, and in which its contact is work. */
+struct contact_rule {
+	unsigned apart, work;
+	const char *when;	/* `apart` in words */
+};
+
+static const struct contact_rule *contact_rule(const struct scene *scene, const struct body *cutter)
+{
+	static const struct contact_rule rules[] = {
+		[TOOL_TURNS] = {STEP_RAPID | STEP_FEED_STANDING, STEP_FEED_TURNING, "at rapid or standing"},
+		[TOOL_STANDS] = {STEP_RAPID, STEP_FEED_TURNING | STEP_FEED_STANDING, "at rapid"},
+		[TOOL_PROBES] = {STEP_RAPID | STEP_PROBE_TRAVEL, STEP_FEED_STANDING, "unless it measures"},
+	};
+
+	return &rules[setup_tool(scene->setup, cutter->tool)->kind];
+}
+
 static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *part = cutter == a ? b : a;
-	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+	const struct contact_rule *rule = contact_rule(scene, cutter);
 
 	pair->clearance = 0;
 	pair->fault = PAIR_RAPID_CONTACT;
@@ -319,9 +336,9 @@ static void derive_cutting(struct scene *scene, struct scene_pair *pair)
 		return;
 	}
 	set_core(scene, pair, part->rapid_allowance);
-	pair->steps = STEP_RAPID | (turns ? STEP_FEED_STANDING : 0);
-	decide(pair, PAIR_CUTTING, "the cutter cuts the part; %s it may enter it %g mm deep",
-	       turns ? "at rapid or standing" : "at rapid", part->rapid_allowance);
+	pair->steps = rule->apart;
+	decide(pair, PAIR_CUTTING, "the cutter cuts the part; %s it may enter it %g mm deep", rule->when,
+	       part->rapid_allowance);
 }
 
 /* The stock's cells know how deep they are in the cutter, so no core is needed. */
@@ -329,15 +346,14 @@ static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
 {
 	const struct body *a = scene->bodies[pair->a].body, *b = scene->bodies[pair->b].body;
 	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *stock = cutter == a ? b : a;
-	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+	const struct contact_rule *rule = contact_rule(scene, cutter);
 
 	pair->clearance = 0;
 	pair->fault = PAIR_RAPID_CONTACT;
 	pair->inset = stock->rapid_allowance;
-	pair->steps = STEP_RAPID | (turns ? STEP_FEED_STANDING : 0);
+	pair->steps = rule->apart;
 	decide(pair, PAIR_CUTTING, "the cutter %s the stock; %s it may enter it %g mm deep",
-	       turns && cutter->profile ? "cuts" : "may touch", turns ? "at rapid or standing" : "at rapid",
-	       stock->rapid_allowance);
+	       rule->work == STEP_FEED_TURNING && cutter->profile ? "cuts" : "may touch", rule->when, stock->rapid_allowance);
 }
 
 /* Adds a second pair of a cutter and a part: while the cutter cuts it may not enter deeper than the part's gouge. */
@@ -345,7 +361,7 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 {
 	const struct body *a = scene->bodies[cutting->a].body, *b = scene->bodies[cutting->b].body;
 	const struct body *cutter = a->role == ROLE_CUTTER ? a : b, *part = cutter == a ? b : a;
-	bool turns = setup_tool(scene->setup, cutter->tool)->kind == TOOL_TURNS;
+	const struct contact_rule *rule = contact_rule(scene, cutter);
 	struct scene_pair *pair;
 
 	if (part->gouge < 0 || !cutter->profile)
@@ -353,7 +369,7 @@ static void add_gouge(struct scene *scene, const struct scene_pair *cutting)
 	pair = &scene->pairs[scene->pair_count++];
 	*pair = *cutting;
 	pair->fault = PAIR_GOUGE;
-	pair->steps = turns ? STEP_FEED_TURNING : STEP_FEED_TURNING | STEP_FEED_STANDING;
+	pair->steps = rule->work;
 	set_core(scene, pair, part->gouge);
 	decide(pair, PAIR_CUTTING, "while the cutter cuts the part it may enter it %g mm deep", part->gouge);
 }

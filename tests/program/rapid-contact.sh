@@ -101,11 +101,28 @@ Z19.9
 NC
 grep -E 'error:' verdict
 
-echo '== a probe and a nozzle need no spindle'
-job '' "$flat" 'kind="probe"'
-run 'a probe at feed' <<'NC'
+echo '== a nozzle needs no spindle'
+job '' "$flat" 'kind="nozzle"'
+run 'a nozzle at feed' <<'NC'
 G0 Z10
 G1 X60 F1000
+NC
+run 'a nozzle at rapid' <<'NC'
+G0 Z10
+X60
+NC
+
+echo '== a probe touches where it measures'
+job '' "$flat" 'kind="probe"'
+run 'a probe at feed' <<'NC'
+M3 S1000
+G0 Z10
+G1 X60 F1000
+NC
+run 'a probe that measures, and its retract' <<'NC'
+G0 X0
+G38.2 Z15 F100
+G1 Z60
 NC
 run 'a probe at rapid' <<'NC'
 G0 Z10

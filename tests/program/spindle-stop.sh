@@ -6,7 +6,7 @@ setup s.xml <<'XML'
   <work_offset name="G54" X="0" Z="-100" C="0"/>
   <part name="block" mesh="block.stl"/>
   <tool number="1" length="60"><cutter><section length="60" diameter="10"/></cutter></tool>
-  <tool number="2" length="60" kind="probe"><cutter><section length="60" diameter="10"/></cutter></tool>
+  <tool number="2" length="60" kind="nozzle"><cutter><section length="60" diameter="10"/></cutter></tool>
 XML
 
 # cut DEPTH LINE... - the program p.nc: down to the depth at feed, then the lines
@@ -44,9 +44,9 @@ run 'M5 in the block that retracts: LinuxCNC stops the spindle first'
 cut 5 'G4 P1 M5' 'G4 P2' M30
 run 'a dwell moves nothing'
 cut 5 M5 M30
-sed -e 's/T1/T2/' -e 's/H1/H2/' p.nc >probe.nc
-mv probe.nc p.nc
-run 'a probe needs no spindle'
+sed -e 's/T1/T2/' -e 's/H1/H2/' p.nc >nozzle.nc
+mv nozzle.nc p.nc
+run 'a nozzle needs no spindle'
 
 echo '== the same for every number of threads, and in shards'
 {

@@ -66,6 +66,12 @@ G1 X10 F600
 M5
 G1 Z20
 NC
+check 'where a touch may have ended before, from which the cutter came back' <<'NC'
+G0 X-30 Z7
+G38.2 X10 F600
+G1 X-30
+G0 X5
+NC
 check 'a feed with a spindle that stands' <<'NC'
 G0 X-30 Z7
 M5

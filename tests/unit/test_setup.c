@@ -248,7 +248,7 @@ START_TEST(cuts_off_what_is_above_the_flutes)
 				    "diameter_end='10'/><section length='20' diameter='10'/></cutter></tool></setup>");
 	const struct tool_solid *flutes;
 
-	ck_assert_int_eq(setup_tool(s, 5)->kind, TOOL_STANDS);
+	ck_assert_int_eq(setup_tool(s, 5)->kind, TOOL_PROBES);
 	ck_assert_uint_eq(s->body_count, 2);
 	ck_assert_str_eq(s->bodies[0].name, "T5 neck");
 	ck_assert_int_eq(s->bodies[0].role, ROLE_SHANK);

@@ -70,10 +70,12 @@ static bool go_probed(struct interp *interp, const slot_values *position, struct
 {
 	struct state *state = &interp->state;
 	const slot_values start = state->position;
-	struct canon_move before = *move;
+	struct canon_move before;
 	struct probed_plan plan;
 	int open = SLOT_X;
 
+	move->after_probe = true;
+	before = *move;
 	if (!probed_axes_plan(state, position, move->kind == CANON_ARC, &plan, &open))
 		return probed_axes_is_known(interp, open, block_column(&interp->block, AXIS_LETTERS[open]));
 	before.kind = move->kind == CANON_ARC ? CANON_FEED : move->kind;
@@ -94,6 +96,7 @@ static bool go_probed(struct interp *interp, const slot_values *position, struct
 		move->spread[slot] -= plan.spread[slot];
 		move->between[slot] = false;
 	}
+	move->after_probe = false;
 	probed_axes_arrive(state, &plan);
 	return true;
 }

@@ -34,7 +34,7 @@ static const struct type_row {
 	{"spot drill", SHAPE_POINT, TOOL_TURNS},
 	{"chamfer mill", SHAPE_TAPER, TOOL_TURNS},
 	{"lollipop mill", SHAPE_SPHERE, TOOL_TURNS},
-	{"probe", SHAPE_SPHERE, TOOL_STANDS},
+	{"probe", SHAPE_SPHERE, TOOL_PROBES},
 };
 
 struct reading {

@@ -181,7 +181,8 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 						    {"cutter", read_cutter, true, false},
 						    {"edge", read_edge, false, false},
 						    {.name = NULL}};
-	static const char *const kinds[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
+	static const char *const names[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
+	static const enum tool_kind kinds[] = {TOOL_TURNS, TOOL_PROBES, TOOL_STANDS, TOOL_STANDS, TOOL_STANDS};
 	struct setup_description *described = context;
 	struct tool_context tool = {&described->tools[described->tool_count++], &described->arena, described};
 
@@ -192,7 +193,7 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	tool.tool->checked = xml_name(xml, node, "checked", tool.arena);
 	tool.tool->length = xml_length(xml, node, "length", 0);
 	tool.tool->length_offset = xml_optional_length(xml, node, "length_offset");
-	tool.tool->kind = xml_choice(xml, node, "kind", kinds, 0) ? TOOL_STANDS : TOOL_TURNS;
+	tool.tool->kind = kinds[xml_choice(xml, node, "kind", names, 0)];
 	tool.tool->diameter = xml_optional_length(xml, node, "diameter");
 	xml_read_children(xml, node, children, &tool);
 }

@@ -86,7 +86,7 @@ static int class_of(const struct motion_step *step)
 {
 	if (step_is_box(step))
 		return 4;
-	return step->step_class == STEP_RAPID ? 1 : step->step_class == STEP_FEED_STANDING ? 3 : 2;
+	return step->step_class == STEP_RAPID ? 1 : step->step_class == STEP_FEED_TURNING ? 2 : 3;
 }
 
 static void on_step(struct recorder *recorder, const struct motion_step *step)
