@@ -158,6 +158,17 @@ static bool has_values(const xmlNode *node)
 	return false;
 }
 
+/* Has the file stored a value other than 0 behind those of X, Y and Z: an offset of a rotary or a parallel axis? */
+static bool has_more_values(const struct reading *r, const xmlNode *row)
+{
+	int count = 0;
+
+	for (const xmlNode *at = foreign_child(row, "Value"); at; at = foreign_next(at, "Value"), count++)
+		if (count >= 3 && fabs(strtod(foreign_text(&r->setup->bodies.description.arena, at), NULL)) > 0)
+			return true;
+	return false;
+}
+
 /* Only axes that the machine has get a value. */
 static void add_offset(const struct reading *r, const char *name, const double values[3])
 {
@@ -213,7 +224,8 @@ static bool read_row(const struct reading *r, const xmlNode *table, const xmlNod
 	vec3 place;
 
 	if (!from || !to || !d->spindle_count || !d->workholding_count ||
-	    has_values(foreign_child(row, "AddOffset")) || has_values(foreign_child(row, "RelPosition"))) {
+	    has_values(foreign_child(row, "AddOffset")) || has_values(foreign_child(row, "RelPosition")) ||
+	    has_more_values(r, row)) {
 		note(r, row, "A work offset is not taken over, as it is not given by From and To alone: add it.");
 		return true;
 	}

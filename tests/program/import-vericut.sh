@@ -119,6 +119,9 @@ python3 "$(dirname "$LIB")/../import/project_truth.py" job/job.VcProject dmu.mch
 "$FIVECHECK" --parse-only -q job/new/jobs.xml 2>&1 | sed "s,$PWD,HERE,"
 project '-220 -195 -474.1' >job/job.VcProject
 fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'are taken'
+project '-220 -195 -474 0 45' >job/job.VcProject
+fivecheck import --meshes . --output job/turned job/job.VcProject 2>&1 | grep 'alone'
+grep -c '<work_offset' job/turned/setup.xml
 project_fault() { # SED-SCRIPT
 	project '0 0 0' | sed "$1" >job/bad.VcProject
 	"$FIVECHECK" import --meshes . --output bad job/bad.VcProject 2>&1 | grep error:
