@@ -21,6 +21,14 @@
 /* Seconds: the longest move. Moves of decades would take the decimals from the clock. */
 #define LONGEST 1e9
 
+static void take_tool(struct canon_to_spans *converter, int number)
+{
+	const struct tool *tool = converter->setup ? setup_tool(converter->setup, number) : NULL;
+
+	converter->tool = number;
+	converter->probes = tool && tool->kind == TOOL_PROBES;
+}
+
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
 			 double flatness, const struct motion_sink *sink, struct diag *diag, const char *name)
 {
@@ -32,7 +40,7 @@ void canon_to_spans_init(struct canon_to_spans *converter, const struct machine 
 					     .name = name,
 					     .position = machine_home(machine)};
 	converter->controller = converter->position;
-	converter->tool = setup ? setup->initial_tool : 0;
+	take_tool(converter, setup ? setup->initial_tool : 0);
 }
 
 /* Sends converter->event.of as an event of this kind. */
@@ -334,12 +342,9 @@ static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
 /* A probe measures where its motion may end early, and where a set of ways is all that is known of it. */
 static enum step_class class_of(const struct run *run)
 {
-	const struct canon_to_spans *converter = run->converter;
-	const struct tool *tool = converter->setup ? setup_tool(converter->setup, converter->tool) : NULL;
-
 	if (run->move->kind == CANON_RAPID)
 		return STEP_RAPID;
-	if (tool && tool->kind == TOOL_PROBES)
+	if (run->converter->probes)
 		return run->bounded ? STEP_FEED_STANDING : STEP_PROBE_TRAVEL;
 	return run->move->spindle_turns ? STEP_FEED_TURNING : STEP_FEED_STANDING;
 }
@@ -439,7 +444,7 @@ static bool take_move(struct canon_to_spans *converter, const struct canon_move 
 		converter->time += ok ? move->seconds : 0;
 		break;
 	case CANON_TOOL_CHANGE:
-		converter->tool = move->tool;
+		take_tool(converter, move->tool);
 		converter->event.of.tool = (struct motion_tool){move->tool, converter->position};
 		ok = tell(converter, MOTION_TOOL);
 		break;

@@ -23,6 +23,7 @@ struct canon_to_spans {
 	bool controller_guided;	/* `controller` is a position under TCP */
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
+	bool probes;	/* the tool is a probe */
 	double time, block_time;
 	bool tells_modes;
 	struct motion_modes modes;	/* that were sent last */

@@ -110,6 +110,20 @@ small_machine() {
 XML
 }
 
+# stock_mill - m.xml: X, Y and Z without bodies, +-300; at X0 Y0 Z-100 the gauge point is at the workholding
+stock_mill() {
+	machine m.xml <<'XML'
+  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
+    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
+      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
+        <spindle location="0 0 100" direction="0 0 -1"/>
+      </axis>
+    </axis>
+  </axis>
+  <workholding location="0 0 0"/>
+XML
+}
+
 # program FILE - standard input, as it is
 program() {
 	cat >"$1"

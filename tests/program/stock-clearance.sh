@@ -1,14 +1,5 @@
 # How near bodies come to what remains of the stock, in closed form, and changes that move the cuts.
-machine m.xml <<'XML'
-  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
-    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
-      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
-        <spindle location="0 0 100" direction="0 0 -1"/>
-      </axis>
-    </axis>
-  </axis>
-  <workholding location="0 0 0"/>
-XML
+stock_mill
 setup s.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>
   <stock box="40 30 30" location="0 0 -20" rapid_allowance="1"/>

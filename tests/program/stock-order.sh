@@ -1,14 +1,5 @@
 # A holder that reaches over a wall: it may, once the wall is cut. The same blocks in the other order are found.
-machine m.xml <<'XML'
-  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
-    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
-      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
-        <spindle location="0 0 100" direction="0 0 -1"/>
-      </axis>
-    </axis>
-  </axis>
-  <workholding location="0 0 0"/>
-XML
+stock_mill
 setup s.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>
   <stock box="40 20 20"/>

@@ -1,14 +1,5 @@
 # What a program leaves of the stock is the blank of the next setup.
-machine m.xml <<'XML'
-  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
-    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
-      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
-        <spindle location="0 0 100" direction="0 0 -1"/>
-      </axis>
-    </axis>
-  </axis>
-  <workholding location="0 0 0"/>
-XML
+stock_mill
 setup first.xml <<'XML'
   <work_offset name="G54" X="0" Y="0" Z="-100"/>
   <stock box="40 30 10"/>

@@ -1,14 +1,5 @@
 # What remains of the stock: nothing but a feeding, turning cutter may touch it. Each case has a twin on the other side.
-machine m.xml <<'XML'
-  <axis name="X" type="linear" direction="1 0 0" limit_min="-300" limit_max="300" rate_max="6000">
-    <axis name="Y" type="linear" direction="0 1 0" limit_min="-300" limit_max="300" rate_max="6000">
-      <axis name="Z" type="linear" direction="0 0 1" limit_min="-300" limit_max="300" home="100" rate_max="6000">
-        <spindle location="0 0 100" direction="0 0 -1"/>
-      </axis>
-    </axis>
-  </axis>
-  <workholding location="0 0 0"/>
-XML
+stock_mill
 
 # job STOCK_ATTRIBUTES - s.xml, with a flat cutter of 10 mm and a shank of 8 mm above it, 20 mm over the tip
 job() {
