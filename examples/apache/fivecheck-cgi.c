@@ -202,7 +202,8 @@ static void read_query(struct query *query, char *text)
 		take_word(query, word, value);
 	}
 	if (!query->machine || !query->program_count)
-		refuse("400 Bad Request", "the query must name a machine and a program: ?machine=machine.xml&program=part.nc");
+		refuse("400 Bad Request",
+		       "the query must name a machine and a program: ?machine=machine.xml&program=part.nc");
 	for (int i = 0; i < query->program_count; i++) {
 		if (!is_safe_path(query->programs[i]))
 			refuse("400 Bad Request", "this is no name of a program");
@@ -308,13 +309,15 @@ static void unpack(void)
 		if (!has_checksum(head) || size < 0)
 			refuse("400 Bad Request", "this is no tar archive; make it with tar --format=ustar");
 		if (kind != '0' && kind != '\0' && kind != '5')
-			refuse("400 Bad Request", "the archive has a link, a device, or a form of tar that is not read here "
+			refuse("400 Bad Request",
+			       "the archive has a link, a device, or a form of tar that is not read here "
 			       "(tar --format=ustar)");
 		name_of(head, path);
 		if (kind == '5' && (!*path || !strcmp(path, ".")))
 			continue;
 		if (!is_safe_path(path))
-			refuse("400 Bad Request", "the archive has a name that is not allowed: it leads elsewhere, or begins "
+			refuse("400 Bad Request",
+			       "the archive has a name that is not allowed: it leads elsewhere, or begins "
 			       "with a dot or a dash");
 		if (++files > FILES_MAX)
 			refuse("413 Content Too Large", "the archive has more than %d files", FILES_MAX);
@@ -448,8 +451,10 @@ static void answer(const struct query *query, int status, int output)
 
 int main(void)
 {
-	const char *method = getenv("REQUEST_METHOD"), *length = getenv("CONTENT_LENGTH"), *type = getenv("CONTENT_TYPE");
-	const char *work = getenv("FIVECHECK_WORK") ? getenv("FIVECHECK_WORK") : DEFAULT_WORK, *text = getenv("QUERY_STRING");
+	const char *method = getenv("REQUEST_METHOD"), *length = getenv("CONTENT_LENGTH"),
+		   *type = getenv("CONTENT_TYPE");
+	const char *work = getenv("FIVECHECK_WORK") ? getenv("FIVECHECK_WORK") : DEFAULT_WORK,
+		   *text = getenv("QUERY_STRING");
 	const struct sigaction ring = {.sa_handler = on_alarm};
 	long most = number_of("FIVECHECK_MB", DEFAULT_MB, 4096) << 20, size = number_of("CONTENT_LENGTH", 0, 1L << 40);
 	long seconds = number_of("FIVECHECK_SECONDS", DEFAULT_SECONDS, 86400);

@@ -201,7 +201,8 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 	if (skipped || options->method != CHECK_CERTIFIED || check->maybe_inside || check->past_limits_only ||
 	    batch->steps[i].block == check->found_block)
 		return skipped;
-	return strategy_advance_chord(&check->methods->strategy, sweep, &batch->steps[i], count_alike(check, batch, i, to));
+	return strategy_advance_chord(&check->methods->strategy, sweep, &batch->steps[i],
+				      count_alike(check, batch, i, to));
 }
 
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,

@@ -51,7 +51,7 @@ struct pair_check {
 	size_t result_count, result_capacity;
 	struct pair_check_clearance *clearances;	/* of this batch */
 	size_t clearance_count, clearance_capacity;
-	struct pair_methods *methods;	/* NULL until pair_check_prepare; most pairs belong to tools that are not used */
+	struct pair_methods *methods; /* NULL until pair_check_prepare; most pairs belong to tools that are not used */
 };
 
 /*

@@ -353,7 +353,8 @@ static void derive_stock_cutting(struct scene *scene, struct scene_pair *pair)
 	pair->inset = stock->rapid_allowance;
 	pair->steps = rule->apart;
 	decide(pair, PAIR_CUTTING, "the cutter %s the stock; %s it may enter it %g mm deep",
-	       rule->work == STEP_FEED_TURNING && cutter->profile ? "cuts" : "may touch", rule->when, stock->rapid_allowance);
+	       rule->work == STEP_FEED_TURNING && cutter->profile ? "cuts" : "may touch", rule->when,
+	       stock->rapid_allowance);
 }
 
 /* Adds a second pair of a cutter and a part: while the cutter cuts it may not enter deeper than the part's gouge. */

@@ -123,8 +123,8 @@ START_TEST(finds_tools)
 		make_duo(&random, &duo, &low, &high, &meeting);
 		body.placement = duo.pair.place_a;
 		piece.placement = duo.pair.place_b;
-		for (int again = 0; again < 2 && tool_contact_finds(&last, &body, duo.a, &piece, &duo.chain, &low, &high);
-		     again++) {
+		for (int again = 0;
+		     again < 2 && tool_contact_finds(&last, &body, duo.a, &piece, &duo.chain, &low, &high); again++) {
 			xform pose = duo_pose(&duo, &last.at, &last.at, 0, NULL), back = xform_inverse(&pose);
 			xform in_a = xform_inverse(&body.placement);
 			vec3 p = xform_apply(&back, xform_apply(&in_a, last.corner));

@@ -241,7 +241,8 @@ static void nurbs_random(struct random *random, struct nurbs *curve)
 	curve->count = curve->order + random_below(random, NURBS_POINTS - curve->order + 1);
 	for (int i = 0; i < curve->count + curve->order; i++) {
 		/* A knot inside may stand twice, where the curve may bend at once. */
-		doubled = !doubled && i > curve->order && i < curve->count && curve->order > 2 && random_below(random, 3) == 0;
+		doubled = !doubled && i > curve->order && i < curve->count && curve->order > 2 &&
+			  random_below(random, 3) == 0;
 		u += i >= curve->order && i <= curve->count && !doubled ? random_in(random, 0.1, 2) : 0;
 		curve->knot[i] = u;
 	}
@@ -294,7 +295,8 @@ static bool box_holds(const struct box *box, const double point[3])
 	double low = 0, high = 1;
 
 	for (int k = 0; k < 3; k++) {
-		double way = box->to[k] - box->from[k], off = point[k] - box->from[k], beside = box->beside[k] + ROUNDING;
+		double way = box->to[k] - box->from[k], off = point[k] - box->from[k],
+		       beside = box->beside[k] + ROUNDING;
 
 		if (fabs(way) < 1e-12) {
 			if (fabs(off) > beside)
@@ -338,10 +340,12 @@ START_TEST(nurbs_of_fanuc)
 				point[axis] /= sum;
 			for (size_t b = 0; b < count && !held; b++)
 				held = box_holds(&boxes[b], point);
-			require(held, "case %ld: (%g, %g, %g) is outside of the boxes", i, point[0], point[1], point[2]);
+			require(held, "case %ld: (%g, %g, %g) is outside of the boxes", i, point[0], point[1],
+				point[2]);
 		}
 		for (int axis = 0; axis < 3; axis++)
-			ck_assert_double_eq_tol(boxes[count - 1].to[axis], curve.point[curve.count - 1][axis], ROUNDING);
+			ck_assert_double_eq_tol(boxes[count - 1].to[axis], curve.point[curve.count - 1][axis],
+						ROUNDING);
 		strbuf_release(&text);
 	}
 	free(boxes);
@@ -352,8 +356,10 @@ END_TEST
 START_TEST(nurbs_of_known_form)
 {
 	struct box *boxes = malloc(NURBS_PIECES * sizeof(*boxes));
-	size_t count = nurbs_run("F9.\nG6.2 P3 X0. Y0. K0.\nX10. Y0. K0. R.70710678118655\nX10. Y10. K0.\nK1.\nK1.\nK1.\n"
-				 "M30\n", boxes);
+	size_t count =
+	    nurbs_run("F9.\nG6.2 P3 X0. Y0. K0.\nX10. Y0. K0. R.70710678118655\nX10. Y10. K0.\nK1.\nK1.\nK1.\n"
+		      "M30\n",
+		      boxes);
 
 	ck_assert_uint_lt(count, 200);
 	for (size_t i = 0; i < count; i++) {

@@ -135,7 +135,8 @@ static bool check_knots(struct interp *interp)
 			     memory->order, memory->order);
 	for (size_t i = 0; i < last; i++) {
 		if (i > 0 && same_double(knots[i], knots[i + order - 1]))
-			return refuse(interp, "a knot of a G6.2 stands too often inside of its curve, which would jump");
+			return refuse(interp,
+				      "a knot of a G6.2 stands too often inside of its curve, which would jump");
 	}
 	return true;
 }
@@ -214,7 +215,8 @@ bool nurbs_move_run(struct interp *interp)
 	if (!check(interp) || (opens && !begin(interp)))
 		return false;
 	if (!opens && block_has(block, 'P'))
-		return fault(&interp->at, block_column(block, 'P'), "P, the rank of the curve, belongs beside its G6.2");
+		return fault(&interp->at, block_column(block, 'P'),
+			     "P, the rank of the curve, belongs beside its G6.2");
 	if (!add_knot(interp))
 		return false;
 	if (opens || (block->letters & AXIS_BITS))

@@ -277,7 +277,8 @@ static bool add_pieces(struct reading *r, const struct row *row, struct tool_out
 	const double shank = or_else(row->value[COLUMN_SHANK], tool->diameter);
 
 	/* A thin stem of a probe may be taken as thick as its ball: it cuts nothing. */
-	if (isnan(row->value[COLUMN_FLUTES]) && row->value[COLUMN_SHANK] > (tool->kind == TOOL_PROBES ? tool->diameter : 0))
+	if (isnan(row->value[COLUMN_FLUTES]) &&
+	    row->value[COLUMN_SHANK] > (tool->kind == TOOL_PROBES ? tool->diameter : 0))
 		return fault(r, "the tool has a shank_diameter, but no flute_length that says where the shank begins");
 	if (is_type(cell_of(r, COLUMN_TYPE), "chamfer")) {
 		if (!add_chamfer(r, row, tool, flutes))

@@ -211,7 +211,8 @@ static void add_library(struct setup_description *described, const struct librar
 {
 	struct tool_library tools = {.counts_left_out = true};
 
-	if (is_within(described, library, root) && read_numbers(described, library, &tools) && read_library(described, library, &tools, diag)) {
+	if (is_within(described, library, root) && read_numbers(described, library, &tools) &&
+	    read_library(described, library, &tools, diag)) {
 		take_over(described, &tools.setup, library->at);
 		check_used(described, library, &tools);
 	}

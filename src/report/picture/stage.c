@@ -119,7 +119,8 @@ static int level_of(enum paint_class class, double bright)
 }
 
 /* Surfaces seen from inside look like those seen from outside. */
-static uint8_t paint_of(const struct camera *camera, const struct lights *lights, enum paint_class class, const vec3 p[3])
+static uint8_t paint_of(const struct camera *camera, const struct lights *lights, enum paint_class class,
+			const vec3 p[3])
 {
 	const vec3 n = vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[2], p[0]));
 	const double length = vec3_norm(n), towards = vec3_dot(n, camera->toward) < 0 ? -1 : 1;
