@@ -157,6 +157,7 @@ bool klartext_formula_assign(struct lexer *lexer)
 	struct expr expr = {.lexer = lexer, .rules = &rules};
 	struct expr_operand value;
 	struct klartext_q *q;
+	double number_in_text;
 
 	if (klartext_string_follows(lexer))
 		return klartext_string_assign(lexer);
@@ -169,8 +170,8 @@ bool klartext_formula_assign(struct lexer *lexer)
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);
 	if (klartext_take(lexer, "TONUMB"))
-		return klartext_string_number(lexer, &value.number) && klartext_expect_end(lexer) &&
-		       assign(lexer, q, number, column, value.number);
+		return klartext_string_number(lexer, &number_in_text) && klartext_expect_end(lexer) &&
+		       assign(lexer, q, number, column, number_in_text);
 	return expr_sum(&expr, &value) && klartext_expect_end(lexer) && assign(lexer, q, number, column, value.number);
 }
 
