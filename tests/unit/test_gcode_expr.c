@@ -31,6 +31,7 @@ static const struct {
 	{"-7 MOD 3", 2}, {"7 MOD -3", 1}, {"-7 MOD -3", 2}, {"5.5 MOD 2", 1.5},
 	/* rounding */
 	{"FIX[2.8]", 2}, {"FIX[-2.8]", -3}, {"FUP[2.2]", 3}, {"FUP[-2.8]", -2}, {"ROUND[2.5]", 3}, {"ROUND[-2.5]", -3},
+	{"SIN[0] MOD 5", 0}, {"ROUND[SIN[180]] MOD 5", 0}, {"[1 + COS[90]] MOD 5", 1}, {"COS[90] EQ 0", 1},
 	{"ROUND[2.49]", 2}, {"FIX[10 * SIN[30]]", 5}, {"FUP[10 * COS[60]]", 5}, {"FIX[TAN[45]]", 1},
 	/* functions, angles in degrees */
 	{"SIN[90]", 1}, {"ACOS[0]", 90}, {"ASIN[-1]", -90}, {"ATAN[1]/[-1]", 135}, {"ATAN[-1]/[-1]", -135},
@@ -156,6 +157,36 @@ static const struct bad bad[] = {
 	{"G0 X ATAN[1]\n", 1, 13, "'/' is missing after ATAN[...]"},
 	{"G0 X ATAN[1]/2\n", 1, 14, "ATAN[...]/ needs a value in brackets, [...]"},
 	{"G0 X SIN 30\n", 1, 10, "the function needs a value in brackets, [...]"},
+	{"G0 X[COS[90] MOD 50]\n", 1, 14,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X[SIN[180] LT 0]\n", 1, 15,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X[0 GE SIN[180]]\n", 1, 8,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X[TAN[180] OR 0]\n", 1, 15,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X FIX[SIN[360]]\n", 1, 6,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X FUP[2*COS[270]]\n", 1, 6,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X[1/COS[90]]\n", 1, 7,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X ATAN[SIN[180]]/[-1]\n", 1, 6,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"G0 X SQRT[COS[90]]\n", 1, 6,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
+	{"#1=COS[90]\no1 if [#1]\no1 endif\n", 2, 1,
+	 "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+	 "LinuxCNC makes of it; round it, or compare with a margin"},
 	{"G0 X[1 LE 0.9999995]\n", 1, 8,
 	 "LE of numbers that differ by 5e-07 only: versions of LinuxCNC disagree; compare with a margin"},
 	{"G0 X[1 EQ 1.000002]\n", 1, 8,

@@ -55,7 +55,8 @@ static bool find_label(struct interp *interp, const struct oword *oword, const c
 /* A condition or count, and nothing behind it. */
 static bool read_test(struct lexer *lexer, const struct oword *oword, double *value)
 {
-	return linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), value) && oword_end(lexer, oword);
+	return linuxcnc_expr_bracket(lexer, oword_keyword(oword->kind), value) &&
+	       linuxcnc_expr_sign_is_sure(lexer->at, oword->column, *value) && oword_end(lexer, oword);
 }
 
 static bool is_true(double value)

@@ -15,6 +15,13 @@
 #define EQUAL_TOLERANCE_2_9 1e-4
 /* Its tolerance for whole numbers. */
 #define INTEGER_TOLERANCE 0.0001
+/*
+ * Where a sine, cosine or tangent of an angle other than 0 vanishes, LinuxCNC (interp_execute.cc) computes it of a rounded
+ * multiple of pi, in the long double of its processor: what comes out is below 1e-18, and of either sign. It is carried on
+ * as a number far smaller than any other that a program computes, and what depends on its sign is refused.
+ */
+#define UNSURE_ZERO 1e-30
+#define UNSURE_MAX 1e-18
 /* Brackets and '#' inside each other. */
 #define DEPTH_MAX 256
 
@@ -31,6 +38,14 @@ static bool expect(struct lexer *lexer, char byte, const char *where)
 	return true;
 }
 
+bool linuxcnc_expr_sign_is_sure(const struct line_place *at, int column, double value)
+{
+	return is_zero(value) || fabs(value) > UNSURE_MAX ||
+	       fault(at, column,
+		     "a number that is 0 but for the last digit of a sine, cosine or tangent, which decides what "
+		     "LinuxCNC makes of it; round it, or compare with a margin");
+}
+
 /* -------------------------------------------------------------- operators */
 
 static const struct expr_operator operators[] = {
@@ -43,6 +58,8 @@ static const struct expr_operator operators[] = {
 
 static bool power(const struct line_place *at, int column, double *left, double right)
 {
+	if (!linuxcnc_expr_sign_is_sure(at, column, *left))
+		return false;
 	if (*left < 0 && !same_double(floor(right), right))
 		return fault(at, column, "a negative number to a power that is not whole");
 	*left = math_pow(*left, right);
@@ -53,10 +70,14 @@ static bool divide(const struct line_place *at, int column, enum expr_operation 
 {
 	if (is_zero(right))
 		return fault(at, column, "division by zero");
+	if (!linuxcnc_expr_sign_is_sure(at, column, right))
+		return false;
 	if (operation == EXPR_DIVIDE) {
 		*left /= right;
 		return true;
 	}
+	if (!linuxcnc_expr_sign_is_sure(at, column, *left))
+		return false;
 	*left = fmod(*left, right);
 	/* The result of MOD is never negative. */
 	if (*left < 0)
@@ -85,12 +106,32 @@ static bool compare(const struct line_place *at, int column, enum expr_operation
 	return true;
 }
 
+/* What compares or joins: has it one answer, whatever sign an unsure zero has? EQ and NE have. */
+static bool is_decided(const struct line_place *at, int column, enum expr_operation operation, double left, double right)
+{
+	switch (operation) {
+	case EXPR_LT:
+	case EXPR_GT:
+	case EXPR_LE:
+	case EXPR_GE:
+		return linuxcnc_expr_sign_is_sure(at, column, left - right);
+	case EXPR_AND:
+	case EXPR_OR:
+	case EXPR_XOR:
+		return linuxcnc_expr_sign_is_sure(at, column, left) && linuxcnc_expr_sign_is_sure(at, column, right);
+	default:
+		return true;
+	}
+}
+
 static bool apply(struct expr *expr, int column, const struct expr_operator *operator,
 		  struct expr_operand *left_operand, struct expr_operand *right_operand)
 {
 	const struct line_place *at = expr->lexer->at;
 	double *left = &left_operand->number, right = right_operand->number;
 
+	if (!is_decided(at, column, operator->operation, *left, right))
+		return false;
 	switch (operator->operation) {
 	case EXPR_POWER:
 		return power(at, column, left, right);
@@ -198,14 +239,43 @@ static bool read_exists(struct expr *expr, double *value)
 	return expect(lexer, ']', "after the parameter of EXISTS");
 }
 
-static bool read_arc_tangent(struct expr *expr, double *value)
+static bool read_arc_tangent(struct expr *expr, int column, double *value)
 {
 	struct expr_operand second;
 
-	if (!expect(expr->lexer, '/', "after ATAN[...]") || !expr_bracket(expr, "ATAN[...]/", &second))
+	if (!expect(expr->lexer, '/', "after ATAN[...]") || !expr_bracket(expr, "ATAN[...]/", &second) ||
+	    !linuxcnc_expr_sign_is_sure(expr->lexer->at, column, *value) ||
+	    !linuxcnc_expr_sign_is_sure(expr->lexer->at, column, second.number))
 		return false;
 	*value = function_arc_tangent(*value, second.number);
 	return true;
+}
+
+static bool compute_periodic(const struct line_place *at, int column, const struct function_name *function,
+			     double *value)
+{
+	const double angle = *value;
+
+	if (!function_compute(at, column, function, value))
+		return false;
+	if (is_zero(*value) && !is_zero(angle))
+		*value = UNSURE_ZERO;
+	return true;
+}
+
+/* What jumps at 0, or has no value below it. */
+static bool compute_abrupt(const struct line_place *at, int column, const struct function_name *function, double *value)
+{
+	switch (function->function) {
+	case FUNCTION_FIX:
+		*value = floor(*value);
+		return true;
+	case FUNCTION_FUP:
+		*value = ceil(*value);
+		return true;
+	default:
+		return function_compute(at, column, function, value);
+	}
 }
 
 static bool read_function(struct expr *expr, int column, const struct function_name *function,
@@ -220,17 +290,20 @@ static bool read_function(struct expr *expr, int column, const struct function_n
 		return false;
 	switch (function->function) {
 	case FUNCTION_ATAN:
-		return read_arc_tangent(expr, value);
-	case FUNCTION_FIX:
-		*value = floor(*value);
-		return true;
-	case FUNCTION_FUP:
-		*value = ceil(*value);
-		return true;
+		return read_arc_tangent(expr, column, value);
 	case FUNCTION_ROUND:
 		return compute_round(at, column, value);
-	default:
+	case FUNCTION_SIN:
+	case FUNCTION_COS:
+	case FUNCTION_TAN:
+		return compute_periodic(at, column, function, value);
+	case FUNCTION_ABS:
+	case FUNCTION_EXP:
+	case FUNCTION_ACOS:
+	case FUNCTION_ASIN:
 		return function_compute(at, column, function, value);
+	default:
+		return linuxcnc_expr_sign_is_sure(at, column, *value) && compute_abrupt(at, column, function, value);
 	}
 }
 

@@ -25,6 +25,12 @@ bool linuxcnc_expr_bracket(struct lexer *lexer, const char *what, double *value)
 /* A value within 0.0001 of a whole number. */
 bool linuxcnc_expr_integer(struct lexer *lexer, int *value);
 
+/*
+ * False, reported at the column: value is 0 but for what LinuxCNC's rounding of pi makes of a sine, cosine or tangent; so
+ * neither its sign nor whether it is 0 is known, and nothing may depend on them.
+ */
+bool linuxcnc_expr_sign_is_sure(const struct line_place *at, int column, double value);
+
 /* "<name>", in lower case and without blanks, into a buffer of PARAM_NAME_MAX + 1 bytes. */
 bool linuxcnc_expr_name(struct lexer *lexer, char *name);
 
