@@ -9,6 +9,7 @@
 #include "base/decimal.h"
 #include "base/strbuf.h"
 #include "base/units.h"
+#include "import/axis_chains.h"
 #include "import/hal_values.h"
 #include "import/ini_file.h"
 
@@ -22,8 +23,6 @@ struct reading {
 	char joints[SLOT_COUNT * 2 + 1];	/* the letter of each joint */
 	char order[SLOT_COUNT + 1];	/* the letters of the axes, each once */
 };
-
-static const struct srcloc nowhere;
 
 static const double linear_limit = 1e6;
 
@@ -257,15 +256,6 @@ static bool read_axis(struct reading *r, char letter, bool identity, struct axis
 			fault(r, "an axis has a MIN_LIMIT that is not below its MAX_LIMIT"));
 }
 
-/* Axes that carry the work move against their letter, as controls count: the tool relative to the work. */
-static vec3 direction_of(int slot, bool carries_work)
-{
-	const double sign = carries_work ? -1 : 1;
-	const vec3 units[3] = {{sign, 0, 0}, {0, sign, 0}, {0, 0, sign}};
-
-	return units[slot % 3];
-}
-
 /* The linear axes behind the rotary ones of a head. */
 static void set_head_direction(struct reading *r, const struct module *module, char letter, vec3 *direction)
 {
@@ -284,22 +274,22 @@ static void set_head_direction(struct reading *r, const struct module *module, c
 			     "the tool; compare it with the machine", module->name);
 }
 
-static bool add_axis(struct reading *r, const struct module *module, char letter, bool carries_work, int parent)
+static bool make_axis(struct reading *r, const struct module *module, char letter, bool carries_work,
+		      struct axis_description *axis)
 {
-	struct machine_description *d = &r->machine->description;
-	struct axis_description axis = {.slot = slot_of_letter(letter), .parent = parent};
 	const struct rotary *known = NULL;
 
-	axis.rotary = slot_is_rotary(axis.slot);
-	axis.direction = direction_of(axis.slot, carries_work);
+	*axis = (struct axis_description){.slot = slot_of_letter(letter)};
+	axis->rotary = slot_is_rotary(axis->slot);
+	axis->direction = axis_chains_direction(axis->slot, carries_work);
 	for (int i = 0; module && i < 2; i++)
 		known = module->rotary[i].letter == letter ? &module->rotary[i] : known;
 	if (known) {
-		axis.has_location = true;
-		if (!turn(r, module, known, &axis.direction) || !locate(r, module, known, &axis.location))
+		axis->has_location = true;
+		if (!turn(r, module, known, &axis->direction) || !locate(r, module, known, &axis->location))
 			return false;
-	} else if (axis.rotary) {
-		axis.has_location = true;
+	} else if (axis->rotary) {
+		axis->has_location = true;
 		import_machine_todo(
 		    r->machine, "Where is the axis %c? The file that was imported does not say it; 0 0 0 is a guess.",
 		    letter);
@@ -307,80 +297,68 @@ static bool add_axis(struct reading *r, const struct module *module, char letter
 			     letter);
 	}
 	if (module && module->pivot > 0)
-		set_head_direction(r, module, letter, &axis.direction);
-	if (!read_axis(r, letter, !module, &axis))
-		return false;
-	d->axes[d->axis_count++] = axis;
-	return true;
+		set_head_direction(r, module, letter, &axis->direction);
+	return read_axis(r, letter, !module, axis);
 }
 
 /* ---------------------------------------------------------------- chain */
 
-static bool has(const char *letters, char letter)
+/* The axes that carry the work: the user's, else those that the module knows. */
+static bool find_table(const struct reading *r, const struct module *module, struct axis_letters *table)
 {
-	return letter && strchr(letters, letter);
-}
-
-/* Letters of the axes that carry the work, from the base on: the user's, else those that the module knows. */
-static bool find_table(const struct reading *r, const struct module *module, char table[SLOT_COUNT + 1])
-{
-	const char *asked = r->options->table;
-	size_t count = 0;
-
-	for (const char *at = asked; at && *at; at++) {
-		char letter = (char)toupper((unsigned char)*at);
-
-		if (!has(r->order, letter) || memchr(table, letter, count)) {
-			diag_error(r->diag, nowhere,
-				   "--table: '%c' is no axis of this machine, or stands twice; it has %s", *at,
-				   r->order);
-			return false;
-		}
-		table[count++] = letter;
-	}
-	table[count] = '\0';
-	if (!module && !asked)
+	if (!axis_letters_read(table, "table", r->options->table, r->order, r->diag))
+		return false;
+	if (!module && !r->options->table)
 		return fault(r, "this file does not say which axes carry the work and which the tool: name those that "
 				"carry the work, from the base on, with --table=LETTERS, such as --table=YAC, or "
 				"--table= for none");
 	for (const char *at = module ? module->table : ""; *at; at++)
-		if (!memchr(table, *at, count)) {
-			table[count++] = *at;
-			table[count] = '\0';
-		}
+		axis_letters_add(table, *at);
 	return true;
 }
 
-static bool add_chains(struct reading *r, const struct module *module, const char *table)
+/* Appends the axes between two slots that do not carry the work. */
+static void add_missing(struct axis_letters *axes, const char *order, const char *table, int first, int last)
 {
-	struct machine_description *d = &r->machine->description;
-	const char *head = module ? module->head : "";
-	int link = 0;
+	for (const char *at = order; *at; at++)
+		if (slot_of_letter(*at) >= first && slot_of_letter(*at) <= last && !axis_letters_have(table, *at))
+			axis_letters_add(axes, *at);
+}
 
-	d->axes = arena_alloc(&d->arena, SLOT_COUNT * sizeof(*d->axes));
-	for (const char *at = table; *at; at++, link = (int)d->axis_count)
-		if (!add_axis(r, module, *at, true, link))
+/* The axes that carry the tool. A module with a head knows the order of its rotary axes. */
+static bool find_head(const struct reading *r, const struct module *module, const char *table,
+		      struct axis_letters *head)
+{
+	struct axis_letters axes = {""};
+
+	if (module && r->options->head)
+		return fault(r, "its kinematics say which axes carry the tool: leave --head out");
+	if (!module)
+		return axis_letters_head(head, r->options->head, r->order, table, place(r), r->diag);
+	add_missing(&axes, r->order, table, SLOT_X, SLOT_Z);
+	for (const char *at = module->head; *at; at++)
+		if (axis_letters_have(r->order, *at) && !axis_letters_have(table, *at))
+			axis_letters_add(&axes, *at);
+	add_missing(&axes, r->order, table, SLOT_A, SLOT_C);
+	add_missing(&axes, r->order, table, SLOT_U, SLOT_W);
+	*head = axes;
+	return true;
+}
+
+static bool add_chains(struct reading *r, const struct module *module)
+{
+	struct axis_description axes[SLOT_COUNT];
+	struct axis_letters table, head;
+
+	if (!find_table(r, module, &table) || !find_head(r, module, table.text, &head))
+		return false;
+	for (const char *at = table.text; *at; at++)
+		if (!make_axis(r, module, *at, true, &axes[slot_of_letter(*at)]))
 			return false;
-	d->workholdings = arena_alloc(&d->arena, sizeof(*d->workholdings));
-	d->workholdings[d->workholding_count++] =
-		(struct workholding_description){.link = link, .frame = xform_identity()};
-	link = 0;
-	/* Linear axes come before rotary ones, and what moves along the tool comes last. */
-	for (int pass = 0; pass < 3; pass++) {
-		const char *letters = pass == 1 && *head ? head : r->order;
-
-		for (const char *at = letters; *at; at++) {
-			int turn = slot_of_letter(*at) < SLOT_A ? 0 : slot_is_rotary(slot_of_letter(*at)) ? 1 : 2;
-
-			if (turn != pass || has(table, *at) || !has(r->order, *at))
-				continue;
-			if (!add_axis(r, module, *at, false, link))
-				return false;
-			link = (int)d->axis_count;
-		}
-	}
-	d->spindles = arena_alloc(&d->arena, sizeof(*d->spindles));
-	d->spindles[d->spindle_count++] = (struct spindle_description){.link = link, .direction = {0, 0, -1}};
+	for (const char *at = head.text; *at; at++)
+		if (!make_axis(r, module, *at, false, &axes[slot_of_letter(*at)]))
+			return false;
+	axis_chains_hang(r->machine, axes, table.text, head.text);
 	return true;
 }
 
@@ -407,11 +385,10 @@ static bool read_machine(struct reading *r)
 {
 	struct import_machine *machine = r->machine;
 	const char *name = ini_file_text(&r->ini, "EMC", "MACHINE");
-	char table[SLOT_COUNT + 1];
 	const struct module *module;
 
-	if (!find_module(r, &module) || !find_joints(r) || !find_unit(r) || !find_table(r, module, table) ||
-	    (module && !hal_values_read(&r->hal, &r->ini, r->diag)) || !add_chains(r, module, table))
+	if (!find_module(r, &module) || !find_joints(r) || !find_unit(r) ||
+	    (module && !hal_values_read(&r->hal, &r->ini, r->diag)) || !add_chains(r, module))
 		return false;
 	machine->description.name = name ? arena_strdup(&machine->description.arena, name) : NULL;
 	machine->dialect_known = machine->rapid_known = true;

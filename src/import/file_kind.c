@@ -67,7 +67,7 @@ static bool ends_with(const char *path, const char *end)
 /* A machine of FreeCAD's CAM workbench: JSON, as tool libraries are. */
 static bool is_freecad(const char *path, const char *text)
 {
-	return *skip_space(text) == '{' && (ends_with(path, ".fcm") || ends_with(path, ".fcmachine")) &&
+	return *skip_space(text) == '{' && (ends_with(path, ".fcm") || strstr(text, "\"freecad_version\"")) &&
 	       strstr(text, "\"machine\"");
 }
 
@@ -84,8 +84,11 @@ static bool tell(enum file_kind *kind, const char *path, const char *text)
 	*kind = FILE_EMC_MACHINE;
 	if (!root_name(text) && is_ini(text))
 		return true;
+	*kind = FILE_FREECAD;
+	if (is_freecad(path, text))
+		return true;
 	*kind = FILE_TOOLS;
-	return library_kind_of(text) != LIBRARY_NONE && !is_freecad(path, text);
+	return library_kind_of(text) != LIBRARY_NONE;
 }
 
 /* What is known of a file that cannot be imported, so that its owner knows what to do. */
@@ -104,19 +107,15 @@ static const char *advice(const char *path, const char *text)
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
-	if (is_freecad(path, text))
-		return "this is a machine of FreeCAD, which is not read: use 'fivecheck init' with "
-		       "the axes, their travels (min, max), rates (max_velocity) and units that it names, and look up "
-		       "which of them carry the work";
 	if (is_root(text, "MTConnectDevices"))
 		return "this is a device description of MTConnect, which does not say which axis carries which: use "
 		       "'fivecheck init' with the axes and travels that it names";
 	if (!strncmp(text, "PK\003\004", 4))
 		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can "
 		       "be imported";
-	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file or URDF; a tool "
-	       "library of VERICUT or Fusion 360 (JSON), a table of tools (CSV, tool.tbl) or a listing of offsets "
-	       "(G10); or a mesh (OBJ, PLY, 3MF, glTF)";
+	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file, a "
+	       "machine of FreeCAD (.fcm) or URDF; a tool library of VERICUT or Fusion 360 (JSON), a table of tools "
+	       "(CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

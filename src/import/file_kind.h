@@ -10,6 +10,7 @@ enum file_kind {
 	FILE_VERICUT_MACHINE,	/* XML with the root VcMachine */
 	FILE_VERICUT_PROJECT,	/* XML with the root VcProject */
 	FILE_EMC_MACHINE,	/* an ini file of LinuxCNC (once EMC), with a section [KINS] */
+	FILE_FREECAD,	/* JSON of FreeCAD's CAM workbench */
 	FILE_URDF,	/* XML with the root robot */
 	FILE_MESH,	/* a format of mesh_file.h */
 	FILE_TOOLS	/* what machine/library/library_file.h reads */

@@ -42,6 +42,7 @@ struct import_options {
 	bool skip_missing;	/* leave bodies out whose meshes are not there, with a warning each */
 	const char *work;	/* the component that carries the work, where there are several; or NULL: the first */
 	const char *table;	/* letters of the axes that carry the work, from the base on; or NULL: not given */
+	const char *head;	/* of those that carry the tool; or NULL: not given */
 };
 
 /*

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""kinematics_truth.py urdf FILE.urdf MACHINE.xml | MODULE NAME=VALUE,... MACHINE.xml - compares an imported machine with its source.
+"""kinematics_truth.py urdf FILE.urdf MACHINE.xml | freecad FILE.fcm/TABLE/HEAD MACHINE.xml | MODULE NAME=VALUE,... MACHINE.xml
+- compares an imported machine with its source.
 
 Nothing of fivecheck is used. A URDF tree is walked frame by frame; a kinematics module of LinuxCNC (xyzac-trt-kins,
-xyzbc-trt-kins, 5axiskins) is computed by its published formulas. machine.xml is a product of motions in machine coordinates.
+xyzbc-trt-kins, 5axiskins) is computed by its published formulas. The axes of a FreeCAD machine follow each other in the
+order of TABLE and HEAD, their letters from the base on. machine.xml is a product of motions in machine coordinates.
 Twenty points, or the point of the tool, must have the same place under fifty random axis positions, to 1e-6 mm.
 """
 
+import json
 import math
 import os
 import random
@@ -174,10 +177,54 @@ def compare_module(module, parameters, machine):
     return worst
 
 
+def freecad_pose(axes, letters, values, sign, unit):
+    """A linear axis counts the tool relative to the work; a rotary one turns what it carries about its vector."""
+    pose = identity()
+    for letter in letters:
+        axis, q = axes[letter], values[letter]
+        joint = axis["joint"]
+        if isinstance(joint, dict):
+            at, vector = joint["origin"], joint["axis"]
+        else:
+            at, vector = joint if any(joint[1]) else [[0, 0, 0], joint[0]]
+        length = math.sqrt(sum(v * v for v in vector))
+        at = [unit * v for v in at]
+        if axis["type"] == "linear":
+            pose = times(pose, shift([sign * q * v / length for v in vector]))
+        else:
+            pose = times(pose, times(times(shift(at), turn(vector, q)), shift([-v for v in at])))
+    return pose
+
+
+def compare_freecad(source, machine):
+    path, table, head = source.split("/")
+    with open(path, encoding="utf-8") as file:
+        data = json.load(file)["machine"]
+    unit = 25.4 if data.get("units") == "imperial" else 1
+    axes, worst = data["axes"], 0
+    for axis in machine.axes:
+        name, said = axis.get("name"), axes[axis.get("name")]
+        scale = unit if said["type"] == "linear" else 1
+        limits = said.get("limits", said)
+        for ours, theirs in (("limit_min", limits["min"]), ("limit_max", limits["max"]), ("rate_max", said["max_velocity"])):
+            assert abs(float(axis.get(ours)) - scale * theirs) < 1e-9, (name, ours)
+    assert len(machine.axes) == len(axes)
+    for _ in range(50):
+        values = machine.random()
+        poses = {e.tag: times(m, frame(e)) for e, m in machine.poses(values)}
+        have = times(inverse(poses["workholding"]), poses["spindle"])
+        want = times(inverse(freecad_pose(axes, table, values, -1, unit)), freecad_pose(axes, head, values, 1, unit))
+        for _ in range(20):
+            p = [random.uniform(-500, 500) for _ in range(3)]
+            worst = max(worst, math.dist(apply(want, p), apply(have, p)))
+    return worst
+
+
 def main():
     random.seed(19)
     kind, source, machine = sys.argv[1], sys.argv[2], Machine(sys.argv[3])
-    worst = compare_urdf(source, machine) if kind == "urdf" else compare_module(kind, source, machine)
+    compare = {"urdf": compare_urdf, "freecad": compare_freecad}.get(kind)
+    worst = compare(source, machine) if compare else compare_module(kind, source, machine)
     assert worst < 1e-6, worst
     print("the same places, to 1e-6 mm")
 

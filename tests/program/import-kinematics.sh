@@ -73,6 +73,11 @@ ini trivkins XYZA >triv.ini </dev/null
 fivecheck import -o triv triv.ini
 fivecheck import --table YA -o triv triv.ini
 grep -v '^$' triv/machine.xml
+ini trivkins XYZBC >bc.ini </dev/null
+fivecheck import -o bctriv --table XY bc.ini
+fivecheck import -o bctriv --table XY --head ZCB bc.ini 2>/dev/null
+grep -o '<axis name=".' bctriv/machine.xml
+fivecheck import -o acy2 --head XZ ac.ini
 fivecheck import --table YQ -o triv2 triv.ini
 fivecheck import --table YY -o triv2 triv.ini
 echo "faults:"

@@ -6,6 +6,7 @@
 #include "control/dialects.h"
 #include "import/emc_machine.h"
 #include "import/file_kind.h"
+#include "import/freecad_machine.h"
 #include "import/mesh_file.h"
 #include "import/mesh_helper.h"
 #include "import/ply_check.h"
@@ -20,7 +21,7 @@
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE, KEY_PICTURES };
+enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE, KEY_HEAD, KEY_PICTURES };
 
 enum unit { UNIT_UNKNOWN = -1, UNIT_MM, UNIT_INCH };
 
@@ -52,6 +53,8 @@ const struct option_row import_options[IMPORT_OPTION_COUNT] = {
 	 .help = "give tools without a number one, in their order"},
 	{KEY_TABLE, "table", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.table),
 	 .help = "the axes that carry the work, from the base on, where\nthe file does not say it"},
+	{KEY_HEAD, "head", "LETTERS", .kind = VALUE_LETTERS, FIELD(options.head),
+	 .help = "the axes that carry the tool, from the base on"},
 	{KEY_UNITS, "units", "UNIT", .kind = VALUE_CHOICE, FIELD(unit), .choices = unit_names,
 	 .help = "lengths of a file that does not say its units: %s"},
 	{KEY_DIALECT, "dialect", "NAME", .kind = VALUE_CHOICE, FIELD(dialect), .choices = dialect_names,
@@ -63,10 +66,10 @@ static const struct subcommand subcommand = {
 	.name = "import",
 	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
 		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
-		 "of a control, or URDF; these, setups and a job file from a project of VERICUT 7\n"
-		 "(.VcProject); a setup from a tool library of VERICUT (.tls) or Fusion 360\n"
-		 "(.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10); or STL from\n"
-		 "another mesh.\n"
+		 "of a control, a machine of FreeCAD (.fcm) or URDF; these, setups and a job file from a\n"
+		 "project of VERICUT 7 (.VcProject); a setup from a tool library of VERICUT (.tls) or\n"
+		 "Fusion 360 (.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10);\n"
+		 "or STL from another mesh.\n"
 		 "Says what could not be taken over, and what has to be looked at.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",
@@ -109,6 +112,8 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 	switch (kind) {
 	case FILE_EMC_MACHINE:
 		return emc_machine_read(machine, request->file, &request->options, request->diag);
+	case FILE_FREECAD:
+		return freecad_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_URDF:
 		return urdf_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_VERICUT_MACHINE:

@@ -1,14 +1,11 @@
 #include "machine/library/fusion_tools.h"
 
-#include <jansson.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/math/math_functions.h"
-#include "base/mem.h"
 #include "base/units.h"
-#include "base/file_bytes.h"
+#include "machine/library/json_file.h"
 #include "machine/tool_solid.h"
 
 /* What a type of tool is below its shank. */
@@ -320,22 +317,11 @@ static bool read_list(struct reading *r, const json_t *root)
 bool fusion_tools_read(struct tool_library *tools, const char *path, struct diag *diag)
 {
 	struct reading r = {.tools = tools, .diag = diag, .path = path};
-	struct file_bytes file;
-	json_error_t error;
-	json_t *root;
+	json_t *root = json_file_read(path, diag);
 	bool good;
 
-	if (!file_bytes_read(&file, path, diag))
+	if (!root)
 		return false;
-	/* Running out of memory ends the program, as everywhere. */
-	json_set_alloc_funcs(mem_alloc, free);
-	root = json_loadb(file.bytes, file.count, JSON_REJECT_DUPLICATES, &error);
-	file_bytes_release(&file);
-	if (!root) {
-		diag_error(diag, (struct srcloc){.file = path, .line = error.line, .column = error.column},
-			   "this is not valid JSON: %s", error.text);
-		return false;
-	}
 	good = read_list(&r, root);
 	json_decref(root);
 	return good;

@@ -1,0 +1,24 @@
+#include "machine/library/json_file.h"
+
+#include <stdlib.h>
+
+#include "base/file_bytes.h"
+#include "base/mem.h"
+
+json_t *json_file_read(const char *path, struct diag *diag)
+{
+	struct file_bytes file;
+	json_error_t error;
+	json_t *root;
+
+	if (!file_bytes_read(&file, path, diag))
+		return NULL;
+	/* Running out of memory ends the program, as everywhere. */
+	json_set_alloc_funcs(mem_alloc, free);
+	root = json_loadb(file.bytes, file.count, JSON_REJECT_DUPLICATES, &error);
+	file_bytes_release(&file);
+	if (!root)
+		diag_error(diag, (struct srcloc){.file = path, .line = error.line, .column = error.column},
+			   "this is not valid JSON: %s", error.text);
+	return root;
+}
