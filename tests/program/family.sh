@@ -20,5 +20,7 @@ look 'G21 G90\nCYCLE832(0.01,3,1)\n'
 look '%\nO1234 (PART)\nG21 G90\nG0 X1.\nM30\n%\n'
 look 'G21 G90\nG187 P1\nG0 X1.\nM30\n'
 look 'G21 G90\no<sub> call\nM2\n'
+look '$PART.MIN%\nOPART\nG15 H1\nG0 X1\n'
+look 'G21 G90\no100 call [1]\nM2\n'
 # None of these: words in comments, and what only resembles a sign.
 look '(BEGIN PGM, TRAORI, G187)\nG21 G90\nG0 X1.\nM30\n'

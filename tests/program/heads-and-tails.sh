@@ -29,6 +29,11 @@ read_as "\0\0\0\0%\nO1\n${body}M30\n%\n"
 read_as "%\nO1\n${body}\0X5.\nM30\n%\n"
 read_as "O1\n${body}\032"
 read_as "O1\n${body}X2.\032X3.\n"
+# DC1 to DC4 of a reader or punch; LF CR CR of Fanuc's punch code; a transfer that made CR CR LF of CR LF.
+read_as "\021%\nO1\n${body}M30\n%\024"
+read_as "%\n\r\rO1\n\r\rG21 G90 G17\n\r\rG0 X1.\n\r\rX1.\n\r\rX500.\n\r\rM30\n\r\r%\n\r\r"
+read_as "%\r\r\nO1\r\r\nG21 G90 G17\r\r\nG0 X1.\r\r\nX1.\r\r\nX500.\r\r\nM30\r\r\n%\r\r\n"
+read_as "%\nO1\nG21 G90\rG0 X1.\nM30\n%\n"
 read_as "%\rO1\r\rG21 G90\rG0 X1.\rM30\r%\r"
 read_as "%\r\n\r\no1\r\ng21 g90\r\n\tg0 x 1 . 5\r\nn123456789012345678 m30\r\n%\r\n"
 # X500 is beyond the limit: skipped blocks do not count.

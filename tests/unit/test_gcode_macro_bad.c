@@ -259,7 +259,7 @@ static const struct {
 	 "H1\n    ^\n"},
 	{F, "G254 H1\n",
 	 "p.nc:1: warning: this looks like a program for Haas (G254), but it is read in the fanuc dialect\n"
-	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect\n    G254 H1\n    ^\n"},
+	 "p.nc:1:1: error: G254 is no G-code that is known in the fanuc dialect; <macro code=\"\"/> of the machine's <controller> declares one that the builder made\n    G254 H1\n    ^\n"},
 	{H, "G254 H1\n",
 	 "p.nc:1:6: error: H1 without G43: whether it changes the length depends on the control; write G43 H1\n    G254 H1\n         ^\n"},
 	{F, "#1=#5004\n",
@@ -295,7 +295,7 @@ static const struct {
 	{F, "G66 P7\nG28 X0.\nM30\nO7\nM99\n",
 	 "p.nc:2:5: error: axis words of a block that is no plain move, while G66 is in force; G67 first\n    "
 	 "G28 X0.\n        ^\n"},
-	{H, "G66 P7\n", "p.nc:1:1: error: G66 is no G-code that is known in the haas dialect\n    G66 P7\n    ^\n"},
+	{H, "G66 P7\n", "p.nc:1:1: error: G66 is no G-code that is known in the haas dialect; <macro code=\"\"/> of the machine's <controller> declares one that the builder made\n    G66 P7\n    ^\n"},
 	{F, "G66.1 P7\n",
 	 "p.nc:1:1: error: G66.1: modal macro call at every block is not supported yet\n    G66.1 P7\n    ^\n"},
 	{BOTH, "M98\n", "p.nc:1:1: error: M98 needs P, the number of the program\n    M98\n    ^\n"},

@@ -377,7 +377,12 @@ static const struct bad bads[] = {
     {&dialect_fanuc, "", "G54.1", 1, "G54.1 needs P"},
     {&dialect_fanuc, "", "G54.1 P49", 7, "P49: a whole number from 1 to 48 is needed"},
     {&dialect_haas, "", "G154 P100", 6, "P100: a whole number from 1 to 99 is needed"},
-    {&dialect_fanuc, "", "G110", 1, "G110 is no G-code that is known in the fanuc dialect"},
+    {&dialect_fanuc, "", "G110", 1,
+     "G110 is no G-code that is known in the fanuc dialect; <macro code=\"\"/> of the machine's <controller> "
+     "declares one that the builder made"},
+    /* Older manuals have G112 among G110 to G129, newer ones among the interpolations. */
+    {&dialect_haas, "", "G112", 1,
+     "G112: XY to XC interpolation (on older controls additional work offset 3: write G154 P3) is not supported yet"},
     {&dialect_haas, "", "G234", 1, "G234 needs H"},
 };
 

@@ -22,11 +22,13 @@ static const struct family sinumerik = {"a program for Siemens Sinumerik", {"sin
 static const struct family linuxcnc = {"a program for LinuxCNC", {"linuxcnc", NULL}};
 static const struct family haas = {"a program for Haas", {"haas", NULL}};
 static const struct family fanuc = {"a program for Fanuc", {"fanuc", NULL}};
+static const struct family okuma = {"a program for Okuma OSP, which no dialect reads", {NULL}};
 static const struct family iso = {"a program for Fanuc or Haas", {"fanuc", "haas", NULL}};
 
 /*
  * Heidenhain iTNC 530 manual, Klartext programming; Siemens 840D sl programming manual, "Fundamentals", "Job planning";
- * LinuxCNC's manual, "O Codes"; Haas mill operator's manual, G-codes.
+ * LinuxCNC's manual, "O Codes"; Haas mill operator's manual, G-codes; Okuma OSP programming manual, program file names
+ * and CALL.
  */
 static const struct sign {
 	const struct family *family;
@@ -49,7 +51,9 @@ static const struct sign {
 	{&sinumerik, "DEFREAL", "DEF REAL", MATCH_START, true},
 	{&sinumerik, "DEFINT", "DEF INT", MATCH_START, true},
 	{&sinumerik, "SUPA", "SUPA", MATCH_ANYWHERE, true},
-	{&linuxcnc, "", "o<name>", MATCH_O_CALL, false},
+	{&okuma, ".MIN%", "$NAME.MIN%", MATCH_ANYWHERE, true},
+	{&okuma, "CALLO", "CALL O", MATCH_START, true},
+	{&linuxcnc, "", "an O-word", MATCH_O_CALL, false},
 	{&linuxcnc, "#<", "#<name>", MATCH_ANYWHERE, false},
 	{&fanuc, "G5.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
 	{&fanuc, "G05.1Q", "G5.1 Q", MATCH_ANYWHERE, false},
@@ -77,6 +81,23 @@ static bool has_code(const char *block, const char *code)
 	return false;
 }
 
+/* "o<name> call", "o100 if [...]" */
+static bool is_o_word(const char *block)
+{
+	static const char *const keywords[] = {"SUB", "ENDSUB", "CALL", "IF[", "ENDIF", "WHILE[", "ENDWHILE", "REPEAT["};
+	const char *behind = block + 1;
+
+	if (*block != 'O')
+		return false;
+	behind += *behind == '<' ? strcspn(behind, ">") : strspn(behind, "0123456789");
+	behind += *behind == '>';
+	for (size_t i = 0; i < sizeof(keywords) / sizeof(keywords[0]); i++) {
+		if (behind > block + 1 && starts_with(behind, keywords[i]))
+			return true;
+	}
+	return false;
+}
+
 static bool is_sign(const struct sign *sign, const char *line, const char *block)
 {
 	const char *words = block + (*block == 'N');
@@ -92,7 +113,7 @@ static bool is_sign(const struct sign *sign, const char *line, const char *block
 	case MATCH_STRAIGHT_LINE:
 		return words[0] == 'L' && words[1] != '\0' && strchr("XYZABC", words[1]) && strstr(words, sign->text);
 	case MATCH_O_CALL:
-		return starts_with(block, "O<") && (strstr(block, ">SUB") || strstr(block, ">CALL"));
+		return is_o_word(block);
 	case MATCH_G:
 		return has_code(words, sign->text);
 	case MATCH_PROGRAM_NUMBER:

@@ -162,6 +162,18 @@ static bool find_written(struct interp *interp, int mode, int *system)
 	return true;
 }
 
+/* Fanuc B-64484EN, "Programmable Parameter Input (G10)", "Tool Life Management": data that the next blocks write. */
+static bool check_data(struct interp *interp, int mode)
+{
+	const bool parameters = mode == 50 || mode == 52, life = mode == 3;
+
+	if (traits_of(interp)->g10_writes_registers != ANSWER_YES || (!parameters && !life))
+		return true;
+	return fault(&interp->at, interp->block.g_column[G_NONMODAL],
+		     "G10 L%d changes %s of the control, which %s not followed here; check a copy without the blocks from G10 to G11",
+		     mode, parameters ? "parameters" : "the tool life data", parameters ? "are" : "is");
+}
+
 /* LinuxCNC's manual, "G10 L2", "G10 L20"; Fanuc: P1 to P6 of L2 alone mean the same; Haas, G10. */
 bool offsets_set(struct interp *interp)
 {
@@ -173,10 +185,12 @@ bool offsets_set(struct interp *interp)
 	if (tools && block_has(block, 'L') && fabs(block_value(block, 'L')) < 0.5)
 		return fault(&interp->at, block_column(block, 'L'),
 			     "G10 L0 reads the file of the tool table again, which is not known here");
-	if (!block_has(block, 'L') || !block_has(block, 'P'))
+	if (!block_has(block, 'L'))
 		return fault(&interp->at, column, "G10 needs L and P");
-	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode))
+	if (!block_integer(block, &interp->at, 'L', 0, 9999, &mode) || !check_data(interp, mode))
 		return false;
+	if (!block_has(block, 'P'))
+		return fault(&interp->at, column, "G10 needs L and P");
 	if (traits->g10_writes_registers == ANSWER_YES && g10_registers_take(mode))
 		return g10_registers_write(interp, mode);
 	if (tools && g10_tool_table_takes(mode))

@@ -52,7 +52,7 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 {
 	double tenths = word->value * 10, nearest = round(tenths);
 	const struct code *code = NULL;
-	char text[128];
+	char text[256];
 	int number = 0;
 
 	if (tenths < 0)
@@ -63,7 +63,10 @@ static bool add_g(struct block *block, const struct line_place *at, const struct
 		code = code_find(dialect->g_codes, number);
 	}
 	if (!code && nearest < 10000 && fabs(tenths - nearest) <= 0.001) {
-		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect", dialect->name);
+		snprintf(text, sizeof(text), " is no G-code that is known in the %s dialect%s", dialect->name,
+			 dialect->traits.call_letters
+			     ? "; <macro code=\"\"/> of the machine's <controller> declares one that the builder made"
+			     : "");
 		return fault_g(at, word, number, text);
 	}
 	if (!code)

@@ -13,6 +13,17 @@
 
 #define END_OF_TEXT 0x1A
 
+/* DC1 to DC4, with which controls and tape units switch reader and punch on and off (Fanuc, "Reader/Puncher"). */
+static bool switches_device(char byte)
+{
+	return byte >= 0x11 && byte <= 0x14;
+}
+
+static bool ends_text(char byte)
+{
+	return byte == END_OF_TEXT || switches_device(byte);
+}
+
 void reader_init(struct reader *reader, FILE *in)
 {
 	off_t base = ftello(in);
@@ -50,8 +61,8 @@ static bool refill(struct reader *reader)
 			return false;
 		reader->at_end = got < want;
 	}
-	/* CP/M ended text with it, and controls still send it behind the last block. */
-	while (reader->at_end && reader->end > reader->begin && reader->buffer[reader->end - 1] == END_OF_TEXT)
+	/* CP/M ended text with 0x1A, and controls still send it behind the last block. */
+	while (reader->at_end && reader->end > reader->begin && ends_text(reader->buffer[reader->end - 1]))
 		reader->end--;
 	return true;
 }
@@ -81,15 +92,15 @@ static size_t find_break(const struct reader *reader, size_t from)
 }
 
 /*
- * Steps over what may precede the first byte of the text: a byte order mark, or the blank feed of a tape, which is
- * NULs.
+ * Steps over what may precede the first byte of the text: a byte order mark, the blank feed of a tape, which is NULs,
+ * or the codes that switch a device on.
  */
 static enum reader_status check_start(struct reader *reader)
 {
 	const char *start;
 	size_t length, text = reader->begin;
 
-	while (text < reader->end && reader->buffer[text] == '\0')
+	while (text < reader->end && (reader->buffer[text] == '\0' || switches_device(reader->buffer[text])))
 		text++;
 	/* NULs alone are no program. */
 	if (text < reader->end)
@@ -114,8 +125,11 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 	if (*p == '\0')
 		return READER_NUL_BYTE;
 	if (*p == '\r') {
-		if (at + 1 < reader->end && p[1] == '\n')
-			*next = at + 2;
+		/* CR CR LF, too: text transfer has put a CR before the LF of a CR LF. */
+		size_t returns = at + 1 < reader->end && p[1] == '\r' ? 2 : 1;
+
+		if (at + returns < reader->end && p[returns] == '\n')
+			*next = at + returns + 1;
 		else
 			style = LINE_END_CR;
 	}
@@ -123,6 +137,32 @@ static enum reader_status take_break(struct reader *reader, size_t at, size_t *n
 		reader->style = style;
 	/* LinuxCNC takes a lone CR for a blank, other controls end the block there: two different programs. */
 	return style == reader->style ? READER_LINE : READER_MIXED_ENDS;
+}
+
+/* Finds the end of the line in hand, which is then in the buffer; false on a read error. */
+static bool find_line_end(struct reader *reader, size_t *at)
+{
+	*at = find_break(reader, reader->begin);
+	/* A CR at the very end of what is read may be part of a CR CR LF. */
+	if (!reader->at_end && *at + 2 >= reader->end) {
+		if (!refill(reader))
+			return false;
+		*at = find_break(reader, reader->begin);
+		reader->cut = reader->end;
+	}
+	return true;
+}
+
+/* Fanuc controls send LF CR CR behind a block: these CRs end no line of their own. */
+static bool skip_returns(struct reader *reader, size_t *at)
+{
+	while (reader->style == LINE_END_LF && *at == reader->begin && *at < reader->end &&
+	       reader->buffer[*at] == '\r' && (*at + 1 == reader->end || reader->buffer[*at + 1] != '\n')) {
+		reader->begin++;
+		if (!find_line_end(reader, at))
+			return false;
+	}
+	return true;
 }
 
 enum reader_status reader_next(struct reader *reader, const char **text)
@@ -133,14 +173,8 @@ enum reader_status reader_next(struct reader *reader, const char **text)
 	reader->buffer[reader->cut] = reader->cut_byte;
 	reader->cut = reader->end;
 	reader->cut_byte = '\0';
-	at = find_break(reader, reader->begin);
-	/* A CR at the very end of what is read may be half of a CR LF. */
-	if (!reader->at_end && at + 1 >= reader->end) {
-		if (!refill(reader))
-			return READER_FAILED;
-		at = find_break(reader, reader->begin);
-		reader->cut = reader->end;
-	}
+	if (!find_line_end(reader, &at) || !skip_returns(reader, &at))
+		return READER_FAILED;
 	/* Also when somebody has read ahead and gone back. */
 	if (reader->line == 0) {
 		status = check_start(reader);

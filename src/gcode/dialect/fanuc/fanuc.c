@@ -23,6 +23,7 @@ static const struct code g_codes[] = {
 	{G7_1, G_NONMODAL, CODE_BOUNDED, "cylindrical interpolation"},
 	{G8, G_CONTOUR, CODE_READ, "AI advanced preview control"},
 	{106, GROUP_NONE, CODE_REFUSED, "tool retract and recover"},
+	{110, GROUP_NONE, CODE_IGNORED, "end of data setting"},
 	{121, GROUP_NONE, CODE_REFUSED, "polar coordinate interpolation"},
 	{131, GROUP_NONE, CODE_IGNORED, "end of polar coordinate interpolation"},
 	{G15, G_POLAR, CODE_READ, "end of polar coordinates"},

@@ -28,8 +28,11 @@ static const struct code g_codes[] = {
 	{1070, GROUP_NONE, CODE_REFUSED, "cylindrical mapping"},
 	{1100, G_SYSTEM, CODE_READ, "additional work offset 1"},
 	{1110, G_SYSTEM, CODE_READ, "additional work offset 2"},
-	{1120, G_SYSTEM, CODE_READ, "additional work offset 3"},
-	{1130, G_SYSTEM, CODE_READ, "additional work offset 4"},
+	/* Mill operator's manual 96-8000: of G110 to G129. Newer manuals give the two codes to the interpolation. */
+	{1120, GROUP_NONE, CODE_REFUSED,
+	 "XY to XC interpolation (on older controls additional work offset 3: write G154 P3)"},
+	{1130, GROUP_NONE, CODE_REFUSED,
+	 "end of XY to XC interpolation (on older controls additional work offset 4: write G154 P4)"},
 	{1140, G_SYSTEM, CODE_READ, "additional work offset 5"},
 	{1150, G_SYSTEM, CODE_READ, "additional work offset 6"},
 	{1160, G_SYSTEM, CODE_READ, "additional work offset 7"},
