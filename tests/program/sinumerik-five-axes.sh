@@ -92,5 +92,11 @@ for name,rot in fam.items():
     w=max(w,wt)
     good = w < 1e-6 and wc < 1e-6 and wd < 1e-9 and bad == 0
     print(name + (': as computed' if good else ': TRAORI %g mm, CYCLE800 %g mm, %g, %d refused' % (w, wc, wd, bad)))
+# Limits that leave one solution choose it whatever DIR says, and ask nothing of the machine file; then there is none.
+for low in -60, -20:
+    x=xml('AC table',fam['AC table']).replace(' swivel_axis="A"','').replace('limit_min="-9999" limit_max="9999" rate_max="3600"','limit_min="%d" limit_max="10" rate_max="3600"'%low,1)
+    for dr in 1,-1:
+        d,e=run(x,'T1 D1 M6\nG54 G17 G71 G90\nG0 C-150\nCYCLE800(0,"",0,57,0,0,0,25,0,0,0,0,0,%d)\nG0 X0\nM30\n'%dr)
+        print('A %g C %g'%(d[5]['A'],d[5]['C']) if 5 in d else e.split('\n')[0])
 PYTHON
 FIVECHECK=$FIVECHECK python3 check.py

@@ -166,8 +166,6 @@ static const struct refused_program programs[] = {
 	{"G500 G0 C30\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 2, 1,
 	 "the tool stands on the plane of CYCLE800 whatever the position of C: whether C then goes to 0 is set up by "
 	 "the machine's maker: swivel_pole=\"zero\" or \"stays\" of the machine's <controller> says it"},
-	{"CYCLE800(0,\"\",0,57,0,0,0,30,0,0,0,0,0,1)\n", 1, 1,
-	 "CYCLE800 with DIR=1: no position within the limits stands the tool on the plane with A positive"},
 	{"CYCLE800(3,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 1, 1,
 	 "FR of CYCLE800 must be 0, 1, 2, 4 or 5, not 3"},
 	{"CYCLE800(5,\"\",0,57,0,0,0,0,0,0,0,0,0,1,-1)\n", 1, 1,
@@ -181,9 +179,13 @@ static const struct refused_program programs[] = {
 	 "MODE=8 of CYCLE800 names no axis for angle 1"},
 	{"CYCLE800(0.5)\n", 1, 1,
 	 "FR of CYCLE800 must be a whole number, not 0.5"},
-	{"G500 TRANS X1\nCYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 2, 1,
-	 "CYCLE800 while TRANS, ROT, SCALE or MIRROR is in force is not supported yet; give the shift in X0 "
-	 "Y0 Z0 or behind it"},
+	{"G500 CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nSCALE X2\nCYCLE800(0,\"\",1,57,0,0,0,0,0,0,0,0,0,1)\n", 3, 1,
+	 "CYCLE800 that adds a plane (units of ST 1) while SCALE or MIRROR is in force is not supported"},
+	{"G500 TRANS X1\nCYCLE800()\nG0 X1\n", 3, 4,
+	 "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it deletes them is not "
+	 "certain: write TRANS, or TRANS with its values, behind it"},
+	{"G500 TRANS X1\nCYCLE800()\nATRANS Y1\n", 3, 1,
+	 "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the values that are meant"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG500 G0 C5\n", 2, 9,
 	 "C while CYCLE800 has swivelled: the tool would leave the direction of its plane; CYCLE800() first"},
 	{"CYCLE800(0,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\nG505\n", 2, 1,

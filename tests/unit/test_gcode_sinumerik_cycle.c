@@ -90,6 +90,17 @@ static const struct program programs[] = {
 	 "orient 0 -0.707106781 0.707106781\nrapid 11 20.2320508 33.5980762 -45 0\n"
 	 "tcp on length 0 zero A0 C0\nrapid 11 20.2320508 33.5980762 -45 0 tcp\n"
 	 "tcp off length 0 zero A0 C0\nrapid 11 20.2320508 500 -45 0\ntcp on length 0 zero A0 C0\n"},
+	/* A new plane deletes programmable frames, an added one takes them in; where limits leave one solution, DIR does
+	 * not choose. */
+	{"G500 TRANS X100\nAROT Z45\nCYCLE800(0,\"\",0,57,10,20,30,30,0,0,1,2,3,1)\nG0 X0 Y0 Z0\n"
+	 "ATRANS X7\nAROT X15\nCYCLE800(0,\"\",1,57,0,0,0,0,0,0,0,0,0,-1)\nG0 X-7 Y0 Z0\nCYCLE800()\nTRANS\nX1\n",
+	 "orient 0 -0.5 0.866025404\nrapid 0 0 0 -30 0\ntcp on length 0 zero A0 C0\n"
+	 "rapid 11 20.2320508 33.5980762 -30 0 tcp\ntcp off length 0 zero A0 C0\n"
+	 "orient 0 -0.707106781 0.707106781\nrapid 11 20.2320508 33.5980762 -45 0\n"
+	 "tcp on length 0 zero A0 C0\nrapid 11 20.2320508 33.5980762 -45 0 tcp\n"
+	 "tcp off length 0 zero A0 C0\nrapid 1 20.2320508 33.5980762 -45 0\n"},
+	/* Positions of the machine's axes do not ask what CYCLE800() made of a frame. */
+	{"G500 TRANS X100\nCYCLE800()\nSUPA G0 Z5\nTRANS Y1\nX2 Y2\n", "rapid 0 0 5 0 0\nrapid 2 3 5 0 0\n"},
 	{"G500 CYCLE800(1,\"\",0,27,0,0,0,90,0,0,0,0,0,1)\nG0 X1 Y0 Z0\n",
 	 "orient 0 0 1\nrapid 0 0 400 0 0\nrapid 0 0 400 0 0\ntcp on length 0 zero A0 C0\n"
 	 "rapid 0 1 0 0 0 tcp\n"},

@@ -312,12 +312,17 @@ bool sinumerik_frame_set(struct interp *interp, const struct sinumerik_frame_wor
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	struct sinumerik_frame frame;
 
+	if (sinumerik->frame_unsure && (words->added || words->code == SINUMERIK_AXIAL))
+		return fault(&interp->at, words->column,
+			     "this adds to a frame that CYCLE800() may have deleted; write TRANS before it, with the "
+			     "values that are meant");
 	if (words->code == SINUMERIK_AXIAL)
 		return set_axial(interp, words);
 	if (!frame_of(interp, words, &frame))
 		return false;
 	if (words->code == SINUMERIK_TRANS && words->added)
 		frame.fine = frame.shift;
+	sinumerik->frame_unsure = false;
 	sinumerik->frame = words->added ? sinumerik_frame_chain(&sinumerik->frame, &frame) : frame;
 	return sinumerik_frame_changed(interp, words->column);
 }

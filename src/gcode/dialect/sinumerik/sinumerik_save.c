@@ -20,7 +20,7 @@ void sinumerik_save_modes(const struct interp *interp, struct sinumerik_saved *s
 		.smooths_orientation = sinumerik->smooths_orientation,
 		.machine_orientation = sinumerik->machine_orientation, .turns_plane = sinumerik->turns_plane,
 		.tool_frame = sinumerik->tool_frame, .orientation = sinumerik->orientation,
-		.unknown_modes = state->unknown_modes,
+		.unknown_modes = state->unknown_modes, .frame_unsure = sinumerik->frame_unsure,
 	};
 }
 
@@ -84,5 +84,6 @@ bool sinumerik_save_restore(struct interp *interp, const struct sinumerik_saved 
 	sinumerik->orientation = saved->orientation;
 	state->unknown_modes = saved->unknown_modes;
 	sinumerik->frame = saved->frame;
+	sinumerik->frame_unsure = saved->frame_unsure;
 	return sinumerik_frame_changed(interp, column);
 }

@@ -73,6 +73,7 @@ struct sinumerik_saved {
 	int motion, plane, system, path_code;
 	int approach, corner, comp_side;
 	bool incremental, compresses, smooths_orientation, machine_orientation, turns_plane, tool_frame;
+	bool frame_unsure;
 	enum sinumerik_orientation orientation;
 	unsigned unknown_modes;
 	enum feed_mode feed_mode;
@@ -155,6 +156,7 @@ struct sinumerik {
 	slot_values programmed;	/* NAN: not known */
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
+	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */
 	bool edge_unsure;	/* since M6: whether D1 holds is a parameter's matter */
 	int edge;	/* D */
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */

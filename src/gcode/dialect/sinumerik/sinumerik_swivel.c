@@ -115,11 +115,15 @@ static bool find_projection(const struct swivel *s, long mode, mat3 *turn)
 	return true;
 }
 
+/*
+ * "Swivel plane", new and additive: a new plane deletes the planes and the programmable frames before it; an added one
+ * takes them into the plane.
+ */
 static bool find_plane(const struct swivel *s, long mode, bool added, struct sinumerik_frame *plane)
 {
 	const struct sinumerik *sinumerik = sinumerik_of(s->interp);
 	struct sinumerik_frame before = shift_by(point(s, X0)), turn = sinumerik_frame_none(),
-			       after = shift_by(point(s, X1));
+			       after = shift_by(point(s, X1)), under;
 
 	if (mode < 0 || mode > 255)
 		return fault(&s->interp->at, s->column, "MODE of CYCLE800 must lie between 0 and 255, not %ld", mode);
@@ -134,8 +138,14 @@ static bool find_plane(const struct swivel *s, long mode, bool added, struct sin
 		return false;
 	before = sinumerik_frame_chain(&before, &turn);
 	*plane = sinumerik_frame_chain(&before, &after);
-	if (added)
-		*plane = sinumerik_frame_chain(&sinumerik->swivel, plane);
+	if (!added)
+		return true;
+	if (s->interp->state.frame.on && s->interp->state.frame.distorts)
+		return fault(&s->interp->at, s->column,
+			     "CYCLE800 that adds a plane (units of ST 1) while SCALE or MIRROR is in force is not "
+			     "supported");
+	under = sinumerik_frame_total(sinumerik);
+	*plane = sinumerik_frame_chain(&under, plane);
 	return true;
 }
 
@@ -163,32 +173,54 @@ static bool settle_free(const struct swivel *s, struct kinematics_solution *solu
 	return true;
 }
 
+/* In degrees: the axis can stand at both only if they are different positions of it. */
+static bool differ(double a, double b)
+{
+	return fabs(a - b) > radians(SAME_DEGREES);
+}
+
 static bool has_sign(double angle, long direction)
 {
 	return direction > 0 ? angle >= -radians(SAME_DEGREES) : angle <= radians(SAME_DEGREES);
 }
 
-/* DIR takes the solution in which the axis that the swivel data name (swivel_axis) is positive or negative. */
-static bool choose_by_sign(const struct swivel *s, struct kinematics_solutions *found, long direction, size_t *chosen)
+/*
+ * "Swivel plane", "Direction (minus/plus)": DIR takes the solution with the lower or the higher value of the axis that
+ * the swivel data name (swivel_axis); where limits leave one solution, that one is taken whatever DIR says. An axis
+ * that counts modulo 360 degrees has lower and higher values by the way they are written: there the signs must differ.
+ */
+static bool choose_by_direction(const struct swivel *s, struct kinematics_solutions *found, long direction,
+				size_t *chosen)
 {
 	const struct interp *interp = s->interp;
 	const int slot = interp->config->controller.swivel_axis;
+	const struct kinematics_solution *items = found->items;
+	double one, other;
 
+	for (*chosen = 0; *chosen < found->count && !items[*chosen].within_limits;)
+		++*chosen;
+	if (*chosen == found->count)
+		return fault(&interp->at, s->column,
+			     "CYCLE800: no position of the rotary axes within their limits stands the tool on the plane");
+	if (found->count < 2 || *chosen == 1 || !items[1].within_limits)
+		return true;
 	if (!slot)
 		return fault(
 		    &interp->at, s->column,
-		    "DIR of CYCLE800 chooses one of two positions of the rotary axes by the sign of one of them: "
+		    "DIR of CYCLE800 chooses one of two positions of the rotary axes by the value of one of them: "
 		    "swivel_axis=\"A\", \"B\" or \"C\" of the machine's <controller> says which axis its swivel data "
 		    "name");
-	for (*chosen = 0; *chosen < found->count; ++*chosen) {
-		const struct kinematics_solution *item = &found->items[*chosen];
-
-		if (item->within_limits && has_sign(item->rotary.v[slot], direction))
-			return true;
-	}
-	return fault(&interp->at, s->column,
-		     "CYCLE800 with DIR=%ld: no position within the limits stands the tool on the plane with %c %s",
-		     direction, AXIS_LETTERS[slot], direction > 0 ? "positive" : "negative");
+	one = items[0].rotary.v[slot];
+	other = items[1].rotary.v[slot];
+	if (!differ(one, other))
+		return true;
+	if (interp->config->wrap[slot] != WRAP_NONE && has_sign(one, direction) == has_sign(other, direction))
+		return fault(&interp->at, s->column,
+			     "DIR=%ld of CYCLE800: %c would stand at %.9g or at %.9g degrees, and counts modulo 360: "
+			     "which of the two is the higher value is not certain",
+			     direction, AXIS_LETTERS[slot], degrees(one), degrees(other));
+	*chosen = (one > other) == (direction > 0) ? 0 : 1;
+	return true;
 }
 
 /* DIR=0 moves no axis: the tool must stand on the plane already. */
@@ -229,14 +261,14 @@ static bool find_position(const struct swivel *s, const struct sinumerik_frame *
 	if (found.count == 0)
 		return fault(&interp->at, s->column,
 			     "CYCLE800: the rotary axes of this machine cannot stand the tool on this plane");
-	if (direction == 0 ? !choose_present(s, &found, &chosen) : !choose_by_sign(s, &found, direction, &chosen))
+	if (direction == 0 ? !choose_present(s, &found, &chosen) : !choose_by_direction(s, &found, direction, &chosen))
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C && direction; slot++) {
 		if (found.items[chosen].tie[slot])
 			return fault(
 			    &interp->at, s->column,
 			    "CYCLE800 could turn %c either way, which is as near: turn it towards the position that is "
-			    "meant, in a block before",
+			    "meant, in a block before, or give half_turn to the axis in the machine file",
 			    AXIS_LETTERS[slot]);
 	}
 	if (direction && !settle_free(s, &found.items[chosen]))
@@ -300,8 +332,24 @@ static bool retract(const struct swivel *s, long way)
 	return go_rapid(interp, &target);
 }
 
+static bool same_vec3(vec3 a, vec3 b)
+{
+	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
+}
+
+static bool is_none(const struct sinumerik_frame *frame)
+{
+	const struct sinumerik_frame none = sinumerik_frame_none();
+	bool same = same_vec3(frame->matrix.x, none.matrix.x) && same_vec3(frame->matrix.y, none.matrix.y) &&
+		    same_vec3(frame->matrix.z, none.matrix.z);
+
+	for (size_t slot = 0; slot < sizeof(none.shift.v) / sizeof(none.shift.v[0]); slot++)
+		same = same && same_double(frame->shift.v[slot], none.shift.v[slot]);
+	return same;
+}
+
 /* Positions are those of the machine's axes from here on, without any plane. */
-static bool lay_flat(const struct swivel *s)
+static bool lay_flat(const struct swivel *s, bool deletes_frames)
 {
 	struct sinumerik *sinumerik = sinumerik_of(s->interp);
 
@@ -311,6 +359,9 @@ static bool lay_flat(const struct swivel *s)
 		return false;
 	sinumerik->swivelled = false;
 	sinumerik->swivel = sinumerik_frame_none();
+	if (deletes_frames)
+		sinumerik->frame = sinumerik_frame_none();
+	sinumerik->frame_unsure = !is_none(&sinumerik->frame);
 	return sinumerik_frame_changed(s->interp, s->column);
 }
 
@@ -330,22 +381,6 @@ static bool refuse(const struct swivel *s, const char *what)
 	return fault(&s->interp->at, s->column, "%s", what);
 }
 
-static bool same_vec3(vec3 a, vec3 b)
-{
-	return same_double(a.x, b.x) && same_double(a.y, b.y) && same_double(a.z, b.z);
-}
-
-static bool is_none(const struct sinumerik_frame *frame)
-{
-	const struct sinumerik_frame none = sinumerik_frame_none();
-	bool same = same_vec3(frame->matrix.x, none.matrix.x) && same_vec3(frame->matrix.y, none.matrix.y) &&
-		    same_vec3(frame->matrix.z, none.matrix.z);
-
-	for (size_t slot = 0; slot < sizeof(none.shift.v) / sizeof(none.shift.v[0]); slot++)
-		same = same && same_double(frame->shift.v[slot], none.shift.v[slot]);
-	return same;
-}
-
 /*
  * ST: 1 adds the plane to the one in force; the tens guide the tip; the hundreds set the tool up. Thousands and ten
  * thousands are for the masks of the editor; the hundred thousands say that DIR is an optimised direction, which
@@ -360,10 +395,6 @@ static bool check(const struct swivel *s, long status, long direction)
 		return refuse(s, "CYCLE800 while TRAORI is on; TRAFOOF first");
 	if (sinumerik->edge_unsure)
 		return refuse(s, "CYCLE800 needs the tool's edge: write D before it");
-	if (!is_none(&sinumerik->frame))
-		return refuse(
-		    s, "CYCLE800 while TRANS, ROT, SCALE or MIRROR is in force is not supported yet; give the shift "
-		       "in X0 Y0 Z0 or behind it");
 	if (status < 0 || status % 10 > 1)
 		return refuse(s, "the units of ST of CYCLE800 must be 0 (new) or 1 (added)");
 	if (status / 10 % 10)
@@ -405,12 +436,12 @@ bool sinumerik_swivel_run(struct interp *interp, int column)
 		return refuse(&s, "CYCLE800 while TOROT or TOFRAME is in force; TOROTOF first");
 	if (s.count == 0 || (s.count > TC && !strcmp(sinumerik->argument_texts[TC].bytes, "0") &&
 			     sinumerik->argument_is_text[TC]))
-		return lay_flat(&s);
+		return lay_flat(&s, false);
 	if (!whole(&s, FR, "FR", &way) || !whole(&s, ST, "ST", &status) || !whole(&s, MODE, "MODE", &mode) ||
 	    !whole(&s, DIR, "DIR", &direction) || !check(&s, status, direction) ||
 	    !find_plane(&s, mode, status % 10 == 1, &plane))
 		return false;
-	if (!lay_flat(&s) || !sinumerik_target_check_rotary_zero(interp, column) ||
+	if (!lay_flat(&s, true) || !sinumerik_target_check_rotary_zero(interp, column) ||
 	    !find_position(&s, &plane, direction, &rotary) || !retract(&s, way) ||
 	    (direction && !turn_axes(&s, &rotary)) || !look_at_tool(&s))
 		return false;

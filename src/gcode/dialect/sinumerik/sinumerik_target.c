@@ -112,6 +112,19 @@ static bool is_shifted(const struct interp *interp, const struct sinumerik_block
 	return false;
 }
 
+/* CYCLE800() may have deleted the programmable frame: does it move what the block names? */
+static bool unsure_frame_counts(const struct sinumerik *sinumerik, const struct sinumerik_block *block)
+{
+	if (!sinumerik->frame_unsure)
+		return false;
+	for (int slot = SLOT_A; slot < SLOT_COUNT; slot++) {
+		if (sinumerik_block_has(block, AXIS_LETTERS[slot]) &&
+		    !same_double(sinumerik->frame.shift.v[slot], 0))
+			return true;
+	}
+	return (block->letters & LINEAR_BITS) || !(block->letters & AXIS_BITS);
+}
+
 /* A work offset of the setup may be in force at power-on, by a parameter. */
 static bool check_system(const struct interp *interp, const struct sinumerik_block *block, int column)
 {
@@ -123,6 +136,10 @@ static bool check_system(const struct interp *interp, const struct sinumerik_blo
 		    "a parameter of the control (MD10602) decides whether frames and work offsets outlive TRAORI "
 		    "and TRAFOOF: select the work offset again, or say frames_outlive_traori=\"yes\" or \"no\" in "
 		    "the machine's <controller>");
+	if (unsure_frame_counts(sinumerik, block))
+		return fault(&interp->at, column,
+			     "CYCLE800() was called while TRANS, ROT, SCALE or MIRROR was in force, and whether it "
+			     "deletes them is not certain: write TRANS, or TRANS with its values, behind it");
 	if (sinumerik->work_selected || !is_shifted(interp, block))
 		return true;
 	return fault(
