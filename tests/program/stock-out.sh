@@ -22,6 +22,21 @@ findings -s smaller.xml m.xml again.nc
 printf '%s\n' "$head" 'G0 X-30 Y3 Z5.5' 'G0 X30' >beside.nc
 "$FIVECHECK" -q -s smaller.xml m.xml beside.nc | grep -E 'rapid-contact|stock  '
 
+echo '== turned to its side: the slot is open to -Y, where a cutter on a thin neck goes through it at rapid; not higher or turned on'
+cat >side.xml <<'XML'
+<setup version="1" units="mm">
+  <work_offset name="G54" X="0" Y="0" Z="-100"/>
+  <stock mesh="rest.stl" excess="1" location="0 5 20" rotation="90 0 0"/>
+  <tool number="1" length="100"><shank><section length="94" diameter="3"/></shank><cutter><section length="6" diameter="9"/></cutter></tool>
+</setup>
+XML
+printf '%s\n' "$head" 'G0 X-30 Y-6.7' 'G0 Z17' 'G0 X30' >side.nc
+findings -s side.xml m.xml side.nc
+sed 's/Z17/Z20/' side.nc >higher.nc
+"$FIVECHECK" -q -s side.xml m.xml higher.nc | grep -E 'rapid-contact|stock  '
+sed 's|location="0 5 20" rotation="90 0 0"|location="0 -5 20" rotation="90 0 180"|' side.xml >on.xml
+"$FIVECHECK" -q -s on.xml m.xml side.nc | grep -E 'rapid-contact|stock  '
+
 echo '== nothing to write'
 printf '%s\n' "$head" 'G0 X-30 Z5' 'G0 X30' >rapid.nc
 "$FIVECHECK" --stock-out=none.stl -s first.xml m.xml rapid.nc 2>&1 | grep note

@@ -149,6 +149,31 @@ G0 X-40
 NC
 done
 
+echo '== whether a finding is certain stands in every format'
+job 'box="40 30 10"'
+printf '%s\n' 'G21 G90 G94 G61 T1 M6' 'M3 S1000' 'G0 G43 H1 Z100' 'G0 X-30 Z7' 'G1 X10 F600' 'G0 X12' >p.nc
+sed 's|<stock|& excess="6"|' s.xml >doubtful.xml
+for format in text ndjson junit sarif github; do
+	echo "$format: $(for setup in s doubtful; do
+		"$FIVECHECK" -q -f $format -s $setup.xml m.xml p.nc
+	done | grep -o -e 'certain: they' -e 'possible: all' -e '"certain":[a-z]*' | tr '\n' ' ')"
+done
+echo '== kinds that fail, waivers, and the work offsets of two jobs'
+for kind in none collision warning rapid-contact; do
+	"$FIVECHECK" -q -a --fail-on=$kind -f ndjson=found -s s.xml m.xml p.nc
+	echo "$kind: exit status $?"
+done
+"$FIVECHECK" waive --reason='the spindle has power' --until=9999-12-31 found >waivers.xml
+"$FIVECHECK" -q -a --waivers=waivers.xml -s s.xml m.xml p.nc 2>&1 | grep -e found -e waived
+sed 's/X="0"/X="60"/' s.xml >aside.xml
+echo '<jobs version="1"><job name="a" machine="m.xml" setup="s.xml"><program file="p.nc"/></job>
+<job name="b" machine="m.xml" setup="aside.xml"><program file="p.nc"/></job></jobs>' >jobs.xml
+findings jobs.xml
+echo '== a program that is not followed to its end leaves no stock'
+printf '%s\n' 'G21 G90 G94 G61 T1 M6' 'o1 while [1]' 'G0 X-30' 'G0 X-31' 'o1 endwhile' >p.nc
+status fivecheck -q --max-blocks=99 --stock-out=rest.stl -s s.xml m.xml p.nc 2>&1 | grep -v '^ '
+ls rest.stl 2>&1 | grep -c '^rest'
+
 echo '== threads, shards, all findings: the same bytes'
 job 'box="40 30 10"'
 {

@@ -112,9 +112,18 @@ static void add_origin(struct strbuf *out, const struct finding *f)
 		strbuf_addf(out, ", no tool length");
 }
 
+/* Of a finding with the stock: does it hold for all that can be left? */
+static const char *certainty(const struct finding *f)
+{
+	return f->certain ? "certain: they meet in this block where no cutter has been"
+			  : "possible: all that they meet may have been cut, within the tolerances";
+}
+
 void text_sentence(struct strbuf *out, const struct finding *f)
 {
 	text_message(out, f);
+	if (f->with_stock)
+		strbuf_addf(out, "; %s", certainty(f));
 	if (f->kind != FINDING_LIMIT)
 		return;
 	strbuf_addf(out, "; commanded: ");
@@ -168,9 +177,7 @@ static void add_contact(struct strbuf *out, const struct finding *f)
 		strbuf_addf(out, " mm, required: more than %.10g mm\n", f->required);
 	}
 	if (f->with_stock)
-		strbuf_addf(out, "    stock    %s\n",
-			    f->certain ? "certain: they meet in this block where no cutter has been"
-				       : "possible: all that they meet may have been cut, within the tolerances");
+		strbuf_addf(out, "    stock    %s\n", certainty(f));
 	if (f->path_tolerance > 0) {
 		strbuf_addf(out, "    path     ");
 		format_units_add(out, f->clearance);

@@ -14,8 +14,8 @@
 void text_message(struct strbuf *out, const struct finding *finding);
 
 /*
- * Appends the message and, of a limit, what was commanded and with which offsets: for reports that have no lines below
- * the message.
+ * Appends the message and, of a limit, what was commanded and with which offsets, and of a finding with the stock
+ * whether it is certain: for reports that have no lines below the message.
  */
 void text_sentence(struct strbuf *out, const struct finding *finding);
 
