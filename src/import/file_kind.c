@@ -17,6 +17,7 @@ static const struct {
 	{"VcMachine", FILE_VERICUT_MACHINE},
 	{"robot", FILE_URDF},
 	{"VcProject", FILE_VERICUT_PROJECT},
+	{"MTConnectDevices", FILE_MTCONNECT},
 };
 
 static const char *skip_space(const char *at)
@@ -41,9 +42,14 @@ static const char *root_name(const char *text)
 static bool is_root(const char *text, const char *name)
 {
 	const char *root = root_name(text);
-	size_t length = strlen(name);
+	size_t length = strlen(name), prefix;
 
-	return root && !strncmp(root, name, length) && root[length] && strchr(" \t\r\n/>", root[length]);
+	if (!root)
+		return false;
+	/* The prefix of a name space. */
+	prefix = strcspn(root, ": \t\r\n/>");
+	root += root[prefix] == ':' ? prefix + 1 : 0;
+	return !strncmp(root, name, length) && root[length] && strchr(" \t\r\n/>", root[length]);
 }
 
 /* Sections that an ini file of such a machine has; one of them may be in a file that it includes. */
@@ -107,15 +113,12 @@ static const char *advice(const char *path, const char *text)
 		return "this is a solid of a CAD program and has no axes: export each body that moves as STL from it, "
 		       "with all axes at 0, and name the meshes in a machine file ('fivecheck init' writes one to "
 		       "begin with)";
-	if (is_root(text, "MTConnectDevices"))
-		return "this is a device description of MTConnect, which does not say which axis carries which: use "
-		       "'fivecheck init' with the axes and travels that it names";
 	if (!strncmp(text, "PK\003\004", 4))
 		return "this is a zip archive: unpack it; a .tools file of Fusion 360 has tools.json in it, which can "
 		       "be imported";
 	return "this is no file that can be imported: a machine or a project of VERICUT 7 (XML), an ini file, a "
-	       "machine of FreeCAD (.fcm) or URDF; a tool library of VERICUT or Fusion 360 (JSON), a table of tools "
-	       "(CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
+	       "machine of FreeCAD (.fcm), MTConnect or URDF; a tool library of VERICUT or Fusion 360 (JSON), a table "
+	       "of tools (CSV, tool.tbl) or a listing of offsets (G10); or a mesh (OBJ, PLY, 3MF, glTF)";
 }
 
 bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)

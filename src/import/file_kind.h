@@ -12,6 +12,7 @@ enum file_kind {
 	FILE_EMC_MACHINE,	/* an ini file of LinuxCNC (once EMC), with a section [KINS] */
 	FILE_FREECAD,	/* JSON of FreeCAD's CAM workbench */
 	FILE_URDF,	/* XML with the root robot */
+	FILE_MTCONNECT,	/* XML with the root MTConnectDevices */
 	FILE_MESH,	/* a format of mesh_file.h */
 	FILE_TOOLS	/* what machine/library/library_file.h reads */
 };

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""kinematics_truth.py urdf FILE.urdf MACHINE.xml | freecad FILE.fcm/TABLE/HEAD MACHINE.xml | MODULE NAME=VALUE,... MACHINE.xml
+"""kinematics_truth.py urdf FILE.urdf MACHINE.xml | freecad|mtconnect FILE/TABLE/HEAD MACHINE.xml | MODULE NAME=VALUE,... MACHINE.xml
 - compares an imported machine with its source.
 
 Nothing of fivecheck is used. A URDF tree is walked frame by frame; a kinematics module of LinuxCNC (xyzac-trt-kins,
-xyzbc-trt-kins, 5axiskins) is computed by its published formulas. The axes of a FreeCAD machine follow each other in the
-order of TABLE and HEAD, their letters from the base on. machine.xml is a product of motions in machine coordinates.
+xyzbc-trt-kins, 5axiskins) is computed by its published formulas. The axes of a machine of FreeCAD or MTConnect follow each
+other in the order of TABLE and HEAD, their letters from the base on. machine.xml is a product of motions in machine coordinates.
 Twenty points, or the point of the tool, must have the same place under fifty random axis positions, to 1e-6 mm.
 """
 
@@ -220,10 +220,41 @@ def compare_freecad(source, machine):
     return worst
 
 
+def mtconnect_pose(root, letters, values):
+    """Every Motion moves what it carries along or about its Axis; an Origin counts in the coordinate system."""
+    pose = identity()
+    for letter in letters:
+        part = [e for e in root.iter() if e.get("nativeName", e.get("name")) == letter and e.tag in ("Linear", "Rotary")][0]
+        axis = numbers(part.findtext("Configuration/Motion/Axis"))
+        at = numbers(part.findtext("Configuration/Motion/Origin") or "0 0 0")
+        length = math.sqrt(sum(v * v for v in axis))
+        if part.tag == "Linear":
+            pose = times(pose, shift([values[letter] * v / length for v in axis]))
+        else:
+            pose = times(pose, times(times(shift(at), turn(axis, values[letter])), shift([-v for v in at])))
+    return pose
+
+
+def compare_mtconnect(source, machine):
+    path, table, head = source.split("/")
+    with open(path, encoding="utf-8") as file:
+        root = ET.fromstring(file.read().replace("xmlns=", "was="))
+    worst = 0
+    for _ in range(50):
+        values = machine.random()
+        poses = {e.tag: times(m, frame(e)) for e, m in machine.poses(values)}
+        for tag, letters in (("workholding", table), ("spindle", head)):
+            want = mtconnect_pose(root, letters, values)
+            for _ in range(20):
+                p = [random.uniform(-500, 500) for _ in range(3)]
+                worst = max(worst, math.dist(apply(want, p), apply(poses[tag], p)))
+    return worst
+
+
 def main():
     random.seed(19)
     kind, source, machine = sys.argv[1], sys.argv[2], Machine(sys.argv[3])
-    compare = {"urdf": compare_urdf, "freecad": compare_freecad}.get(kind)
+    compare = {"urdf": compare_urdf, "freecad": compare_freecad, "mtconnect": compare_mtconnect}.get(kind)
     worst = compare(source, machine) if compare else compare_module(kind, source, machine)
     assert worst < 1e-6, worst
     print("the same places, to 1e-6 mm")

@@ -6,7 +6,6 @@ told() { # NAME - standard input is the file
 }
 printf 'any text of an old machine\n' | told old.mch
 printf 'any text\n' | told JOB.VCPROJECT
-printf '<MTConnectDevices xmlns="urn:mtconnect.org:MTConnectDevices:1.7"/>' | told device.xml
 printf '\377\376<\000V\000' | told wide.mch
 printf 'ISO-10303-21;\n' | told arm.STEP
 printf 'PK\003\004zip' | told library.tools

@@ -10,6 +10,7 @@
 #include "import/mesh_file.h"
 #include "import/mesh_helper.h"
 #include "import/ply_check.h"
+#include "import/mtconnect_machine.h"
 #include "import/urdf_machine.h"
 #include "import/vericut_machine.h"
 #include "import/vericut_project.h"
@@ -21,7 +22,16 @@
 
 static const struct srcloc nowhere;
 
-enum { KEY_MESHES = 256, KEY_SKIP_MISSING, KEY_NUMBER_TOOLS, KEY_DIALECT, KEY_UNITS, KEY_TABLE, KEY_HEAD, KEY_PICTURES };
+enum {
+	KEY_MESHES = 256,
+	KEY_SKIP_MISSING,
+	KEY_NUMBER_TOOLS,
+	KEY_DIALECT,
+	KEY_UNITS,
+	KEY_TABLE,
+	KEY_HEAD,
+	KEY_PICTURES
+};
 
 enum unit { UNIT_UNKNOWN = -1, UNIT_MM, UNIT_INCH };
 
@@ -66,10 +76,10 @@ static const struct subcommand subcommand = {
 	.name = "import",
 	.usage = "Usage: fivecheck import [OPTIONS] --output=FOLDER FILE\n"
 		 "Makes a machine file and its meshes from a machine of VERICUT 7 (.mch), the ini file\n"
-		 "of a control, a machine of FreeCAD (.fcm) or URDF; these, setups and a job file from a\n"
-		 "project of VERICUT 7 (.VcProject); a setup from a tool library of VERICUT (.tls) or\n"
-		 "Fusion 360 (.json), a table of tools (CSV, tool.tbl) or a listing of offsets (G10);\n"
-		 "or STL from another mesh.\n"
+		 "of a control, a machine of FreeCAD (.fcm), a device of MTConnect or URDF; these,\n"
+		 "setups and a job file from a project of VERICUT 7 (.VcProject); a setup from a tool\n"
+		 "library of VERICUT (.tls) or Fusion 360 (.json), a table of tools (CSV, tool.tbl) or\n"
+		 "a listing of offsets (G10); or STL from another mesh.\n"
 		 "Says what could not be taken over, and what has to be looked at.\n",
 	.examples = "fivecheck import --output=dmu50 DMU50.mch\n"
 		    "fivecheck --check-machine dmu50/machine.xml\n",
@@ -114,6 +124,8 @@ static bool read_machine(const struct request *request, enum file_kind kind, str
 		return emc_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_FREECAD:
 		return freecad_machine_read(machine, request->file, &request->options, request->diag);
+	case FILE_MTCONNECT:
+		return mtconnect_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_URDF:
 		return urdf_machine_read(machine, request->file, &request->options, request->diag);
 	case FILE_VERICUT_MACHINE:

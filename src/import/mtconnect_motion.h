@@ -1,0 +1,30 @@
+/* mtconnect_motion.h - the kinematic chain in a device description of MTConnect: its Motion elements. */
+#ifndef FIVECHECK_IMPORT_MTCONNECT_MOTION_H
+#define FIVECHECK_IMPORT_MTCONNECT_MOTION_H
+
+#include <stdbool.h>
+
+#include "geom/xform.h"
+#include "machine/xml/xml_reader.h"
+
+/* The element after `node` in the tree below `root`, in the order of the file; or NULL. */
+const xmlNode *mtconnect_next(const xmlNode *root, const xmlNode *node);
+
+/* The component that a Motion belongs to: Motion stands in its Configuration. */
+const xmlNode *mtconnect_component(const xmlNode *motion);
+
+/* The Motion of a component, or NULL. */
+const xmlNode *mtconnect_motion(const xmlNode *component);
+
+/* The Motion that carries this one; *parent is NULL: none does. False, reported: there is no such Motion. */
+bool mtconnect_parent(struct xml_reader *xml, const xmlNode *device, const xmlNode *motion, const xmlNode **parent);
+
+/*
+ * The line that a Motion moves along or about, in its coordinate system, mm. The standard does not say whether the
+ * Transformation of a Motion with a parent counts from the parent or from the coordinate system: where both differ in
+ * what matters (of a motion along a line its place does not), it is refused. location may be NULL. False: reported.
+ */
+bool mtconnect_line(struct xml_reader *xml, const xmlNode *device, const xmlNode *motion, vec3 *direction,
+		    vec3 *location);
+
+#endif
