@@ -68,11 +68,12 @@ static bool is_spindle(const xmlNode *component)
 /* The letter of X, X1 and the like; 0: it is none. */
 static char letter_of(const char *name)
 {
-	char letter = name ? (char)toupper((unsigned char)*name) : '\0';
+	char letter;
 
-	if (slot_of_letter(letter) < 0 || name[1 + strspn(name + 1, "0123456789")])
+	if (!name || !*name)
 		return 0;
-	return letter;
+	letter = (char)toupper((unsigned char)*name);
+	return slot_of_letter(letter) < 0 || name[1 + strspn(name + 1, "0123456789")] ? '\0' : letter;
 }
 
 static bool add_component(struct reading *r, const xmlNode *node, struct axis_letters *found)
