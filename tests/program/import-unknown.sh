@@ -5,6 +5,7 @@ told() { # NAME - standard input is the file
 	[ ! -e out ] || echo "a folder was written"
 }
 printf 'any text of an old machine\n' | told old.mch
+printf 'any text\nVersion: 6.2.1\n' | told versed.tls
 printf 'any text\n' | told JOB.VCPROJECT
 printf '\377\376<\000V\000' | told wide.mch
 printf 'ISO-10303-21;\n' | told arm.STEP
