@@ -44,10 +44,13 @@ void chain_init(struct chain *chain, const struct machine *machine, int fixed, i
 
 xform chain_pose(const struct chain *chain, const axis_values *q)
 {
-	xform pose = xform_identity();
+	xform pose;
 
-	for (size_t i = 0; i < chain->count; i++) {
-		xform motion = joint_motion(&chain->joints[i], q);
+	if (chain->count == 0)
+		return xform_identity();
+	pose = joint_motion(&chain->joints[0], q);
+	for (size_t i = 1; i < chain->count; i++) {
+		const xform motion = joint_motion(&chain->joints[i], q);
 
 		pose = xform_mul(&pose, &motion);
 	}

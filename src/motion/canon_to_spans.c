@@ -245,9 +245,7 @@ static bool set_legs(struct run *run)
 	}
 	if (path->kind == PATH_BOX && move->tcp && !swing_out(run, path))
 		return false;
-	span_init(&leg->span, &leg->path);
-	/* Under TCP the same position was computed a second time from the controller's position: keep the first. */
-	leg->span.q0 = converter->position;
+	span_init_from(&leg->span, &leg->path, &converter->position);
 	if (!span_is_flat(&leg->span, CURVED) && !is_countable(converter, move, path))
 		return false;
 	if (move->kind != CANON_RAPID)

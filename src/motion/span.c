@@ -9,8 +9,14 @@ static bool is_straight(const struct path *path)
 
 void span_init(struct span *whole, const struct path *path)
 {
-	*whole =
-	    (struct span){path_position(path, 0), path_position(path, 1), path_chord_error(path, 0, 1), path, 0, 1};
+	const axis_values start = path_position(path, 0);
+
+	span_init_from(whole, path, &start);
+}
+
+void span_init_from(struct span *whole, const struct path *path, const axis_values *start)
+{
+	*whole = (struct span){*start, path_position(path, 1), path_chord_error(path, 0, 1), path, 0, 1};
 }
 
 void span_halve(const struct span *span, struct span *first, struct span *second)

@@ -28,6 +28,9 @@ struct leg {
 /* The whole path as one span. */
 void span_init(struct span *whole, const struct path *path);
 
+/* The same where the position at its start is known: it is not computed again. */
+void span_init_from(struct span *whole, const struct path *path, const axis_values *start);
+
 /* The earlier and the later half; the chord errors of a curved path shrink to about a quarter. */
 void span_halve(const struct span *span, struct span *first, struct span *second);
 

@@ -26,13 +26,12 @@ void sinumerik_block_clear(struct sinumerik_block *block)
 
 int sinumerik_block_axis_column(const struct sinumerik_block *block)
 {
+	uint32_t left = block->letters & (AXIS_BITS | letter_bit('I') | letter_bit('J') | letter_bit('K'));
 	int least = 0;
 
-	for (const char *letter = AXIS_LETTERS "IJK"; *letter; letter++) {
-		const int column = block->column[*letter - 'A'];
-
-		if (sinumerik_block_has(block, *letter) && (!least || column < least))
-			least = column;
+	for (int index = 0; left; index++, left >>= 1) {
+		if ((left & 1) && (!least || block->column[index] < least))
+			least = block->column[index];
 	}
 	return least ? least : 1;
 }
