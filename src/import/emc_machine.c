@@ -7,6 +7,7 @@
 
 #include "base/axes.h"
 #include "base/decimal.h"
+#include "base/math/math_functions.h"
 #include "base/strbuf.h"
 #include "base/units.h"
 #include "import/axis_chains.h"
@@ -40,12 +41,15 @@ static bool fault(const struct reading *r, const char *what)
 /* ----------------------------------------------------------- kinematics */
 
 /* Where rotary axes are, and how what they carry turns for a positive value. */
+enum { ROTARY_MAX = 3 };
+
 struct rotary {
 	char letter;
 	vec3 direction;
 	const char *pins[3];	/* their sum, and the next row's, is the location; or NULL */
 	const char *more[3];
 	bool turned;	/* it turns the other way if the pin conventional-directions is set */
+	bool nutating;	/* the pin nut-angle tilts it from Z towards `direction` */
 };
 
 /*
@@ -53,34 +57,47 @@ struct rotary {
  * with a positive sense, as long as conventional-directions is not set. xyzab_tdr_kins has p = Rx(a) (Ry(b) q - dz) +
  * dz, so that B carries A, and both turn with a negative sense. The head of 5axiskins points to (sin b cos c, sin b
  * sin c, -cos b), that of maxkins to (sin b, 0, -cos b), or to (-sin b, 0, -cos b) with conventional-directions; its
- * table has p = Rz(c) q. Source: the sources of these modules of LinuxCNC.
+ * table has p = Rz(c) q. xyzacb_trsrn has p = Rx(a) t, and t = q + c0 - Rz(c) (c0 - b0 + R(b) b0): its table turns
+ * with a negative sense, its head with a positive one, about Z through c0 and about (0, sin nut-angle, cos nut-angle)
+ * through b0; xyzbca_trsrn has the same with X and Y exchanged. Source: the sources of these modules of LinuxCNC.
  */
 static const struct module {
 	const char *name;
+	const char *pins;	/* what the names of its pins begin with, if it is not its own name; or NULL */
 	const char *table, *head;	/* letters of the rotary axes, from the base on */
-	struct rotary rotary[2];
+	struct rotary rotary[ROTARY_MAX];
 	double pivot;	/* mm or inch: the default of pivot-length; 0: it has none */
 } modules[] = {
-	{"xyzac-trt-kins", "AC", "",
-	 {{'A', {1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, "y-offset", "z-offset"}, true},
-	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true}},
+	{"xyzac-trt-kins", NULL, "AC", "",
+	 {{'A', {1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, "y-offset", "z-offset"}, true, false},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true, false}},
 	 0},
-	{"xyzbc-trt-kins", "BC", "",
-	 {{'B', {0, 1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {"x-offset", NULL, "z-offset"}, true},
-	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true}},
+	{"xyzbc-trt-kins", NULL, "BC", "",
+	 {{'B', {0, 1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {"x-offset", NULL, "z-offset"}, true, false},
+	  {'C', {0, 0, 1}, {"x-rot-point", "y-rot-point", NULL}, {NULL, NULL, NULL}, true, false}},
 	 0},
-	{"5axiskins", "", "CB",
-	 {{'C', {0, 0, 1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false},
-	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, false}},
+	{"5axiskins", NULL, "", "CB",
+	 {{'C', {0, 0, 1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false, false},
+	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, false, false}},
 	 250},
-	{"xyzab_tdr_kins", "BA", "",
-	 {{'B', {0, -1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {NULL, NULL, NULL}, false},
-	  {'A', {-1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, NULL, "z-offset"}, false}},
+	{"xyzab_tdr_kins", NULL, "BA", "",
+	 {{'B', {0, -1, 0}, {"x-rot-point", NULL, "z-rot-point"}, {NULL, NULL, NULL}, false, false},
+	  {'A', {-1, 0, 0}, {NULL, "y-rot-point", "z-rot-point"}, {NULL, NULL, "z-offset"}, false, false}},
 	 0},
-	{"maxkins", "C", "B",
-	 {{'C', {0, 0, -1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false},
-	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, true}},
+	{"maxkins", NULL, "C", "B",
+	 {{'C', {0, 0, -1}, {NULL, NULL, NULL}, {NULL, NULL, NULL}, false, false},
+	  {'B', {0, -1, 0}, {NULL, NULL, "pivot-length"}, {NULL, NULL, NULL}, true, false}},
 	 0.666},
+	{"xyzacb_trsrn", "xyzacb_trsrn_kins", "A", "CB",
+	 {{'A', {-1, 0, 0}, {NULL, "y-rot-axis", "z-rot-axis"}, {NULL, NULL, NULL}, false, false},
+	  {'C', {0, 0, 1}, {"x-offset", "y-offset", NULL}, {NULL, "y-pivot", NULL}, false, false},
+	  {'B', {0, 1, 0}, {NULL, "y-pivot", "z-pivot"}, {NULL, NULL, NULL}, false, true}},
+	 0},
+	{"xyzbca_trsrn", "xyzbca_trsrn_kins", "B", "CA",
+	 {{'B', {0, -1, 0}, {"x-rot-axis", NULL, "z-rot-axis"}, {NULL, NULL, NULL}, false, false},
+	  {'C', {0, 0, 1}, {"x-offset", "y-offset", NULL}, {"x-pivot", NULL, NULL}, false, false},
+	  {'A', {1, 0, 0}, {"x-pivot", NULL, "z-pivot"}, {NULL, NULL, NULL}, false, true}},
+	 0},
 };
 
 static bool is_word(const char *text, size_t length, const char *word)
@@ -104,7 +121,7 @@ static bool find_module(const struct reading *r, const struct module **module)
 		return true;
 	diag_error(r->diag, place(r),
 		   "the kinematics '%.*s' are not known: those of the modules trivkins, gantrykins, xyzac-trt-kins, "
-		   "xyzbc-trt-kins, xyzab_tdr_kins, 5axiskins and maxkins are",
+		   "xyzbc-trt-kins, xyzab_tdr_kins, xyzacb_trsrn, xyzbca_trsrn, 5axiskins and maxkins are",
 		   (int)length, text);
 	return false;
 }
@@ -115,12 +132,12 @@ static bool read_pin(struct reading *r, const struct module *module, const char 
 	struct strbuf name = {0};
 	enum hal_found found;
 
-	strbuf_addf(&name, "%s.%s", module->name, pin);
+	strbuf_addf(&name, "%s.%s", module->pins ? module->pins : module->name, pin);
 	found = hal_values_find(&r->hal, strbuf_text(&name), bit, value);
 	if (found == HAL_SIGNAL)
 		diag_warning(r->diag, place(r),
 			     "%s is set while the machine runs: it is taken as %g; correct the %s of the axis",
-			     strbuf_text(&name), *value, bit ? "direction" : "location");
+			     strbuf_text(&name), *value, bit || !strcmp(pin, "nut-angle") ? "direction" : "location");
 	if (found == HAL_DEFAULT && r->hal.scripts)
 		diag_warning(r->diag, place(r),
 			     "%s is not set in the HAL files, but some are scripts (.tcl), which are not read: it is "
@@ -144,8 +161,14 @@ static bool add_pin(struct reading *r, const struct module *module, const char *
 /* The direction of a rotary axis of the module. False: reported. */
 static bool turn(struct reading *r, const struct module *module, const struct rotary *rotary, vec3 *direction)
 {
-	double conventional = 0;
+	double conventional = 0, tilt = 0;
 
+	if (rotary->nutating) {
+		if (!read_pin(r, module, "nut-angle", false, &tilt))
+			return false;
+		*direction = vec3_mad((vec3){0, 0, math_cos(radians(tilt))}, math_sin(radians(tilt)), rotary->direction);
+		return true;
+	}
 	if (rotary->turned && !read_pin(r, module, "conventional-directions", true, &conventional))
 		return false;
 	*direction = vec3_scale(fabs(conventional) > 0 ? -1 : 1, rotary->direction);
@@ -282,7 +305,7 @@ static bool make_axis(struct reading *r, const struct module *module, char lette
 	*axis = (struct axis_description){.slot = slot_of_letter(letter)};
 	axis->rotary = slot_is_rotary(axis->slot);
 	axis->direction = axis_chains_direction(axis->slot, carries_work);
-	for (int i = 0; module && i < 2; i++)
+	for (int i = 0; module && i < ROTARY_MAX; i++)
 		known = module->rotary[i].letter == letter ? &module->rotary[i] : known;
 	if (known) {
 		axis->has_location = true;

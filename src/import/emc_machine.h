@@ -10,10 +10,11 @@
 #include "import/import.h"
 
 /*
- * xyzac-trt-kins, xyzbc-trt-kins and 5axiskins tell where their rotary axes are, by parameters from HAL; the formulas
- * are those of the modules. Other kinematics tell nothing of the chain: then options->table names the axes that carry
- * the work, from the base on, and all others carry the tool in their order. An ini file names no body. What is not in
- * it is noted as a TODO. False: reported.
+ * xyzac-trt-kins, xyzbc-trt-kins, xyzab_tdr_kins, xyzacb_trsrn, xyzbca_trsrn, 5axiskins and maxkins tell where their
+ * rotary axes are, by parameters from HAL; the formulas are those of the modules. Other kinematics tell nothing of the
+ * chain: then options->table names the axes that carry the work, from the base on, and all others carry the tool:
+ * options->head, if it is given, says in which order. An ini file names no body. What is not in it is noted as a TODO.
+ * False: reported.
  */
 bool emc_machine_read(struct import_machine *machine, const char *path, const struct import_options *options,
 		      struct diag *diag);

@@ -123,11 +123,34 @@ def compare_urdf(path, machine):
     return worst
 
 
+def nutating_point(module, p, q):
+    """The trsrn modules: the table undoes a turn about X or Y; the head is Z through one point after a tilted turn."""
+    i = 1 if module == "xyzacb_trsrn" else 0
+    table, secondary = ("A", "B") if i else ("B", "A")
+    name = "xy"[i]
+    pivot = [0, 0, p["z-pivot"]]
+    pivot[i] = p[name + "-pivot"]
+    primary = [p["x-offset"] + pivot[0], p["y-offset"] + pivot[1], 0]
+    centre = [0, 0, p["z-rot-axis"]]
+    centre[i] = p[name + "-rot-axis"]
+    tilt = [0, 0, math.cos(math.radians(p["nut-angle"]))]
+    tilt[i] = math.sin(math.radians(p["nut-angle"]))
+
+    def about(point, axis, degrees):
+        return times(times(shift(point), turn(axis, degrees)), shift([-v for v in point]))
+
+    head = times(about(primary, (0, 0, 1), q["C"]), about(pivot, tilt, q[secondary]))
+    tip = [a + b for a, b in zip(apply(head, [0, 0, 0]), (q["X"], q["Y"], q["Z"]))]
+    return apply(about(centre, (1, 0, 0) if i else (0, 1, 0), q[table]), tip)
+
+
 def module_point(module, p, q):
     """The programmed point for joint positions, by the forward formulas of the modules."""
     def sc(letter):
         return math.sin(math.radians(q[letter])), math.cos(math.radians(q[letter]))
 
+    if module in ("xyzacb_trsrn", "xyzbca_trsrn"):
+        return nutating_point(module, p, q)
     if module == "xyzab_tdr_kins":
         (sa, ca), (sb, cb) = sc("A"), sc("B")
         x, y, z = q["X"] - p["x-rot-point"], q["Y"] - p["y-rot-point"], q["Z"] - p["z-rot-point"]
@@ -164,7 +187,8 @@ def module_point(module, p, q):
 
 def compare_module(module, parameters, machine):
     p = {"x-rot-point": 0, "y-rot-point": 0, "z-rot-point": 0, "x-offset": 0, "y-offset": 0, "z-offset": 0, "pivot-length": 250,
-         "conventional-directions": 0}
+         "conventional-directions": 0, "x-pivot": 0, "y-pivot": 0, "z-pivot": 0, "y-offset": 0, "nut-angle": 0,
+         "x-rot-axis": 0, "y-rot-axis": 0, "z-rot-axis": 0}
     for word in parameters.split(","):
         if word:
             p[word.split("=")[0]] = float(word.split("=")[1])

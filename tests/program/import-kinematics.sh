@@ -68,6 +68,16 @@ for con in 0 1; do
 done
 ini maxkins XYZBCU </dev/null >max.ini
 fivecheck import -o maxu max.ini 2>&1 | grep 'counts U'
+echo "nutating heads:"
+for kins in xyzacb-y xyzbca-x; do
+	name=${kins%-?}_trsrn
+	pins="${kins#*-}-pivot 31.5|z-pivot -120|x-offset 3|y-offset -7|${kins#*-}-rot-axis 50|z-rot-axis -800|nut-angle 48"
+	echo "$pins" | tr '|' '\n' | sed "s/^/setp ${name}_kins./" | ini $name XYZABC >$name.ini
+	fivecheck import -o $name $name.ini
+	python3 "$truth" $name "$(echo "$pins" | tr ' |' '=,')" $name/machine.xml
+done
+sed 's/setp xyzbca_trsrn_kins.nut-angle.*/net :tilt xyzbca_trsrn_kins.nut-angle <= gui.tilt/' xyzbca_trsrn.ini >signal.ini
+fivecheck import -o nutating signal.ini 2>&1 | grep warning:
 echo "what the file does not say is asked:"
 ini trivkins XYZA >triv.ini </dev/null
 fivecheck import -o triv triv.ini
