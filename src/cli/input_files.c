@@ -130,6 +130,22 @@ bool input_files_verify(const struct input_files *inputs, bool strict, struct di
 	return good;
 }
 
+static bool add_prerequisite(struct strbuf *text, const char *path, struct diag *diag)
+{
+	strbuf_addf(text, " \\\n ");
+	return depfile_add_name(text, path, false, diag);
+}
+
+static bool add_empty_rule(struct strbuf *text, const char *path, struct diag *diag)
+{
+	bool good;
+
+	strbuf_addf(text, "\n");
+	good = depfile_add_name(text, path, true, diag);
+	strbuf_addf(text, ":\n");
+	return good;
+}
+
 bool input_files_write_depfile(const struct input_files *inputs, const struct options *options, struct diag *diag)
 {
 	struct output out = {0};
@@ -149,17 +165,16 @@ bool input_files_write_depfile(const struct input_files *inputs, const struct op
 	if (options->timing)
 		good = depfile_add_name(&text, options->timing, true, diag) && good;
 	strbuf_addf(&text, ":");
-	for (size_t i = 0; i < inputs->count; i++) {
-		strbuf_addf(&text, " \\\n ");
-		good = depfile_add_name(&text, inputs->items[i].path, false, diag) && good;
-	}
+	if (options->job_file)
+		good = add_prerequisite(&text, options->job_file, diag) && good;
+	for (size_t i = 0; i < inputs->count; i++)
+		good = add_prerequisite(&text, inputs->items[i].path, diag) && good;
 	strbuf_addf(&text, "\n");
 	/* An empty rule for each input keeps make working after an unused mesh was deleted. */
-	for (size_t i = 0; i < inputs->count && good; i++) {
-		strbuf_addf(&text, "\n");
-		good = depfile_add_name(&text, inputs->items[i].path, true, diag);
-		strbuf_addf(&text, ":\n");
-	}
+	if (options->job_file)
+		good = good && add_empty_rule(&text, options->job_file, diag);
+	for (size_t i = 0; i < inputs->count && good; i++)
+		good = add_empty_rule(&text, inputs->items[i].path, diag);
 	good = good && output_open(&out, options->depfile, diag);
 	if (good) {
 		output_text(&out, &text);

@@ -178,13 +178,51 @@ static bool role_of(const struct vericut_component *component, enum body_role *r
 	return false;
 }
 
-static size_t count_stock(const struct import_setup *setup)
+/* The body of the stock; -1: there is none yet. */
+static int find_stock(const struct import_setup *setup)
 {
-	size_t count = 0;
-
 	for (size_t i = 0; i < setup->bodies.description.body_count; i++)
-		count += setup->bodies.description.bodies[i].role == ROLE_STOCK;
-	return count;
+		if (setup->bodies.description.bodies[i].role == ROLE_STOCK)
+			return (int)i;
+	return -1;
+}
+
+/* Do boxes around both meshes lie apart? Touching ones do not. */
+static bool are_apart(const struct mesh *a, const struct mesh *b)
+{
+	vec3 a_least, a_most, b_least, b_most;
+
+	mesh_bounds(a, &a_least, &a_most);
+	mesh_bounds(b, &b_least, &b_most);
+	return a_most.x < b_least.x || b_most.x < a_least.x || a_most.y < b_least.y || b_most.y < a_least.y ||
+	       a_most.z < b_least.z || b_most.z < a_least.z;
+}
+
+/*
+ * Adds another model to the mesh of the stock: a setup has one stock. Its solids must lie apart, as the union of solids
+ * that meet is no closed mesh. False: they do not.
+ */
+static bool join_stock(struct import_setup *setup, int stock, struct vericut_model *model)
+{
+	struct mesh *mesh = &setup->bodies.meshes[stock];
+	const xform inverse = xform_inverse(&setup->bodies.description.bodies[stock].frame);
+	const xform place = xform_mul(&inverse, &model->frame);
+
+	for (size_t i = 0; i < model->mesh.count; i++)
+		for (int k = 0; k < 3; k++) {
+			float *corner = model->mesh.triangles[i].v[k];
+			const vec3 moved = xform_apply(&place, mesh_corner(&model->mesh.triangles[i], k));
+
+			corner[0] = (float)moved.x;
+			corner[1] = (float)moved.y;
+			corner[2] = (float)moved.z;
+		}
+	if (!mesh->count || !model->mesh.count || !are_apart(mesh, &model->mesh))
+		return false;
+	mesh->triangles = mem_realloc(mesh->triangles, mesh->count + model->mesh.count, sizeof(*mesh->triangles));
+	memcpy(mesh->triangles + mesh->count, model->mesh.triangles, model->mesh.count * sizeof(*mesh->triangles));
+	mesh->count += model->mesh.count;
+	return true;
 }
 
 static bool read_body(struct reading *r, struct import_setup *setup, const struct vericut_component *component,
@@ -192,6 +230,7 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 {
 	struct vericut_model model;
 	enum body_role role;
+	int stock;
 
 	if (!role_of(component, &role)) {
 		xml_error(&r->xml, component->node, "Type",
@@ -200,13 +239,19 @@ static bool read_body(struct reading *r, struct import_setup *setup, const struc
 			  xml_quote(component->name).text, xml_quote(component->type).text);
 		return false;
 	}
-	if (role == ROLE_STOCK && count_stock(setup)) {
-		xml_error(&r->xml, node, NULL, "the stock has several models: save it as one STL");
-		return false;
-	}
+	stock = role == ROLE_STOCK ? find_stock(setup) : -1;
 	if (!vericut_model_read(&model, &r->xml, node, component, r->options, &setup->bodies.description.arena))
 		return false;
 	setup->bodies.left_out += model.left_out;
+	if (!model.left_out && stock >= 0) {
+		bool joined = join_stock(setup, stock, &model);
+
+		mesh_release(&model.mesh);
+		if (!joined)
+			xml_error(&r->xml, node, NULL,
+				  "the stock has several models, and they do not lie apart: save it as one STL");
+		return joined;
+	}
 	if (!model.left_out)
 		import_machine_add_body(&setup->bodies, model.name, component->name, 0, &model.frame, &model.mesh)
 			->role = role;

@@ -122,6 +122,18 @@ fivecheck import --meshes . --output job/moved job/job.VcProject 2>&1 | grep 'ar
 project '-220 -195 -474 0 45' >job/job.VcProject
 fivecheck import --meshes . --output job/turned job/job.VcProject 2>&1 | grep 'alone'
 grep -c '<work_offset' job/turned/setup.xml
+echo "several models of the stock, where they lie apart:"
+project '' | sed "/Name=.Stock./,/<.Component>/s|</Component>|$(file 'D:\\\\jobs\\\\blank.stl' '300 0 5' '0 0 90')&|" >job/several.VcProject
+fivecheck import --meshes . --output job/several job/several.VcProject 2>/dev/null
+python3 - job/several/stl-setup.1/*lank*.stl <<'PYTHON'
+import struct
+import sys
+data = open(sys.argv[-1], "rb").read()
+count = struct.unpack("<I", data[80:84])[0]
+corners = [struct.unpack("<3f", data[84 + 50 * i + 12 + 12 * k:][:12]) for i in range(count) for k in range(3)]
+for name, part in (("first", corners[:36]), ("second", corners[36:])):
+    print(name, *[f"{min(c[i] for c in part):.3f} to {max(c[i] for c in part):.3f}," for i in range(3)])
+PYTHON
 project_fault() { # SED-SCRIPT
 	project '0 0 0' | sed "$1" >job/bad.VcProject
 	"$FIVECHECK" import --meshes . --output bad job/bad.VcProject 2>&1 | grep error:

@@ -34,7 +34,7 @@ echo "a file for each job:"
 "$FIVECHECK" -q -f ndjson=out-%.ndjson --report=%.html --depfile=%.d jobs.xml
 grep -c '"kind"' out-op10.ndjson out-op20.ndjson
 ls -- *.html
-head -1 op20.d
+cat op20.d
 "$FIVECHECK" -q -f ndjson=all.ndjson jobs.xml
 status "$FIVECHECK" -q -o same one.xml
 echo "for make:"
