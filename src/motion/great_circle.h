@@ -1,4 +1,4 @@
-/* great_circle.h - the way of two rotary axes while the tool turns in the plane of two directions (ORIVECT). */
+/* great_circle.h - two rotary axes while the tool turns in the plane of two directions (ORIVECT, PATHCTRL VECTOR). */
 #ifndef FIVECHECK_MOTION_GREAT_CIRCLE_H
 #define FIVECHECK_MOTION_GREAT_CIRCLE_H
 

@@ -67,6 +67,9 @@ static const struct klartext_program lexis[] = {
 	 "rapid 1 0 0 0 0\n"},
 	{"CYCL DEF 247 DATUM SETTING Q339=1\nL X+1 FMAX\n",
 	 "rapid 1 0 0 0 0\n"},
+	/* Posts that write blanks behind a sign. */
+	{"L X + 10 Y- 5,5 IZ - 2 FMAX\nCYCL DEF 7.0\nCYCL DEF 7.1 X + 5\nL X+0 FMAX\n",
+	 "rapid 10 -5.5 -2 0 0\nrapid 5 -5.5 -2 0 0\n"},
 };
 
 /* Q parameters, FN 0 to 8 and 13, formulas. */
@@ -170,6 +173,11 @@ static const struct klartext_program flow[] = {
 	 "rapid 1 0 0 0 0\nrapid 2 0 0 0 0\nrapid 3 0 0 0 0\nrapid 4 0 0 0 0\n"},
 	{"FN 16: F-PRINT X.A / Y\nL X+1 FMAX\n",
 	 "rapid 1 0 0 0 0\n"},
+	{"QS1=\"A\"\nCALL LBL QS1\nM30\nLBL \"A\"\nL X+1 FMAX\nLBL 0\n",
+	 "rapid 1 0 0 0 0\n"},
+	{"FN 0: Q1 SET UNDEFINED\nFN 9: IF Q1 IS UNDEFINED GOTO LBL 1\nL X+1 FMAX\nLBL 1\nQ1=5\n"
+	 "FN 9: IF Q1 IS UNDEFINED GOTO LBL 2\nL X+2 FMAX\nLBL 2\nFN 9: IF Q1 IS DEFINED GOTO LBL 3\nL X+3 FMAX\nLBL 3\n",
+	 "rapid 2 0 0 0 0\n"},
 };
 
 START_TEST(lexis_table)

@@ -123,7 +123,7 @@ static const struct klartext_fault faults[] = {
 	{"FN 9: IF +1 EQU +1 LBL 9\n",
 	 "p.nc:2:20: error: FN 9 needs GOTO LBL here"},
 	{"Q1=0.1+0.2\nFN 9: IF +Q1 EQU +0.3 GOTO LBL 9\n",
-	 "p.nc:3:32: error: 0.3 and 0.3 differ by 5.6e-17 only: the control may find them equal"},
+	 "p.nc:3:10: error: 0.3 and 0.3 differ by 5.6e-17 only: the control may find them equal"},
 	{"CALL LBL 1 REP\n",
 	 "p.nc:2:15: error: a value is needed here"},
 	{"CALL LBL 1.5\n",
@@ -299,6 +299,25 @@ static const struct klartext_fault faults[] = {
 	 "LBL 4\nQ1=Q1+0.5\nCALL LBL 1 REP 2\nL X+1 FMAX\nLBL 3\nL X+1 FMAX\n",
 	 "p.nc:10:10: error: a jump has left this program section before its repeats were done: whether "
 	 "they are counted anew is not known here"},
+	/* Behind M118 a coordinate would pass for a limit of the handwheel. */
+	{"L X+10 F100 M118 X1 X+50\n",
+	 "p.nc:2:21: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
+	 "coordinates of the block belong before M118"},
+	{"L M118 X1 IY5\n",
+	 "p.nc:2:11: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
+	 "coordinates of the block belong before M118"},
+	{"L X+1 FMAX M118 X1 X2\n",
+	 "p.nc:2:20: error: behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 X1 Y1: "
+	 "coordinates of the block belong before M118"},
+	{"CALL LBL QS1\n",
+	 "p.nc:2:10: error: QS1 has no value that is known here"},
+	{"FN 9: IF Q1 IS UNDEFINED GOTO LBL 1\nLBL 1\n",
+	 "p.nc:2:10: error: Q1 has no value: the program has not assigned one, and what the control still holds from before is "
+	 "not known"},
+	{"Q1=5\nFN 9: IF Q1 IS GOTO LBL 1\nLBL 1\n",
+	 "p.nc:3:16: error: IS needs DEFINED or UNDEFINED"},
+	{"FN 0: Q1 SET 5\n",
+	 "p.nc:2:14: error: SET needs UNDEFINED"},
 };
 
 START_TEST(fault_table)

@@ -193,6 +193,16 @@ static const struct klartext_program planes[] = {
 	 "tcp off length 100 zero A0 C0\nrapid 1 5 100 0 90\nrapid 2 5 100 0 90\n"},
 	{"L M128 F1000\nL X+10 C+90 F500\nL M129\n",
 	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"},
+	/* In the plane of the two directions, in pieces of a third of the turn at most; an axis that stands goes at once. */
+	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR REFPNT TIP-TIP F1000\nL X+8 A+40 F500\nL X+9 A+40\n"
+	 "FUNCTION TCPM F CONT AXIS POS PATHCTRL AXIS FMAX\nL X+0 A+0\n",
+	 "tcp on length 0 zero A0 C0\n"
+	 "feed 2 0 0 10 0 tcp\n"
+	 "feed 4 0 0 20 0 tcp\n"
+	 "feed 6 0 0 30 0 tcp\n"
+	 "feed 8 0 0 40 0 tcp\n"
+	 "feed 9 0 0 40 0 tcp\n"
+	 "feed 0 0 0 0 0 tcp\n"},
 	{"FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+10 C+90 F500\nFUNCTION RESET TCPM\nL X+0 FMAX\n",
 	 "tcp on length 0 zero A0 C0\nfeed 10 0 0 0 90 tcp\ntcp off length 0 zero A0 C0\n"
 	 "rapid 0 10 0 0 90\n"},

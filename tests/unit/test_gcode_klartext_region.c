@@ -70,6 +70,23 @@ static const struct klartext_program regions[] = {
 	 "rapid X -39..59 Y -29..69 Z 102..200\n"
 	 "feed X -39..59 Y -29..69 Z 80..102\n"
 	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
+	/* A hexagon about a circle of 60: its corners lie on one of 69.28; on a circle of 60 they lie inside the blank. */
+	{START "CYCL DEF 258 STUD Q571=60 Q222=64 Q572=6 Q573=0" HEIGHTS,
+	 "tool 1\n"
+	 "rapid X -41.641..61.641 Y -31.641..71.641 Z 102..200\n"
+	 "feed X -41.641..61.641 Y -31.641..71.641 Z 80..102\n"
+	 "rapid X -41.641..61.641 Y -31.641..71.641 Z 102..150\n"},
+	{START "CYCL DEF 258 STUD Q571=60 Q222=64 Q572=6 Q573=1" HEIGHTS,
+	 "tool 1\n"
+	 "rapid X -39..59 Y -29..69 Z 102..200\n"
+	 "feed X -39..59 Y -29..69 Z 80..102\n"
+	 "rapid X -39..59 Y -29..69 Z 102..150\n"},
+	/* About an outside thread of 20, 3 radii, 2 mm, the pitch and the countersink aside. */
+	{START "CYCL DEF 267 THREAD Q335=20 Q239=1.5 Q358=-25 Q359=3" HEIGHTS,
+	 "tool 1\n"
+	 "rapid X -21.5..41.5 Y -11.5..51.5 Z 100.5..201.5\n"
+	 "feed X -21.5..41.5 Y -11.5..51.5 Z 73.5..103.5\n"
+	 "rapid X -21.5..41.5 Y -11.5..51.5 Z 100.5..151.5\n"},
 	/* A face of 40 by -20 from (0, 10) on, from 3 down to 1: beside it a diameter and 4 mm. */
 	{START "CYCL DEF 232 FACE MILLING Q225=0 Q226=10 Q227=3 Q386=1 Q218=40 Q219=-20 Q357=4" HEIGHTS,
 	 "tool 1\n"

@@ -118,12 +118,12 @@ static const struct cycle_row rows[] = {
     {254, USE_CALLED, NULL, NULL},
     {256, USE_CALLED, NULL, NULL},
     {257, USE_CALLED, NULL, NULL},
-    {258, USE_REFUSED, NULL, "polygon stud"},
+    {258, USE_CALLED, NULL, NULL},
     {262, USE_CALLED, NULL, NULL},
     {263, USE_CALLED, NULL, NULL},
     {264, USE_CALLED, NULL, NULL},
     {265, USE_CALLED, NULL, NULL},
-    {267, USE_REFUSED, NULL, "outside thread milling"},
+    {267, USE_CALLED, NULL, NULL},
 };
 
 /* A cycle of the machine's builder. */

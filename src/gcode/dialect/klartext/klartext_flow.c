@@ -6,6 +6,7 @@
 
 #include "base/same_double.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_formula.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
 #include "gcode/dialect/klartext/klartext_string.h"
 #include "gcode/dialect/klartext/klartext_value.h"
@@ -14,9 +15,6 @@
 /* Bytes of the key of a label: its source and its name. */
 #define KEY (KLARTEXT_NAME + 24)
 
-/* Numbers that differ by less than this share may be equal to the control. */
-#define SAME_NUMBER 1e-9
-
 enum { LABEL_FOUND, LABEL_TWICE };
 
 /* ------------------------------------------------------------------ labels */
@@ -24,13 +22,13 @@ enum { LABEL_FOUND, LABEL_TWICE };
 /* A label's name: digits or a text in quotes. Leading zeros of a number do not count. */
 static bool read_label(struct lexer *lexer, char name[KLARTEXT_NAME])
 {
-	int column = klartext_column(lexer), number;
 	char byte = lexer_peek(lexer);
+	int number;
 
 	if (byte == '"' || byte == '\'')
 		return klartext_name(lexer, "a label's name", name, KLARTEXT_NAME);
-	if (klartext_take(lexer, "QS"))
-		return fault(lexer->at, column, "a label by a string (QS) is not supported yet");
+	if (klartext_string_follows(lexer))
+		return klartext_string_name(lexer, "a label's name", name);
 	if (!klartext_value_follows(lexer))
 		return klartext_name(lexer, "a label", name, KLARTEXT_NAME);
 	if (!klartext_integer(lexer, "a label", 0, 65535, &number))
@@ -402,32 +400,19 @@ static void leave_sections(struct klartext *klartext, const struct position *to)
 
 bool klartext_flow_jump(struct lexer *lexer, int number)
 {
-	static const char *const names[] = {"EQU", "NE", "GT", "LT"};
 	struct interp *interp = lexer->context;
 	char name[KLARTEXT_NAME];
-	double a, b;
 	bool holds;
 	int column;
 	const struct label *label;
 
-	if (!klartext_take(lexer, "IF"))
-		return fault(lexer->at, klartext_column(lexer), "FN %d needs IF here", number);
-	if (!klartext_value(lexer, &a))
-		return false;
-	if (!klartext_take(lexer, names[number - 9]))
-		return fault(lexer->at, klartext_column(lexer), "FN %d compares by %s", number, names[number - 9]);
-	if (!klartext_value(lexer, &b))
+	if (!klartext_formula_condition(lexer, number, &holds))
 		return false;
 	if (!klartext_take(lexer, "GOTO") || !klartext_take(lexer, "LBL"))
 		return fault(lexer->at, klartext_column(lexer), "FN %d needs GOTO LBL here", number);
 	column = klartext_column(lexer);
 	if (!read_label(lexer, name) || !klartext_expect_end(lexer))
 		return false;
-	/* The control rounds in a way of its own: so near it might find them equal, or not. */
-	if (!same_double(a, b) && fabs(a - b) < SAME_NUMBER * fmax(1, fmax(fabs(a), fabs(b))))
-		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal",
-			     a, b, a - b);
-	holds = number == 9 ? same_double(a, b) : number == 10 ? !same_double(a, b) : number == 11 ? a > b : a < b;
 	if (!holds)
 		return true;
 	label = find_label(interp, name, column);

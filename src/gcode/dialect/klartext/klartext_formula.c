@@ -12,6 +12,8 @@
 
 /* Brackets inside each other. */
 #define DEPTH_MAX 64
+/* Numbers that differ by less than this share may be equal to the control. */
+#define SAME_NUMBER 1e-9
 
 /* --------------------------------------------------------------- formulas */
 
@@ -175,6 +177,68 @@ bool klartext_formula_assign(struct lexer *lexer)
 	return expr_sum(&expr, &value) && klartext_expect_end(lexer) && assign(lexer, q, number, column, value.number);
 }
 
+/* ---------------------------------------------------------- FN 9 to FN 12 */
+
+/* Is this "Q5 IS", of FN 9: IF Q5 IS UNDEFINED? Takes nothing. */
+static bool asks_definition(const struct lexer *before)
+{
+	struct lexer lexer = *before;
+
+	if (klartext_upper(lexer_peek(&lexer)) != 'Q')
+		return false;
+	lexer_take(&lexer);
+	while (klartext_upper(lexer_peek(&lexer)) == 'L' || klartext_upper(lexer_peek(&lexer)) == 'R')
+		lexer_take(&lexer);
+	while (lexer_peek(&lexer) >= '0' && lexer_peek(&lexer) <= '9')
+		lexer_take(&lexer);
+	return klartext_take(&lexer, "IS");
+}
+
+/* What the program has not set is known after SET UNDEFINED alone: others may have a value from before. */
+static bool read_definition(struct lexer *lexer, bool *holds)
+{
+	struct lexer value = *lexer;
+	const struct klartext_q *q;
+	bool undefined;
+	double unused;
+	int number;
+
+	q = klartext_q_find(lexer, &number);
+	if (!q || (!q->given && !q->undefined && !klartext_q_read(&value, &unused)))
+		return false;
+	klartext_take(lexer, "IS");
+	undefined = klartext_take(lexer, "UNDEFINED");
+	if (!undefined && !klartext_take(lexer, "DEFINED"))
+		return fault(lexer->at, klartext_column(lexer), "IS needs DEFINED or UNDEFINED");
+	*holds = undefined == q->undefined;
+	return true;
+}
+
+bool klartext_formula_condition(struct lexer *lexer, int number, bool *holds)
+{
+	static const char *const names[] = {"EQU", "NE", "GT", "LT"};
+	int column = klartext_column(lexer);
+	double a, b;
+
+	if (!klartext_take(lexer, "IF"))
+		return fault(lexer->at, column, "FN %d needs IF here", number);
+	column = klartext_column(lexer);
+	if (number == 9 && asks_definition(lexer))
+		return read_definition(lexer, holds);
+	if (!klartext_value(lexer, &a))
+		return false;
+	if (!klartext_take(lexer, names[number - 9]))
+		return fault(lexer->at, klartext_column(lexer), "FN %d compares by %s", number, names[number - 9]);
+	if (!klartext_value(lexer, &b))
+		return false;
+	/* The control rounds in a way of its own: so near it might find them equal, or not. */
+	if (!same_double(a, b) && fabs(a - b) < SAME_NUMBER * fmax(1, fmax(fabs(a), fabs(b))))
+		return fault(lexer->at, column, "%.15g and %.15g differ by %.2g only: the control may find them equal",
+			     a, b, a - b);
+	*holds = number == 9 ? same_double(a, b) : number == 10 ? !same_double(a, b) : number == 11 ? a > b : a < b;
+	return true;
+}
+
 /* ---------------------------------------------------------- FN 0 to FN 13 */
 
 /* The operator between the two values of a function; "DIV" is written out, LEN and ANG are words. */
@@ -238,6 +302,12 @@ bool klartext_formula_function(struct lexer *lexer, int number)
 	q = klartext_q_find(lexer, &index);
 	if (!q)
 		return false;
+	if (number == 0 && klartext_take(lexer, "SET")) {
+		if (!klartext_take(lexer, "UNDEFINED"))
+			return fault(lexer->at, klartext_column(lexer), "SET needs UNDEFINED");
+		*q = (struct klartext_q){.undefined = true};
+		return klartext_expect_end(lexer);
+	}
 	if (lexer_peek(lexer) != '=')
 		return fault(lexer->at, lexer_column(lexer), "'=' is needed here");
 	lexer_take(lexer);

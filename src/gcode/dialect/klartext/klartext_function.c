@@ -79,6 +79,17 @@ static bool switch_tcpm(struct interp *interp, bool on, int column)
 	return klartext_frame_check_preset(interp, column) && tool_length_switch_tcp(interp, column, TCP_BY_MCODE);
 }
 
+/* Behind F: TCP or CONT; MAX or a value limits the feed of compensating moves alone. */
+static bool read_tcpm_feed(struct lexer *lexer, int column)
+{
+	double unused;
+
+	if (klartext_value_follows(lexer))
+		return klartext_value(lexer, &unused);
+	return klartext_take(lexer, "TCP") || klartext_take(lexer, "CONT") || klartext_take(lexer, "MAX") ||
+	       fault(lexer->at, column, "F of TCPM is TCP, CONT, MAX or a feed rate");
+}
+
 /*
  * "FUNCTION TCPM": F TCP or F CONT is what the feed counts; AXIS POS: rotary words are positions of the axes, AXIS
  * SPAT: spatial angles; PATHCTRL AXIS: the axes go linearly, PATHCTRL VECTOR: the tool in the plane between its
@@ -88,24 +99,25 @@ static bool read_tcpm(struct lexer *lexer)
 {
 	struct interp *interp = lexer->context;
 	int column = klartext_column(lexer);
-	bool positions = false, linear = false, spatial = false;
+	bool positions = false, path = false, spatial = false, vector = false;
 
 	while (!klartext_ends(lexer)) {
 		int word = klartext_column(lexer);
 
+		if (klartext_take(lexer, "FMAX"))
+			continue;
 		if (klartext_take(lexer, "F")) {
-			if (!klartext_take(lexer, "TCP") && !klartext_take(lexer, "CONT"))
-				return fault(lexer->at, word, "F of TCPM is TCP or CONT");
+			if (!read_tcpm_feed(lexer, word))
+				return false;
 		} else if (klartext_take(lexer, "AXIS")) {
 			spatial = klartext_take(lexer, "SPAT");
 			positions = spatial || klartext_take(lexer, "POS");
 			if (!positions)
 				return fault(lexer->at, word, "AXIS of TCPM is POS or SPAT");
 		} else if (klartext_take(lexer, "PATHCTRL")) {
-			if (klartext_take(lexer, "VECTOR"))
-				return fault(lexer->at, word, "PATHCTRL VECTOR is not supported yet");
-			linear = klartext_take(lexer, "AXIS");
-			if (!linear)
+			vector = klartext_take(lexer, "VECTOR");
+			path = vector || klartext_take(lexer, "AXIS");
+			if (!path)
 				return fault(lexer->at, word, "PATHCTRL of TCPM is AXIS or VECTOR");
 		} else if (klartext_take(lexer, "REFPNT")) {
 			if (!klartext_take(lexer, "TIP-TIP"))
@@ -114,11 +126,12 @@ static bool read_tcpm(struct lexer *lexer)
 			return fault(lexer->at, word, "this is no word of FUNCTION TCPM");
 		}
 	}
-	if (!positions || !linear)
-		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS or SPAT, and PATHCTRL AXIS");
+	if (!positions || !path)
+		return fault(lexer->at, column, "FUNCTION TCPM needs AXIS POS or SPAT, and PATHCTRL AXIS or VECTOR");
 	if (!switch_tcpm(interp, true, column))
 		return false;
 	klartext_of(interp)->spatial = spatial;
+	klartext_of(interp)->by_vector = vector;
 	memset(klartext_of(interp)->spatial_given, 0, sizeof(klartext_of(interp)->spatial_given));
 	return true;
 }

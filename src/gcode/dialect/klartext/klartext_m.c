@@ -148,7 +148,7 @@ static bool start_tcp(struct interp *interp, const struct klartext_m *m)
 {
 	struct klartext *klartext = klartext_of(interp);
 
-	klartext->spatial = false;
+	klartext->spatial = klartext->by_vector = false;
 	if (interp->state.tcp == TCP_BY_MCODE)
 		return true;
 	if (klartext->corner.waits)

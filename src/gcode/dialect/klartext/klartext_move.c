@@ -248,6 +248,11 @@ bool klartext_move_line(struct interp *interp, const struct klartext_target *tar
 	return go(interp, target, &move);
 }
 
+bool klartext_move_turning(struct interp *interp, const struct klartext_target *target, struct canon_move *move)
+{
+	return go(interp, target, move);
+}
+
 bool klartext_move_within(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
 {
 	const vec3 factor = klartext_of(interp)->frame.scale;

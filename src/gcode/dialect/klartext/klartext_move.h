@@ -43,6 +43,9 @@ bool klartext_move_end_tcp(struct interp *interp, int column);
 bool klartext_move_line(struct interp *interp, const struct klartext_target *target, bool rapid,
 			const struct canon_feed *feed);
 
+/* The same with a move of its own, whose rotary axes may be beside their straight way (canon_move.turn_spread). */
+bool klartext_move_turning(struct interp *interp, const struct klartext_target *target, struct canon_move *move);
+
 /* The same of a path that is open: anywhere in the box about the straight line. */
 bool klartext_move_within(struct interp *interp, const struct klartext_target *target,
 			  const struct klartext_path *path);

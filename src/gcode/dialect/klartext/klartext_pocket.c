@@ -13,7 +13,7 @@
 
 /* ------------------------------------------------------------------ pockets */
 
-/* The length of a parameter that says how large something is: the region of a negative one would shrink to its centre. */
+/* The length of a parameter that is a size: the region of a negative one would shrink to its centre. */
 static bool find_size(const struct klartext_call_of *call, int q, double *value)
 {
 	double length;
@@ -240,6 +240,43 @@ static bool circular_stud(const struct klartext_call_of *call, struct klartext_r
 }
 
 /*
+ * "POLYGON STUD (Cycle 258)": Q572 corners, on a circle of Q571, or with Q573=0 about it; of a blank Q222.
+ */
+static bool polygon_stud(const struct klartext_call_of *call, struct klartext_region *region)
+{
+	const double about = klartext_parameter_or(call, 573, 0);
+	double diameter, blank, corners, radius;
+
+	if (!find_size(call, 571, &diameter) || !find_size(call, 222, &blank) ||
+	    !klartext_parameter_need(call, 572, &corners) || !need_radius(call, &radius))
+		return false;
+	if (!(corners >= 3 && corners <= 30) || !same_double(floor(corners), corners))
+		return fault(&call->interp->at, call->column, "Q572 of CYCL DEF 258 is a whole number from 3 to 30");
+	if (same_double(about, 0))
+		diameter /= math_cos_degrees(180 / corners);
+	else if (!same_double(about, 1))
+		return fault(&call->interp->at, call->column, "Q573 of CYCL DEF 258 is 0 or 1");
+	region->half[0] = region->half[1] = fmax(diameter, blank) / 2 + beside_stud(call, radius);
+	return true;
+}
+
+/* "OUTSIDE THREAD MILLING (Cycle 267)": Q335 and the pitch Q239; Q358 and Q359 countersink at the front. */
+static bool outside_thread(const struct klartext_call_of *call, struct klartext_region *region)
+{
+	double diameter, pitch, radius;
+
+	if (!find_size(call, 335, &diameter) || !klartext_parameter_length(call, 239, &pitch) ||
+	    !need_radius(call, &radius))
+		return false;
+	region->half[0] = region->half[1] = diameter / 2 + beside_stud(call, radius) + fabs(pitch) +
+					    fabs(klartext_parameter_length_or(call, 359, 0));
+	region->beyond = fabs(pitch);
+	region->bottom = fmin(region->bottom, klartext_parameter_length_or(call, 203, 0) +
+						  klartext_parameter_length_or(call, 358, 0));
+	return true;
+}
+
+/*
  * "MULTIPASS MILLING (Cycle 230)" from Q227 down on the surface itself, "FACE MILLING (Cycle 232)" and (233) from Q227
  * down to Q386: a rectangle Q218 by Q219 from Q225, Q226 on, and beside it the tool with its clearance Q357.
  */
@@ -282,9 +319,10 @@ static const struct {
     {233, 207, false, face},	       {251, 207, true, rectangular_pocket},
     {252, 207, true, circular_pocket}, {253, 207, true, slot},
     {254, 207, true, circular_slot},   {256, 207, true, rectangular_stud},
-    {257, 207, true, circular_stud},   {262, 207, true, thread},
-    {263, 207, true, deep_thread},     {264, 207, true, deep_thread},
-    {265, 207, true, deep_thread},
+    {257, 207, true, circular_stud},   {258, 207, true, polygon_stud},
+    {262, 207, true, thread},	       {263, 207, true, deep_thread},
+    {264, 207, true, deep_thread},     {265, 207, true, deep_thread},
+    {267, 207, true, outside_thread},
 };
 
 bool klartext_pocket_is(int number)

@@ -30,6 +30,7 @@ struct klartext_q {
 	double value;
 	bool given; /* by this program, or by the control */
 	bool read; /* from the control, by FN 18 or FN 28: it has a value, which is not known here */
+	bool undefined; /* by SET UNDEFINED */
 };
 
 /* QS<number>. */
@@ -211,6 +212,7 @@ struct klartext {
 	bool open_crossing; /* M97 was in the last path block under radius compensation */
 	bool shortest; /* M126 */
 	bool spatial; /* TCPM with AXIS SPAT: A, B and C are spatial angles */
+	bool by_vector; /* TCPM with PATHCTRL VECTOR: the tool turns in the plane of its directions */
 	bool spatial_given[3];
 	double spatial_angle[3]; /* degrees */
 	bool cautioned_wrap, cautioned_teeth, preset_settled;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gcode/dialect/klartext/klartext_approach.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
@@ -9,6 +10,7 @@
 #include "gcode/dialect/klartext/klartext_m.h"
 #include "gcode/dialect/klartext/klartext_orient.h"
 #include "gcode/dialect/klartext/klartext_path.h"
+#include "gcode/dialect/klartext/klartext_vector.h"
 #include "gcode/execute/endpoint.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/tool_length.h"
@@ -111,6 +113,26 @@ static bool check_waiting(struct interp *interp, const struct klartext_words *wo
 	    "supported");
 }
 
+/* PATHCTRL VECTOR. */
+static bool turn_by_vector(struct interp *interp, const struct klartext_words *words,
+			   const struct klartext_target *target, const struct klartext_path *path)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	if (klartext_comp_is_selected(interp) || words->comp == KLARTEXT_RL || words->comp == KLARTEXT_RR)
+		return fault(&interp->at, words->first_column,
+			     "radius compensation with PATHCTRL VECTOR is not supported; post the path of the tool's "
+			     "centre with R0");
+	if (!klartext_corner_check_none(interp) || !klartext_approach_check_none(interp) ||
+	    !klartext_comp_check_known(interp, words->first_column, "PATHCTRL VECTOR"))
+		return false;
+	klartext->last = *path;
+	if (!klartext_vector_go(interp, words->first_column, target, path->rapid, &path->feed))
+		return false;
+	klartext_comp_settle(interp, words);
+	return true;
+}
+
 static bool make_path(struct interp *interp, const struct klartext_words *words, bool rapid,
 		      const struct canon_feed *feed)
 {
@@ -125,6 +147,8 @@ static bool make_path(struct interp *interp, const struct klartext_words *words,
 	    !klartext_move_check(interp, &target, words->first_column))
 		return false;
 	path.known = !target.turns;
+	if (target.turns && klartext_of(interp)->by_vector && interp->state.tcp == TCP_BY_MCODE)
+		return turn_by_vector(interp, words, &target, &path);
 	path.start = klartext_frame_point(interp);
 	path.end = target.point;
 	return klartext_path_make(interp, words, &target, &path) && settle_plane(interp, &target, words->first_column);

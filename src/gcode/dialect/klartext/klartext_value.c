@@ -131,6 +131,19 @@ bool klartext_q_read(struct lexer *lexer, double *value)
 
 /* ------------------------------------------------------------------ values */
 
+/* "X + 10", as some posts write it: the digits behind the blanks of a sign, or 0. */
+static size_t behind_sign(struct lexer *lexer)
+{
+	const char byte = lexer_peek(lexer), *text = lexer->at->text;
+	size_t position = lexer->position + 1;
+
+	if (byte != '+' && byte != '-')
+		return 0;
+	while (text[position] == ' ' || text[position] == '\t')
+		position++;
+	return position > lexer->position + 1 && text[position] >= '0' && text[position] <= '9' ? position : 0;
+}
+
 bool klartext_value_follows(struct lexer *lexer)
 {
 	char byte = lexer_peek(lexer);
@@ -140,14 +153,22 @@ bool klartext_value_follows(struct lexer *lexer)
 		byte = *++text;
 	if (klartext_upper(byte) == 'Q')
 		return (text[1] >= '0' && text[1] <= '9') || strchr("LlRr", text[1] ? text[1] : ' ');
-	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ',';
+	return (byte >= '0' && byte <= '9') || byte == '.' || byte == ',' || behind_sign(lexer);
 }
 
 bool klartext_value(struct lexer *lexer, double *value)
 {
 	char byte = lexer_peek(lexer);
+	const size_t digits = behind_sign(lexer);
 	bool negative = byte == '-';
 
+	if (digits) {
+		lexer->position = digits;
+		if (!klartext_value(lexer, value))
+			return false;
+		*value = negative ? -*value : *value;
+		return true;
+	}
 	switch (number_read_with_comma(lexer->at->text, &lexer->position, value)) {
 	case NUMBER_OK:
 		return true;

@@ -315,13 +315,40 @@ static bool read_long(struct lexer *lexer, struct klartext_words *words, int col
 	return fault(lexer->at, column, "this is no word of a positioning block");
 }
 
-/* X, Y and Z behind M118, how far the handwheel may go, and T behind M124: they belong to these. */
-static bool belongs_to_m(struct lexer *lexer, const struct klartext_words *words)
+static int last_m(const struct klartext_words *words)
 {
-	const int last = words->m_count ? words->m[words->m_count - 1].number : 0;
+	return words->m_count ? words->m[words->m_count - 1].number : 0;
+}
+
+/* Axis letters behind M118 say how far the handwheel may move; those of the block stand before it. */
+static bool is_handwheel(struct lexer *lexer, const struct klartext_words *words)
+{
 	const char byte = next_byte(lexer);
 
-	return byte && ((last == 118 && strchr("XYZABC", byte)) || (last == 124 && byte == 'T'));
+	return last_m(words) == 118 && byte && strchr("IXYZABCUVW", byte);
+}
+
+static bool read_handwheel(struct lexer *lexer, struct klartext_words *words, int column)
+{
+	const int slot = slot_of_letter(next_byte(lexer));
+	double unused;
+
+	if (slot >= 0)
+		lexer_take(lexer);
+	if (slot < 0 || words->handwheel & 1U << slot || lexer_peek(lexer) == '+' || lexer_peek(lexer) == '-')
+		return fault(lexer->at, column,
+			     "behind M118 stand the limits of the handwheel, each once and without a sign, as in M118 "
+			     "X1 Y1: coordinates of the block belong before M118");
+	words->handwheel |= 1U << slot;
+	return klartext_value(lexer, &unused);
+}
+
+/* T behind M112 and M124, which are refused or left out: it belongs to them. */
+static bool belongs_to_m(struct lexer *lexer, const struct klartext_words *words)
+{
+	const int last = last_m(words);
+
+	return (last == 112 || last == 124) && next_byte(lexer) == 'T';
 }
 
 static bool read_word(struct lexer *lexer, struct klartext_words *words)
@@ -331,6 +358,8 @@ static bool read_word(struct lexer *lexer, struct klartext_words *words)
 	bool increment = byte == 'I';
 	double unused;
 
+	if (is_handwheel(lexer, words))
+		return read_handwheel(lexer, words, column);
 	if (belongs_to_m(lexer, words)) {
 		lexer_take(lexer);
 		return klartext_value(lexer, &unused);

@@ -47,6 +47,7 @@ struct klartext_words {
 	double normal[3], tool[3];
 	struct klartext_m m[KLARTEXT_M_MAX];
 	int m_count;
+	unsigned handwheel; /* bits 1 << slot: a limit behind M118 */
 	bool has_length, has_centre_angle; /* LEN and CCA of APPR and DEP */
 	double length, centre_angle;
 	int first_column; /* of the first word */
