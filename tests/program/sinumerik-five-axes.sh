@@ -89,6 +89,16 @@ for name,rot in fam.items():
         zero=[[11,-7,380][i]+gauge[i] for i in range(3)]
         along=300-sum((t0[i]-zero[i])*dd[i] for i in range(3))
         wt=max([wt]+[abs(t1[i]-t0[i]-25*dd[i]) for i in range(3)]+[abs(t2[i]-t0[i]-along*dd[i]) for i in range(3)]+[abs(t3[i]-t0[i]) for i in range(3)])
+    # Angles A2= B2= C2= of the tool's direction.
+    x,y,z=[1,0,0],[0,1,0],[0,0,1]
+    for word,order in ('ORIEULER',((z,'A'),(x,'B'),(z,'C'))),('ORIRPY',((z,'C'),(y,'B'),(x,'A'))),('ORIRPY2',((x,'A'),(y,'B'),(z,'C'))):
+        for i in range(2):
+            a={k:round(random.uniform(-40,40),3) for k in 'ABC'}
+            d,e=run(xml(name,rot),'T1 D1 M6\nG54 G17 G71 G90\nTRAORI ORIAXES %s\nG0 X1 Y2 Z3 %s1 C1\nG0 %s\nM30\n'%(word,[r[0] for r in rot if r[0]!='C'][0],' '.join('%s2=%g'%kv for kv in a.items())))
+            M=[[1,0,0],[0,1,0],[0,0,1]]
+            for axis,k in order: M=mul(M,R(axis,math.radians(a[k])))
+            if 5 not in d: bad+=1; last=e; continue
+            _,dd=tip(d[5],rot); wd=max(wd,max(abs(dd[i]-ap(M,z)[i]) for i in range(3)))
     w=max(w,wt)
     good = w < 1e-6 and wc < 1e-6 and wd < 1e-9 and bad == 0
     print(name + (': as computed' if good else ': TRAORI %g mm, CYCLE800 %g mm, %g, %d refused' % (w, wc, wd, bad)))

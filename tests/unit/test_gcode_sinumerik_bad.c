@@ -93,7 +93,7 @@ static const struct refused_program programs[] = {
 	{"X1.2.3\n", 1, 5,
 	 "unexpected '.'"},
 	{"X1EX3\n", 1, 1,
-	 "numbers with an exponent (EX) are not supported yet"},
+	 "a number with an exponent (EX) needs '=' before it"},
 	{"X=\n", 1, 3,
 	 "a value is needed here"},
 	{"X=1+\n", 1, 5,

@@ -13,6 +13,10 @@ static const struct program {
 	/* "High speed settings (CYCLE832)" */
 	{"G500 F6 CYCLE832(0.01,_ORI_FINISH,0.8)\nX1\nCYCLE832(0.02,_ROUGH,1)\nX2\nCYCLE832(0.03)\nX3\n",
 	 "feed 1 0 0 0 0 blend 0.01 turn 0.8\nfeed 2 0 0 0 0 blend 0.02\nfeed 3 0 0 0 0 blend 0.03\n"},
+	/* Top Surface, a matter of the hundreds, smooths within the same tolerance. */
+	{"G500 F6 CYCLE832(0.01,_TOP_SURFACE_SMOOTH_ON+_ORI_FINISH,0.8)\nX1\nCYCLE832(0.02,_TOP_SURFACE_SMOOTH_OFF+_ROUGH,1)\nX2\n"
+	 "CYCLE832(0.03)\nX3\n",
+	 "feed 1 0 0 0 0 blend 0.01 turn 0.8\nfeed 2 0 0 0 0 blend 0.02\nfeed 3 0 0 0 0 blend 0.03\n"},
 	{"G500 F6 CYCLE832(0.05,112101)\nX1\nCYCLE832(0.05,_OFF,1)\nX2\nCYCLE832(0.05)\nX3\nCYCLE832()\nX4\n",
 	 "feed 1 0 0 0 0 blend 0.05\nfeed 2 0 0 0 0 blend 0\nfeed 3 0 0 0 0 blend 0.05\n"
 	 "feed 4 0 0 0 0 blend 0\n"},

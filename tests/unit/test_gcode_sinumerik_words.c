@@ -24,6 +24,9 @@ static const struct program {
 	/* G25 and G26 move no axis, and S of them is no speed. */
 	{"F6 G500 S100\nG25 X-1000 Y5 S50\nG26 S9000\nG95 F1\nX6\n",
 	 "feed 6 0 0 0 0\n"},
+	/* Lists of values in DEF; data of the tool in force. */
+	{"F6 G500\nDEF REAL QR[2,2]=(1,2,3)\nT1 D2 M6\nG53 X=QR[0,1] Y=QR[1,0] D0\nD2\nR1=$P_TOOLR R2=$P_TOOLL[1] D0\nX=R1 Y=R2\n",
+	 "tool 1\nfeed 2 3 0 0 0\nfeed 4 90 0 0 0\n"},
 	/* GOTOS begins the program again. */
 	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},

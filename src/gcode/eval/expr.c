@@ -5,6 +5,9 @@
 
 #include "gcode/text/number.h"
 
+/* Exponents lie below this. */
+#define EXPONENT_MAX 100
+
 static bool is_digit(char byte)
 {
 	return byte >= '0' && byte <= '9';
@@ -171,6 +174,30 @@ static bool has_blank(const char *text, size_t start, size_t end)
 	return false;
 }
 
+/* EX-3 behind a number, without a blank: it is multiplied by so many powers of ten. */
+static bool read_exponent(struct expr *expr, double *value)
+{
+	struct lexer *lexer = expr->lexer;
+	const char *text = lexer->at->text + lexer->position;
+	const bool negative = text[0] && text[1] && text[2] == '-';
+	int exponent = 0;
+
+	if ((text[0] != 'E' && text[0] != 'e') || (text[1] != 'X' && text[1] != 'x') || lexer->position == 0 ||
+	    text[-1] == ' ' || text[-1] == '\t')
+		return true;
+	text += text[2] == '-' || text[2] == '+' ? 3 : 2;
+	if (!is_digit(*text))
+		return true;
+	for (; is_digit(*text); text++)
+		exponent = exponent < EXPONENT_MAX ? 10 * exponent + (*text - '0') : exponent;
+	if (exponent >= EXPONENT_MAX)
+		return fault(lexer->at, lexer_column(lexer), "an exponent of more than two digits");
+	for (; exponent > 0; exponent--)
+		*value = negative ? *value / 10 : *value * 10;
+	lexer->position = (size_t)(text - lexer->at->text);
+	return true;
+}
+
 bool expr_number(struct expr *expr, double *value)
 {
 	struct lexer *lexer = expr->lexer;
@@ -183,7 +210,7 @@ bool expr_number(struct expr *expr, double *value)
 		if (expr->rules->whole_words && has_blank(lexer->at->text, lexer->position, position))
 			return fault(lexer->at, lexer_column(lexer), "a blank inside a number");
 		lexer->position = position;
-		return true;
+		return !expr->rules->exponents || read_exponent(expr, value);
 	case NUMBER_TOO_LONG:
 		return fault(lexer->at, lexer_column(lexer), "a number of more than %d digits", NUMBER_LENGTH_MAX);
 	case NUMBER_MISSING:

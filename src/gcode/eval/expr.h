@@ -48,6 +48,7 @@ struct expr_rules {
 	size_t function_count;
 	bool abbreviations;	/* the first two letters of a function's name will do */
 	bool decimal_comma;	/* numbers may have one in place of the point, and have no blanks inside */
+	bool exponents;	/* 1.5EX-3 is a number */
 	bool signs_repeat;	/* --1 is a value; else it is a fault */
 	bool has_vacant;	/* variables can be vacant; else a value that is no number is a fault */
 	int depth_max;

@@ -218,6 +218,9 @@ static bool define_one(struct interp *interp, struct lexer *lexer, enum sinumeri
 	if (lexer_peek(lexer) != '=')
 		return true;
 	lexer_take(lexer);
+	/* In DEF, SET may be left out before the list. */
+	if (variable->dimensions > 0 && sinumerik_name_take_byte(lexer, '('))
+		return set_list(interp, lexer, variable, 0);
 	return set_values(interp, lexer, variable, 0);
 }
 

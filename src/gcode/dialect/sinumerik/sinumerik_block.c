@@ -246,7 +246,7 @@ static bool read_plain(struct reading *r, char letter, int column, bool *done)
 	if (letter == 'E' ||
 	    ((text[position] == 'E' || text[position] == 'e') && sinumerik_upper(text[position + 1]) == 'X'))
 		return fault(lexer->at, column, letter == 'E' ? "E is neither an axis of the machine nor an address"
-							       : "numbers with an exponent (EX) are not supported yet");
+							       : "a number with an exponent (EX) needs '=' before it");
 	return take_word(r, letter, column, value, SINUMERIK_WAY_MODAL);
 }
 

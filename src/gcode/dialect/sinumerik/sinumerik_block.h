@@ -56,6 +56,11 @@ static inline bool sinumerik_block_has_address(const struct sinumerik_block *blo
 	return block->addresses & 1U << address;
 }
 
+/* Words that give the tool a direction: A3= B3= C3= and, by angles, A2= B2= C2=. */
+#define SINUMERIK_VECTOR_BITS (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)
+#define SINUMERIK_ANGLE_BITS (1U << SINUMERIK_A2 | 1U << SINUMERIK_B2 | 1U << SINUMERIK_C2)
+#define SINUMERIK_DIRECTION_BITS (SINUMERIK_VECTOR_BITS | SINUMERIK_ANGLE_BITS)
+
 /* The column of the first axis word, or 1. */
 int sinumerik_block_axis_column(const struct sinumerik_block *block);
 

@@ -197,20 +197,33 @@ static bool tap(struct drilling *d, double pitch, double speed, size_t dwell_at)
 	       rapid(d, d->height.clear);
 }
 
-static double pitch_of(const struct drilling *d, size_t size, size_t pitch)
+/* PITA: what PIT counts: 0 and 1 mm, 2 threads in an inch, 3 inches, 4 modules. */
+static double pitch_of(const struct drilling *d, size_t size, size_t pitch, size_t unit)
 {
-	return given(d, pitch) && fabs(d->of.values[pitch]) > 0 ? fabs(length(d, pitch))
-								 : metric_pitch(argument(d, size, 0));
+	const double value = fabs(argument(d, pitch, 0));
+
+	if (!(value > 0))
+		return metric_pitch(argument(d, size, 0));
+	switch (sinumerik_argument_digit(&d->of, unit, 0)) {
+	case 2:
+		return MM_PER_INCH / value;
+	case 3:
+		return MM_PER_INCH * value;
+	case 4:
+		return PI * value;
+	default:
+		return value * d->interp->state.scale;
+	}
 }
 
 static bool tap_rigid(struct drilling *d)
 {
-	return stop_spindle(d) && tap(d, pitch_of(d, 7, 8), argument(d, 10, d->interp->state.speed), 5);
+	return stop_spindle(d) && tap(d, pitch_of(d, 7, 8, 13), argument(d, 10, d->interp->state.speed), 5);
 }
 
 static bool tap_floating(struct drilling *d)
 {
-	return tap(d, pitch_of(d, 9, 10), d->interp->state.speed, 5);
+	return tap(d, pitch_of(d, 9, 10, 12), d->interp->state.speed, 5);
 }
 
 /* CYCLE85: in at FFR, out at RFF. */

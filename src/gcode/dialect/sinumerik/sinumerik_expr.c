@@ -113,12 +113,52 @@ static bool tool_value(struct expr *expr, const char *name, int column, double *
 	       sinumerik_system_edge(interp, name, tool, edge, column, value);
 }
 
+/* $P_UIFR[n, axis, component]: of a settable work offset. */
+static bool offset_value(struct expr *expr, int column, double *value)
+{
+	struct interp *interp = expr->context;
+	char component[SINUMERIK_NAME + 1] = "";
+	int n, slot;
+
+	if (!sinumerik_name_need(expr->lexer, '[', "$P_UIFR") ||
+	    !sinumerik_expr_whole(interp, expr->lexer, "the number of $P_UIFR", 1, 99, &n) ||
+	    !sinumerik_name_need(expr->lexer, ',', "the number of $P_UIFR") ||
+	    !sinumerik_expr_axis(interp, expr->lexer, &slot) || !sinumerik_name_need(expr->lexer, ',', "the axis"))
+		return false;
+	sinumerik_name_read(expr->lexer, component);
+	return sinumerik_name_need(expr->lexer, ']', "the component") &&
+	       sinumerik_system_offset(interp, n, slot, component, column, value);
+}
+
+/* Is the index of a system variable, which comes next, the name of an axis and nothing else? */
+static bool index_is_axis(struct lexer *lexer)
+{
+	const size_t position = lexer->position;
+	char name[SINUMERIK_NAME + 1];
+	const bool is = sinumerik_name_take_byte(lexer, '[') && sinumerik_name_read(lexer, name) == 1 &&
+			lexer_peek(lexer) == ']';
+
+	lexer->position = position;
+	return is;
+}
+
 static bool system_value(struct expr *expr, const char *name, int column, struct expr_operand *value)
 {
-	int slot = -1;
+	int slot = -1, index;
 
 	if (!strncmp(name, "$TC_DP", 6))
 		return tool_value(expr, name, column, &value->number);
+	if (!strcmp(name, "$P_UIFR"))
+		return offset_value(expr, column, &value->number);
+	if (!strcmp(name, "$P_TOOLL"))
+		return sinumerik_name_need(expr->lexer, '[', name) &&
+		       sinumerik_expr_whole(expr->context, expr->lexer, "the number of a length", 1, 3, &index) &&
+		       sinumerik_name_need(expr->lexer, ']', "the number of a length") &&
+		       sinumerik_system_tool(expr->context, name, index, column, &value->number);
+	if (!strcmp(name, "$P_TOOLR"))
+		return sinumerik_system_tool(expr->context, name, 0, column, &value->number);
+	if (lexer_peek(expr->lexer) == '[' && !index_is_axis(expr->lexer))
+		return fault(expr->lexer->at, column, "the value of %s is known to the control alone", name);
 	if (sinumerik_name_take_byte(expr->lexer, '[') &&
 	    (!sinumerik_expr_axis(expr->context, expr->lexer, &slot) ||
 	     !sinumerik_name_need(expr->lexer, ']', "the axis")))
@@ -167,6 +207,30 @@ static bool is_r(const char *name)
 	return name[1 + strspn(name + 1, "0123456789")] == '\0';
 }
 
+/* 'H1F', 'B101': whole numbers to the base of 16 or 2. */
+static bool constant_value(struct lexer *lexer, double *value)
+{
+	static const char digits[] = "0123456789ABCDEF";
+	const int column = expr_column(lexer);
+	const char *text = lexer->at->text + lexer->position + 1;
+	const int base = sinumerik_upper(*text) == 'H' ? 16 : sinumerik_upper(*text) == 'B' ? 2 : 0;
+
+	*value = 0;
+	if (base == 0 || text[1] == '\'')
+		return fault(lexer->at, column, "'H' or 'B' and digits stand between such quotes: 'H1F', 'B101'");
+	for (text++; *text && *text != '\''; text++) {
+		const char *digit = strchr(digits, sinumerik_upper(*text));
+
+		if (!digit || digit - digits >= base || *value > LARGEST_WHOLE)
+			return fault(lexer->at, column, "this is no whole number to the base of %d", base);
+		*value = *value * base + (double)(digit - digits);
+	}
+	if (*text != '\'')
+		return fault(lexer->at, column, "this quote is not closed");
+	lexer->position = (size_t)(text - lexer->at->text) + 1;
+	return true;
+}
+
 static bool variable_value(struct expr *expr, struct expr_operand *value)
 {
 	struct interp *interp = expr->context;
@@ -177,6 +241,8 @@ static bool variable_value(struct expr *expr, struct expr_operand *value)
 
 	if (sinumerik_text_follows(interp, lexer))
 		return sinumerik_text_compare(expr, value);
+	if (lexer_peek(lexer) == '\'')
+		return constant_value(lexer, &value->number);
 	if (!sinumerik_name_read(lexer, name))
 		return fault(lexer->at, column, "a value is needed here");
 	if (!is_r(name) || (name[1] == '\0' && lexer_peek(lexer) != '['))
@@ -298,9 +364,10 @@ static bool no_function(struct expr *expr, int column, const struct function_nam
 #define RULES(table) \
 	.open = '(', \
 	.close = ')', \
-	.variable_starts = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$\"", \
+	.variable_starts = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$\"'", \
 	.whole_words = true, \
 	.signs_repeat = true, \
+	.exponents = true, \
 	.depth_max = 64, \
 	.nested = "brackets", \
 	.apply = apply, \

@@ -18,7 +18,6 @@
 #include "gcode/execute/tool_length.h"
 
 #define CENTRE_BITS (letter_bit('I') | letter_bit('J') | letter_bit('K'))
-#define VECTOR_BITS (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)
 #define CIRCLE_BITS (1U << SINUMERIK_CR | 1U << SINUMERIK_AR | 1U << SINUMERIK_TURN | 1U << SINUMERIK_I1 | \
 		     1U << SINUMERIK_J1 | 1U << SINUMERIK_K1)
 
@@ -280,7 +279,10 @@ static bool refuse_words(struct interp *interp, const struct sinumerik_block *bl
 			return fault(&interp->at, block->column[*letter - 'A'], "%c belongs to a circle (G2, G3)",
 				     *letter);
 	}
-	if ((block->addresses & VECTOR_BITS) && interp->state.tcp != TCP_BY_LENGTH)
+	if ((block->addresses & SINUMERIK_ANGLE_BITS) && interp->state.tcp != TCP_BY_LENGTH)
+		return fault(&interp->at, sinumerik_block_axis_column(block),
+			     "A2=, B2= and C2= need TRAORI, which turns the tool by these angles");
+	if ((block->addresses & SINUMERIK_VECTOR_BITS) && interp->state.tcp != TCP_BY_LENGTH)
 		return fault(&interp->at, sinumerik_block_axis_column(block),
 			     "A3=, B3= and C3= need TRAORI, which turns the tool into their direction");
 	return true;
@@ -297,7 +299,7 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	const uint32_t axes = block->letters & AXIS_BITS;
 	slot_values target;
 
-	if ((axes & (axes - 1)) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
+	if ((axes & (axes - 1)) || (block->addresses & (SINUMERIK_DIRECTION_BITS | SINUMERIK_POLAR_BITS)) ||
 	    (block->letters & CENTRE_BITS))
 		return fault(&interp->at, column,
 			     "POS beside other axes: each goes at its own rate, which way is not known; one POS in a "
@@ -325,7 +327,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	if (block->positions)
 		return run_position(interp, block);
 	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP;
-	axes = (block->letters & AXIS_BITS) || (block->addresses & (VECTOR_BITS | SINUMERIK_POLAR_BITS)) ||
+	axes = (block->letters & AXIS_BITS) || (block->addresses & (SINUMERIK_DIRECTION_BITS | SINUMERIK_POLAR_BITS)) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
 		return false;

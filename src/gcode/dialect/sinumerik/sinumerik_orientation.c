@@ -89,6 +89,8 @@ bool sinumerik_orientation_select(struct interp *interp, const struct sinumerik_
 
 	if (code[SINUMERIK_ORI_SYSTEM] != CODE_NONE)
 		sinumerik->machine_orientation = code[SINUMERIK_ORI_SYSTEM] == SINUMERIK_ORIMKS;
+	if (code[SINUMERIK_ORI_ANGLES] != CODE_NONE)
+		sinumerik->orientation_angles = code[SINUMERIK_ORI_ANGLES];
 	if (code[SINUMERIK_ORI_WAY] != CODE_NONE)
 		sinumerik->orientation =
 		    code[SINUMERIK_ORI_WAY] == SINUMERIK_ORIAXES ? SINUMERIK_ORI_AXES : SINUMERIK_ORI_VECTOR;
@@ -150,18 +152,60 @@ static bool choose_nearest(struct interp *interp, int column, const struct kinem
 	return true;
 }
 
-/* The direction of A3=, B3=, C3=, which frames turn, as a unit. False: reported. */
+static double given_or_zero(const struct sinumerik_block *block, enum sinumerik_address address)
+{
+	return sinumerik_block_has_address(block, address) ? block->address_value[address] : 0;
+}
+
+/*
+ * 840D sl, job planning, "Programming the tool orientation", A2= B2= C2=: by Euler's angles Z is turned about Z by A2
+ * and about the new X by B2 (C2 then turns the tool about itself); by RPY about Z by C2, about the new Y by B2 and about
+ * the new X by A2; by ORIRPY2 about X by A2 and about the new Y by B2.
+ */
+static bool angles_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
+{
+	const double a = given_or_zero(block, SINUMERIK_A2), b = given_or_zero(block, SINUMERIK_B2);
+	const double c = given_or_zero(block, SINUMERIK_C2);
+	const vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
+	mat3 first, then, last = mat3_identity();
+
+	switch (sinumerik_of(interp)->orientation_angles) {
+	case SINUMERIK_ORIEULER:
+		first = mat3_turn(z, radians(a));
+		then = mat3_turn(x, radians(b));
+		break;
+	case SINUMERIK_ORIRPY:
+		first = mat3_turn(z, radians(c));
+		then = mat3_turn(y, radians(b));
+		last = mat3_turn(x, radians(a));
+		break;
+	case SINUMERIK_ORIRPY2:
+		first = mat3_turn(x, radians(a));
+		then = mat3_turn(y, radians(b));
+		break;
+	default:
+		return fault(&interp->at, sinumerik_block_axis_column(block),
+			     "a parameter of the control (MD21102) decides what the angles A2= B2= C2= are: write "
+			     "ORIEULER, ORIRPY or ORIRPY2 before them");
+	}
+	*direction = mat3_apply(&first, mat3_apply(&then, mat3_apply(&last, z)));
+	return true;
+}
+
+/* The direction of A3=, B3=, C3=, or of A2= B2= C2=, which frames turn, as a unit. False: reported. */
 static bool find_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
 {
 	const struct state *state = &interp->state;
 	const int column = sinumerik_block_axis_column(block);
 	double scale;
 
-	*direction = (vec3){
-	    sinumerik_block_has_address(block, SINUMERIK_A3) ? block->address_value[SINUMERIK_A3] : 0,
-	    sinumerik_block_has_address(block, SINUMERIK_B3) ? block->address_value[SINUMERIK_B3] : 0,
-	    sinumerik_block_has_address(block, SINUMERIK_C3) ? block->address_value[SINUMERIK_C3] : 0,
-	};
+	*direction = (vec3){given_or_zero(block, SINUMERIK_A3), given_or_zero(block, SINUMERIK_B3),
+			    given_or_zero(block, SINUMERIK_C3)};
+	if ((block->addresses & SINUMERIK_ANGLE_BITS) && (block->addresses & SINUMERIK_VECTOR_BITS))
+		return fault(&interp->at, column, "the block turns the tool by angles (A2= B2= C2=) and by a direction "
+						  "(A3= B3= C3=)");
+	if ((block->addresses & SINUMERIK_ANGLE_BITS) && !angles_direction(interp, block, direction))
+		return false;
 	if (!(vec3_norm(*direction) > LEAST_VECTOR))
 		return fault(&interp->at, column, "the direction A3= B3= C3= has no length");
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
@@ -226,7 +270,7 @@ bool sinumerik_orientation_find(struct interp *interp, const struct sinumerik_bl
 	bool turns;
 
 	*turn = (struct sinumerik_turn){
-	    .by_direction = block->addresses & (1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3)};
+	    .by_direction = block->addresses & SINUMERIK_DIRECTION_BITS};
 	if (turn->by_direction && !find_direction(interp, block, &turn->direction))
 		return false;
 	if (turn->by_direction && way != SINUMERIK_ORI_VECTOR &&

@@ -8,6 +8,7 @@
 /* CYCLE832, S_TOLM: _OFF, _FINISH, _SEMIFIN, _ROUGH, _PRECISION, and the same + 10 with a tolerance of orientation. */
 #define WITH_ORIENTATION 10
 #define MODES_END 20
+#define HUNDREDS 100
 
 static void apply(struct interp *interp)
 {
@@ -74,7 +75,10 @@ static double argument(const struct sinumerik *sinumerik, size_t i, double other
 bool sinumerik_path_smooth(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
-	const double tolerance = argument(sinumerik, 0, 0), mode = argument(sinumerik, 1, 1);
+	const double tolerance = argument(sinumerik, 0, 0), given = argument(sinumerik, 1, 1);
+	/* With three arguments it is the form of today, whose hundreds are Top Surface, which smooths within the same. */
+	const double mode =
+	    sinumerik->argument_count > 2 && given >= HUNDREDS && given < 2 * HUNDREDS ? given - HUNDREDS : given;
 	const bool on = tolerance > 0 && fabs(fmod(mode, WITH_ORIENTATION)) > 0;
 	const bool turns = on && mode >= WITH_ORIENTATION && mode < MODES_END;
 

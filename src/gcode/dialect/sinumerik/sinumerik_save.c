@@ -21,6 +21,7 @@ void sinumerik_save_modes(const struct interp *interp, struct sinumerik_saved *s
 		.machine_orientation = sinumerik->machine_orientation, .turns_plane = sinumerik->turns_plane,
 		.tool_frame = sinumerik->tool_frame, .orientation = sinumerik->orientation,
 		.unknown_modes = state->unknown_modes, .frame_unsure = sinumerik->frame_unsure,
+		.orientation_angles = sinumerik->orientation_angles,
 	};
 }
 
@@ -82,6 +83,7 @@ bool sinumerik_save_restore(struct interp *interp, const struct sinumerik_saved 
 	sinumerik->smooths_orientation = saved->smooths_orientation;
 	sinumerik->machine_orientation = saved->machine_orientation;
 	sinumerik->orientation = saved->orientation;
+	sinumerik->orientation_angles = saved->orientation_angles;
 	state->unknown_modes = saved->unknown_modes;
 	sinumerik->frame = saved->frame;
 	sinumerik->frame_unsure = saved->frame_unsure;

@@ -71,7 +71,7 @@ enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERI
 /* What SAVE of PROC keeps for the return. */
 struct sinumerik_saved {
 	int motion, plane, system, path_code;
-	int approach, corner, comp_side;
+	int approach, corner, comp_side, orientation_angles;
 	bool incremental, compresses, smooths_orientation, machine_orientation, turns_plane, tool_frame;
 	bool frame_unsure;
 	enum sinumerik_orientation orientation;
@@ -162,6 +162,7 @@ struct sinumerik {
 	struct sinumerik_text *names;	/* of tools, without a setup; owned */
 	size_t name_count, name_capacity;
 	enum sinumerik_orientation orientation;
+	int orientation_angles;	/* ORIEULER, ORIRPY, ORIRPY2; 0: none was given */
 	bool machine_orientation;	/* ORIMKS */
 	double feed_scale;	/* mm per unit of F, and of lengths in variables of the control */
 	double rounding, rapid_rounding;	/* mm: ADIS and ADISPOS, for G641 */

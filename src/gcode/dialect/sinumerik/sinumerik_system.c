@@ -5,6 +5,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_open_place.h"
 #include "gcode/execute/probed_axes.h"
+#include "gcode/execute/work_offset_use.h"
 
 bool sinumerik_system_constant(const char *name, double *value)
 {
@@ -14,7 +15,7 @@ bool sinumerik_system_constant(const char *name, double *value)
 		double value;
 	} constants[] = {{"TRUE", 1}, {"FALSE", 0}, {"_OFF", 0}, {"_FINISH", 1}, {"_SEMIFIN", 2}, {"_ROUGH", 3},
 			 {"_PRECISION", 4}, {"_ORI_FINISH", 11}, {"_ORI_SEMIFIN", 12}, {"_ORI_ROUGH", 13},
-			 {"_ORI_PRECISION", 14}};
+			 {"_ORI_PRECISION", 14}, {"_TOP_SURFACE_SMOOTH_OFF", 0}, {"_TOP_SURFACE_SMOOTH_ON", 100}};
 
 	for (size_t i = 0; i < sizeof(constants) / sizeof(constants[0]); i++) {
 		if (!strcmp(constants[i].name, name)) {
@@ -23,6 +24,11 @@ bool sinumerik_system_constant(const char *name, double *value)
 		}
 	}
 	return false;
+}
+
+int sinumerik_system_of_offset(int n)
+{
+	return n <= 4 ? n - 1 : SYSTEM_SETTABLE + n - 5;
 }
 
 /* "Inch or metric (G70, G700, G71, G710)": with G70 and G71 variables of the control stay in its own unit. */
@@ -75,8 +81,6 @@ bool sinumerik_system_read(struct interp *interp, const char *name, int slot, in
 		*value = sinumerik->edge;
 		return true;
 	}
-	if (!strcmp(name, "$P_TOOLL") && slot < 0)
-		return fault(&interp->at, column, "%s needs an index, and is not supported yet", name);
 	return fault(&interp->at, column, "the value of %s is known to the control alone", name);
 }
 
@@ -102,5 +106,38 @@ bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, in
 		return fault(&interp->at, column, "%s[%d,%d]: the setup defines no %s of edge D%d of tool T%d", name,
 			     tool, edge, length ? "length" : "radius", edge, tool);
 	*value = in_unit(interp, SLOT_Z, mm);
+	return true;
+}
+
+bool sinumerik_system_tool(struct interp *interp, const char *name, int length, int column, double *value)
+{
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+
+	if (sinumerik->edge_unsure)
+		return fault(&interp->at, column, "%s needs the tool's edge: write D before it", name);
+	*value = 0;
+	/* The setup has the length along the tool, and no others. */
+	if (length > 1 || sinumerik->edge == 0 || interp->state.tool == 0)
+		return true;
+	return sinumerik_system_edge(interp, length ? "$TC_DP3" : "$TC_DP6", interp->state.tool, sinumerik->edge, column,
+				     value);
+}
+
+bool sinumerik_system_offset(struct interp *interp, int n, int slot, const char *component, int column, double *value)
+{
+	const int system = sinumerik_system_of_offset(n);
+
+	*value = 0;
+	if (!strcmp(component, "FI") || !strcmp(component, "RT") || !strcmp(component, "MI"))
+		return true;
+	if (!strcmp(component, "SC")) {
+		*value = 1;
+		return true;
+	}
+	if (strcmp(component, "TR") != 0)
+		return fault(&interp->at, column, "a component of $P_UIFR is TR, FI, RT, SC or MI");
+	if (!work_offset_use_require(interp, system, column))
+		return false;
+	*value = in_unit(interp, slot, interp->state.work[system].v[slot]);
 	return true;
 }

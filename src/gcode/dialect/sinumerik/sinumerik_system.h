@@ -16,4 +16,13 @@ bool sinumerik_system_read(struct interp *interp, const char *name, int slot, in
 /* $TC_DP3 and $TC_DP6: the length and the radius of a tool's edge, from the setup. False: reported. */
 bool sinumerik_system_edge(struct interp *interp, const char *name, int tool, int edge, int column, double *value);
 
+/* The work offset of $P_UIFR[n]: 1 is G54. */
+int sinumerik_system_of_offset(int n);
+
+/* $P_UIFR[n, axis, component] for reading: TR is the shift; of the others the setup has none. False: reported. */
+bool sinumerik_system_offset(struct interp *interp, int n, int slot, const char *component, int column, double *value);
+
+/* $P_TOOLL[length] or, with length 0, $P_TOOLR: of the edge in force. False: reported. */
+bool sinumerik_system_tool(struct interp *interp, const char *name, int length, int column, double *value);
+
 #endif

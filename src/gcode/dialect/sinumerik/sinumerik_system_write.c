@@ -6,13 +6,8 @@
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/dialect/sinumerik/sinumerik_system.h"
 #include "gcode/eval/expr.h"
-
-/* The work offset of $P_UIFR[n]: 1 is G54. */
-static int system_of(int n)
-{
-	return n <= 4 ? n - 1 : SYSTEM_SETTABLE + n - 5;
-}
 
 static bool set_component(struct interp *interp, int system, int slot, double value)
 {
@@ -58,7 +53,7 @@ static bool write_offset(struct interp *interp, struct lexer *lexer, int column)
 	if (!sinumerik_name_need(lexer, '[', "$P_UIFR") ||
 	    !sinumerik_expr_whole(interp, lexer, "the number of $P_UIFR", 1, 99, &n))
 		return false;
-	system = system_of(n);
+	system = sinumerik_system_of_offset(n);
 	if (system == interp->state.system)
 		return fault(&interp->at, column,
 			     "$P_UIFR[%d] is the work offset in force, and takes effect at its next selection; select "

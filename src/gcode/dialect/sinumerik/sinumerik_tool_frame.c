@@ -94,10 +94,8 @@ bool sinumerik_tool_frame_select(struct interp *interp, const struct sinumerik_b
 
 bool sinumerik_tool_frame_check(struct interp *interp, const struct sinumerik_block *block, bool arc)
 {
-	const uint32_t directions = 1U << SINUMERIK_A3 | 1U << SINUMERIK_B3 | 1U << SINUMERIK_C3;
-
 	if (!arc && !sinumerik_block_has(block, 'X') && !sinumerik_block_has(block, 'Y') &&
-	    !(block->addresses & directions))
+	    !(block->addresses & SINUMERIK_DIRECTION_BITS))
 		return true;
 	return fault(&interp->at, sinumerik_block_axis_column(block),
 		     "TOROT and TOFRAME lay Z along the tool; where X and Y then point is a matter of the control's "

@@ -83,9 +83,9 @@
 	ADDRESS_ROW(ROW, "A3", A3, "direction of the tool") \
 	ADDRESS_ROW(ROW, "B3", B3, "direction of the tool") \
 	ADDRESS_ROW(ROW, "C3", C3, "direction of the tool") \
-	PLAIN_ROW(ROW, "ORIRPY", IGNORED, "what A2, B2 and C2 mean") \
-	PLAIN_ROW(ROW, "ORIRPY2", IGNORED, "what A2, B2 and C2 mean") \
-	PLAIN_ROW(ROW, "ORIEULER", IGNORED, "what A2, B2 and C2 mean") \
+	CODE_ROW(ROW, "ORIRPY", ORI_ANGLES, SINUMERIK_ORIRPY, "what A2, B2 and C2 mean") \
+	CODE_ROW(ROW, "ORIRPY2", ORI_ANGLES, SINUMERIK_ORIRPY2, "what A2, B2 and C2 mean") \
+	CODE_ROW(ROW, "ORIEULER", ORI_ANGLES, SINUMERIK_ORIEULER, "what A2, B2 and C2 mean") \
 	CODE_ROW(ROW, "ORISOF", ORI_SMOOTHING, SINUMERIK_ORISOF, "no smoothing of the orientation") \
 	CODE_ROW(ROW, "ORISON", ORI_SMOOTHING, SINUMERIK_ORISON, "smoothing of the orientation, within OTOL") \
 	REFUSED_ROW(ROW, "ORIVIRT1", "virtual orientation axes") \
@@ -99,9 +99,9 @@
 	REFUSED_ROW(ROW, "ORICURVE", "orientation by a second curve") \
 	REFUSED_ROW(ROW, "ORIRESET", "basic orientation of the tool (words of the rotary axes can say it)") \
 	REFUSED_ROW(ROW, "ORID", "change of orientation before outside corners") \
-	REFUSED_ROW(ROW, "A2", "orientation by angles") \
-	REFUSED_ROW(ROW, "B2", "orientation by angles") \
-	REFUSED_ROW(ROW, "C2", "orientation by angles") \
+	ADDRESS_ROW(ROW, "A2", A2, "orientation by angles") \
+	ADDRESS_ROW(ROW, "B2", B2, "orientation by angles") \
+	ADDRESS_ROW(ROW, "C2", C2, "orientation by angles") \
 	REFUSED_ROW(ROW, "A4", "orientation by surface normals") \
 	REFUSED_ROW(ROW, "B4", "orientation by surface normals") \
 	REFUSED_ROW(ROW, "C4", "orientation by surface normals") \
