@@ -31,6 +31,9 @@ enum length_after_reference {
 	LENGTH_AFTER_REFERENCE_GONE
 };
 
+/* While G68 with I, J and K is in force the tool's length acts along the turned Z, or along Z of the machine. */
+enum length_under_g68 { LENGTH_UNDER_G68_UNKNOWN, LENGTH_UNDER_G68_TURNED, LENGTH_UNDER_G68_STRAIGHT };
+
 /* M6 in a block that moves axes: the tool is changed behind the move, or before it. */
 enum m6_with_move { M6_WITH_MOVE_UNKNOWN, M6_AFTER_MOVE, M6_BEFORE_MOVE };
 
@@ -155,6 +158,7 @@ struct controller {
 	enum cycle_repeats cycle_repeats;
 	enum answer length_moves;	/* do axes move at once where the length compensation changes? */
 	enum length_after_reference length_after_reference;
+	enum length_under_g68 length_under_g68;
 	enum g53_with_g91 g53_with_g91;
 	double overrun;	/* mm: how far G60 goes past its end; 0: not known */
 	double arc_radius_tolerance;	/* mm: arcs whose radii differ by no more are spirals; 0: not known */

@@ -165,6 +165,7 @@ struct dialect_traits {
 	enum answer references_in_parameters;	/* programs write G28's and G30's; no: the machine file has G30's */
 	enum answer g30_has_number;	/* in P */
 	enum turned_by_machine turned_by_machine;
+	enum answer g68_in_space;	/* G68 with I, J and K turns about any direction */
 	enum t_word t_word;
 	enum answer m6_loads_own_t;	/* whichever T waits; no: the machine file says it */
 	enum answer tool_change_stays;	/* M6 moves no axis if the machine file names no place; no: it must */

@@ -50,6 +50,8 @@ struct rotated_frame {
 	mat3 back;	/* its inverse */
 	double growth;	/* by which it lengthens at most */
 	bool scales;	/* by G51 */
+	int conversions;	/* G68 with I, J and K: how many there were */
+	bool turns_length;	/* with these: the tool's length acts along the turned Z */
 	bool mirrors;	/* left becomes right */
 	vec3 origin;	/* mm, from the offsets in force */
 };

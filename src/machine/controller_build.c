@@ -116,6 +116,7 @@ static void check_lexis(struct description_file *file, const struct controller_d
 		{described->arc_radius_tolerance.given, "arc_radius_tolerance", "has no such parameter"},
 		{described->m6_with_move, "m6_with_move", "changes the tool before a block moves"},
 		{described->m6_with_t, "m6_with_t", "loads the T beside M6"},
+		{described->length_under_g68, "length_under_g68", "has no G68 with I, J and K"},
 		{described->semicolon, "semicolon", "has comments behind ';'"},
 		{described->power_on_motion, "power_on_motion", "starts without G0 or G1"},
 		{described->cycle_repeats, "cycle_repeats", "has no such parameter"},
@@ -246,6 +247,7 @@ void controller_build(struct machine_description *described, struct machine *mac
 	to->arc_radius_tolerance = from->arc_radius_tolerance.value;
 	to->m6_with_move = from->m6_with_move;
 	to->m6_with_t = from->m6_with_t;
+	to->length_under_g68 = from->length_under_g68;
 	to->semicolon = from->semicolon;
 	to->colon = from->colon;
 	to->comp_d = from->comp_d;

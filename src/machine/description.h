@@ -99,6 +99,7 @@ struct controller_description {
 	struct optional_number arc_radius_tolerance;
 	enum m6_with_move m6_with_move;
 	enum m6_with_t m6_with_t;
+	enum length_under_g68 length_under_g68;
 	enum semicolon semicolon;
 	enum colon colon;
 	const char *preset;	/* or NULL */

@@ -342,7 +342,7 @@ static const struct {
 	 "p.nc:1:9: error: axis words, but no motion code is in force (G0, G1, G2, G3); power_on_motion=\"rapid\" or \"feed\" of "
 	 "the machine's <controller> says which one the control starts with\n    G5.1 Q2 X1.\n     "
 	 "       ^\n"},
-	{F, "G5 P2\n", "p.nc:1:1: error: G5: high-speed cycle machining is not supported yet\n    G5 P2\n    ^\n"},
+	{F, "G5 P3\n", "p.nc:1:1: error: G5: high-speed cycle machining is not supported yet\n    G5 P3\n    ^\n"},
 	{F, "G8 P2\n", "p.nc:1:4: error: P2: a whole number from 0 to 1 is needed\n    G8 P2\n       ^\n"},
 	{F, "G5.1 Q1\nG61\n",
 	 "p.nc:2:1: error: G61 while G5.1, G8 or G5 P10000 is in force is not supported yet\n    G61\n    ^\n"},

@@ -310,9 +310,26 @@ START_TEST(t_beside_m6)
 }
 END_TEST
 
+/* Brother Speedio's programming manual, "High Accuracy Mode": M298 has L. So do others of a builder. */
+START_TEST(words_of_builder_codes)
+{
+	static const struct mcode mcodes[] = {{298, MCODE_IGNORE}};
+	struct gcode_case c;
+
+	init(&c, &dialect_fanuc);
+	c.config.controller.mcodes = mcodes;
+	c.config.controller.mcode_count = 1;
+	case_expect(&c, "M298 L1\nM298 R2. E1.\nG0 X1. M298 P3\nM30\n", "rapid 1 0 0 0 0\n");
+	init(&c, &dialect_fanuc);
+	c.config.controller.mcodes = mcodes;
+	c.config.controller.mcode_count = 1;
+	expect_fault(&c, "G0\nX1. R2. M298\n", "no code in the block uses the word R");
+}
+END_TEST
+
 int main(void)
 {
-	const TTest *const tests[] = {t_beside_m6, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
+	const TTest *const tests[] = {t_beside_m6, words_of_builder_codes, title, local_zero_in_g91, feed_missing, arcs, wrong_way_round, taps, parameters, tool_change_beside_move, high_accuracy, semicolon, colon};
 
 	return RUN_TESTS("gcode_posted", tests);
 }

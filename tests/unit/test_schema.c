@@ -48,7 +48,7 @@ static const char waivers_text[] =
 static const char questions_text[] =
 	"<machine version='1'>\n"
 	"<controller dialect='haas' length_after_reference='cancels' g53_with_g91='incremental' power_on_units='inch'\n"
-	" power_on_distance='incremental' power_on_plane='yz' m6_with_move='before' m6_with_t='own' semicolon='comment' colon='block'>\n"
+	" power_on_distance='incremental' power_on_plane='yz' m6_with_move='before' m6_with_t='own' length_under_g68='turned' semicolon='comment' colon='block'>\n"
 	"<macro program='9810' action='move'/><macro program='9811' code='107' action='around' X='1' Z='2'/></controller>\n"
 	"<base><axis name='X' type='linear' direction='1 0 0' rate_max='6000'/></base>\n"
 	"</machine>";

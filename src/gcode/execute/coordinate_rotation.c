@@ -4,6 +4,7 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/execute/coordinate_conversion.h"
 #include "gcode/execute/mirror_image.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/rotated_frame.h"
@@ -64,10 +65,12 @@ static bool turn_in_plane(struct interp *interp)
 
 	if (state->tcp != TCP_OFF)
 		return fault(&interp->at, column, "G68 under tool centre point control; cancel that first");
-	if (interp->block.letters & (letter_bit('I') | letter_bit('J') | letter_bit('K')))
+	if (coordinate_conversion_is(&interp->block) && traits_of(interp)->g68_in_space != ANSWER_YES)
 		return fault(&interp->at, column,
-			     "G68 with I, J, K: three-dimensional coordinate conversion is not "
-			     "supported yet");
+			     "G68 with I, J, K: three-dimensional coordinate conversion is not supported by this "
+			     "control");
+	if (coordinate_conversion_is(&interp->block))
+		return coordinate_conversion_turn(interp);
 	if (!block_has(&interp->block, 'R'))
 		return fault(&interp->at, column,
 			     "G68 needs its angle in R; without it a parameter or setting of the control gives "
@@ -155,6 +158,8 @@ bool coordinate_rotation_check_words(struct interp *interp, bool machine)
 
 	if (state->unsure_code == CODE_NONE)
 		return true;
+	if (state->unsure_code == G68 && !machine && !coordinate_conversion_check_words(interp, absolute))
+		return false;
 	if (state->unsure_code == G68 && absolute && !machine && !check_both_words(interp))
 		return false;
 	for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -183,7 +188,7 @@ bool coordinate_rotation_turn(struct interp *interp)
 	state->cycle.turned = true;
 	if (code == G68_4 && !(state->frame.on && state->frame.waits_for_tool))
 		return fault(&interp->at, column, "G68.4 needs a plane of G68.2 without a G53.1 after it");
-	if (state->frame.on && code != G68_4)
+	if (state->frame.on && code != G68_4 && !coordinate_conversion_goes_on(interp))
 		return fault(&interp->at, column, "the coordinates are turned already; G69 turns them back first");
 	/* In G91, R may add to the angle before, and X Y Z may count from the tool: it depends on parameters. */
 	if (state->incremental)

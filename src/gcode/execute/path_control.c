@@ -42,7 +42,10 @@ static bool select_ai(struct interp *interp)
 	return true;
 }
 
-/* B-63944EN, high-speed cycle machining (G5 P1 to P999), "G05 P10000" on, "G05 P0" off; "G08 P1" on, "G08 P0" off. */
+/*
+ * B-63944EN, "G05 P10000" on, "G05 P0" off, other P for high-speed cycle machining; "G08 P1" on, "G08 P0" off. Of
+ * Mitsubishi's M700 (programming manual, "High-speed Machining Mode") and Mazak's controls: "G05 P1" and "G05 P2" on.
+ */
 static bool select_by_p(struct interp *interp)
 {
 	const struct block *block = &interp->block;
@@ -53,7 +56,7 @@ static bool select_by_p(struct interp *interp)
 		return fault(&interp->at, block->g_column[G_CONTOUR], "G%d needs P", g8 ? 8 : 5);
 	if (!block_integer(block, &interp->at, 'P', 0, g8 ? 1 : 10000, &p))
 		return false;
-	if (!g8 && p != 0 && p != 10000)
+	if (!g8 && p > 2 && p != 10000)
 		return fault_other(interp, "G5: high-speed cycle machining");
 	switch_contour(&interp->state, p != 0);
 	return true;

@@ -16,13 +16,29 @@ static void set_linear(slot_values *values, vec3 point)
 	values->v[SLOT_Z] = point.z;
 }
 
+/* The length is a part of the offsets, along Z; what is missing of it where it acts along the turned Z. */
+static vec3 turned_length(const struct state *state)
+{
+	const vec3 along = {0, 0, state->length};
+
+	if (!state->frame.turns_length)
+		return (vec3){0, 0, 0};
+	return vec3_sub(mat3_apply(&state->frame.turn, along), along);
+}
+
+/* From the offsets to where the turned coordinates are 0. */
+static vec3 frame_origin(const struct state *state)
+{
+	return vec3_add(state->frame.origin, turned_length(state));
+}
+
 vec3 rotated_frame_point(const struct state *state, vec3 straight)
 {
 	vec3 offset = linear(&state->offset);
 
 	if (!state->frame.on)
 		return straight;
-	return vec3_add(vec3_add(offset, state->frame.origin),
+	return vec3_add(vec3_add(offset, frame_origin(state)),
 			mat3_apply(&state->frame.turn, vec3_sub(straight, offset)));
 }
 
@@ -53,7 +69,7 @@ slot_values rotated_frame_straight(const struct state *state)
 
 	if (!state->frame.on)
 		return straight;
-	from_origin = vec3_sub(vec3_sub(linear(&state->position), offset), state->frame.origin);
+	from_origin = vec3_sub(vec3_sub(linear(&state->position), offset), frame_origin(state));
 	set_linear(&straight, vec3_add(offset, turn_back(&state->frame, from_origin)));
 	return straight;
 }

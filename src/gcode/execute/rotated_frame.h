@@ -9,7 +9,8 @@
  * "Straight" positions are the program's coordinates + state->offset. While no
  * frame is in force they are the controller's positions; else
  *     position = offset + origin + turn (straight - offset)
- * for X Y Z, and the same for every other axis.
+ * for X Y Z, and the same for every other axis. Where the frame turns the tool's length L along Z, too, turn L - L is
+ * added.
  */
 slot_values rotated_frame_straight(const struct state *state);
 slot_values rotated_frame_position(const struct state *state, const slot_values *straight);

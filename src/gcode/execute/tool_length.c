@@ -6,6 +6,7 @@
 
 #include "base/same_double.h"
 #include "base/units.h"
+#include "gcode/execute/coordinate_conversion.h"
 #include "gcode/execute/length_change.h"
 
 axis_values tool_length_rotary_zero(const struct interp *interp)
@@ -289,7 +290,8 @@ bool tool_length_select(struct interp *interp)
 	/* Haas mill operator's manual, "G234 Tool Center Point Control"; G43.5: execute/tool_vector.h. */
 	if (code == G234 || code == G43_5)
 		code = G43_4;
-	if (code != G49 && !find_length(interp, &length))
+	if (code != G49 &&
+	    (!find_length(interp, &length) || !coordinate_conversion_knows_length(interp, column, length)))
 		return false;
 	if (code == G43 && source == TCP_BY_LENGTH)
 		return fault(&interp->at, column, "G43 while G43.4 is in force; cancel that with G49 first");

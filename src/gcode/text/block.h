@@ -29,7 +29,7 @@ struct block {
 	int m[M_GROUPS];	/* M_TCP: an enum mcode_action */
 	int m_column[M_GROUPS];
 	int m_count;
-	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q */
+	bool m_ignored;	/* a machine's own M-code that is to be ignored; it may have P and Q, and more where nothing moves */
 	int motion;	/* the code of G_MOTION to be carried out, given or in force, or CODE_NONE */
 	/* block_read has found no codes but G0 to G3, and no words but those of axes, arcs and the feed */
 	bool plain;

@@ -154,5 +154,8 @@ uint32_t block_used_letters(const struct block *block, const struct dialect *dia
 		used |= letter_bit('P') | letter_bit('R');
 	if (block->m_ignored)
 		used |= letter_bit('P') | letter_bit('Q');
+	/* Builders give their M-codes other words, too: M298 L1 of Brother. In a block that moves they may be another's. */
+	if (block->m_ignored && traits->call_letters && !(block->letters & AXIS_BITS))
+		used |= letter_bits("ELR");
 	return used | override_letters(block->m[M_OVERRIDE]) | output_letters(block->m[M_OUTPUT]);
 }

@@ -127,6 +127,7 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	};
 	static const char *const zeros[] = {"machine", "offset", NULL};
 	static const char *const answers[] = {"yes", "no", NULL};
+	static const char *const length_ways[] = {"turned", "straight", NULL};
 	static const enum answer meanings[] = {ANSWER_UNKNOWN, ANSWER_YES, ANSWER_NO};
 	static const char *const lengths[] = {
 		[LENGTH_AFTER_REFERENCE_KEPT - 1] = "keeps", [LENGTH_AFTER_REFERENCE_GONE - 1] = "cancels", NULL,
@@ -177,6 +178,8 @@ static void read_controller(struct xml_reader *xml, const xmlNode *node, void *c
 	controller->arc_radius_tolerance = xml_optional_length(xml, node, "arc_radius_tolerance");
 	controller->m6_with_move = (enum m6_with_move)(xml_choice(xml, node, "m6_with_move", orders, -1) + 1);
 	controller->m6_with_t = (enum m6_with_t)(xml_choice(xml, node, "m6_with_t", tools, -1) + 1);
+	controller->length_under_g68 =
+	    (enum length_under_g68)(xml_choice(xml, node, "length_under_g68", length_ways, -1) + 1);
 	controller->semicolon = (enum semicolon)(xml_choice(xml, node, "semicolon", semicolons, -1) + 1);
 	controller->colon = (enum colon)(xml_choice(xml, node, "colon", colons, -1) + 1);
 	preset = xml_attribute(xml, node, "preset");

@@ -170,6 +170,8 @@ const struct dialect dialect_fanuc = {
 		.g30_has_number = ANSWER_YES,
 		/* 16-C operator's manual (B-62764EN), "Coordinate system rotation". */
 		.turned_by_machine = TURNED_BY_MACHINE_REFUSED,
+		/* The same, "Three-dimensional coordinate conversion". */
+		.g68_in_space = ANSWER_YES,
 		.t_word = T_WORD_SELECTS,
 		/* B-64484EN, "Tool Function": T and M reach the builder's ladder at once. */
 		.m6_loads_own_t = ANSWER_NO,
