@@ -11,7 +11,18 @@ import sys
 import xml.etree.ElementTree as ET
 
 NEAR = 0.0101
-STANDING = ("flat end mill", "ball end mill", "bull nose end mill", "drill", "spot drill", "chamfer mill", "face mill")
+STANDING = ("flat end mill", "ball end mill", "bull nose end mill", "drill", "spot drill", "chamfer mill", "face mill",
+            "counter sink", "tapered mill", "dovetail mill", "lollipop mill")
+
+
+def tapered_radius(r, half, corner, h):
+    """A cone of the radius r at the tip, and the largest ball of the corner's radius on the plane of the tip within it."""
+    angle = math.radians(half)
+    cone = r + h * math.tan(angle)
+    centre = r + corner * math.tan(angle) - corner / math.cos(angle)
+    if h >= corner * (1 - math.sin(angle)):
+        return cone
+    return centre + math.sqrt(max(0, corner ** 2 - (corner - h) ** 2))
 
 
 def library_radius(tool, h):
@@ -32,11 +43,21 @@ def library_radius(tool, h):
             best = r - corner + math.sqrt(max(0, corner ** 2 - (corner - h) ** 2))
         if kind in ("drill", "spot drill") and g.get("SIG"):
             best = min(r, h * math.tan(math.radians(g["SIG"] / 2)))
+        if kind == "counter sink":
+            best = min(r, g.get("tip-diameter", 0) / 2 + h * math.tan(math.radians(g["SIG"] / 2)))
+        if kind == "dovetail mill":
+            best = r - h * math.tan(math.radians(g["TA"]))
+        if kind == "lollipop mill":
+            best = math.sqrt(max(0, r * r - (h - r) ** 2))
+        if kind == "tapered mill":
+            best = tapered_radius(r, g["TA"], corner, h)
         if kind == "chamfer mill":
             best = min(r, g.get("tip-diameter", 0) / 2 + h * math.tan(math.radians(g["TA"])))
-    if flutes <= h <= min(shoulder, below):
+    if kind == "lollipop mill" and r <= h <= below:
+        best = max(best, g.get("shoulder-diameter", g["SFDM"]) / 2, math.sqrt(max(0, r * r - (h - r) ** 2)))
+    elif flutes <= h <= min(shoulder, below):
         best = max(best, g.get("shoulder-diameter", g["DC"]) / 2)
-    if max(flutes, shoulder) <= h <= below:
+    if max(flutes, shoulder, r if kind == "lollipop mill" else 0) <= h <= below:
         best = max(best, g.get("SFDM", g["DC"]) / 2)
     holder, base = tool.get("holder") or {}, below
     scale = 25.4 if holder.get("unit") == "inches" else 1.0

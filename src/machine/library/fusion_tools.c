@@ -8,8 +8,21 @@
 #include "machine/library/json_file.h"
 #include "machine/tool_solid.h"
 
+/* mm: sizes in a library are rounded, and a difference below this is none. */
+#define ROUNDED 0.005
+
 /* What a type of tool is below its shank. */
-enum shape { SHAPE_CYLINDER, SHAPE_BALL, SHAPE_BULL, SHAPE_POINT, SHAPE_TAPER, SHAPE_SPHERE };
+enum shape {
+	SHAPE_CYLINDER,
+	SHAPE_BALL,
+	SHAPE_BULL,
+	SHAPE_POINT,
+	SHAPE_CHAMFER,	/* TA is half the angle of its cone */
+	SHAPE_SINK,	/* SIG is the angle of its cone */
+	SHAPE_TAPER,	/* widens from DC at its tip */
+	SHAPE_DOVETAIL,	/* narrows from DC at its tip */
+	SHAPE_SPHERE
+};
 
 static const struct type_row {
 	const char *name;
@@ -29,7 +42,10 @@ static const struct type_row {
 	{"tap left hand", SHAPE_CYLINDER, TOOL_TURNS},
 	{"drill", SHAPE_POINT, TOOL_TURNS},
 	{"spot drill", SHAPE_POINT, TOOL_TURNS},
-	{"chamfer mill", SHAPE_TAPER, TOOL_TURNS},
+	{"counter sink", SHAPE_SINK, TOOL_TURNS},
+	{"chamfer mill", SHAPE_CHAMFER, TOOL_TURNS},
+	{"tapered mill", SHAPE_TAPER, TOOL_TURNS},
+	{"dovetail mill", SHAPE_DOVETAIL, TOOL_TURNS},
 	{"lollipop mill", SHAPE_SPHERE, TOOL_TURNS},
 	{"probe", SHAPE_SPHERE, TOOL_PROBES},
 };
@@ -82,13 +98,14 @@ static bool read_number(const json_t *object, const char *name, double scale, do
 }
 
 struct geometry {
-	double diameter, corner, point_angle, taper_angle, tip_diameter;	/* mm; degrees */
+	double diameter, greatest, corner, point_angle, taper_angle, tip_diameter;	/* mm; degrees */
 	double flutes, shoulder, shoulder_diameter, shank_diameter, below_holder, gauge;	/* gauge 0: not given */
 };
 
 static bool read_geometry(const json_t *geometry, double unit, struct geometry *g)
 {
 	return read_number(geometry, "DC", unit, 0, &g->diameter) && read_number(geometry, "RE", unit, 0, &g->corner) &&
+	       read_number(geometry, "DCX", unit, g->diameter, &g->greatest) &&
 	       read_number(geometry, "SIG", 1, 0, &g->point_angle) &&
 	       read_number(geometry, "TA", 1, 0, &g->taper_angle) &&
 	       read_number(geometry, "tip-diameter", unit, 0, &g->tip_diameter) &&
@@ -131,12 +148,75 @@ static double cone_height(double from, double to, double half_degrees)
 	return (to - from) / 2 / math_tan(half_degrees * math_acos(-1) / 180);
 }
 
+/* Why there is no cone of this half angle, degrees, between the diameters of tip and cutter; NULL: it was added. */
+static const char *add_cone(struct tool_outline *tool, const struct geometry *g, double half, const char *why)
+{
+	const double r = g->diameter / 2;
+	double cone;
+
+	if (!(half >= 1 && half <= 89) || g->tip_diameter < 0 || g->tip_diameter > g->diameter)
+		return why;
+	cone = cone_height(g->tip_diameter, g->diameter, half);
+	/* Some engraving tools end within the cone: above their flutes they are a shank. */
+	if (g->flutes > 0 && g->flutes < cone) {
+		tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, g->flutes,
+				 g->tip_diameter / 2 + (r - g->tip_diameter / 2) * g->flutes / cone);
+		return NULL;
+	}
+	tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, cone, r);
+	tool_profile_add(&tool->cutter, cone, r, fmax(g->flutes, cone), r);
+	return NULL;
+}
+
+/*
+ * The cone has the diameter DC in the plane of the tip, as if it had no corner radius, which rounds it tangentially:
+ * where both tips meet in the axis, the tip is a ball.
+ */
+static const char *add_taper(struct tool_outline *tool, const struct geometry *g)
+{
+	const double angle = radians(g->taper_angle), r = g->diameter / 2, round = g->corner;
+	double flat, low;
+
+	if (!(g->taper_angle >= 1 && g->taper_angle <= 80) || !(g->flutes > 0) || round < 0)
+		return "its angle TA is missing, or not between 1 and 80 degrees, or its flutes LCF are missing";
+	flat = r - round * (1 - math_sin(angle)) / math_cos(angle);
+	low = round * (1 - math_sin(angle));
+	if (flat < -ROUNDED || low > g->flutes)
+		return "its corner radius RE is larger than its tip";
+	flat = fmax(flat, 0);
+	if (round > 0)
+		tool_profile_add_arc(&tool->cutter, 0, flat, low, flat + round * math_cos(angle), round, flat, true);
+	tool_profile_add(&tool->cutter, low, flat + round * math_cos(angle), g->flutes, r + g->flutes * math_tan(angle));
+	return NULL;
+}
+
+static const char *add_dovetail(struct tool_outline *tool, const struct geometry *g)
+{
+	const double r = g->diameter / 2, top = r - g->flutes * math_tan(radians(g->taper_angle));
+
+	if (!(g->taper_angle >= 1 && g->taper_angle <= 80) || !(g->flutes > 0) || g->corner > 0 || !(top > 0))
+		return "its angle TA is missing, or not between 1 and 80 degrees, or its corners are rounded";
+	tool_profile_add(&tool->cutter, 0, r, g->flutes, top);
+	return NULL;
+}
+
+/* A ball as far as its neck, which is as thick as the shoulder. */
+static void add_sphere(struct tool_outline *tool, const struct geometry *g)
+{
+	const double r = g->diameter / 2, neck = fmin(g->shoulder_diameter / 2, r);
+
+	tool_profile_add_arc(&tool->cutter, 0, 0, r, r, r, 0, true);
+	tool_profile_add_arc(&tool->cutter, r, r, r + sqrt(r * r - neck * neck), neck, r, 0, true);
+}
+
 /* Why the shape cannot be taken over; NULL: it was. */
 static const char *add_cutter(struct tool_outline *tool, const struct geometry *g, enum shape shape)
 {
-	double r = g->diameter / 2, cone;
+	double r = g->diameter / 2;
 
-	tool->has_tip = shape != SHAPE_TAPER && shape != SHAPE_SPHERE;
+	if (g->greatest > g->diameter + ROUNDED)
+		return "its greatest diameter DCX is larger than DC";
+	tool->has_tip = shape < SHAPE_CHAMFER;
 	switch (shape) {
 	case SHAPE_CYLINDER:
 		tool->tip = TIP_FLAT;
@@ -156,23 +236,19 @@ static const char *add_cutter(struct tool_outline *tool, const struct geometry *
 		tool->tip = TIP_CONE;
 		tool->angle = g->point_angle * math_acos(-1) / 180;
 		break;
+	case SHAPE_CHAMFER:
+		return add_cone(tool, g, g->taper_angle,
+				"its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than it");
+	case SHAPE_SINK:
+		return add_cone(tool, g, g->point_angle / 2,
+				"its angle SIG is missing, or not between 2 and 178 degrees, or its tip is thicker than "
+				"it");
 	case SHAPE_TAPER:
-		if (!(g->taper_angle >= 1 && g->taper_angle <= 89) || g->tip_diameter > g->diameter)
-			return "its angle TA is missing, or not between 1 and 89 degrees, or its tip is thicker than "
-			       "it";
-		cone = cone_height(g->tip_diameter, g->diameter, g->taper_angle);
-		/* Some engraving tools end within the cone: above their flutes they are a shank. */
-		if (g->flutes > 0 && g->flutes < cone) {
-			tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, g->flutes,
-					 g->tip_diameter / 2 + (r - g->tip_diameter / 2) * g->flutes / cone);
-			return NULL;
-		}
-		tool_profile_add(&tool->cutter, 0, g->tip_diameter / 2, cone, r);
-		tool_profile_add(&tool->cutter, cone, r, fmax(g->flutes, cone), r);
-		return NULL;
+		return add_taper(tool, g);
+	case SHAPE_DOVETAIL:
+		return add_dovetail(tool, g);
 	case SHAPE_SPHERE:
-		tool_profile_add_arc(&tool->cutter, 0, 0, r, r, r, 0, true);
-		tool_profile_add_arc(&tool->cutter, r, r, 2 * r, 0, r, 0, true);
+		add_sphere(tool, g);
 		return NULL;
 	}
 	tool_profile_add(&tool->cutter, 0, r, g->flutes, r);
@@ -184,8 +260,12 @@ static bool add_shank(struct tool_outline *tool, const json_t *shaft, const stru
 {
 	double top = tool_profile_top(&tool->cutter), shoulder = fmax(g->shoulder, top);
 
-	if (json_array_size(json_object_get(shaft, "segments")))
-		return add_segments(shaft, unit, &tool->shank, &top);
+	if (json_array_size(json_object_get(shaft, "segments"))) {
+		double from = g->flutes > 0 ? g->flutes : top;
+
+		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, fmax(from, top), g->shoulder_diameter / 2);
+		return add_segments(shaft, unit, &tool->shank, &from);
+	}
 	if (shoulder < g->below_holder) {
 		tool_profile_add(&tool->shank, top, g->shoulder_diameter / 2, shoulder, g->shoulder_diameter / 2);
 		tool_profile_add(&tool->shank, shoulder, g->shank_diameter / 2, g->below_holder, g->shank_diameter / 2);
@@ -228,13 +308,16 @@ static const struct type_row *find_type(const char *name)
 }
 
 /* Sizes that no tool has. NULL: they are as they should be. */
-static const char *judge(const struct geometry *g, const struct tool_outline *tool)
+static const char *judge(const struct geometry *g, enum shape shape, const struct tool_outline *tool)
 {
+	/* The corner of a tapered mill may be rounder than its tip is wide. */
+	const bool rounded = shape != SHAPE_TAPER && g->corner > g->diameter / 2;
+
 	if (!(g->diameter > 0))
 		return "it has no diameter DC";
 	if (!(g->below_holder > 0))
 		return "it has no length below the holder LB";
-	if (g->flutes < 0 || g->corner < 0 || g->corner > g->diameter / 2 || g->shank_diameter < 0 ||
+	if (g->flutes < 0 || g->corner < 0 || rounded || g->shank_diameter < 0 ||
 	    g->shoulder_diameter < 0)
 		return "its sizes contradict each other";
 	return tool->length >= TOOL_SECTION_MIN && tool->length <= TOOL_SIZE_MAX ?
@@ -255,11 +338,14 @@ static bool add_tool(struct reading *r, const json_t *item, const struct type_ro
 		return fault(r, "the unit must be millimeters or inches");
 	if (!read_geometry(json_object_get(item, "geometry"), unit, &g))
 		return fault(r, "a value of the geometry is not a number");
+	/* A ball stands on a neck, which older libraries give as the shank. */
+	if (type->shape == SHAPE_SPHERE && !json_object_get(json_object_get(item, "geometry"), "shoulder-diameter"))
+		g.shoulder_diameter = g.shank_diameter;
 	why = add_cutter(&tool, &g, type->shape);
 	good = add_shank(&tool, json_object_get(item, "shaft"), &g, unit) &&
 	       add_holder(&tool, json_object_get(item, "holder"), &g, unit, &known_to);
 	tool.diameter = g.diameter;
-	why = why ? why : good ? judge(&g, &tool) : NULL;
+	why = why ? why : good ? judge(&g, type->shape, &tool) : NULL;
 	if (!good)
 		fault(r, "the segments of shaft or holder are not as they should be");
 	else if (why)
