@@ -189,6 +189,33 @@ static const struct refused_program programs[] = {
 	 "the setup defines no work offset G506: add <work_offset name=\"G506\" X=\"\" Y=\"\" Z=\"\"/> with its values"},
 	{"T1 M6\nX=$P_TOOLL[4]\n", 2, 12,
 	 "the number of a length must be a whole number from 1 to 3, not 4"},
+	{"G500 F6\nCT X10 Y10\n", 2, 1,
+	 "CT goes on in the direction of the motion before it, which is not known here: move in its plane, by G1, G2 or G3, "
+	 "right before it"},
+	{"G500 F6 X10\nG0 Z5\nCT X20 Y10\n", 3, 1,
+	 "CT goes on in the direction of the motion before it, which is not known here: move in its plane, by G1, G2 or G3, "
+	 "right before it"},
+	{"G500 F6 X10\nTRANS X1\nCT X20 Y10\n", 3, 1,
+	 "CT goes on in the direction of the motion before it, which is not known here: move in its plane, by G1, G2 or G3, "
+	 "right before it"},
+	{"G500 F6 X10 Z5\nSUPA X5\nCT X20 Y10\n", 3, 1,
+	 "CT goes on in the direction of the motion before it, which is not known here: move in its plane, by G1, G2 or G3, "
+	 "right before it"},
+	{"G500 F6 X10 Z10\nCYCLE81(10,0,2,-5)\nCT X20 Y10\n", 3, 1,
+	 "CT goes on in the direction of the motion before it, which is not known here: move in its plane, by G1, G2 or G3, "
+	 "right before it"},
+	{"G500 F6 X10\nCT X5\n", 2, 1,
+	 "CT cannot lead straight back"},
+	{"G500 F6 X10\nCT X10 Z5\n", 2, 1,
+	 "CT needs an end that is not its start"},
+	{"G500 F6 X10\nCT X20 Y10 CR=5\n", 2, 1,
+	 "CT has only an end: no centre, CR=, AR=, TURN=, AP= or RP="},
+	{"PCALL \"A\"\n", 1, 7,
+	 "the path of PCALL stands without quotes"},
+	{"PCALL/A X1\n", 1, 9,
+	 "nothing can follow the call of a subprogram by its text or path"},
+	{"EXTCALL(\"A\") X1\n", 1, 14,
+	 "nothing can follow the call of a subprogram by its text or path"},
 	{"CYCLE800(3,\"\",0,57,0,0,0,0,0,0,0,0,0,1)\n", 1, 1,
 	 "FR of CYCLE800 must be 0, 1, 2, 4 or 5, not 3"},
 	{"CYCLE800(5,\"\",0,57,0,0,0,0,0,0,0,0,0,1,-1)\n", 1, 1,

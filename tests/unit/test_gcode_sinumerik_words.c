@@ -27,6 +27,18 @@ static const struct program {
 	/* Lists of values in DEF; data of the tool in force. */
 	{"F6 G500\nDEF REAL QR[2,2]=(1,2,3)\nT1 D2 M6\nG53 X=QR[0,1] Y=QR[1,0] D0\nD2\nR1=$P_TOOLR R2=$P_TOOLL[1] D0\nX=R1 Y=R2\n",
 	 "tool 1\nfeed 2 3 0 0 0\nfeed 4 90 0 0 0\n"},
+	/* CT goes on in the direction of the motion before it; no motion may stand between. */
+	{"F6 G500 G17\nX10\nCT X20 Y10\nX10 Y20\nMSG(\"A\")\nX5\nX0 Y25\nG2 X5 Y30 I5\nCT X10 Y35 Z1\n",
+	 "feed 10 0 0 0 0\narc 20 10 0 0 0 centre 10 10 0 normal 0 0 1 sweep 90\n"
+	 "arc 10 20 0 0 0 centre 10 10 0 normal 0 0 1 sweep 90\nfeed 5 20 0 0 0\n"
+	 "arc 0 25 0 0 0 centre 5 25 0 normal 0 0 1 sweep -90\n"
+	 "arc 5 30 0 0 0 centre 5 25 0 normal 0 0 1 sweep -90\n"
+	 "arc 10 35 1 0 0 centre 5 35 0 normal 0 0 1 sweep 90\n"},
+	{"F6 G500 G18 TRANS X100\nMIRROR Z0\nZ10\nCT Z20 X10\n",
+	 "feed 0 0 -10 0 0\narc 10 0 -20 0 0 centre 10 0 -10 normal 0 1 0 sweep -90\n"},
+	{"%_N_MAIN_MPF\nF6 G500\nPCALL/_N_WKS_DIR/_N_A_WPD/_N_SUB_A_SPF(4, 5) ; twice\nPCALL SUB_A(6)\nM30\n"
+	 "%_N_SUB_A_SPF\nPROC SUB_A(REAL QX, REAL QY=9)\nX=QX Y=QY\nRET\n",
+	 "feed 4 5 0 0 0\nfeed 6 9 0 0 0\n"},
 	/* GOTOS begins the program again. */
 	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},

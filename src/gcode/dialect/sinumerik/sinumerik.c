@@ -42,6 +42,14 @@ static void begin(struct interp *interp)
 	interp->block.words = 1;
 }
 
+static bool ends_block(struct lexer *lexer)
+{
+	const char byte = lexer_peek(lexer);
+
+	return byte == '\0' || byte == ';' ||
+	       fault(lexer->at, expr_column(lexer), "nothing can follow the call of a subprogram by its text or path");
+}
+
 /* CALL "NAME", EXTCALL("NAME") */
 static bool call_by_text(struct interp *interp, struct lexer *lexer)
 {
@@ -52,10 +60,29 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
 	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
-	    !sinumerik_call_name(interp, path.bytes, column, name))
+	    !sinumerik_call_name(interp, path.bytes, column, name) || !ends_block(lexer))
 		return false;
 	sinumerik_of(interp)->argument_count = 0;
 	return sinumerik_call_run(interp, name, 1, column);
+}
+
+/* PCALL/_N_WKS_DIR/_N_PART_WPD/NAME(1,2): the path stands without quotes. */
+static bool call_by_path(struct interp *interp, struct lexer *lexer)
+{
+	const int column = expr_column(lexer);
+	char path[SINUMERIK_TEXT + 1], name[SINUMERIK_NAME + 1];
+	size_t length = 0;
+
+	if (lexer_peek(lexer) == '"')
+		return fault(lexer->at, column, "the path of PCALL stands without quotes");
+	while (sinumerik_is_name(lexer->at->text[lexer->position]) || lexer->at->text[lexer->position] == '/') {
+		if (length == SINUMERIK_TEXT)
+			return fault(lexer->at, column, "a path of more than %d bytes", SINUMERIK_TEXT);
+		path[length++] = lexer->at->text[lexer->position++];
+	}
+	path[length] = '\0';
+	return sinumerik_call_name(interp, path, column, name) && sinumerik_call_arguments(interp, lexer) &&
+	       ends_block(lexer) && sinumerik_call_run(interp, name, 1, column);
 }
 
 /* Declarations and calls that are no words of a block. */
@@ -74,6 +101,8 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 		return sinumerik_call_proc(interp, lexer);
 	if (!strcmp(name, "CALL") || !strcmp(name, "EXTCALL"))
 		return call_by_text(interp, lexer);
+	if (!strcmp(name, "PCALL"))
+		return call_by_path(interp, lexer);
 	if (!strcmp(name, "RET")) {
 		if (lexer_peek(lexer) == '(')
 			return fault(lexer->at, expr_column(lexer), "RET with arguments is not supported yet");

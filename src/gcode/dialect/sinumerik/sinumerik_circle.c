@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "base/same_double.h"
 #include "base/units.h"
 #include "gcode/dialect/sinumerik/sinumerik_frame.h"
 #include "gcode/dialect/sinumerik/sinumerik_polar.h"
@@ -16,6 +17,9 @@
 #define TURNS_MAX 999
 /* Radians; what is less is a full turn. */
 #define SAME_ANGLE 1e-12
+
+/* CT: sine of the angle between the direction and the chord below which the arc is a straight line. */
+#define LEAST_TURN 1e-8
 
 struct circle_plane {
 	enum axis_slot a, b;
@@ -191,6 +195,35 @@ static bool by_centre(struct interp *interp, const struct sinumerik_block *block
 	}
 }
 
+/*
+ * "Circular interpolation with tangential transition (CT)": the arc leaves in the direction in which the last motion
+ * has ended, so that its centre lies beside the start, on the side of the end.
+ */
+static bool by_tangent(struct interp *interp, const struct sinumerik_block *block, struct circle *c, bool *straight)
+{
+	const struct sinumerik_tangent *before = &sinumerik_of(interp)->tangent;
+	const struct plane_point t = before->direction;
+	const struct plane_point way = {c->end.a - c->start.a, c->end.b - c->start.b};
+	const double chord = math_hypot(way.a, way.b), across = t.a * way.b - t.b * way.a;
+	double radius;
+
+	if (!before->known || before->plane != interp->state.plane || !same_double(before->end.a, c->start.a) ||
+	    !same_double(before->end.b, c->start.b))
+		return fault(&interp->at, circle_column(block),
+			     "CT goes on in the direction of the motion before it, which is not known here: move in its "
+			     "plane, by G1, G2 or G3, right before it");
+	if (!(chord > SAME_POINT))
+		return fault(&interp->at, circle_column(block), "CT needs an end that is not its start");
+	if (fabs(across) <= LEAST_TURN * chord) {
+		*straight = t.a * way.a + t.b * way.b > 0;
+		return *straight || fault(&interp->at, circle_column(block), "CT cannot lead straight back");
+	}
+	radius = chord * chord / (2 * across);
+	c->centre = (struct plane_point){c->start.a - radius * t.b, c->start.b + radius * t.a};
+	c->clockwise = across < 0;
+	return true;
+}
+
 /* AR= with the end or with the centre; then *sweep is known. */
 static bool by_angle(struct interp *interp, const struct sinumerik_block *block, bool centred, struct circle *c,
 		     double *sweep)
@@ -227,12 +260,16 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 	const bool radius = sinumerik_block_has_address(block, SINUMERIK_CR);
 	const bool angle = sinumerik_block_has_address(block, SINUMERIK_AR);
 	const bool polar = block->addresses & SINUMERIK_POLAR_BITS;
+	const bool tangent = interp->state.motion == SINUMERIK_CT;
 	const bool centred = polar || block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'));
 	vec3 centre = linear(start);
 	double at[3] = {centre.x, centre.y, centre.z}, sweep;
 
 	c.start = (struct plane_point){start->v[plane->a], start->v[plane->b]};
 	c.end = (struct plane_point){target->v[plane->a], target->v[plane->b]};
+	if (tangent && (radius || angle || centred || sinumerik_block_has_address(block, SINUMERIK_TURN)))
+		return fault(&interp->at, circle_column(block),
+			     "CT has only an end: no centre, CR=, AR=, TURN=, AP= or RP=");
 	if (polar && (radius || angle || block->letters & (letter_bit('I') | letter_bit('J') | letter_bit('K'))))
 		return fault(&interp->at, circle_column(block),
 			     "a circle to AP= and RP= has its centre at the pole, and no CR=, AR=, I, J or K");
@@ -241,11 +278,13 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 		    &interp->at, circle_column(block),
 		    "a circle has a centre (I, J, K), a radius (CR=), or an opening angle (AR=) with one of end "
 		    "and centre");
-	if (!radius && !centred && !angle)
+	if (!radius && !centred && !angle && !tangent)
 		return fault(&interp->at, circle_column(block),
 			     "a circle needs a centre (I, J, K), a radius (CR=) or an opening angle (AR=)");
 	if (!find_turns(interp, block, &c.turns))
 		return false;
+	if (tangent && (!by_tangent(interp, block, &c, &found->straight) || found->straight))
+		return found->straight;
 	if (radius ? !by_radius(interp, block, &c) : centred && !by_centre(interp, block, &c))
 		return false;
 	if (angle && !by_angle(interp, block, centred, &c, &sweep))
@@ -256,7 +295,7 @@ static bool in_plane(struct interp *interp, const struct sinumerik_block *block,
 			  fmax(SAME_ANGLE, SAME_POINT / math_hypot(c.start.a - c.centre.a, c.start.b - c.centre.b)));
 	at[plane->a] = c.centre.a;
 	at[plane->b] = c.centre.b;
-	*found = (struct sinumerik_circle){.in_plane = true, .turns = c.turns,
+	*found = (struct sinumerik_circle){.in_plane = true, .clockwise = c.clockwise, .turns = c.turns,
 					   .centre = {c.centre.a + interp->state.offset.v[plane->a],
 						      c.centre.b + interp->state.offset.v[plane->b]}};
 	return place_arc(interp, block, (vec3){at[0], at[1], at[2]}, plane->normal, sweep, &found->arc);
@@ -276,7 +315,28 @@ bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *
 		return fault(&interp->at, circle_column(block),
 			     "the machine has no %c axis, which a circle in the plane of G%d needs",
 			     AXIS_LETTERS[has_axis[plane->a] ? plane->b : plane->a], interp->state.plane / 10);
-	found->in_plane = false;
+	*found = (struct sinumerik_circle){.in_plane = false};
 	return through ? through_point(interp, block, &start, target, &found->arc)
 		       : in_plane(interp, block, target, &start, found);
+}
+
+void sinumerik_circle_keep_tangent(struct interp *interp, const slot_values *from, const slot_values *to,
+				   const struct sinumerik_circle *circle)
+{
+	const struct circle_plane *plane = plane_of(interp->state.plane);
+	const double *offset = interp->state.offset.v;
+	struct plane_point way = {to->v[plane->a] - from->v[plane->a], to->v[plane->b] - from->v[plane->b]};
+	double length;
+
+	if (circle) {
+		const double a = to->v[plane->a] - (circle->centre.a - offset[plane->a]);
+		const double b = to->v[plane->b] - (circle->centre.b - offset[plane->b]);
+
+		way = circle->clockwise ? (struct plane_point){b, -a} : (struct plane_point){-b, a};
+	}
+	length = math_hypot(way.a, way.b);
+	sinumerik_of(interp)->tangent = (struct sinumerik_tangent){
+		.known = length > SAME_POINT && (!circle || circle->in_plane), .plane = interp->state.plane,
+		.direction = {way.a / fmax(length, SAME_POINT), way.b / fmax(length, SAME_POINT)},
+		.end = {to->v[plane->a], to->v[plane->b]}};
 }

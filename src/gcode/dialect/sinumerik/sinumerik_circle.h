@@ -6,7 +6,9 @@
 
 struct sinumerik_circle {
 	struct canon_arc arc;	/* of the controller's positions */
-	bool in_plane;	/* G2 or G3, and then: */
+	bool straight;	/* CT to a point ahead: no arc */
+	bool in_plane;	/* G2, G3 or CT, and then: */
+	bool clockwise;
 	struct plane_point centre;	/* straight (rotated_frame.h) */
 	int turns;	/* from 1 */
 };
@@ -17,5 +19,12 @@ struct sinumerik_circle {
  */
 bool sinumerik_circle_find(struct interp *interp, const struct sinumerik_block *block, slot_values *target,
 			   struct sinumerik_circle *found);
+
+/*
+ * Keeps for CT in which direction a motion ends that goes from one place to another, in program coordinates. A null
+ * circle is a straight motion.
+ */
+void sinumerik_circle_keep_tangent(struct interp *interp, const slot_values *from, const slot_values *to,
+				   const struct sinumerik_circle *circle);
 
 #endif

@@ -53,6 +53,7 @@ enum {
 	SINUMERIK_ORIEULER,
 	SINUMERIK_ORIRPY,
 	SINUMERIK_ORIRPY2,
+	SINUMERIK_CT,
 	/* Frame codes: SINUMERIK_FRAME_CODES + 2 * enum sinumerik_frame_code + (the A... form). */
 	SINUMERIK_FRAME_CODES = 100100
 };

@@ -137,6 +137,7 @@ bool sinumerik_frame_changed(struct interp *interp, int column)
 		state->frame.origin = linear(&total.shift);
 		set_linear(&state->shift, (vec3){0, 0, 0});
 	}
+	sinumerik->tangent.known = false;
 	sinumerik->frame_is_even = sinumerik_frame_scale(&total.matrix, &factor);
 	if (!tool_length_offsets_changed(interp, column))
 		return false;

@@ -66,7 +66,7 @@ static bool go_straight(struct interp *interp, const slot_values *target, struct
 static bool arrive(struct interp *interp, const slot_values *target, struct canon_move *move,
 		   const struct sinumerik_circle *circle)
 {
-	const slot_values straight = sinumerik_frame_straight(interp, target);
+	const slot_values straight = sinumerik_frame_straight(interp, target), from = *sinumerik_frame_place(interp);
 	bool good, waits = false;
 
 	if (corner_insert_concerns(interp)) {
@@ -93,6 +93,7 @@ static bool arrive(struct interp *interp, const slot_values *target, struct cano
 		good = cutter_comp_arc(interp, &straight, circle->centre, circle->turns, move);
 	if (!good)
 		return false;
+	sinumerik_circle_keep_tangent(interp, &from, target, circle);
 	sinumerik_of(interp)->place = *target;
 	sinumerik_of(interp)->placed = true;
 	return true;
@@ -237,6 +238,13 @@ static bool run_circle(struct interp *interp, const struct sinumerik_block *bloc
 			     "a circle during which the tool turns on a great circle (ORIVECT) is not supported yet");
 	if (!sinumerik_circle_find(interp, block, &target, &circle))
 		return false;
+	if (circle.straight) {
+		move.kind = CANON_FEED;
+		interp->block.motion = interp->block.g[G_MOTION] = G1;
+		return arrive(interp, &target, &move, NULL);
+	}
+	if (circle.in_plane)
+		interp->block.motion = interp->block.g[G_MOTION] = circle.clockwise ? G2 : G3;
 	move.arc = circle.arc;
 	return arrive(interp, &target, &move, &circle);
 }
@@ -314,6 +322,13 @@ static bool run_position(struct interp *interp, const struct sinumerik_block *bl
 	       arrive(interp, &target, &move, NULL);
 }
 
+static int shown_motion(int motion)
+{
+	if (motion == SINUMERIK_CIP || motion == SINUMERIK_CT)
+		return G2;
+	return is_thread(motion) ? G1 : motion;
+}
+
 bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *block, bool *moved)
 {
 	const int given = block->code[SINUMERIK_MOTION];
@@ -326,7 +341,8 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	*moved = false;
 	if (block->positions)
 		return run_position(interp, block);
-	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP;
+	circle = state->motion == G2 || state->motion == G3 || state->motion == SINUMERIK_CIP ||
+		 state->motion == SINUMERIK_CT;
 	axes = (block->letters & AXIS_BITS) || (block->addresses & (SINUMERIK_DIRECTION_BITS | SINUMERIK_POLAR_BITS)) ||
 	       (circle && ((block->letters & CENTRE_BITS) || (block->addresses & CIRCLE_BITS)));
 	if (!refuse_words(interp, block, circle) || (block->addresses && !check_corner(interp, block, axes)))
@@ -336,7 +352,7 @@ bool sinumerik_move_run(struct interp *interp, const struct sinumerik_block *blo
 	if (!sinumerik_target_check(interp, block, machine, circle || (block->addresses & SINUMERIK_POLAR_BITS)))
 		return false;
 	*moved = !machine;
-	show_block(interp, block, state->motion == SINUMERIK_CIP ? G2 : is_thread(state->motion) ? G1 : state->motion);
+	show_block(interp, block, shown_motion(state->motion));
 	if (machine && sinumerik_modal_acts(sinumerik_of(interp)))
 		return fault(&interp->at, block->code_column[SINUMERIK_SUPPRESSION],
 			     "SUPA, G53 and G153 while %s is called behind each motion; MCALL first",

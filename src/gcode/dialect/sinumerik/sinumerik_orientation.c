@@ -158,9 +158,9 @@ static double given_or_zero(const struct sinumerik_block *block, enum sinumerik_
 }
 
 /*
- * 840D sl, job planning, "Programming the tool orientation", A2= B2= C2=: by Euler's angles Z is turned about Z by A2
- * and about the new X by B2 (C2 then turns the tool about itself); by RPY about Z by C2, about the new Y by B2 and about
- * the new X by A2; by ORIRPY2 about X by A2 and about the new Y by B2.
+ * 840D sl, job planning, "Programming the tool orientation", A2= B2= C2=: by Euler's angles the direction of Z is
+ * turned about Z by A2 and about the new X by B2 (C2 then turns the tool about itself); by RPY about Z by C2, about the
+ * new Y by B2 and about the new X by A2; by ORIRPY2 about X by A2 and about the new Y by B2.
  */
 static bool angles_direction(struct interp *interp, const struct sinumerik_block *block, vec3 *direction)
 {

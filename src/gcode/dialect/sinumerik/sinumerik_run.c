@@ -453,6 +453,9 @@ static bool run(struct interp *interp, struct lexer *lexer, const struct sinumer
 		return false;
 	if (!sinumerik_invoke_call(interp, lexer, block))
 		return false;
+	/* CT does not go on from a cycle or a subprogram. */
+	if (block->call[0] || (moved && sinumerik_modal_acts(sinumerik_of(interp))))
+		sinumerik_of(interp)->tangent.known = false;
 	if (moved ? !sinumerik_invoke_modal(interp) : !done && !sinumerik_invoke_check(interp, block))
 		return false;
 	return finish(interp, &ending);

@@ -65,6 +65,14 @@ struct sinumerik_polar {
 	double radius, angle;	/* mm, degrees: given last */
 };
 
+/* The direction in which the last motion has ended, in its plane; program coordinates. */
+struct sinumerik_tangent {
+	bool known;
+	int plane;
+	struct plane_point direction;	/* a unit */
+	struct plane_point end;	/* where it has ended, mm */
+};
+
 /* How TRAORI turns the tool between two orientations. */
 enum sinumerik_orientation { SINUMERIK_ORI_UNKNOWN, SINUMERIK_ORI_AXES, SINUMERIK_ORI_VECTOR };
 
@@ -154,6 +162,7 @@ struct sinumerik {
 	/* An offset has changed since the axis was programmed last: its program coordinate then. */
 	bool shifted[SLOT_COUNT];
 	slot_values programmed;	/* NAN: not known */
+	struct sinumerik_tangent tangent;
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */

@@ -22,7 +22,7 @@
 	ADDRESS_ROW(ROW, "K1", K1, "intermediate point of CIP") \
 	CODE_ROW(ROW, "SUPA", SUPPRESSION, SINUMERIK_SUPA, "positions of the machine's axes, for its block") \
 	ADDRESS_ROW(ROW, "FP", FP, "fixed point of G75") \
-	REFUSED_ROW(ROW, "CT", "circle with tangential transition (G2 or G3 can say it)") \
+	CODE_ROW(ROW, "CT", MOTION, SINUMERIK_CT, "circle that goes on in the direction of the motion before it") \
 	REFUSED_ROW(ROW, "INVCW", "involute interpolation") \
 	REFUSED_ROW(ROW, "INVCCW", "involute interpolation") \
 	REFUSED_ROW(ROW, "ASPLINE", "spline interpolation (short lines of G1 can say it)") \
@@ -239,7 +239,6 @@
 	REFUSED_ROW(ROW, "TRAILON", "coupling of axes") \
 	REFUSED_ROW(ROW, "LEADON", "coupling of axes") \
 	REFUSED_ROW(ROW, "TANG", "axis that follows the path") \
-	REFUSED_ROW(ROW, "PCALL", "call of a subprogram by its path") \
 	REFUSED_ROW(ROW, "ISOCALL", "call of a program in ISO mode")
 
 #define MORE_WORDS(ROW) \
@@ -447,6 +446,7 @@
 	STATEMENT_ROW(ROW, "PROC", "head of a subprogram") \
 	STATEMENT_ROW(ROW, "RET", "end of a subprogram") \
 	STATEMENT_ROW(ROW, "CALL", "call of a subprogram by a text") \
+	STATEMENT_ROW(ROW, "PCALL", "call of a subprogram by its path") \
 	STATEMENT_ROW(ROW, "EXTCALL", "call of a subprogram by a text")
 
 #define WORDS(ROW) \
