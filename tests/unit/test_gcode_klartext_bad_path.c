@@ -66,9 +66,8 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:3:15: error: R of LCT must be more than 0"},
 	{"TOOL CALL 1 Z\nAPPR LCT X+20 R+10 RL FMAX\n",
 	 "p.nc:3:23: error: APPR cannot be moved at FMAX; it needs F"},
-	{"TOOL CALL 1 Z\nAPPR LCT X+20 Z-5 R+10 RL F100\n",
-	 "p.nc:3:15: error: Z in APPR and DEP: whether it moves before, behind or with X and Y is not known here; write it "
-	 "into a block of its own"},
+	{"TOOL CALL 1 Z\nAPPR LT X+20 IZ LEN5 RL F100\nL Y+20\n",
+	 "p.nc:3:17: error: a value is needed here"},
 	{"TOOL CALL 1 Z\nAPPR LCT X+20 R+4 RL F100\nL Y+20\n",
 	 "p.nc:3:15: error: the radius of the circle, 4 mm, is not greater than the tool's, 5 mm"},
 	{"TOOL CALL 1 Z\nAPPR LCT X+9 R+10 RL F100\nL Y+20\n",
@@ -82,7 +81,7 @@ static const struct klartext_fault faults[] = {
 	{"F100\nL X+5\nDEP LT LEN5\n",
 	 "p.nc:4:8: error: DEP without radius compensation (RL, RR) is not supported"},
 	{"TOOL CALL 1 Z\nAPPR LT X+20 LEN5 RL F100\nL Y+20\nDEP LT X+5 LEN5\n",
-	 "p.nc:5:8: error: only DEP LCT names its end"},
+	 "p.nc:5:8: error: only DEP LCT names its end in X and Y"},
 	{"TOOL CALL 1 Z\nL X+10 RL F100\n",
 	 "p.nc:4:1: error: the program ends right behind the first block of radius compensation: where the tool is then "
 	 "is not known"},

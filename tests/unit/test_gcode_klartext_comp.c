@@ -102,6 +102,28 @@ static const struct klartext_program approaches[] = {
 	 "arc -5 0 0 0 0 centre -10 0 0 normal 0 0 1 sweep 64.2811168 spread 10.9180144 10.9180144 0\n" ROUND
 	 "arc 49.6875 64.9902248 0 0 0 centre 50 60 0 normal 0 0 1 sweep 183.583322 spread 11.2496053 11.2496053 0\n"
 	 "feed -30 60 0 0 0 spread 11.2496053 11.2496053 0\n"},
+	/* With a height: to PH in the plane, then down; from PN up. */
+	{OUTSIDE "APPR LT X+0 Y+0 Z-10 LEN15 RL F100\n" CONTOUR "DEP LT LEN15 Z+50\n",
+	 "tool 1\nrapid -40 -20 0 0 0\nrapid -5 -15 0 0 0\nrapid -5 -15 90 0 0\nfeed -5 0 90 0 0\n"
+	 "feed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\nfeed 50 55 90 0 0\n"
+	 "feed 65 55 90 0 0\nfeed 65 50 90 0 0 spread 5 5 0\nfeed 65 50 150 0 0 spread 5 5 0\n"},
+	{OUTSIDE "L Y-21 F100\nAPPR LN X+0 Y+0 Z-10 LEN15 RL F100\n" CONTOUR "DEP LN LEN15\n",
+	 "tool 1\nrapid -40 -20 0 0 0\nfeed -40 -21 0 0 0\nfeed -20 0 0 0 0\nfeed -20 0 90 0 0\n"
+	 "feed -5 0 90 0 0\nfeed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\n"
+	 "feed 50 55 90 0 0\nfeed 50 70 90 0 0\n"},
+	/* Of LCT straight there on all axes, too, and back. */
+	{OUTSIDE "APPR LCT X+0 Y+0 Z-10 R10 RL F100\n" CONTOUR "DEP LCT X-30 Y+60 Z+50 R10\n",
+	 "tool 1\nrapid -40 -20 0 0 0\n"
+	 "rapid -5.66043967 -9.00934049 90 0 0 spread 10.9180144 10.9180144 0\n"
+	 "rapid -40 -20 0 0 0 spread 10.9180144 10.9180144 0\n"
+	 "rapid -7.83021984 -4.50467025 0 0 0 spread 10.9180144 10.9180144 0\n"
+	 "rapid -7.83021984 -4.50467025 90 0 0 spread 10.9180144 10.9180144 0\n"
+	 "arc -5 0 90 0 0 centre -10 0 90 normal 0 0 1 sweep 64.2811168 spread 10.9180144 10.9180144 0\n"
+	 "feed -5 50 90 0 0\narc 0 55 90 0 0 centre 0 50 90 normal 0 0 1 sweep -90\nfeed 50 55 90 0 0\n"
+	 "arc 49.6875 64.9902248 90 0 0 centre 50 60 90 normal 0 0 1 sweep 183.583322 spread 11.2496053 11.2496053 0\n"
+	 "feed -30 60 90 0 0 spread 11.2496053 11.2496053 0\nfeed -30 60 150 0 0 spread 11.2496053 11.2496053 0\n"
+	 "feed 49.375 69.9804496 90 0 0 spread 11.2496053 11.2496053 0\n"
+	 "feed -30 60 150 0 0 spread 11.2496053 11.2496053 0\n"},
 	/* MB: along the tool before the rotary axes turn. */
 	{"PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN MB20 FMAX\n",
 	 "orient 0 -0.5 0.866025404\nrapid 0 0 20 0 0\nrapid 0 0 20 -30 0\ntcp on length 0 zero A0 C0\n"},

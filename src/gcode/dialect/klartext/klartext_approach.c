@@ -19,6 +19,8 @@
  * other ends of APPR and DEP. LT: straight on in the direction of the contour, by LEN. LN: across it, by LEN and the
  * tool's radius. CT: on a circle that touches it, R and CCA. LCT: the same circle and a straight line that touches the
  * circle. Whether R is the radius of the contour or of the path of the tool's centre is not said: both are proved.
+ * "Important positions for approach and departure": with a coordinate of Z the tool goes to PH or PN in the plane
+ * first, and then to its height. Newer controls go to the PH of LCT on all axes at once: of LCT both ways are proved.
  */
 
 /* ------------------------------------------------------------------ geometry */
@@ -140,7 +142,7 @@ static bool check_words(struct interp *interp, const struct klartext_words *word
 	return klartext_m_check_harmless(interp, words);
 }
 
-/* The point that the words name, at the height where the tool is. */
+/* The point that the words name. */
 static bool find_point(struct interp *interp, const struct klartext_words *words, bool polar, vec3 *point)
 {
 	const vec3 here = klartext_frame_point(interp);
@@ -151,11 +153,6 @@ static bool find_point(struct interp *interp, const struct klartext_words *words
 		return false;
 	if (polar && !klartext_pole_point(interp, words, &path, &target))
 		return false;
-	if (fabs(target.point.z - here.z) > SAME_POINT)
-		return fault(
-		    &interp->at, words->column[SLOT_Z],
-		    "Z in APPR and DEP: whether it moves before, behind or with X and Y is not known here; write "
-		    "it into a block of its own");
 	*point = target.point;
 	return true;
 }
@@ -296,6 +293,33 @@ static bool find_approach(struct interp *interp, vec3 direction, vec3 *helper, s
 	return true;
 }
 
+static bool changes_height(vec3 from, vec3 to)
+{
+	return fabs(from.z - to.z) > SAME_POINT;
+}
+
+/* On all axes at once and back again, with the doubt of the path beside it: the tool may also go so. */
+static bool go_and_return(struct interp *interp, const struct klartext_path *path)
+{
+	struct klartext_path back = *path;
+
+	back.start = path->end;
+	back.end = path->start;
+	return klartext_comp_move_bare(interp, path) && klartext_comp_move_bare(interp, &back);
+}
+
+/* In the plane, and then along Z, as `send` makes it. */
+static bool go_to_height(struct interp *interp, const struct klartext_path *path,
+			 bool (*send)(struct interp *interp, const struct klartext_path *path))
+{
+	struct klartext_path level = *path, down = *path;
+
+	level.end.z = down.start.z = path->start.z;
+	down.start.x = path->end.x;
+	down.start.y = path->end.y;
+	return send(interp, &level) && (!changes_height(path->start, path->end) || send(interp, &down));
+}
+
 /* From PS to PH and from there to PA. */
 static bool carry_out(struct interp *interp, vec3 direction)
 {
@@ -310,12 +334,17 @@ static bool carry_out(struct interp *interp, vec3 direction)
 	first = line_between(&approach->path, approach->path.start, helper);
 	first.rapid = approach->rapid_before;
 	first.doubt = last.doubt;
-	if (approach->kind != KLARTEXT_WAY_LN)
-		return go(interp, &first) && go(interp, &last);
-	/* To PH the tool's centre goes itself. */
 	side = interp->comp.side;
 	interp->comp.side = 0;
-	if (!klartext_comp_move_bare(interp, &first))
+	if (approach->kind == KLARTEXT_WAY_LCT && changes_height(first.start, first.end) &&
+	    !go_and_return(interp, &first))
+		return false;
+	if (approach->kind != KLARTEXT_WAY_LN) {
+		interp->comp.side = side;
+		return go_to_height(interp, &first, go) && go(interp, &last);
+	}
+	/* To PH the tool's centre goes itself. */
+	if (!go_to_height(interp, &first, klartext_comp_move_bare))
 		return false;
 	interp->comp.side = side;
 	return go(interp, &last);
@@ -345,6 +374,38 @@ bool klartext_approach_make(struct interp *interp, const struct klartext_path *f
 
 /* ------------------------------------------------------------------------ DEP */
 
+/* Along Z to the height of DEP, where the tool has left the contour. */
+static bool rise(struct interp *interp, const struct klartext_path *like, double height)
+{
+	struct klartext_target target = {.point = klartext_frame_point(interp), .others = interp->state.position};
+
+	if (!(fabs(target.point.z - height) > SAME_POINT))
+		return true;
+	target.point.z = height;
+	return klartext_move_line(interp, &target, false, &like->feed);
+}
+
+/* To PN and to its height, and from there back on all axes at once and here again: the tool may also have gone so. */
+static bool rise_both_ways(struct interp *interp, const struct klartext_path *line, double height)
+{
+	const vec3 about = klartext_frame_box(interp, (const double[3]){line->doubt, line->doubt, 0});
+	const vec3 high = {line->end.x, line->end.y, height}, points[3] = {high, line->start, high};
+
+	if (!changes_height(line->start, high))
+		return true;
+	for (int i = 0; i < 3; i++) {
+		const struct klartext_target target = {.point = points[i], .others = interp->state.position};
+		struct canon_move move = {.kind = CANON_FEED, .feed = line->feed};
+
+		move.spread[SLOT_X] = about.x;
+		move.spread[SLOT_Y] = about.y;
+		move.spread[SLOT_Z] = about.z;
+		if (!klartext_move_turning(interp, &target, &move))
+			return false;
+	}
+	return true;
+}
+
 /* A circle, and then a straight line to PN. */
 static bool leave_by_circle_and_line(struct interp *interp, const struct klartext_way_words *words, vec3 direction,
 				     vec3 point, const struct klartext_path *like)
@@ -359,8 +420,10 @@ static bool leave_by_circle_and_line(struct interp *interp, const struct klartex
 		return false;
 	arc = arc_between(like, here, end, circle.centre, circle.turn);
 	line = line_between(like, end, point);
+	line.end.z = here.z;
 	arc.doubt = line.doubt = doubt;
-	return go(interp, &arc) && klartext_comp_leave(interp, &line, words->first_column) && go(interp, &line);
+	return go(interp, &arc) && klartext_comp_leave(interp, &line, words->first_column) && go(interp, &line) &&
+	       rise_both_ways(interp, &line, point.z);
 }
 
 /* From PE on: LT and CT end beside the contour, and whether the tool then goes to it is left open as for R0. */
@@ -416,15 +479,15 @@ bool klartext_approach_depart(struct lexer *lexer)
 	if (!klartext_corner_check_none(interp) || !klartext_m_start(interp, &words) ||
 	    !klartext_move_feed(interp, &words, &path.rapid, &path.feed))
 		return false;
-	if (kind == KLARTEXT_WAY_LCT ? !find_point(interp, &words, polar, &point)
-				     : words.axes || words.has_radius || words.has_angle)
-		return kind == KLARTEXT_WAY_LCT ? false
-						: fault(lexer->at, words.first_column, "only DEP LCT names its end");
+	if (kind != KLARTEXT_WAY_LCT && (words.axes & ~(1U << SLOT_Z) || words.has_radius || words.has_angle))
+		return fault(lexer->at, words.first_column, "only DEP LCT names its end in X and Y");
+	if (!find_point(interp, &words, polar, &point))
+		return false;
 	path.column = words.first_column;
 	if (path.rapid)
 		return fault(lexer->at, words.feed_column, "DEP cannot be moved at FMAX; it needs F");
 	way = way_words(&words);
-	if (!leave(interp, &way, kind, point, &path))
+	if (!leave(interp, &way, kind, point, &path) || !rise(interp, &path, point.z))
 		return false;
 	klartext_of(interp)->last.known = false;
 	return klartext_m_end(interp, &words);

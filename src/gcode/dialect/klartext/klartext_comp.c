@@ -270,6 +270,13 @@ static bool check_arc_plane(struct interp *interp, const struct klartext_path *p
 		     "a circle outside of the plane of X and Y under radius compensation is not supported");
 }
 
+/* How far the tool may be beside a path in the plane; in turned coordinates that may be along any axis. */
+static void spread(const struct interp *interp, double doubt, struct canon_move *move)
+{
+	move->spread[SLOT_X] = move->spread[SLOT_Y] = doubt;
+	move->spread[SLOT_Z] = interp->state.frame.on ? doubt : 0;
+}
+
 bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path)
 {
 	const double *offset = interp->state.offset.v;
@@ -279,15 +286,9 @@ bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *
 	straight.v[SLOT_X] = offset[SLOT_X] + path->end.x;
 	straight.v[SLOT_Y] = offset[SLOT_Y] + path->end.y;
 	straight.v[SLOT_Z] = offset[SLOT_Z] + klartext_of(interp)->frame.scale.z * path->end.z;
+	spread(interp, path->doubt, &move);
 	klartext_of(interp)->moved = true;
 	return motion_commands_go(interp, &straight, &move);
-}
-
-/* How far the tool may be beside a path in the plane; in turned coordinates that may be along any axis. */
-static void spread(const struct interp *interp, double doubt, struct canon_move *move)
-{
-	move->spread[SLOT_X] = move->spread[SLOT_Y] = doubt;
-	move->spread[SLOT_Z] = interp->state.frame.on ? doubt : 0;
 }
 
 static bool go_beside(struct interp *interp, const struct klartext_target *target, const struct klartext_path *path)
