@@ -1,15 +1,16 @@
 #include "cli/init/init.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/argv_parser.h"
 #include "cli/init/init_prompts.h"
 #include "cli/init/machine_plan_finish.h"
 #include "cli/init/machine_plan_set.h"
 #include "cli/init/machine_plan_xml.h"
+#include "cli/subcommand.h"
 #include "report/output.h"
 
 static const struct srcloc nowhere;
@@ -18,38 +19,47 @@ static const struct srcloc nowhere;
 static const char usual_file[] = "machine.xml";
 
 struct request {
+	struct init_request words;
 	struct machine_plan plan;
 	struct diag *diag;
-	const char *output;	/* borrowed; NULL: standard output */
-	bool help;
-	bool good;	/* of the operands */
 };
 
-static void take_operand(void *context, char *word)
+static const struct subcommand subcommand = {
+	.name = "init",
+	.usage = "Usage: fivecheck init [OPTIONS] FAMILY\n"
+		 "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
+		 "head-table: what the two rotary axes turn; or nutating-table or nutating-head, where one of\n"
+		 "them stands oblique. Give everything in machine coordinates with every axis at 0. On a\n"
+		 "terminal, init asks for what is missing; otherwise that is an error.\n",
+	.examples = "fivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
+		    "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
+		    "    --spindle=0,0,520 --output=machine.xml\n",
+	.options = init_options,
+	.option_count = INIT_OPTION_COUNT,
+};
+
+/* Fills the plan from the words. False: reported. */
+static bool take_words(struct request *request, const struct operands *operands)
 {
-	struct request *request = context;
+	const struct init_request *words = &request->words;
 
-	if (request->plan.family < 0 && request->good) {
-		request->good = machine_plan_set(&request->plan, init_options_row(PLAN_FAMILY), word, request->diag);
-		return;
+	if (operands->count > 1) {
+		diag_error(request->diag, nowhere, "init takes one family, but '%s' was named as well",
+			   operands->items[1]);
+		return false;
 	}
-	if (request->good)
-		diag_error(request->diag, nowhere, "init takes one family, but '%s' was named as well", word);
-	request->good = false;
-}
+	if (operands->count && !machine_plan_set(&request->plan, init_options_row(PLAN_FAMILY), operands->items[0],
+						 request->diag))
+		return false;
+	for (int key = PLAN_FAMILY + 1; key < PLAN_KEY_END; key++) {
+		const struct text_list *list = &words->given[key - PLAN_FAMILY];
 
-static enum argv_result take_option(void *context, const struct option_row *row, const char *argument)
-{
-	struct request *request = context;
-
-	if (row->key == PLAN_HELP) {
-		request->help = true;
-		return ARGV_LAST;
+		for (size_t i = 0; i < list->count; i++)
+			if (!machine_plan_set(&request->plan, init_options_row((enum machine_plan_key)key),
+					      list->items[i], request->diag))
+				return false;
 	}
-	if (row->key != PLAN_OUTPUT)
-		return machine_plan_set(&request->plan, row, argument, request->diag) ? ARGV_NEXT : ARGV_FAULT;
-	request->output = strcmp(argument, "-") ? argument : NULL;
-	return ARGV_NEXT;
+	return true;
 }
 
 static bool is_new(const char *path, struct diag *diag)
@@ -121,8 +131,8 @@ static bool ask(struct request *request)
 		return true;
 	if (!init_prompts_ask(&request->plan, stdin, request->diag))
 		return false;
-	if (!request->output && isatty(STDOUT_FILENO))
-		request->output = usual_file;
+	if (!request->words.output && isatty(STDOUT_FILENO))
+		request->words.output = usual_file;
 	return true;
 }
 
@@ -131,44 +141,32 @@ static enum run_status make_file(struct request *request)
 	struct strbuf text = {0};
 
 	/* Check the output file before the user answers questions. */
-	if (!is_new(request->output, request->diag) || !ask(request) ||
+	if (!is_new(request->words.output, request->diag) || !ask(request) ||
 	    !machine_plan_finish(&request->plan, request->diag))
 		return RUN_INCOMPLETE;
 	machine_plan_xml_write(&text, &request->plan);
-	if (!write_file(request->output, &text, request->diag))
+	if (!write_file(request->words.output, &text, request->diag))
 		return RUN_INCOMPLETE;
-	tell(&request->plan, request->output, request->diag);
+	tell(&request->plan, request->words.output, request->diag);
 	return RUN_CLEAR;
-}
-
-static enum run_status print_help(struct diag *diag)
-{
-	struct strbuf text = {0};
-
-	strbuf_addf(&text, "Usage: fivecheck init [OPTIONS] FAMILY\n"
-			   "Writes a commented machine file to begin with. The family is table-table, head-head or\n"
-			   "head-table: what the two rotary axes turn; or nutating-table or nutating-head, where one of\n"
-			   "them stands oblique. Give everything in machine coordinates with every axis at 0. On a\n"
-			   "terminal, init asks for what is missing; otherwise that is an error.\n\n");
-	argv_parser_help(&text, init_options, INIT_OPTION_COUNT);
-	strbuf_addf(&text, "\nfivecheck init table-table --rotary=A,C --limits=X=-300:300,Y=-250:250,Z=-400:0 \\\n"
-			   "    --limits=A=-120:30,C=none --location=A=0,0,120 --location=C=0,0,120 \\\n"
-			   "    --spindle=0,0,520 --output=machine.xml\n");
-	return output_print(&text, diag) ? RUN_CLEAR : RUN_INCOMPLETE;
 }
 
 enum run_status init_run(const struct command *all, int argc, char **argv, struct stderr_ui *ui)
 {
-	struct request request = {.diag = &ui->diag, .good = true};
-	struct argv_parser words = {init_options, INIT_OPTION_COUNT, take_option, take_operand, &request};
-	enum run_status status = RUN_INCOMPLETE;
+	struct request request = {.diag = &ui->diag};
+	struct operands operands = {0};
+	enum run_status status;
 
 	(void)all;
 	machine_plan_init(&request.plan);
-	if (argv_parser_run(&words, argc, argv, &ui->diag) && request.good)
-		status = request.help ? print_help(&ui->diag) : make_file(&request);
-	if (status == RUN_INCOMPLETE)
-		diag_note(&ui->diag, nowhere, "'fivecheck init --help' lists the options");
+	if (subcommand_read(&subcommand, &request.words, &operands, argc, argv, &ui->diag, &status)) {
+		status = take_words(&request, &operands) ? make_file(&request) : RUN_INCOMPLETE;
+		if (status == RUN_INCOMPLETE)
+			status = subcommand_refuse(&subcommand, &ui->diag);
+	}
+	for (int i = 0; i < PLAN_KEY_END - PLAN_FAMILY; i++)
+		free(request.words.given[i].items);
+	operands_release(&operands);
 	machine_plan_release(&request.plan);
 	return status;
 }

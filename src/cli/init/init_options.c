@@ -1,52 +1,54 @@
 #include "cli/init/init_options.h"
 
+#include <stddef.h>
+
 #include "control/dialects.h"
 
-/* What --help and the completions need; the key tells machine_plan_set what to do. */
-#define TEXT .modes = 0, .kind = VALUE_TEXT
-#define CHOICE(names) .modes = 0, .kind = VALUE_CHOICE, .choices = (names)
+/* Every option may be given several times; the key tells machine_plan_set what to do with its arguments. */
+#define LIST(key) .kind = VALUE_LIST, .field = offsetof(struct init_request, given[(key) - PLAN_FAMILY])
 
 const struct option_row init_options[INIT_OPTION_COUNT] = {
-	{PLAN_ROTARY, "rotary", "AXIS,AXIS", TEXT,
+	{PLAN_ROTARY, "rotary", "AXIS,AXIS", LIST(PLAN_ROTARY),
 	 .help = "the rotary axes; the one that carries the other comes\nfirst (head-table: that of the head): A,C"},
-	{PLAN_TABLE, "table", "AXIS,...", TEXT,
+	{PLAN_TABLE, "table", "AXIS,...", LIST(PLAN_TABLE),
 	 .help = "the linear axes that move the table, in order from the\nbase (none)"},
-	{PLAN_HEAD, "head", "AXIS,...", TEXT,
+	{PLAN_HEAD, "head", "AXIS,...", LIST(PLAN_HEAD),
 	 .help = "the linear axes that move the head (the rest of Y,X,Z)"},
-	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", TEXT,
+	{PLAN_LIMITS, "limits", "AXIS=MIN:MAX,...", LIST(PLAN_LIMITS),
 	 .help = "the travel, in mm or degrees; X=none: unlimited"},
-	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", TEXT,
+	{PLAN_LOCATION, "location", "AXIS=X,Y,Z", LIST(PLAN_LOCATION),
 	 .help = "a point on a rotary axis; give one for each"},
-	{PLAN_SPINDLE, "spindle", "X,Y,Z", TEXT,
+	{PLAN_SPINDLE, "spindle", "X,Y,Z", LIST(PLAN_SPINDLE),
 	 .help = "the gauge point, where tools are mounted"},
-	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", TEXT,
+	{PLAN_SPINDLE_DIRECTION, "spindle-direction", "X,Y,Z", LIST(PLAN_SPINDLE_DIRECTION),
 	 .help = "from the gauge point to the tip of a tool (0,0,-1)"},
-	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", TEXT,
+	{PLAN_WORKHOLDING, "workholding", "X,Y,Z", LIST(PLAN_WORKHOLDING),
 	 .help = "the origin of fixtures and parts (0,0,0)"},
-	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", TEXT,
+	{PLAN_DIRECTION, "direction", "AXIS=X,Y,Z", LIST(PLAN_DIRECTION),
 	 .help = "how the axis moves what it carries for a positive\nvalue (as is usual for its name)"},
-	{PLAN_RATES, "rates", "AXIS=RATE,...", TEXT,
+	{PLAN_RATES, "rates", "AXIS=RATE,...", LIST(PLAN_RATES),
 	 .help = "the rates of rapids per minute (30000 mm, 7200\ndegrees)"},
-	{PLAN_HOME, "home", "AXIS=VALUE,...", TEXT,
+	{PLAN_HOME, "home", "AXIS=VALUE,...", LIST(PLAN_HOME),
 	 .help = "where programs start (0)"},
-	{PLAN_TITLE, "title", "AXIS=TEXT", TEXT,
+	{PLAN_TITLE, "title", "AXIS=TEXT", LIST(PLAN_TITLE),
 	 .help = "what reports call the axis; give one for each"},
-	{PLAN_BODY, "body", "LINK=FILE.stl", TEXT,
+	{PLAN_BODY, "body", "LINK=FILE.stl", LIST(PLAN_BODY),
 	 .help = "a mesh on an axis or on the base: Z=stl/head.stl,\nbase=bed.stl; may be given several times"},
-	{PLAN_NAME, "name", "TEXT", TEXT,
+	{PLAN_NAME, "name", "TEXT", LIST(PLAN_NAME),
 	 .help = "the name of the machine"},
-	{PLAN_UNITS, "units", "UNIT", CHOICE(machine_plan_units),
+	{PLAN_UNITS, "units", "UNIT", LIST(PLAN_UNITS), .choices = machine_plan_units,
 	 .help = "mm (the default) or inch, for the file and the options"},
-	{PLAN_DIALECT, "dialect", "NAME", CHOICE(dialect_names),
+	{PLAN_DIALECT, "dialect", "NAME", LIST(PLAN_DIALECT), .choices = dialect_names,
 	 .help = "how the control reads programs: %s;\nthe default is the first"},
-	{PLAN_RAPID, "rapid", "KIND", CHOICE(machine_plan_rapids),
+	{PLAN_RAPID, "rapid", "KIND", LIST(PLAN_RAPID), .choices = machine_plan_rapids,
 	 .help = "how G0 moves: %s; any is the default if\nthe control can be set to move in other ways"},
-	{PLAN_OUTPUT, "output", "FILE", TEXT,
+	{PLAN_OUTPUT, "output", "FILE", .kind = VALUE_OUTPUT, .field = offsetof(struct init_request, output),
 	 .help = "write the machine file to FILE, which must not exist"},
 	{PLAN_HELP, "help", NULL, .kind = VALUE_FLAG, .help = "print this help"},
 };
 
-static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", CHOICE(machine_plan_families)};
+static const struct option_row family_row = {PLAN_FAMILY, "family", "FAMILY", .choices = machine_plan_families};
+
 const struct option_row *init_options_row(enum machine_plan_key key)
 {
 	for (int i = 0; i < INIT_OPTION_COUNT; i++) {

@@ -1,11 +1,18 @@
-/* init_options.h - the table of the options of `fivecheck init`. */
+/* init_options.h - the table of the options of `fivecheck init`, and what they set. */
 #ifndef FIVECHECK_CLI_INIT_INIT_OPTIONS_H
 #define FIVECHECK_CLI_INIT_INIT_OPTIONS_H
 
 #include "cli/init/machine_plan.h"
 #include "cli/option_row.h"
+#include "cli/options.h"
 
 enum { INIT_OPTION_COUNT = 19 };
+
+/* What the options set: the arguments of each key but PLAN_HELP and PLAN_OUTPUT, in their order. */
+struct init_request {
+	struct text_list given[PLAN_KEY_END - PLAN_FAMILY];
+	const char *output;	/* borrowed; NULL: standard output */
+};
 
 extern const struct option_row init_options[INIT_OPTION_COUNT];
 
