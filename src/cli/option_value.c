@@ -74,7 +74,7 @@ static int find_choice(const struct option_row *row, const char *text, size_t le
 static bool add_text(struct text_list *list, const struct option_row *row, const char *text, struct diag *diag)
 {
 	if (!*text) {
-		diag_error(diag, nowhere, "--%s: the name is empty", row->name);
+		diag_error(diag, nowhere, "--%s: its argument is empty", row->name);
 		return false;
 	}
 	list->items = mem_grow(list->items, &list->capacity, list->count + 1, sizeof(*list->items));

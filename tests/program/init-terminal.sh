@@ -29,6 +29,10 @@ ask() {
 ask 'table-table/A,C/none/-300:300/-250:250/oops/400:100/100:400/100/-120:30/0,0,120/none/0 0 120/0,0,520/' "$FIVECHECK" init
 fivecheck init table-table --rotary A,C --limits X=-300:300,Y=-250:250,Z=100:400,A=-120:30,C=none --home Z=100 \
 	--location A=0,0,120 --location C=0,0,120 --spindle 0,0,520 2>/dev/null | cmp - machine.xml
+echo "where the oblique axis of a nutating table points:"
+ask 'nutating-table/B,C/none/none/none/none/none/0,0,100/none/0,0,100/0,-1,-2/0,0,500/' "$FIVECHECK" init --output oblique.xml |
+	grep -A 1 'oblique axis'
+grep 'name="B"' oblique.xml
 echo "only what is missing:"
 ask 0,0,500/fanuc "$FIVECHECK" init head-head --rotary C,B --table X --limits X=none,Y=none,Z=none,C=none,B=none \
 	--location C=0,0,0 --location B=0,0,0 --output other.xml

@@ -57,6 +57,25 @@ static void add_axis(struct prompts *list, const struct machine_plan *plan, int 
 			      "0,0,120", false});
 }
 
+/* The usual oblique axis stands halfway between its own letter and Z; C has no such place. */
+static void add_oblique(struct prompts *list, const struct machine_plan *plan)
+{
+	const int slot = machine_plan_tilted(plan);
+
+	if (slot < 0 || plan->axes[slot].has_direction)
+		return;
+	add(list, slot == SLOT_C,
+	    (struct prompt){PLAN_DIRECTION, slot,
+			    "the direction of this oblique axis, about which positive values turn what it carries, "
+			    "right-handed",
+			    "0,1,1", false});
+	add(list, slot != SLOT_C,
+	    (struct prompt){PLAN_DIRECTION, slot,
+			    "the direction of this oblique axis, about which positive values turn what it carries, "
+			    "right-handed (by default it stands at 45 degrees to Z)",
+			    slot == SLOT_A ? "1,0,1" : "0,1,1", true});
+}
+
 /* Lists what is missing, as far as the answers so far tell. */
 static void list_open(struct prompts *list, const struct machine_plan *plan)
 {
@@ -79,6 +98,7 @@ static void list_open(struct prompts *list, const struct machine_plan *plan)
 		if (machine_plan_has_axis(plan, slot))
 			add_axis(list, plan, slot);
 	}
+	add_oblique(list, plan);
 	add(list, !plan->has_spindle,
 	    (struct prompt){PLAN_SPINDLE, -1, "the gauge point of the spindle in %s, with every axis at 0", "0,0,520",
 			      false});
@@ -133,7 +153,8 @@ bool init_prompts_report(const struct machine_plan *plan, struct diag *diag)
 		const struct prompt *prompt = &list.items[i];
 		struct strbuf text = {0}, example = {0};
 
-		if (prompt->optional)
+		/* machine_plan_finish says more of a direction that is missing. */
+		if (prompt->optional || prompt->key == PLAN_DIRECTION)
 			continue;
 		complete = false;
 		add_text(&text, plan, prompt);
