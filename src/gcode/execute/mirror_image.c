@@ -49,18 +49,14 @@ static bool check_cycle(struct interp *interp)
 bool mirror_image_start_block(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	int code = block->g[G_NONMODAL];
+	int code = block->g[G_NONMODAL], column;
+	const char *what;
 
 	if (code == G10 || code == G52 || code == G92 || code == G92_1)
 		return refuse(interp, block->g_column[G_NONMODAL], "a change of offsets");
-	if (block->g[G_SYSTEM] != CODE_NONE)
-		return refuse(interp, block->g_column[G_SYSTEM], "a change of offsets");
-	if (block->g[G_LENGTH] != CODE_NONE && block->g[G_LENGTH] != G43 && block->g[G_LENGTH] != G49)
-		return refuse(interp, block->g_column[G_LENGTH], "tool centre point control");
-	if (block->m[M_TCP] != CODE_NONE)
-		return refuse(interp, block->m_column[M_TCP], "tool centre point control");
-	if (block->g[G_ROTATION] != CODE_NONE && block->g[G_ROTATION] != G69)
-		return refuse(interp, block->g_column[G_ROTATION], "a rotation");
+	what = rotated_frame_conflict(block, &column);
+	if (what)
+		return refuse(interp, column, what);
 	if (block->g[G_SCALING] == G51)
 		return refuse(interp, block->g_column[G_SCALING], "scaling");
 	if ((code == G28 || code == G30 || code == G53) && !check_by_machine(interp))

@@ -96,3 +96,24 @@ void rotated_frame_mark_unsure(struct state *state, const slot_values *before, i
 	}
 	state->unsure_code = any ? code : CODE_NONE;
 }
+
+const char *rotated_frame_conflict(const struct block *block, int *column)
+{
+	if (block->g[G_SYSTEM] != CODE_NONE) {
+		*column = block->g_column[G_SYSTEM];
+		return "a change of offsets";
+	}
+	if (block->g[G_LENGTH] != CODE_NONE && block->g[G_LENGTH] != G43 && block->g[G_LENGTH] != G49) {
+		*column = block->g_column[G_LENGTH];
+		return "tool centre point control";
+	}
+	if (block->m[M_TCP] != CODE_NONE) {
+		*column = block->m_column[M_TCP];
+		return "tool centre point control";
+	}
+	if (block->g[G_ROTATION] != CODE_NONE && block->g[G_ROTATION] != G69) {
+		*column = block->g_column[G_ROTATION];
+		return "a rotation";
+	}
+	return NULL;
+}

@@ -3,6 +3,7 @@
 #define FIVECHECK_GCODE_EXECUTE_ROTATED_FRAME_H
 
 #include "gcode/state.h"
+#include "gcode/text/block.h"
 #include "geom/xform.h"
 
 /*
@@ -26,5 +27,8 @@ vec3 rotated_frame_normal(const struct state *state, vec3 normal);
  * Marks the coordinates that a change of the frame by this code has changed: *before are the straight ones before it.
  */
 void rotated_frame_mark_unsure(struct state *state, const slot_values *before, int code);
+
+/* What of the block does not go with coordinates that are scaled or mirrored, and its column; NULL: nothing. */
+const char *rotated_frame_conflict(const struct block *block, int *column);
 
 #endif

@@ -22,19 +22,15 @@ static bool check_cycle(struct interp *interp)
 bool scaling_start_block(struct interp *interp)
 {
 	const struct block *block = &interp->block;
-	int code = block->g[G_NONMODAL];
+	int code = block->g[G_NONMODAL], column;
+	const char *what;
 
 	if (code != CODE_NONE && code != G4)
 		return refuse(interp, block->g_column[G_NONMODAL],
 			      "a change of offsets or a move to a place of the machine");
-	if (block->g[G_SYSTEM] != CODE_NONE)
-		return refuse(interp, block->g_column[G_SYSTEM], "a change of offsets");
-	if (block->g[G_LENGTH] != CODE_NONE && block->g[G_LENGTH] != G43 && block->g[G_LENGTH] != G49)
-		return refuse(interp, block->g_column[G_LENGTH], "tool centre point control");
-	if (block->m[M_TCP] != CODE_NONE)
-		return refuse(interp, block->m_column[M_TCP], "tool centre point control");
-	if (block->g[G_ROTATION] != CODE_NONE && block->g[G_ROTATION] != G69)
-		return refuse(interp, block->g_column[G_ROTATION], "a rotation");
+	what = rotated_frame_conflict(block, &column);
+	if (what)
+		return refuse(interp, column, what);
 	if (block->g[G_MIRROR] != CODE_NONE)
 		return refuse(interp, block->g_column[G_MIRROR], "a mirror image");
 	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
