@@ -39,6 +39,10 @@ static const struct program {
 	{"%_N_MAIN_MPF\nF6 G500\nPCALL/_N_WKS_DIR/_N_A_WPD/_N_SUB_A_SPF(4, 5) ; twice\nPCALL SUB_A(6)\nM30\n"
 	 "%_N_SUB_A_SPF\nPROC SUB_A(REAL QX, REAL QY=9)\nX=QX Y=QY\nRET\n",
 	 "feed 4 5 0 0 0\nfeed 6 9 0 0 0\n"},
+	/* "Macro technique": the text takes the place of the name, not in strings and comments. */
+	{"F6 G500\nDEFINE GO_ON AS G1 X=IC(1) ; a comment\ndefine deep as Z-5\nGO_ON deep\nN10 GO_ON Y2 ; DEEP\n"
+	 "MSG(\"DEEP\")\nDEFINE DEEP AS Z-6\nX9 DEEP\nDEFINE QDEEP AS 3\nX=QDEEP*2\n",
+	 "feed 1 0 -5 0 0\nfeed 2 2 -5 0 0\nfeed 9 2 -6 0 0\nfeed 6 2 -6 0 0\n"},
 	/* GOTOS begins the program again. */
 	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},

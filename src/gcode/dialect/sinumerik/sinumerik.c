@@ -8,6 +8,7 @@
 #include "gcode/dialect/sinumerik/sinumerik_comp.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_flow.h"
+#include "gcode/dialect/sinumerik/sinumerik_macro.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_run.h"
 #include "gcode/dialect/sinumerik/sinumerik_seek.h"
@@ -56,8 +57,13 @@ static bool call_by_text(struct interp *interp, struct lexer *lexer)
 	const bool brackets = sinumerik_name_take_byte(lexer, '(');
 	const int column = expr_column(lexer);
 	struct sinumerik_text path;
+	const size_t start = lexer->position;
 	char name[SINUMERIK_NAME + 1];
 
+	if (sinumerik_name_take(lexer, "BLOCK"))
+		return fault(lexer->at, column,
+			     "CALL BLOCK is not supported yet; REPEAT repeats a part of the program in hand");
+	lexer->position = start;
 	if (!sinumerik_expr_text(interp, lexer, &path) ||
 	    (brackets && !sinumerik_name_need(lexer, ')', "the name of the subprogram")) ||
 	    !sinumerik_call_name(interp, path.bytes, column, name) || !ends_block(lexer))
@@ -97,6 +103,8 @@ static bool run_declaration(struct interp *interp, struct lexer *lexer, bool *do
 		name[0] = '\0';
 	if (!strcmp(name, "DEF"))
 		return sinumerik_assign_define(interp, lexer);
+	if (!strcmp(name, "DEFINE"))
+		return sinumerik_macro_define(interp, lexer);
 	if (!strcmp(name, "PROC"))
 		return sinumerik_call_proc(interp, lexer);
 	if (!strcmp(name, "CALL") || !strcmp(name, "EXTCALL"))
@@ -194,6 +202,7 @@ static bool read_line(struct interp *interp, bool *done)
 	if (sinumerik_of(interp)->depth &&
 	    !program_count(&interp->program, interp->config->read.max_blocks, &interp->at))
 		return false;
+	sinumerik_macro_expand(interp, head.rest);
 	lexer = (struct lexer){.at = &interp->at, .position = head.rest};
 	if (!run_words(interp, &lexer))
 		return false;
@@ -227,6 +236,7 @@ static void free_state(void *state)
 	free(sinumerik->variables);
 	free(sinumerik->names);
 	strbuf_release(&sinumerik->line);
+	sinumerik_macro_release(sinumerik);
 	free(sinumerik);
 }
 

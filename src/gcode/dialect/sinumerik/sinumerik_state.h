@@ -131,6 +131,12 @@ struct sinumerik_modal {
 	long line;
 };
 
+/* Made by DEFINE. */
+struct sinumerik_macro {
+	char name[SINUMERIK_NAME + 1];	/* upper case */
+	char *text;	/* owned */
+};
+
 struct sinumerik {
 	struct sinumerik_variable *variables;	/* owned */
 	size_t variable_count, variable_capacity;
@@ -163,6 +169,8 @@ struct sinumerik {
 	bool shifted[SLOT_COUNT];
 	slot_values programmed;	/* NAN: not known */
 	struct sinumerik_tangent tangent;
+	struct sinumerik_macro *macros;	/* owned */
+	size_t macro_count, macro_capacity;
 	bool work_selected;	/* by the program: G500, G54 ... */
 	bool frames_unsure;	/* TRAORI or TRAFOOF may have deleted the frames */
 	bool frame_unsure;	/* CYCLE800() may have deleted the programmable frame */

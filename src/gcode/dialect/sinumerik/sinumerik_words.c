@@ -372,7 +372,6 @@
 	REFUSED_ROW(ROW, "CONTDCON", "a text that is carried out") \
 	PLAIN_ROW(ROW, "DELETE", IGNORED_CALL, "files") \
 	PLAIN_ROW(ROW, "CALLPATH", IGNORED_CALL, "files") \
-	REFUSED_ROW(ROW, "DEFINE", "a text that stands for a name (write the text itself)") \
 	REFUSED_ROW(ROW, "REDEF", "a text that stands for a name") \
 	PLAIN_ROW(ROW, "IPTRLOCK", IGNORED, "stop and search of a block") \
 	PLAIN_ROW(ROW, "IPTRUNLOCK", IGNORED, "stop and search of a block") \
@@ -443,6 +442,7 @@
 	STATEMENT_ROW(ROW, "GOTOC", "jump that may miss its label") \
 	STATEMENT_ROW(ROW, "CASE", "jump by a value") \
 	STATEMENT_ROW(ROW, "DEF", "variables") \
+	STATEMENT_ROW(ROW, "DEFINE", "a text that stands for a name") \
 	STATEMENT_ROW(ROW, "PROC", "head of a subprogram") \
 	STATEMENT_ROW(ROW, "RET", "end of a subprogram") \
 	STATEMENT_ROW(ROW, "CALL", "call of a subprogram by a text") \

@@ -1,0 +1,122 @@
+#include "gcode/dialect/sinumerik/sinumerik_macro.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+#include "gcode/dialect/sinumerik/sinumerik_codes.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
+#include "gcode/eval/expr.h"
+
+/* Macros of a program. */
+#define MACROS_MAX 1000
+
+static struct sinumerik_macro *find(const struct sinumerik *sinumerik, const char *name, size_t length)
+{
+	for (size_t i = 0; i < sinumerik->macro_count; i++) {
+		struct sinumerik_macro *macro = &sinumerik->macros[i];
+		size_t k = 0;
+
+		while (k < length && macro->name[k] == sinumerik_upper(name[k]))
+			k++;
+		if (k == length && macro->name[k] == '\0')
+			return macro;
+	}
+	return NULL;
+}
+
+/* The end of the text, before a comment and the blanks before it. */
+static size_t text_length(const char *text)
+{
+	size_t length = 0;
+	bool quoted = false;
+
+	while (text[length] && (text[length] != ';' || quoted)) {
+		quoted = quoted != (text[length] == '"');
+		length++;
+	}
+	while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+		length--;
+	return length;
+}
+
+/*
+ * 840D sl, job planning, "Macro technique (DEFINE ... AS)". A name that the control knows itself would change what
+ * other lines mean, and a part of a structure could not be found from elsewhere: both are refused.
+ */
+bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const int column = expr_column(lexer);
+	char name[SINUMERIK_NAME + 1], first[SINUMERIK_NAME + 1];
+	struct sinumerik_macro *macro;
+	struct sinumerik_word word;
+	const char *text;
+
+	if (!sinumerik_name_read(lexer, name) || !sinumerik_is_letter(name[1]))
+		return fault(lexer->at, column,
+			     "DEFINE needs a name that begins with two letters, of at most %d bytes", SINUMERIK_NAME);
+	if (sinumerik_codes_word(name, &word))
+		return fault(lexer->at, column, "%s means something else: a DEFINE of it is not supported", name);
+	if (!sinumerik_name_take(lexer, "AS"))
+		return fault(lexer->at, expr_column(lexer), "AS is needed behind the name of DEFINE");
+	lexer_peek(lexer);
+	text = lexer->at->text + lexer->position;
+	if (sinumerik_name_read(lexer, first) && sinumerik_codes_word(first, &word) &&
+	    word.kind == SINUMERIK_WORD_STATEMENT)
+		return fault(lexer->at, expr_column(lexer), "DEFINE of %s, a statement of its own block, is not supported",
+			     first);
+	macro = find(sinumerik, name, strlen(name));
+	if (!macro && sinumerik->macro_count == MACROS_MAX)
+		return fault(lexer->at, column, "more than %d names of DEFINE", MACROS_MAX);
+	if (!macro) {
+		sinumerik->macros = mem_grow(sinumerik->macros, &sinumerik->macro_capacity, sinumerik->macro_count + 1,
+					     sizeof(*sinumerik->macros));
+		macro = &sinumerik->macros[sinumerik->macro_count++];
+		*macro = (struct sinumerik_macro){.text = NULL};
+		strcpy(macro->name, name);
+	}
+	free(macro->text);
+	macro->text = mem_strndup(text, text_length(text));
+	return true;
+}
+
+void sinumerik_macro_expand(struct interp *interp, size_t rest)
+{
+	struct sinumerik *sinumerik = sinumerik_of(interp);
+	const char *text = interp->at.text;
+	struct lexer lexer = {.at = &interp->at, .position = rest};
+	size_t at = rest, kept = 0;
+	bool quoted = false;
+
+	/* DEFINE may give a name another text. */
+	if (sinumerik->macro_count == 0 || sinumerik_name_take(&lexer, "DEFINE"))
+		return;
+	strbuf_clear(&sinumerik->line);
+	while (text[at] && (text[at] != ';' || quoted)) {
+		const struct sinumerik_macro *macro;
+		size_t length = 0;
+
+		quoted = quoted != (text[at] == '"');
+		while (!quoted && (sinumerik_is_name(text[at + length]) || text[at + length] == '$'))
+			length++;
+		macro = length > 1 ? find(sinumerik, text + at, length) : NULL;
+		if (macro) {
+			strbuf_add(&sinumerik->line, text + kept, at - kept);
+			strbuf_addf(&sinumerik->line, "%s", macro->text);
+			kept = at + length;
+		}
+		at += length ? length : 1;
+	}
+	if (kept == 0)
+		return;
+	strbuf_addf(&sinumerik->line, "%s", text + kept);
+	interp->at.text = strbuf_text(&sinumerik->line);
+}
+
+void sinumerik_macro_release(struct sinumerik *sinumerik)
+{
+	for (size_t i = 0; i < sinumerik->macro_count; i++)
+		free(sinumerik->macros[i].text);
+	free(sinumerik->macros);
+}
