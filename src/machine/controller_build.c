@@ -41,10 +41,16 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 static void build_macro(struct description_file *file, const struct macro_description *described,
 			struct builder_macro *macros, size_t *count)
 {
-	struct builder_macro macro = {(int)described->program, described->code.value, described->action, {0}};
+	struct builder_macro macro = {described->has_program ? (int)described->program : MACRO_OF_CODE,
+				      described->code.value, described->action, {0}};
 	bool around = described->action == MACRO_AROUND, any = false;
 
-	if (described->program < 1 || described->program > PROGRAM_MAX) {
+	if (!described->has_program && !described->code.given) {
+		description_fault(file, described->at, NULL,
+				  "<macro> has neither program nor code: which of the builder's is meant?");
+		return;
+	}
+	if (described->has_program && (described->program < 1 || described->program > PROGRAM_MAX)) {
 		description_fault(file, described->at, "program", "program=\"%s\" of <macro> is not between 1 and %d",
 				  description_quote(file, described->at, "program").text, PROGRAM_MAX);
 		return;
@@ -71,7 +77,7 @@ static void build_macro(struct description_file *file, const struct macro_descri
 	if (around && !any)
 		description_fault(file, described->at, NULL, "<macro action=\"around\"> does not say how far: X, Y, Z");
 	for (size_t i = 0; i < *count; i++) {
-		if (macros[i].program == macro.program) {
+		if (described->has_program && macros[i].program == macro.program) {
 			description_fault(file, described->at, "program", "O%d is given twice", macro.program);
 			return;
 		}

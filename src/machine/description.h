@@ -64,6 +64,7 @@ struct mcode_description {
 
 struct macro_description {
 	const void *at;
+	bool has_program;	/* or the code alone says which it is */
 	long program;
 	struct optional_number code;
 	enum macro_action action;

@@ -26,7 +26,11 @@ for block in 'G65 P9999' 'M98 P9999' 'G65 P77' 'M98 P9810' 'G66 P9811'; do
 	printf '%%\nG90 G21\n%s\nM30\n' "$block" >a.nc
 	status fivecheck -q --parse-only m.xml a.nc 2>&1 | grep -v '^ '
 done
-for macro in 'program="0" action="none"' 'program="9" action="none" X="1"' 'program="9" action="around"' \
+# A code whose program nobody knows.
+sed 's|<!-- -->|<macro code="131.1" action="none"/><macro code="130" action="none"/>|' bare.xml >a.xml
+printf '%%\nG90 G21\nG131.1 F3. R.001\nG0 X1.\nG130\nG65 P130\nM30\n' >a.nc
+status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
+for macro in 'action="none"' 'program="0" action="none"' 'program="9" action="none" X="1"' 'program="9" action="around"' \
 	'program="9" action="around" A="1"' 'program="9" code="-1" action="none"' 'program="9" action="run"' \
 	'program="9" action="none"/><macro program="9" action="none"'; do
 	sed "s|<!-- -->|<macro $macro/>|" bare.xml >a.xml

@@ -40,8 +40,9 @@ static void read_macro(struct xml_reader *xml, const xmlNode *node, void *contex
 	struct machine_description *described = context;
 	struct macro_description *macro = &described->controller.macros[described->controller.macro_count++];
 
-	xml_require(xml, node, "program", "action", NULL);
+	xml_require(xml, node, "action", NULL);
 	macro->at = node;
+	macro->has_program = xml_attribute(xml, node, "program") != NULL;
 	macro->program = xml_whole(xml, node, "program", 0);
 	macro->code = xml_optional_number(xml, node, "code");
 	macro->action = (enum macro_action)xml_choice(xml, node, "action", actions, MACRO_NONE);

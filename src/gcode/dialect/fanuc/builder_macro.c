@@ -88,9 +88,10 @@ bool builder_macro_around(struct interp *interp, const struct builder_macro *mac
 
 	if (state->tcp != TCP_OFF || interp->comp.side != 0)
 		return fault(&interp->at, column,
-			     "O%d moves around its place while the tool centre point is controlled or the cutter is "
+			     "%c%g moves around its place while the tool centre point is controlled or the cutter is "
 			     "compensated: that is not followed",
-			     macro->program);
+			     macro->program == MACRO_OF_CODE ? 'G' : 'O',
+			     macro->program == MACRO_OF_CODE ? macro->code : macro->program);
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		if (!probed_axes_is_known(interp, slot, column))
 			return false;
