@@ -90,6 +90,13 @@ fivecheck import --output f fusion.json
 cat f/setup.xml
 python3 "$(dirname "$LIB")/../import/fusion_truth.py" fusion.json f/setup.xml
 "$FIVECHECK" --list-pairs -s f/setup.xml m.xml | grep -c '^[^	]*	T[0-9]* cutter'
+echo "the setup of the manual's first hour:"
+mkdir hour
+sed -n '/cat > setup.xml/,/<.setup>/p' "$(dirname "$LIB")/../../man/fivecheck.7" | sed '1d; s/Y="0" //' >hour/setup.xml
+sed '/"number": 6/d; /"post-process": {}/d; s/, *$/,/' fusion.json >hour/tools.json
+box part 0 0 0 10 10 10
+mv part.stl hour
+"$FIVECHECK" --list-pairs -s hour/setup.xml m.xml 2>/dev/null | grep -c bracket
 echo "faults:"
 fault() { # SED-SCRIPT FILE
 	sed "$1" "$2" >bad.x
