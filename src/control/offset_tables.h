@@ -20,6 +20,9 @@ enum tool_kind {
 	TOOL_PROBES	/* a probe: a motion that ends where it touches, such as G31 */
 };
 
+/* Which way the spindle has to turn so that a cutter cuts: a right-hand one with M3, a left-hand one with M4. */
+enum tool_hand { HAND_UNKNOWN, HAND_RIGHT, HAND_LEFT };
+
 struct tool {
 	int number;	/* > 0 */
 	const char *name;	/* or "" */
@@ -28,6 +31,7 @@ struct tool {
 	double diameter;	/* of the cutter; 0 when it is a mesh and none was given */
 	double length_offset;	/* H of the same number, unless the setup's <offset> says otherwise */
 	enum tool_kind kind;
+	enum tool_hand hand;	/* of a cutter that turns */
 	long line;	/* in the setup file */
 };
 

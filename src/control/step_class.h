@@ -8,7 +8,8 @@ enum step_class {
 	STEP_FEED_TURNING = 2,	/* at a programmed feed, and the spindle turns */
 	STEP_FEED_STANDING = 4,	/* at a programmed feed, but the spindle stands; or a probe measures */
 	STEP_PROBE_TRAVEL = 8,	/* a probe moves at a programmed feed, but does not measure */
-	STEP_ANY = 15
+	STEP_FEED_REVERSED = 16,	/* at a programmed feed, but the spindle turns against the cutter's hand */
+	STEP_ANY = 31
 };
 
 #endif

@@ -25,6 +25,14 @@ enum canon_kind {
 	CANON_SPINDLE_STOP	/* the spindle has turned and stands here */
 };
 
+/* Which way the spindle turns. */
+enum canon_turn {
+	TURN_UNKNOWN,
+	TURN_CLOCKWISE,	/* M3 */
+	TURN_COUNTERCLOCKWISE,	/* M4 */
+	TURN_OF_TAP	/* as the tap needs it: the cycle sees to that */
+};
+
 struct canon_feed {
 	bool inverse_time;	/* G93: the move takes `seconds` */
 	double seconds;
@@ -78,6 +86,7 @@ struct canon_move {
 	bool may_stop;	/* it may end anywhere on its way (a probe) */
 	bool after_probe;	/* it covers the ways from all places where a probe may have stopped */
 	bool spindle_turns;	/* by M3 or M4 without S0, or by the canned cycle itself */
+	enum canon_turn turn;
 	/* revolutions per minute, by M4 below 0; 0: it stands, or nothing said how fast it turns */
 	double spindle_speed;
 	axis_values end;	/* RAPID, FEED, ARC */

@@ -64,6 +64,8 @@ static void write_tool(struct strbuf *out, const struct tool_description *tool)
 	add_number(out, "length", tool->length);
 	if (tool->kind == TOOL_PROBES)
 		xml_text_attribute(out, "kind", "probe");
+	if (tool->hand != HAND_UNKNOWN)
+		xml_text_attribute(out, "hand", tool->hand == HAND_LEFT ? "left" : "right");
 	strbuf_addf(out, ">\n");
 	for (int i = 0; i < TOOL_PIECES; i++)
 		write_piece(out, names[i], &tool->pieces[i]);

@@ -237,6 +237,7 @@ struct tool_description {
 	double length;
 	struct optional_number length_offset, diameter;
 	enum tool_kind kind;
+	enum tool_hand hand;
 	struct piece_description pieces[TOOL_PIECES];
 };
 

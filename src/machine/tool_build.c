@@ -371,6 +371,7 @@ void tool_build(struct tool_builder *builder, const struct tool_description *des
 		.length = described->length,
 		.length_offset = described->length_offset.given ? described->length_offset.value : described->length,
 		.kind = described->kind,
+		.hand = described->hand,
 		.line = description_place(builder->file, described->at).line,
 	};
 	for (int i = 0; i < TOOL_PIECES; i++) {

@@ -27,6 +27,7 @@ static void take_tool(struct canon_to_spans *converter, int number)
 
 	converter->tool = number;
 	converter->probes = tool && tool->kind == TOOL_PROBES;
+	cutter_hand_init(&converter->hand, converter->setup, number);
 }
 
 void canon_to_spans_init(struct canon_to_spans *converter, const struct machine *machine, const struct setup *setup,
@@ -336,7 +337,6 @@ static bool send_curved(struct canon_to_spans *converter, const struct leg *leg)
 	return true;
 }
 
-/* Sends the steps of the leg, then moves the clock and the axes to its end. */
 /* A probe measures where its motion may end early, and where a set of ways is all that is known of it. */
 static enum step_class class_of(const struct run *run)
 {
@@ -344,9 +344,12 @@ static enum step_class class_of(const struct run *run)
 		return STEP_RAPID;
 	if (run->converter->probes)
 		return run->bounded ? STEP_FEED_STANDING : STEP_PROBE_TRAVEL;
-	return run->move->spindle_turns ? STEP_FEED_TURNING : STEP_FEED_STANDING;
+	if (!run->move->spindle_turns)
+		return STEP_FEED_STANDING;
+	return cutter_hand_reversed(&run->converter->hand, run->move) ? STEP_FEED_REVERSED : STEP_FEED_TURNING;
 }
 
+/* Sends the steps of the leg, then moves the clock and the axes to its end. */
 static bool send_leg(const struct run *run, const struct leg *leg)
 {
 	struct canon_to_spans *converter = run->converter;
@@ -392,7 +395,8 @@ static bool carry_out(struct canon_to_spans *converter, const struct canon_move 
 		add_spread(&run);
 		add_turn_spread(&run);
 	}
-	if (!is_in_reach(converter, move) || !set_legs(&run))
+	if (!is_in_reach(converter, move) ||
+	    !cutter_hand_ask(&converter->hand, move, converter->diag, place(converter, move)) || !set_legs(&run))
 		return false;
 	if (!run.count)
 		return true;

@@ -7,6 +7,7 @@
 #include "gcode/canon.h"
 #include "machine/machine.h"
 #include "machine/setup.h"
+#include "motion/cutter_hand.h"
 #include "motion/events.h"
 #include "motion/tcp.h"
 
@@ -24,6 +25,7 @@ struct canon_to_spans {
 	struct tcp tcp;	/* valid while tcp.state.on */
 	int tool;
 	bool probes;	/* the tool is a probe */
+	struct cutter_hand hand;	/* of the tool */
 	double time, block_time;
 	bool tells_modes;
 	struct motion_modes modes;	/* that were sent last */

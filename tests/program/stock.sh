@@ -21,6 +21,7 @@ check() {
 	findings -s s.xml m.xml p.nc
 }
 
+box part -20 -15 0 20 15 10
 job 'box="40 30 10"'
 check 'a rapid above the blank' <<'NC'
 G0 X-30 Z10.01
@@ -68,6 +69,17 @@ G0 X-30 Z7
 M5
 G1 X10 F600
 NC
+for hand in '' 'hand="right"' 'hand="left"'; do
+	sed "s|<tool |&$hand |" s.xml >hand.xml
+	for code in M3 M4; do
+		echo "== a feed with $code and a cutter of which the hand is ${hand:-not given}"
+		printf '%s\n' 'G21 G90 G94 G61 T1 M6' "$code S1000" 'G0 G43 H1 Z100' 'G0 X-30 Z7' 'G1 X10 F600' >p.nc
+		findings -s hand.xml m.xml p.nc 2>&1
+		"$FIVECHECK" -q -s hand.xml m.xml p.nc 2>&1 | grep -o 'mm deep [^[]*'
+		sed 's|<stock|<part name="block" mesh="part.stl"|; s|box="40 30 10"||' hand.xml >part.xml
+		"$FIVECHECK" -s part.xml m.xml p.nc 2>&1 | grep -e warning -e deep | sed 's/\[.*//'
+	done
+done
 check 'a hole, in one block, deeper than the flutes: the shank follows in what the same block has cut' <<'NC'
 G0 X0 Z12
 G1 Z-15 F600

@@ -13,9 +13,11 @@
 static bool go(struct canned_cycle *cycle, enum canon_kind kind, double height)
 {
 	/* Tapping without M3: the cycle starts the spindle itself. */
-	bool taps = cycle->code == G74 || cycle->code == G84;
-	struct canon_move move = {
-	    .kind = kind, .feed = cycle->feed, .spindle_turns = taps && cycle->traits->spindle_must_turn == ANSWER_NO};
+	bool taps = (cycle->code == G74 || cycle->code == G84) && cycle->traits->spindle_must_turn == ANSWER_NO;
+	struct canon_move move = {.kind = kind,
+				  .feed = cycle->feed,
+				  .spindle_turns = taps,
+				  .turn = taps ? TURN_OF_TAP : TURN_UNKNOWN};
 
 	/* In turned coordinates the plane may lie anywhere. */
 	for (int slot = SLOT_X; slot <= SLOT_Z && cycle->aside; slot++)

@@ -24,6 +24,8 @@ void motion_commands_fill(struct interp *interp, struct canon_move *move)
 	move->blend_tolerance = state->blend_tolerance;
 	move->blend_turn = state->blend_turn;
 	move->spindle_turns |= state->spindle != SPINDLE_STOPPED && !state->speed_is_zero;
+	if (move->turn == TURN_UNKNOWN && state->spindle != SPINDLE_STOPPED)
+		move->turn = state->spindle == SPINDLE_CLOCKWISE ? TURN_CLOCKWISE : TURN_COUNTERCLOCKWISE;
 	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
 		/* The move that ended the compensation has been everywhere that the axis may be. */
 		move->between[slot] |= interp->comp.loose[slot] > 0 && !(move->spread[slot] > 0);

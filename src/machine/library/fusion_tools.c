@@ -28,26 +28,27 @@ static const struct type_row {
 	const char *name;
 	enum shape shape;
 	enum tool_kind kind;
+	enum tool_hand hand;
 } type_rows[] = {
-	{"flat end mill", SHAPE_CYLINDER, TOOL_TURNS},
-	{"ball end mill", SHAPE_BALL, TOOL_TURNS},
-	{"bull nose end mill", SHAPE_BULL, TOOL_TURNS},
-	{"face mill", SHAPE_BULL, TOOL_TURNS},
-	{"slot mill", SHAPE_BULL, TOOL_TURNS},
-	{"reamer", SHAPE_CYLINDER, TOOL_TURNS},
-	{"counter bore", SHAPE_CYLINDER, TOOL_TURNS},
-	{"boring bar", SHAPE_CYLINDER, TOOL_TURNS},
-	{"thread mill", SHAPE_CYLINDER, TOOL_TURNS},
-	{"tap right hand", SHAPE_CYLINDER, TOOL_TURNS},
-	{"tap left hand", SHAPE_CYLINDER, TOOL_TURNS},
-	{"drill", SHAPE_POINT, TOOL_TURNS},
-	{"spot drill", SHAPE_POINT, TOOL_TURNS},
-	{"counter sink", SHAPE_SINK, TOOL_TURNS},
-	{"chamfer mill", SHAPE_CHAMFER, TOOL_TURNS},
-	{"tapered mill", SHAPE_TAPER, TOOL_TURNS},
-	{"dovetail mill", SHAPE_DOVETAIL, TOOL_TURNS},
-	{"lollipop mill", SHAPE_SPHERE, TOOL_TURNS},
-	{"probe", SHAPE_SPHERE, TOOL_PROBES},
+	{"flat end mill", SHAPE_CYLINDER, TOOL_TURNS, HAND_UNKNOWN},
+	{"ball end mill", SHAPE_BALL, TOOL_TURNS, HAND_UNKNOWN},
+	{"bull nose end mill", SHAPE_BULL, TOOL_TURNS, HAND_UNKNOWN},
+	{"face mill", SHAPE_BULL, TOOL_TURNS, HAND_UNKNOWN},
+	{"slot mill", SHAPE_BULL, TOOL_TURNS, HAND_UNKNOWN},
+	{"reamer", SHAPE_CYLINDER, TOOL_TURNS, HAND_UNKNOWN},
+	{"counter bore", SHAPE_CYLINDER, TOOL_TURNS, HAND_UNKNOWN},
+	{"boring bar", SHAPE_CYLINDER, TOOL_TURNS, HAND_UNKNOWN},
+	{"thread mill", SHAPE_CYLINDER, TOOL_TURNS, HAND_UNKNOWN},
+	{"tap right hand", SHAPE_CYLINDER, TOOL_TURNS, HAND_RIGHT},
+	{"tap left hand", SHAPE_CYLINDER, TOOL_TURNS, HAND_LEFT},
+	{"drill", SHAPE_POINT, TOOL_TURNS, HAND_UNKNOWN},
+	{"spot drill", SHAPE_POINT, TOOL_TURNS, HAND_UNKNOWN},
+	{"counter sink", SHAPE_SINK, TOOL_TURNS, HAND_UNKNOWN},
+	{"chamfer mill", SHAPE_CHAMFER, TOOL_TURNS, HAND_UNKNOWN},
+	{"tapered mill", SHAPE_TAPER, TOOL_TURNS, HAND_UNKNOWN},
+	{"dovetail mill", SHAPE_DOVETAIL, TOOL_TURNS, HAND_UNKNOWN},
+	{"lollipop mill", SHAPE_SPHERE, TOOL_TURNS, HAND_UNKNOWN},
+	{"probe", SHAPE_SPHERE, TOOL_PROBES, HAND_UNKNOWN},
 };
 
 struct reading {
@@ -327,7 +328,7 @@ static const char *judge(const struct geometry *g, enum shape shape, const struc
 
 static bool add_tool(struct reading *r, const json_t *item, const struct type_row *type, const char *name, long number)
 {
-	struct tool_outline tool = {.number = number, .name = name, .kind = type->kind};
+	struct tool_outline tool = {.number = number, .name = name, .kind = type->kind, .hand = type->hand};
 	double unit = unit_of(item, 1);
 	struct geometry g;
 	double known_to = 0;

@@ -163,6 +163,7 @@ bool tool_library_add(struct tool_library *tools, const struct tool_outline *out
 		.name = make_name(&setup->arena, outline->name),
 		.length = outline->length,
 		.kind = outline->kind,
+		.hand = outline->hand,
 	};
 	add_pieces(tools, tool, outline);
 	if (tool->pieces[PIECE_CUTTER].at)

@@ -39,6 +39,7 @@ struct tool_outline {
 	long number;
 	const char *name;	/* or NULL */
 	enum tool_kind kind;
+	enum tool_hand hand;
 	double length;
 	struct tool_profile cutter, shank, holder;
 	bool has_tip;	/* the lowest part of the cutter has this shape, which the profile has as a cylinder */

@@ -183,6 +183,7 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 						    {.name = NULL}};
 	static const char *const names[] = {"cutter", "probe", "nozzle", "laser", "drag", NULL};
 	static const enum tool_kind kinds[] = {TOOL_TURNS, TOOL_PROBES, TOOL_STANDS, TOOL_STANDS, TOOL_STANDS};
+	static const char *const hands[] = {"right", "left", NULL};
 	struct setup_description *described = context;
 	struct tool_context tool = {&described->tools[described->tool_count++], &described->arena, described};
 
@@ -194,6 +195,8 @@ static void read_tool(struct xml_reader *xml, const xmlNode *node, void *context
 	tool.tool->length = xml_length(xml, node, "length", 0);
 	tool.tool->length_offset = xml_optional_length(xml, node, "length_offset");
 	tool.tool->kind = kinds[xml_choice(xml, node, "kind", names, 0)];
+	if (xml_attribute(xml, node, "hand"))
+		tool.tool->hand = xml_choice(xml, node, "hand", hands, 0) ? HAND_LEFT : HAND_RIGHT;
 	tool.tool->diameter = xml_optional_length(xml, node, "diameter");
 	xml_read_children(xml, node, children, &tool);
 }

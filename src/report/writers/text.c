@@ -28,6 +28,8 @@ static const char *how_it_moves(const struct finding *f)
 		return "at rapid";
 	case STEP_FEED_TURNING:
 		return "while it cuts";
+	case STEP_FEED_REVERSED:
+		return "while its spindle turns against its hand";
 	case STEP_PROBE_TRAVEL:
 		return "at a feed that does not measure";
 	case STEP_FEED_STANDING:

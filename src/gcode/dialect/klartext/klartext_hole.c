@@ -18,7 +18,8 @@ static bool go(struct drill *drill, double feed)
 {
 	const vec3 position = klartext_frame_position(drill->interp, drill->at);
 	struct canon_move move = {
-	    .kind = feed > 0 ? CANON_FEED : CANON_RAPID, .spindle_turns = drill->hole->turns, .feed.linear = feed};
+	    .kind = feed > 0 ? CANON_FEED : CANON_RAPID, .spindle_turns = drill->hole->turns,
+	    .turn = drill->hole->turns ? TURN_OF_TAP : TURN_UNKNOWN, .feed.linear = feed};
 	slot_values target = drill->interp->state.position;
 
 	target.v[SLOT_X] = position.x;

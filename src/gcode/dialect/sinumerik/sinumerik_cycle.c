@@ -48,7 +48,8 @@ static double length(const struct drilling *d, size_t i)
 
 static bool go(struct drilling *d, enum canon_kind kind, double height)
 {
-	struct canon_move move = {.kind = kind, .feed = d->feed, .spindle_turns = d->turns};
+	struct canon_move move = {.kind = kind, .feed = d->feed, .spindle_turns = d->turns,
+				  .turn = d->turns ? TURN_OF_TAP : TURN_UNKNOWN};
 	slot_values straight;
 
 	d->at.v[d->depth] = height;

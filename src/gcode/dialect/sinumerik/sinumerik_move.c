@@ -183,7 +183,7 @@ static bool is_thread(int motion)
  */
 static bool run_thread(struct interp *interp, const struct sinumerik_block *block, bool machine)
 {
-	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true};
+	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true, .turn = TURN_OF_TAP};
 	const int column = interp->block.g_column[G_MOTION], code = interp->state.motion / 10;
 	slot_values target;
 	double pitch = 0;
@@ -206,7 +206,7 @@ static bool run_thread(struct interp *interp, const struct sinumerik_block *bloc
 /* "Tapping with compensating chuck (G63)": straight at the programmed feed, for its block. */
 bool sinumerik_move_tap(struct interp *interp, const struct sinumerik_block *block)
 {
-	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true};
+	struct canon_move move = {.kind = CANON_FEED, .spindle_turns = true, .turn = TURN_OF_TAP};
 	const int column = block->code_column[SINUMERIK_ONCE];
 	slot_values target;
 
