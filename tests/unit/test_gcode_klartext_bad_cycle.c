@@ -111,8 +111,9 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:2:10: error: CYCL DEF 259 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
 	 "<macro program=\"259\" action=\"none\"/> in the machine's <controller> says so"},
 	{"CYCL DEF 413 DATUM\n",
-	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the "
-	 "program runs"},
+	 "p.nc:2:10: error: touch probe cycle 413: where the probe stops is not known before the program runs; if it stays near "
+	 "its place, <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it "
+	 "moves"},
 	{"CYCL DEF 385 OEM\n",
 	 "p.nc:2:10: error: CYCL DEF 385 is not known: it may be a cycle of the machine's builder; if it moves no axis, "
 	 "<macro program=\"385\" action=\"none\"/> in the machine's <controller> says so"},
@@ -158,7 +159,13 @@ static const struct klartext_fault faults[] = {
 	 "p.nc:4:11: error: a second datum table: the rows of the setup (<work_offset name=\"#1\"/>) are those of one table, "
 	 "TNC:\\A.D"},
 	{"TCH PROBE 413\n",
-	 "p.nc:2:1: error: TCH PROBE: where the probe stops is not known before the program runs"},
+	 "p.nc:2:11: error: touch probe cycle 413: where the probe stops is not known before the program runs; if it stays near "
+	 "its place, <macro program=\"413\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the machine's <controller> says how far it "
+	 "moves"},
+	{"TCH PROBE 0.0 REF. PLANE Q5 X-\n",
+	 "p.nc:2:11: error: TCH PROBE 0: where the probe stops is not known before the program runs"},
+	{"TCH 413\n",
+	 "p.nc:2:5: error: TCH needs PROBE"},
 	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP -2\nM99\n",
 	 "p.nc:4:1: error: the set-up clearance of CYCL DEF 1 cannot be negative"},
 	{"CYCL DEF 1.0 PECKING\nCYCL DEF 1.2 DEPTH 2\nM99\n",

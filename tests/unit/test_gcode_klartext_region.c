@@ -233,6 +233,42 @@ START_TEST(equal_table)
 }
 END_TEST
 
+/* What the machine file says of a probe's cycle: it moves around its place, and what it measures is not known. */
+START_TEST(probe_cycle)
+{
+	static const struct builder_macro macros[] = {
+		{413, 0, MACRO_AROUND, {5, 20, 10}}, {483, 0, MACRO_NONE, {0}}, {420, 0, MACRO_MOVE, {0}}};
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 3;
+	c.show_spread = true;
+	ck_assert_msg(klartext_run(&c, "L X+10 FMAX\n6 TCH PROBE 413 DATUM OUTSIDE ~\n   Q321=+50 ;CENTRE ~\n   Q322=+50\n"
+				       "7 L X+11 FMAX\nTCH PROBE 483 TOOL Q340=1\nL X+12 FMAX\n"),
+		      "%s", strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid 10 0 0 0 0\nrapid 10 -20 0 0 0 spread 5 0 10\n"
+						"rapid 10 20 0 0 0 spread 5 0 10\nrapid 10 0 0 0 0 spread 5 0 10\n"
+						"rapid 11 0 0 0 0\nrapid 12 0 0 0 0\n");
+	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: touch probe cycle 413: datum and tools count as"));
+	case_release(&c);
+	for (int i = 0; i < 3; i++) {
+		static const char *const blocks[] = {"TCH PROBE 413 X Q321=1\nL X+Q151 FMAX\n", "M128\nTCH PROBE 413 X Q321=1\nM129\n",
+						     "TCH PROBE 420 X Q321=1\n"};
+		static const char *const said[] = {"Q151 is a value of the control that is not known here",
+						   "cycle 413 moves around its place while the tool centre point is controlled",
+						   "touch probe cycle 420: where the probe stops is not known"};
+
+		klartext_case(&c);
+		c.config.controller.macros = macros;
+		c.config.controller.macro_count = 3;
+		ck_assert(!klartext_run(&c, blocks[i]));
+		ck_assert_msg(strstr(strbuf_text(&c.messages), said[i]) != NULL, "%s", strbuf_text(&c.messages));
+		case_release(&c);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("gcode_klartext_region");
@@ -243,6 +279,7 @@ int main(void)
 	tcase_add_loop_test(tcase, regions_table, 0, COUNT(regions));
 	tcase_add_loop_test(tcase, moves_table, 0, COUNT(moves));
 	tcase_add_loop_test(tcase, equal_table, 0, COUNT(equal));
+	tcase_add_test(tcase, probe_cycle);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

@@ -2,9 +2,7 @@
 
 #include <math.h>
 
-#include "gcode/execute/motion_commands.h"
-#include "gcode/execute/probed_axes.h"
-#include "gcode/execute/rotated_frame.h"
+#include "gcode/execute/moves_around.h"
 
 const struct builder_macro *builder_macro_of_program(const struct interp *interp, int number)
 {
@@ -81,10 +79,6 @@ bool builder_macro_end(struct interp *interp)
 bool builder_macro_around(struct interp *interp, const struct builder_macro *macro, int column)
 {
 	const struct state *state = &interp->state;
-	struct canon_move move = {.kind = CANON_RAPID};
-	slot_values here = rotated_frame_straight(state), low = here, high = here;
-	double size = 0;
-	int along = SLOT_X;
 
 	if (state->tcp != TCP_OFF || interp->comp.side != 0)
 		return fault(&interp->at, column,
@@ -92,17 +86,5 @@ bool builder_macro_around(struct interp *interp, const struct builder_macro *mac
 			     "compensated: that is not followed",
 			     macro->program == MACRO_OF_CODE ? 'G' : 'O',
 			     macro->program == MACRO_OF_CODE ? macro->code : macro->program);
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++) {
-		if (!probed_axes_is_known(interp, slot, column))
-			return false;
-		size += macro->around[slot] * macro->around[slot];
-		along = macro->around[slot] > macro->around[along] ? slot : along;
-	}
-	low.v[along] -= macro->around[along];
-	high.v[along] += macro->around[along];
-	/* In turned coordinates the box may lie in any direction. */
-	for (int slot = SLOT_X; slot <= SLOT_Z; slot++)
-		move.spread[slot] = state->frame.on ? sqrt(size) : slot == along ? 0 : macro->around[slot];
-	return motion_commands_go(interp, &low, &move) && motion_commands_go(interp, &high, &move) &&
-	       motion_commands_go(interp, &here, &move);
+	return moves_around_go(interp, macro->around, column);
 }

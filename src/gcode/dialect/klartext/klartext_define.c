@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "gcode/dialect/klartext/klartext_builder_cycle.h"
 #include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_lexis.h"
@@ -126,9 +127,6 @@ static const struct cycle_row rows[] = {
     {267, USE_CALLED, NULL, NULL},
 };
 
-/* A cycle of the machine's builder. */
-static const struct cycle_row no_moves = {0, USE_IGNORED, NULL, NULL};
-
 static const struct cycle_row *find_row(int number)
 {
 	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
@@ -148,7 +146,7 @@ static bool finish(struct interp *interp)
 
 	definition->open = false;
 	if (!row)
-		return true;
+		return klartext_builder_cycle_run(interp, definition);
 	if (row->use == USE_CALLED) {
 		klartext->cycle = *definition;
 		klartext->modal_call = false;
@@ -329,39 +327,17 @@ static bool is_by_q(int number)
 	return number >= 200 || (number >= 20 && number <= 25) || (number >= 27 && number <= 29) || number == 39;
 }
 
-/* Does the machine file say of a cycle of the builder that it moves no axis? */
-static bool harmless(const struct interp *interp, int number)
-{
-	const struct controller *controller = &interp->config->controller;
-
-	for (size_t i = 0; i < controller->macro_count; i++) {
-		if (controller->macros[i].program == number)
-			return controller->macros[i].action == MACRO_NONE;
-	}
-	return false;
-}
-
 static bool begin(struct lexer *lexer, int number, int column)
 {
 	struct interp *interp = lexer->context;
 	const struct cycle_row *row = find_row(number);
 
-	if (!row && number >= 400 && number <= 499)
-		return fault(lexer->at, column,
-			     "touch probe cycle %d: where the probe stops is not known before the program runs",
-			     number);
-	if (!row && harmless(interp, number)) {
-		row = &no_moves;
-		/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
-		klartext_of(interp)->cycle.number = 0;
-	}
+	if (!row && !klartext_builder_cycle_is_known(interp, number))
+		return klartext_builder_cycle_refuse(lexer, number, column);
+	/* Whether it is called by CYCL CALL is not known: one of before is no longer. */
 	if (!row)
-		return fault(
-		    lexer->at, column,
-		    "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
-		    "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
-		    number, number);
-	if (row->use == USE_REFUSED)
+		klartext_of(interp)->cycle.number = 0;
+	if (row && row->use == USE_REFUSED)
 		return fault(lexer->at, column, "CYCL DEF %d: %s is not supported yet", number, row->what);
 	klartext_of(interp)->definition = (struct klartext_cycle){.numbered = klartext_of(interp)->numbered,
 								  .number = number,
@@ -423,6 +399,23 @@ static bool read_part(struct lexer *lexer, int number, int part, int column)
 		return find_row(number)->run(interp, &one);
 	}
 	return true;
+}
+
+bool klartext_define_probe(struct lexer *lexer)
+{
+	const int column = klartext_column(lexer);
+	int number;
+
+	if (!klartext_integer(lexer, "the number of TCH PROBE", 0, 9999, &number))
+		return false;
+	/* The older ones are written in lines 0.0, 0.1. */
+	if (number < 400)
+		return fault(lexer->at, column,
+			     "TCH PROBE %d: where the probe stops is not known before the program runs", number);
+	if (!klartext_define_end(lexer->context) || !begin(lexer, number, column))
+		return false;
+	skip_name(lexer);
+	return read_words(lexer, &klartext_of(lexer->context)->definition);
 }
 
 bool klartext_define_read(struct lexer *lexer)

@@ -11,6 +11,9 @@
 /* Behind CYCL: DEF, or CALL with its words. False: reported. */
 bool klartext_define_read(struct lexer *lexer);
 
+/* Behind TCH PROBE: its number, name and parameters. False: reported. */
+bool klartext_define_probe(struct lexer *lexer);
+
 /* Is a definition open that goes on in this line? `numbered`: the line has a block number. */
 bool klartext_define_goes_on(struct lexer *lexer, bool numbered);
 

@@ -159,7 +159,8 @@ static bool refuse(struct lexer *lexer, const char *what)
 
 static bool probe(struct lexer *lexer)
 {
-	return fault(lexer->at, 1, "TCH PROBE: where the probe stops is not known before the program runs");
+	return klartext_take(lexer, "PROBE") ? klartext_define_probe(lexer)
+					     : fault(lexer->at, klartext_column(lexer), "TCH needs PROBE");
 }
 
 static bool free_contour(struct lexer *lexer)

@@ -1,0 +1,76 @@
+#include "gcode/dialect/klartext/klartext_builder_cycle.h"
+
+#include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_value.h"
+#include "gcode/execute/moves_around.h"
+
+/* What the machine file says of a cycle; NULL: nothing. */
+static const struct builder_macro *find_macro(const struct interp *interp, int number)
+{
+	const struct controller *controller = &interp->config->controller;
+
+	for (size_t i = 0; i < controller->macro_count; i++) {
+		if (controller->macros[i].program == number)
+			return controller->macros[i].action == MACRO_MOVE ? NULL : &controller->macros[i];
+	}
+	return NULL;
+}
+
+bool klartext_builder_cycle_is_known(const struct interp *interp, int number)
+{
+	return find_macro(interp, number) != NULL;
+}
+
+static bool is_probing(int number)
+{
+	return (number >= 400 && number <= 499) || (number >= 1400 && number <= 1499);
+}
+
+bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int column)
+{
+	if (is_probing(number))
+		return fault(lexer->at, column,
+			     "touch probe cycle %d: where the probe stops is not known before the program runs; if it stays "
+			     "near its place, <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
+			     "machine's <controller> says how far it moves",
+			     number, number);
+	return fault(lexer->at, column,
+		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
+		     "<macro program=\"%d\" action=\"none\"/> in the machine's <controller> says so",
+		     number, number);
+}
+
+/*
+ * "Touch probe cycles": they work where they are defined, and what they measure becomes parameters, datums and offsets:
+ * these count as the setup has them.
+ */
+static void measure(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	struct klartext *klartext = klartext_of(interp);
+
+	caution(&interp->at, cycle->column,
+		"touch probe cycle %d: datum and tools count as the setup has them, whatever it measures",
+		cycle->number);
+	for (int number = 115; number < 200; number += number == 119 ? 31 : 1)
+		klartext_q_forget(klartext, number);
+	for (int number = 950; number < 1000; number++)
+		klartext_q_forget(klartext, number);
+}
+
+bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle)
+{
+	const struct builder_macro *macro = find_macro(interp, cycle->number);
+
+	if (is_probing(cycle->number))
+		measure(interp, cycle);
+	if (!macro || macro->action != MACRO_AROUND)
+		return true;
+	if (interp->state.tcp != TCP_OFF || klartext_comp_is_selected(interp) || klartext_of(interp)->waits)
+		return fault(&interp->at, cycle->column,
+			     "cycle %d moves around its place while the tool centre point is controlled, the plane is tilted "
+			     "or the radius is compensated: that is not followed",
+			     cycle->number);
+	klartext_of(interp)->moved = true;
+	klartext_of(interp)->last.known = false;
+	return moves_around_go(interp, macro->around, cycle->column);
+}

@@ -1,0 +1,19 @@
+/* klartext_builder_cycle.h - cycles of the machine's builder and of the probe: the machine file says what they do. */
+#ifndef FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
+#define FIVECHECK_GCODE_DIALECT_KLARTEXT_KLARTEXT_BUILDER_CYCLE_H
+
+#include <stdbool.h>
+
+#include "gcode/dialect/klartext/klartext_state.h"
+#include "gcode/text/lexer.h"
+
+/* Does the machine file say what this cycle does, by <macro program=""> with action="none" or "around"? */
+bool klartext_builder_cycle_is_known(const struct interp *interp, int number);
+
+/* Where it does not: reports which answer is missing. Returns false. */
+bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int column);
+
+/* Carries it out, where its definition ends. False: reported, or the sink wants no more. */
+bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle);
+
+#endif
