@@ -30,9 +30,9 @@ bool klartext_builder_cycle_refuse(const struct lexer *lexer, int number, int co
 {
 	if (is_probing(number))
 		return fault(lexer->at, column,
-			     "touch probe cycle %d: where the probe stops is not known before the program runs; if it stays "
-			     "near its place, <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in the "
-			     "machine's <controller> says how far it moves",
+			     "touch probe cycle %d: where the probe stops is not known before the program runs; if it "
+			     "stays near its place, <macro program=\"%d\" action=\"around\" X=\"\" Y=\"\" Z=\"\"/> in "
+			     "the machine's <controller> says how far it moves",
 			     number, number);
 	return fault(lexer->at, column,
 		     "CYCL DEF %d is not known: it may be a cycle of the machine's builder; if it moves no axis, "
@@ -67,8 +67,8 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 		return true;
 	if (interp->state.tcp != TCP_OFF || klartext_comp_is_selected(interp) || klartext_of(interp)->waits)
 		return fault(&interp->at, cycle->column,
-			     "cycle %d moves around its place while the tool centre point is controlled, the plane is tilted "
-			     "or the radius is compensated: that is not followed",
+			     "cycle %d moves around its place while the tool centre point is controlled, the plane is "
+			     "tilted or the radius is compensated: that is not followed",
 			     cycle->number);
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
