@@ -43,6 +43,11 @@ static const struct program {
 	{"F6 G500\nDEFINE GO_ON AS G1 X=IC(1) ; a comment\ndefine deep as Z-5\nGO_ON deep\nN10 GO_ON Y2 ; DEEP\n"
 	 "MSG(\"DEEP\")\nDEFINE DEEP AS Z-6\nX9 DEEP\nDEFINE QDEEP AS 3\nX=QDEEP*2\n",
 	 "feed 1 0 -5 0 0\nfeed 2 2 -5 0 0\nfeed 9 2 -6 0 0\nfeed 6 2 -6 0 0\n"},
+	/* Each round of P has the arguments of its call, whatever the round before has called. */
+	{"%_N_MAIN_MPF\nF6 G500\nQOUT P2\nP2 QOUT(4)\nQOUT(5) P=2\nM30\n%_N_QOUT_SPF\nPROC QOUT(REAL QA=7)\nX=QA\nQIN(3)\n"
+	 "RET\n%_N_QIN_SPF\nPROC QIN(REAL QB)\nZ=QB\nRET\n",
+	 "feed 7 0 0 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 7 0 3 0 0\nfeed 4 0 3 0 0\nfeed 4 0 3 0 0\n"
+	 "feed 4 0 3 0 0\nfeed 4 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\nfeed 5 0 3 0 0\n"},
 	/* GOTOS begins the program again. */
 	{"F6 G500\nR1=R1+1 X=R1\nIF R1<3 GOTOS\nX9\n",
 	 "feed 1 0 0 0 0\nfeed 2 0 0 0 0\nfeed 3 0 0 0 0\nfeed 9 0 0 0 0\n"},

@@ -205,8 +205,15 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 		return fault(
 		    &interp->at, column,
 		    "%s: a <macro> that moves is not supported in this dialect yet, only one that moves no axis", name);
+	for (size_t i = 0; i < sinumerik->argument_count && repeats > 1; i++) {
+		if (sinumerik->argument_is_text[i])
+			return fault(&interp->at, column, "%s with P and a text among its arguments is not supported",
+				     name);
+	}
 	if (!find_program(interp, name, column, &entry) || !enter(interp, &entry, 0, repeats, name, column))
 		return false;
+	top_call(sinumerik)->argument_count = sinumerik->argument_count;
+	memcpy(top_call(sinumerik)->arguments, sinumerik->arguments, sizeof(sinumerik->arguments));
 	sinumerik->level++;
 	sinumerik->entering = true;
 	return true;
@@ -222,6 +229,17 @@ static void leave_repeats(struct sinumerik *sinumerik)
 {
 	while (sinumerik->depth && top_call(sinumerik)->last_line)
 		sinumerik->depth--;
+}
+
+/* Calls in the round before have had arguments of their own. */
+static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_call *call)
+{
+	sinumerik->argument_count = call->argument_count;
+	memcpy(sinumerik->arguments, call->arguments, sizeof(call->arguments));
+	for (size_t i = 0; i < call->argument_count; i++) {
+		sinumerik->argument_is_text[i] = false;
+		sinumerik->argument_variable[i] = -1;
+	}
 }
 
 bool sinumerik_call_return(struct interp *interp, int column)
@@ -247,6 +265,7 @@ bool sinumerik_call_return(struct interp *interp, int column)
 	if (call->left > 0) {
 		call->left--;
 		call->saves = false;
+		take_arguments(sinumerik, call);
 		sinumerik->entering = true;
 	} else {
 		sinumerik->depth--;

@@ -5,6 +5,8 @@
 
 #include "gcode/dialect/sinumerik/sinumerik_call.h"
 #include "gcode/dialect/sinumerik/sinumerik_cycle.h"
+#include "gcode/dialect/sinumerik/sinumerik_expr.h"
+#include "gcode/dialect/sinumerik/sinumerik_name.h"
 #include "gcode/dialect/sinumerik/sinumerik_path.h"
 #include "gcode/dialect/sinumerik/sinumerik_pattern.h"
 #include "gcode/dialect/sinumerik/sinumerik_region.h"
@@ -41,6 +43,25 @@ static bool set_modal(struct interp *interp, const struct sinumerik_block *block
 	return true;
 }
 
+/* P=3 behind the arguments of a subprogram. */
+static bool read_repeats(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block, int *repeats)
+{
+	const size_t position = lexer->position;
+	char next;
+
+	if (sinumerik_cycle_drills(block->call) || sinumerik_region_is(block->call) || block->modal ||
+	    sinumerik_block_has(block, 'P') || sinumerik_upper(lexer_peek(lexer)) != 'P')
+		return true;
+	lexer_take(lexer);
+	next = lexer->at->text[lexer->position];
+	if (sinumerik_is_letter(next)) {
+		lexer->position = position;
+		return true;
+	}
+	sinumerik_name_take_byte(lexer, '=');
+	return sinumerik_expr_whole(interp, lexer, "P", 1, 9999, repeats);
+}
+
 static bool run_call(struct interp *interp, struct lexer *lexer, const struct sinumerik_block *block)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -49,7 +70,8 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	int repeats = 1;
 
 	sinumerik->argument_count = 0;
-	if (block->call_has_arguments && !sinumerik_call_arguments(interp, lexer))
+	if (block->call_has_arguments && (!sinumerik_call_arguments(interp, lexer) ||
+					  !read_repeats(interp, lexer, block, &repeats)))
 		return false;
 	if (lexer_peek(lexer) != '\0' && lexer_peek(lexer) != ';')
 		return fault(lexer->at, expr_column(lexer), "nothing can follow a call in its block");
@@ -62,6 +84,10 @@ static bool run_call(struct interp *interp, struct lexer *lexer, const struct si
 	    (sinumerik_cycle_drills(name) || sinumerik_region_is(name) || !strcmp(name, "CYCLE800")))
 		return fault(&interp->at, column, "%s while %s is called behind each motion; MCALL first", name,
 			     sinumerik->modal.name);
+	if (sinumerik_block_has(block, 'P') &&
+	    (sinumerik_cycle_drills(name) || sinumerik_pattern_is(name) || sinumerik_region_is(name) ||
+	     !strncmp(name, "CYCLE8", 6)))
+		return fault(&interp->at, block->column[index], "P belongs to the call of a subprogram");
 	if (sinumerik_cycle_drills(name))
 		return sinumerik_cycle_drill(interp, name, sinumerik->arguments, sinumerik->argument_count, column);
 	if (sinumerik_pattern_is(name))

@@ -103,6 +103,8 @@ struct sinumerik_call {
 	bool saves;	/* PROC ... SAVE: G-codes and frames come back with the return */
 	struct sinumerik_saved saved;
 	size_t loops;	/* that were open at the call */
+	size_t argument_count;	/* of a subprogram that is repeated: each round begins with them */
+	double arguments[SINUMERIK_ARGUMENTS_MAX];
 };
 
 /* A jump, or the way to the end of a structure, that has been looked for once: jumps of loops are quick. */
