@@ -335,7 +335,10 @@ static const struct bad bads[] = {
      "machine's <controller> says which one the control starts with"},
     {&dialect_fanuc, TILT, "G0 X1.", 1,
      "a move between G68.2 and G53.1, before the tool stands on the plane, is not supported"},
-    {&dialect_fanuc, TILT "\nG53.1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
+    {&dialect_fanuc, "G68.2 X0. Y0. Z0. I0. J0. K0.", "G53.1 P1", 7,
+     "which of several positions of the rotary axes P of G53.1 takes is not followed here: leave P out, and "
+     "turn the axes towards the position that is meant in a block before"},
+    {&dialect_fanuc, TILT "\nG53.1 P1", "G53.1", 1, "G53.1 needs a plane that G68.2 has just tilted"},
     {&dialect_fanuc, TILT "\nG53.1", "G0 C5.", 4,
      "C while G68.2 is in force: the tool would leave the direction of its plane"},
     {&dialect_fanuc, TILT "\nG53.1", "G53 G0 A0.", 8,

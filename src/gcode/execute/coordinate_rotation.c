@@ -214,6 +214,31 @@ static bool turn_about_tip(struct interp *interp, int column, slot_values target
 	return motion_commands_go(interp, &target, &move);
 }
 
+/* P says which solution is taken. Where the axes can reach only one, that is no question. */
+static bool check_choice(struct interp *interp, const struct kinematics_orientation *orientation)
+{
+	const int column = block_has(&interp->block, 'P') ? block_column(&interp->block, 'P') : 0;
+	struct kinematics_solutions solutions = {.count = 0};
+	int reached = 0;
+	bool free = false;
+
+	if (column == 0)
+		return true;
+	if (!interp->kinematics->orientations(interp->kinematics->context, line_loc(&interp->at, column), orientation,
+					      &solutions))
+		return false;
+	for (size_t i = 0; i < solutions.count; i++) {
+		reached += solutions.items[i].within_limits;
+		for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+			free = free || solutions.items[i].free[slot];
+	}
+	return (reached < 2 && !free) ||
+	       fault(&interp->at, column,
+		     "which of several positions of the rotary axes P of %s takes is not followed here: leave P out, and "
+		     "turn the axes towards the position that is meant in a block before",
+		     orientation->command);
+}
+
 /*
  * Fanuc 30i-B operator's manual (B-64484EN), tool axis direction control
  * (G53.1): the rotary axes turn at the rapid rate and the linear axes stand
@@ -234,6 +259,8 @@ bool coordinate_rotation_orient_tool(struct interp *interp)
 		return fault(&interp->at, column, "%s needs a plane that G68.2 has just tilted", name);
 	orientation.direction = mat3_apply(&state->frame.turn, (vec3){0, 0, 1});
 	orientation.rotary_zero = tool_length_rotary_zero(interp);
+	if (!check_choice(interp, &orientation))
+		return false;
 	if (!interp->kinematics->orient(interp->kinematics->context, line_loc(&interp->at, column), &orientation))
 		return false;
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {

@@ -118,6 +118,9 @@ uint32_t block_used_letters(const struct block *block, const struct dialect *dia
 		used |= letter_bit('P');
 	if (block->g[G_NONMODAL] == G10)
 		used |= data_letters(block, dialect);
+	/* Which solution it takes: execute/coordinate_rotation.c. */
+	if (block->g[G_NONMODAL] == G53_1 || block->g[G_NONMODAL] == G53_6)
+		used |= letter_bit('P');
 	if (block->g[G_CUTTER] != CODE_NONE && block->g[G_CUTTER] != G40)
 		used |= letter_bit('D') | letter_bit('L');
 	if (block->g[G_SYSTEM] == G54_1 || block->g[G_SYSTEM] == G154)
