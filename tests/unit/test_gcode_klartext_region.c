@@ -161,6 +161,11 @@ static const struct klartext_program moves[] = {
 static const struct {
 	const char *blocks, *same;
 } equal[] = {
+	/* CONTOUR DEF names the contours, too. */
+	{START "CONTOUR DEF P1 = LBL 1 I2 = LBL 2\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\nM99\n"
+	 "M30\nLBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+20 Y+20 RL\nL X+30 Y+30\nLBL 0\n",
+	 START "CYCL DEF 14.0\nCYCL DEF 14.1 LABEL1 /2\nCYCL DEF 20 DATA Q1=-15 Q5=0 Q6=2 Q7=50\nCYCL DEF 22 ROUGH-OUT Q12=500\n"
+	 "M99\nM30\nLBL 1\nL X+0 Y+0 RR\nL X+80\nL Y+60\nL X+0\nL Y+0\nLBL 0\nLBL 2\nL X+20 Y+20 RL\nL X+30 Y+30\nLBL 0\n"},
 	{START DRILL "PATTERN DEF ~\n POS1 (X+1 Y+2 Z+0) ~\n POS2 (X+3 Y+4)\nCYCL CALL PAT FMAX M8\n",
 	 START DRILL "L Z+100 FMAX\n" AT("+1", "+2") "L Z+100 FMAX\n" AT("+3", "+4")},
 	{START "L Z+5 FMAX\n" DRILL "PATTERN DEF ROW1 (X+1 Y+2 D+8 NUM3 ROT+90)\nCYCL CALL PAT\n",

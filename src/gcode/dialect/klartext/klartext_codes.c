@@ -169,6 +169,7 @@ static const struct code_word words[] = {
     {"CYCL DEF 258", CODE_BOUNDED, "polygon stud: the stud and the room about it are proved"},
     {"CYCL DEF 262 to 265", CODE_BOUNDED, "thread milling: the whole thread is proved"},
     {"CYCL DEF 267", CODE_BOUNDED, "outside thread milling: the thread and the room about it are proved"},
+    {"CONTOUR DEF", CODE_READ, "contours of labels with a number, for the contour cycles"},
     {"TCH PROBE", CODE_BOUNDED, "touch probe: as far as the machine file says (<macro>), else refused"},
     {"SEL PGM", CODE_READ, "program that CALL SELECTED PGM calls"},
     {"SEL TABLE", CODE_READ, "datum table: its rows are those of the setup"},

@@ -41,6 +41,46 @@ bool klartext_contour_labels(struct lexer *lexer)
 	return true;
 }
 
+/* "P1 = LBL 1": a pocket (P) or an island (I). False: reported. */
+static bool read_contour(struct lexer *lexer, int *label)
+{
+	const int column = klartext_column(lexer);
+	char kind[KLARTEXT_WORD];
+	int number;
+
+	klartext_word(lexer, kind);
+	if ((strcmp(kind, "P") != 0 && strcmp(kind, "I") != 0) || !klartext_value_follows(lexer) ||
+	    !klartext_integer(lexer, "the number of a contour", 1, KLARTEXT_CONTOURS_MAX, &number) ||
+	    lexer_peek(lexer) != '=')
+		return fault(lexer->at, column, "CONTOUR DEF reads contours as P1 = LBL 1 and I2 = LBL 2");
+	lexer_take(lexer);
+	if (!klartext_take(lexer, "LBL") || !klartext_value_follows(lexer))
+		return fault(lexer->at, klartext_column(lexer),
+			     "CONTOUR DEF reads contours of labels with a number, as in P1 = LBL 1");
+	return klartext_integer(lexer, "a label", 1, 65535, label);
+}
+
+/* TNC 640 user's manual, "CONTOUR DEF": what CYCL DEF 14 names, with pockets told from islands. */
+bool klartext_contour_define(struct lexer *lexer)
+{
+	struct klartext *klartext = klartext_of(lexer->context);
+
+	if (!klartext_take(lexer, "DEF"))
+		return fault(lexer->at, klartext_column(lexer), "CONTOUR needs DEF");
+	klartext->contour_count = 0;
+	while (!klartext_ends(lexer)) {
+		const int column = klartext_column(lexer);
+		int label;
+
+		if (!read_contour(lexer, &label))
+			return false;
+		if (klartext->contour_count == KLARTEXT_CONTOURS_MAX)
+			return fault(lexer->at, column, "CONTOUR DEF has at most %d contours", KLARTEXT_CONTOURS_MAX);
+		klartext->contours[klartext->contour_count++] = label;
+	}
+	return true;
+}
+
 bool klartext_contour_data(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	klartext_of(interp)->contour_data = *cycle;
@@ -245,8 +285,8 @@ static bool check(const struct klartext_call_of *call, const struct klartext_cal
 }
 
 /*
- * iTNC 530 user's manual, "SIDE FINISHING (Cycle 24)": where the allowance Q3 of cycle 20 is greater than the sum of Q14
- * and the tool's radius, the cycle also mills along the outside of an island without a pocket around it.
+ * iTNC 530 user's manual, "SIDE FINISHING (Cycle 24)": where the allowance Q3 of cycle 20 is greater than the sum of
+ * Q14 and the tool's radius, the cycle also mills along the outside of an island without a pocket around it.
  */
 static bool check_outside(const struct klartext_call_of *call, const struct klartext_call_of *data, double radius)
 {
@@ -275,7 +315,8 @@ bool klartext_contour_make(const struct klartext_call_of *call)
 	struct klartext_region region = {.centre = klartext_frame_point(interp)};
 	struct outline outline;
 
-	if (!check(call, &data) || !check_outside(call, &data, radius) || !find_heights(&data, &region) || !find_outline(call, &outline) ||
+	if (!check(call, &data) || !check_outside(call, &data, radius) || !find_heights(&data, &region) ||
+	    !find_outline(call, &outline) ||
 	    !klartext_parameter_feed(call, call->cycle->number == 21 ? 11 : 12, &region.feed))
 		return false;
 	if (region.nothing)

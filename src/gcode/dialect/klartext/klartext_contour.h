@@ -7,6 +7,9 @@
 #include "gcode/dialect/klartext/klartext_parameter.h"
 #include "gcode/text/lexer.h"
 
+/* Behind CONTOUR: "DEF P1 = LBL 1 I2 = LBL 2". False: reported. */
+bool klartext_contour_define(struct lexer *lexer);
+
 /* Behind CYCL DEF 14.1: the labels of the subprograms. False: reported. */
 bool klartext_contour_labels(struct lexer *lexer);
 

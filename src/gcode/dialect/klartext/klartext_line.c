@@ -6,6 +6,7 @@
 #include "gcode/dialect/klartext/klartext_approach.h"
 #include "gcode/dialect/klartext/klartext_circle.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_contour.h"
 #include "gcode/dialect/klartext/klartext_corner.h"
 #include "gcode/dialect/klartext/klartext_cycle.h"
 #include "gcode/dialect/klartext/klartext_define.h"
@@ -207,6 +208,7 @@ static const struct statement {
     {"CIRC", klartext_pattern_go_on, true, false},
     {"PITCHCIRC", klartext_pattern_go_on, true, false},
     {"DECLARE", klartext_string_declare, true, true},
+    {"CONTOUR", klartext_contour_define, true, false},
     {"SEL", choose, true, false},
     {"TRANS", klartext_transform_run, false, false},
     {"PRESET", klartext_transform_preset, false, false},
