@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/mem.h"
+#include "base/minmax.h"
 #include "base/parallel_for.h"
 #include "geom/simd_kernels.h"
 #include "geom/simd_level.h"
@@ -182,15 +183,25 @@ static void run_split(const struct run *run, const struct builder *b, struct run
 	run_measure(&out[1], b);
 }
 
+/* One run for each triangle. They are the leaves of one node, where their order is of no account. */
+static int split_single(const struct run *run, const struct builder *b, struct run out[BVH_WIDTH])
+{
+	for (size_t i = 0; i < run->count; i++)
+		out[i] = (struct run){.first = run->first + i, .count = 1, .box = b->items[run->first + i]};
+	return (int)run->count;
+}
+
 /*
  * Up to eight runs of about the same size; the largest is halved as long as there is room. Runs that
  * fit into one node are divided only when they are alone: half-empty nodes at the bottom would be most of the tree.
  */
 static int split_wide(const struct run *run, const struct builder *b, struct run out[BVH_WIDTH])
 {
-	size_t enough = run->count > BVH_WIDTH ? BVH_WIDTH : BVH_LEAF_SIZE;
+	const size_t enough = BVH_WIDTH;
 	int used = 1;
 
+	if (run->count <= enough)
+		return split_single(run, b, out);
 	out[0] = *run;
 	while (used < BVH_WIDTH) {
 		int largest = 0;
@@ -221,6 +232,15 @@ static void set_box(struct bvh_node *node, int lane, const struct run *run, cons
 	}
 }
 
+/* The boxes of children that are not there are copies of the first one. */
+static void copy_box(struct bvh_node *node, int lane)
+{
+	for (int k = 0; k < 3; k++) {
+		node->centre[k][lane] = node->centre[k][0];
+		node->half[k][lane] = node->half[k][0];
+	}
+}
+
 static size_t new_node(struct builder *b)
 {
 	b->nodes = mem_grow(b->nodes, &b->capacity, b->node_count + 1, sizeof(*b->nodes));
@@ -238,8 +258,10 @@ static int new_parent(struct builder *b, const struct run *run, struct run runs[
 	node->used = (uint8_t)used;
 	node->begin = (uint32_t)run->first;
 	node->total = (uint32_t)run->count;
-	for (int i = 0; i < BVH_WIDTH; i++)
-		set_box(node, i, &runs[i < used ? i : 0], b->origin);
+	for (int i = 0; i < used; i++)
+		set_box(node, i, &runs[i], b->origin);
+	for (int i = used; i < BVH_WIDTH; i++)
+		copy_box(node, i);
 	for (int i = 0; i < used; i++) {
 		bool leaf = runs[i].count <= BVH_LEAF_SIZE;
 
@@ -328,7 +350,7 @@ static double farthest_corner(const struct mesh *mesh, vec3 from)
 
 	for (size_t i = 0; i < mesh->count; i++)
 		for (int k = 0; k < 3; k++)
-			farthest = fmax(farthest, vec3_norm2(vec3_sub(mesh_corner(&mesh->triangles[i], k), from)));
+			farthest = larger(farthest, vec3_norm2(vec3_sub(mesh_corner(&mesh->triangles[i], k), from)));
 	return sqrt(farthest) * (1 + 4 * DBL_EPSILON);
 }
 
