@@ -12,15 +12,21 @@ void mesh_release(struct mesh *mesh)
 
 void mesh_bounds(const struct mesh *mesh, vec3 *least, vec3 *greatest)
 {
-	*least = *greatest = mesh_corner(&mesh->triangles[0], 0);
+	const float *first = mesh->triangles[0].v[0];
+	float low[3] = {first[0], first[1], first[2]}, high[3] = {first[0], first[1], first[2]};
+
 	for (size_t i = 0; i < mesh->count; i++) {
 		for (int k = 0; k < 3; k++) {
-			vec3 p = mesh_corner(&mesh->triangles[i], k);
+			for (int axis = 0; axis < 3; axis++) {
+				float value = mesh->triangles[i].v[k][axis];
 
-			*least = vec3_min(*least, p);
-			*greatest = vec3_max(*greatest, p);
+				low[axis] = value < low[axis] ? value : low[axis];
+				high[axis] = value > high[axis] ? value : high[axis];
+			}
 		}
 	}
+	*least = (vec3){low[0], low[1], low[2]};
+	*greatest = (vec3){high[0], high[1], high[2]};
 }
 
 void mesh_scale(struct mesh *mesh, double factor)

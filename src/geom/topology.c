@@ -96,8 +96,7 @@ static size_t list_sides(struct soup *soup, const uint8_t *twins)
 	}
 	while (soup->vertex_count >> bits)
 		bits++;
-	soup_sort_keys(soup, count, 1, 1 + bits);
-	soup_sort_keys(soup, count, 32, 32 + bits);
+	soup_sort_keys(soup, count, 32 + bits);
 	return count;
 }
 

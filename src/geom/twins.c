@@ -113,7 +113,7 @@ size_t twins_find(struct soup *soup, uint8_t *twins)
 		if (!soup_is_degenerate(soup, t))
 			soup->keys[count++] = place_key(&place);
 	}
-	soup_sort_keys(soup, count, 32, 64);
+	soup_sort_keys(soup, count, 64);
 	for (size_t first = 0, last; first < count; first = last) {
 		for (last = first + 1; last < count && soup->keys[last] >> 32 == soup->keys[first] >> 32;)
 			last++;

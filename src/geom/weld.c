@@ -10,26 +10,59 @@
  * side, never by probing a hash table: no file can make that slow.
  */
 
-#define DIGIT_BITS 11
-#define DIGITS (1 << DIGIT_BITS)
+/* Buckets of up to so many keys are sorted by insertion. */
+enum { FEW_KEYS = 24 };
 
-void soup_sort_keys(struct soup *soup, size_t count, int low, int high)
+static int compare_keys(const void *a, const void *b)
 {
-	for (int shift = low; shift < high; shift += DIGIT_BITS) {
-		size_t start[DIGITS + 1] = {0};
-		uint64_t *swap = soup->keys;
-		int bits = high - shift < DIGIT_BITS ? high - shift : DIGIT_BITS;
-		uint64_t mask = ((uint64_t)1 << bits) - 1;
+	const uint64_t *p = a, *q = b;
 
-		for (size_t i = 0; i < count; i++)
-			start[(soup->keys[i] >> shift & mask) + 1]++;
-		for (int d = 0; d < DIGITS; d++)
-			start[d + 1] += start[d];
-		for (size_t i = 0; i < count; i++)
-			soup->scratch[start[soup->keys[i] >> shift & mask]++] = soup->keys[i];
-		soup->keys = soup->scratch;
-		soup->scratch = swap;
+	return *p < *q ? -1 : *p > *q;
+}
+
+static void sort_bucket(uint64_t *keys, size_t count)
+{
+	if (count > FEW_KEYS) {
+		qsort(keys, count, sizeof(*keys), compare_keys);
+		return;
 	}
+	for (size_t i = 1; i < count; i++) {
+		uint64_t key = keys[i];
+		size_t at = i;
+
+		for (; at > 0 && keys[at - 1] > key; at--)
+			keys[at] = keys[at - 1];
+		keys[at] = key;
+	}
+}
+
+/* The upper bits of a key say in which of about count / 4 buckets it comes. */
+void soup_sort_keys(struct soup *soup, size_t count, int bits)
+{
+	uint64_t *const sorted = soup->scratch;
+	int bucket_bits = 1, shift;
+	size_t buckets, first = 0;
+	uint32_t *end;
+
+	while (bucket_bits < 32 && count >> (bucket_bits + 2))
+		bucket_bits++;
+	shift = bits - bucket_bits;
+	buckets = (size_t)1 << bucket_bits;
+	end = mem_zalloc(buckets + 1, sizeof(*end));
+	for (size_t i = 0; i < count; i++)
+		end[(soup->keys[i] >> shift) + 1]++;
+	for (size_t b = 0; b < buckets; b++)
+		end[b + 1] += end[b];
+	/* end[b] is where the next key of bucket b belongs; in the end it is where the bucket ends. */
+	for (size_t i = 0; i < count; i++)
+		sorted[end[soup->keys[i] >> shift]++] = soup->keys[i];
+	for (size_t b = 0; b < buckets; b++) {
+		sort_bucket(sorted + first, end[b] - first);
+		first = end[b];
+	}
+	free(end);
+	soup->scratch = soup->keys;
+	soup->keys = sorted;
 }
 
 static const float *corner_at(const struct soup *soup, size_t corner)
@@ -99,7 +132,7 @@ static void weld(struct soup *soup)
 {
 	for (size_t i = 0; i < soup->corner_count; i++)
 		soup->keys[i] = (uint64_t)corner_hash(corner_at(soup, i)) << 32 | i;
-	soup_sort_keys(soup, soup->corner_count, 32, 64);
+	soup_sort_keys(soup, soup->corner_count, 64);
 	for (size_t first = 0, last; first < soup->corner_count; first = last) {
 		const float *place = corner_at(soup, (uint32_t)soup->keys[first]);
 		uint64_t hash = soup->keys[first] >> 32;

@@ -29,7 +29,7 @@ static inline bool soup_is_degenerate(const struct soup *soup, size_t triangle)
 	return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
 }
 
-/* Sorts soup->keys[0..count) by their bits from `low` up to and without `high`; equal ones stay in order. */
-void soup_sort_keys(struct soup *soup, size_t count, int low, int high);
+/* Sorts soup->keys[0..count), which are below 2^bits (32 to 64). Fast where keys differ in their upper bits. */
+void soup_sort_keys(struct soup *soup, size_t count, int bits);
 
 #endif
