@@ -1,14 +1,5 @@
 #include "machine/chain.h"
 
-static xform joint_motion(const struct joint *joint, const axis_values *q)
-{
-	double value = q->v[joint->slot];
-
-	if (joint->rotary)
-		return xform_turn(joint->location, joint->direction, value);
-	return (xform){mat3_identity(), vec3_scale(value, joint->direction)};
-}
-
 static struct joint joint_of(const struct axis *axis, double sense)
 {
 	return (struct joint){axis->slot, axis->rotary, vec3_scale(sense, axis->direction), axis->location};
@@ -44,15 +35,19 @@ void chain_init(struct chain *chain, const struct machine *machine, int fixed, i
 
 xform chain_pose(const struct chain *chain, const axis_values *q)
 {
-	xform pose;
+	xform pose = xform_identity();
 
-	if (chain->count == 0)
-		return xform_identity();
-	pose = joint_motion(&chain->joints[0], q);
-	for (size_t i = 1; i < chain->count; i++) {
-		const xform motion = joint_motion(&chain->joints[i], q);
+	for (size_t i = 0; i < chain->count; i++) {
+		const struct joint *joint = &chain->joints[i];
+		double value = q->v[joint->slot];
+		xform turn;
 
-		pose = xform_mul(&pose, &motion);
+		if (!joint->rotary) {
+			pose.translation = xform_apply(&pose, vec3_scale(value, joint->direction));
+			continue;
+		}
+		turn = xform_turn(joint->location, joint->direction, value);
+		pose = i ? xform_mul(&pose, &turn) : turn;
 	}
 	return pose;
 }

@@ -1,19 +1,11 @@
 #include "machine/motion_bound.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 
 #include "base/ablation.h"
-#include "base/math/math_functions.h"
 #include "base/units.h"
-
-/* A joint's value with its sine and cosine, computed once. */
-static xform joint_motion(const struct joint *joint, double value)
-{
-	if (joint->rotary)
-		return xform_turn(joint->location, joint->direction, value);
-	return (xform){mat3_identity(), vec3_scale(value, joint->direction)};
-}
 
 static double distance_to_axis(const struct joint *joint, vec3 point)
 {
@@ -25,21 +17,28 @@ static double distance_to_axis(const struct joint *joint, vec3 point)
 void chain_state_init(struct chain_state *state, const struct chain *chain, const axis_values *q,
 		      const struct ball *fixed, const struct ball *moved)
 {
-	xform motions[SLOT_COUNT];
+	xform motions[SLOT_COUNT];	/* of linear joints the translation alone */
 	vec3 at;
 
 	state->pose = xform_identity();
 	at = fixed->centre;
 	for (size_t i = 0; i < chain->count; i++) {
 		const struct joint *joint = &chain->joints[i];
+		double value = q->v[joint->slot];
 		xform back;
 
-		motions[i] = joint_motion(joint, q->v[joint->slot]);
 		state->direction[i] = mat3_apply(&state->pose.rotation, joint->direction);
-		if (joint->rotary)
-			state->location[i] = xform_apply(&state->pose, joint->location);
+		if (!joint->rotary) {
+			motions[i].translation = vec3_scale(value, joint->direction);
+			state->pose.translation = xform_apply(&state->pose, motions[i].translation);
+			state->rho[1][i] = 0;
+			at = vec3_sub(at, motions[i].translation);
+			continue;
+		}
+		motions[i] = xform_turn(joint->location, joint->direction, value);
+		state->location[i] = xform_apply(&state->pose, joint->location);
 		state->pose = xform_mul(&state->pose, &motions[i]);
-		state->rho[1][i] = joint->rotary ? distance_to_axis(joint, at) + fixed->radius : 0;
+		state->rho[1][i] = distance_to_axis(joint, at) + fixed->radius;
 		back = xform_inverse(&motions[i]);
 		at = xform_apply(&back, at);
 	}
@@ -48,7 +47,7 @@ void chain_state_init(struct chain_state *state, const struct chain *chain, cons
 		const struct joint *joint = &chain->joints[i];
 
 		state->rho[0][i] = joint->rotary ? distance_to_axis(joint, at) + moved->radius : 0;
-		at = xform_apply(&motions[i], at);
+		at = joint->rotary ? xform_apply(&motions[i], at) : vec3_add(at, motions[i].translation);
 	}
 }
 
@@ -208,10 +207,21 @@ double path_displacement(const struct chain *chain, const struct chain_state *st
 	return sum;
 }
 
+/*
+ * At least the sine of y, 0 to PI / 2: the first terms of its series, of which the last one is added. At most 4e-6 of
+ * it too large. A bound needs no more, and this takes a tenth of the time of math_sin.
+ */
+static double sine_at_most(double y)
+{
+	double yy = y * y;
+
+	return y * (1 - yy / 6 * (1 - yy / 20 * (1 - yy / 42 * (1 - yy / 72)))) * (1 + 8 * DBL_EPSILON);
+}
+
 /* A turn by at most `angle` moves a point at distance rho by at most the chord of that circular arc. */
 static double turn_of(double angle, double rho)
 {
-	return angle >= PI ? 2 * rho : 2 * math_sin(angle / 2) * rho;
+	return angle >= PI ? 2 * rho : 2 * sine_at_most(angle / 2) * rho;
 }
 
 void box_bound_init(struct box_bound *bound, const struct chain *chain, const struct chain_state *state,
