@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/math/math_functions.h"
+#include "base/minmax.h"
 #include "base/units.h"
 #include "machine/kinematics_check.h"
 #include "scene/placed_box.h"
@@ -50,54 +51,91 @@ static void check_mount(const struct scene *scene, enum doubt_kind kind, int lin
 		doubts_add(doubts, &doubt);
 }
 
-/* The farthest crossings of a line with a body, ahead of the point and behind it. */
-static void crossings(const struct scene *scene, int body, vec3 point, vec3 along, double *ahead, double *behind)
+/* Lines around the spindle's axis, so that they miss bores and keys, and how far each crosses a body. */
+enum { LINES = 8 };
+
+/* mm: how far the lines are from the axis. */
+static const double LINES_OFF = 15;
+
+struct lines {
+	vec3 middle, along;	/* the spindle's axis, in the body's coordinates */
+	vec3 across[2];	/* at right angles to it and to each other */
+	vec3 from[LINES];
+	double ahead[LINES];	/* mm: the farthest crossing in the direction of the tool */
+};
+
+static struct lines lines_of(const struct scene *scene, int body)
 {
-	const struct mesh *mesh = &scene->bodies[body].bvh->mesh;
+	const struct spindle *spindle = &scene->machine->spindle;
 	const xform back = xform_inverse(&scene->bodies[body].body->placement);
-	vec3 p = xform_apply(&back, point), d = mat3_apply(&back.rotation, along);
+	struct lines lines = {.middle = xform_apply(&back, spindle->location),
+			      .along = mat3_apply(&back.rotation, spindle->direction)};
 
-	for (size_t i = 0; i < mesh->count; i++) {
-		vec3 a = vec3_sub(mesh_corner(&mesh->triangles[i], 0), p),
-		     b = vec3_sub(mesh_corner(&mesh->triangles[i], 1), p);
-		vec3 c = vec3_sub(mesh_corner(&mesh->triangles[i], 2), p);
-		double ab = vec3_dot(d, vec3_cross(a, b)), bc = vec3_dot(d, vec3_cross(b, c));
-		double ca = vec3_dot(d, vec3_cross(c, a)), at;
+	kinematics_sideways(scene->machine, lines.across);
+	for (int i = 0; i < 2; i++)
+		lines.across[i] = mat3_apply(&back.rotation, lines.across[i]);
+	for (int k = 0; k < LINES; k++) {
+		double angle = 2 * PI * (k + 0.31) / LINES;
+		vec3 p = vec3_mad(lines.middle, LINES_OFF * math_cos(angle), lines.across[0]);
 
-		if (!(ab > 0 && bc > 0 && ca > 0) && !(ab < 0 && bc < 0 && ca < 0))
-			continue;
-		at = vec3_dot(a, vec3_cross(b, c)) / (ab + bc + ca);
-		*ahead = fmax(*ahead, at);
-		*behind = fmax(*behind, -at);
+		lines.from[k] = vec3_mad(p, LINES_OFF * math_sin(angle), lines.across[1]);
 	}
+	return lines;
 }
 
-/*
- * Casts lines around the spindle's axis, so that they miss bores and keys. Most of them must cross more of the body
- * ahead than behind.
- */
+/* Is the triangle so far to one side of the axis that no line meets it? That is so for most of them. */
+static bool misses_lines(const struct lines *lines, const mesh_triangle *t)
+{
+	const double off = 1.1 * LINES_OFF;
+	bool misses = false;
+
+	for (int i = 0; i < 2; i++) {
+		double a = vec3_dot(lines->across[i], vec3_sub(mesh_corner(t, 0), lines->middle));
+		double b = vec3_dot(lines->across[i], vec3_sub(mesh_corner(t, 1), lines->middle));
+		double c = vec3_dot(lines->across[i], vec3_sub(mesh_corner(t, 2), lines->middle));
+
+		misses |= (a > off && b > off && c > off) || (a < -off && b < -off && c < -off);
+	}
+	return misses;
+}
+
+static void cross(struct lines *lines, int line, const mesh_triangle *t)
+{
+	vec3 a = vec3_sub(mesh_corner(t, 0), lines->from[line]), b = vec3_sub(mesh_corner(t, 1), lines->from[line]);
+	vec3 c = vec3_sub(mesh_corner(t, 2), lines->from[line]);
+	double ab = vec3_dot(lines->along, vec3_cross(a, b)), bc = vec3_dot(lines->along, vec3_cross(b, c));
+	double ca = vec3_dot(lines->along, vec3_cross(c, a)), at;
+
+	if (!(ab > 0 && bc > 0 && ca > 0) && !(ab < 0 && bc < 0 && ca < 0))
+		return;
+	at = vec3_dot(a, vec3_cross(b, c)) / (ab + bc + ca);
+	lines->ahead[line] = larger(at, lines->ahead[line]);
+}
+
+/* The head is doubted if most of the lines leave it far ahead of the gauge point. */
 static void check_head(const struct scene *scene, struct doubts *doubts)
 {
-	enum { LINES = 8 };
 	const struct spindle *spindle = &scene->machine->spindle;
-	const double radius = 15;
 
 	for (size_t i = 0; i < scene->body_count; i++) {
 		struct doubt doubt = {.kind = DOUBT_SPINDLE_IN_HEAD, .body = (int)i};
-		vec3 across[2];
+		const struct mesh *mesh;
+		struct lines lines;
 		int against = 0;
 
 		if (scene->bodies[i].body->link != spindle->link || scene->bodies[i].body->role != ROLE_MACHINE)
 			continue;
-		kinematics_sideways(scene->machine, across);
+		mesh = &scene->bodies[i].bvh->mesh;
+		lines = lines_of(scene, (int)i);
+		for (size_t t = 0; t < mesh->count; t++) {
+			if (misses_lines(&lines, &mesh->triangles[t]))
+				continue;
+			for (int k = 0; k < LINES; k++)
+				cross(&lines, k, &mesh->triangles[t]);
+		}
 		for (int k = 0; k < LINES; k++) {
-			double angle = 2 * PI * (k + 0.31) / LINES, ahead = 0, behind = 0;
-			vec3 p = vec3_mad(spindle->location, radius * math_cos(angle), across[0]);
-
-			crossings(scene, (int)i, vec3_mad(p, radius * math_sin(angle), across[1]), spindle->direction,
-				  &ahead, &behind);
-			against += ahead > NOSE;
-			doubt.value = fmax(doubt.value, ahead);
+			against += lines.ahead[k] > NOSE;
+			doubt.value = fmax(doubt.value, lines.ahead[k]);
 		}
 		if (against > LINES / 2)
 			doubts_add(doubts, &doubt);
