@@ -246,6 +246,7 @@ static axis_values within_travel(const axis_values *near, const struct look *loo
 	return q;
 }
 
+/* Do they meet where others met, or at one of the samples? */
 static bool look_around(const struct contact_search *search, struct look *look, axis_values *q)
 {
 	for (int i = 0; i < search->count; i++) {
@@ -253,14 +254,25 @@ static bool look_around(const struct contact_search *search, struct look *look, 
 		if (meets_at(look, q))
 			return true;
 	}
+	for (int i = 1; i <= SAMPLES; i++) {
+		*q = sample(look, i);
+		if (meets_at(look, q))
+			return true;
+	}
+	return false;
+}
+
+/* Can they be moved together from where others met, or from one of the first samples? */
+static bool move_together(const struct contact_search *search, struct look *look, axis_values *q)
+{
 	if (search->count) {
 		*q = within_travel(&search->met[0], look);
 		if (descends(look, STEPS, q))
 			return true;
 	}
-	for (int i = 1; i <= SAMPLES; i++) {
+	for (int i = 1; i <= DESCENTS; i++) {
 		*q = sample(look, i);
-		if (meets_at(look, q) || (i <= DESCENTS && descends(look, STEPS, q)))
+		if (descends(look, STEPS, q))
 			return true;
 	}
 	return false;
@@ -281,13 +293,13 @@ bool contact_search_recalls(struct contact_search *search, struct sweep *sweep, 
 }
 
 bool contact_search_finds(struct contact_search *search, struct sweep *sweep, const struct body_pair *pair,
-			  double clearance, const axis_values *low, const axis_values *high)
+			  double clearance, const axis_values *low, const axis_values *high, bool moves)
 {
 	struct look look = {.sweep = sweep, .pair = *pair, .clearance = clearance, .low = low, .high = high};
-	axis_values q;
+	axis_values q = *low;
 
 	look.pair.coherence = &look.coherence;
-	if (!look_around(search, &look, &q))
+	if (moves ? !move_together(search, &look, &q) : !look_around(search, &look, &q))
 		return false;
 	keep(search, &q);
 	return true;

@@ -20,10 +20,11 @@
 #define REACH_VISITS 30000
 
 /*
- * So many of them settle most proofs. Only then a position is looked for at which the bodies meet: no proof is
- * possible.
+ * So many of them settle most proofs. Only then it is looked whether the bodies meet at some of their positions, and
+ * after as many as SECOND_VISITS for a position at which they do: no proof is possible then.
  */
-#define FIRST_VISITS 300
+#define FIRST_VISITS 450
+#define SECOND_VISITS 1800
 
 /* The most for a tool's piece with few triangles: these are looked at once more if it is not enough. */
 #define COARSE_VISITS 3000
@@ -171,10 +172,11 @@ static bool is_outside(struct scene *scene, const struct scene_pair *pair, const
 static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, const struct body_pair *bodies,
 			 struct derivation *derivation, struct diag *diag)
 {
+	static const long visits[] = {FIRST_VISITS, SECOND_VISITS, REACH_VISITS};
 	const double apart = pair->clearance + uncertainty_of(scene, pair);
 	struct sweep *sweep = &scene->sweep;
+	enum sweep_answer answer = SWEEP_UNDECIDED;
 	axis_values low, high;
-	enum sweep_answer answer;
 	struct contact contact;
 
 	if (!travel_of(scene, &pair->chain, &low, &high))
@@ -183,13 +185,12 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 		keep_contact(scene, pair, derivation);
 		return false;
 	}
-	answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, FIRST_VISITS, &contact);
-	if (answer == SWEEP_UNDECIDED) {
-		if (contact_search_finds(&derivation->search, sweep, bodies, apart, &low, &high)) {
+	for (size_t i = 0; i < sizeof(visits) / sizeof(*visits) && answer == SWEEP_UNDECIDED; i++) {
+		if (i > 0 && contact_search_finds(&derivation->search, sweep, bodies, apart, &low, &high, i > 1)) {
 			keep_contact(scene, pair, derivation);
 			return false;
 		}
-		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, REACH_VISITS, &contact);
+		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, visits[i], &contact);
 	}
 	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high, diag);
 }

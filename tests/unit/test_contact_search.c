@@ -41,7 +41,8 @@ START_TEST(finds_contacts)
 		make_duo(&random, &duo, &low, &high, &meeting);
 		pose = duo_pose(&duo, &meeting, &meeting, 0, NULL);
 		there += brute_distance(duo.a, duo.b, &pose, INFINITY) <= clearance;
-		if (contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high)) {
+		if (contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high, false) ||
+		    contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high, true)) {
 			const axis_values *q = &search.met[0];
 
 			require(search.count == 1, "case %ld: %d kept", n, search.count);
@@ -57,7 +58,8 @@ START_TEST(finds_contacts)
 			/* The same bodies meet again where they met before, and where they are moved to from nearby. */
 			require(contact_search_recalls(&search, &sweep, &duo.pair, clearance, &low, &high, q, 0),
 				"case %ld: not there again", n);
-			require(contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high), "case %ld", n);
+			require(contact_search_finds(&search, &sweep, &duo.pair, clearance, &low, &high, false),
+				"case %ld", n);
 		}
 		sweep_release(&sweep);
 		duo_release(&duo);
