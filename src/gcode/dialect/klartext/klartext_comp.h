@@ -22,7 +22,7 @@ bool klartext_comp_switch_standing(struct interp *interp, const struct klartext_
 /* Starts it for APPR, whose first move is the next one. */
 bool klartext_comp_begin(struct interp *interp, enum klartext_comp comp, int column);
 
-/* A straight move of the tool's centre itself, as far beside it as the path is in doubt, before the first one beside the path. */
+/* A straight move of the tool's centre itself, with the doubt of the path, before the first one beside the path. */
 bool klartext_comp_move_bare(struct interp *interp, const struct klartext_path *path);
 
 /* DEP ends it: in the straight move that comes next; or beside the path, `doubt` mm at most from where it is meant. */

@@ -31,8 +31,8 @@ static bool check_end(const struct follower *follower, const slot_values *others
 		if (follower->interp->config->has_axis[slot] &&
 		    fabs(reached - others->v[slot]) > degrees(GREAT_CIRCLE_SAME_END))
 			return fault(&follower->interp->at, follower->column,
-				     "PATHCTRL VECTOR brings %c to %.9g degrees, and the block to %.9g: what the control "
-				     "does then is not known here; write PATHCTRL AXIS",
+				     "PATHCTRL VECTOR brings %c to %.9g degrees, and the block to %.9g: what the "
+				     "control does then is not known here; write PATHCTRL AXIS",
 				     AXIS_LETTERS[slot], reached, others->v[slot]);
 	}
 	return true;
