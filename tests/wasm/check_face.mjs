@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {Fivecheck, STATUS} from '../../src/web/app/fivecheck.js';
 import {Files, MemoryBytes} from '../../src/web/app/files.js';
+import {isIso} from '../../src/web/app/modules.js';
 import {addFromDisk} from './disk.mjs';
 
 const wasm = fs.readFileSync(process.argv[2]), fivecheck = await Fivecheck.load(wasm);
@@ -144,6 +145,18 @@ tests['a session tells how near the bodies are'] = () => {
 	assert.ok(Math.abs(Math.hypot(...on_a.map((v, i) => v - on_b[i])) - distance) < 1e-6);
 	assert.throws(() => session.pose({Q: 1}), /no position of an axis/);
 	assert.throws(() => session.pose({X: NaN}), /no position of an axis/);
+};
+
+tests['the smaller module is taken only for what it surely has'] = () => {
+	const machine = (controller, head = '') => `${head}<machine version="1"><controller dialect="${controller}"/></machine>`;
+	assert.ok(isIso(machine('fanuc')));
+	assert.ok(isIso(fs.readFileSync('machines/ac-trunnion/machine.xml', 'utf8'), fs.readFileSync('examples/ac-trunnion/setup.xml', 'utf8')));
+	assert.ok(!isIso(machine('sinumerik')));
+	assert.ok(!isIso(machine('klartext')));
+	assert.ok(!isIso(machine('klar&#116;ext')));
+	assert.ok(!isIso(machine('&c;', '<!DOCTYPE machine [<!ENTITY c "klartext">]>')));
+	assert.ok(!isIso(Buffer.from(machine('fanuc'), 'utf16le').toString('latin1')));
+	assert.ok(!isIso(machine('fanuc'), '<setup version="1"><tools href="tool.tbl"/></setup>'));
 };
 
 tests['hostile files end with a status, and the next job is as before'] = () => {

@@ -1,17 +1,19 @@
 // check_wasm.mjs - the checker in WebAssembly prints the same bytes as the native one.
 //
-// check_wasm.mjs FIVECHECK WASM [JOBS]: on the examples, in all formats, with every table; then on each job that
-// tests/wasm/record_job kept in JOBS. Both runs see the same files under the same names. What measures time is left out.
+// check_wasm.mjs FIVECHECK FOLDER [JOBS]: both modules in FOLDER (make web) on the examples, in all formats, with every table;
+// then the smaller one on each job that tests/wasm/record_job kept in JOBS. All runs see the same files under the same names.
+// What measures time is left out.
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import {Fivecheck} from '../../src/web/app/fivecheck.js';
+import {Fivecheck, OtherModule} from '../../src/web/app/fivecheck.js';
 import {Files} from '../../src/web/app/files.js';
 import {addFromDisk} from './disk.mjs';
 
-const [program, wasm, jobs] = process.argv.slice(2), native = path.resolve(program);
-const fivecheck = await Fivecheck.load(fs.readFileSync(wasm));
+const [program, folder, jobs] = process.argv.slice(2), native = path.resolve(program);
+const all = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck.wasm`));
+const iso = await Fivecheck.load(fs.readFileSync(`${folder}/fivecheck-iso.wasm`), fs.readFileSync(`${folder}/viewer.js`, 'utf8'));
 let runs = 0, failed = 0;
 
 /** Times differ from run to run: the line of statistics, and the attribute of JUnit. */
@@ -26,7 +28,7 @@ function firstDifference(a, b) {
 }
 
 /** Runs both in `folder`, whose `inputs` the checker in WebAssembly sees, too. */
-function compare(name, folder, inputs, args, written = []) {
+function compare(fivecheck, name, folder, inputs, args, written = []) {
 	const files = new Files();
 	const opened = inputs.flatMap((input) => addFromDisk(files, path.join(folder, input), input));
 	const work = fs.mkdtempSync(path.join(os.tmpdir(), 'fivecheck-wasm-'));
@@ -56,25 +58,51 @@ function compare(name, folder, inputs, args, written = []) {
 const WAYS = [['-f', 'text'], ['-f', 'ndjson', '--all'], ['-f', 'junit'], ['-f', 'sarif', '--all'], ['-f', 'github'], ['--dump-path'],
 	['--list-pairs'], ['--parse-only'], ['--clearance=2', '--all', '-f', 'ndjson'], ['--method=conventional', '-f', 'ndjson'],
 	['--tolerance=0.01', '--dump-path']];
-const WRITTEN = ['--report=r.html', '--glb=g.glb', '--picture=p.svg', '--pose=s.stl'];
+/** What the smaller module has not. */
+const LARGE = [['-f', 'junit'], ['-f', 'sarif', '--all'], ['-f', 'github'], ['--glb=g.glb'], ['--sensitivity=1,1,1,1'],
+	['--dialect=sinumerik'], ['--dialect=klartext']];
+const WRITTEN = {'--report=r.html': 'r.html', '--picture=p.svg': 'p.svg', '--pose=s.stl': 's.stl', '--glb=g.glb': 'g.glb'};
+
+/** The smaller module prints no result for what it has not. */
+function refuses(name, args) {
+	const files = new Files(), opened = ['machines', 'examples'].flatMap((input) => addFromDisk(files, input, input));
+	runs++;
+	try {
+		const {status} = iso.run(args, files);
+		failed++;
+		console.log(`${name}: ${args.join(' ')}: status ${status} of the smaller module`);
+	} catch (error) {
+		if (!(error instanceof OtherModule))
+			throw error;
+	}
+	opened.forEach((bytes) => bytes.close());
+}
 
 for (const name of ['ac-trunnion', 'b-head-c-table', 'cb-head']) {
 	const machine = `machines/${name}/machine.xml`, setup = `--setup=examples/${name}/setup.xml`;
 
-	compare(name, '.', ['machines'], ['--check-machine', machine]);
-	for (const program of ['clear', 'collision']) {
-		for (const way of WAYS)
-			compare(name, '.', ['machines', 'examples'], [...way, setup, machine, ...(way[0] === '--list-pairs' ? [] : [`examples/${name}/${program}.nc`])]);
+	for (const fivecheck of [all, iso]) {
+		const written = Object.entries(WRITTEN).slice(0, fivecheck === iso ? 3 : 4);
+		const ways = fivecheck === iso ? WAYS.filter((way) => !LARGE.some((large) => large.join() === way.join())) : WAYS;
+
+		compare(fivecheck, name, '.', ['machines'], ['--check-machine', machine]);
+		for (const program of ['clear', 'collision']) {
+			for (const way of ways)
+				compare(fivecheck, name, '.', ['machines', 'examples'], [...way, setup, machine, ...(way[0] === '--list-pairs' ? [] : [`examples/${name}/${program}.nc`])]);
+		}
+		compare(fivecheck, name, '.', ['machines', 'examples'], [...written.map(([option]) => option), '-f', 'ndjson', setup, machine, `examples/${name}/collision.nc`],
+			written.map(([, file]) => file));
 	}
-	compare(name, '.', ['machines', 'examples'], [...WRITTEN, '-f', 'ndjson', setup, machine, `examples/${name}/collision.nc`],
-		['r.html', 'g.glb', 'p.svg', 's.stl']);
+	for (const large of LARGE)
+		refuses(name, [...large, setup, machine, `examples/${name}/collision.nc`]);
 }
+refuses('explain', ['--explain=G1']);
 for (const job of jobs ? fs.readdirSync(jobs).sort() : []) {
 	const args = fs.readFileSync(path.join(jobs, job, 'arguments'), 'utf8').trimEnd().split('\n'), folder = path.join(jobs, job, 'files');
 	const inputs = fs.readdirSync(folder);
 
-	compare(job, folder, inputs, args);
-	compare(job, folder, inputs, ['--dump-path', ...args.filter((word) => word.startsWith('--setup')), ...(args.includes('-s') ? ['-s', 's.xml'] : []), 'm.xml', 'p.nc']);
+	compare(iso, job, folder, inputs, args);
+	compare(iso, job, folder, inputs, ['--dump-path', ...args.filter((word) => word.startsWith('--setup')), ...(args.includes('-s') ? ['-s', 's.xml'] : []), 'm.xml', 'p.nc']);
 }
 console.log(`check-wasm: ${runs} runs, ${failed} differ`);
 process.exitCode = failed ? 1 : 0;

@@ -2,6 +2,7 @@
 /**
  * client.js - jobs of the checker in workers of their own: the page stays alive, and a job can be cancelled.
  */
+import {Modules} from './modules.js';
 
 /** @typedef {import('./fivecheck.js').Result} Result */
 /**
@@ -16,9 +17,9 @@
 export class Cancelled extends Error {}
 
 export class Client {
-	/** @param {string | URL} address of fivecheck.wasm */
-	constructor(address) {
-		this.module = WebAssembly.compileStreaming(fetch(address));
+	/** @param {string | URL} folder with the modules */
+	constructor(folder) {
+		this.modules = new Modules(folder);
 		/** @type {Set<(reason: Error) => void>} */
 		this.running = new Set();
 		/** @type {{start: () => void, cancel: (reason: Error) => void}[]} jobs that wait for a processor */
@@ -44,12 +45,13 @@ export class Client {
 
 	/**
 	 * @param {Record<string, any>} message
+	 * @param {WebAssembly.Module} module
 	 * @param {Listener} listener
 	 * @returns {Promise<any>}
 	 */
-	async post(message, listener = {}) {
+	async post(message, module, listener = {}) {
 		await this.begin();
-		const module = await this.module, worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+		const worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
 		/** @type {((reason: Error) => void) | undefined} */
 		let cancel;
 		try {
@@ -79,18 +81,20 @@ export class Client {
 	 * @param {Listener} listener
 	 * @returns {Promise<Result>}
 	 */
-	check({files, ...job}, listener) {
-		return this.post({files, job}, listener);
+	async check({files, ...job}, listener) {
+		const [machine, setup] = [job.machine, job.setup].map((wanted) => files.find(([path]) => path === wanted)?.[1]);
+		const [module, viewer] = await Promise.all([this.modules.of(machine, setup), job.report ? this.modules.viewer() : undefined]);
+		return this.post({files, job, viewer}, module, listener);
 	}
 
 	/**
-	 * Runs a command line.
+	 * Runs a command line that needs no other control than those of the smaller module.
 	 * @param {string[]} args
 	 * @param {[string, string | Blob][]} files
 	 * @returns {Promise<{status: number, out: string, err: string}>}
 	 */
-	run(args, files = []) {
-		return this.post({files, args});
+	async run(args, files = []) {
+		return this.post({files, args}, await this.modules.iso);
 	}
 
 	/** Ends all jobs that run, and those that wait. */

@@ -9,8 +9,8 @@
 import {Files, FileNode} from './files.js';
 import {Wasi} from './wasi.js';
 
-/** Exit statuses. */
-export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3};
+/** Exit statuses. The last is that of the smaller module alone. */
+export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3, OTHER_MODULE: 4};
 
 /**
  * One job.
@@ -37,6 +37,22 @@ export const STATUS = {CLEAR: 0, FOUND: 1, INCOMPLETE: 2, INTERNAL: 3};
  */
 
 const RESULTS = '/tmp/fivecheck';
+/** Where the smaller module looks for the script of reports (src/wasi/iso/viewer.c). */
+const VIEWER = `${RESULTS}/viewer.js`;
+
+/** The smaller module, fivecheck-iso.wasm, was asked for what only fivecheck.wasm has. */
+export class OtherModule extends Error {
+	constructor() {
+		super('fivecheck-iso.wasm cannot do this: load fivecheck.wasm');
+	}
+}
+
+/** @param {number} status @returns {number} the status of a run that came to its end */
+function statusOf(status) {
+	if (status === STATUS.OTHER_MODULE)
+		throw new OtherModule();
+	return status;
+}
 
 /** Takes bytes, gives whole lines. */
 class Lines {
@@ -56,20 +72,22 @@ class Lines {
 }
 
 export class Fivecheck {
-	/** @param {WebAssembly.Module} module */
-	constructor(module) {
+	/** @param {WebAssembly.Module} module @param {string} [viewer] see load */
+	constructor(module, viewer) {
 		this.module = module;
+		this.viewer = viewer;
 	}
 
 	/**
 	 * @param {string | URL | BufferSource | WebAssembly.Module} source of fivecheck.wasm: where it is, its bytes, or compiled
+	 * @param {string} [viewer] the text of viewer.js, which reports of fivecheck-iso.wasm need; fivecheck.wasm has its own
 	 */
-	static async load(source) {
+	static async load(source, viewer) {
 		if (source instanceof WebAssembly.Module)
-			return new Fivecheck(source);
+			return new Fivecheck(source, viewer);
 		if (typeof source !== 'string' && !(source instanceof URL))
-			return new Fivecheck(await WebAssembly.compile(source));
-		return new Fivecheck(await WebAssembly.compileStreaming(fetch(source)));
+			return new Fivecheck(await WebAssembly.compile(source), viewer);
+		return new Fivecheck(await WebAssembly.compileStreaming(fetch(source)), viewer);
 	}
 
 	/**
@@ -86,8 +104,10 @@ export class Fivecheck {
 		const keep = (fd, bytes) => {
 			texts[fd - 1] += decoders[fd - 1].decode(bytes, {stream: true});
 		};
+		if (this.viewer)
+			files.add(VIEWER, this.viewer);
 		const wasi = new Wasi({args: ['fivecheck', ...args], files, onOutput: keep, ...more});
-		const status = wasi.run(this.module);
+		const status = statusOf(wasi.run(this.module));
 		return {status, out: texts[0], err: texts[1]};
 	}
 
@@ -105,6 +125,8 @@ export class Fivecheck {
 	 * @param {Files} files
 	 */
 	session(files) {
+		if (this.viewer)
+			files.add(VIEWER, this.viewer);
 		return new Session(this.module, files);
 	}
 
@@ -187,7 +209,7 @@ export class Session {
 		if (this.wasi.ended)
 			throw new SessionEnded('the session has ended');
 		this.wasi.host = {args: ['fivecheck', ...args], files: this.files, ...more};
-		const status = this.wasi.call(name, this.handle);
+		const status = statusOf(this.wasi.call(name, this.handle));
 		if (this.wasi.ended)
 			throw new SessionEnded(`the checker has ended with the status ${status}`);
 		return status;

@@ -14,7 +14,7 @@ class Page {
 	constructor() {
 		/** @type {JobFile[]} */
 		this.files = [];
-		this.client = new Client(new URL('fivecheck.wasm', import.meta.url));
+		this.client = new Client(new URL('.', import.meta.url));
 		this.running = 0;
 		/** @type {Map<string, Blob>} by the path of the program */
 		this.reports = new Map();

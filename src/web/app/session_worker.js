@@ -8,6 +8,9 @@ import {Files} from './files.js';
 
 /** @typedef {import('./fivecheck.js').Session} Session */
 
+/** Of a report only its data is read. */
+const NO_VIEWER = '/* none */';
+
 class Desk {
 	/** @param {WebAssembly.Module} module @param {[string, string | Blob][]} files @param {{machine: string, setup?: string}} job */
 	constructor(module, files, job) {
@@ -16,7 +19,7 @@ class Desk {
 			this.files.add(path, contents);
 		this.job = job;
 		/** @type {Session} */
-		this.session = new Fivecheck(module).session(this.files);
+		this.session = new Fivecheck(module, NO_VIEWER).session(this.files);
 	}
 
 	/** @param {{name: string, text: string, options?: string[], report?: boolean}} program */

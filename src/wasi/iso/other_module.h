@@ -1,0 +1,18 @@
+/*
+ * other_module.h - what the smaller module lacks: it was asked for something that only the module with everything has. The
+ * run ends at once, before it prints a result, with a status that fivecheck(1) has not.
+ */
+#ifndef FIVECHECK_WASI_ISO_OTHER_MODULE_H
+#define FIVECHECK_WASI_ISO_OTHER_MODULE_H
+
+#include <stdlib.h>
+
+/* STATUS.OTHER_MODULE of src/web/app/fivecheck.js. */
+enum { STATUS_OTHER_MODULE = 4 };
+
+_Noreturn static inline void other_module(void)
+{
+	exit(STATUS_OTHER_MODULE);
+}
+
+#endif

@@ -1,0 +1,37 @@
+/*
+ * viewer.c - in place of src/report/html/viewer.c: the script of the viewer is a file of the run, which the host puts there
+ * (src/web/app/fivecheck.js). A page that shows the machine without a report need not load it.
+ */
+#include "report/html/viewer.h"
+
+#include <stdio.h>
+
+#include "report/html/viewer_files.h"
+#include "wasi/iso/other_module.h"
+
+#define SCRIPT "/tmp/fivecheck/viewer.js"
+
+struct viewer_file viewer_script(void)
+{
+	/* Read anew for each report: takes no bytes of the module. */
+	static char script[1 << 18];
+	FILE *file = fopen(SCRIPT, "rb");
+	size_t count = file ? fread(script, 1, sizeof(script), file) : 0;
+
+	if (file)
+		fclose(file);
+	if (!count || count == sizeof(script))
+		other_module();
+	return (struct viewer_file){script, count};
+}
+
+/* Each array ends in one byte more than the file. */
+struct viewer_file viewer_boot_script(void)
+{
+	return (struct viewer_file){(const char *)viewer_boot, sizeof(viewer_boot) - 1};
+}
+
+struct viewer_file viewer_style(void)
+{
+	return (struct viewer_file){(const char *)viewer_css, sizeof(viewer_css) - 1};
+}
