@@ -43,7 +43,7 @@ class Site:
 
 
 EVENTS = ["fivecheck-ready", "example-open", "checked", "machine-written", "report-shown", "machine-open", "posed", "edited",
-          "wall-checked"]
+          "sampled", "wall-checked"]
 # Each event can be awaited as often as it comes: window.next(name) is the promise of the next one.
 WATCH = """
 window.counts = {};
@@ -295,6 +295,18 @@ def editor(bench):
     hit = first.replace("Z-180", "Z-380")
     edit(page, hit)
     true("a finding", page.run(EDITED).startswith("Found"))
+    times = []
+    for z in range(-380, -360):
+        edit(page, first.replace("Z-180", f"Z{z}"))
+        true("the proof is shown last", page.run(EDITED).startswith("Found. "))
+        times.append(page.run("learnPage.editor.took"))
+    print(f"     to the first finding of a collision: {sorted(times)[len(times) // 2]:.0f} ms (median of {len(times)})")
+    # Samples alone: their finding is there before any proof.
+    page.run("(learnPage.editor.newest.busy = true, learnPage.editor.text.value = %s, learnPage.editor.typed(),"
+             " until('sampled', counts.sampled + 1))" % json.dumps(hit))
+    true("samples", page.run(EDITED).startswith("Found by samples; the proof follows."))
+    page.run("(learnPage.editor.newest.busy = false, learnPage.editor.typed())")
+    edit(page, hit)
     path = os.path.join(bench.keep, "program.nc")
     with open(path, "w", encoding="utf-8") as file:
         file.write(hit)

@@ -1,5 +1,11 @@
 // @ts-check
-/** editor.js - a few blocks that are checked at every key: errors and findings stand at their lines. */
+/**
+ * editor.js - a few blocks that are checked at every key: errors and findings stand at their lines.
+ *
+ * The proof of a clear program is quick; to find the first instant of a deep collision takes longer. So a second session
+ * looks at samples meanwhile: what it finds is shown until the proof is there. That it finds nothing means nothing.
+ */
+import {STATUS} from './fivecheck.js';
 import {element} from './page.js';
 import {Newest} from './session_client.js';
 
@@ -8,6 +14,7 @@ import {Newest} from './session_client.js';
 const NAME = 'program.nc';
 const FINDINGS = new Set(['collision', 'clearance', 'limit', 'start-overlap', 'rapid-contact', 'gouge']);
 const VERDICTS = ['clear', 'found', 'incomplete', 'incomplete'];
+const SAMPLED = 'Found by samples; the proof follows.';
 const WORDS = {clear: 'Clear: nothing hits anything, in continuous time.', found: 'Found.', incomplete: 'Incomplete: not everything could be checked.'};
 
 /**
@@ -32,23 +39,31 @@ export function remarksOf({events, messages}) {
 	return remarks.sort((a, b) => a.line - b.line);
 }
 
+/** @typedef {{number: number, at: number, text: string}} Typed a key: its number, when, and the text since then */
+
 export class Editor {
 	/**
 	 * @param {import('./session_client.js').SessionClient} session
+	 * @param {import('./session_client.js').SessionClient} scout the same machine, for the samples
 	 * @param {string} text
 	 * @param {(event: Record<string, any>) => void} look the user wants to see a finding
 	 */
-	constructor(session, text, look) {
+	constructor(session, scout, text, look) {
 		this.session = session;
+		this.scout = scout;
 		this.look = look;
-		/** ms from the last key to its verdict. */
+		/** ms from the last key to its first verdict. */
 		this.took = 0;
+		this.keys = 0;
+		/** The number of the key whose verdict is shown. */
+		this.shown = 0;
 		this.text = /** @type {HTMLTextAreaElement} */ (element('textarea', {value: text, spellcheck: false, id: 'blocks', wrap: 'off', autocapitalize: 'off'}));
 		this.text.setAttribute('aria-describedby', 'remarks');
 		this.gutter = element('div', {className: 'gutter', ariaHidden: 'true'});
 		this.verdict = element('p', {className: 'verdict', role: 'status'}, 'loading the machine …');
 		this.remarks = element('ul', {id: 'remarks', className: 'remarks'});
-		this.newest = new Newest((/** @type {number} */ typed) => this.check(typed));
+		this.newest = new Newest((/** @type {Typed} */ typed) => this.check(typed));
+		this.newestSample = new Newest((/** @type {Typed} */ typed) => this.sample(typed));
 		this.text.addEventListener('input', () => this.typed());
 		this.text.addEventListener('scroll', () => this.gutter.scrollTop = this.text.scrollTop);
 		this.element = element('div', {className: 'editor'}, element('label', {htmlFor: 'blocks'}, 'Program'),
@@ -56,13 +71,26 @@ export class Editor {
 	}
 
 	typed() {
-		return this.newest.put(performance.now());
+		const typed = {number: ++this.keys, at: performance.now(), text: this.text.value};
+		this.newestSample.put(typed);
+		return this.newest.put(typed);
 	}
 
-	/** @param {number} typed when */
+	/** @param {Typed} typed */
+	async sample(typed) {
+		const result = await this.scout.check({name: NAME, text: typed.text, options: ['--method=conventional', '--step=0.05']}).catch(() => undefined);
+		if (result?.status === STATUS.FOUND && typed.number > this.shown) {
+			this.show(result, typed, SAMPLED);
+			document.dispatchEvent(new Event('sampled'));
+		}
+	}
+
+	/** @param {Typed} typed */
 	async check(typed) {
 		try {
-			this.show(await this.session.check({name: NAME, text: this.text.value}), typed);
+			const result = await this.session.check({name: NAME, text: typed.text});
+			if (typed.number >= this.shown)
+				this.show(result, typed);
 		} catch (error) {
 			this.verdict.dataset.verdict = 'incomplete';
 			this.verdict.textContent = String(error);
@@ -70,8 +98,8 @@ export class Editor {
 		document.dispatchEvent(new Event('edited'));
 	}
 
-	/** @param {import('./fivecheck.js').Result} result @param {number} typed */
-	show(result, typed) {
+	/** @param {import('./fivecheck.js').Result} result @param {Typed} typed @param {string} [words] in place of the verdict's */
+	show(result, typed, words) {
 		const remarks = remarksOf(result), verdict = /** @type {keyof typeof WORDS} */ (VERDICTS[result.status]);
 		this.gutter.replaceChildren(...this.text.value.split('\n').map((_, i) => {
 			const here = remarks.filter(({line}) => line === i + 1);
@@ -80,9 +108,11 @@ export class Editor {
 		}));
 		this.gutter.scrollTop = this.text.scrollTop;
 		this.remarks.replaceChildren(...remarks.map((remark) => this.remark(remark)));
-		this.took = performance.now() - typed;
+		if (typed.number > this.shown)
+			this.took = performance.now() - typed.at;
+		this.shown = typed.number;
 		this.verdict.dataset.verdict = verdict;
-		this.verdict.textContent = `${WORDS[verdict]} (${this.took.toFixed(0)} ms)`;
+		this.verdict.textContent = `${words ?? WORDS[verdict]} (${this.took.toFixed(0)} ms)`;
 	}
 
 	/** @param {Remark} remark */

@@ -32,9 +32,11 @@ function modelOf(report) {
 
 class LearnPage {
 	constructor() {
-		this.client = new Client(new URL('fivecheck.wasm', import.meta.url));
+		this.client = new Client(new URL('.', import.meta.url));
 		/** @type {SessionClient | undefined} */
 		this.session = undefined;
+		/** The same machine once more, for the editor. @type {SessionClient | undefined} */
+		this.scout = undefined;
 		/** @type {Jog | undefined} */
 		this.jog = undefined;
 		/** @type {Editor | undefined} */
@@ -79,21 +81,24 @@ class LearnPage {
 		}
 		say.textContent = 'Loading …';
 		this.session?.close();
-		const session = this.session = new SessionClient(this.client.module, withMeshes(files), {machine: machine.path, setup: setup?.path});
+		this.scout?.close();
+		const module = this.client.modules.of(machine.blob, setup?.blob), all = withMeshes(files), job = {machine: machine.path, setup: setup?.path};
+		const session = this.session = new SessionClient(module, all, job);
 		const tools = toolsOf(setup), start = `${tools.map(({number}) => `T${number} M6\n`).join('')}M2\n`;
 		const {reports, messages} = await session.check({name: 'start.nc', text: start, options: ['--dialect=linuxcnc'], report: true});
 		if (session !== this.session)
 			return;
+		this.scout = new SessionClient(module, all, job);
 		const report = reports.get('start.nc');
 		if (!report) {
 			say.textContent = messages;
 			return;
 		}
-		await this.show(name, await modelOf(report), session, tools);
+		await this.show(name, await modelOf(report), session, this.scout, tools);
 	}
 
-	/** @param {string} name @param {Model} model @param {SessionClient} session @param {{number: number, name: string}[]} tools */
-	async show(name, model, session, tools) {
+	/** @param {string} name @param {Model} model @param {SessionClient} session @param {SessionClient} scout @param {{number: number, name: string}[]} tools */
+	async show(name, model, session, scout, tools) {
 		byId('machine-name').textContent = model.machine;
 		showPairs(model);
 		try {
@@ -104,7 +109,7 @@ class LearnPage {
 		}
 		const letters = model.axes.map(({letter}) => letter);
 		const blocks = BLOCKS[name] ?? `G21 G90 G94\n${tools.length ? `T${tools[0].number} M6\n` : ''}${letters.map((letter) => `G53 G0 ${letter}0\n`).join('')}M2\n`;
-		this.editor = new Editor(session, blocks, (event) => this.jog?.showFinding(event));
+		this.editor = new Editor(session, scout, blocks, (event) => this.jog?.showFinding(event));
 		byId('editor').replaceChildren(this.editor.element);
 		await this.editor.typed();
 		document.dispatchEvent(new Event('machine-open'));
