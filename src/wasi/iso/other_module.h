@@ -1,6 +1,6 @@
 /*
- * other_module.h - what the smaller module lacks: it was asked for something that only the module with everything has. The
- * run ends at once, before it prints a result, with a status that fivecheck(1) has not.
+ * other_module.h - the smaller module was asked for something that only the module with everything has. The run ends
+ * at once, with a status that fivecheck(1) has not.
  */
 #ifndef FIVECHECK_WASI_ISO_OTHER_MODULE_H
 #define FIVECHECK_WASI_ISO_OTHER_MODULE_H

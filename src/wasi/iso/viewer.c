@@ -1,6 +1,6 @@
 /*
- * viewer.c - in place of src/report/html/viewer.c: the script of the viewer is a file of the run, which the host puts there
- * (src/web/app/fivecheck.js). A page that shows the machine without a report need not load it.
+ * viewer.c - in place of src/report/html/viewer.c: the script of the viewer is a file of the run, which the host puts
+ * there (src/web/app/fivecheck.js). A page that shows the machine without a report need not load it.
  */
 #include "report/html/viewer.h"
 
