@@ -235,6 +235,14 @@ static void release(struct checker *c)
 	sweep_release(&c->sweep);
 }
 
+/* mm: up to so much beyond what is required smallest clearances are found; 0: none are (pair_check_init). */
+static double measured_up_to(const struct check_options *options, const double *proven)
+{
+	if (proven)
+		return options->measure_cap > 0 ? options->measure_cap : INFINITY;
+	return options->block_clearances && options->least_clearances ? options->block_clearance_cap : 0;
+}
+
 enum check_result check_run(struct scene *scene, const struct check_options *options, FILE *in, const char *name,
 			    const struct check_sink *sink, struct diag *diag, struct check_stats *stats,
 			    double *proven)
@@ -260,7 +268,7 @@ enum check_result check_run(struct scene *scene, const struct check_options *opt
 	c.last_block = LONG_MAX;
 	start_block(&c);
 	if (options->method == CHECK_NOTHING ||
-	    (scheduler_init(&c.scheduler, scene, options, &c.asked, proven != NULL, diag) &&
+	    (scheduler_init(&c.scheduler, scene, options, &c.asked, measured_up_to(options, proven), diag) &&
 	     stock_check_init(&c.stock, scene, options, &c.asked, diag))) {
 		complete = run_program(&c, in);
 		finish(&c, complete);

@@ -184,9 +184,9 @@ static void hand_on_findings(struct checker *c)
 
 /* ---------------------------------------------------------------- batches */
 
-static void add_clearance(struct checker *c, long block, size_t pair, double clearance)
+static void add_clearance(struct checker *c, long block, size_t pair, double clearance, bool so_far)
 {
-	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap};
+	const struct pair_clearance least = {pair, clearance, clearance >= c->options->block_clearance_cap, so_far};
 
 	if (!least.capped || !c->options->least_clearances)
 		block_log_add_clearance(&c->log, block, &least);
@@ -203,14 +203,15 @@ static bool measure_blocks(struct checker *c)
 		const struct pair_check *check = &c->scheduler.checks[i];
 
 		for (size_t k = 0; k < check->clearance_count; k++)
-			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance);
+			add_clearance(c, check->clearances[k].block, check->pair, check->clearances[k].clearance,
+				      check->clearances[k].so_far);
 	}
 	for (size_t i = 0; i < c->stock.pair_count && complete; i++) {
 		const struct stock_clearance *measured = &c->stock.clearances[i];
 
 		for (size_t k = 0; k < measured->block_count; k++)
 			add_clearance(c, measured->blocks[k].block, c->stock.pairs[i].pair,
-				      measured->blocks[k].clearance);
+				      measured->blocks[k].clearance, false);
 	}
 	c->measuring += checker_clock() - start;
 	return complete;

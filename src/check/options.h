@@ -37,7 +37,10 @@ struct check_options {
 	int threads;	/* >= 1 */
 	bool block_clearances;	/* measure the clearance that remains in each block; the check takes longer */
 	double block_clearance_cap;	/* mm: larger clearances are reported as this value */
-	/* of each block hand on its smallest clearance alone, and that only below the cap; measured less sharply */
+	/*
+	 * Of each block hand on its smallest clearance alone, and that only below the cap. It is measured less sharply,
+	 * and in a long program only of some blocks; of the others it is what was proved of all so far.
+	 */
 	bool least_clearances;
 	bool times;	/* check each block by itself and measure its time; the check takes longer */
 	double measure_cap;	/* mm: measure the smallest clearance up to the required one plus this; 0: no cap */

@@ -1,5 +1,6 @@
 #include "check/pair_check.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/ablation.h"
@@ -22,7 +23,7 @@ static bool starts_unseen(unsigned steps)
 	return !(steps & STEP_RAPID);
 }
 
-void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure)
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, double measure)
 {
 	const struct scene_pair *p = &scene->pairs[pair];
 
@@ -31,10 +32,10 @@ void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair,
 	check->tool = tool_of(scene, p);
 	check->steps = p->steps;
 	check->past_limits_only = p->status == PAIR_OUT_OF_REACH;
-	check->found_block = check->unknown_block = -1;
+	check->found_block = check->unknown_block = check->nearest_block = -1;
 	check->maybe_inside = starts_unseen(p->steps);
 	/* The clearance of a cutter's core is of no interest. */
-	check->measures = measure && p->status != PAIR_CUTTING;
+	check->measure = p->status != PAIR_CUTTING ? measure : 0;
 }
 
 void pair_check_prepare(struct pair_check *check, const struct check_options *options)
@@ -46,9 +47,9 @@ void pair_check_prepare(struct pair_check *check, const struct check_options *op
 	if (check->methods || !scene_pair_bodies(check->scene, p, &bodies, &unheard))
 		return;
 	check->methods = mem_zalloc(1, sizeof(*check->methods));
-	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance, check->measures);
-	if (check->measures && options->measure_cap > 0)
-		strategy_cap(&check->methods->strategy, p->clearance + options->measure_cap);
+	strategy_init(&check->methods->strategy, &bodies, p->clearance, options->tolerance, check->measure > 0);
+	if (check->measure > 0 && check->measure < INFINITY)
+		strategy_cap(&check->methods->strategy, p->clearance + check->measure);
 	sampler_init(&check->methods->sampler, &bodies, p->clearance, options->method == CHECK_INTERPOLATED,
 		     options->step);
 	check->methods->sampler.started = check->has_started;
@@ -208,9 +209,11 @@ static size_t skip(struct pair_check *check, struct sweep *sweep, const struct b
 void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct batch *batch, size_t from, size_t to,
 		const struct check_options *options)
 {
+	double proved = strategy_proven(&check->methods->strategy);
 	size_t skipped;
 
 	check->result_count = 0;
+	check->nearest_block = -1;
 	for (size_t i = from; i < to; i += skipped ? skipped : 1) {
 		const struct batch_step *step = &batch->steps[i];
 		struct contact contact = {0};
@@ -228,6 +231,10 @@ void pair_check_run(struct pair_check *check, struct sweep *sweep, const struct 
 		answer = check->maybe_inside && options->method == CHECK_CERTIFIED
 				  ? check_maybe_inside(check, sweep, &step->motion, step->block, options, &contact)
 				  : pass(check, sweep, &step->motion, options, &contact);
+		if (strategy_proven(&check->methods->strategy) < proved) {
+			proved = strategy_proven(&check->methods->strategy);
+			check->nearest_block = step->block;
+		}
 		if (answer == QUERY_CLEAR)
 			continue;
 		add_result(check, i, answer, sweep->exhausted, &contact);
@@ -266,7 +273,7 @@ static void start_room(struct pair_check *check, long block, double most, bool l
 		check->clearance_count--;
 	check->clearances = mem_grow(check->clearances, &check->clearance_capacity, check->clearance_count + 1,
 				     sizeof(*check->clearances));
-	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, most, most};
+	check->clearances[check->clearance_count++] = (struct pair_check_clearance){block, most, most, false};
 	block_clearance_start(&check->methods->block, most);
 }
 
@@ -302,6 +309,12 @@ static double most_in_chunk(const double *most, const struct batch *batch, size_
 	return largest;
 }
 
+static bool chunk_clears(struct block_clearance *block, const struct batch_chunk *chunk, double most, double proved)
+{
+	return proved >= most ||
+	       block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS, most);
+}
+
 static enum clearance_accuracy accuracy_of(const struct check_options *options, bool rough)
 {
 	if (!options->least_clearances)
@@ -309,10 +322,40 @@ static enum clearance_accuracy accuracy_of(const struct check_options *options, 
 	return rough ? CLEARANCE_ROUGH : CLEARANCE_COARSE;
 }
 
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch, const double *most,
-			long effort, const struct check_options *options)
+/*
+ * mm: what the check has proved of all steps so far, where only least clearances are measured; 0: nothing beyond what
+ * is required. A pair that was found too close once has proved no more.
+ */
+static double proved_so_far(const struct pair_check *check, const struct check_options *options)
 {
-	const long rough_from = sweep->visits + effort;
+	const double proved = strategy_proven(&check->methods->strategy);
+
+	if (!options->least_clearances || check->past_limits_only || !(check->measure > 0) || isinf(proved))
+		return 0;
+	return proved > check->scene->pairs[check->pair].clearance ? proved : 0;
+}
+
+/* Lowers the clearance of the step's block to what was proved of all steps, or to what is measured if that is 0. */
+static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, double proved,
+			 enum clearance_accuracy accuracy, const struct check_options *options)
+{
+	struct pair_check_clearance *clearance = &check->clearances[check->clearance_count - 1];
+	struct block_clearance *block = &check->methods->block;
+	const double before = block->bound;
+
+	if (proved > 0)
+		block->bound = smaller(before, proved);
+	else
+		block_clearance_step(block, sweep, &step->motion, options->tolerance, accuracy);
+	if (block->bound < before)
+		clearance->so_far = proved > 0;
+}
+
+void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
+			const struct measure_plan *plan, const struct check_options *options)
+{
+	const long rough_from = sweep->visits + plan->effort;
+	const double proved = proved_so_far(check, options);
 	struct block_clearance *block = &check->methods->block;
 	bool clears = false;
 
@@ -326,18 +369,17 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		}
 		if (i % CHUNK_STEPS == 0)
-			clears = block_clearance_clears(block, &chunk->low, &chunk->high, &chunk->errors, CHUNK_STEPS,
-							most_in_chunk(most, batch, i / CHUNK_STEPS));
+			clears = chunk_clears(block, chunk, most_in_chunk(plan->most, batch, i / CHUNK_STEPS), proved);
 		if (i % CHUNK_STEPS == 0 && clears && options->least_clearances) {
 			i += CHUNK_STEPS - 1;
 			continue;
 		}
 		if (check->past_limits_only && !step->beyond)
 			continue;
-		start_room(check, step->block, most[i], options->least_clearances);
+		start_room(check, step->block, plan->most[i], options->least_clearances);
 		if (!clears)
-			block_clearance_step(block, sweep, &step->motion, options->tolerance,
-					     accuracy_of(options, sweep->visits > rough_from));
+			measure_step(check, sweep, step, plan->selected[i] ? 0 : proved,
+				     accuracy_of(options, sweep->visits > rough_from), options);
 		if (block->maybe_inside || !(block->bound > 0))
 			measure_inside(check, &step->motion);
 		check->clearances[check->clearance_count - 1].clearance = block->bound;

@@ -27,6 +27,15 @@ struct pair_check_clearance {
 	long block;
 	double clearance;	/* mm: proven, at most `most` */
 	double most;	/* mm: a larger one was of no interest */
+	bool so_far;	/* as in struct pair_clearance */
+};
+
+/* What is to be measured of a batch, with options->least_clearances; else effort and `selected` do not matter. */
+struct measure_plan {
+	const double *most;	/* mm, above 0: for each step that of its block; a larger clearance is given as this */
+	/* for each step: measure its block; of others the smallest clearance of all steps so far is given */
+	const bool *selected;
+	long effort;	/* what comes after so many node pairs is measured roughly */
 };
 
 /* What takes the pair through the steps; large. */
@@ -42,9 +51,10 @@ struct pair_check {
 	int tool;	/* the tool that one of the bodies belongs to; 0: none */
 	unsigned steps;	/* bits of enum step_class: the steps in which it is checked */
 	bool past_limits_only;	/* out of reach as long as no axis leaves its travel */
-	bool measures;	/* find the smallest clearance */
+	double measure;	/* mm: find the smallest clearance, up to so much beyond what is required; 0: do not */
 	bool has_started;	/* the sampled methods need not look at where the first step begins */
 	long found_block;	/* the last block with a finding of this pair; -1: none */
+	long nearest_block;	/* the last block of the batch that lowered the smallest clearance; -1: none */
 	long unknown_block;	/* the first block in which one body may have been inside the other, unseen; -1: none */
 	bool maybe_inside;	/* it has met or may have: one body may be inside the other, surfaces apart */
 	struct pair_check_result *results;	/* of this batch */
@@ -55,10 +65,10 @@ struct pair_check {
 };
 
 /*
- * The check is all zero before. measure: find the smallest clearance (strategy_init). The meshes of the scene have been
- * read (scene_build).
+ * The check is all zero before. measure: mm: find the smallest clearance (strategy_init), up to so much beyond what is
+ * required; INFINITY: all of it; 0: do not. The meshes of the scene have been read (scene_build).
  */
-void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, bool measure);
+void pair_check_init(struct pair_check *check, struct scene *scene, size_t pair, double measure);
 
 /*
  * Makes a check ready, unless it is: to be called before the pair is checked for the first time. Most checks are of
@@ -97,11 +107,9 @@ bool pair_check_has_clearance(const struct pair_check *check);
 
 /*
  * Measures the clearance that the pair keeps in each block of the batch in which it is checked. Call it after
- * pair_check_run; its findings are not needed. most: mm, above 0, for each step that of its block: a larger clearance is
- * of no interest, and is given as this. effort: with options->least_clearances, what comes after so many node pairs is
- * measured roughly.
+ * pair_check_run; its findings are not needed.
  */
-void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch, const double *most,
-			long effort, const struct check_options *options);
+void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
+			const struct measure_plan *plan, const struct check_options *options);
 
 #endif

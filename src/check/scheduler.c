@@ -27,8 +27,14 @@
  */
 #define MEASURING_EFFORT 100000L
 
+/*
+ * Where only least clearances are measured: every block in so many steps from the start of the program, then every
+ * second one in as many, then every fourth one in twice as many, and so on. They draw a curve.
+ */
+#define SINGLE_STEPS 512L
+
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, bool measure, struct diag *diag)
+		    const struct cancel *cancel, double measure, struct diag *diag)
 {
 	if (!scene_build(scene, diag))
 		return false;
@@ -61,6 +67,7 @@ void scheduler_release(struct scheduler *scheduler)
 	free(scheduler->tasks);
 	free(scheduler->results);
 	free(scheduler->most);
+	free(scheduler->selected);
 	free(scheduler->order);
 	*scheduler = (struct scheduler){0};
 }
@@ -131,6 +138,7 @@ static void plan(struct scheduler *scheduler, const struct batch *batch, int too
 		struct pair_check *check = &scheduler->checks[i];
 
 		check->result_count = 0;
+		check->nearest_block = -1;
 		if (!pair_check_is_active(check, tool))
 			continue;
 		pair_check_prepare(check, options);
@@ -148,8 +156,7 @@ struct work {
 	struct scheduler *scheduler;
 	const struct batch *batch;
 	const struct check_options *options;
-	const double *most;	/* measure block clearances up to these instead of looking for contacts; or NULL */
-	long effort;	/* for each task's measuring (pair_check_measure) */
+	const struct measure_plan *plan;	/* measure block clearances instead of looking for contacts; or NULL */
 };
 
 static void do_task(void *context, int worker, size_t i)
@@ -163,8 +170,8 @@ static void do_task(void *context, int worker, size_t i)
 	struct sweep sweep = work->scheduler->sweeps[worker];
 	long before = sweep.visits;
 
-	if (work->most)
-		pair_check_measure(task->check, &sweep, work->batch, work->most, work->effort, work->options);
+	if (work->plan)
+		pair_check_measure(task->check, &sweep, work->batch, work->plan, work->options);
 	else
 		pair_check_run(task->copy ? task->copy : task->check, &sweep, work->batch, task->from, task->to,
 			       work->options);
@@ -205,6 +212,8 @@ static void gather(struct scheduler *scheduler)
 		}
 		if (!task->copy)
 			continue;
+		if (strategy_proven(&task->copy->methods->strategy) < strategy_proven(&task->check->methods->strategy))
+			task->check->nearest_block = task->copy->nearest_block;
 		strategy_join(&task->check->methods->strategy, &task->copy->methods->strategy);
 		free(task->copy->methods);
 		free(task->copy->results);
@@ -301,18 +310,44 @@ static void lower_most(struct scheduler *scheduler, const struct batch *batch, s
 	}
 }
 
+/*
+ * Which blocks are measured where only least clearances are: some at regular distances, and those that lowered the
+ * smallest clearance of a pair.
+ */
+static void select_blocks(struct scheduler *scheduler, const struct batch *batch)
+{
+	long stride = 1;
+
+	scheduler->selected =
+	    mem_grow(scheduler->selected, &scheduler->selected_capacity, batch->step_count, sizeof(*scheduler->selected));
+	for (size_t i = 0; i < batch->step_count; i++) {
+		while (batch->steps[i].number / SINGLE_STEPS >= stride)
+			stride *= 2;
+		scheduler->selected[i] = (batch->steps[i].block + 1) % stride == 0;
+	}
+	for (size_t k = 0; k < scheduler->count; k++) {
+		const long nearest = scheduler->checks[k].nearest_block;
+
+		for (size_t i = 0; i < batch->step_count && nearest >= 0; i++)
+			scheduler->selected[i] |= batch->steps[i].block == nearest;
+	}
+}
+
 bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, int tool,
 		       const struct check_options *options)
 {
 	const size_t count = put_in_order(scheduler, batch, tool, options);
 	size_t together = options->least_clearances ? 1 : count;
-	struct work work = {.scheduler = scheduler, .batch = batch, .options = options};
+	struct measure_plan measure = {0};
+	struct work work = {.scheduler = scheduler, .batch = batch, .options = options, .plan = &measure};
 
+	select_blocks(scheduler, batch);
 	scheduler->most =
 	    mem_grow(scheduler->most, &scheduler->most_capacity, batch->step_count, sizeof(*scheduler->most));
 	for (size_t i = 0; i < batch->step_count; i++)
 		scheduler->most[i] = options->block_clearance_cap;
-	work.most = scheduler->most;
+	measure.most = scheduler->most;
+	measure.selected = scheduler->selected;
 	scheduler->spare_effort += scheduler->work / 2;
 	/* How many are measured together does not depend on the number of threads, so neither do the clearances. */
 	for (size_t from = 0; from < count && is_complete(scheduler); from += together, together *= 2) {
@@ -321,7 +356,7 @@ bool scheduler_measure(struct scheduler *scheduler, const struct batch *batch, i
 		scheduler->task_count = 0;
 		for (size_t i = from; i < to; i++)
 			add_task(scheduler, scheduler->order[i].check, NULL, 0, batch->step_count);
-		work.effort = scheduler->spare_effort / (long)(to - from);
+		measure.effort = scheduler->spare_effort / (long)(to - from);
 		parallel_for(scheduler->task_count, scheduler->threads, do_task, &work);
 		for (size_t i = 0; i < scheduler->task_count; i++)
 			scheduler->spare_effort -= scheduler->tasks[i].visits;

@@ -33,14 +33,15 @@ struct scheduler {
 	struct pair_check_result *results;	/* of the last batch, of all checks in order */
 	size_t result_count, result_capacity;
 	double *most;	/* mm: of each step's block: a larger clearance is of no interest (pair_check_measure) */
-	size_t most_capacity;
+	bool *selected;	/* of each step: its block is measured (measure_plan) */
+	size_t most_capacity, selected_capacity;
 	long spare_effort;	/* node pairs that measuring may still look at before it becomes rough */
 	struct nearness *order;	/* in which pairs are measured where only the least clearance counts */
 };
 
 /* cancel is asked during a batch, from any thread. measure as in pair_check_init. False: a mesh is faulty, reported. */
 bool scheduler_init(struct scheduler *scheduler, struct scene *scene, const struct check_options *options,
-		    const struct cancel *cancel, bool measure, struct diag *diag);
+		    const struct cancel *cancel, double measure, struct diag *diag);
 void scheduler_release(struct scheduler *scheduler);
 
 /*

@@ -12,6 +12,8 @@ struct pair_clearance {
 	size_t pair;	/* of the scene */
 	double clearance;	/* mm: proven; at most the cap (check_options.block_clearance_cap) */
 	bool capped;
+	/* with check_options.least_clearances: not measured in this block; it is what was proved of all up to here */
+	bool so_far;
 };
 
 /* A block that was checked. Valid only during the call that hands it over. */

@@ -62,7 +62,8 @@ export function helpView() {
 		h('h2', {}, 'How to look around'),
 		h('p', {}, 'Drag turns the machine; with Shift, the right button or two fingers it moves. The wheel or a pinch zooms; a double click centres. A click selects a body. ' +
 			'A click on a line of the program shows where its block has led. Drag in the timeline to any moment; the wheel zooms it, a double click shows all of it. ' +
-			'The curve is the smallest clearance of all pairs that is proven: the true one is at least that.'),
+			'The curve is the smallest clearance of all pairs that is proven: the true one is at least that. ' +
+			'In a long program only some blocks are measured (the upper edge of the curve); its lower edge is proven of every block up to there.'),
 		table(['Key', 'What it does'], rows), h('button', {onclick: close}, 'Close')));
 	return dialog;
 }

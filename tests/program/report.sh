@@ -33,6 +33,12 @@ check sharp.html sharp=a.csv
 check a.html policy findings=a.ndjson pose=a.stl contact clearance=a.csv code=a.nc planes \
 	"text=knob (Z) meets table (C)"
 
+# A long program comes as near as 2 mm, later goes far away and back again.
+awk 'BEGIN { for (i = 1; i <= 3000; i++) printf "G1 F6000 X%.3f Z%.3f C%d\n", i % 20, -90 + 3 * cos(i / 10) + (i > 1500 ? i / 1000 : 0), i % 7 }' >long.nc
+fivecheck -q --report=long.html -o /dev/null m.xml long.nc
+fivecheck -q --clearance-report=long.csv -o /dev/null m.xml long.nc
+check long.html long-clearance=long.csv
+
 # Straight moves have one row each in --dump-path and here, whatever the tolerance.
 program b.nc <<'NC'
 G0 X10 C45

@@ -381,7 +381,7 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 	double least = recorder->cap;
 	size_t pair = recorder->scene->pair_count;
 	int64_t row[CLEARANCE_COLUMNS];
-	bool beside;
+	bool beside, so_far = false;
 
 	if (end->number != block->number)
 		return;
@@ -393,12 +393,14 @@ void recorder_block(struct recorder *recorder, const struct check_block *block)
 			continue;
 		least = block->clearances[i].clearance;
 		pair = block->clearances[i].pair;
+		so_far = block->clearances[i].so_far;
 	}
 	row[CLEARANCE_TIME] = whole(end->to, RECORD_TIME);
 	row[CLEARANCE_LEAST] = row[CLEARANCE_MOST] = (int64_t)floor(least / RECORD_CLEARANCE);
 	row[CLEARANCE_PAIR] = pair < recorder->scene->pair_count ? (int64_t)pair : -1;
 	recorded_table_add(&recorder->clearance, row);
-	if (pair == recorder->scene->pair_count)
+	/* Where the bodies are at such a block the clearance is not measured, and another pair may be the nearest. */
+	if (pair == recorder->scene->pair_count || so_far)
 		return;
 	if (least < recorder->least) {
 		recorder->least = least;

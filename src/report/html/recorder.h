@@ -108,7 +108,7 @@ struct recorder {
 	int tool;
 	double start;	/* s: of the first step */
 	double checked;	/* s: the end of the last block that was handed to recorder_block */
-	double least;	/* mm: the smallest clearance; the cap if none is smaller */
+	double least;	/* mm: the smallest clearance that was measured; the cap if none is smaller */
 	size_t least_pair;
 	struct block_end least_at;	/* the end of its block */
 	struct plane_wish *wishes;	/* for planes, in the order of time */
