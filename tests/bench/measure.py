@@ -24,6 +24,10 @@ class Spent:
             raise SystemExit('bench: no statistics in: %s%s' % (self.out, self.err))
         return [float(x) for x in found.groups()] + [int(blocks.group(1))]
 
+    def checking(self):
+        """Seconds of processor time of the check, of a run with one thread, whose statistics tell the wall's."""
+        return self.phases()[2] * min(1, self.cpu / max(self.wall, 1e-9))
+
 
 class Tools:
     """The programs of the benchmark and its folder."""
