@@ -6,7 +6,7 @@ and runs it there plainly and in all the ways that only tell more or only save t
 is kept. Only Python's standard library is needed.
 
     one_verdict.py --fivecheck build/fivecheck --cases 4 --seed 1 --keep FOLDER [--only CASE] [--blocks MOST]
-        [--ways COUNT] [--patience SECONDS] [--progress]
+        [--programs COUNT] [--ways COUNT] [--patience SECONDS] [--progress]
 """
 
 import argparse
@@ -26,12 +26,15 @@ import time
 from shapes import box, drawn, prism, write_stl
 
 # The place at which the verdict turns is looked for at so many places at once, so many times.
-PLACES = 12
-ROUNDS = 5
+PLACES = 3
+ROUNDS = 9
 
 # Places from the turn on, towards clear, in mm, and in shares of e: near 0 the last place found, the first clear one.
 BESIDE_MM = (-0.5, -0.05)
 BESIDE_E = (-2.0, -0.4, 0.4, 2.0)
+# More places by lot: so far from the turn at most, in shares of e or in mm.
+AROUND_E = 4.0
+AROUND_MM = 0.3
 
 # Blocks of a program that cuts a blank, at most, and how exactly it is known what remains, in mm.
 STOCK_BLOCKS = 40
@@ -429,7 +432,17 @@ def find_turn(case, asker):
     return near, far
 
 
-def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience):
+def places_near(case, near, far, count):
+    """The turn itself, so many places beside it, and more by lot."""
+    r = case.random
+    places = [near, far] + [near + m for m in BESIDE_MM] + [(near if s < 0 else far) + s * case.e for s in BESIDE_E]
+    while len(places) < count:
+        around = r.choice((AROUND_E * case.e, AROUND_MM))
+        places.append(near + r.uniform(-around, around))
+    return places[:count]
+
+
+def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patience, programs_wanted):
     """Returns what is found first in how many programs, and the number of runs."""
     case = Case(seed, number, folder, most)
     asker = Asker(fivecheck, case, patience)
@@ -440,8 +453,7 @@ def check(fivecheck, seed, number, folder, levels, with_glb, most, count, patien
     status, runs = asker.run(["clear.nc"])
     if status:
         raise Fault(f"clear.nc is not clear: {runs}")
-    near, far = find_turn(case, asker)
-    places = [near, far] + [near + m for m in BESIDE_MM] + [(near if s < 0 else far) + s * case.e for s in BESIDE_E]
+    places = places_near(case, *find_turn(case, asker), programs_wanted)
     programs = [f"p{i}.nc" for i in range(len(places))]
     for place, program in zip(places, programs):
         case.program(place, program)
@@ -462,6 +474,7 @@ def main():
     parser.add_argument("--fivecheck", default="build/fivecheck")
     parser.add_argument("--cases", type=int, default=4)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--programs", type=int, default=8, help="programs of each case")
     parser.add_argument("--only", type=int, help="the number of one case")
     parser.add_argument("--blocks", type=int, default=5000, help="the most blocks to a program")
     parser.add_argument("--ways", type=int, help="ask each program in so many ways, drawn by lot, instead of in all")
@@ -482,7 +495,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             try:
                 counts, some = check(fivecheck, arguments.seed, number, folder, levels, with_glb, arguments.blocks,
-                                     arguments.ways, arguments.patience)
+                                     arguments.ways, arguments.patience, arguments.programs)
                 kinds.update(counts)
                 runs += some
             except TooSlow:
