@@ -193,7 +193,8 @@ export class Stage {
 		} else {
 			[goal.yaw, goal.pitch] = STANDARD_VIEWS.corner;
 			const work = bodies.length ? this.placed.around(bodies) : this.placed.around(this.placed.all());
-			goal.fit(work.centre, work.radius, this.aspect());
+			// A small tool without a part would fill the view, and tell nothing.
+			goal.fit(work.centre, Math.max(work.radius, 0.1 * this.size), this.aspect());
 		}
 		this.fly(goal, atOnce);
 	}
