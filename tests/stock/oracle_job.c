@@ -1,7 +1,6 @@
 #include "oracle_job.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,6 +9,7 @@
 #define FEELS 80	/* pushes of the feeler */
 #define FEELER_MIN 0.05	/* mm: its radius less what is allowed */
 #define FEELER_MAX 0.3
+#define CHANCE_OF_SPLIT 0.15
 #define ABOVE 30	/* mm: over all of the stock */
 
 const double job_home[4] = {0, 0, 80, 0};
@@ -73,20 +73,76 @@ bool job_in_blank(const struct job *job, const double point[3], double margin)
 
 /* ------------------------------------------------------------------ moves */
 
+void job_to_machine(const double p[3], double degrees, double at[3])
+{
+	const double c = cos(degrees * acos(-1) / 180), s = sin(degrees * acos(-1) / 180);
+
+	at[0] = c * p[0] + s * p[2];
+	at[1] = p[1];
+	at[2] = c * p[2] - s * p[0];
+}
+
+void job_to_work(const double at[3], double degrees, double p[3])
+{
+	job_to_machine(at, -degrees, p);
+}
+
+void job_place(const struct move *m, const double from[4], double share, double q[4])
+{
+	double start[3], end[3], work[3];
+
+	for (int i = 0; i < 4; i++)
+		q[i] = from[i] + share * (m->to[i] - from[i]);
+	if (m->way == ARC) {
+		const double x = from[0] - m->centre[0], y = from[1] - m->centre[1];
+		const double first = hypot(x, y), last = hypot(m->to[0] - m->centre[0], m->to[1] - m->centre[1]);
+		const double radius = first + share * (last - first), angle = atan2(y, x) + share * m->sweep;
+
+		q[0] = m->centre[0] + radius * cos(angle);
+		q[1] = m->centre[1] + radius * sin(angle);
+	} else if (m->way == GUIDED) {
+		job_to_work(from, from[3], start);
+		job_to_work(m->to, m->to[3], end);
+		for (int i = 0; i < 3; i++)
+			work[i] = start[i] + share * (end[i] - start[i]);
+		job_to_machine(work, q[3], q);
+	}
+}
+
+void job_start(const struct job *job, int move, double q[4])
+{
+	const struct move *before = &job->moves[move - 1];
+	double from[4];
+
+	if (move == 0 || move == job->split) {
+		memcpy(q, job_home, 4 * sizeof(*q));
+		return;
+	}
+	memcpy(q, before->to, 4 * sizeof(*q));
+	if (!before->bounded)
+		return;
+	job_start(job, move - 1, from);
+	job_place(before, from, before->stop, q);
+}
+
 /* The next move, from where the axes stand. */
 static struct move *add_move(struct job *job, const double at[4], bool rapid, bool turning)
 {
 	struct move *m = &job->moves[job->count++];
 
-	*m = (struct move){.rapid = rapid, .turning = turning};
+	*m = (struct move){.rapid = rapid, .turning = turning, .way = job->guided ? GUIDED : STRAIGHT};
 	memcpy(m->to, at, sizeof(m->to));
 	return m;
 }
 
-static void place(const double from[4], const double to[4], double s, double q[4])
+static void place(const struct job *job, int move, double s, double q[4])
 {
+	double from[4];
+
+	job_start(job, move, from);
+	job_place(&job->moves[move], from, s, q);
 	for (int i = 0; i < 4; i++)
-		q[i] = rounded(from[i] + s * (to[i] - from[i]));
+		q[i] = rounded(q[i]);
 }
 
 /* A share of a cut. It often comes from the air, so its end is where most is to be seen. */
@@ -116,12 +172,14 @@ static void add_push(struct job *job, const double at[4], const double wall[4], 
 }
 
 /* Back along the cut that ends at `at` to some place, from there into the wall or the ground, and back again. */
-static void add_probes(struct job *job, struct oracle_random *random, const double from[4], double at[4])
+static void add_probes(struct job *job, struct oracle_random *random, double at[4])
 {
+	const int cut = job->count - 1;
+
 	for (int count = (int)uniform(random, 1, PROBES + 1); count > 0; count--) {
 		const double depth = job->allowance + push_depth(random), around = uniform(random, 0, 2 * acos(-1));
 
-		place(from, at, somewhere(random), at);
+		place(job, cut, somewhere(random), at);
 		add_move(job, at, true, true);
 		add_push(job, at, at, depth, around,
 			 uniform(random, 0, 1) < 0.3 ? uniform(random, 0, 0.5 * acos(-1)) : 0);
@@ -129,7 +187,7 @@ static void add_probes(struct job *job, struct oracle_random *random, const doub
 }
 
 /* From above to a place on a cut, and from there with the feeler into its wall. */
-static void add_feel(struct job *job, struct oracle_random *random, const double from[4], const double to[4])
+static void add_feel(struct job *job, struct oracle_random *random, int cut)
 {
 	const struct tool *cutter = &job->tools[0];
 	const double z = cutter->length[CUTTER] * pow(uniform(random, 0, 1), 2);
@@ -140,7 +198,7 @@ static void add_feel(struct job *job, struct oracle_random *random, const double
 	const int first = job->count;
 	double wall[4], at[4];
 
-	place(from, to, somewhere(random), wall);
+	place(job, cut, somewhere(random), wall);
 	memcpy(at, wall, sizeof(at));
 	at[2] = ABOVE;
 	add_move(job, at, true, true);
@@ -157,13 +215,10 @@ static void add_feel(struct job *job, struct oracle_random *random, const double
 /* A point of the blank as the machine sees it: with B at this angle. */
 static void into_machine(const struct job *job, const double inside[3], double degrees, double at[3])
 {
-	const double c = cos(degrees * acos(-1) / 180), s = sin(degrees * acos(-1) / 180);
 	double p[3];
 
 	job_from_blank(job, inside, p);
-	at[0] = c * p[0] - s * p[2];
-	at[1] = p[1];
-	at[2] = s * p[0] + c * p[2];
+	job_to_machine(p, degrees, at);
 }
 
 /* mm: of a point of the machine to the cutter that stands at q; negative inside. */
@@ -205,14 +260,14 @@ static bool find_corner(const struct job *job, struct oracle_random *random, con
 }
 
 /* The same as add_feel, into such a corner. False: there is none, or not found. */
-static bool add_corner_feel(struct job *job, struct oracle_random *random, const double from[4], const double to[4])
+static bool add_corner_feel(struct job *job, struct oracle_random *random, int cut)
 {
 	const double radius = job->tools[1].radius[CUTTER], step = 1e-4;
 	const int first = job->count;
 	double wall[4], at[4], corner[3], beyond, normal[3];
 	bool found = false;
 
-	place(from, to, somewhere(random), wall);
+	place(job, cut, somewhere(random), wall);
 	for (int tries = 0; tries < 3000 && !found; tries++)
 		found = find_corner(job, random, wall, corner, &beyond);
 	if (!found)
@@ -250,11 +305,11 @@ static void add_feels(struct job *job, struct oracle_random *random)
 	for (int tries = 0, count = 0; tries < 20 * FEELS && count < FEELS; tries++) {
 		const int i = (int)uniform(random, 1, cuts);
 
-		if (job->moves[i].rapid || !job->moves[i].turning)
+		if (job->moves[i].rapid || !job->moves[i].turning || job->moves[i].bounded)
 			continue;
 		if (count % 2 == 0)
-			add_feel(job, random, job->moves[i - 1].to, job->moves[i].to);
-		else if (!add_corner_feel(job, random, job->moves[i - 1].to, job->moves[i].to))
+			add_feel(job, random, i);
+		else if (!add_corner_feel(job, random, i))
 			continue;
 		count++;
 	}
@@ -287,106 +342,90 @@ static void choose_end(const struct job *job, struct oracle_random *random, doub
 	}
 }
 
+/* Turns a move along into an arc, or a helix, from `at`. */
+static void make_arc(struct move *m, struct oracle_random *random, const double at[4])
+{
+	const double radius = uniform(random, 1, 8), around = uniform(random, 0, 2 * acos(-1));
+	const double sweep = uniform(random, 0.3, 5.5);
+	double from[2];
+
+	m->way = ARC;
+	m->sweep = uniform(random, 0, 1) < 0.5 ? sweep : -sweep;
+	m->centre[0] = at[0] + rounded(radius * cos(around));
+	m->centre[1] = at[1] + rounded(radius * sin(around));
+	for (int i = 0; i < 2; i++)
+		from[i] = at[i] - m->centre[i];
+	m->to[0] = rounded(m->centre[0] + from[0] * cos(m->sweep) - from[1] * sin(m->sweep));
+	m->to[1] = rounded(m->centre[1] + from[0] * sin(m->sweep) + from[1] * cos(m->sweep));
+	m->to[3] = at[3];
+}
+
+/* Up and home: there the second program begins. */
+static void split(struct job *job, double at[4])
+{
+	at[2] = ABOVE + 10;
+	add_move(job, at, true, true);
+	memcpy(at, job_home, sizeof(job_home));
+	add_move(job, at, true, true);
+	job->split = job->count;
+}
+
+/* The way beside the path, and ends as they are written. */
+static void settle(struct job *job, struct oracle_random *random)
+{
+	for (int i = 0; i < job->count; i++) {
+		struct move *m = &job->moves[i];
+		double work[3];
+
+		for (int k = 0; k < 3; k++)
+			m->off[k] = job->tolerance * uniform(random, -1, 1);
+		if (!job->guided)
+			continue;
+		job_to_work(m->to, m->to[3], work);
+		for (int k = 0; k < 3; k++)
+			work[k] = rounded(work[k]);
+		job_to_machine(work, m->to[3], m->to);
+	}
+}
+
 void job_make(struct job *job, struct oracle_random *random)
 {
-	const bool turned = uniform(random, 0, 1) < 0.4;
-	double at[4], from[4];
-	bool turning = true;
-	int count;
+	const bool turned = uniform(random, 0, 1) < 0.5;
+	bool turning = true, after_bounded = false;
+	int count, middle;
+	double at[4];
 
-	*job = (struct job){.count = 0};
+	*job = (struct job){.guided = turned && uniform(random, 0, 1) < 0.5,
+			    .tolerance = uniform(random, 0, 1) < 0.25 ? 0.03 : 0};
 	memcpy(at, job_home, sizeof(at));
 	make_blank(job, random);
 	job->allowance = uniform(random, 0, 1) < 0.8 ? 0.1 : 0.25;
 	tool_make_feeler(&job->tools[1], rounded(job->allowance + uniform(random, FEELER_MIN, FEELER_MAX)));
 	tool_make(&job->tools[0], random);
 	count = (int)uniform(random, 4, LAST_CUT);
+	middle = uniform(random, 0, 1) < CHANCE_OF_SPLIT ? count / 2 : -1;
 	for (int i = 0; i < count; i++) {
 		/* First across and down; then anything. */
 		const double what = i == 0 ? 0.3 : i == 1 ? 0.5 : uniform(random, 0, 1);
 		struct move *m;
 
-		if (uniform(random, 0, 1) < 0.03)
+		/* Where the axes stand after such a motion is not known, and the spindle may not stop there. */
+		if (uniform(random, 0, 1) < 0.03 && !after_bounded)
 			turning = !turning;
+		if (i == middle)
+			split(job, at);
 		m = add_move(job, at, what < 0.45, turning);
 		choose_end(job, random, what, turned, i == 0, at, m->to);
-		memcpy(from, at, sizeof(at));
+		if (what >= 0.6 && !job->guided && !after_bounded && uniform(random, 0, 1) < 0.3)
+			make_arc(m, random, at);
+		else if (what >= 0.45 && !job->guided && uniform(random, 0, 1) < 0.04)
+			m->bounded = m->to[3] == at[3];
+		m->stop = uniform(random, 0, 1);
+		after_bounded = m->bounded;
 		memcpy(at, m->to, sizeof(at));
-		if (what >= 0.45 && turning && uniform(random, 0, 1) < 0.7)
-			add_probes(job, random, from, at);
+		if (what >= 0.45 && turning && !m->bounded && uniform(random, 0, 1) < 0.7)
+			add_probes(job, random, at);
 	}
 	add_feels(job, random);
-}
-
-/* ------------------------------------------------------------------ files */
-
-static FILE *create(const char *folder, const char *name)
-{
-	char path[4096];
-	FILE *out;
-
-	snprintf(path, sizeof(path), "%s/%s", folder, name);
-	out = fopen(path, "w");
-	if (!out) {
-		perror(path);
-		exit(2);
-	}
-	return out;
-}
-
-static void write_machine(const char *folder)
-{
-	FILE *out = create(folder, "m.xml");
-
-	fprintf(out, "<machine version=\"1\" name=\"oracle\" units=\"mm\"><controller dialect=\"linuxcnc\" "
-		"rapid=\"linear\"/><base>\n");
-	for (int i = 0; i < 3; i++)
-		fprintf(out, "<axis name=\"%c\" type=\"linear\" direction=\"%d %d %d\" limit_min=\"-500\" "
-			"limit_max=\"500\" rate_max=\"6000\"%s>", "XYZ"[i], i == 0, i == 1, i == 2,
-			i == 2 ? " home=\"80\"" : "");
-	fprintf(out, "<spindle location=\"0 0 100\" direction=\"0 0 -1\"/></axis></axis></axis>\n<axis name=\"B\" "
-		"type=\"rotary\" direction=\"0 1 0\" location=\"0 0 0\" limit_min=\"-180\" limit_max=\"180\" "
-		"rate_max=\"3600\"><workholding location=\"0 0 0\"/></axis></base></machine>\n");
-	fclose(out);
-}
-
-static void write_setup(const struct job *job, const char *folder)
-{
-	const struct tool *tool = &job->tools[0];
-	const double feeler = job->tools[1].radius[CUTTER], foot[3] = {0, 0, -0.5 * job->size[2]};
-	FILE *out = create(folder, "s.xml");
-	double at[3];
-
-	job_from_blank(job, foot, at);
-	fprintf(out, "<setup version=\"1\" units=\"mm\" initial_tool=\"1\">\n<work_offset name=\"G54\"/>\n"
-		"<stock box=\"%.3f %.3f %.3f\" location=\"%.9f %.9f %.9f\" rotation=\"%.3f %.3f %.3f\" "
-		"rapid_allowance=\"%.3f\"/>\n", job->size[0], job->size[1], job->size[2], at[0], at[1], at[2],
-		job->angles[0], job->angles[1], job->angles[2], job->allowance);
-	fprintf(out, "<tool number=\"1\" length=\"100\"><holder><section length=\"%.6f\" diameter=\"%.6f\"/></holder>"
-		"<shank><section length=\"%.6f\" diameter=\"%.6f\"/></shank>", tool->length[HOLDER],
-		2 * tool->radius[HOLDER], tool->length[SHANK], 2 * tool->radius[SHANK]);
-	tool_write_cutter(tool, out);
-	fprintf(out, "</tool>\n<tool number=\"2\" length=\"100\" kind=\"probe\"><cutter tip=\"ball\">"
-		"<section length=\"%.6f\" diameter=\"0.15\"/><section length=\"%.6f\" diameter=\"%.6f\"/></cutter>"
-		"</tool></setup>\n", 100 - 2 * feeler, 2 * feeler, 2 * feeler);
-	fclose(out);
-}
-
-void job_write(const struct job *job, const char *folder)
-{
-	FILE *out;
-
-	write_machine(folder);
-	write_setup(job, folder);
-	out = create(folder, "p.nc");
-	fprintf(out, "G21 G90 G94 G61 F600 S1000 M3\n");
-	for (int i = 0; i < job->count; i++) {
-		const struct move *m = &job->moves[i];
-
-		if (m->tool && !m[-1].tool)
-			fprintf(out, "T2 M6 ");
-		fprintf(out, "G%d X%.3f Y%.3f Z%.3f B%.3f %s\n", !m->rapid, m->to[0], m->to[1], m->to[2], m->to[3],
-			m->turning ? "M3" : "M5");
-	}
-	fclose(out);
+	settle(job, random);
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define POINTS 4000
 #define STOCK_ERROR 0.1	/* mm: --stock-tolerance */
@@ -13,11 +14,14 @@
 
 /* ----------------------------------------------------------------- motion */
 
-/* A piece of a move, as a point of the workholding sees it. */
+/* A move, as a point of the workholding sees it. */
 struct motion {
 	const struct tool *tool;
-	const double *from, *to;
+	const struct move *move;
+	double from[4];
 	const double *point;
+	double until;	/* the share at which it stops */
+	bool beside;	/* as far beside its path as it may have gone; else exact */
 	double speed;	/* mm: the point moves no farther over the whole move, as the tool sees it */
 };
 
@@ -26,13 +30,36 @@ static double length3(const double v[3])
 	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static struct motion motion_of(const struct job *job, int tool, const double from[4], const double to[4],
-			       const double point[3])
+static double speed_of(const struct move *m, const double from[4], const double point[3])
 {
-	const double way[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-	const double turn = fabs(to[3] - from[3]) * acos(-1) / 180;
+	const double way[3] = {m->to[0] - from[0], m->to[1] - from[1], m->to[2] - from[2]};
+	const double turn = fabs(m->to[3] - from[3]) * acos(-1) / 180;
+	double start[3], end[3], along[3];
 
-	return (struct motion){&job->tools[tool], from, to, point, length3(way) + turn * length3(point)};
+	if (m->way == ARC)
+		return hypot(way[2], fabs(m->sweep) * (0.01 + hypot(from[0] - m->centre[0], from[1] - m->centre[1])));
+	if (m->way == STRAIGHT)
+		return length3(way) + turn * length3(point);
+	job_to_work(from, from[3], start);
+	job_to_work(m->to, m->to[3], end);
+	for (int i = 0; i < 3; i++)
+		along[i] = end[i] - start[i];
+	return length3(along) + turn * (length3(point) + fmax(length3(start), length3(end)));
+}
+
+static struct motion motion_of(const struct job *job, int move, const double point[3], bool beside)
+{
+	const struct move *m = &job->moves[move];
+	struct motion motion = {&job->tools[m->tool], m, {0}, point, m->bounded ? m->stop : 1, beside, 0};
+
+	job_start(job, move, motion.from);
+	motion.speed = motion.until * speed_of(m, motion.from, point);
+	return motion;
+}
+
+static bool moves(const struct motion *motion)
+{
+	return motion->move->way == ARC || memcmp(motion->from, motion->move->to, sizeof(motion->from)) != 0;
 }
 
 /* The point as the tool sees it: radius from its axis and height over its tip. */
@@ -53,8 +80,9 @@ static double first_below(const struct motion *motion, enum piece piece, double 
 	const double middle = 0.5 * (low + high), reach = 0.5 * (high - low) * motion->speed;
 	double q[4], r, z, distance, found;
 
-	for (int i = 0; i < 4; i++)
-		q[i] = motion->from[i] + middle * (motion->to[i] - motion->from[i]);
+	job_place(motion->move, motion->from, motion->until * middle, q);
+	for (int i = 0; i < 3 && motion->beside; i++)
+		q[i] += motion->move->off[i];
 	seen_by_tool(motion->point, q, &r, &z);
 	distance = tool_least_distance(motion->tool, piece, r, z);
 	if (distance - reach >= level)
@@ -144,37 +172,38 @@ static void make_points(const struct job *job, struct oracle_random *random, dou
 /* Marks the moves in which the point violates before any cutter can have removed it. */
 static void find_violations(const struct job *job, const double point[3], bool *violated)
 {
-	const double *at = job_home;
-
 	for (int i = 0; i < job->count; i++) {
 		const struct move *m = &job->moves[i];
-		const struct motion motion = motion_of(job, m->tool, at, m->to, point);
+		const struct motion motion = motion_of(job, i, point, true);
 		double gone = INFINITY;
 
 		/* A block without motion says nothing again. */
-		if (memcmp(at, m->to, sizeof(m->to)) != 0) {
-			if (cuts(m))
-				gone = first_below(&motion, CUTTER, SLACK, 0, 1);
-			violated[i] = violated[i] || first_violation(job, m, &motion, SLACK, fmin(gone, 1)) <= 1;
-			if (gone <= 1)
-				return;
-		}
-		at = m->to;
+		if (!moves(&motion))
+			continue;
+		if (cuts(m))
+			gone = first_below(&motion, CUTTER, SLACK, 0, 1);
+		violated[i] = violated[i] || first_violation(job, m, &motion, SLACK, fmin(gone, 1)) <= 1;
+		if (gone <= 1)
+			return;
 	}
 }
 
-/* Has no cutter that is smaller by STOCK_ERROR removed the point before this share of the move? */
+/* mm: what is left is known so exactly. */
+static double error_of(const struct job *job)
+{
+	return STOCK_ERROR + 1.75 * job->tolerance;
+}
+
+/* Has no cutter that is smaller by the error surely removed the point before this share of the move? */
 static bool is_left(const struct job *job, const double point[3], int move, double share)
 {
-	const double *at = job_home;
-
 	for (int i = 0; i <= move; i++) {
 		const struct move *m = &job->moves[i];
-		const struct motion motion = motion_of(job, m->tool, at, m->to, point);
+		const struct motion motion = motion_of(job, i, point, false);
 
-		if (cuts(m) && first_below(&motion, CUTTER, -STOCK_ERROR - SLACK, 0, i < move ? 1 : share) <= 1)
+		if (cuts(m) && !m->bounded && !(i > 0 && m[-1].bounded) &&
+		    first_below(&motion, CUTTER, -error_of(job) - SLACK, 0, i < move ? 1 : share) <= 1)
 			return false;
-		at = m->to;
 	}
 	return true;
 }
@@ -202,14 +231,17 @@ static double number_after(const char *text, const char *key)
 }
 
 /* A line of the report. */
-static void take_finding(const char *line, struct found *found)
+static void take_finding(const struct job *job, int first, const char *line, struct found *found)
 {
 	static const char *const axes[] = {"\"X\":", "\"Y\":", "\"Z\":", "\"B\":"};
-	const int move = (int)number_after(line, "\"line\":") - 2;
+	const int number = (int)number_after(line, "\"line\":");
 	const char *point = strstr(line, "\"point\":[");
 	struct contact *contact;
+	int move = first;
 
-	if (!point || move < 0 || move >= MOVES)
+	while (move < job->count && job->moves[move].line != number)
+		move++;
+	if (!point || move == job->count)
 		return;
 	found->moves[move] = true;
 	if (found->count++ >= CONTACTS || !strstr(line, "\"fraction\":"))
@@ -230,20 +262,20 @@ static void take_finding(const char *line, struct found *found)
 }
 
 /* False: fivecheck failed. */
-static bool ask(const char *program, const char *folder, struct found *found)
+static bool ask(const struct job *job, const char *program, const char *folder, bool second, struct found *found)
 {
+	const char *more = second ? "2" : "", *last = second || !job->split ? "" : "--stock-out=rest.stl";
 	char command[8192], line[65536];
 	bool complete = false;
 	FILE *in;
 
-	snprintf(command, sizeof(command), "%s -q -a -f ndjson -s %s/s.xml %s/m.xml %s/p.nc", program, folder, folder,
-		 folder);
+	snprintf(command, sizeof(command), "cd '%s' && '%s' -q -a %s -f ndjson -s s%s.xml m.xml p%s.nc", folder, program, last,
+		 more, more);
 	in = popen(command, "r");
-	*found = (struct found){.count = 0};
 	while (in && fgets(line, sizeof(line), in)) {
 		if (strstr(line, "\"verdict\":\"clear\"") || strstr(line, "\"verdict\":\"found\""))
 			complete = true;
-		take_finding(line, found);
+		take_finding(job, second ? job->split : 0, line, found);
 	}
 	return in && pclose(in) != -1 && complete;
 }
@@ -267,7 +299,7 @@ static bool is_near(const struct job *job, const struct contact *found, const do
 /* Is there, near the reported contact, a point of what may be left that is near enough to a body? */
 static bool is_true(const struct job *job, const struct contact *found)
 {
-	const double b = found->q[3] * acos(-1) / 180, reach = STOCK_ERROR;
+	const double b = found->q[3] * acos(-1) / 180, reach = error_of(job);
 
 	for (int n = 0; n < 729; n++) {
 		const double m0 = found->point[0] + reach * (n % 9 - 4) / 4;
@@ -308,6 +340,17 @@ static bool is_confirmed(const struct job *job, struct oracle_random *random, co
 	return false;
 }
 
+/*
+ * Is a finding there to be held against points? Not of the feeler, whose stem is left out here, nor with the cubes of
+ * a second blank, nor where the way is known as a set only: how far beside its middle it may go counts in every direction.
+ */
+static bool is_exact(const struct job *job, int move)
+{
+	const struct move *m = &job->moves[move];
+
+	return !m->tool && !(job->split && move >= job->split) && !m->bounded && !(move > 0 && m[-1].bounded);
+}
+
 static void judge_contacts(const struct job *job, struct oracle_random *random, const struct found *found,
 			   const bool *violated, long seed, struct judgement *sum)
 {
@@ -318,24 +361,55 @@ static void judge_contacts(const struct job *job, struct oracle_random *random, 
 			sum->certain++;
 			sum->confirmed += violated[contact->move] || is_confirmed(job, random, contact);
 		}
-		/* The stem of the feeler is left out here. */
-		if (!job->moves[contact->move].tool && !is_true(job, contact)) {
-			printf("job %ld: false in line %d\n", seed, contact->move + 2);
+		if (is_exact(job, contact->move) && !is_true(job, contact)) {
+			printf("job %ld: false in line %d\n", seed, job->moves[contact->move].line);
 			sum->wrong++;
 		}
 	}
 }
 
-void judge(const struct job *job, struct oracle_random *random, const char *program, const char *folder, long seed,
+void judgement_add(struct judgement *sum, const struct judgement *some)
+{
+	int *to = (int *)sum;
+	const int *from = (const int *)some;
+
+	for (size_t i = 0; i < sizeof(*sum) / sizeof(*to); i++)
+		to[i] += from[i];
+}
+
+/* What the job has. */
+static void count(const struct job *job, struct judgement *sum)
+{
+	bool arcs = false, bounded = false;
+
+	for (int i = 0; i < job->count; i++) {
+		arcs |= job->moves[i].way == ARC;
+		bounded |= job->moves[i].bounded;
+	}
+	judgement_add(sum, &(struct judgement){.jobs = 1,
+					       .arcs = arcs,
+					       .guided = job->guided,
+					       .tolerant = job->tolerance > 0,
+					       .bounded = bounded,
+					       .split = job->split > 0,
+					       .undercut = job->tools[0].tip == UNDERCUT});
+}
+
+void judge(struct job *job, struct oracle_random *random, const char *program, const char *folder, long seed,
 	   struct judgement *sum)
 {
 	static double points[POINTS][3];
 	bool violated[MOVES] = {false};
-	struct found found;
+	struct found found = {.count = 0};
+	char path[4096];
 
+	count(job, sum);
 	make_points(job, random, points);
 	job_write(job, folder);
-	if (!ask(program, folder, &found)) {
+	snprintf(path, sizeof(path), "%s/rest.stl", folder);
+	/* Where nothing remains there is no second blank. */
+	if (!ask(job, program, folder, false, &found) ||
+	    (job->split && access(path, R_OK) == 0 && !ask(job, program, folder, true, &found))) {
 		printf("job %ld: fivecheck failed\n", seed);
 		sum->failed++;
 		return;
@@ -346,7 +420,8 @@ void judge(const struct job *job, struct oracle_random *random, const char *prog
 		sum->violated += violated[i];
 		sum->found += found.moves[i];
 		if (violated[i] && !found.moves[i]) {
-			printf("job %ld: missed in line %d\n", seed, i + 2);
+			printf("job %ld: missed in line %d of %s\n", seed, job->moves[i].line,
+			       job->split && i >= job->split ? "p2.nc" : "p.nc");
 			sum->missed++;
 		}
 	}
