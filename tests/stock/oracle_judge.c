@@ -342,7 +342,8 @@ static bool is_confirmed(const struct job *job, struct oracle_random *random, co
 
 /*
  * Is a finding there to be held against points? Not of the feeler, whose stem is left out here, nor with the cubes of
- * a second blank, nor where the way is known as a set only: how far beside its middle it may go counts in every direction.
+ * a second blank, nor where the way is known as a set only: how far beside its middle it may go counts in every
+ * direction.
  */
 static bool is_exact(const struct job *job, int move)
 {
