@@ -259,9 +259,6 @@ void stock_remainder_build(struct stock_cells *cells, double time, uint64_t effo
 	}
 }
 
-/* Edges that the mesh may reach beyond what remains: two, and what cutters leave that are smaller by a quarter. */
-#define VIEW_EXCESS 2.25
-
 /* Cubes along the blank's longest side, at most and at least. */
 enum { VIEW_PARTS_MOST = 128, VIEW_PARTS_LEAST = 8 };
 
@@ -275,11 +272,9 @@ void stock_view_build(struct stock_cells *cells, struct stock_view *view)
 	view->cut = true;
 	for (int parts = VIEW_PARTS_MOST;; parts /= 2) {
 		const bool last = parts <= VIEW_PARTS_LEAST;
-		const double edge =
-		    stock_mesh_build(cells, view->time, parts, last ? UINT64_MAX : VIEW_EFFORT, &view->mesh,
-					 NULL);
+		const double edge = stock_mesh_build(cells, view->time, parts, last ? UINT64_MAX : VIEW_EFFORT,
+						     &view->mesh, &view->excess);
 
-		view->excess = VIEW_EXCESS * edge;
 		if (last || (edge > 0 && view->mesh.count <= view->most))
 			return;
 		mesh_release(&view->mesh);

@@ -44,7 +44,7 @@ struct stock_view {
 	size_t most;	/* triangles of the mesh, unless the coarsest mesh has more; 0: nothing is wanted */
 	bool cut;	/* a cutter has been in the blank by then, and the mesh is the answer; else the blank is: */
 	struct mesh mesh;	/* in the stock's mesh coordinates; empty if nothing remains */
-	double excess;	/* mm: the mesh holds all that remains, and reaches no farther, path tolerance aside */
+	double excess;	/* mm: as of stock_mesh_build */
 };
 
 /*

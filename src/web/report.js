@@ -124,5 +124,5 @@ function readSetup({machine, tools, offsets, options, accuracy, stock}) {
 /** @param {{when: string, excess: number}} stock */
 function stockText({when, excess}) {
 	if (when === 'start') return 'drawn before the first cut';
-	return `drawn as it remains at the ${when === 'end' ? 'end' : 'first finding'}: all that is left, and nothing that is farther than ${excess.toPrecision(2)} mm from it`;
+	return `drawn as it remains at the ${when === 'end' ? 'end' : 'first finding'}: all that is left; what lies deeper than ${excess.toPrecision(2)} mm below its surface is certainly there`;
 }

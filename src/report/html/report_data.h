@@ -51,8 +51,8 @@
  *                 on the STL's numbers".
  *   stock         null: there is none; else {body, when: "finding"|"end"|"start", excess}. bodies[body].mesh, null if
  *                 nothing is drawn, is what remains at the first finding, or where the check ends: all that is left,
- *                 and nothing farther than `excess` (mm) from it. "start": no cutter has been in the blank by then, and
- *                 the blank is drawn.
+ *                 and what lies deeper than `excess` (mm) below its surface is certainly there. "start": no cutter has
+ *                 been in the blank by then, and the blank is drawn.
  *   tools         [{number, name|null, length}]: of the setup
  *   offsets       [{name, axes: {X: ...}}]: the setup's work offsets
  *   pairs         [{a, b, status, clearance, reason}]: a, b: indices of bodies; status: "checked" "rigid" "adjacent"

@@ -37,6 +37,8 @@ void stock_pack_init(struct stock_pack *out, const struct recorder *recorder, si
 
 		pack(out, stock, view->cut ? &view->mesh : &stock->bvh->mesh, most);
 		out->excess += view->cut ? scene_pack_accuracy(&out->mesh) : 0;
+		/* Rounded up: it is shown with one decimal. */
+		out->excess = ceil(10 * out->excess) / 10;
 	}
 }
 
@@ -75,7 +77,7 @@ void stock_pack_add_text(const struct stock_pack *pack, struct strbuf *out)
 	else if (pack->when == STOCK_AT_START)
 		strbuf_addf(out, " The stock is drawn before the first cut.");
 	else
-		strbuf_addf(out, " The stock is drawn as it remains at %s: all that is left, and nothing that is "
-				 "farther than %.2g mm from it.",
+		strbuf_addf(out, " The stock is drawn as it remains at %s: all that is left; what lies deeper than "
+				 "%.2g mm below its surface is certainly there.",
 			    pack->when == STOCK_AT_FINDING ? "the first finding" : "the end", pack->excess);
 }
