@@ -241,7 +241,9 @@ double stock_mesh_build(struct stock_cells *cells, double time, int parts, uint6
 	return grid.edge;
 }
 
-/* Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease; at least so many. */
+/*
+ * Cubes along the blank's longest side: as many as give a mesh that other programs handle with ease; at least so many.
+ */
 enum { REMAINDER_PARTS_MOST = 128, REMAINDER_PARTS_LEAST = 8 };
 
 void stock_remainder_build(struct stock_cells *cells, double time, uint64_t effort, struct stock_remainder *remainder)
