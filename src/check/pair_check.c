@@ -85,6 +85,8 @@ void pair_check_found(struct pair_check *check, long block)
 {
 	check->found_block = block;
 	check->maybe_inside = check->methods->block.maybe_inside = true;
+	/* The rest of the block is not checked. After a finding at rest the strategy does not know that. */
+	strategy_cap(&check->methods->strategy, check->scene->pairs[check->pair].clearance);
 	strategy_forget_position(&check->methods->strategy);
 }
 

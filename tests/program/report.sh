@@ -39,6 +39,14 @@ fivecheck -q --report=long.html -o /dev/null m.xml long.nc
 fivecheck -q --clearance-report=long.csv -o /dev/null m.xml long.nc
 check long.html long-clearance=long.csv
 
+# A program that starts too close: of its first block nothing is proved, and its clearance is measured.
+box post -40 -20 90 -24 20 210
+sed 's|<axis name="X"|<body name="post" mesh="post.stl"/>&|' m.xml >near.xml
+printf 'G1 F6000 X40 C45\nC90\nX90\n' >near.nc
+status fivecheck -q -a -o /dev/null --clearance=5 --report=near.html near.xml near.nc
+status fivecheck -q -a -o /dev/null --clearance=5 --clearance-report=near.csv near.xml near.nc
+check near.html clearance=near.csv
+
 # Straight moves have one row each in --dump-path and here, whatever the tolerance.
 program b.nc <<'NC'
 G0 X10 C45
