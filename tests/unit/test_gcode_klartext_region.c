@@ -257,12 +257,24 @@ START_TEST(probe_cycle)
 						"rapid 11 0 0 0 0\nrapid 12 0 0 0 0\n");
 	ck_assert_ptr_nonnull(strstr(strbuf_text(&c.messages), "warning: touch probe cycle 413: datum and tools count as"));
 	case_release(&c);
-	for (int i = 0; i < 3; i++) {
+	/* Turned by 90 degrees it goes 20 mm along X. */
+	klartext_case(&c);
+	c.config.controller.macros = macros;
+	c.config.controller.macro_count = 3;
+	c.show_spread = true;
+	ck_assert_msg(klartext_run(&c, "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nTCH PROBE 413 X Q321=1\n"), "%s",
+		      strbuf_text(&c.messages));
+	ck_assert_str_eq(strbuf_text(&c.moves), "rapid -20 0 0 0 0 spread 0 20 10\nrapid 20 0 0 0 0 spread 0 20 10\n"
+						"rapid 0 0 0 0 0 spread 0 20 10\n");
+	case_release(&c);
+	for (int i = 0; i < 4; i++) {
 		static const char *const blocks[] = {"TCH PROBE 413 X Q321=1\nL X+Q151 FMAX\n", "M128\nTCH PROBE 413 X Q321=1\nM129\n",
-						     "TCH PROBE 420 X Q321=1\n"};
+						     "TCH PROBE 420 X Q321=1\n",
+						     "CYCL DEF 26.0\nCYCL DEF 26.1 X2 Y2\nTCH PROBE 413 X Q321=1\n"};
 		static const char *const said[] = {"Q151 is a value of the control that is not known here",
 						   "cycle 413 moves around its place while the tool centre point is controlled",
-						   "touch probe cycle 420: where the probe stops is not known"};
+						   "touch probe cycle 420: where the probe stops is not known",
+						   "coordinates are scaled or the radius is compensated"};
 
 		klartext_case(&c);
 		c.config.controller.macros = macros;

@@ -1,6 +1,8 @@
 #include "gcode/dialect/klartext/klartext_builder_cycle.h"
 
+#include "base/minmax.h"
 #include "gcode/dialect/klartext/klartext_comp.h"
+#include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/dialect/klartext/klartext_value.h"
 #include "gcode/execute/moves_around.h"
 
@@ -57,6 +59,15 @@ static void measure(struct interp *interp, const struct klartext_cycle *cycle)
 		klartext_q_forget(klartext, number);
 }
 
+/* Where coordinates are turned, the cycle may go along their axes or along the machine's: both boxes are covered. */
+static bool go_around(struct interp *interp, const double around[3], int column)
+{
+	const vec3 turned = klartext_frame_box(interp, around);
+	const double both[3] = {larger(around[0], turned.x), larger(around[1], turned.y), larger(around[2], turned.z)};
+
+	return moves_around_go(interp, both, column);
+}
+
 bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cycle *cycle)
 {
 	const struct builder_macro *macro = find_macro(interp, cycle->number);
@@ -65,12 +76,13 @@ bool klartext_builder_cycle_run(struct interp *interp, const struct klartext_cyc
 		measure(interp, cycle);
 	if (!macro || macro->action != MACRO_AROUND)
 		return true;
-	if (interp->state.tcp != TCP_OFF || klartext_comp_is_selected(interp) || klartext_of(interp)->waits)
+	if (interp->state.tcp != TCP_OFF || klartext_comp_is_selected(interp) || klartext_of(interp)->waits ||
+	    klartext_frame_is_scaled(interp))
 		return fault(&interp->at, cycle->column,
 			     "cycle %d moves around its place while the tool centre point is controlled, the plane is "
-			     "tilted or the radius is compensated: that is not followed",
+			     "tilted, coordinates are scaled or the radius is compensated: that is not followed",
 			     cycle->number);
 	klartext_of(interp)->moved = true;
 	klartext_of(interp)->last.known = false;
-	return moves_around_go(interp, macro->around, cycle->column);
+	return go_around(interp, macro->around, cycle->column);
 }
