@@ -31,3 +31,27 @@ X40
 M30
 NC
 "$FIVECHECK" --parse-only -a s.xml modal.mpf
+
+# What holds after a subprogram has given a name of DEFINE another text, or has changed its parameter and is repeated.
+program changed.mpf <<'NC'
+%_N_MAIN_MPF
+N1 G500 G17 G71 G90 F600
+DEFINE GO_ON AS X10
+SAME
+GO_ON
+OTHER
+DOWN(5) P2
+M30
+%_N_SAME_SPF
+DEFINE GO_ON AS X10
+RET
+%_N_OTHER_SPF
+DEFINE GO_ON AS X20
+RET
+%_N_DOWN_SPF
+PROC DOWN(INT BY, REAL AT=1)
+X=AT
+AT=AT-BY
+RET
+NC
+"$FIVECHECK" --parse-only -a s.xml changed.mpf

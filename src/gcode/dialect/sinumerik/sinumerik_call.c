@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/same_double.h"
 #include "gcode/dialect/sinumerik/sinumerik_assign.h"
 #include "gcode/dialect/sinumerik/sinumerik_expr.h"
 #include "gcode/dialect/sinumerik/sinumerik_name.h"
@@ -214,6 +215,7 @@ bool sinumerik_call_run(struct interp *interp, const char *name, int repeats, in
 		return false;
 	top_call(sinumerik)->argument_count = sinumerik->argument_count;
 	memcpy(top_call(sinumerik)->arguments, sinumerik->arguments, sizeof(sinumerik->arguments));
+	top_call(sinumerik)->begun_count = 0;
 	sinumerik->level++;
 	sinumerik->entering = true;
 	return true;
@@ -242,6 +244,46 @@ static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_c
 	}
 }
 
+static struct sinumerik_variable *first_of_level(struct sinumerik *sinumerik)
+{
+	struct sinumerik_variable *first = sinumerik->variables + sinumerik->variable_count;
+
+	while (first > sinumerik->variables && first[-1].level == sinumerik->level)
+		first--;
+	return first;
+}
+
+/* Keeps what the parameters begin with, for check_begun. */
+static void keep_begun(struct sinumerik *sinumerik, size_t count)
+{
+	struct sinumerik_call *call = top_call(sinumerik);
+	const struct sinumerik_variable *first = first_of_level(sinumerik);
+
+	if (!call)
+		return;
+	call->begun_count = count < SINUMERIK_ARGUMENTS_MAX ? count : SINUMERIK_ARGUMENTS_MAX;
+	for (size_t i = 0; i < call->begun_count; i++)
+		call->begun[i] = first[i].numbers ? first[i].numbers[0] : 0;
+}
+
+/*
+ * 840D sl, "Number of program repetitions (P)": parameters are transferred at the call alone. Whether what the
+ * subprogram itself makes of them holds in the next round is not said.
+ */
+static bool check_begun(struct interp *interp, const struct sinumerik_call *call, int column)
+{
+	const struct sinumerik_variable *first = first_of_level(sinumerik_of(interp));
+
+	for (size_t i = 0; i < call->begun_count; i++) {
+		if (first[i].numbers && !same_double(first[i].numbers[0], call->begun[i]))
+			return fault(&interp->at, column,
+				     "%s has changed its parameter %s, and P repeats it: what the next round begins "
+				     "with is not certain; let the subprogram change a variable of its own",
+				     call->title, first[i].name);
+	}
+	return true;
+}
+
 bool sinumerik_call_return(struct interp *interp, int column)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
@@ -259,6 +301,8 @@ bool sinumerik_call_return(struct interp *interp, int column)
 			     "certain; MCALL before the end",
 			     sinumerik->modal.name);
 	if (call->saves && !sinumerik_save_restore(interp, &call->saved, column))
+		return false;
+	if (call->left > 0 && !check_begun(interp, call, column))
 		return false;
 	sinumerik_variables_leave(sinumerik, sinumerik->level - 1);
 	to = call->left > 0 ? call->entry : call->back;
@@ -385,6 +429,7 @@ bool sinumerik_call_proc(struct interp *interp, struct lexer *lexer)
 	if (sinumerik->argument_count > count)
 		return fault(lexer->at, column, "%s has %zu parameters, and the call gives %zu", name, count,
 			     sinumerik->argument_count);
+	keep_begun(sinumerik, count);
 	while (sinumerik_name_read(lexer, name)) {
 		if (!strcmp(name, "SAVE") && sinumerik->depth) {
 			top_call(sinumerik)->saves = true;

@@ -221,9 +221,12 @@ static bool constant_value(struct lexer *lexer, double *value)
 	for (text++; *text && *text != '\''; text++) {
 		const char *digit = strchr(digits, sinumerik_upper(*text));
 
-		if (!digit || digit - digits >= base || *value > LARGEST_WHOLE)
+		if (!digit || digit - digits >= base)
 			return fault(lexer->at, column, "this is no whole number to the base of %d", base);
 		*value = *value * base + (double)(digit - digits);
+		/* INT has 32 bits: with the first one the number might be negative. */
+		if (*value > LARGEST_WHOLE)
+			return fault(lexer->at, column, "a number of more than 31 bits");
 	}
 	if (*text != '\'')
 		return fault(lexer->at, column, "this quote is not closed");

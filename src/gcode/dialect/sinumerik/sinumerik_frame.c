@@ -105,6 +105,8 @@ const slot_values *sinumerik_frame_place(struct interp *interp)
 void sinumerik_frame_moved(struct interp *interp)
 {
 	sinumerik_of(interp)->placed = false;
+	/* CT does not go on from such a motion. */
+	sinumerik_of(interp)->tangent.known = false;
 }
 
 /* What rotated_frame.h needs to know of a matrix that may mirror and scale. */

@@ -40,6 +40,26 @@ static size_t text_length(const char *text)
 	return length;
 }
 
+/* A statement in the text would begin or end a structure that jumps do not find. False: reported. */
+static bool check_text(struct lexer text)
+{
+	char name[SINUMERIK_NAME + 1];
+	struct sinumerik_word word;
+	bool quoted = false;
+
+	for (char byte; (byte = lexer_peek(&text)) != '\0' && (byte != ';' || quoted);) {
+		const int column = expr_column(&text);
+
+		quoted = quoted != (byte == '"');
+		if (quoted || !sinumerik_name_read(&text, name))
+			lexer_take(&text);
+		else if (sinumerik_codes_word(name, &word) && word.kind == SINUMERIK_WORD_STATEMENT)
+			return fault(text.at, column, "DEFINE of %s, a statement of its own block, is not supported",
+				     name);
+	}
+	return true;
+}
+
 /*
  * 840D sl, job planning, "Macro technique (DEFINE ... AS)". A name that the control knows itself would change what
  * other lines mean, and a part of a structure could not be found from elsewhere: both are refused.
@@ -48,7 +68,7 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 {
 	struct sinumerik *sinumerik = sinumerik_of(interp);
 	const int column = expr_column(lexer);
-	char name[SINUMERIK_NAME + 1], first[SINUMERIK_NAME + 1];
+	char name[SINUMERIK_NAME + 1];
 	struct sinumerik_macro *macro;
 	struct sinumerik_word word;
 	const char *text;
@@ -62,18 +82,22 @@ bool sinumerik_macro_define(struct interp *interp, struct lexer *lexer)
 		return fault(lexer->at, expr_column(lexer), "AS is needed behind the name of DEFINE");
 	lexer_peek(lexer);
 	text = lexer->at->text + lexer->position;
-	if (sinumerik_name_read(lexer, first) && sinumerik_codes_word(first, &word) &&
-	    word.kind == SINUMERIK_WORD_STATEMENT)
-		return fault(lexer->at, expr_column(lexer), "DEFINE of %s, a statement of its own block, is not supported",
-			     first);
+	if (!check_text(*lexer))
+		return false;
 	macro = find(sinumerik, name, strlen(name));
+	if (macro && macro->level != sinumerik->level &&
+	    (strlen(macro->text) != text_length(text) || memcmp(macro->text, text, text_length(text)) != 0))
+		return fault(lexer->at, column,
+			     "%s has another text in the program that calls, or in a subprogram before: which one holds "
+			     "after the return is not certain; give it another name",
+			     name);
 	if (!macro && sinumerik->macro_count == MACROS_MAX)
 		return fault(lexer->at, column, "more than %d names of DEFINE", MACROS_MAX);
 	if (!macro) {
 		sinumerik->macros = mem_grow(sinumerik->macros, &sinumerik->macro_capacity, sinumerik->macro_count + 1,
 					     sizeof(*sinumerik->macros));
 		macro = &sinumerik->macros[sinumerik->macro_count++];
-		*macro = (struct sinumerik_macro){.text = NULL};
+		*macro = (struct sinumerik_macro){.level = sinumerik->level};
 		strcpy(macro->name, name);
 	}
 	free(macro->text);

@@ -105,6 +105,8 @@ struct sinumerik_call {
 	size_t loops;	/* that were open at the call */
 	size_t argument_count;	/* of a subprogram that is repeated: each round begins with them */
 	double arguments[SINUMERIK_ARGUMENTS_MAX];
+	double begun[SINUMERIK_ARGUMENTS_MAX];	/* what its parameters have begun with */
+	size_t begun_count;
 };
 
 /* A jump, or the way to the end of a structure, that has been looked for once: jumps of loops are quick. */
@@ -137,6 +139,7 @@ struct sinumerik_modal {
 struct sinumerik_macro {
 	char name[SINUMERIK_NAME + 1];	/* upper case */
 	char *text;	/* owned */
+	int level;	/* of the call whose program has made it */
 };
 
 struct sinumerik {
