@@ -366,6 +366,23 @@ START_TEST(cycles_table)
 }
 END_TEST
 
+/* How evenly the tool turns is open, by 0.039 of this turn: where C turns quickly, it may do so in the pieces beside, too. */
+START_TEST(vector_beside_pole)
+{
+	struct gcode_case c;
+
+	klartext_case(&c);
+	c.show_turn_spread = true;
+	ck_assert(klartext_run(&c, "FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR\nL X+8 A+80 C+90 F500\n"));
+	ck_assert_str_eq(strbuf_text(&c.moves), "tcp on length 0 zero A0 C0\n"
+			 "feed 2 0 0 20 0 turned by 3.1194 0.0000 0.0000 tcp\n"
+			 "feed 4 0 0 40 0 turned by 3.1194 0.0000 14.0368 tcp\n"
+			 "feed 6 0 0 60 90 turned by 3.1194 0.0000 14.0368 tcp\n"
+			 "feed 8 0 0 80 90 turned by 3.1194 0.0000 14.0368 tcp\n");
+	case_release(&c);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("gcode_klartext_path");
@@ -377,6 +394,7 @@ int main(void)
 	tcase_add_loop_test(tcase, frames_table, 0, COUNT(frames));
 	tcase_add_loop_test(tcase, planes_table, 0, COUNT(planes));
 	tcase_add_loop_test(tcase, cycles_table, 0, COUNT(cycles));
+	tcase_add_test(tcase, vector_beside_pole);
 	suite_add_tcase(suite, tcase);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

@@ -1,10 +1,20 @@
 #include "gcode/dialect/klartext/klartext_vector.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "base/mem.h"
 #include "base/units.h"
 #include "gcode/dialect/klartext/klartext_frame.h"
 #include "gcode/execute/great_circle_pieces.h"
+
+/* A piece of the way, which begins where the piece before it ends. */
+struct piece {
+	double s0, s1; /* parts of the whole turn */
+	axis_values from, to; /* rotary positions, radians */
+	double beside[SLOT_COUNT];
+};
 
 struct follower {
 	struct interp *interp;
@@ -13,7 +23,8 @@ struct follower {
 	const struct klartext_target *target;
 	const struct canon_move *move;
 	double angle; /* of the whole turn, radians */
-	axis_values before; /* where the rotary axes are at the start of the piece */
+	struct piece *pieces; /* owned */
+	size_t count, capacity;
 };
 
 /*
@@ -38,31 +49,70 @@ static bool check_end(const struct follower *follower, const slot_values *others
 	return true;
 }
 
-static bool go_piece(void *context, const struct kinematics_great_circle *piece)
+static bool keep_piece(void *context, const struct kinematics_great_circle *found)
 {
 	struct follower *follower = context;
+	const struct piece *last = follower->count ? &follower->pieces[follower->count - 1] : NULL;
+	struct piece piece = {.s0 = found->s0, .s1 = found->s1, .to = found->rotary};
+
+	piece.from = last ? last->to : follower->interp->state.canonical;
+	memcpy(piece.beside, found->beside, sizeof(piece.beside));
+	follower->pieces = mem_grow(follower->pieces, &follower->capacity, follower->count + 1, sizeof(piece));
+	follower->pieces[follower->count++] = piece;
+	return true;
+}
+
+/*
+ * How far the axis may be beside its straight way in a piece, if the tool may have turned `shift` more or less than it
+ * has evenly. Beside a pole an axis turns far in a short piece: what lies within the shift counts, too.
+ */
+static double find_spread(const struct follower *follower, const struct piece *piece, int slot, double shift)
+{
+	double low = piece->from.v[slot], high = low, rate = 0, beside = 0;
+
+	for (size_t i = 0; i < follower->count; i++) {
+		const struct piece *other = &follower->pieces[i];
+		const double from = other->from.v[slot], to = other->to.v[slot];
+
+		if (other->s1 < piece->s0 - shift || other->s0 > piece->s1 + shift)
+			continue;
+		low = fmin(low, fmin(from, to));
+		high = fmax(high, fmax(from, to));
+		rate = fmax(rate, fabs(to - from) / (other->s1 - other->s0));
+		beside = fmax(beside, other->beside[slot]);
+	}
+	return 2 * beside + fmin(rate * shift, high - low);
+}
+
+static bool go_piece(const struct follower *follower, const struct piece *piece)
+{
 	/* As a part of the turn. */
 	const double shift = BEHIND * follower->angle * follower->angle;
 	struct klartext_target to = *follower->target;
 	struct canon_move part = *follower->move;
 
-	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
-		const double way = fabs(piece->rotary.v[slot] - follower->before.v[slot]);
-
-		/* The rate of the axis here, and as much again for the pieces beside this one. */
-		part.turn_spread[slot - SLOT_A] = piece->beside[slot] + 2 * shift * way / (piece->s1 - piece->s0);
-	}
-	follower->before = piece->rotary;
+	for (int slot = SLOT_A; slot <= SLOT_C; slot++)
+		part.turn_spread[slot - SLOT_A] = find_spread(follower, piece, slot, shift);
 	if (piece->s1 >= 1)
-		return check_end(follower, &to.others, &piece->rotary) &&
+		return check_end(follower, &to.others, &piece->to) &&
 		       klartext_move_turning(follower->interp, &to, &part);
 	to.point = vec3_add(follower->start,
 			    vec3_scale(piece->s1, vec3_sub(follower->target->point, follower->start)));
 	for (int slot = SLOT_A; slot <= SLOT_C; slot++) {
 		if (follower->interp->config->has_axis[slot])
-			to.others.v[slot] = state_from_canonical(slot, piece->rotary.v[slot]);
+			to.others.v[slot] = state_from_canonical(slot, piece->to.v[slot]);
 	}
 	return klartext_move_turning(follower->interp, &to, &part);
+}
+
+static bool go_in_pieces(struct follower *follower, const struct kinematics_great_circle *way)
+{
+	bool good = great_circle_pieces_go(follower->interp, follower->column, way, keep_piece, follower);
+
+	for (size_t i = 0; i < follower->count && good; i++)
+		good = go_piece(follower, &follower->pieces[i]);
+	free(follower->pieces);
+	return good;
 }
 
 bool klartext_vector_go(struct interp *interp, int column, const struct klartext_target *target, bool rapid,
@@ -73,8 +123,7 @@ bool klartext_vector_go(struct interp *interp, int column, const struct klartext
 				    .column = column,
 				    .start = klartext_frame_point(interp),
 				    .target = target,
-				    .move = &move,
-				    .before = interp->state.canonical};
+				    .move = &move};
 	struct kinematics_great_circle way;
 	axis_values last = interp->state.canonical;
 	bool can = true;
@@ -99,5 +148,5 @@ bool klartext_vector_go(struct interp *interp, int column, const struct klartext
 		return fault(&interp->at, column,
 			     "PATHCTRL VECTOR leads through or near a pole of the rotary axes: what the control does "
 			     "there is not known here; write PATHCTRL AXIS");
-	return great_circle_pieces_go(interp, column, &way, go_piece, &follower);
+	return go_in_pieces(&follower, &way);
 }
