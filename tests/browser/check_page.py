@@ -284,6 +284,12 @@ def editor(bench):
     first = page.run("learnPage.editor.text.value")
     true("the first program is clear", page.run(EDITED).startswith("Clear"))
     same("marks of a clear program", page.run(GUTTER), [])
+    true("no verdict of the text before", not page.run("(learnPage.editor.typed(), document.querySelector('.editor .verdict').textContent)").startswith("Clear"))
+    edit(page, first)
+    # As if a key had been pressed while the text before it is checked.
+    page.run("(learnPage.editor.verdict.textContent = '', learnPage.editor.keys++,"
+             " await learnPage.editor.check({number: learnPage.editor.keys - 1, at: 0, text: learnPage.editor.text.value}))")
+    same("no verdict of a key before the last one", page.run(EDITED), "")
     times = []
     for z in range(-180, -160):
         edit(page, first.replace("Z-180", f"Z{z}"))

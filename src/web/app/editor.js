@@ -72,6 +72,11 @@ export class Editor {
 
 	typed() {
 		const typed = {number: ++this.keys, at: performance.now(), text: this.text.value};
+		/* That of the text before says nothing of this one. */
+		if (this.verdict.dataset.verdict === 'clear') {
+			delete this.verdict.dataset.verdict;
+			this.verdict.textContent = 'Checking …';
+		}
 		this.newestSample.put(typed);
 		return this.newest.put(typed);
 	}
@@ -79,7 +84,7 @@ export class Editor {
 	/** @param {Typed} typed */
 	async sample(typed) {
 		const result = await this.scout.check({name: NAME, text: typed.text, options: ['--method=conventional', '--step=0.05']}).catch(() => undefined);
-		if (result?.status === STATUS.FOUND && typed.number > this.shown) {
+		if (result?.status === STATUS.FOUND && typed.number === this.keys && typed.number > this.shown) {
 			this.show(result, typed, SAMPLED);
 			document.dispatchEvent(new Event('sampled'));
 		}
@@ -89,7 +94,8 @@ export class Editor {
 	async check(typed) {
 		try {
 			const result = await this.session.check({name: NAME, text: typed.text});
-			if (typed.number >= this.shown)
+			/* What is shown is about the text that stands there: that of a later key follows. */
+			if (typed.number === this.keys)
 				this.show(result, typed);
 		} catch (error) {
 			this.verdict.dataset.verdict = 'incomplete';
