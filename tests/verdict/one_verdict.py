@@ -76,12 +76,12 @@ class Case:
     prologue = ""
     tip = False  # the program guides the tool's tip
     stock = False  # the setup has a blank, which the program cuts
-    between = {}  # lines before blocks, by the number of the block
     rapids = 0.05  # the share of the blocks that are rapids
 
     def __init__(self, seed, number, folder, most=5000):
         self.random = random.Random(f"{seed} {number}")
         self.folder = folder
+        self.between = {}  # lines before blocks, by the number of the block
         r = self.random
         self.tolerance_on_path = r.choice([0, 0.005, 0.02, 0.05, 0.2])
         self.by_program = bool(self.tolerance_on_path) and r.random() < 0.4
