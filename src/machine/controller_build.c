@@ -1,5 +1,6 @@
 #include "machine/controller_build.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "control/dialects.h"
@@ -37,6 +38,7 @@ static void build_mcode(struct description_file *file, const struct mcode_descri
 /* Programs of users have lower numbers; O8000 to O9999 can be protected. */
 #define PROGRAM_MAX 99999999
 #define G_CODE_MAX 999.9
+#define SAME_CODE 1e-9
 
 static void build_macro(struct description_file *file, const struct macro_description *described,
 			struct builder_macro *macros, size_t *count)
@@ -79,6 +81,10 @@ static void build_macro(struct description_file *file, const struct macro_descri
 	for (size_t i = 0; i < *count; i++) {
 		if (described->has_program && macros[i].program == macro.program) {
 			description_fault(file, described->at, "program", "O%d is given twice", macro.program);
+			return;
+		}
+		if (described->code.given && fabs(macros[i].code - macro.code) < SAME_CODE) {
+			description_fault(file, described->at, "code", "G%.9g is given twice", macro.code);
 			return;
 		}
 	}

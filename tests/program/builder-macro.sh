@@ -32,7 +32,8 @@ printf '%%\nG90 G21\nG131.1 F3. R.001\nG0 X1.\nG130\nG65 P130\nM30\n' >a.nc
 status fivecheck -q --parse-only a.xml a.nc 2>&1 | grep -v '^ '
 for macro in 'action="none"' 'program="0" action="none"' 'program="9" action="none" X="1"' 'program="9" action="around"' \
 	'program="9" action="around" A="1"' 'program="9" code="-1" action="none"' 'program="9" action="run"' \
-	'program="9" action="none"/><macro program="9" action="none"'; do
+	'program="9" action="none"/><macro program="9" action="none"' \
+	'code="130" action="none"/><macro code="130" action="around" X="5"'; do
 	sed "s|<!-- -->|<macro $macro/>|" bare.xml >a.xml
 	status fivecheck -q --check-machine a.xml 2>&1 | grep 'error:\|status'
 done
