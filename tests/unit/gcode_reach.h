@@ -11,14 +11,21 @@
 /* What moves of one kind in a row reach, their spread included: "feed X -1..1 Y 0..2 Z 3..3". */
 struct reach {
 	char kind[8];
-	double low[3], high[3];
+	double low[3], high[3], last[3];
 };
+
+/* A spread of almost nothing only says that a move is one of a set. */
+static inline double no_hair(double place)
+{
+	return fabs(place) < 1e-6 ? 0 : place;
+}
 
 static inline void add_reach(struct strbuf *out, struct reach *reach)
 {
 	if (reach->kind[0])
-		strbuf_addf(out, "%s X %.6g..%.6g Y %.6g..%.6g Z %.6g..%.6g\n", reach->kind, reach->low[0], reach->high[0],
-			    reach->low[1], reach->high[1], reach->low[2], reach->high[2]);
+		strbuf_addf(out, "%s X %.6g..%.6g Y %.6g..%.6g Z %.6g..%.6g\n", reach->kind,
+			    no_hair(reach->low[0]), no_hair(reach->high[0]), no_hair(reach->low[1]),
+			    no_hair(reach->high[1]), no_hair(reach->low[2]), no_hair(reach->high[2]));
 	reach->kind[0] = '\0';
 }
 
@@ -38,8 +45,11 @@ static inline void add_move(struct strbuf *out, struct reach *reach, const char 
 	if (strcmp(kind, reach->kind) != 0)
 		add_reach(out, reach);
 	for (int i = 0; i < 3; i++) {
-		reach->low[i] = reach->kind[0] ? fmin(reach->low[i], at[i] - beside[i]) : at[i] - beside[i];
-		reach->high[i] = reach->kind[0] ? fmax(reach->high[i], at[i] + beside[i]) : at[i] + beside[i];
+		const double from = reach->kind[0] ? reach->last[i] : at[i];
+
+		reach->low[i] = fmin(reach->kind[0] ? reach->low[i] : at[i], fmin(from, at[i]) - beside[i]);
+		reach->high[i] = fmax(reach->kind[0] ? reach->high[i] : at[i], fmax(from, at[i]) + beside[i]);
+		reach->last[i] = at[i];
 	}
 	strcpy(reach->kind, kind);
 }

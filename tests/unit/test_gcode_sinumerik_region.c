@@ -55,7 +55,7 @@ static const struct program programs[] = {
 	 "rapid X -40..80 Y 2..10 Z -35..70\nfeed X 40..80 Y -5..2 Z 30..70\n"
 	 "rapid X -19..80 Y 2..10 Z -19..70\n"},
 	{"G500 T1 D1 M6 F6 AROT Z90\nG0 X0 Y0 Z10\nPOCKET1(10,0,2,-5,,40,30,5,50,60,0)\nG0 X0\nY0\nX0 Y0 Z10\nX1\n",
-	 "tool 1\nrapid X -70..0 Y 0..65 Z 102..110\nfeed X -70..-50 Y 35..65 Z 95..102\n"
+	 "tool 1\nrapid X -70..35 Y -32.5..65 Z 102..110\nfeed X -70..-50 Y 35..65 Z 95..102\n"
 	 "rapid X -70..10 Y -15..65 Z 110..110\n"},
 	/* CYCLE800 while the place is open: then it may be open along any axis. */
 	{"G500 T1 D1 M6 F6 G0 X0 Y0 Z10\nPOCKET2(10,0,2,-5,,20,50,60)\nCYCLE800(0,\"TC1\",0,57,0,0,0,30,0,0,0,0,0,-1)\n"

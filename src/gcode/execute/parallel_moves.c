@@ -4,21 +4,28 @@
 #include <string.h>
 
 #include "base/same_double.h"
+#include "gcode/execute/box_cover.h"
 #include "gcode/execute/motion_commands.h"
 #include "gcode/execute/probed_axes.h"
 
-/* mm: how wide a parallel move is, and how many there may be along a side. */
-#define WIDTH 1.0
-#define MOST 32
+/* mm: how far moves may reach out of what the tool can reach: less than the clearances that programs set. */
+#define BESIDE 0.7
+
+/* mm: more than 0, so that a move between the lines counts as one of a set, which cuts nothing for certain. */
+#define NARROW 1e-9
+
+/* The moves of a region: they are counted, and then made. */
+struct moves {
+	struct interp *interp;
+	slot_values at;
+	struct canon_move narrow;	/* between the lines */
+	long count;
+	bool counts;
+};
 
 struct parallel_box parallel_moves_box(const double spread[3])
 {
 	return (struct parallel_box){{{spread[SLOT_X], 0, 0}, {0, spread[SLOT_Y], 0}, {0, 0, spread[SLOT_Z]}}};
-}
-
-static int parts(vec3 half)
-{
-	return (int)fmin(fmax(1, ceil(2 * vec3_norm(half) / WIDTH)), MOST);
 }
 
 /* Adds what a box reaches along X, Y and Z. */
@@ -40,60 +47,54 @@ static bool is_plain(const struct interp *interp, const slot_values *target)
 	return same;
 }
 
-/* Straight to a place beside another one. */
-static bool go_beside(struct interp *interp, const slot_values *place, vec3 aside, const struct canon_move *move)
+static vec3 place(const slot_values *position)
 {
-	struct canon_move part = *move;
-	slot_values at = *place;
-
-	at.v[SLOT_X] += aside.x;
-	at.v[SLOT_Y] += aside.y;
-	at.v[SLOT_Z] += aside.z;
-	return motion_commands_go(interp, &at, &part);
+	return (vec3){position->v[SLOT_X], position->v[SLOT_Y], position->v[SLOT_Z]};
 }
 
-/* The i-th of the parts of a box, so that each lies beside the one before. */
-static void find_part(int i, const int count[3], int at[3])
+static bool go_to(struct moves *moves, vec3 point, const struct canon_move *move)
 {
-	const int row = i / count[0], layer = row / count[1];
+	struct canon_move part = *move;
 
-	at[0] = row % 2 ? count[0] - 1 - i % count[0] : i % count[0];
-	at[1] = layer % 2 ? count[1] - 1 - row % count[1] : row % count[1];
-	at[2] = layer;
+	moves->at.v[SLOT_X] = point.x;
+	moves->at.v[SLOT_Y] = point.y;
+	moves->at.v[SLOT_Z] = point.z;
+	return motion_commands_go(moves->interp, &moves->at, &part);
+}
+
+static bool go_along(void *context, const struct cover_line *line)
+{
+	struct moves *moves = (struct moves *)context;
+	struct canon_move wide = moves->narrow;
+
+	moves->count++;
+	if (moves->counts)
+		return true;
+	wide.spread[SLOT_X] = line->spread.x;
+	wide.spread[SLOT_Y] = line->spread.y;
+	wide.spread[SLOT_Z] = line->spread.z;
+	return go_to(moves, line->from, &moves->narrow) && go_to(moves, line->to, &wide);
 }
 
 bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		       const struct parallel_box *box)
 {
-	const slot_values start = interp->state.position;
-	struct canon_move part = *move, last = *move;
-	vec3 half[3];
-	int count[3], all;
+	struct moves moves = {.interp = interp, .at = *target, .narrow = *move, .counts = true};
+	struct box_way way = {.start = place(&interp->state.position), .half = {box->half[0], box->half[1], box->half[2]}};
+	struct canon_move whole = *move;
+	const double size = vec3_norm((vec3){vec3_norm(way.half[0]), vec3_norm(way.half[1]), vec3_norm(way.half[2])});
 
-	if (!is_plain(interp, target)) {
-		add_spread(&last, box->half);
-		return motion_commands_go(interp, target, &last);
+	if (!is_plain(interp, target) || size <= BESIDE) {
+		add_spread(&whole, box->half);
+		return motion_commands_go(interp, target, &whole);
 	}
-	for (int side = 0; side < 3; side++) {
-		count[side] = parts(box->half[side]);
-		half[side] = vec3_scale(1.0 / count[side], box->half[side]);
-	}
-	add_spread(&part, half);
-	all = count[0] * count[1] * count[2];
-	for (int i = 0; i < all && all > 1; i++) {
-		const slot_values *from = i % 2 ? target : &start, *to = i % 2 ? &start : target;
-		vec3 aside = {0, 0, 0};
-		int at[3];
-
-		find_part(i, count, at);
-		for (int side = 0; side < 3; side++)
-			aside = vec3_mad(aside, 2 * at[side] + 1 - count[side], half[side]);
-		if (!go_beside(interp, from, aside, &part) || !go_beside(interp, to, aside, &part))
-			return false;
-	}
-	/* Back from the last of them: it stays within the same region, and cuts nothing for certain either. */
-	last = part;
-	return motion_commands_go(interp, target, &last);
+	way.way = vec3_sub(place(target), way.start);
+	box_cover(&way, BESIDE, go_along, &moves);
+	/* The time of all of them is about that of the one way: how long the control takes is not known. */
+	moves.narrow.feed.linear *= (double)moves.count;
+	moves.counts = false;
+	moves.narrow.spread[SLOT_X] = moves.narrow.spread[SLOT_Y] = NARROW;
+	return box_cover(&way, BESIDE, go_along, &moves) && go_to(&moves, place(target), &moves.narrow);
 }
 
 bool parallel_moves_go_from_open(struct interp *interp, const slot_values *target, struct canon_move *move,

@@ -14,9 +14,10 @@ struct parallel_box {
 struct parallel_box parallel_moves_box(const double spread[3]);
 
 /*
- * As motion_commands_go, but the tool is anywhere in the box about its place on the way. The check of bodies counts a
- * spread in every direction, so a wide move is divided into parallel moves of a smaller spread, which together cover
- * the same box. In turned coordinates (state.frame), or where rotary axes turn, it stays one move.
+ * As motion_commands_go, but the tool is anywhere in the box about its place on the way. The check of bodies takes a
+ * spread as a ball, so a wide move is divided into parallel moves that together cover the same places and whose spread
+ * reaches little beyond them (box_cover.h). Where rotary axes turn it stays one move, and in turned coordinates
+ * (state.frame).
  */
 bool parallel_moves_go(struct interp *interp, const slot_values *target, const struct canon_move *move,
 		       const struct parallel_box *box);
