@@ -105,7 +105,7 @@ bool stock_check_init(struct stock_check *check, struct scene *scene, const stru
 	const int stock = scene_stock(scene);
 	const char *fault;
 
-	*check = (struct stock_check){.grain = CUT_SHARE * tolerance};
+	*check = (struct stock_check){.chord_error = CUT_SHARE * tolerance};
 	if (stock < 0 || options->method == CHECK_NOTHING)
 		return true;
 	fault = unsupported(options);
@@ -147,7 +147,7 @@ static void log_piece(struct stock_check *check, size_t tool, const struct motio
 			  .tolerance = &step->tolerance},
 		.from = from,
 		.to = to,
-		.grain = check->grain,
+		.chord_error = check->chord_error,
 		.low = check->low,
 		.high = check->high,
 	};
@@ -174,7 +174,7 @@ void stock_check_log(struct stock_check *check, const struct motion_step *step, 
 		return;
 	}
 	/* Far from all bodies the steps of curved moves are coarse. */
-	span_walk_init(&walk, &step->span, check->grain);
+	span_walk_init(&walk, &step->span, check->chord_error);
 	while (span_walk_next(&walk, &piece))
 		log_piece(check, tool, step, &piece, (double)number + (piece.u0 - step->span.u0) / length,
 			  (double)number + (piece.u1 - step->span.u0) / length);

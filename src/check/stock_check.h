@@ -37,7 +37,7 @@ struct stock_check {
 	struct cutter *cutters;	/* of the log: one for each of the tools */
 	struct stock_tool *tools;
 	size_t tool_count;
-	double grain;	/* mm: how exactly the ways of cutters are logged */
+	double chord_error;	/* mm: how exactly the ways of cutters are logged */
 	vec3 low, high;	/* the box around the blank */
 	struct cut_log log;
 	struct stock_cells cells;

@@ -8,7 +8,7 @@
 #include "motion/path.h"
 
 /* Shares of the stock's tolerance: the motion that counts as one instant, and the least distance worth a budget. */
-#define GRAIN_SHARE 0.0625
+#define LEAST_WAY_SHARE 0.0625
 #define MARGIN_SHARE 0.0625
 
 /* Looking at a cell costs as much as this many pairs of nodes, the unit of check_options.effort. */
@@ -83,7 +83,7 @@ bool stock_pair_init(struct stock_pair *check, struct scene *scene, size_t pair,
 		.stock_is_a = stock_is_a,
 		.obstacle = &check->obstacle,
 		.clearance = p->clearance,
-		.grain = GRAIN_SHARE * tolerance,
+		.least_way = LEAST_WAY_SHARE * tolerance,
 		.effort = (options->effort ? options->effort : CHECK_EFFORT) / CELL_EFFORT,
 		.cancel = cancel,
 	};
@@ -149,7 +149,7 @@ static bool start_budget(struct stock_pair *check, const axis_values *q, double 
 {
 	const struct body_pair *bodies = &check->bodies;
 	const struct placed_obstacle placed = stock_sweep_place(&check->sweep, q);
-	const double needed = check->sweep.clearance + check->sweep.grain + check->margin +
+	const double needed = check->sweep.clearance + check->sweep.least_way + check->margin +
 			      body_pair_rounding(bodies, q, placed.to_obstacle.translation);
 	const struct distance_query query = {.least = needed + check->margin, .enough = FAR, .share = 1};
 	const double room = stock_cells_distance(check->sweep.cells, &placed, time, &query) - needed;

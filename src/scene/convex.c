@@ -9,7 +9,7 @@
  * outward, and more than what the projection of a box in float is off. Each is below 8 roundings of 2^-24. The first
  * keeps boxes beside a flat face shut, all of which reach as far as the face.
  */
-#define SUPPORT_GRAIN 0x1p-20
+#define SUPPORT_SLACK 0x1p-20
 
 /* The runs of triangles below a leaf or node. */
 static void run_of(const struct bvh *bvh, struct leaf leaf, size_t *first, size_t *count)
@@ -128,7 +128,7 @@ struct farthest {
 	const struct bvh *bvh;
 	vec3 m;
 	float direction[3], size[3];	/* m and its absolute values */
-	float grain;	/* what reaches at most so much farther is not looked for */
+	float slack;	/* what reaches at most so much farther is not looked for */
 	double base, most;	/* mm times |m|: of the tree's origin, and of what reaches farthest, from there */
 	vec3 at;
 	long visits;
@@ -158,7 +158,7 @@ static void try_node(struct farthest *f, const struct bvh_node *node)
 	for (int i = 0; i < BVH_WIDTH; i++)
 		reach[i] = n[0] * node->centre[0][i] + n[1] * node->centre[1][i] + n[2] * node->centre[2][i] +
 			   size[0] * node->half[0][i] + size[1] * node->half[1][i] + size[2] * node->half[2][i] -
-			   f->grain;
+			   f->slack;
 	for (;;) {
 		int best = 0;
 
@@ -177,13 +177,13 @@ static void try_node(struct farthest *f, const struct bvh_node *node)
 static double support_of_mesh(const struct convex *convex, vec3 m, vec3 *at, long *visits)
 {
 	const struct bvh *bvh = convex->bvh;
-	double grain = SUPPORT_GRAIN * vec3_norm(m) * vec3_norm(bvh->half);
+	double slack = SUPPORT_SLACK * vec3_norm(m) * vec3_norm(bvh->half);
 	struct farthest f = {
 		.bvh = bvh,
 		.m = m,
 		.direction = {(float)m.x, (float)m.y, (float)m.z},
 		.size = {fabsf((float)m.x), fabsf((float)m.y), fabsf((float)m.z)},
-		.grain = (float)grain,
+		.slack = (float)slack,
 		.base = vec3_dot(m, bvh->origin),
 		.most = -INFINITY,
 	};
@@ -194,7 +194,7 @@ static double support_of_mesh(const struct convex *convex, vec3 m, vec3 *at, lon
 		try_node(&f, &bvh->nodes[convex->leaf.first]);
 	*visits += f.visits + 1;
 	*at = f.at;
-	return f.base + f.most + 2 * grain;
+	return f.base + f.most + 2 * slack;
 }
 
 double convex_support(const struct convex *convex, vec3 m, vec3 *at, long *visits)

@@ -36,7 +36,7 @@
 enum { RECALL_STEPS = 6 };
 
 /* mm: such a proof does not halve intervals of travel that are smaller than this. */
-#define REACH_GRAIN 1.0
+#define REACH_TOLERANCE 1.0
 
 static void decide(struct scene_pair *pair, enum pair_status status, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
@@ -190,7 +190,7 @@ static bool out_of_reach(struct scene *scene, const struct scene_pair *pair, con
 			keep_contact(scene, pair, derivation);
 			return false;
 		}
-		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_GRAIN, visits[i], &contact);
+		answer = sweep_box(sweep, bodies, &low, &high, apart, REACH_TOLERANCE, visits[i], &contact);
 	}
 	return answer == SWEEP_APART && is_outside(scene, pair, bodies, &low, &high, diag);
 }
@@ -207,7 +207,7 @@ static bool is_coarse_apart(struct scene *scene, const struct scene_pair *pair, 
 
 	body_pair_init(&bodies, tree, shell, &a->placement, &b->placement, &pair->chain);
 	return sweep_box(&scene->sweep, &bodies, low, high, pair->clearance + uncertainty_of(scene, pair),
-			 REACH_GRAIN, COARSE_VISITS, &contact) == SWEEP_APART &&
+			 REACH_TOLERANCE, COARSE_VISITS, &contact) == SWEEP_APART &&
 	       (are_boxes_parted(&bodies, low, high) ||
 		static_query_is_outside(scene, pair, shell, &home, diag));
 }
@@ -287,7 +287,7 @@ static bool derive_from_geometry(struct scene *scene, struct scene_pair *pair, s
 		vec3 point;
 
 		/* The lower bound may be too small here, so ask for the distance itself. */
-		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_GRAIN * 1e-3, &contact) != SWEEP_APART ||
+		if (sweep_chord(&scene->sweep, &bodies, &still, within, REACH_TOLERANCE * 1e-3, &contact) != SWEEP_APART ||
 		    static_query_contained(scene, pair, &home, &point, diag) == INSIDE_YES) {
 			decide(pair, PAIR_ADJACENT, "neighbours by axis %c, within %g mm of each other at home",
 			       AXIS_LETTERS[pair->chain.joints[0].slot], within);

@@ -89,7 +89,7 @@ void cutting_log(const struct cutting *cutting, struct cut_log *log)
 	const struct cutter_way way = {place_of(cutting, &cutting->chord.q0), place_of(cutting, &cutting->chord.q1)};
 	const double error = axis_error(&log->cutters[cutting->cutter], &way, bound.chord_error[0]);
 	/* The deviation of a chord falls with the square of its length. */
-	const double wanted = ceil(sqrt(error / cutting->grain));
+	const double wanted = ceil(sqrt(error / cutting->chord_error));
 	const int pieces = wanted > PIECES_MAX ? PIECES_MAX : wanted > 1 ? (int)wanted : 1;
 
 	for (int i = 0; i < pieces; i++)

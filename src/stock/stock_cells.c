@@ -93,7 +93,7 @@ struct search {
 	uint64_t log_end;	/* the place of the time in the log */
 	double best;	/* mm: distance: so much is proved of all that was left out */
 	const struct distance_query *distance;
-	double within, grain;	/* meet */
+	double within, finest_half;	/* meet */
 	struct cube *found;
 	double depth;	/* prove */
 	long effort;
@@ -199,7 +199,7 @@ static bool meets(struct search *search, size_t index, const struct cube *cube)
 {
 	struct children children;
 
-	if (cube->half <= search->grain || cube->half <= search->cells->least_half) {
+	if (cube->half <= search->finest_half || cube->half <= search->cells->least_half) {
 		*search->found = *cube;
 		return true;
 	}
@@ -217,10 +217,10 @@ static bool meets(struct search *search, size_t index, const struct cube *cube)
 }
 
 bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double within,
-		      double grain, struct cube *found)
+		      double finest_half, struct cube *found)
 {
 	struct search search = {.cells = cells, .placed = placed, .time = time,
-				.log_end = cut_log_end(cells->log, time), .within = within, .grain = grain,
+				.log_end = cut_log_end(cells->log, time), .within = within, .finest_half = finest_half,
 				.found = found};
 
 	return gap_of(&search, &cells->root) <= within && is_there(&search, 0, &cells->root) &&
@@ -254,7 +254,7 @@ static bool proves(struct search *search, size_t index, const struct cube *cube)
 		*search->point = cube->centre;
 		return true;
 	}
-	if (cube->half <= search->grain || search->effort-- <= 0)
+	if (cube->half <= search->finest_half || search->effort-- <= 0)
 		return false;
 	look_at_children(search, index, cube, &children);
 	for (int turn = 0; turn < 8; turn++) {
@@ -282,12 +282,12 @@ bool stock_cells_prove(struct stock_cells *cells, const struct placed_obstacle *
 	/*
 	 * Coarse cells first: else those along a surface use up the effort, and much of what is left is not looked at.
 	 */
-	search.grain = cells->root.half / 8;
+	search.finest_half = cells->root.half / 8;
 	search.effort = effort;
 	while (!proves(&search, 0, &cells->root)) {
-		if (search.grain <= cells->least_half)
+		if (search.finest_half <= cells->least_half)
 			return false;
-		search.grain /= 4;
+		search.finest_half /= 4;
 		search.effort = effort;
 	}
 	return true;

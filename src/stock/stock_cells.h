@@ -78,11 +78,11 @@ double stock_cells_distance(struct stock_cells *cells, const struct placed_obsta
 			    const struct distance_query *query);
 
 /*
- * Is there a cell that is not proved farther than `within` mm from the obstacle? Cells with half an edge of `grain` mm
- * or less are not divided. *found is the first such cell.
+ * Is there a cell that is not proved farther than `within` mm from the obstacle? Cells with half an edge of
+ * `finest_half` mm or less are not divided. *found is the first such cell.
  */
 bool stock_cells_meet(struct stock_cells *cells, const struct placed_obstacle *placed, double time, double within,
-		      double grain, struct cube *found);
+		      double finest_half, struct cube *found);
 
 /*
  * Calls `visit` for each cell that is there at `time`, from the root down. Cells that only the rounding of the box

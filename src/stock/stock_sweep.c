@@ -10,7 +10,7 @@
 #define SWEEP_DEPTH 44
 
 /* Cells that are this much smaller than the motion are divided only when the motion is. */
-#define GRAIN_SHARE 0.125
+#define CELL_SHARE 0.125
 
 struct placed_obstacle stock_sweep_place(const struct stock_sweep *sweep, const axis_values *q)
 {
@@ -136,7 +136,7 @@ static bool meets(const struct stock_sweep *sweep, const struct chord *chord, co
 		const xform from = body_pair_pose(sweep->bodies, &chord->q0);
 		const xform to = body_pair_pose(sweep->bodies, &chord->q1);
 
-		if (passage_init(&passage, sweep->obstacle, &from, &to, sweep->grain)) {
+		if (passage_init(&passage, sweep->obstacle, &from, &to, sweep->least_way)) {
 			const bool met = meets_in_passage(sweep, &passage, time, beside, found);
 
 			passage_release(&passage);
@@ -144,7 +144,7 @@ static bool meets(const struct stock_sweep *sweep, const struct chord *chord, co
 		}
 	}
 	return stock_cells_meet(sweep->cells, &placed, time, sweep->clearance + spread->way + beside,
-				final ? 0 : GRAIN_SHARE * spread->way, found);
+				final ? 0 : CELL_SHARE * spread->way, found);
 }
 
 static enum sweep_answer sweep_piece(struct stock_sweep *sweep, const struct chord *chord, struct share share,
@@ -152,7 +152,7 @@ static enum sweep_answer sweep_piece(struct stock_sweep *sweep, const struct cho
 {
 	const struct spread spread = spread_of(sweep, chord);
 	const bool final = depth == SWEEP_DEPTH ||
-			   (spread.way <= sweep->grain && (!chord->curve || spread.error <= sweep->grain));
+			   (spread.way <= sweep->least_way && (!chord->curve || spread.error <= sweep->least_way));
 	struct chord halves[2];
 	struct cube found;
 	enum sweep_answer answer;
@@ -218,9 +218,9 @@ static enum sweep_answer sweep_positions(struct stock_sweep *sweep, const axis_v
 	if (must_stop(sweep, visits))
 		return SWEEP_UNDECIDED;
 	if (!stock_cells_meet(sweep->cells, &placed, number, sweep->clearance + reach + rounding_at(sweep, &middle),
-			      reach <= sweep->grain ? 0 : GRAIN_SHARE * reach, &found))
+			      reach <= sweep->least_way ? 0 : CELL_SHARE * reach, &found))
 		return SWEEP_APART;
-	if (reach <= sweep->grain || depth == SWEEP_DEPTH * SLOT_COUNT) {
+	if (reach <= sweep->least_way || depth == SWEEP_DEPTH * SLOT_COUNT) {
 		fill_contact(sweep, &found, &middle, 0, contact);
 		return SWEEP_CONTACT;
 	}

@@ -16,7 +16,7 @@ struct stock_sweep {
 	bool stock_is_a;	/* else it is b */
 	const struct obstacle *obstacle;	/* the other one */
 	double clearance;	/* mm */
-	double grain;	/* mm: a piece of motion in which no point moves more than twice this counts as an instant */
+	double least_way;	/* mm: a piece of motion in which no point moves more than twice this counts as an instant */
 	long effort;	/* cells to look at before the answer is UNDECIDED; 0: no limit */
 	const struct cancel *cancel;	/* asked during long work; or NULL */
 	bool broken_off;	/* `cancel` said stop: the answer is UNDECIDED */
@@ -36,7 +36,7 @@ bool stock_sweep_proves(struct stock_sweep *sweep, const struct chord *chord, co
  * Sweeps the motion along a chord, which is the step with this number. The stock at an instant of it is what is left
  * by everything that was cut before that instant. APART: at every instant the body is farther from the stock than the
  * clearance. CONTACT: the first instant at which a smallest cell is not proved so far away; then the body is at most
- * `grain` and the diagonal of such a cell too near to a place that no cutter is proved to have left.
+ * `least_way` and the diagonal of such a cell too near to a place that no cutter is proved to have left.
  * The answer depends on the step, the blank and the cuts alone.
  */
 enum sweep_answer stock_sweep_chord(struct stock_sweep *sweep, const struct chord *chord, double number,

@@ -8,12 +8,12 @@
 /*
  * All pairs of triangles, halving the motion wherever the distance at its
  * middle does not exceed what the joints can do to it: first order only, no trees,
- * no axes. Motions of less than `grain` mm are looked at in three instants.
+ * no axes. Motions of less than `least_way` mm are looked at in three instants.
  */
 struct oracle {
 	const struct duo *duo;
 	const axis_values *q0, *q1;
-	double clearance, grain;
+	double clearance, least_way;
 	struct centred_tri *of_a;
 	long steps;
 };
@@ -94,7 +94,7 @@ static inline double oracle_search(struct oracle *o, double s0, double s1, const
 		if (!oracle_apart(&o->of_a[pairs[k].i], &b, o->clearance + way))
 			kept[left++] = pairs[k];
 	}
-	if (left && 2 * way > o->grain) {
+	if (left && 2 * way > o->least_way) {
 		found = oracle_search(o, s0, middle, kept, left);
 		if (!(found < INFINITY))
 			found = oracle_search(o, middle, s1, kept, left);
@@ -111,10 +111,10 @@ static inline double oracle_search(struct oracle *o, double s0, double s1, const
 
 /* The first s at which the distance is at most the clearance; INFINITY: none found. */
 static inline double oracle_first(const struct duo *duo, const axis_values *q0, const axis_values *q1, double clearance,
-				  double grain)
+				  double least_way)
 {
 	size_t na = duo->a->mesh.count, nb = duo->b->mesh.count;
-	struct oracle o = {duo, q0, q1, clearance, grain, mem_alloc(na * sizeof(struct centred_tri)), 0};
+	struct oracle o = {duo, q0, q1, clearance, least_way, mem_alloc(na * sizeof(struct centred_tri)), 0};
 	struct oracle_pair *pairs = mem_alloc(na * nb * sizeof(*pairs));
 	double first;
 

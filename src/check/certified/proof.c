@@ -9,7 +9,7 @@
 #include "machine/motion_bound.h"
 
 /* A target beyond the clearance need not be decided exactly: an error of this share of the part beyond is fine. */
-#define MEASURE_GRAIN 0.1
+#define MEASURE_SHARE 0.1
 
 /* The most node pairs to look at for one rapid whose way is not known. Then the check reports an error. */
 #define BOX_VISITS 50000000L
@@ -184,7 +184,7 @@ enum query_answer pair_proof_step(struct pair_proof *proof, struct sweep *sweep,
 		.sweep = sweep,
 		.bodies = &proof->bodies,
 		.clearance = proof->target,
-		.tolerance = fmax(proof->tolerance, MEASURE_GRAIN * beyond),
+		.tolerance = fmax(proof->tolerance, MEASURE_SHARE * beyond),
 		.any = beyond > 0,
 		.box_visits = BOX_VISITS,
 	};

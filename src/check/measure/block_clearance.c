@@ -16,7 +16,7 @@
 #define SHARP_SHARE 0.95
 
 /* How exactly each query decides, as a share of the distance. */
-#define GRAIN 0.03
+#define TARGET_SHARE 0.03
 
 /* After so many queries in one step each further query halves the distance. The search normally ends long before. */
 #define QUERIES_MAX 60
@@ -45,7 +45,7 @@ void block_clearance_start(struct block_clearance *block, double most)
 
 /*
  * mm: the search is done once as much is proved and the bodies are no farther apart than `distance` mm. A little above
- * what is promised, for what rounding and GRAIN take.
+ * what is promised, for what rounding and TARGET_SHARE take.
  */
 static double enough(const struct block_clearance *block, double distance)
 {
@@ -198,7 +198,7 @@ static void prove(struct block_clearance *block, struct sweep *sweep, const stru
 	int failures = 0;
 
 	for (int round = 0; low < fmin(enough(block, high), block->bound) && target > tolerance; round++) {
-		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, GRAIN * target),
+		struct clearance_query query = {sweep, &block->bodies, target, fmax(tolerance, TARGET_SHARE * target),
 						true,  BOX_VISITS};
 		struct contact contact;
 		enum query_answer answer = clearance_query_step(&query, step, &contact);

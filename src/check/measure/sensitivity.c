@@ -193,9 +193,9 @@ static void turn(struct search *search, double at)
  */
 static void close_in(struct search *search, double low, double high, bool proved)
 {
-	double grain = PROBE * search->options.tolerance;
+	double finest = PROBE * search->options.tolerance;
 
-	while (high - low > grain && search->runs < RUNS_MAX) {
+	while (high - low > finest && search->runs < RUNS_MAX) {
 		double middle = 0.5 * (low + high);
 		struct probe probe = run(search, middle, 0);
 

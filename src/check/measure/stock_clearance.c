@@ -79,17 +79,17 @@ static bool keeps(struct stock_clearance *clearance, const struct motion_step *s
 /* Lowers the bound to what the body keeps in the step; it keeps `low` already. */
 static void search_distance(struct stock_clearance *clearance, const struct motion_step *step, long number, double low)
 {
-	const double grain = clearance->pair->sweep.grain;
+	const double least = clearance->pair->sweep.least_way;
 	double high = clearance->bound, target = high;
 
-	while (low < ENOUGH * high && high > grain && !clearance->pair->sweep.broken_off) {
+	while (low < ENOUGH * high && high > least && !clearance->pair->sweep.broken_off) {
 		if (keeps(clearance, step, number, target))
 			low = target;
 		else
 			high = target;
-		target = low > grain ? sqrt(low * high) : 0.5 * high;
+		target = low > least ? sqrt(low * high) : 0.5 * high;
 	}
-	clearance->bound = low > grain ? smaller(clearance->bound, low) : 0;
+	clearance->bound = low > least ? smaller(clearance->bound, low) : 0;
 }
 
 static void measure_step(struct stock_clearance *clearance, const struct motion_step *step, long number)
