@@ -337,20 +337,22 @@ static double proved_so_far(const struct pair_check *check, const struct check_o
 	return proved > check->scene->pairs[check->pair].clearance ? proved : 0;
 }
 
-/* Lowers the clearance of the step's block to what was proved of all steps, or to what is measured if that is 0. */
-static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, double proved,
-			 enum clearance_accuracy accuracy, const struct check_options *options)
+/* Lowers the clearance of the step's block to what is measured or was proved of all steps (0: nothing was). */
+static void measure_step(struct pair_check *check, struct sweep *sweep, const struct batch_step *step, bool selected,
+			 double proved, enum clearance_accuracy accuracy, const struct check_options *options)
 {
 	struct pair_check_clearance *clearance = &check->clearances[check->clearance_count - 1];
 	struct block_clearance *block = &check->methods->block;
 	const double before = block->bound;
 
-	if (proved > 0)
-		block->bound = smaller(before, proved);
-	else
+	if (selected || !(proved > 0))
 		block_clearance_step(block, sweep, &step->motion, options->tolerance, accuracy);
+	else
+		block->bound = 0;
+	if (proved > 0)
+		block->bound = larger(block->bound, smaller(before, proved));
 	if (block->bound < before)
-		clearance->so_far = proved > 0;
+		clearance->so_far = !selected && proved > 0;
 }
 
 void pair_check_measure(struct pair_check *check, struct sweep *sweep, const struct batch *batch,
@@ -380,7 +382,7 @@ void pair_check_measure(struct pair_check *check, struct sweep *sweep, const str
 			continue;
 		start_room(check, step->block, plan->most[i], options->least_clearances);
 		if (!clears)
-			measure_step(check, sweep, step, plan->selected[i] ? 0 : proved,
+			measure_step(check, sweep, step, plan->selected[i], proved,
 				     accuracy_of(options, sweep->visits > rough_from), options);
 		if (block->maybe_inside || !(block->bound > 0))
 			measure_inside(check, &step->motion);
