@@ -244,11 +244,12 @@ static void take_arguments(struct sinumerik *sinumerik, const struct sinumerik_c
 	}
 }
 
-static struct sinumerik_variable *first_of_level(struct sinumerik *sinumerik)
+/* The index of the first variable of the level, or the number of all. */
+static size_t first_of_level(const struct sinumerik *sinumerik)
 {
-	struct sinumerik_variable *first = sinumerik->variables + sinumerik->variable_count;
+	size_t first = sinumerik->variable_count;
 
-	while (first > sinumerik->variables && first[-1].level == sinumerik->level)
+	while (first > 0 && sinumerik->variables[first - 1].level == sinumerik->level)
 		first--;
 	return first;
 }
@@ -257,13 +258,16 @@ static struct sinumerik_variable *first_of_level(struct sinumerik *sinumerik)
 static void keep_begun(struct sinumerik *sinumerik, size_t count)
 {
 	struct sinumerik_call *call = top_call(sinumerik);
-	const struct sinumerik_variable *first = first_of_level(sinumerik);
+	const size_t first = first_of_level(sinumerik);
 
 	if (!call)
 		return;
 	call->begun_count = count < SINUMERIK_ARGUMENTS_MAX ? count : SINUMERIK_ARGUMENTS_MAX;
-	for (size_t i = 0; i < call->begun_count; i++)
-		call->begun[i] = first[i].numbers ? first[i].numbers[0] : 0;
+	for (size_t i = 0; i < call->begun_count; i++) {
+		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
+
+		call->begun[i] = parameter->numbers ? parameter->numbers[0] : 0;
+	}
 }
 
 /*
@@ -272,14 +276,17 @@ static void keep_begun(struct sinumerik *sinumerik, size_t count)
  */
 static bool check_begun(struct interp *interp, const struct sinumerik_call *call, int column)
 {
-	const struct sinumerik_variable *first = first_of_level(sinumerik_of(interp));
+	const struct sinumerik *sinumerik = sinumerik_of(interp);
+	const size_t first = first_of_level(sinumerik);
 
 	for (size_t i = 0; i < call->begun_count; i++) {
-		if (first[i].numbers && !same_double(first[i].numbers[0], call->begun[i]))
+		const struct sinumerik_variable *parameter = &sinumerik->variables[first + i];
+
+		if (parameter->numbers && !same_double(parameter->numbers[0], call->begun[i]))
 			return fault(&interp->at, column,
 				     "%s has changed its parameter %s, and P repeats it: what the next round begins "
 				     "with is not certain; let the subprogram change a variable of its own",
-				     call->title, first[i].name);
+				     call->title, parameter->name);
 	}
 	return true;
 }
