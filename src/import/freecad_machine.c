@@ -74,19 +74,6 @@ static void warn(struct reading *r, const char *format, ...)
 
 /* ------------------------------------------------------------------- values */
 
-/* A number that may be missing or null; then *value stays. False: it is something else. */
-static bool read_number(const json_t *object, const char *name, double *value)
-{
-	const json_t *at = json_object_get(object, name);
-
-	if (!at || json_is_null(at))
-		return true;
-	if (!json_is_number(at) || !isfinite(json_number_value(at)))
-		return false;
-	*value = json_number_value(at);
-	return true;
-}
-
 static bool read_vector(const json_t *array, vec3 *vector)
 {
 	double parts[3];
@@ -143,9 +130,9 @@ static bool read_travel(struct reading *r, const json_t *data, char letter, stru
 	const json_t *limits = json_object_get(data, "limits");
 	double least = NAN, most = NAN, rate = 0;
 
-	if (!read_number(data, "min", &least) || !read_number(data, "max", &most) ||
-	    !read_number(limits, "min", &least) || !read_number(limits, "max", &most) ||
-	    !read_number(data, "max_velocity", &rate))
+	if (!json_file_number(data, "min", &least) || !json_file_number(data, "max", &most) ||
+	    !json_file_number(limits, "min", &least) || !json_file_number(limits, "max", &most) ||
+	    !json_file_number(data, "max_velocity", &rate))
 		return fault(r, "axis %c: min, max and max_velocity must be numbers", letter);
 	if (isnan(least) || isnan(most))
 		warn(r, "the axis %c has no travel in this file: add limit_min and limit_max", letter);

@@ -84,17 +84,14 @@ static double unit_of(const json_t *object, double fallback)
 	return !strcmp(unit, "inches") ? MM_PER_INCH : 0;
 }
 
-/* A number, which may be missing or null; then it is the fallback. False: it is something else, or not finite. */
+/* A number times scale; where it is missing or null, the fallback. False: it is something else, or not finite. */
 static bool read_number(const json_t *object, const char *name, double scale, double fallback, double *value)
 {
-	const json_t *at = json_object_get(object, name);
+	double number = NAN;
 
-	*value = fallback;
-	if (!at || json_is_null(at))
-		return true;
-	if (!json_is_number(at) || !isfinite(json_number_value(at)))
+	if (!json_file_number(object, name, &number))
 		return false;
-	*value = scale * json_number_value(at);
+	*value = isnan(number) ? fallback : scale * number;
 	return true;
 }
 

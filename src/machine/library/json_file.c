@@ -1,5 +1,6 @@
 #include "machine/library/json_file.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/file_bytes.h"
@@ -21,4 +22,16 @@ json_t *json_file_read(const char *path, struct diag *diag)
 		diag_error(diag, (struct srcloc){.file = path, .line = error.line, .column = error.column},
 			   "this is not valid JSON: %s", error.text);
 	return root;
+}
+
+bool json_file_number(const json_t *object, const char *name, double *value)
+{
+	const json_t *at = json_object_get(object, name);
+
+	if (!at || json_is_null(at))
+		return true;
+	if (!json_is_number(at) || !isfinite(json_number_value(at)))
+		return false;
+	*value = json_number_value(at);
+	return true;
 }

@@ -3,10 +3,14 @@
 #define FIVECHECK_MACHINE_LIBRARY_JSON_FILE_H
 
 #include <jansson.h>
+#include <stdbool.h>
 
 #include "base/diag.h"
 
 /* The root of the file; the caller drops it with json_decref. NULL, reported: it cannot be read, or is no valid JSON. */
 json_t *json_file_read(const char *path, struct diag *diag);
+
+/* A number that may be missing or null; then *value stays. False: it is something else, or not finite. */
+bool json_file_number(const json_t *object, const char *name, double *value);
 
 #endif
