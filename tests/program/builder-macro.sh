@@ -22,6 +22,12 @@ NC
 status fivecheck -q --dump-path m.xml probe.nc | cut -f 1-7
 # Within 95 mm of X8 the head meets the post, which no programmed move does.
 status fivecheck -q m.xml probe.nc 2>&1 | sed -n 1,2p
+# Scaled by 3 it moves 60 mm, in Z as well: the head, 55 mm above the table, meets it.
+sed 's|X="95" Z="30"|X="20" Z="20"|' m.xml >a.xml
+for scale in 1. 3.; do
+	printf '%%\nG90 G21 G94 F500\nG53 G0 X-60. Z-45.\nG51 X0 Z0 P%s\nG65 P9811\nM30\n' "$scale" >a.nc
+	status fivecheck -q a.xml a.nc 2>&1 | grep 'collision\|error\|status'
+done
 for block in 'G65 P9999' 'M98 P9999' 'G65 P77' 'M98 P9810' 'G66 P9811'; do
 	printf '%%\nG90 G21\n%s\nM30\n' "$block" >a.nc
 	status fivecheck -q --parse-only m.xml a.nc 2>&1 | grep -v '^ '
