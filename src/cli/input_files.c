@@ -11,6 +11,50 @@
 #include "report/depfile.h"
 #include "report/output.h"
 
+struct file_stamp {
+	const char *path;	/* borrowed from the item */
+	dev_t device;
+	ino_t inode;
+	off_t size;
+	struct timespec written, changed;
+};
+
+static bool is_same_time(const struct timespec *a, const struct timespec *b)
+{
+	return a->tv_sec == b->tv_sec && a->tv_nsec == b->tv_nsec;
+}
+
+static bool is_later(const struct timespec *a, const struct timespec *b)
+{
+	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
+}
+
+/* A file that is not there gets none: it is reported when it is read. */
+static void add_stamp(struct input_files *inputs, const char *path)
+{
+	struct stat status;
+
+	if (stat(path, &status) != 0)
+		return;
+	inputs->stamps = mem_grow(inputs->stamps, &inputs->stamp_capacity, inputs->stamp_count + 1,
+				  sizeof(*inputs->stamps));
+	inputs->stamps[inputs->stamp_count++] = (struct file_stamp){path, status.st_dev, status.st_ino, status.st_size,
+								    status.st_mtim, status.st_ctim};
+}
+
+static bool has_changed(const struct input_files *inputs, const char *path, const struct stat *now)
+{
+	for (size_t i = 0; i < inputs->stamp_count; i++) {
+		const struct file_stamp *then = &inputs->stamps[i];
+
+		if (then->path == path && (then->device != now->st_dev || then->inode != now->st_ino ||
+					   then->size != now->st_size || !is_same_time(&then->written, &now->st_mtim) ||
+					   !is_same_time(&then->changed, &now->st_ctim)))
+			return true;
+	}
+	return is_later(&now->st_ctim, &inputs->started);
+}
+
 static void add(struct input_files *inputs, const char *kind, const char *path)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
@@ -18,7 +62,8 @@ static void add(struct input_files *inputs, const char *kind, const char *path)
 			return;
 	}
 	inputs->items = mem_grow(inputs->items, &inputs->capacity, inputs->count + 1, sizeof(*inputs->items));
-	inputs->items[inputs->count++] = (struct report_file){kind, mem_strndup(path, strlen(path)), ""};
+	inputs->items[inputs->count] = (struct report_file){kind, mem_strndup(path, strlen(path)), ""};
+	add_stamp(inputs, inputs->items[inputs->count++].path);
 }
 
 static void on_opened(void *context, const char *path)
@@ -42,6 +87,7 @@ void input_files_release(struct input_files *inputs)
 	for (size_t i = 0; i < inputs->count; i++)
 		free((char *)inputs->items[i].path);
 	free(inputs->items);
+	free(inputs->stamps);
 	pthread_mutex_destroy(&inputs->lock);
 }
 
@@ -87,11 +133,6 @@ void input_files_sort(struct input_files *inputs)
 		qsort(inputs->items, inputs->count, sizeof(*inputs->items), compare);
 }
 
-static bool is_later(const struct timespec *a, const struct timespec *b)
-{
-	return a->tv_sec != b->tv_sec ? a->tv_sec > b->tv_sec : a->tv_nsec > b->tv_nsec;
-}
-
 void input_files_digest(struct input_files *inputs)
 {
 	for (size_t i = 0; i < inputs->count; i++) {
@@ -122,7 +163,7 @@ bool input_files_verify(const struct input_files *inputs, bool strict, struct di
 				diag_error(diag, (struct srcloc){0}, "--record: cannot read %s: %s", file->path,
 					   strerror(there ? EIO : errno));
 			good = good && !strict;
-		} else if (is_later(&status.st_ctim, &inputs->started)) {
+		} else if (has_changed(inputs, file->path, &status)) {
 			diag_error(diag, (struct srcloc){0}, "%s changed while it was checked", file->path);
 			good = false;
 		}

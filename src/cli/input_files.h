@@ -13,15 +13,23 @@
 #include "machine/setup.h"
 #include "report/report.h"
 
+struct file_stamp;
+
 struct input_files {
 	struct file_opened opened;	/* give it to the check: it adds the files of subprograms */
 	pthread_mutex_t lock;
 	struct timespec started;
 	struct report_file *items;	/* their paths are owned */
 	size_t count, capacity;
+	struct file_stamp *stamps;	/* how each file was when it was added; in the order of adding */
+	size_t stamp_count, stamp_capacity;
 };
 
-/* Takes the time: later changes of a file are noticed. Must not be moved afterwards: `opened` points back at it. */
+/*
+ * Takes the time: later changes of a file are noticed. From the moment at which a file is added its size, inode and
+ * times are compared as well, so that a clock that was set back hides nothing. Must not be moved afterwards: `opened` points back
+ * at it.
+ */
 void input_files_init(struct input_files *inputs);
 void input_files_release(struct input_files *inputs);
 
