@@ -96,6 +96,10 @@ demo-web: web
 TEST_TARGETS := accept bench bench-quick bench-readme build-units campaign campaign-dialects campaign-stock campaign-verdict check check-apache check-asan check-browser check-calls check-deb check-faults check-gltf \
 	check-install check-layers check-long check-machines check-man check-math check-page check-program check-quick check-reproducible check-rs274 check-short check-tsan \
 	check-unit check-valgrind check-wasm check-wasm-long coverage demo fuzz lint stress stress-table
+# Each of them starts a make of its own: several goals of one call must not build the same file at once.
+ifneq ($(filter $(TEST_TARGETS),$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 $(TEST_TARGETS):
 	@+$(MAKE) --no-print-directory -f tests/Makefile $@
 
