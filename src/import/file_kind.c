@@ -6,6 +6,7 @@
 #include "base/file_bytes.h"
 #include "import/mesh_file.h"
 #include "machine/library/library_file.h"
+#include "machine/library/vericut_text.h"
 
 /* What stands between the start of an XML file and its root element is short. */
 #define HEAD_MAX 4096
@@ -97,57 +98,14 @@ static bool tell(enum file_kind *kind, const char *path, const char *text)
 	return library_kind_of(text) != LIBRARY_NONE;
 }
 
-/* The digits and dots after the word "version" in the first lines; *length is 0 if there are none. */
-static const char *version_of(const char *text, size_t *length)
-{
-	static const char word[] = "version";
-
-	*length = 0;
-	for (const char *at = text; *at && at - text < HEAD_MAX && !*length; at++) {
-		const char *number;
-
-		if (strncasecmp(at, word, sizeof(word) - 1) != 0)
-			continue;
-		number = at + sizeof(word) - 1;
-		number += strspn(number, " \t:=-_\"");
-		*length = strspn(number, "0123456789.");
-		text = *length ? number : text;
-	}
-	return text;
-}
-
-/* Refuses the text form of VERICUT's files, whose grammar is not published. False: it is none of them. */
-static bool refuse_old_vericut(const char *path, const char *text, struct diag *diag)
-{
-	static const struct {
-		const char *end, *what;
-	} kinds[] = {
-		{".mch", "a machine"}, {".vcproject", "a project"}, {".usr", "a job (user file)"},
-		{".tls", "a tool library"}, {".ctl", "a control"},
-	};
-	size_t length;
-	const char *version;
-
-	if (*skip_space(text) == '<' || !strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))
-		return false;
-	for (size_t i = 0; i < sizeof(kinds) / sizeof(*kinds); i++) {
-		if (!ends_with(path, kinds[i].end))
-			continue;
-		version = version_of(text, &length);
-		diag_error(diag, (struct srcloc){.file = path},
-			   "this is %s of VERICUT in its text form, %s%.*s: the grammar of that form is not published, so it "
-			   "is not read. Open it in VERICUT 7 or later and save it under a new name: then it is XML, which "
-			   "can be imported",
-			   kinds[i].what, length ? "of version " : "of version 6 or before", (int)(length < 20 ? length : 20),
-			   version);
-		return true;
-	}
-	return false;
-}
-
 /* What is known of a file that cannot be imported, so that its owner knows what to do. */
-static const char *advice(const char *path, const char *text)
+static const char *advice(const char *path, const struct file_bytes *file)
 {
+	const char *text = file->bytes;
+
+	/* Also if there is white space alone. */
+	if (skip_space(text) == text + file->count)
+		return "this file is empty";
 	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2))
 		return "this file is in UTF-16: save it as UTF-8 (a text editor does)";
 	if (ends_with(path, ".step") || ends_with(path, ".stp") || ends_with(path, ".igs") || ends_with(path, ".iges"))
@@ -170,8 +128,8 @@ bool file_kind_of(enum file_kind *kind, const char *path, struct diag *diag)
 	if (!file_bytes_read(&file, path, diag))
 		return false;
 	known = tell(kind, path, file.bytes);
-	if (!known && !refuse_old_vericut(path, file.bytes, diag))
-		diag_error(diag, (struct srcloc){.file = path}, "%s", advice(path, file.bytes));
+	if (!known && !vericut_text_refuse(path, file.bytes, diag))
+		diag_error(diag, (struct srcloc){.file = path}, "%s", advice(path, &file));
 	file_bytes_release(&file);
 	return known;
 }

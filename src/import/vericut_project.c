@@ -10,6 +10,7 @@
 
 #include "base/mem.h"
 #include "base/strbuf.h"
+#include "import/file_kind.h"
 #include "import/mesh_file.h"
 #include "import/vericut_components.h"
 #include "import/vericut_machine.h"
@@ -65,6 +66,7 @@ static const char *find_file(const struct reading *r, struct arena *arena, const
 static bool find_machine(struct reading *r, const char **path)
 {
 	const char *first = NULL;
+	enum file_kind kind;
 
 	for (const xmlNode *setup = foreign_child(xml_root(&r->xml), "Setup"); setup;
 	     setup = foreign_next(setup, "Setup")) {
@@ -84,6 +86,13 @@ static bool find_machine(struct reading *r, const char **path)
 		return false;
 	}
 	*path = find_file(r, &r->arena, first);
+	if (*path && !file_kind_of(&kind, *path, r->diag))
+		return false;
+	if (*path && kind != FILE_VERICUT_MACHINE) {
+		xml_error(&r->xml, xml_root(&r->xml), NULL, "'%s' is no machine of VERICUT: its root must be <VcMachine>",
+			  xml_quote(first).text);
+		return false;
+	}
 	if (!*path)
 		xml_error(&r->xml, xml_root(&r->xml), NULL,
 			  "the machine '%s' is not there: put it beside the project, or name its folder with --meshes",

@@ -387,7 +387,7 @@ static bool read_list(struct reading *r, const json_t *root)
 
 	if (!json_is_array(list)) {
 		diag_error(r->diag, (struct srcloc){.file = r->path},
-			   "a tool library of Fusion has a list of tools in \"data\"");
+			   "this is JSON, but no tool library of Fusion 360, which has a list of tools in \"data\"");
 		return false;
 	}
 	json_array_foreach (list, i, item) {

@@ -7,6 +7,7 @@
 #include "machine/library/fusion_tools.h"
 #include "machine/library/offset_listing.h"
 #include "machine/library/tool_table_file.h"
+#include "machine/library/vericut_text.h"
 #include "machine/library/vericut_tools.h"
 
 /* What stands between the start of an XML file and its root element is short. */
@@ -52,6 +53,13 @@ static bool read_text(struct tool_library *tools, enum library_kind kind, const 
 		return offset_listing_read(tools, text, path, options->unit, diag);
 	case LIBRARY_NONE:
 		break;
+	}
+	if (vericut_text_refuse(path, text, diag))
+		return false;
+	if (!strncmp(text, "\xff\xfe", 2) || !strncmp(text, "\xfe\xff", 2)) {
+		diag_error(diag, (struct srcloc){.file = path},
+			   "this file is in UTF-16: save it as UTF-8 (a text editor does)");
+		return false;
 	}
 	if (!strncmp(text, "PK\003\004", 4)) {
 		diag_error(diag, (struct srcloc){.file = path},
